@@ -176,13 +176,24 @@ void MainMenus::makeViewMenu(QMenu* menu) {
         [this] { with_.layout.toggleDocks(); });
 }
 
+/// A word with its first letter that no other has, marked.
+static QString withLetter(QString word, QString& taken) {
+    for (qsizetype i = 0; i < word.size(); ++i)
+        if (!taken.contains(word[i])) {
+            taken += word[i];
+            return word.insert(i, '&');
+        }
+    return word;
+}
+
 void MainMenus::makeAnalysisMenu(QMenu* menu) {
     menu->setToolTipsVisible(true);
     int number = 0;
+    QString letters;
     for (const AnalysisKind kind : allAnalysisKinds()) {
         const QString word = QString::fromStdString(name(kind));
         auto* action = menu->addAction(
-            icon(kind->icon), tr("New &%1 analysis…").arg(word), this,
+            icon(kind->icon), tr("New %1 analysis…").arg(withLetter(word, letters)), this,
             [this, kind] { with_.ask.newAnalysis(kind, with_.workbench.settings()); });
         action->setObjectName("new-" + word);
         action->setIconText(QString(word).replace(0, 1, word.left(1).toUpper()));

@@ -60,6 +60,17 @@ std::vector<Job> eachBandItsImage(const std::vector<Job>& jobs) {
     return list;
 }
 
+/// Where the cases of a sweep go; null for anything else.
+std::unique_ptr<CaseFile> caseFileOf(const Job& job) {
+    if (job.data.kind->form != AnalysisForm::sweep)
+        return nullptr;
+    constexpr double worthAFile_s = 2.0;
+    const bool isAlone = job.share.isAll() && !job.resumes;
+    return std::make_unique<CaseFile>(
+        CaseFile::besides(job.files.front(), job.share),
+        CaseFile::Options{job.share, job.resumes, inputHashes(), isAlone ? worthAFile_s : 0.0});
+}
+
 } // namespace
 
 int runJobs(std::vector<Job> jobs, Context& context) {
@@ -81,6 +92,7 @@ int runJobs(std::vector<Job> jobs, Context& context) {
             const StageTimer::Scope scope(&context.timer, "start renderer");
             source = makeIrsgImageSource();
         }
+        const std::unique_ptr<CaseFile> cases = caseFileOf(job);
         std::stop_source stop;
         {
             ProgressLine line;
@@ -95,19 +107,32 @@ int runJobs(std::vector<Job> jobs, Context& context) {
                         if (stopWasAsked())
                             stop.request_stop();
                     },
-                    stop.get_token(), &context.timer);
+                    stop.get_token(), &context.timer, cases.get());
         }
+        if (cases && cases->keptOld())
+            warn("cases of an earlier run are kept as " + cases->file().string() +
+                 ".old; --resume goes on with them");
         for (const std::string& warning : job.data.warnings)
             warn(job.data.name + ": " + warning);
         const StageTimer::Scope scope(&context.timer, "save");
         const bool hasResult = job.data.kind->form == AnalysisForm::image ? !job.data.image.empty()
                                                                           : !job.data.table.empty();
         Outcome outcome{&job.data, {}};
+        if (!job.share.isAll()) {
+            cases->flush();
+            outcome.files.push_back(cases->file());
+        }
         for (const std::filesystem::path& file : job.files) {
-            if (hasResult) {
+            if (hasResult && job.share.isAll()) {
                 saveResult(job.data, file);
                 outcome.files.push_back(file);
             }
+        }
+        if (cases && job.share.isAll()) {
+            if (job.data.state == AnalysisState::complete)
+                cases->remove();
+            else
+                cases->flush();
         }
         // What is written need not wait for the end of all.
         job.data.image = {};

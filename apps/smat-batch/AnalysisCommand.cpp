@@ -20,6 +20,15 @@ class AnalysisCommand {
         command.add_option("--analysis", analysis_, "Start from this analysis of the project")
             ->type_name("NAME");
         command.add_flag("--dry-run", dryRun_, "Say what would be drawn, and stop");
+        if (kind->form == AnalysisForm::sweep) {
+            command
+                .add_option("--shard", shard_,
+                            "Draw one part of the sweep, 2/4 for the second of four, into "
+                            "FILE.part2of4; smat-batch merge joins the parts")
+                ->type_name("I/N");
+            command.add_flag("--resume", resumes_,
+                             "Go on with a run that was ended before it was done");
+        }
         if (kind->form == AnalysisForm::image) {
             command.footer("Several bands give a file each: FILE@3-5um.exr.");
         } else if (kind->form != AnalysisForm::spectrum) {
@@ -55,6 +64,9 @@ class AnalysisCommand {
         }
         job.data.commandLine = context.commandLine;
         job.files.assign(files_.begin(), files_.end());
+        if (!shard_.empty())
+            job.share = CaseShare::fromText(shard_, "--shard");
+        job.resumes = resumes_;
         return dryRun_ ? describeJobs({job}, context) : runJobs({job}, context);
     }
 
@@ -78,7 +90,8 @@ class AnalysisCommand {
     SettingOptions settings_;
     std::vector<std::string> files_;
     std::string analysis_;
-    bool dryRun_ = false;
+    std::string shard_;
+    bool resumes_ = false, dryRun_ = false;
 };
 
 } // namespace

@@ -57,6 +57,8 @@ void addAnalysisCommands(CLI::App& app, Context& context);
 void addDatabaseCommand(CLI::App& app, Context& context);
 void addCompareCommand(CLI::App& app, Context& context);
 void addConvertCommand(CLI::App& app, Context& context);
+void addMergeCommand(CLI::App& app, Context& context);
+void addExplainCommand(CLI::App& app, Context& context);
 void addModelCommand(CLI::App& app, Context& context);
 void addModelCodesCommand(CLI::App& model, Context& context); ///< of `model`
 void addMonteCarloCommand(CLI::App& app, Context& context);

@@ -46,7 +46,7 @@ void TableFiles::check(const std::string& example) const {
                              .expected = "a result file, such as --out " + example});
     }
     for (const std::string& file : files_)
-        checkResultFile(AnalysisKind::table, file);
+        checkResultFile(AnalysisKind::other, file);
 }
 
 void TableFiles::write(const std::string& kind, const ResultTable& table,

@@ -53,7 +53,8 @@ class RunCommand {
         }
         std::vector<Job> jobs;
         for (const std::string& one : names) {
-            Job job{AnalysisData::of(project, one), {}};
+            Job job;
+            job.data = AnalysisData::of(project, one);
             job.data.settings = job.data.settings.with(given);
             job.data.commandLine = context.commandLine;
             for (const std::string& extension : usualResultExtensions(job.data.kind))

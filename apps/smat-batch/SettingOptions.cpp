@@ -76,7 +76,7 @@ SettingOptions::SettingOptions(CLI::App& command,
             // A list may also be given word by word.
             if (setting.kind == SettingKind::pathList)
                 given->option->join(';');
-            else if (setting.kind == SettingKind::band)
+            else if (setting.kind == SettingKind::band || setting.kind == SettingKind::realList)
                 given->option->join(',');
             else
                 given->option->take_last();

@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <ctime>
 #include <exception>
 #include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -9,8 +12,10 @@
 #include "apps/smat-batch/Output.h"
 #include "apps/smat-batch/SettingOptions.h"
 #include "apps/smat-batch/Streams.h"
+#include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
+#include "irsg/radiometry/ParallelFor.h"
 #include "irsg/radiometry/Utf8.h"
 #include "smatcore/data/ImageSource.h"
 #include "smatcore/data/Provenance.h"
@@ -40,11 +45,26 @@ int printVersion() {
     return done;
 }
 
+/// Of the pool and of a software renderer, which reads it when it is started.
+void limitThreads(const std::string& text) {
+    const std::optional<double> count = irsg::parseNumber(text);
+    if (!count || !(*count >= 1.0 && *count <= 1024.0) || *count != std::floor(*count))
+        throw refusal("--threads", text, "a whole number from 1 to 1024");
+    irsg::setMostThreads(static_cast<unsigned>(*count));
+    // 0 draws on the calling thread alone.
+    const int drawing = *count > 1.0 ? static_cast<int>(*count) : 0;
+    setenv("LP_NUM_THREADS", std::to_string(drawing).c_str(), 1);
+}
+
 /// Options that every command takes, before or after its name.
 void addCommonOptions(CLI::App& app, Context& context) {
     app.add_flag("--json", context.json, "Machine output on standard output");
     app.add_flag("--timing", context.timing, "A table of the stages and their times at the end");
     app.add_flag("--verbose", context.verbose, "Say what is done, before it is done");
+    app.add_option_function<std::string>("--threads", limitThreads,
+                                         "Threads that compute, and that draw without a graphics "
+                                         "card, at most; as many as there are cores without it")
+        ->type_name("N");
     app.add_flag_callback(
         "--version", [&context] { context.work = printVersion; },
         "The version, with the renderer of OpenGL");
@@ -100,9 +120,11 @@ int main(int argc, char** argv) {
     addCommonOptions(app, context);
     addRunCommand(app, context);
     addAnalysisCommands(app, context);
+    addExplainCommand(app, context);
     addDatabaseCommand(app, context);
     addCompareCommand(app, context);
     addConvertCommand(app, context);
+    addMergeCommand(app, context);
     addModelCommand(app, context);
     addMonteCarloCommand(app, context);
     addMtfCommand(app, context);

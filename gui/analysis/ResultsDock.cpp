@@ -369,7 +369,7 @@ void ResultsDock::save() {
     try {
         // A table is one whatever it was measured for, also the sums of an image.
         if (!entry->isImage())
-            checkResultFile(AnalysisKind::table, file.toStdString());
+            checkResultFile(AnalysisKind::other, file.toStdString());
         if (entry->monteCarlo)
             saveMonteCarlo(*entry->monteCarlo, file.toStdString());
         else if (entry->isImage())

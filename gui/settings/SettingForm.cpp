@@ -115,6 +115,7 @@ QWidget* SettingForm::makeField(const SettingInfo& info) {
     case SettingKind::choice:
         return info.names.empty() ? makeChoice(info, false) : makeNamed(info);
     case SettingKind::choiceOrReal:
+    case SettingKind::realList:
         return makeChoice(info, true);
     case SettingKind::path:
     case SettingKind::pathList:

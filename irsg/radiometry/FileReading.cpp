@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <map>
 #include <mutex>
 #include <set>
 #include <system_error>
@@ -36,7 +37,8 @@ using Identity = std::pair<dev_t, ino_t>;
 struct Inputs {
     std::atomic<bool> wanted = false;
     std::mutex mutex;
-    std::set<Identity> read, changed;
+    std::map<Identity, fs::path> read;
+    std::set<Identity> changed;
 };
 
 Inputs& inputs() {
@@ -44,12 +46,12 @@ Inputs& inputs() {
     return inputs;
 }
 
-void note(const struct stat& status) {
+void note(const struct stat& status, const fs::path& file) {
     Inputs& all = inputs();
     if (!all.wanted)
         return;
     const std::scoped_lock lock(all.mutex);
-    all.read.emplace(status.st_dev, status.st_ino);
+    all.read.try_emplace({status.st_dev, status.st_ino}, file);
 }
 
 class OpenFile {
@@ -69,7 +71,7 @@ class OpenFile {
             refuse(file, S_ISDIR(status_.st_mode) ? "a folder" : "something that is no file",
                    "a file");
         }
-        note(status_);
+        note(status_, file);
     }
     ~OpenFile() { close(descriptor_); }
     OpenFile(const OpenFile&) = delete;
@@ -127,7 +129,16 @@ void protectInputs() {
 void noteInput(const fs::path& file) {
     struct stat status {};
     if (stat(file.c_str(), &status) == 0)
-        note(status);
+        note(status, file);
+}
+
+std::vector<fs::path> inputsRead() {
+    Inputs& all = inputs();
+    const std::scoped_lock lock(all.mutex);
+    std::vector<fs::path> files;
+    for (const auto& [identity, file] : all.read)
+        files.push_back(file);
+    return files;
 }
 
 void refuseInputAsOutput(const fs::path& output) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace irsg {
 
@@ -21,6 +22,8 @@ std::string readFileBeginning(const std::filesystem::path& file, std::size_t siz
 void protectInputs();
 /// Remembers a file that is read in another way.
 void noteInput(const std::filesystem::path& file);
+/// The files that were read since, in any order, each once.
+std::vector<std::filesystem::path> inputsRead();
 /// Throws InputError where an output is a file that was read, under whatever name.
 void refuseInputAsOutput(const std::filesystem::path& output);
 /// A file that is read in order to be changed.

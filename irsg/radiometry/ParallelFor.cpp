@@ -145,6 +145,11 @@ void parallelForSmall(std::size_t count, const std::function<void(std::uint32_t)
     });
 }
 
+unsigned mostThreads() {
+    const std::lock_guard lock(shared().mutex);
+    return shared().wanted ? shared().wanted : std::max(1U, std::thread::hardware_concurrency());
+}
+
 void setMostThreads(unsigned threads) {
     const std::lock_guard lock(shared().mutex);
     shared().wanted = threads;

@@ -32,7 +32,9 @@ constexpr std::size_t beginOfPart(std::size_t part, std::size_t parts, std::size
     return size * part / parts;
 }
 
-/// Limits the threads that parallelFor uses, for tests; 0: as many as the machine has cores.
+/// Limits the threads that parallelFor uses; 0: as many as the machine has cores.
 void setMostThreads(unsigned threads);
+/// How many it may use.
+unsigned mostThreads();
 
 } // namespace irsg

@@ -34,6 +34,7 @@ constexpr std::array entries = {
     Entry{Quantity::intensity, {"intensity", "Intensity", "W sr-1", "W·sr⁻¹"}},
     Entry{Quantity::contrastIntensity,
           {"contrast_intensity", "Contrast intensity", "W sr-1", "W·sr⁻¹"}},
+    Entry{Quantity::sourceIntensity, {"source_intensity", "Source intensity", "W sr-1", "W·sr⁻¹"}},
     Entry{Quantity::spectralIntensity,
           {"spectral_intensity", "Spectral intensity", "W sr-1 um-1", "W·sr⁻¹·µm⁻¹"}},
     Entry{Quantity::spectralContrastIntensity,

@@ -26,6 +26,7 @@ enum class Quantity {
     spectralRadiance,
     intensity,
     contrastIntensity,
+    sourceIntensity, ///< with no air between and nothing behind
     spectralIntensity,
     spectralContrastIntensity,
     irradiance,

@@ -49,6 +49,11 @@ class Irsg {
     RenderedImage render();
     /// The image of render() alone, for a window that follows what is edited (Wanted::followed).
     RadianceImage picture();
+    /// See Renderer::explainer; of the present values.
+    std::shared_ptr<Renderer::Explainer> explainer() { return renderer_->explainer(scene_, view_); }
+    PixelExplanation explain(Renderer::Explainer& explainer, int x, int y) {
+        return renderer_->explain(explainer, x, y);
+    }
     /// The report alone, in double from factors that are kept (Wanted::reports).
     RenderReport measure();
     /// The same in several bands, from the same drawings.
@@ -57,9 +62,10 @@ class Irsg {
     std::vector<RenderReport> measureAlongRange(const std::vector<Band>& bands);
     /// Begins measure() of the present values, see Renderer::begin.
     std::shared_ptr<Renderer::Begun> beginMeasure(const std::vector<Band>& bands,
-                                                  bool alongRange = false) {
-        return renderer_->begin(scene_, view_,
-                                {.reports = true, .alongRange = alongRange, .bands = bands});
+                                                  bool alongRange = false, bool source = false) {
+        return renderer_->begin(
+            scene_, view_,
+            {.reports = true, .alongRange = alongRange, .source = source, .bands = bands});
     }
     std::vector<RenderReport> finishMeasure(const std::shared_ptr<Renderer::Begun>& begun) {
         return renderer_->finish(begun);

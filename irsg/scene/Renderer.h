@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "irsg/scene/Scene.h"
+#include "irsg/scene/values/PixelExplanation.h"
 
 namespace irsg {
 
@@ -39,6 +40,14 @@ class Renderer {
     std::shared_ptr<Begun> begin(const Scene& scene, const SensorView& view, const Wanted& wanted);
     /// Its reports, by band. What was begun must not outlive this renderer.
     std::vector<RenderReport> finish(const std::shared_ptr<Begun>& begun);
+
+    /// Makes ready to explain the pixels of render()'s image, whoever drew it, in the sensor's
+    /// band: what each of them is made of, by rays through the samples that the image takes of it.
+    /// Throws what render() throws, and InputError where this build has no rays.
+    struct Explainer;
+    std::shared_ptr<Explainer> explainer(const Scene& scene, const SensorView& view);
+    /// LogicError for a pixel outside the frame. An explainer must not outlive this renderer.
+    PixelExplanation explain(Explainer& explainer, int x, int y);
 
     /// Checks the whole scene: every code has an entry, spectra cover the bands, sensor and targets
     /// are above the ground, an atmosphere has the calculation mode. Throws InputError with every

@@ -60,6 +60,7 @@ Renderer::Impl::Frame Renderer::Impl::frame(const Scene& scene, const SensorView
     const std::vector<Band> bands =
         wanted.bands.empty() ? std::vector<Band>{view.sensor.band} : wanted.bands;
     Frame result(scene, view, bands);
+    result.withSources = wanted.source && !wanted.image;
     result.centre = centreOf(view.viewpoint);
     result.geometry = geometry(scene, view);
     checkScene(scene.entities, result.geometry, scene.environment, view.sensor, bands,
@@ -99,11 +100,12 @@ void Renderer::Impl::evaluate(Frame& frame) {
 std::shared_ptr<const SampledScene> Renderer::Impl::sample(const Frame& frame) {
     const AirScene scene{terms, frame.scene.entities, frame.geometry, frame.scene.settings,
                          frame.centre};
-    return sampledScenes.of(air, scene, frame.bands, [&](const AirScene& own, const Band& band) {
-        return own.settings.mode == CalculationMode::wideband
-                   ? SceneSampling::wideband(air, own, wideband(frame.scene, band))
-                   : sampling.spectral(air, own, band);
-    });
+    return sampledScenes.of(
+        air, scene, frame.bands, frame.withSources, [&](const AirScene& own, const Band& band) {
+            return own.settings.mode == CalculationMode::wideband
+                       ? SceneSampling::wideband(air, own, wideband(frame.scene, band))
+                       : sampling.spectral(air, own, band);
+        });
 }
 
 std::shared_ptr<const WidebandPoints> Renderer::Impl::wideband(const Scene& scene,
@@ -123,6 +125,10 @@ std::shared_ptr<const WidebandPoints> Renderer::Impl::wideband(const Scene& scen
 void Renderer::Impl::drawBackgrounds(Frame& frame, const std::vector<SampledBand>& bands) {
     const RenderSettings& settings = frame.scene.settings;
     for (std::size_t k = 0; k < bands.size(); ++k) {
+        if (bands[k].isSource) {
+            frame.backgrounds.emplace_back(0.0);
+            continue;
+        }
         const BandSky sky(frame.scene.environment, *bands[k].sampling);
         BackgroundSettings wanted;
         wanted.asksEnvironment = settings.background == BackgroundMode::environment;

@@ -121,12 +121,13 @@ struct Renderer::Impl {
         SampleEngine* engine = nullptr;
         std::string renderer; ///< who that is
         std::vector<Band> bands;
+        bool withSources = false; ///< outputs are the bands, then their sources
         std::vector<ObjectGeometry> geometry;
         LineOfSight centre; ///< through the middle of the field, unbounded
         std::vector<std::string> answeredBy, warnings;
         std::shared_ptr<EvaluatedScene> evaluated;
         SharedValues background;                  ///< uniform, as evaluated radiances have it
-        std::vector<FrameBackground> backgrounds; // by band
+        std::vector<FrameBackground> backgrounds; // by output
         BackgroundReport backgroundReport;
         std::vector<SurfaceItem> items; // of all objects, in their model axes until sceneOf
         std::vector<std::shared_ptr<const RayMesh>> meshes; // by entity, for rays

@@ -52,6 +52,12 @@ struct Wanted {
     /// At a single range it then differs from an image by the sampling errors of both. See
     /// RangeFactors for when; else it is drawn as without. Without effect on images.
     bool alongRange = false;
+    /// Behind the reports of the bands one more of each, in the same order, of the source: what
+    /// leaves the objects towards the sensor, lit as they are, with no air between and nothing
+    /// behind them. Its intensity is that of contrast, and from the same drawings. A measured
+    /// spectrum is taken as it was measured, at its reference distance. Without effect on
+    /// images.
+    bool source = false;
     /// In-band quantities are asked for in these, from the same drawings; none: in the sensor's.
     std::vector<Band> bands = {};
     /// Wavenumbers of a spectrum, cm-1, > 0, in any order; it is computed in the spectral mode,
@@ -64,7 +70,7 @@ struct Wanted {
 
 struct Rendered {
     RadianceImage image;               ///< "L"; with truth layers the other planes (TruthLayers.h)
-    std::vector<RenderReport> reports; ///< by band
+    std::vector<RenderReport> reports; ///< by band, then of the sources
     IntensitySpectrum spectrum;
     std::vector<std::unique_ptr<const ScaledView>> scaled; ///< by band, or one of the spectrum
 };

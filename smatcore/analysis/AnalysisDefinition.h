@@ -33,8 +33,6 @@ struct AnalysisDefinition {
     AnalysisForm form = AnalysisForm::sweep;
     /// Of this kind alone; their keys begin with `name` and a dot. Null where there are none.
     std::vector<SettingInfo> (*settings)() = nullptr;
-    /// Cases differ in nothing but the range, so that few drawings serve them all.
-    bool isAlongRange = false;
     /// Fills coordinate, columns and cases. What does not fit goes into `diagnostics`, by the key
     /// of the setting. Null of a tool.
     void (*plan)(AnalysisPlan& plan, const Project& project, const Settings& settings,

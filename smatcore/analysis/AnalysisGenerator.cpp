@@ -48,25 +48,30 @@ void measureSpectrum(AnalysisData& data, ImageSource& source, const AnalysisPlan
 }
 
 /// One case of a sweep, in every band.
-void addReports(AnalysisData& data, const ImageSource::Reports& reports, const AnalysisCase& one,
-                SweepTable& table, CaseWarnings& warnings) {
+CaseRecord recordOf(const AnalysisData& data, const ImageSource::Reports& reports,
+                    const AnalysisCase& one, const SweepTable& table, CaseWarnings& warnings,
+                    std::string place) {
+    CaseRecord record{std::move(place), table.rowOf(one, reports), {}, {}};
     for (const irsg::RenderReport& report : reports) {
-        irsg::addNew(data.answeredBy, report.answeredBy);
+        irsg::addNew(record.answeredBy, report.answeredBy);
         warnings.addReport(report, data.settings[key::renderLayers]);
     }
-    table.addCase(one, reports);
+    record.remarks = warnings.remarks();
+    return record;
 }
 
 std::string caseName(const AnalysisPlan& plan, const AnalysisCase& one) {
     if (plan.cases.size() == 1)
         return name(plan.kind);
-    return fmt::format("{}: {} {}", name(plan.kind), irsg::info(plan.coordinate).key,
-                       plan.place(one));
+    const std::string axis =
+        plan.axes.empty() ? std::string(irsg::info(plan.coordinate).key) + " " : "";
+    return fmt::format("{}: {}{}", name(plan.kind), axis, plan.place(one));
 }
 
 /// What a case set, and what is to be said of it.
 struct CaseSetUp {
     const AnalysisCase* one = nullptr;
+    std::size_t number = 0;
     std::vector<irsg::Pose> poses; ///< by entity
     irsg::Viewpoint viewpoint;
     std::vector<std::string> sentences;
@@ -98,6 +103,14 @@ CaseSetUp setUp(ImageSource& source, const SceneDescription& scene, const Analys
     return set;
 }
 
+/// How many cases a run with a store comes to.
+std::size_t countOf(const CaseStore& store, const AnalysisPlan& plan) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < plan.cases.size(); ++i)
+        count += store.known(i) != nullptr || store.isMine(i) ? 1 : 0;
+    return count;
+}
+
 void addSetUp(const SceneDescription& scene, AnalysisKind kind, const std::string& place,
               const CaseSetUp& set, CaseWarnings& warnings) {
     warnings.beginCase(place);
@@ -118,7 +131,7 @@ AnalysisPlan AnalysisGenerator::plan(const AnalysisData& data) const {
 }
 
 void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress,
-                            std::stop_token stop, StageTimer* timer) {
+                            std::stop_token stop, StageTimer* timer, CaseStore* store) {
     const auto start = std::chrono::steady_clock::now();
     const auto elapsed_s = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -174,16 +187,28 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
             data.warnings = before;
             irsg::addNew(data.warnings, warnings.sentences());
         };
+        const auto take = [&](const CaseRecord& record) {
+            data.table.addRow(record.row);
+            irsg::addNew(data.answeredBy, record.answeredBy);
+            tellWarnings();
+            ++done;
+        };
         // A case of a sweep is finished when the next one has been begun: drawing never waits.
         std::optional<CaseSetUp> begun;
         const auto finish = [&](const CaseSetUp& set) {
             addSetUp(scene, data.kind, cases.place(*set.one), set, warnings);
+            if (data.kind->form == AnalysisForm::sweep) {
+                const CaseRecord record =
+                    recordOf(data, set.reports(), *set.one, table, warnings, cases.place(*set.one));
+                take(record);
+                if (store != nullptr)
+                    store->add(set.number, record);
+                return;
+            }
             if (data.kind->form == AnalysisForm::image)
                 drawImage(data, scene, source_, *set.one, table, warnings);
-            else if (data.kind->form == AnalysisForm::spectrum)
-                measureSpectrum(data, source_, cases, table, warnings);
             else
-                addReports(data, set.reports(), *set.one, table, warnings);
+                measureSpectrum(data, source_, cases, table, warnings);
             tellWarnings();
             ++done;
         };
@@ -191,21 +216,35 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
             if (begun)
                 finish(*std::exchange(begun, std::nullopt));
         };
-        for (const AnalysisCase& one : cases.cases) {
-            if (progress) {
-                progress({done + (begun ? 1 : 0), cases.cases.size(), elapsed_s(),
-                          caseName(cases, one)});
+        if (store != nullptr) {
+            writeProvenance(data, scene);
+            store->begin(data, cases.cases.size());
+        }
+        const std::size_t wanted = store == nullptr ? cases.cases.size() : countOf(*store, cases);
+        for (std::size_t i = 0; i < cases.cases.size(); ++i) {
+            const AnalysisCase& one = cases.cases[i];
+            if (const CaseRecord* known = store ? store->known(i) : nullptr) {
+                finishBegun();
+                warnings.addCase(known->place, known->remarks);
+                take(*known);
+                continue;
             }
+            if (store != nullptr && !store->isMine(i))
+                continue;
+            if (progress)
+                progress({done + (begun ? 1 : 0), wanted, elapsed_s(), caseName(cases, one)});
             if (stop.stop_requested())
                 break;
             logDebug(caseName(cases, one));
             CaseSetUp set = setUp(source_, scene, one, standing, inModel);
+            set.number = i;
             if (data.kind->form != AnalysisForm::sweep) {
                 finish(set);
                 continue;
             }
             try {
-                set.reports = source_.beginMeasure(scene.allBands(), data.kind->isAlongRange);
+                set.reports =
+                    source_.beginMeasure({scene.allBands(), cases.isAlongRange, cases.withSource});
             } catch (...) {
                 finishBegun();
                 throw;
@@ -217,12 +256,10 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
         }
         finishBegun();
         if (progress)
-            progress({done, cases.cases.size(), elapsed_s(), name(data.kind)});
+            progress({done, wanted, elapsed_s(), name(data.kind)});
         data.state = done == cases.cases.size() ? AnalysisState::complete : AnalysisState::partial;
-        if (data.state == AnalysisState::partial) {
-            data.warnings.push_back(
-                fmt::format("stopped after {} of {} cases", done, cases.cases.size()));
-        }
+        if (done < wanted)
+            data.warnings.push_back(fmt::format("stopped after {} of {} cases", done, wanted));
     }
     if (timer != nullptr) {
         std::vector<StageTimer::Stage> parts;

@@ -5,6 +5,7 @@
 
 #include "smatcore/analysis/AnalysisData.h"
 #include "smatcore/analysis/AnalysisPlan.h"
+#include "smatcore/analysis/CaseStore.h"
 #include "smatcore/data/ImageSource.h"
 #include "smatcore/support/Progress.h"
 #include "smatcore/support/StageTimer.h"
@@ -23,10 +24,11 @@ class AnalysisGenerator {
     /// The cases, without drawing. Throws InputError.
     AnalysisPlan plan(const AnalysisData& data) const;
     /// Fills in the results. A stop asked for between two cases keeps what was done and marks it
-    /// `partial`. The target's attitude and the viewpoint are put back as they were, whatever
-    /// happens (trap T44). Throws InputError.
+    /// `partial`. Of a sweep the cases of a `store` are taken from it and told to it; where some
+    /// belong to other runs, the result is partial, too. The target's attitude and the viewpoint
+    /// are put back as they were, whatever happens (trap T44). Throws InputError.
     void run(AnalysisData& data, const ProgressCallback& progress = {}, std::stop_token stop = {},
-             StageTimer* timer = nullptr);
+             StageTimer* timer = nullptr, CaseStore* store = nullptr);
 
   private:
     ImageSource& source_;

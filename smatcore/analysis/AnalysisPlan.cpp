@@ -26,6 +26,10 @@ std::string describe(const AnalysisPlan& plan, const Settings& settings) {
                            name(plan.kind), plan.wavenumbers_per_cm.size(),
                            plan.wavenumbers_per_cm.front(), plan.wavenumbers_per_cm.back(), raster);
     }
+    if (!plan.axes.empty()) {
+        return fmt::format("{}: {} cases, {} to {}, {}", name(plan.kind), plan.cases.size(),
+                           plan.place(plan.cases.front()), plan.place(plan.cases.back()), raster);
+    }
     return fmt::format("{}: {} cases, {} {:.6g} to {:.6g} {}, {}", name(plan.kind),
                        plan.cases.size(), axis.key, plan.cases.front().coordinate,
                        plan.cases.back().coordinate, axis.unit, raster);
@@ -121,6 +125,14 @@ double AnalysisCase::value(irsg::Quantity quantity) const {
         return shownYaw_deg;
     case irsg::Quantity::range:
         return range_m;
+    case irsg::Quantity::time:
+        return time_s;
+    case irsg::Quantity::power:
+        return power.value_or(coordinate);
+    case irsg::Quantity::mach:
+        return mach.value_or(coordinate);
+    case irsg::Quantity::altitude:
+        return altitude_m.value_or(coordinate);
     default:
         return coordinate;
     }
@@ -131,6 +143,15 @@ double stepped(double first, std::size_t i, double step) {
 }
 
 std::string AnalysisPlan::place(const AnalysisCase& one) const {
+    if (!axes.empty()) {
+        std::string places;
+        for (const irsg::Quantity axis : axes) {
+            const irsg::QuantityInfo& info = irsg::info(axis);
+            places += fmt::format("{}{} {:.6g}{}{}", places.empty() ? "" : ", ", info.key,
+                                  one.value(axis), info.unit.empty() ? "" : " ", info.unit);
+        }
+        return places;
+    }
     return fmt::format("{:.6g} {}", one.coordinate, irsg::info(coordinate).unit);
 }
 

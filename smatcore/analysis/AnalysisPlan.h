@@ -55,13 +55,18 @@ struct AnalysisPlan {
     AnalysisKind kind = AnalysisKind::image;
     irsg::Quantity coordinate = irsg::Quantity::dimensionless;
     std::vector<irsg::Quantity> columns; ///< that say where a case is, the coordinate among them
+    /// That tell one case from the others; none: the coordinate alone.
+    std::vector<irsg::Quantity> axes;
     std::vector<AnalysisCase> cases;
+    /// Many cases differ in nothing but the range, so that few drawings serve them all.
+    bool isAlongRange = false;
+    bool withSource = false;                ///< asks for the intensity without air, too
     std::vector<double> wavenumbers_per_cm; ///< of a spectrum, ascending
 
     /// "polar: 36 cases, angle 0 to 350 deg, 640 x 512 px".
     std::string description;
 
-    /// Where a case is on the axis: "500 m".
+    /// Where a case is on the axis: "500 m", or on several: "azimuth 30 deg, elevation 5 deg".
     std::string place(const AnalysisCase& one) const;
 };
 

@@ -10,7 +10,14 @@ namespace smat {
 
 void CaseWarnings::beginCase(std::string name) {
     case_ = std::move(name);
+    remarks_.clear();
     ++count_;
+}
+
+void CaseWarnings::addCase(std::string name, const std::vector<CaseRemark>& remarks) {
+    beginCase(std::move(name));
+    for (const CaseRemark& remark : remarks)
+        addWorst(remark.kind, remark.value, remark.sentence);
 }
 
 void CaseWarnings::add(const std::string& sentence) {
@@ -18,6 +25,7 @@ void CaseWarnings::add(const std::string& sentence) {
 }
 
 void CaseWarnings::addWorst(const std::string& kind, double value, const std::string& sentence) {
+    remarks_.push_back({kind, sentence, value});
     auto entry = std::find_if(entries_.begin(), entries_.end(),
                               [&](const Entry& one) { return one.kind == kind; });
     if (entry == entries_.end())

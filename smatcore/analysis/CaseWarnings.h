@@ -9,6 +9,13 @@
 
 namespace smat {
 
+/// Something that a case warns of. Of those of one kind the one with the largest value is told.
+struct CaseRemark {
+    std::string kind, sentence;
+    double value = 0.0;
+    bool operator==(const CaseRemark&) const = default;
+};
+
 /// What the cases of a sweep warn of, each sentence once with the cases it holds for: "at 500 m
 /// (and 3 more): ...". A sentence that holds for every case so far stands alone.
 class CaseWarnings {
@@ -18,6 +25,10 @@ class CaseWarnings {
     void add(const std::string& sentence);
     /// Of the sentences of one kind, the one with the largest value is told.
     void addWorst(const std::string& kind, double value, const std::string& sentence);
+    /// What was added since beginCase().
+    const std::vector<CaseRemark>& remarks() const { return remarks_; }
+    /// A case that was done before, with its remarks.
+    void addCase(std::string name, const std::vector<CaseRemark>& remarks);
 
     /// What a report and its numbers say.
     void addReport(const irsg::RenderReport& report, int layersKept);
@@ -35,6 +46,7 @@ class CaseWarnings {
     };
 
     std::vector<Entry> entries_;
+    std::vector<CaseRemark> remarks_; // of this case
     std::string case_;
     std::size_t count_ = 0;
 };

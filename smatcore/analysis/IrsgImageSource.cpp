@@ -1,3 +1,4 @@
+#include "irsg/radiometry/ParallelFor.h"
 #include "smatcore/data/ImageSource.h"
 
 namespace smat {
@@ -34,6 +35,10 @@ class IrsgImageSource : public ImageSource {
     void setViewpoint(const irsg::Viewpoint& viewpoint) override { irsg_.setViewpoint(viewpoint); }
 
     irsg::RenderedImage render() override { return irsg_.render(); }
+    std::function<irsg::PixelExplanation(int x, int y)> explainer() override {
+        return
+            [this, ready = irsg_.explainer()](int x, int y) { return irsg_.explain(*ready, x, y); };
+    }
     irsg::RenderReport measure() override { return irsg_.measure(); }
     std::vector<irsg::RenderReport> measure(const std::vector<irsg::Band>& bands) override {
         return irsg_.measure(bands);
@@ -42,13 +47,12 @@ class IrsgImageSource : public ImageSource {
     measureAlongRange(const std::vector<irsg::Band>& bands) override {
         return irsg_.measureAlongRange(bands);
     }
-    std::function<Reports()> beginMeasure(const std::vector<irsg::Band>& bands,
-                                          bool alongRange) override {
-        return [this, begun = irsg_.beginMeasure(bands, alongRange)] {
+    std::function<Reports()> beginMeasure(const Measure& wanted) override {
+        return [this, begun = irsg_.beginMeasure(wanted.bands, wanted.alongRange, wanted.source)] {
             return irsg_.finishMeasure(begun);
         };
     }
-    bool drawsBeside() const override { return true; }
+    bool drawsBeside() const override { return irsg::mostThreads() > 1; }
     irsg::IntensitySpectrum
     measureSpectrum(const std::vector<double>& wavenumbers_per_cm) override {
         return irsg_.measureSpectrum(wavenumbers_per_cm);

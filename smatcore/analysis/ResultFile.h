@@ -9,7 +9,7 @@ namespace smat {
 /// Reads back what saveResult wrote, or any result table, OpenEXR image or matrix of numbers (.csv,
 /// .txt, .dat; an image by what the file holds): the table or the image with its provenance, and
 /// with what that says of kind, name, state, renderer, answers and warnings; the summary is made
-/// anew. A table of another program is of AnalysisKind::table: curves over an axis.
+/// anew. A table of another program is of AnalysisKind::other: curves over an axis.
 /// What was asked is not in a file: project and settings stay empty.
 ///
 /// Throws InputError for a file that is missing, damaged, or of another extension than .json and

@@ -9,7 +9,11 @@ namespace smat {
 using irsg::Quantity;
 
 SweepTable::SweepTable(const AnalysisPlan& plan, const SceneDescription& scene, ResultTable& table)
-    : form_(plan.kind->form), coordinates_(plan.columns), bands_({""}), table_(table) {
+    : form_(plan.kind->form),
+      withSource_(plan.withSource),
+      coordinates_(plan.columns),
+      bands_({""}),
+      table_(table) {
     if (scene.entities.size() > 1) {
         for (const irsg::Entity& entity : scene.entities)
             objects_.push_back(entity.name);
@@ -41,6 +45,8 @@ void SweepTable::addColumns(const std::string& object) {
              {Quantity::intensity, Quantity::contrastIntensity, Quantity::irradiance}) {
             addColumn(quantity, object, band);
         }
+        if (withSource_)
+            addColumn(Quantity::sourceIntensity, object, band);
         if (form_ == AnalysisForm::image && object.empty())
             addColumn(Quantity::totalIrradiance, object, band);
         addColumn(Quantity::pixels, object, band);
@@ -52,30 +58,43 @@ void SweepTable::addColumn(Quantity quantity, const std::string& object, const s
     table_.add(ColumnName{"", object, std::string(info.key), band}.key(), std::string(info.unit));
 }
 
-void SweepTable::append(std::vector<double>& row, const irsg::ObjectRadiometry& sums) {
+void SweepTable::append(std::vector<double>& row, const irsg::ObjectRadiometry& sums,
+                        const irsg::ObjectRadiometry* source) {
     row.insert(row.end(), {sums.intensity_W_sr, sums.contrastIntensity_W_sr, sums.irradiance_W_m2});
+    if (source != nullptr)
+        row.push_back(source->intensity_W_sr);
 }
 
 void SweepTable::addCase(const AnalysisCase& one, const std::vector<irsg::RenderReport>& reports) {
-    if (reports.size() != bands_.size())
+    table_.addRow(rowOf(one, reports));
+}
+
+std::vector<double> SweepTable::rowOf(const AnalysisCase& one,
+                                      const std::vector<irsg::RenderReport>& reports) const {
+    if (reports.size() != bands_.size() * (withSource_ ? 2 : 1))
         throw irsg::LogicError("a row of a sweep needs one report for each band");
+    const auto sourceOf = [&](std::size_t band) {
+        return withSource_ ? &reports[bands_.size() + band] : nullptr;
+    };
     std::vector<double> row;
     for (const Quantity quantity : coordinates_)
         row.push_back(one.value(quantity));
-    for (const irsg::RenderReport& report : reports) {
-        append(row, report.all);
+    for (std::size_t band = 0; band < bands_.size(); ++band) {
+        const irsg::RenderReport* source = sourceOf(band);
+        append(row, reports[band].all, source ? &source->all : nullptr);
         if (form_ == AnalysisForm::image)
-            row.push_back(report.totalIrradiance_W_m2);
-        row.push_back(report.all.coveredPixels);
+            row.push_back(reports[band].totalIrradiance_W_m2);
+        row.push_back(reports[band].all.coveredPixels);
     }
     for (std::size_t i = 0; i < objects_.size(); ++i) {
         row.push_back(reports.front().objects.at(i).range_m);
-        for (const irsg::RenderReport& report : reports) {
-            append(row, report.objects.at(i));
-            row.push_back(report.objects.at(i).coveredPixels);
+        for (std::size_t band = 0; band < bands_.size(); ++band) {
+            const irsg::RenderReport* source = sourceOf(band);
+            append(row, reports[band].objects.at(i), source ? &source->objects.at(i) : nullptr);
+            row.push_back(reports[band].objects.at(i).coveredPixels);
         }
     }
-    table_.addRow(row);
+    return row;
 }
 
 void SweepTable::addSpectrum(const irsg::IntensitySpectrum& spectrum) {

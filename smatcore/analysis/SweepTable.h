@@ -18,16 +18,22 @@ class SweepTable {
   public:
     SweepTable(const AnalysisPlan& plan, const SceneDescription& scene, ResultTable& table);
 
-    /// One case of an image or a sweep, with a report for each band.
+    /// One case of an image or a sweep, with a report for each band, and then one for each source
+    /// where the plan asks for it.
     void addCase(const AnalysisCase& one, const std::vector<irsg::RenderReport>& reports);
+    std::vector<double> rowOf(const AnalysisCase& one,
+                              const std::vector<irsg::RenderReport>& reports) const;
     void addSpectrum(const irsg::IntensitySpectrum& spectrum);
 
   private:
     void addColumns(const std::string& object);
     void addColumn(irsg::Quantity quantity, const std::string& object, const std::string& band);
-    static void append(std::vector<double>& row, const irsg::ObjectRadiometry& sums);
+    /// The sums in a band; `source`: without air, null where nobody asked.
+    static void append(std::vector<double>& row, const irsg::ObjectRadiometry& sums,
+                       const irsg::ObjectRadiometry* source);
 
     AnalysisForm form_;
+    bool withSource_;
     std::vector<irsg::Quantity> coordinates_;
     std::vector<std::string> objects_; ///< empty where there is one
     std::vector<std::string> bands_;   ///< one "" where there is one

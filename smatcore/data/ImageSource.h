@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "irsg/radiometry/Errors.h"
 #include "irsg/scene/Irsg.h"
 #include "irsg/scene/radiance/ScaledView.h"
 
@@ -47,6 +48,11 @@ class ImageSource {
     virtual void setViewpoint(const irsg::Viewpoint& viewpoint) = 0;
 
     virtual irsg::RenderedImage render() = 0;
+    /// Says what the pixels of render()'s image are made of: called with a column and a row, the
+    /// top left pixel is 0, 0. Of what is set at present; it must not outlive this source.
+    virtual std::function<irsg::PixelExplanation(int x, int y)> explainer() {
+        throw irsg::LogicError("this source does not explain pixels");
+    }
     virtual irsg::RenderReport measure() = 0;
     /// A report for each of these bands, in place of the sensor's own, from the same drawing.
     virtual std::vector<irsg::RenderReport> measure(const std::vector<irsg::Band>& bands) = 0;
@@ -57,13 +63,20 @@ class ImageSource {
         return measure(bands);
     }
     using Reports = std::vector<irsg::RenderReport>;
+    struct Measure {
+        std::vector<irsg::Band> bands;
+        bool alongRange = false;
+        /// Behind the reports of the bands those of the source (irsg::Wanted::source).
+        bool source = false;
+    };
     /// Begins measure(), or measureAlongRange(), of what is set at present: drawing goes on while
     /// the caller sets the next case. Called once, the result waits for the reports; it must not
-    /// outlive this source.
-    virtual std::function<Reports()> beginMeasure(const std::vector<irsg::Band>& bands,
-                                                  bool alongRange) {
-        return
-            [reports = alongRange ? measureAlongRange(bands) : measure(bands)] { return reports; };
+    /// outlive this source. LogicError for the source of one that does not know it.
+    virtual std::function<Reports()> beginMeasure(const Measure& wanted) {
+        if (wanted.source)
+            throw irsg::LogicError("this image source does not measure without air");
+        return [reports = wanted.alongRange ? measureAlongRange(wanted.bands)
+                                            : measure(wanted.bands)] { return reports; };
     }
     /// True where beginMeasure() returns before all is drawn, so that it is worth beginning the
     /// next case before this one is finished.

@@ -13,9 +13,9 @@ struct AnalysisDefinition;
 class AnalysisKind {
   public:
     /// Those that other parts of the program ask for by name; allAnalysisKinds() has them all.
-    static const AnalysisKind image, spectrum, polar, time, range;
+    static const AnalysisKind image, spectrum, polar, time, range, table;
     /// Tables that are not planned as analyses are: those of tools, and any other.
-    static const AnalysisKind radiative, temperatureProfile, monteCarlo, simulation, table;
+    static const AnalysisKind radiative, temperatureProfile, monteCarlo, simulation, other;
 
     constexpr explicit AnalysisKind(const AnalysisDefinition& definition)
         : definition_(&definition) {}
@@ -38,7 +38,7 @@ std::string name(AnalysisKind kind);
 std::string title(AnalysisKind kind);
 /// One of allAnalysisKinds().
 std::optional<AnalysisKind> analysisKindFromName(std::string_view name);
-/// What made a result, by the word of its provenance: an analysis, a tool, or AnalysisKind::table.
+/// What made a result, by the word of its provenance: an analysis, a tool, or AnalysisKind::other.
 AnalysisKind resultKindFromName(std::string_view name);
 /// "image, spectrum, polar, time or range": what analysisKindFromName knows.
 std::string analysisKindNames();

@@ -80,9 +80,9 @@ Settings JsonFields::takeSettings(Json& json, const std::string& path) {
 void JsonFields::takeSetting(Settings& settings, const std::string& key, const Json& value,
                              const std::string& path) {
     const SettingInfo& setting = settingInfo(key);
-    const bool takesNumber = setting.kind == SettingKind::real ||
-                             setting.kind == SettingKind::integer ||
-                             setting.kind == SettingKind::choiceOrReal;
+    const bool takesNumber =
+        setting.kind == SettingKind::real || setting.kind == SettingKind::integer ||
+        setting.kind == SettingKind::choiceOrReal || setting.kind == SettingKind::realList;
     const bool takesText =
         setting.kind != SettingKind::real && setting.kind != SettingKind::integer &&
         setting.kind != SettingKind::boolean && setting.kind != SettingKind::pathList;
@@ -99,14 +99,17 @@ void JsonFields::takeSetting(Settings& settings, const std::string& key, const J
                 setting.choices.end()) {
             text.reset(); // a number in quotes
         }
-    } else if (setting.kind == SettingKind::band && value.is_array()) {
+    } else if (value.is_array() &&
+               (setting.kind == SettingKind::band || setting.kind == SettingKind::realList)) {
+        const bool isNumbers = setting.kind == SettingKind::realList;
         text = "";
         for (const Json& item : value) {
-            if (!item.is_string()) {
+            if (isNumbers ? !item.is_number() : !item.is_string()) {
                 text.reset();
                 break;
             }
-            *text += (text->empty() ? "" : ",") + item.get<std::string>();
+            *text += text->empty() ? "" : ",";
+            *text += isNumbers ? item.dump() : item.get<std::string>();
         }
     } else if (key == key::sensorResponse && value.is_string()) {
         text = value.get<std::string>(); // one file, as a word of its own

@@ -25,6 +25,10 @@ Json settingJson(const JsonPaths& paths, const SettingInfo& setting, const Setti
         const std::optional<double> number = settings[OptionalRealKey{setting.key.c_str()}];
         return number ? Json(*number) : Json(text);
     }
+    case SettingKind::realList: {
+        const std::vector<double> numbers = settings[RealListKey{setting.key.c_str()}];
+        return numbers.empty() ? Json(text) : Json(numbers);
+    }
     case SettingKind::path:
         return paths.text(text);
     case SettingKind::pathList: {

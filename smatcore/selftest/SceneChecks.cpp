@@ -111,6 +111,24 @@ SelfTestValue unseen(SelfTestBench& bench) {
     return {report.all.contrastIntensity_W_sr / report.all.intensity_W_sr, 0.0};
 }
 
+/// Of the hot part the picture takes samples that weigh otherwise than their neighbours.
+SelfTestValue hotPartInPicture(SelfTestBench& bench) {
+    constexpr irsg::IrCodes hot{2, 1};
+    const double side_m = 0.11;
+    Irsg& irsg = bench.irsg();
+    irsg::SignatureDatabase database = greyDatabase(0.9, 320.0);
+    database.temperatures[2] = fixedTemperature(1200.0);
+    irsg.setEntities(
+        {entityOf(modelOf(joined(ball(), oneSidedPlate({1.63, 0.0, 0.21}, {-0.5 * side_m, 0.0, 0.0},
+                                                       {0.0, 0.0, 0.5 * side_m}, hot))),
+                  database)});
+    look(irsg, {});
+    const double pixel_rad = 2.0 * std::tan(0.02) / 64.0;
+    return {sumOf(irsg.picture()) * pixel_rad * pixel_rad * 1e4,
+            intensityOfBall_W_sr(100.0) +
+                0.9 * irsg::bandRadiance_W_m2_sr(band, 1200.0) * side_m * side_m};
+}
+
 SelfTestValue twoBands(SelfTestBench& bench) {
     Irsg& irsg = withBall(bench);
     const std::vector<irsg::Band> bands{irsg::Band::topHat(3.4, 4.1),
@@ -179,6 +197,12 @@ std::vector<SelfTestCheck> sceneChecks() {
                  return SelfTestValue{sumOf(rendered.image) * pixel_rad * pixel_rad * 1e4,
                                       rendered.report.all.intensity_W_sr};
              }},
+        {.name = "scene.hot-part",
+         .says = "Sum over a picture of the ball with a small hot plate beside it, against its "
+                 "facets and the plate's area",
+         .unit = "W sr-1",
+         .bound = 3e-3,
+         .measure = [](auto& bench) { return hotPartInPicture(bench); }},
         {.name = "scene.wide-field",
          .says = "The ball 35 degrees off the axis of a wide field, against its solid angle",
          .unit = "W sr-1",

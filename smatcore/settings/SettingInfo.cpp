@@ -56,6 +56,21 @@ std::optional<std::string> canonicalBands(std::string_view text) {
     return fmt::format("{}", fmt::join(bands, ","));
 }
 
+/// No value for a number that occurs twice.
+std::optional<std::string> canonicalNumbers(const SettingInfo& setting, std::string_view text) {
+    std::vector<std::string> numbers;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const auto number =
+            canonicalNumber(setting, irsg::trimmed(text.substr(begin, end - begin)));
+        if (!number || std::ranges::find(numbers, *number) != numbers.end())
+            return std::nullopt;
+        numbers.push_back(*number);
+        begin = end + 1;
+    }
+    return fmt::format("{}", fmt::join(numbers, ","));
+}
+
 std::optional<std::string> canonicalPathList(std::string_view text) {
     std::string list;
     while (!text.empty()) {
@@ -99,6 +114,9 @@ std::string SettingInfo::expected() const {
                                    : irsg::alternatives(choices);
     case SettingKind::choiceOrReal:
         return irsg::alternatives(choices) + ", or a number" + range;
+    case SettingKind::realList:
+        return irsg::alternatives(choices) + ", or numbers" + range +
+               ", each once, separated by commas";
     case SettingKind::band:
         return "a band MIN-MAX with 0 < MIN < MAX in um, or several, each once, separated by "
                "commas";
@@ -159,6 +177,8 @@ std::optional<std::string> canonicalText(const SettingInfo& setting, std::string
         return isChoice ? std::optional(std::string(text)) : std::nullopt;
     case SettingKind::choiceOrReal:
         return isChoice ? std::optional(std::string(text)) : canonicalNumber(setting, text);
+    case SettingKind::realList:
+        return isChoice ? std::optional(std::string(text)) : canonicalNumbers(setting, text);
     case SettingKind::band:
         return canonicalBands(text);
     case SettingKind::path:

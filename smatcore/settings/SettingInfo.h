@@ -15,6 +15,7 @@ enum class SettingKind {
     boolean,      ///< "false" or "true"
     choice,       ///< one of `choices`
     choiceOrReal, ///< one of `choices`, or a number in the range
+    realList,     ///< "1000,3000": numbers in the range, in order, each once, or one of `choices`
     band,         ///< "3-5" or "3-5,8-12": bands in order, each once, in um
     path,         ///< a file, or empty; relative to the project file
     pathList      ///< files in order, separated by ';', or "none"

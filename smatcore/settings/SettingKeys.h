@@ -23,6 +23,7 @@ using IntegerKey = SettingKey<int>;
 using BooleanKey = SettingKey<bool>;
 using TextKey = SettingKey<std::string>;                         ///< a choice or a band
 using OptionalRealKey = SettingKey<std::optional<double>>;       ///< a choice or a number
+using RealListKey = SettingKey<std::vector<double>>;             ///< a choice or numbers
 using PathsKey = SettingKey<std::vector<std::filesystem::path>>; ///< files, none or several
 
 namespace key {

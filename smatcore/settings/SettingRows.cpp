@@ -69,6 +69,17 @@ SettingInfo choiceOrNumber(OptionalRealKey key, std::string option, std::string 
     return info;
 }
 
+SettingInfo numbers(RealListKey key, std::string option, std::string label, std::string unit,
+                    std::vector<std::string> choices, double minimum, double maximum,
+                    std::string defaultText, std::string help, SettingAudience audience) {
+    SettingInfo info =
+        withRange(row(key, SettingKind::realList, std::move(option), std::move(label),
+                      std::move(defaultText), std::move(help), audience),
+                  std::move(unit), minimum, maximum);
+    info.choices = std::move(choices);
+    return info;
+}
+
 SettingInfo bands(TextKey key, std::string option, std::string label, std::string defaultText,
                   std::string help) {
     SettingInfo info = row(key, SettingKind::band, std::move(option), std::move(label),

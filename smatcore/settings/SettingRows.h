@@ -22,6 +22,10 @@ SettingInfo choiceOrNumber(OptionalRealKey key, std::string option, std::string 
                            std::string unit, std::vector<std::string> choices, double minimum,
                            double maximum, std::string defaultText, std::string help,
                            SettingAudience audience = SettingAudience::basic);
+SettingInfo numbers(RealListKey key, std::string option, std::string label, std::string unit,
+                    std::vector<std::string> choices, double minimum, double maximum,
+                    std::string defaultText, std::string help,
+                    SettingAudience audience = SettingAudience::basic);
 SettingInfo bands(TextKey key, std::string option, std::string label, std::string defaultText,
                   std::string help);
 SettingInfo file(PathsKey key, std::string option, std::string label, std::string help);

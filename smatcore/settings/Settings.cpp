@@ -1,5 +1,7 @@
 #include "smatcore/settings/Settings.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "irsg/radiometry/CsvTable.h"
@@ -90,6 +92,20 @@ bool Settings::operator[](BooleanKey key) const {
 std::optional<double> Settings::operator[](OptionalRealKey key) const {
     requireKind(key, {SettingKind::choiceOrReal});
     return irsg::parseNumber(text(key));
+}
+
+std::vector<double> Settings::operator[](RealListKey key) const {
+    const SettingInfo& setting = requireKind(key, {SettingKind::realList});
+    const std::string& list = text(key);
+    if (std::ranges::find(setting.choices, list) != setting.choices.end())
+        return {};
+    std::vector<double> numbers;
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        numbers.push_back(parsed(list.substr(begin, end - begin)));
+        begin = end + 1;
+    }
+    return numbers;
 }
 
 std::vector<std::filesystem::path> Settings::operator[](PathsKey key) const {

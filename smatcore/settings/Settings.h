@@ -36,6 +36,8 @@ class Settings {
     const std::string& operator[](TextKey key) const { return text(key); }
     /// The number; no value where it is one of the choices.
     std::optional<double> operator[](OptionalRealKey key) const;
+    /// The numbers; none where it is one of the choices.
+    std::vector<double> operator[](RealListKey key) const;
     /// The files as written; empty where there are none.
     std::vector<std::filesystem::path> operator[](PathsKey key) const;
 

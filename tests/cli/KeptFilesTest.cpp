@@ -106,7 +106,7 @@ TEST(KeptFiles, ResultsAreReadInEveryForm) {
         const AnalysisData json = loadResult(kept / "results" / (name + ".json"));
         EXPECT_EQ(csv.name, name);
         EXPECT_EQ(csv.kind, json.kind);
-        EXPECT_NE(csv.kind, AnalysisKind::table);
+        EXPECT_NE(csv.kind, AnalysisKind::other);
         EXPECT_EQ(csv.state, AnalysisState::complete);
         expectTheSame(csv.table, json.table);
     }

@@ -123,5 +123,118 @@ TEST(SmatBatchSweep, RefusesThePublishedZoomWithTheReason) {
     }
 }
 
+TEST(SmatBatchTable, HasTheNumbersOfARunForEachStateAndBand) {
+    const TemporaryFolder folder;
+    const std::string project = sample("box/box.smat");
+    const std::vector<std::string> view = {"--width", "64", "--height", "64"};
+    const auto ran = [&](std::vector<std::string> arguments, const std::string& name) {
+        arguments.insert(arguments.end(), view.begin(), view.end());
+        arguments.insert(arguments.end(), {"--out", folder / name});
+        const Ran one = smatBatch(arguments);
+        EXPECT_EQ(one.exitCode, 0) << one.err;
+        return ResultTable::load(folder / name);
+    };
+    const ResultTable table =
+        ran({"table", project, "--azimuth-step", "90", "--elevation-from", "0", "--elevation-to",
+             "20", "--elevation-step", "20", "--machs", "0.2,0.8", "--band", "3-5,8-12"},
+            "table.csv");
+    ASSERT_EQ(table.rowCount(), 16u);
+    for (const std::string mach : {"0.2", "0.8"}) {
+        for (const std::string elevation : {"0", "20"}) {
+            const ResultTable polar = ran({"polar", project, "--step", "90", "--offset", elevation,
+                                           "--mach", mach, "--band", "8-12"},
+                                          "polar.csv");
+            std::size_t at = 0;
+            for (std::size_t i = 0; i < table.rowCount(); ++i) {
+                if (column(table, "mach")[i] != std::stod(mach) ||
+                    column(table, "elevation")[i] != std::stod(elevation)) {
+                    continue;
+                }
+                EXPECT_EQ(column(table, "contrast_intensity@8-12um")[i],
+                          column(polar, "contrast_intensity")[at]);
+                EXPECT_GT(column(table, "source_intensity@8-12um")[i], 0.0);
+                ++at;
+            }
+            EXPECT_EQ(at, 4u);
+        }
+    }
+}
+
+/// A result without the command that made it.
+std::string withoutCommand(const std::string& file) {
+    std::string text = contentOf(file);
+    const std::size_t begin = text.find("# command");
+    return begin == std::string::npos ? text
+                                      : text.erase(begin, text.find('\n', begin) + 1 - begin);
+}
+
+TEST(SmatBatchParts, AreJoinedToTheBytesOfOneRun) {
+    const TemporaryFolder folder;
+    const auto ran = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"table",
+                                   sample("box/box.smat"),
+                                   "--azimuth-step",
+                                   "45",
+                                   "--elevation-from",
+                                   "-30",
+                                   "--elevation-to",
+                                   "30",
+                                   "--elevation-step",
+                                   "30",
+                                   "--ranges",
+                                   "800,1500",
+                                   "--machs",
+                                   "0.2,0.8",
+                                   "--band",
+                                   "3-5,8-12",
+                                   "--width",
+                                   "64",
+                                   "--height",
+                                   "64"});
+        const Ran one = smatBatch(more);
+        EXPECT_EQ(one.exitCode, 0) << one.err;
+    };
+    ran({"--out", folder / "one.csv"});
+    const std::string all = folder / "all.csv";
+    std::vector<std::string> parts;
+    for (const std::string part : {"1", "2", "3"}) {
+        ran({"--shard", part + "/3", "--out", all});
+        parts.push_back(all + ".part" + part + "of3");
+        EXPECT_FALSE(std::filesystem::exists(all));
+    }
+    const Ran missing = smatBatch({"merge", parts[0], parts[2], "--out", all});
+    EXPECT_EQ(missing.exitCode, 2);
+    EXPECT_THAT(missing.err, HasSubstr("2/3"));
+    // One that was cut off is gone on with.
+    const std::string second = contentOf(parts[1]);
+    write(parts[1], second.substr(0, 2 * second.size() / 3));
+    ran({"--shard", "2/3", "--resume", "--out", all});
+    const Ran merged = smatBatch({"merge", parts[2], parts[0], parts[1], "--out", all});
+    EXPECT_EQ(merged.exitCode, 0) << merged.err;
+    EXPECT_EQ(withoutCommand(all), withoutCommand(folder / "one.csv"));
+    const Ran image =
+        smatBatch({"image", sample("box/box.smat"), "--shard", "1/2", "--out", folder / "a.exr"});
+    EXPECT_EQ(image.exitCode, 2);
+}
+
+TEST(SmatBatchThreads, ChangeNothingButTheTime) {
+    const TemporaryFolder folder;
+    const auto ran = [&](const std::string& threads) {
+        const std::string file = folder / ("of" + threads + ".csv");
+        const Ran one = smatBatch(
+            {"polar", sample("box/box.smat"), "--step", "60", "--threads", threads, "--out", file});
+        EXPECT_EQ(one.exitCode, 0) << one.err;
+        return withoutCommand(file);
+    };
+    const std::string of1 = ran("1");
+    EXPECT_EQ(of1, ran("2"));
+    EXPECT_EQ(of1, ran("7"));
+    for (const char* wrong : {"0", "1.5", "many"}) {
+        const Ran refused = smatBatch({"settings", "--threads", wrong});
+        EXPECT_EQ(refused.exitCode, 2);
+        EXPECT_THAT(refused.err, HasSubstr("--threads"));
+    }
+}
+
 } // namespace
 } // namespace smat::test

@@ -33,12 +33,13 @@ TEST(SettingTable, EveryDefaultIsAValueInItsCanonicalForm) {
 
 TEST(SettingTable, NumbersHaveARangeAndChoicesHaveChoices) {
     for (const SettingInfo& setting : settingTable()) {
-        const bool isNumber = setting.kind == SettingKind::real ||
-                              setting.kind == SettingKind::integer ||
-                              setting.kind == SettingKind::choiceOrReal;
+        const bool isNumber =
+            setting.kind == SettingKind::real || setting.kind == SettingKind::integer ||
+            setting.kind == SettingKind::choiceOrReal || setting.kind == SettingKind::realList;
         EXPECT_EQ(isNumber, setting.minimum < setting.maximum) << setting.key;
-        const bool isChoice =
-            setting.kind == SettingKind::choice || setting.kind == SettingKind::choiceOrReal;
+        const bool isChoice = setting.kind == SettingKind::choice ||
+                              setting.kind == SettingKind::choiceOrReal ||
+                              setting.kind == SettingKind::realList;
         EXPECT_EQ(isChoice, !setting.choices.empty()) << setting.key;
     }
 }

@@ -19,6 +19,8 @@ std::filesystem::path writeSampleProject(const std::filesystem::path& folder) {
     project.settings.set("target.altitude", "100");
     project.settings.set("render.antialiasing", 0);
     project.settings.set("polar.step", "30");
+    project.settings.set("table.azimuthStep", "90");
+    project.settings.set("table.elevationStep", "30");
     project.settings.set("range.points", 5);
     project.settings.set("spectrum.resolution", "50");
     project.settings.set("time.step", "5");

@@ -215,9 +215,11 @@ TEST_F(WindowAndBatchTest, TwoHundredAnalysesLeaveNothingBehind) {
     EXPECT_GT(heldBefore.buffers, 0);
     EXPECT_GT(heldBefore.framebuffers, 0);
     EXPECT_GT(heldBefore.contexts, 0);
-    std::array<double, 3> held_kB{};
+    // What caches and pools hold varies from moment to moment by megabytes; the least that is held
+    // in a while does not, and a leak raises it.
+    std::array<double, 6> held_kB{};
     for (double& held : held_kB) {
-        for (int number = 0; number < 66; ++number) {
+        for (int number = 0; number < 33; ++number) {
             ASSERT_NO_FATAL_FAILURE(runOne(number));
         }
         // A thread that still lets go of its work holds megabytes.
@@ -234,7 +236,10 @@ TEST_F(WindowAndBatchTest, TwoHundredAnalysesLeaveNothingBehind) {
     EXPECT_LE(heldAfter.buffers, heldBefore.buffers);
     EXPECT_LE(heldAfter.framebuffers, heldBefore.framebuffers);
     EXPECT_LE(heldAfter.contexts, heldBefore.contexts);
-    EXPECT_LT(held_kB[2] - held_kB[0], 6'000.0);
+    const auto middle = held_kB.begin() + 3;
+    const double growth_kB =
+        *std::min_element(middle, held_kB.end()) - *std::min_element(held_kB.begin(), middle);
+    EXPECT_LT(growth_kB, 4'500.0) << testing::PrintToString(held_kB); // of 99 analyses
     EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
 }
 

@@ -249,7 +249,8 @@ TEST(SampledScenes, AreFoundAgainOnlyWhereTheAirIsTheSame) {
                           all,
                           base.scene.settings,
                           {1100.0, 0.0, azimuth_rad}},
-                         {Band::topHat(3.0, 5.0)}, [&](const AirScene& scene, const Band& band) {
+                         {Band::topHat(3.0, 5.0)}, false,
+                         [&](const AirScene& scene, const Band& band) {
                              ++sampled;
                              return sampling.spectral(answers, scene, band);
                          });

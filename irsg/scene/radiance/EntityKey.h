@@ -18,6 +18,13 @@ struct EntityKey {
     std::map<int, double> temperatureScale, emissivityScale;
     bool operator==(const EntityKey&) const = default;
 
+    /// The same but for the state.
+    bool isLike(const EntityKey& other) const {
+        EntityKey own = other;
+        own.state = state;
+        return *this == own;
+    }
+
     static EntityKey of(const Entity& entity) {
         EntityState state = entity.state;
         state.altitude_m = state.ambient_K = state.aspectAngle_rad = 0.0;

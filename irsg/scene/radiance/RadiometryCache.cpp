@@ -66,7 +66,24 @@ RadiometryCache::of(const RadianceTerms& terms, const std::vector<Entity>& entit
     }
     key.sampled = sampled;
     key.scene = std::make_shared<EvaluatedScene>(terms, entities, geometry, sampled->bands, fronts);
-    return kept_.add(std::move(key)).scene;
+    const std::shared_ptr<EvaluatedScene> scene = kept_.add(std::move(key)).scene;
+    forget();
+    return scene;
+}
+
+void RadiometryCache::forget() {
+    std::vector<EntityKey> latest;
+    std::size_t ofState = 0, others = 0;
+    kept_.letGo([&](const Kept& kept) {
+        if (latest.empty())
+            latest = kept.entities;
+        if (kept.entities == latest)
+            return ++ofState > mostOfState;
+        const bool isOfSame = std::ranges::equal(
+            kept.entities, latest,
+            [](const EntityKey& one, const EntityKey& other) { return one.isLike(other); });
+        return !isOfSame && ofState + ++others > mostOfState;
+    });
 }
 
 } // namespace irsg

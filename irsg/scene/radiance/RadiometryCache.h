@@ -52,7 +52,12 @@ class RadiometryCache {
         std::shared_ptr<const SampledScene> sampled;
         std::shared_ptr<EvaluatedScene> scene;
     };
-    static constexpr std::size_t mostKept = 2;
+    /// Of each state of the entities two: a table goes through its states at each aspect.
+    static constexpr std::size_t mostKept = 8, mostOfState = 2;
+
+    /// Lets go of scenes of other models or databases than the latest, and of old ones of its
+    /// state.
+    void forget();
 
     RecentlyUsed<Kept> kept_{mostKept};
 };

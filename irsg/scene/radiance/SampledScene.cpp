@@ -24,8 +24,9 @@ std::size_t sizeOf(const SampledScene& scene) {
 
 } // namespace
 
-SampledScenes::Key SampledScenes::keyOf(const Environment& environment, const AirScene& scene,
-                                        const std::vector<Band>& bands) {
+SampledScenes::Key SampledScenes::keyOf(const AtmosphericQueryCache& answers, const AirScene& scene,
+                                        const std::vector<Band>& bands, bool withSources) {
+    const Environment& environment = answers.environment();
     const RenderSettings& settings = scene.settings;
     Key key{AirIdentity(environment),
             environment.defaultBackground,
@@ -36,20 +37,25 @@ SampledScenes::Key SampledScenes::keyOf(const Environment& environment, const Ai
              static_cast<double>(settings.background), static_cast<double>(settings.mode),
              static_cast<double>(settings.referenceAir)},
             bands,
+            withSources,
             {}};
     for (const RadianceTerm& term : scene.terms.terms)
         key.numbers.push_back(term.isOn(settings) ? 1.0 : 0.0);
     for (const ObjectGeometry& object : scene.geometry)
         key.numbers.insert(key.numbers.end(), {object.nearest_m, object.farthest_m});
-    for (const Entity& entity : scene.entities)
+    // Of the states the nodes depend on the coldest alone, and the air on none.
+    key.numbers.push_back(coldestOf_K(answers, scene));
+    for (const Entity& entity : scene.entities) {
         key.entities.push_back(EntityKey::of(entity));
+        key.entities.back().state = {};
+    }
     return key;
 }
 
 std::shared_ptr<const SampledScene> SampledScenes::make(AtmosphericQueryCache& answers,
                                                         const AirScene& scene,
                                                         const std::vector<Band>& bands,
-                                                        const Sampler& sample) {
+                                                        bool withSources, const Sampler& sample) {
     std::vector<ObjectGeometry> geometry = scene.geometry;
     for (ObjectGeometry& object : geometry)
         object.slices_m.clear();
@@ -70,6 +76,8 @@ std::shared_ptr<const SampledScene> SampledScenes::make(AtmosphericQueryCache& a
         addNew(made->answeredBy, band.air.answeredBy);
         addNew(made->warnings, band.air.warnings);
     }
+    for (std::size_t k = 0; withSources && k < bands.size(); ++k)
+        made->bands.push_back(made->bands[k].ofSource(scene.terms));
     made->background = backgroundOf(made->bands, scene.settings);
     return made;
 }
@@ -77,12 +85,12 @@ std::shared_ptr<const SampledScene> SampledScenes::make(AtmosphericQueryCache& a
 std::shared_ptr<const SampledScene> SampledScenes::of(AtmosphericQueryCache& answers,
                                                       const AirScene& scene,
                                                       const std::vector<Band>& bands,
-                                                      const Sampler& sample) {
+                                                      bool withSources, const Sampler& sample) {
     kept_.letGo([](const Kept& kept) { return kept.key.atmospheres.isGone(); });
-    Key key = keyOf(answers.environment(), scene, bands);
+    Key key = keyOf(answers, scene, bands, withSources);
     if (const Kept* known = kept_.find([&](const Kept& kept) { return kept.key == key; }))
         return known->scene;
-    auto made = make(answers, scene, bands, sample);
+    auto made = make(answers, scene, bands, withSources, sample);
     const std::size_t size = sizeOf(*made);
     const Kept& latest = kept_.add({std::move(key), std::move(made), size});
     std::size_t numbers = 0;

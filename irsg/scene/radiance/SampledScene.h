@@ -15,7 +15,7 @@ namespace irsg {
 
 /// A scene's bands with their nodes and air, sliced where the air changes over an object.
 struct SampledScene {
-    std::vector<SampledBand> bands;
+    std::vector<SampledBand> bands; ///< then their sources, where these are asked for
     // By entity: see ObjectGeometry.
     std::vector<SliceNodes> slices_m;
     std::vector<double> airError;
@@ -33,7 +33,8 @@ class SampledScenes {
 
     /// `scene.geometry` may hold any slices: they come out.
     std::shared_ptr<const SampledScene> of(AtmosphericQueryCache& answers, const AirScene& scene,
-                                           const std::vector<Band>& bands, const Sampler& sample);
+                                           const std::vector<Band>& bands, bool withSources,
+                                           const Sampler& sample);
 
   private:
     struct Key {
@@ -44,6 +45,7 @@ class SampledScenes {
         /// The sun, the extent of each object, settings, and which terms are on.
         std::vector<double> numbers;
         std::vector<Band> bands;
+        bool withSources = false;
         std::vector<EntityKey> entities;
         bool operator==(const Key&) const = default;
     };
@@ -56,12 +58,12 @@ class SampledScenes {
     /// many numbers (8 MiB), and the last one.
     static constexpr std::size_t mostKept = 16, mostNumbers = std::size_t{1} << 20;
 
-    static Key keyOf(const Environment& environment, const AirScene& scene,
-                     const std::vector<Band>& bands);
+    static Key keyOf(const AtmosphericQueryCache& answers, const AirScene& scene,
+                     const std::vector<Band>& bands, bool withSources);
     static std::shared_ptr<const SampledScene> make(AtmosphericQueryCache& answers,
                                                     const AirScene& scene,
                                                     const std::vector<Band>& bands,
-                                                    const Sampler& sample);
+                                                    bool withSources, const Sampler& sample);
 
     RecentlyUsed<Kept> kept_{mostKept};
 };

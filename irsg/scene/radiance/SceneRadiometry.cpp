@@ -209,8 +209,8 @@ SharedValues backgroundOf(const std::vector<SampledBand>& bands, const RenderSet
     return joined(bands, [&](const SampledBand& band) -> SharedValues {
         if (settings.background == BackgroundMode::environment)
             return band.air.background;
-        const double uniform_W_m2_sr =
-            settings.background == BackgroundMode::constant ? settings.background_W_m2_sr : 0.0;
+        const bool isConstant = settings.background == BackgroundMode::constant && !band.isSource;
+        const double uniform_W_m2_sr = isConstant ? settings.background_W_m2_sr : 0.0;
         return std::make_shared<const std::vector<double>>(band.sampling->size(),
                                                            uniform_W_m2_sr / band.area_um);
     });

@@ -21,23 +21,6 @@ double scaleOf(const std::map<int, double>& scales, int index) {
     return found == scales.end() ? 1.0 : found->second;
 }
 
-/// The coldest surface decides how fine the quadrature must be.
-double coldest_K(const AtmosphericQueryCache& answers, const AirScene& scene) {
-    double coldest_K = 300.0;
-    std::vector<double> ambient_K;
-    ambient_K.reserve(scene.geometry.size());
-    for (const ObjectGeometry& object : scene.geometry)
-        ambient_K.push_back(ambientOf(answers, object).value);
-    for (const auto& [e, codes] : surfaceKeys(scene.entities)) {
-        const auto index = static_cast<std::size_t>(e);
-        const SurfaceInput input =
-            surfaceInput(scene.entities[index], codes, scene.geometry[index], ambient_K[index]);
-        if (input.temperature->mode == EmissionMode::temperature)
-            coldest_K = std::min(coldest_K, surfaceTemperature_K(input));
-    }
-    return std::max(coldestStep_K * std::floor(coldest_K / coldestStep_K), coldestThatMatters_K);
-}
-
 /// The spectra of a scene's surfaces, for their kinks.
 void addSurfaceSpectra(const std::vector<Entity>& entities, std::vector<const Spectrum*>& spectra) {
     for (const auto& [e, codes] : surfaceKeys(entities)) {
@@ -62,6 +45,30 @@ SampledBand sampledBand(std::shared_ptr<const SpectralSampling> sampling) {
 }
 
 } // namespace
+
+SampledBand SampledBand::ofSource(const RadianceTerms& terms) const {
+    const auto all = [this](double value) {
+        return std::make_shared<const std::vector<double>>(sampling->size(), value);
+    };
+    const SharedValues one = all(1.0), none = all(0.0);
+    SampledBand source = *this;
+    source.isSource = true;
+    source.air.background = air.background ? none : nullptr;
+    for (ObjectAir& object : source.air.objects) {
+        // What the air has taken of a measured spectrum cannot be given back where it took all.
+        for (auto& [name, transmittance] : object.toReference)
+            transmittance = one;
+        for (AirSamples& node : object.nodes) {
+            node.transmittance = one;
+            for (std::size_t k = 0; k < terms.terms.size(); ++k) {
+                const auto& light = terms.terms[k].light;
+                if (light && node.light[k] && placeOf(*light) == QueryGeometry::path)
+                    node.light[k] = none;
+            }
+        }
+    }
+    return source;
+}
 
 std::vector<SurfaceKey> surfaceKeys(const std::vector<Entity>& entities) {
     std::vector<SurfaceKey> keys;
@@ -88,6 +95,22 @@ SurfaceInput surfaceInput(const Entity& entity, const IrCodes& codes,
     return input;
 }
 
+double coldestOf_K(const AtmosphericQueryCache& answers, const AirScene& scene) {
+    double coldest_K = 300.0;
+    std::vector<double> ambient_K;
+    ambient_K.reserve(scene.geometry.size());
+    for (const ObjectGeometry& object : scene.geometry)
+        ambient_K.push_back(ambientOf(answers, object).value);
+    for (const auto& [e, codes] : surfaceKeys(scene.entities)) {
+        const auto index = static_cast<std::size_t>(e);
+        const SurfaceInput input =
+            surfaceInput(scene.entities[index], codes, scene.geometry[index], ambient_K[index]);
+        if (input.temperature->mode == EmissionMode::temperature)
+            coldest_K = std::min(coldest_K, surfaceTemperature_K(input));
+    }
+    return std::max(coldestStep_K * std::floor(coldest_K / coldestStep_K), coldestThatMatters_K);
+}
+
 std::shared_ptr<const SpectralSampling>
 SceneSampling::quadrature(AtmosphericQueryCache& answers, const AirScene& scene, const Band& band) {
     std::vector<const Spectrum*> spectra =
@@ -97,7 +120,7 @@ SceneSampling::quadrature(AtmosphericQueryCache& answers, const AirScene& scene,
     std::ranges::sort(spectra);
     spectra.erase(std::ranges::unique(spectra).begin(), spectra.end());
     std::vector<double> edges_um = mergeAxes(spectra, band.range());
-    const double finest_K = coldest_K(answers, scene);
+    const double finest_K = coldestOf_K(answers, scene);
 
     const Kept* const known = kept_.find([&](const Kept& kept) {
         return kept.band == band && kept.coldest_K == finest_K && kept.edges_um == edges_um;

@@ -24,6 +24,11 @@ struct SampledBand {
     double area_um = 0.0;    ///< of the response, or of the interval of the wavelengths
     std::string description; ///< what is to be told of the nodes, or nothing
     SceneAir air;
+    bool isSource = false; ///< see ofSource
+
+    /// The same band of the source: its surfaces are lit as they are, but there is no air before
+    /// them and nothing behind them.
+    SampledBand ofSource(const RadianceTerms& terms) const;
 };
 
 /// A scene as its air sees it.
@@ -34,6 +39,9 @@ struct AirScene {
     const RenderSettings& settings;
     LineOfSight centre; ///< through the middle of the field
 };
+
+/// Of the surfaces with a temperature, in steps, K: it decides how fine a quadrature must be.
+double coldestOf_K(const AtmosphericQueryCache& answers, const AirScene& scene);
 
 /// The samplings of bands, kept while their spectra stay what they are.
 class SceneSampling {

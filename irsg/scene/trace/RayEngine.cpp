@@ -12,6 +12,36 @@
 
 namespace irsg {
 
+namespace {
+
+/// Samples of a sheet that meet nothing.
+void makeRoom(const SheetScene& sheet, bool withDistance, FactorSamples& samples) {
+    const std::size_t factorCount = sheet.scenes.front().factors.factorCount;
+    samples.width = sheet.sheet.width;
+    samples.height = sheet.sheet.height;
+    samples.factorCount = factorCount;
+    samples.wordsPerFragment = 4 * (1 + (factorCount + 3) / 4);
+    const std::size_t count =
+        static_cast<std::size_t>(samples.width) * static_cast<std::size_t>(samples.height);
+    samples.forgetLight();
+    samples.opaque.assign(4 * count, 0.0f);
+    samples.moreFactors.assign(factorCount > 3 ? 4 * count : 0, 0.0f);
+    samples.distances_m.assign(withDistance ? count : 0, 0.0f);
+}
+
+void gather(const std::vector<std::vector<float>>& lists, FactorSamples& samples) {
+    std::size_t words = 0;
+    for (const std::vector<float>& list : lists)
+        words += list.size();
+    std::vector<float> all;
+    all.reserve(words);
+    for (const std::vector<float>& list : lists)
+        all.insert(all.end(), list.begin(), list.end());
+    gatherFragments(all, samples);
+}
+
+} // namespace
+
 std::future<void> RayEngine::post(std::function<void()> work) {
     return thread_.post(std::move(work));
 }
@@ -30,18 +60,7 @@ double RayEngine::takeDrawSeconds() {
 
 void RayEngine::drawFactors(const SheetScene& sheet, bool withDistance, FactorSamples& samples) {
     const Stopwatch watch(drawSeconds_);
-    const std::size_t factorCount = sheet.scenes.front().factors.factorCount;
-    samples.width = sheet.sheet.width;
-    samples.height = sheet.sheet.height;
-    samples.factorCount = factorCount;
-    samples.wordsPerFragment = 4 * (1 + (factorCount + 3) / 4);
-    const std::size_t count =
-        static_cast<std::size_t>(samples.width) * static_cast<std::size_t>(samples.height);
-    samples.forgetLight();
-    samples.opaque.assign(4 * count, 0.0f);
-    samples.moreFactors.assign(factorCount > 3 ? 4 * count : 0, 0.0f);
-    samples.distances_m.assign(withDistance ? count : 0, 0.0f);
-
+    makeRoom(sheet, withDistance, samples);
     std::vector<WindowRays> windows;
     for (std::size_t w = 0; w < sheet.scenes.size(); ++w)
         windows.emplace_back(sheet.scenes[w], sheet.sheet.windows[w]);
@@ -51,14 +70,19 @@ void RayEngine::drawFactors(const SheetScene& sheet, bool withDistance, FactorSa
         for (int row = pieces[i].first; row < pieces[i].last; ++row)
             windows[pieces[i].window].traceRow(row, samples, lists[i]);
     });
-    std::size_t words = 0;
-    for (const std::vector<float>& list : lists)
-        words += list.size();
-    std::vector<float> all;
-    all.reserve(words);
-    for (const std::vector<float>& list : lists)
-        all.insert(all.end(), list.begin(), list.end());
-    gatherFragments(all, samples);
+    gather(lists, samples);
+}
+
+void RayEngine::traceRuns(const SheetScene& sheet, std::size_t window,
+                          const std::vector<SampleRun>& runs, FactorSamples& samples) {
+    makeRoom(sheet, true, samples);
+    const WindowRays rays(sheet.scenes[window], sheet.sheet.windows[window]);
+    std::vector<std::vector<float>> lists(runs.size()); // of fragments
+    parallelFor(runs.size(), [&](std::size_t i) {
+        const SampleRun& run = runs[i];
+        rays.traceRow(run.row, run.firstColumn, run.firstColumn + run.count, samples, lists[i]);
+    });
+    gather(lists, samples);
 }
 
 void RayEngine::drawRadiance(const SheetScene& sheet, RadianceSamples& samples) {

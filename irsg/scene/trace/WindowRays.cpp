@@ -35,7 +35,8 @@ Vec3 WindowRays::Body::toEye(const Vec3& meshDirection) const {
 WindowRays::Body WindowRays::bodyOf(const SurfaceBody& body, PieceUses uses,
                                     std::vector<int> rows) {
     // Row vectors times matrix: its rows are the axes of the model in eye space.
-    Body own{body.mesh.get(),
+    Body own{body.entity,
+             body.mesh.get(),
              axisOf(body.eyeFromModel, 0),
              axisOf(body.eyeFromModel, 1),
              axisOf(body.eyeFromModel, 2),
@@ -84,46 +85,68 @@ void WindowRays::fillFactors(const Met& met, const Vec3& eyeDirection, float* fa
         *factors++ = static_cast<float>(function(geometry));
 }
 
-void WindowRays::traceRow(int row, FactorSamples& samples, std::vector<float>& fragments) const {
-    const Sensor& sensor = scene_.camera->sensor();
-    const double width = sampleWidthOf(sensor, window_);
+WindowRays::Met WindowRays::meet(const Vec3& eyeDirection, std::vector<Met>& layers) const {
     thread_local std::vector<RayHit> through;
+    const double width = sampleWidthOf(scene_.camera->sensor(), window_);
+    const double from_m = scene_.depth.near_m / -eyeDirection.z;
+    Met opaque;
+    layers.clear();
+    for (const Body& body : bodies_) {
+        RayHit hit;
+        const bool isMet =
+            body.mesh->meet(rayTo(body, eyeDirection, from_m), body.uses, width, hit, through);
+        if (isMet && (!opaque.body || hit.order_m < opaque.hit.order_m))
+            opaque = {&body, hit};
+        for (const RayHit& layer : through)
+            layers.push_back({&body, layer});
+    }
+    if (!opaque.body && layers.empty())
+        return opaque;
+    double hidden_m = opaque.body ? opaque.hit.order_m : std::numeric_limits<double>::infinity();
+    for (const Body& body : occluders_) {
+        RayHit hit;
+        if (body.mesh->meet(rayTo(body, eyeDirection, 0.0), body.uses, 0.0, hit, through) &&
+            hit.distance_m < hidden_m) {
+            hidden_m = hit.distance_m;
+            opaque.body = nullptr;
+        }
+    }
+    std::erase_if(layers, [&](const Met& layer) { return layer.hit.order_m >= hidden_m; });
+    return opaque;
+}
+
+std::vector<WindowRays::Facet> WindowRays::facetsAt(int column, int row) const {
+    const Vec3 eyeDirection = eyeDirectionOf(scene_.camera->sensor(), window_, column, row);
+    std::vector<Met> met;
+    Met last = meet(eyeDirection, met);
+    std::ranges::stable_sort(met, {}, [](const Met& layer) { return layer.hit.order_m; });
+    if (!last.body) {
+        std::vector<RayHit> through;
+        for (const Body& body : occluders_)
+            if (body.mesh->meet(rayTo(body, eyeDirection, 0.0), body.uses, 0.0, last.hit, through))
+                last.body = &body;
+    }
+    if (last.body)
+        met.push_back(last);
+    std::vector<Facet> facets;
+    for (const Met& one : met)
+        facets.push_back({one.body->entity, one.hit.piece, one.hit.facet});
+    return facets;
+}
+
+void WindowRays::traceRow(int row, int firstColumn, int lastColumn, FactorSamples& samples,
+                          std::vector<float>& fragments) const {
+    const Sensor& sensor = scene_.camera->sensor();
     thread_local std::vector<Met> layers;
     std::array<float, mostFactors + 1> factors{};
-    for (int column = 0; column < window_.width(); ++column) {
+    for (int column = firstColumn; column < lastColumn; ++column) {
         const Vec3 eyeDirection = eyeDirectionOf(sensor, window_, column, row);
-        const double from_m = scene_.depth.near_m / -eyeDirection.z;
-        Met opaque;
-        layers.clear();
-        for (const Body& body : bodies_) {
-            RayHit hit;
-            const bool isMet =
-                body.mesh->meet(rayTo(body, eyeDirection, from_m), body.uses, width, hit, through);
-            if (isMet && (!opaque.body || hit.order_m < opaque.hit.order_m))
-                opaque = {&body, hit};
-            for (const RayHit& layer : through)
-                layers.push_back({&body, layer});
-        }
-        if (!opaque.body && layers.empty())
-            continue;
-        double hidden_m =
-            opaque.body ? opaque.hit.order_m : std::numeric_limits<double>::infinity();
-        for (const Body& body : occluders_) {
-            RayHit hit;
-            if (body.mesh->meet(rayTo(body, eyeDirection, 0.0), body.uses, 0.0, hit, through) &&
-                hit.distance_m < hidden_m) {
-                hidden_m = hit.distance_m;
-                opaque.body = nullptr;
-            }
-        }
-
+        const Met opaque = meet(eyeDirection, layers);
         const std::size_t sample = indexOf(window_, column, row);
         const auto rowOf = [](const Met& met) {
             return static_cast<float>(met.body->rows[static_cast<std::size_t>(met.hit.piece)] + 1);
         };
         for (const Met& layer : layers) {
-            if (layer.hit.order_m >= hidden_m)
-                continue;
             factors.fill(0.0f);
             fillFactors(layer, eyeDirection, factors.data());
             fragments.insert(fragments.end(),

@@ -7,19 +7,20 @@
 namespace smat {
 
 extern const AnalysisDefinition imageAnalysis, spectrumAnalysis, polarAnalysis, timeAnalysis,
-    rangeAnalysis, radiativeTool, temperatureProfileTool, monteCarloTool, simulationTool,
-    otherTable;
+    rangeAnalysis, tableAnalysis, radiativeTool, temperatureProfileTool, monteCarloTool,
+    simulationTool, otherTable;
 
 constinit const AnalysisKind AnalysisKind::image(imageAnalysis);
 constinit const AnalysisKind AnalysisKind::spectrum(spectrumAnalysis);
 constinit const AnalysisKind AnalysisKind::polar(polarAnalysis);
 constinit const AnalysisKind AnalysisKind::time(timeAnalysis);
 constinit const AnalysisKind AnalysisKind::range(rangeAnalysis);
+constinit const AnalysisKind AnalysisKind::table(tableAnalysis);
 constinit const AnalysisKind AnalysisKind::radiative(radiativeTool);
 constinit const AnalysisKind AnalysisKind::temperatureProfile(temperatureProfileTool);
 constinit const AnalysisKind AnalysisKind::monteCarlo(monteCarloTool);
 constinit const AnalysisKind AnalysisKind::simulation(simulationTool);
-constinit const AnalysisKind AnalysisKind::table(otherTable);
+constinit const AnalysisKind AnalysisKind::other(otherTable);
 
 std::string name(AnalysisKind kind) {
     return kind->name;
@@ -40,7 +41,7 @@ AnalysisKind resultKindFromName(std::string_view text) {
     for (const AnalysisKind tool : allTools())
         if (tool->name == text)
             return tool;
-    return analysisKindFromName(text).value_or(AnalysisKind::table);
+    return analysisKindFromName(text).value_or(AnalysisKind::other);
 }
 
 std::string analysisKindNames() {

@@ -34,6 +34,7 @@ void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
     const int points = settings[key::rangePoints];
     const bool logarithmic = settings[key::rangeLog];
     plan.coordinate = irsg::Quantity::range;
+    plan.isAlongRange = true;
     if (to_m <= from_m) {
         diagnostics.push_back({.file = "",
                                .position = key::rangeTo,
@@ -73,7 +74,6 @@ extern constinit const AnalysisDefinition rangeAnalysis{
     .help = "Contrast intensity and irradiance over range",
     .icon = "range",
     .settings = settings,
-    .isAlongRange = true,
     .plan = plan,
     .ignored = ignored};
 

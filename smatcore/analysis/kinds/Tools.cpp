@@ -34,7 +34,7 @@ extern constinit const AnalysisDefinition simulationTool{
     .icon = "time",
     .form = AnalysisForm::table};
 
-extern constinit const AnalysisDefinition otherTable{.name = "table",
+extern constinit const AnalysisDefinition otherTable{.name = "other",
                                                      .title = "Table",
                                                      .help =
                                                          "A table of no analysis of this program",

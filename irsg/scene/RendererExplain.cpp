@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/scene/RendererImpl.h"
+#include "irsg/scene/radiance/PixelTerms.h"
+#include "irsg/scene/sampling/SampleSheet.h"
+#include "irsg/scene/trace/RayEngine.h"
+#include "irsg/scene/trace/WindowRays.h"
+#include "irsg/scene/trace/WindowSamples.h"
+
+namespace irsg {
+
+namespace {
+
+Scene withRays(Scene scene) {
+    scene.settings.engine = EngineChoice::rays;
+    return scene;
+}
+
+/// The samples of a window that belong to a pixel.
+std::vector<SampleRun> runsOf(const SampleWindow& window, int x, int y) {
+    const auto tileOf = [&](int pixel) {
+        return std::clamp<std::int64_t>(
+            (static_cast<std::int64_t>(pixel) << window.level) - window.tileY, 0, window.tilesHigh);
+    };
+    const int first = static_cast<int>(tileOf(y)) * window.samplesDown;
+    const int last = static_cast<int>(tileOf(y + 1)) * window.samplesDown;
+    std::vector<SampleRun> runs;
+    window.forEachRun(
+        first, last, [&](std::size_t sample, int count, int column, int, double weight) {
+            if (column != x)
+                return;
+            const std::size_t drawn = sample - window.firstSample;
+            const int fromBelow = static_cast<int>(drawn / window.stride());
+            runs.push_back({window.height() - 1 - fromBelow,
+                            static_cast<int>(drawn % window.stride()), count, weight});
+        });
+    return runs;
+}
+
+} // namespace
+
+struct Renderer::Explainer {
+    Explainer(Impl& of, const Scene& ofScene, SensorView ofView)
+        : scene(withRays(ofScene)),
+          view(std::move(ofView)),
+          wanted({.image = true}),
+          frame(of.frame(scene, view, wanted)),
+          layers(of.background.layers()) {
+        if (frame.drawn.empty())
+            return;
+        const int side = frame.engine->largestSide();
+        sheets = sheetsOf(
+            piecesOf(of.antialiasing.strategyFor(scene.settings).windows(frame.drawn), side), side);
+    }
+    Explainer(const Explainer&) = delete;
+    Explainer& operator=(const Explainer&) = delete;
+
+    const Scene scene;
+    const SensorView view;
+    const Wanted wanted;
+    const Impl::Frame frame; // of these
+    const BackgroundLayers layers;
+    std::vector<SampleSheet> sheets;
+    FactorSamples samples; // room for those of a sheet
+};
+
+std::shared_ptr<Renderer::Explainer> Renderer::explainer(const Scene& scene,
+                                                         const SensorView& view) {
+    return std::make_shared<Explainer>(*impl_, scene, view);
+}
+
+PixelExplanation Renderer::explain(Explainer& explainer, int x, int y) {
+    Impl& p = *impl_;
+    const Impl::Frame& frame = explainer.frame;
+    const Sensor& sensor = frame.view.sensor;
+    if (x < 0 || y < 0 || x >= sensor.width_px || y >= sensor.height_px)
+        throw LogicError("a pixel outside the frame was to be explained");
+    // Frames share evaluated scenes, and another may have been drawn since.
+    frame.evaluated->turnTo(frame.scene.entities, frame.geometry);
+    frame.evaluated->radiances.setBackground(frame.background);
+
+    PixelExplanation result;
+    result.x = x;
+    result.y = y;
+    const FrameBackground& background = frame.backgrounds.front();
+    result.background_W_m2_sr = background.at(x, y);
+    const std::size_t pixel =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(sensor.width_px) +
+        static_cast<std::size_t>(x);
+    const auto part = [&](const std::vector<double>& values, std::optional<double>& into) {
+        if (pixel < values.size())
+            into = values[pixel];
+    };
+    part(explainer.layers.sky, result.sky_W_m2_sr);
+    part(explainer.layers.environment, result.environment_W_m2_sr);
+    part(explainer.layers.terrain, result.terrain_W_m2_sr);
+
+    // The facets of the middles of the pixels around.
+    std::optional<std::vector<WindowRays::Facet>> facets;
+    result.isInterior = true;
+    const auto compare = [&](std::vector<WindowRays::Facet> met) {
+        if (!facets)
+            facets = std::move(met);
+        else if (*facets != met)
+            result.isInterior = false;
+    };
+    SampleWindow around;
+    around.tileX = x - 1;
+    around.tileY = y - 1;
+    around.tilesWide = around.tilesHigh = 3;
+    for (const ZoomEntityInfo& object : frame.seen)
+        around.entities.push_back(object.entity);
+    std::ranges::sort(around.entities);
+    SurfaceScene scene = p.sceneOf(frame, frame.camera, around);
+    if (frame.scene.terrain && !scene.terrain.mesh)
+        scene.terrain = {-1, p.rayTerrain.meshOf(frame.scene.terrain),
+                         frame.camera.eyeFromModel(frame.scene.terrain->pose())};
+    const WindowRays middles(scene, around);
+    for (int i = 0; i < 9; ++i)
+        compare(middles.facetsAt(i % 3, i / 3));
+
+    // The samples that the image takes of the pixel.
+    PixelTerms terms(frame.evaluated->radiometry, frame.evaluated->radiances, p.fronts,
+                     frame.light.get(), result.background_W_m2_sr);
+    for (const SampleSheet& sheet : explainer.sheets) {
+        std::optional<SheetScene> drawn;
+        for (std::size_t w = 0; w < sheet.windows.size(); ++w) {
+            const SampleWindow& window = sheet.windows[w];
+            const std::vector<SampleRun> runs = runsOf(window, x, y);
+            if (runs.empty())
+                continue;
+            if (!drawn)
+                drawn = p.scenesOf(frame, frame.camera, sheet);
+            FactorSamples& samples = explainer.samples;
+            RayEngine::traceRuns(*drawn, w, runs, samples);
+            p.sortAndShade(frame, *drawn, samples);
+            const WindowRays rays(drawn->scenes[w], window);
+            for (const SampleRun& run : runs)
+                for (int column = run.firstColumn; column < run.firstColumn + run.count; ++column) {
+                    const std::size_t sample = indexOf(window, column, run.row);
+                    ++result.samples;
+                    if (result.isInterior)
+                        compare(rays.facetsAt(column, run.row));
+                    if (samples.isEmpty(sample))
+                        continue;
+                    result.layersLeftOver += samples.isLeftOver(sample) ? 1 : 0;
+                    terms.add(samples, sample, window.share() * run.weight);
+                }
+        }
+    }
+    for (const ZoomEntityInfo& object : frame.points) {
+        const PointPlace place = p.placeOf(frame, object);
+        if (place.x != x || place.y != y)
+            continue;
+        const PointFactors& factors = p.pointFactors(frame, object);
+        terms.addPoint(factors, 1.0 / (place.distance_m * place.distance_m * place.solidAngle_sr),
+                       place.distance_m);
+        result.isInterior = false;
+        result.remarks.push_back("'" + frame.entity(object.entity).name +
+                                 "' is so small that all of it is in this pixel, as a point");
+        if (frame.light)
+            result.remarks.push_back("the light between its surfaces is not explained");
+    }
+
+    result.surfaces = terms.surfaces(frame.scene.entities);
+    result.backgroundLeft_W_m2_sr = result.background_W_m2_sr;
+    for (const ExplainedSurface& surface : result.surfaces) {
+        result.backgroundLeft_W_m2_sr -= surface.hidden_W_m2_sr;
+        result.radiance_W_m2_sr += surface.radiance_W_m2_sr;
+    }
+    result.radiance_W_m2_sr += result.backgroundLeft_W_m2_sr;
+    if (pixel < explainer.layers.coverage.size() && explainer.layers.coverage[pixel] > 0.0)
+        result.remarks.push_back("OpenGL interpolates the terrain's texture less exactly than it "
+                                 "is done here, by some 1e-5 of the picture");
+    if (frame.scene.settings.scattering)
+        result.remarks.push_back("the haze that droplets add to the image is not explained");
+    if (frame.scene.settings.zoomWindow > 0 &&
+        frame.scene.settings.zoomStrategy == ZoomStrategy::sills)
+        result.remarks.push_back("the antialiasing as published resamples what it draws; these are "
+                                 "samples of the pixel");
+    return result;
+}
+
+} // namespace irsg
