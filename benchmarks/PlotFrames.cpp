@@ -18,10 +18,10 @@
 #include <QWindow>
 
 #include "benchmarks/Fluidity.h"
-#include "gui/Workbench.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PolarPlot.h"
 #include "gui/widgets/Theme.h"
+#include "gui/workbench/Workbench.h"
 
 namespace {
 

@@ -1,11 +1,15 @@
 // Frames of rays beside those of OpenGL: one sample in each pixel of 640 x 512, of spheres with
 // more and more facets and of the four-engined aircraft, without and with shadows of the sun and
-// light between surfaces; a polar of 360 aspects of the latter; and what the view factors between
-// the surfaces of models cost.
+// light between surfaces, and with surfaces that reflect by direction; a polar of 360 aspects of
+// the latter; and what the view factors between the surfaces of models cost.
+//
+//     bench_rays [factors] [light] [frames] [--aspects=360]    all of it without a word
+//
+// Times are those of all processors together, which what else the machine does hardly changes.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,40 +35,56 @@ Entity sampleOf(const std::string& name) {
     return entity;
 }
 
+/// That all threads took so far.
+double now_s() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
 /// Median of some frames after the first, ms.
 double frame_ms(Irsg& irsg) {
     std::vector<double> times_ms;
     for (int i = 0; i < 9; ++i) {
-        const auto start = std::chrono::steady_clock::now();
+        const double start_s = now_s();
         irsg.render();
-        times_ms.push_back(
-            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-                .count());
+        times_ms.push_back(1e3 * (now_s() - start_s));
     }
     times_ms.erase(times_ms.begin());
     std::ranges::nth_element(times_ms, times_ms.begin() + 4);
     return times_ms[4];
 }
 
-double now_s() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-        .count();
+/// The same with every surface of facets of GGX.
+Entity glossy(const Entity& entity) {
+    Entity other = entity;
+    SignatureDatabase database = *entity.database;
+    for (auto& [index, material] : database.materials) {
+        material.surfaceModel = "ggx";
+        material.roughness = 0.2;
+    }
+    other.database = std::make_shared<const SignatureDatabase>(std::move(database));
+    return other;
 }
 
-/// Frames and a polar of sums with so many reflections, the first of them by itself.
-void measureLight(const Entity& entity, EngineChoice engine) {
-    std::printf("%-24s %9s %9s %9s %9s\n", engine == EngineChoice::rays ? "rays" : "OpenGL",
-                "first, ms", "frame, ms", "polar, s", "W/sr");
+/// Frames and a polar of sums with so many reflections, the first of them by itself; in times those
+/// of the first line.
+void measureLight(const Entity& entity, EngineChoice engine, int aspects) {
+    std::printf("%-26s %9s %9s %7s %9s %7s %9s\n", engine == EngineChoice::rays ? "rays" : "OpenGL",
+                "first, ms", "frame, ms", "times", "polar, s", "times", "W/sr");
     const double size_m = entity.model->bounds().diagonal_m();
     struct Case {
         const char* name;
         SunShadowMode shadows;
         int bounces;
+        bool hasLobes;
     };
-    for (const auto& [name, shadows, bounces] :
-         {Case{"primary", SunShadowMode::off, 0}, Case{"shadows", SunShadowMode::point, 0},
-          Case{"shadows, 1 bounce", SunShadowMode::point, 1},
-          Case{"shadows, converged", SunShadowMode::point, convergedBounces}}) {
+    double primary_ms = 0.0, primary_s = 0.0;
+    for (const auto& [name, shadows, bounces, hasLobes] :
+         {Case{"primary", SunShadowMode::off, 0, false},
+          Case{"shadows", SunShadowMode::point, 0, false},
+          Case{"shadows, 1 bounce", SunShadowMode::point, 1, false},
+          Case{"shadows, converged", SunShadowMode::point, convergedBounces, false},
+          Case{"lobes", SunShadowMode::off, 0, true},
+          Case{"lobes, shadows, converged", SunShadowMode::point, convergedBounces, true}}) {
         Irsg irsg;
         RenderSettings settings;
         settings.engine = engine;
@@ -74,7 +94,7 @@ void measureLight(const Entity& entity, EngineChoice engine) {
         settings.samplesPerAxis = 1;
         irsg.setSettings(settings);
         irsg.setEnvironment(test::brightAir());
-        irsg.setEntities({entity});
+        irsg.setEntities({hasLobes ? glossy(entity) : entity});
         test::View view{.range_m = 20.0 * size_m,
                         .azimuth_rad = radians(60.0),
                         .elevation_rad = radians(15.0),
@@ -91,13 +111,18 @@ void measureLight(const Entity& entity, EngineChoice engine) {
         irsg.measure();
         const double start_s = now_s();
         double sum_W_sr = 0.0;
-        for (int aspect = 0; aspect < 360; ++aspect) {
-            view.azimuth_rad = radians(static_cast<double>(aspect));
+        for (int aspect = 0; aspect < aspects; ++aspect) {
+            view.azimuth_rad = radians(360.0 * aspect / aspects);
             test::look(irsg, view);
             sum_W_sr += irsg.measure().all.intensity_W_sr;
         }
-        std::printf("%-24s %9.0f %9.1f %9.2f %9.4g\n", name, first_ms, each_ms, now_s() - start_s,
-                    sum_W_sr / 360);
+        const double polar_s = now_s() - start_s;
+        if (primary_ms == 0.0) {
+            primary_ms = each_ms;
+            primary_s = polar_s;
+        }
+        std::printf("%-26s %9.0f %9.1f %7.2f %9.2f %7.2f %9.4g\n", name, first_ms, each_ms,
+                    each_ms / primary_ms, polar_s, polar_s / primary_s, sum_W_sr / aspects);
         std::fflush(stdout);
     }
 }
@@ -157,16 +182,26 @@ void measure(const char* name, const Entity& entity) {
 
 } // namespace
 
-int main() {
+int main(int argc, char** argv) {
     if (!areRaysBuilt()) {
         std::printf("%s\n", whyNoRays().c_str());
         return 1;
     }
+    std::vector<std::string> words(argv + 1, argv + argc);
+    int aspects = 360;
+    std::erase_if(words, [&](const std::string& word) {
+        return std::sscanf(word.c_str(), "--aspects=%d", &aspects) == 1;
+    });
+    const auto isAsked = [&](const char* word) {
+        return words.empty() || std::ranges::find(words, word) != words.end();
+    };
     Entity aircraft = sampleOf("turboprop4");
-    std::printf("%-12s %8s %9s %9s %9s %9s %9s %9s\n", "factors", "asked", "cold, s", "error",
-                "facets", "nodes", "rays/fac.", "pairs");
-    for (const char* name : {"turboprop4", "ship", "corvette", "heron"})
-        measureFactors(name, sampleOf(name));
+    if (isAsked("factors")) {
+        std::printf("%-12s %8s %9s %9s %9s %9s %9s %9s\n", "factors", "asked", "cold, s", "error",
+                    "facets", "nodes", "rays/fac.", "pairs");
+        for (const char* name : {"turboprop4", "ship", "corvette", "heron"})
+            measureFactors(name, sampleOf(name));
+    }
     // Grey surfaces, but for the shells of plumes: times are those of geometry.
     SignatureDatabase database;
     for (const auto& [codes, use] : aircraft.model->codes()) {
@@ -176,7 +211,10 @@ int main() {
     }
     aircraft.database = std::make_shared<const SignatureDatabase>(database);
     for (const EngineChoice engine : {EngineChoice::rays, EngineChoice::opengl})
-        measureLight(aircraft, engine);
+        if (isAsked("light"))
+            measureLight(aircraft, engine, aspects);
+    if (!isAsked("frames"))
+        return 0;
     std::printf("%-24s %9s %9s %9s %9s %9s %9s\n", "ms a frame", "OpenGL", "rays", "+ shadows", "",
                 "+ disc", "");
     measure("turboprop4", aircraft);

@@ -22,11 +22,11 @@
 
 #include "benchmarks/Fluidity.h"
 #include "gui/MainWindow.h"
-#include "gui/Workbench.h"
 #include "gui/database/DatabaseDock.h"
 #include "gui/view/SceneView.h"
 #include "gui/view/ViewOverlay.h"
 #include "gui/widgets/Theme.h"
+#include "gui/workbench/Workbench.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/project/ProjectFile.h"
 

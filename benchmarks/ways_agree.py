@@ -60,7 +60,8 @@ def project(folder, name, sample, air, mode):
 
 def scenario(folder, name, sample, air, mode, elevation, band):
     text = settings(name, sample, air, mode)
-    text |= {"version": 1, "dt_s": 1, "end_s": 0,
+    # Scenarios draw scales where a model has some, unless they say otherwise.
+    text |= {"version": 1, "dt_s": 1, "end_s": 0, "scaling": {"use": False},
              "entities": [model(name) | {"model": str(ROOT / "samples" / name / f"{name}.flt"),
                                          "position_m": [0, 0, sample["altitude"]],
                                          "power": sample["power"], "mach": sample["mach"]}],

@@ -110,7 +110,7 @@ ShortcutsDialog::ShortcutsDialog(const QMenuBar& menus, const QList<QAction*>& o
         row(tr("Drag, arrow keys"), tr("Look around; arrows with Shift in steps of 1°")) +
         row(tr("Right drag, Shift and drag"), tr("Shift the picture")) +
         row(tr("Wheel, Page up, Page down"), tr("Move closer, move away")) +
-        row(tr("Double click, Home"), tr("Fit the whole model")) +
+        row(tr("Double click, Home"), tr("Fit the whole scene")) +
         row(tr("The same with Ctrl"), tr("Move the sensor of the project")) +
         row(tr("Click, again"), tr("Pick a face; the one behind it")) +
         heading(tr("Plots and images")) + row(tr("Wheel"), tr("Zoom at the cursor")) +

@@ -7,8 +7,8 @@
 #include <QThread>
 #include <unistd.h>
 
-#include "gui/Workbench.h"
 #include "gui/widgets/BackgroundPool.h"
+#include "gui/workbench/Workbench.h"
 
 namespace smat::gui {
 namespace {

@@ -5,9 +5,6 @@
 #include <QStatusBar>
 
 #include "gui/HelpDialogs.h"
-#include "gui/PageTabs.h"
-#include "gui/UnsavedNote.h"
-#include "gui/Workbench.h"
 #include "gui/analysis/AnalysisGeneratorDialog.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/project/ConvertModelDialog.h"
@@ -15,11 +12,15 @@
 #include "gui/project/NamedAnalyses.h"
 #include "gui/project/ProjectFiles.h"
 #include "gui/project/ProjectPropertiesDialog.h"
+#include "gui/settings/ImagingSensorFiles.h"
 #include "gui/settings/Preferences.h"
 #include "gui/settings/SettingsDialog.h"
 #include "gui/start/GuidePage.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
+#include "gui/workbench/PageTabs.h"
+#include "gui/workbench/UnsavedNote.h"
+#include "gui/workbench/Workbench.h"
 
 namespace smat::gui {
 
@@ -94,7 +95,7 @@ void MainDialogs::showProjectProperties() {
 void MainDialogs::makeFirstSignature() {
     if (!workbench_.hasProject() || workbench_.project().models.empty())
         return;
-    FirstSignatureDialog dialog(workbench_.project(), &window_);
+    FirstSignatureDialog dialog(workbench_.project(), workbench_.chosenModel(), &window_);
     if (!dialogs_.run(dialog))
         return;
     try {
@@ -103,6 +104,18 @@ void MainDialogs::makeFirstSignature() {
     } catch (const irsg::InputError& error) {
         dialogs_.tell(&window_, tr("The first signature cannot be written"), sentencesOf(error));
     }
+}
+
+void MainDialogs::importImagingSensor() {
+    if (workbench_.hasProject())
+        gui::importImagingSensor(workbench_, dialogs_, &window_,
+                                 [this](const QString& sentence) { say(sentence); });
+}
+
+void MainDialogs::exportImagingSensor() {
+    if (workbench_.hasProject())
+        gui::exportImagingSensor(workbench_, dialogs_, &window_,
+                                 [this](const QString& sentence) { say(sentence); });
 }
 
 void MainDialogs::showSettings(const QString& page) {

@@ -35,6 +35,8 @@ class MainDialogs : public QObject {
     void makeFirstSignature();
     /// The settings of the project, at the page of this title.
     void showSettings(const QString& page);
+    void importImagingSensor();
+    void exportImagingSensor();
     void showPreferences();
     /// `viewRenderer` is that of the 3-D view.
     void showAbout(const QString& viewRenderer);

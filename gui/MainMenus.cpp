@@ -9,27 +9,31 @@
 #include <QToolBar>
 
 #include "gui/CommandPalette.h"
-#include "gui/DocumentPage.h"
+#include "gui/FileOpening.h"
 #include "gui/HelpDialogs.h"
 #include "gui/MainDialogs.h"
-#include "gui/PageTabs.h"
 #include "gui/WindowLayout.h"
-#include "gui/Workbench.h"
+#include "gui/air/AirPages.h"
 #include "gui/analysis/MissingForAnalyses.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/analysis/ResultsDock.h"
 #include "gui/database/DatabaseDock.h"
 #include "gui/image/ImagePages.h"
-#include "gui/project/FileOpening.h"
 #include "gui/project/ProjectFiles.h"
+#include "gui/project/SceneModelActs.h"
+#include "gui/project/SceneTreeDock.h"
 #include "gui/settings/SettingsDialog.h"
 #include "gui/start/DataFolder.h"
 #include "gui/tools/AirTools.h"
+#include "gui/tools/FrontierPage.h"
 #include "gui/tools/MonteCarloPage.h"
 #include "gui/tools/SelfTestDialog.h"
 #include "gui/view/ModelPage.h"
 #include "gui/view/ProjectView.h"
 #include "gui/widgets/Theme.h"
+#include "gui/workbench/DocumentPage.h"
+#include "gui/workbench/PageTabs.h"
+#include "gui/workbench/Workbench.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 
 namespace smat::gui {
@@ -112,6 +116,14 @@ void MainMenus::makeFileMenu(QMenu* menu) {
     menu->addSeparator();
     add(menu, "convertModel", "import", tr("&Import or convert a model…"),
         QKeySequence(Qt::CTRL | Qt::Key_I), [this] { with_.ask.convertModel(); });
+    auto* takeSensor = add(menu, "importImagingSensor", {}, tr("Import imaging sensor &file…"), {},
+                           [this] { with_.ask.importImagingSensor(); });
+    takeSensor->setToolTip(tr("Takes the settings of an ImagingSensor file of KARMA (XML)"));
+    auto* writeSensor = add(menu, "exportImagingSensor", {}, tr("&Write imaging sensor file…"), {},
+                            [this] { with_.ask.exportImagingSensor(); });
+    writeSensor->setToolTip(tr("Writes the settings as an ImagingSensor file of KARMA (XML)"));
+    needProject_.append(takeSensor);
+    needProject_.append(writeSensor);
     export_ = add(menu, "exportShown", "export", tr("&Export…"), QKeySequence(Qt::CTRL | Qt::Key_E),
                   [this] { with_.tabs.exportShown(with_.dialogs); });
     export_->setIconText(tr("Export"));
@@ -153,8 +165,28 @@ void MainMenus::makeEditMenu(QMenu* menu) {
     redo->setProperty("listedAs", tr("Redo"));
     menu->addActions({undo, redo});
     menu->addSeparator();
+    addModelActions(menu);
+    menu->addSeparator();
     add(menu, "preferences", "preferences", tr("&Preferences…"),
         QKeySequence(Qt::CTRL | Qt::Key_Comma), [this] { with_.ask.showPreferences(); });
+}
+
+void MainMenus::addModelActions(QMenu* menu) {
+    Workbench& workbench = with_.workbench;
+    needProject_.append(add(menu, "addModel", "model", tr("Add a &model to the scene…"),
+                            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L),
+                            [this] { with_.models.chooseAndAdd(); }));
+    needProject_.append(
+        add(menu, "renameModel", {}, tr("Re&name the chosen model"), {}, [this, &workbench] {
+            with_.tree.show();
+            with_.tree.raise();
+            with_.tree.rename(static_cast<int>(workbench.chosenModel()));
+        }));
+    makeTarget_ = add(menu, "makeTarget", {}, tr("Make the chosen model the &target"), {},
+                      [this, &workbench] { with_.models.makeTarget(workbench.chosenModel()); });
+    makeTarget_->setToolTip(tr("The camera then turns about it; nothing moves"));
+    removeModel_ = add(menu, "removeModel", {}, tr("Remo&ve the chosen model from the scene"), {},
+                       [this, &workbench] { with_.models.remove(workbench.chosenModel()); });
 }
 
 void MainMenus::makeViewMenu(QMenu* menu) {
@@ -165,7 +197,15 @@ void MainMenus::makeViewMenu(QMenu* menu) {
             with_.view->view()->showWholeModel();
         });
         whole->setObjectName("showWholeModel");
+        whole->setToolTip(tr("Moves the sensor to where the whole target is seen"));
         needProject_.append(whole);
+        wholeScene_ = menu->addAction(tr("Show the whole scen&e"), this, [this] {
+            with_.tabs.setCurrentIndex(0);
+            with_.view->view()->showWholeScene();
+        });
+        wholeScene_->setObjectName("showWholeScene");
+        wholeScene_->setToolTip(
+            tr("Moves the sensor, which looks at the target, to where all models are seen"));
         needProject_.append(with_.view->page()->modelActions());
         menu->addSeparator();
     }
@@ -218,6 +258,13 @@ void MainMenus::makeAnalysisMenu(QMenu* menu) {
 void MainMenus::makeToolsMenu(QMenu* menu) {
     add(menu, "compareImages", "compare", tr("&Compare images…"),
         QKeySequence(Qt::CTRL | Qt::Key_D), [this] { with_.images.compare(); });
+    add(menu, "newAir", "air", tr("New &air"), {}, [this] {
+        with_.air.makeNew();
+    })->setToolTip(tr("Parameters of an AtmosphereSmart with what they do to the scene"));
+    needProject_.append(add(menu, "projectAir", "air", tr("Air of the &project"), {},
+                            [this] { with_.air.showProjectAir(); }));
+    add(menu, "importAir", "import", tr("&Import results of MODTRAN…"), {},
+        [this] { with_.air.importTables(); });
     addAirTools(*menu, with_.workbench, with_.dialogs,
                 [this](QWidget* page, const QIcon& picture, const QString& title) {
                     with_.tabs.addPage(page, picture, title);
@@ -227,6 +274,11 @@ void MainMenus::makeToolsMenu(QMenu* menu) {
         with_.tabs.addPage(new MonteCarloPage(with_.workbench, with_.dialogs), icon(kind->icon),
                            tr(kind->title));
     });
+    add(menu, "frontier", "frontier", tr("Time against &error"), {}, [this] {
+        const AnalysisKind kind = Frontier::kind();
+        with_.tabs.addPage(new FrontierPage(with_.workbench, with_.dialogs), icon(kind->icon),
+                           tr(kind->title));
+    })->setToolTip(tr(Frontier::kind()->help));
     menu->addSeparator();
     needProject_.append(
         add(menu, "options", "options", tr("&Options…"), QKeySequence(Qt::Key_F9),
@@ -250,7 +302,7 @@ void MainMenus::makeHelpMenu(QMenu* menu) {
             if (chosen != nullptr)
                 chosen->trigger();
         });
-    add(menu, "selfTest", "check", tr("&Self-test…"), {}, [this] {
+    add(menu, "selfTest", "check-physics", tr("&Self-test…"), {}, [this] {
         SelfTestDialog dialog(&with_.window);
         with_.dialogs.run(dialog);
     });
@@ -297,14 +349,23 @@ void MainMenus::refresh() {
                               page->resultIds().size() == 1);
     for (auto* action : needProject_)
         action->setEnabled(with_.workbench.hasProject());
-    const bool ofPage = with_.tabs.shownDocument() != nullptr;
+    const bool areSeveral =
+        with_.workbench.hasProject() && with_.workbench.project().models.size() > 1;
+    removeModel_->setEnabled(areSeveral);
+    makeTarget_->setEnabled(areSeveral && with_.workbench.chosenModel() > 0);
+    if (with_.view != nullptr) {
+        wholeScene_->setEnabled(areSeveral);
+        with_.view->page()->fitChosenAction()->setEnabled(areSeveral);
+    }
+    const DocumentPage* shown = with_.tabs.shownDocument();
     for (auto* action : saves_)
-        action->setEnabled(ofPage || with_.workbench.hasProject());
-    saves_.front()->setText(ofPage ? tr("&Save scenario") : tr("&Save project"));
+        action->setEnabled(shown != nullptr || with_.workbench.hasProject());
+    const QString noun = shown != nullptr ? shown->noun() : tr("project");
+    saves_.front()->setText(tr("&Save %1").arg(noun));
     saves_.front()->setIconText(tr("Save"));
-    saves_.front()->setToolTip(ofPage ? tr("Save the scenario that is shown (Ctrl+S)")
-                                      : tr("Save the project (Ctrl+S)"));
-    saves_.back()->setText(ofPage ? tr("Save scenario &as…") : tr("Save project &as…"));
+    saves_.front()->setToolTip(shown != nullptr ? tr("Save the %1 that is shown (Ctrl+S)").arg(noun)
+                                                : tr("Save the project (Ctrl+S)"));
+    saves_.back()->setText(tr("Save %1 &as…").arg(noun));
     const DatabaseSession& database = with_.workbench.database();
     saveDatabase_->setEnabled(database.isOpen() && database.isDirty() &&
                               database.access() == DatabaseSession::Access::edit);

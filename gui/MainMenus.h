@@ -16,6 +16,7 @@ class QToolBar;
 
 namespace smat::gui {
 
+class AirPages;
 class DatabaseDock;
 class FileOpening;
 class ImagePages;
@@ -24,6 +25,8 @@ class PageTabs;
 class ProjectFiles;
 class ProjectView;
 class ResultsDock;
+class SceneModelActs;
+class SceneTreeDock;
 class WindowLayout;
 class Workbench;
 
@@ -40,7 +43,10 @@ struct MainParts {
     ProjectView* view; ///< null where the desktop has no OpenGL
     ResultsDock& results;
     DatabaseDock& database;
+    AirPages& air;
     WindowLayout& layout;
+    SceneModelActs& models;
+    SceneTreeDock& tree;
 };
 
 /// The menus and the tool bar of the window: what they offer, and what of it can be done now.
@@ -59,6 +65,7 @@ class MainMenus : public QObject {
     void makeFileMenu(QMenu* menu);
     void addDatabaseActions(QMenu* menu);
     void makeEditMenu(QMenu* menu);
+    void addModelActions(QMenu* menu);
     void makeViewMenu(QMenu* menu);
     void makeAnalysisMenu(QMenu* menu);
     void makeToolsMenu(QMenu* menu);
@@ -77,6 +84,9 @@ class MainMenus : public QObject {
     QMenu* ofProject_ = nullptr;
     QList<QAction*> saves_; ///< of the project, or of the file of the page that is shown
     QList<QAction*> needProject_;
+    QAction* removeModel_ = nullptr;
+    QAction* makeTarget_ = nullptr;
+    QAction* wholeScene_ = nullptr; ///< null without a view
     std::map<AnalysisKind, QAction*> analyses_;
 };
 

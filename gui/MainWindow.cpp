@@ -7,10 +7,14 @@
 #include <QScrollArea>
 #include <QStatusBar>
 
+#include "gui/FileOpening.h"
 #include "gui/MainDialogs.h"
 #include "gui/MainMenus.h"
 #include "gui/ManipulatorsDock.h"
 #include "gui/WindowLayout.h"
+#include "gui/air/AirPage.h"
+#include "gui/air/AirPages.h"
+#include "gui/air/AirRecovery.h"
 #include "gui/analysis/JobBar.h"
 #include "gui/analysis/ResultPages.h"
 #include "gui/analysis/ResultsDock.h"
@@ -18,8 +22,8 @@
 #include "gui/database/DatabasePreview.h"
 #include "gui/image/ImagePages.h"
 #include "gui/paint/FacePainter.h"
-#include "gui/project/FileOpening.h"
 #include "gui/project/ProjectFiles.h"
+#include "gui/project/SceneModelActs.h"
 #include "gui/project/SceneTreeDock.h"
 #include "gui/scenario/ScenarioPages.h"
 #include "gui/settings/SettingsDialog.h"
@@ -43,6 +47,8 @@ MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     files_ = new ProjectFiles(workbench_, dialogs_, preferences_, this);
     loading_ = new LoadingBar(this);
     loading_->follow(files_->opening());
+    models_ = new SceneModelActs(workbench_, dialogs_, this);
+    loading_->follow(*models_);
     statusBar()->addPermanentWidget(loading_);
     makeCentre();
     ask_ = new MainDialogs(*this, workbench_, dialogs_, preferences_, *files_, *tabs_);
@@ -50,9 +56,12 @@ MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     auto* scenarios = new ScenarioPages(workbench_, dialogs_, *tabs_);
     opening_ =
         new FileOpening(this, workbench_, dialogs_, *files_, *images_, *results_, *scenarios);
+    auto* air = new AirPages(workbench_, dialogs_, *tabs_);
+    openWith({"xml"}, [air](const std::filesystem::path& file) { return air->open(file); });
     layout_ = new WindowLayout(*this);
-    menus_ = new MainMenus({*this, workbench_, dialogs_, *ask_, *files_, *opening_, *tabs_,
-                            *images_, view_, *results_, *databaseDock_, *layout_});
+    menus_ =
+        new MainMenus({*this, workbench_, dialogs_, *ask_, *files_, *opening_, *tabs_, *images_,
+                       view_, *results_, *databaseDock_, *air, *layout_, *models_, *tree_});
     connect(tabs_, &PageTabs::shownChanged, menus_, &MainMenus::refresh);
     say(problems.isEmpty() ? tr("Open a project (Ctrl+O), or drop one here")
                            : problems.join("   "));
@@ -113,7 +122,7 @@ void MainWindow::makeDocks() {
     for (QDockWidget* dock :
          {static_cast<QDockWidget*>(results_), static_cast<QDockWidget*>(databaseDock_)})
         keepKeysFromHiddenTab(*dock);
-    files_->addSettler([this] { return databaseDock_->files().mayClose(); });
+    files_->addSettler([this] { return databaseDock_->files().mayCloseAll(); });
     resizeDocks({tree_, manipulators}, {310, 410}, Qt::Vertical);
 
     joinTreeAndEditor();
@@ -160,11 +169,16 @@ void MainWindow::connectTree() {
     connect(tree_, &SceneTreeDock::modelFileWanted, this,
             [this](int model) { files_->chooseModelFile(static_cast<std::size_t>(model)); });
     connect(tree_, &SceneTreeDock::databaseFileWanted, this, [this](int model) {
-        // The target's is being edited here.
-        if (model == 0)
-            databaseDock_->files().open();
-        else
-            files_->chooseDatabaseFile(static_cast<std::size_t>(model));
+        workbench_.chooseModel(static_cast<std::size_t>(model));
+        databaseDock_->files().open();
+    });
+    connect(tree_, &SceneTreeDock::addModelWanted, models_, &SceneModelActs::chooseAndAdd);
+    connect(tree_, &SceneTreeDock::removeModelWanted, models_,
+            [this](int model) { models_->remove(static_cast<std::size_t>(model)); });
+    connect(tree_, &SceneTreeDock::targetWanted, models_,
+            [this](int model) { models_->makeTarget(static_cast<std::size_t>(model)); });
+    connect(models_, &SceneModelActs::added, this, [this](const QString& name) {
+        say(tr("Added %1; place it by its handles or in Camera and model").arg(name), 10000);
     });
     connect(tree_, &SceneTreeDock::sensorActivated, this,
             [this] { ask_->showSettings(SettingsDialog::tr("Sensor")); });
@@ -180,12 +194,10 @@ void MainWindow::connectTree() {
 }
 
 void MainWindow::joinTreeAndEditor() {
-    // The target's entries are edited here; those of other models are only marked.
     const auto edit = [this](IndexKind kind, int index, int model) {
-        if (model == 0)
-            databaseDock_->select(
-                {kind == IndexKind::temperature ? EntryKind::temperature : EntryKind::material,
-                 index});
+        workbench_.chooseModel(static_cast<std::size_t>(model));
+        databaseDock_->select(
+            {kind == IndexKind::temperature ? EntryKind::temperature : EntryKind::material, index});
     };
     connect(tree_, &SceneTreeDock::indexSelected, databaseDock_, edit);
     connect(tree_, &SceneTreeDock::indexActivated, databaseDock_,
@@ -220,6 +232,7 @@ void MainWindow::connectWorkbench() {
     connect(&workbench_, &Workbench::modifiedChanged, this, &MainWindow::refreshTitle);
     if (view_ != nullptr)
         connect(&workbench_, &Workbench::settingsChanged, view_, &ProjectView::followSettings);
+    connect(&workbench_, &Workbench::modelChosen, menus_, &MainMenus::refresh);
     connect(&workbench_.database(), &DatabaseSession::stateChanged, menus_, &MainMenus::refresh);
     connect(&workbench_.database(), &DatabaseSession::opened, menus_, &MainMenus::refresh);
     connect(&workbench_, &Workbench::jobFailed, this,
@@ -312,6 +325,8 @@ void MainWindow::openWith(const QStringList& suffixes,
 
 void MainWindow::tellInternalError(const QString& what) {
     files_->recovery().writeNow();
+    for (AirPage* page : tabs_->findChildren<AirPage*>())
+        page->recovery().writeNow();
     dialogs_.tell(this, tr("Internal error"),
                   {what, tr("Your unsaved changes were kept in a recovery copy.")});
 }
@@ -321,7 +336,7 @@ SceneView* MainWindow::sceneView() const {
 }
 
 bool MainWindow::isLoadingModel() const {
-    return files_->opening().isBusy() || databaseDock_->isReadingModel() ||
+    return files_->opening().isBusy() || models_->isBusy() || databaseDock_->isReadingModel() ||
            (view_ != nullptr && view_->isLoading());
 }
 

@@ -5,10 +5,10 @@
 
 #include <QMainWindow>
 
-#include "gui/PageTabs.h"
-#include "gui/Workbench.h"
 #include "gui/settings/Preferences.h"
 #include "gui/widgets/Dialogs.h"
+#include "gui/workbench/PageTabs.h"
+#include "gui/workbench/Workbench.h"
 
 namespace smat::gui {
 
@@ -24,6 +24,7 @@ class ProjectFiles;
 class ProjectView;
 class ResultPage;
 class ResultsDock;
+class SceneModelActs;
 class SceneTreeDock;
 class SceneView;
 class StartPage;
@@ -98,6 +99,7 @@ class MainWindow : public QMainWindow {
     ResultsDock* results_ = nullptr;
     DatabaseDock* databaseDock_ = nullptr;
     ProjectFiles* files_ = nullptr;
+    SceneModelActs* models_ = nullptr;
     FileOpening* opening_ = nullptr;
     ImagePages* images_ = nullptr;
     PaintDock* paint_ = nullptr; ///< null where the desktop has no OpenGL

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include <QComboBox>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QLabel>
@@ -14,10 +15,12 @@
 #include <QVBoxLayout>
 #include <QWheelEvent>
 
-#include "gui/Workbench.h"
+#include "gui/ModelFieldsForm.h"
 #include "gui/settings/SettingForm.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Theme.h"
+#include "gui/widgets/ThemeColors.h"
+#include "gui/workbench/Workbench.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/settings/SettingKeys.h"
 
@@ -60,10 +63,20 @@ ManipulatorsDock::ManipulatorsDock(Workbench& workbench, QWidget* parent)
     addRow(grid, key::cameraElevation, tr("E&levation"), {-90, 90});
     addRow(grid, key::cameraRange, tr("Ra&nge"), {1, 1e6, true});
     addViews(grid);
-    grid->addWidget(heading(tr("Model"), body), grid->rowCount(), 0, 1, 4);
+    const int modelLine = grid->rowCount();
+    grid->addWidget(heading(tr("Model"), body), modelLine, 0);
+    models_ = new QComboBox(body);
+    models_->setObjectName("chosenModel");
+    models_->setToolTip(tr("The model that is placed here, that the database editor edits and that "
+                           "has handles in the view"));
+    models_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    grid->addWidget(models_, modelLine, 1, 1, 3);
+    connect(models_, &QComboBox::activated, this,
+            [this](int index) { workbench_.chooseModel(static_cast<std::size_t>(index)); });
     addRow(grid, key::targetYaw, tr("&Yaw"), {-180, 180});
     addRow(grid, key::targetPitch, tr("&Pitch"), {-90, 90});
     addRow(grid, key::targetRoll, tr("&Roll"), {-180, 180});
+    others_ = new ModelFieldsForm(workbench_, body);
 
     form_ = new SettingForm({key::targetAltitude, key::stateTime, key::statePower, key::stateMach},
                             {}, body);
@@ -75,6 +88,8 @@ ManipulatorsDock::ManipulatorsDock(Workbench& workbench, QWidget* parent)
     column->setContentsMargins(12, 8, 12, 8);
     column->addLayout(grid);
     column->addWidget(form_);
+    column->addSpacing(6);
+    column->addWidget(others_);
     column->addStretch(1);
     body->setEnabled(false);
     auto* scroll = new QScrollArea(this);
@@ -87,7 +102,34 @@ ManipulatorsDock::ManipulatorsDock(Workbench& workbench, QWidget* parent)
 
     connect(&workbench_, &Workbench::projectOpened, this, [body] { body->setEnabled(true); });
     connect(&workbench_, &Workbench::settingsChanged, this, &ManipulatorsDock::refresh);
+    connect(&workbench_, &Workbench::projectOpened, this, &ManipulatorsDock::refreshModels);
+    connect(&workbench_, &Workbench::projectChanged, this, &ManipulatorsDock::refreshModels);
+    connect(&workbench_, &Workbench::modelChosen, this, &ManipulatorsDock::refreshModels);
     refresh();
+    refreshModels();
+}
+
+void ManipulatorsDock::refreshModels() {
+    QStringList names;
+    if (workbench_.hasProject())
+        for (const ProjectModel& model : workbench_.project().models)
+            names << QString::fromStdString(model.shownName());
+    QStringList shown;
+    for (int i = 0; i < models_->count(); ++i)
+        shown << models_->itemText(i);
+    if (names != shown) {
+        models_->clear();
+        models_->addItems(names);
+    }
+    models_->setCurrentIndex(static_cast<int>(workbench_.chosenModel()));
+    models_->setVisible(names.size() > 1);
+    // The target stands and does as the settings say, the others as they themselves do.
+    const bool isTarget = workbench_.chosenModel() == 0;
+    for (QWidget* widget : ofTarget_)
+        widget->setVisible(isTarget);
+    form_->setVisible(isTarget);
+    others_->setVisible(!isTarget);
+    others_->refresh();
 }
 
 void ManipulatorsDock::addRow(QGridLayout* grid, const std::string& key, const QString& label,
@@ -115,6 +157,10 @@ void ManipulatorsDock::addRow(QGridLayout* grid, const std::string& key, const Q
     grid->addWidget(row.field, line, 2);
     grid->addWidget(unit, line, 3);
     rows_[key] = row;
+    if (key.starts_with("target."))
+        for (QWidget* widget :
+             std::initializer_list<QWidget*>{caption, row.slider, row.field, unit})
+            ofTarget_.push_back(widget);
 
     connect(row.slider, &QSlider::sliderPressed, this, [this] { workbench_.holdStep(); });
     connect(row.slider, &QSlider::sliderReleased, this, [this] { workbench_.closeStep(); });
@@ -194,7 +240,7 @@ void ManipulatorsDock::onText(const std::string& key) {
     const auto text = canonicalText(settingInfo(key), row.field->text().trimmed().toStdString());
     QPalette colours; // of the theme, but for a mark
     if (!text)
-        colours.setColor(QPalette::Base, isDark(palette()) ? QColor("#5a2a2e") : QColor("#ffe3e3"));
+        colours.setColor(QPalette::Base, colors::wrongField(palette()));
     row.field->setPalette(colours);
     if (text)
         workbench_.set(key, *text);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <fstream>
 
 #include "irsg/radiometry/Errors.h"
@@ -70,9 +71,11 @@ std::string surfacePayload(const FlightSurface& surface, bool mesh) {
     p.text(surface.name, 8).zeros(mesh ? 4 : 0);
     p.put(surface.codes.temperature).zeros(2); // relative priority
     p.put(static_cast<std::int8_t>(surface.twoSided ? 1 : 0)).zeros(1);
-    p.put(none).put(none).zeros(2);                     // colour names, template
-    p.put(none).put(none).put(none).zeros(4);           // detail texture, texture, material
-    p.put(surface.codes.material).zeros(2).zeros(2);    // transparency, LOD control, line style
+    p.put(none).put(none).zeros(2);           // colour names, template
+    p.put(none).put(none).put(none).zeros(4); // detail texture, texture, material
+    p.put(surface.codes.material);
+    p.put(static_cast<std::uint16_t>(std::lround(65535.0 * surface.look.clear)));
+    p.zeros(2);                                         // LOD control, line style
     p.put(packedColours).put(std::uint8_t{2}).zeros(7); // lit, one colour
     p.put(colour).put(std::uint32_t{0xFF000000});
     p.put(none).zeros(2).put(std::int32_t{-1}).put(std::int32_t{-1}).zeros(2).put(none);

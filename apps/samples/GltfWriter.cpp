@@ -133,14 +133,16 @@ std::string GltfWriter::text() const {
     root["meshes"] = std::move(meshes);
     for (const FlightSurface& material : materials_) {
         const auto part = [](std::uint8_t value) { return std::round(value / 2.55) / 100.0; };
-        Json one{
-            {"name", material.name},
-            {"pbrMetallicRoughness",
-             {{"baseColorFactor",
-               {part(material.look.red), part(material.look.green), part(material.look.blue), 1.0}},
-              {"metallicFactor", 0.0}}}};
+        Json one{{"name", material.name},
+                 {"pbrMetallicRoughness",
+                  {{"baseColorFactor",
+                    {part(material.look.red), part(material.look.green), part(material.look.blue),
+                     1.0 - material.look.clear}},
+                   {"metallicFactor", 0.0}}}};
         if (material.twoSided)
             one["doubleSided"] = true;
+        if (material.look.clear > 0.0)
+            one["alphaMode"] = "BLEND";
         root["materials"].push_back(std::move(one));
     }
     buffer.moveTo(root);

@@ -7,7 +7,7 @@ namespace smat::heron {
 
 inline constexpr Look grey{150, 158, 166}, darkGrey{104, 110, 118}, pale{196, 200, 202},
     black{38, 38, 40}, glassy{60, 84, 104}, metal{176, 170, 160}, burnt{112, 92, 78},
-    gas{230, 190, 150};
+    gas{230, 190, 150, 0.8}, turning{104, 110, 118, 0.6};
 
 inline const FlightSurface skin{"skin", {1, 1}, false, grey};
 inline const FlightSurface boot{"boot", {2, 10}, false, black};
@@ -17,7 +17,7 @@ inline const FlightSurface pipe{"pipe", {5, 4}, true, burnt};
 inline const FlightSurface plumeCore{"core", {6, 5}, false, gas};
 inline const FlightSurface plumeMiddle{"middle", {7, 6}, false, gas};
 inline const FlightSurface plumeOuter{"outer", {8, 7}, false, gas};
-inline const FlightSurface disc{"disc", {9, 9}, true, darkGrey};
+inline const FlightSurface disc{"disc", {9, 9}, true, turning};
 inline const FlightSurface turbine{"turbine", {10, 4}, true, burnt};
 inline const FlightSurface lip{"lip", {11, 4}, true, burnt};
 inline const FlightSurface rearCowl{"rearcwl", {12, 12}, false, darkGrey};

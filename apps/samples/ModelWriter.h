@@ -15,9 +15,10 @@ struct FlightVertex {
     irsg::Vec3 normal;
 };
 
-/// A colour for the eye.
+/// A colour for the eye, and the part of the light that passes it, 0 to 1.
 struct Look {
     std::uint8_t red = 200, green = 200, blue = 200;
+    double clear = 0.0;
 };
 
 /// How the faces and meshes that follow look to the eye and to the sensor.

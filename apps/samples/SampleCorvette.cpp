@@ -25,7 +25,7 @@ const FlightSurface deck{"deck", {4, 9}, false, shade(84)};
 const FlightSurface house{"house", {5, 1}, false, shade(150)};
 const FlightSurface roof{"roof", {6, 1}, false, shade(150)};
 const FlightSurface glass{"window", {7, 2}, false, shade(40)};
-const FlightSurface plume{"plume", {8, 5}, false, shade(200)};
+const FlightSurface plume{"plume", {8, 5}, false, {200, 200, 200, 0.6}};
 const FlightSurface casing{"casing", {9, 1}, false, shade(140)};
 const FlightSurface uptake{"uptake", {10, 4}, true, shade(60)};
 const FlightSurface mast{"mast", {11, 1}, false, shade(120)};

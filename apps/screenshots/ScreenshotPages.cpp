@@ -13,6 +13,7 @@
 #include <QToolButton>
 
 #include "apps/screenshots/ScreenshotTaker.h"
+#include "gui/air/AirPage.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/database/DatabaseDock.h"
 #include "gui/image/ComparisonPanes.h"
@@ -44,6 +45,8 @@ void ScreenshotTaker::fill(QWidget* page) {
         tool->compute();
         waitWhile([tool] { return tool->isRunning(); });
     }
+    if (const auto* air = dynamic_cast<AirPage*>(page))
+        waitWhile([air] { return air->isBusy(); });
     if (auto* monteCarlo = dynamic_cast<MonteCarloPage*>(page)) {
         keep(window_, current_ + "-empty");
         page->findChild<QSpinBox*>("samples")->setValue(draws);
@@ -114,7 +117,8 @@ void ScreenshotTaker::keepResults() {
         for (int i = 0, chosen = 0; i < list->count() && chosen < number; ++i) {
             const auto id = list->item(i)->data(Qt::UserRole).toInt();
             const ResultEntry* entry = workbench_.result(id);
-            if (entry == nullptr || entry->data->kind != kind || entry->data->table.empty())
+            if (entry == nullptr || entry->monteCarlo || entry->data->kind != kind ||
+                entry->data->table.empty())
                 continue;
             list->item(i)->setSelected(true);
             ++chosen;
@@ -130,7 +134,9 @@ void ScreenshotTaker::keepResults() {
 
     // Plots: overlaid and subtracted runs, and every kind of axis.
     choose(AnalysisKind::polar, 2);
-    act("overlayResults");
+    if (!act("overlayResults"))
+        told_ << QString("of %1 results no two polar plots are there to be overlaid")
+                     .arg(list->count());
     keep(window_, "plot-polar-overlay");
     if (auto* decibel = shown<QToolButton>(*tabs->currentWidget(), "decibel"))
         decibel->click();
@@ -202,7 +208,8 @@ void ScreenshotTaker::keepDatabaseDialogs() {
     dock->findChild<QTabWidget*>("databaseTabs")->setCurrentIndex(0);
     settle();
     accept_ = false;
-    for (const char* name : {"menuLibrary", "copyFromDatabase", "menuImportSpectrum"})
+    for (const char* name :
+         {"menuLibrary", "copyFromDatabase", "menuImportMaterial", "menuImportSpectrum"})
         if (auto* action = dock->findChild<QAction*>(name)) {
             current_ = QString("dialog-") + name;
             action->trigger();

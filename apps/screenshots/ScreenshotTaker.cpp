@@ -135,6 +135,16 @@ void ScreenshotTaker::trigger(QAction& action) {
     const QWidget* shown = tabs->currentWidget();
     action.trigger();
     settle();
+    if (current_ == "collapseDocks") {
+        keep(window_, current_);
+        action.trigger();
+        settle();
+    }
+    // What came to the front, or is being typed into, is not what the next pictures are about.
+    if (auto* results = window_.findChild<QDockWidget*>("resultsDock"))
+        results->raise();
+    window_.setFocus();
+    settle();
     if (tabs->count() != before || tabs->currentWidget() != shown) {
         fill(tabs->currentWidget());
         keep(window_, current_ + "-page");

@@ -1,12 +1,17 @@
 #include "apps/smat-batch/Analyses.h"
 
+#include <chrono>
 #include <cstdio>
+#include <map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "apps/smat-batch/CaseTeam.h"
 #include "apps/smat-batch/Output.h"
+#include "apps/smat-batch/PartOptions.h"
 #include "apps/smat-batch/StopSignal.h"
+#include "irsg/radiometry/Collect.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
@@ -18,22 +23,34 @@ namespace smat::batch {
 namespace {
 
 /// Everything that can be wrong with the plans of all jobs, at once.
-std::vector<AnalysisPlan> planned(const std::vector<Job>& jobs) {
+std::vector<AnalysisPlan> planned(const std::vector<Job>& jobs, const Context& context) {
     std::vector<AnalysisPlan> plans;
     std::vector<irsg::Diagnostic> diagnostics;
     for (const Job& job : jobs) {
-        try {
+        irsg::collect(diagnostics, [&] {
             for (const std::filesystem::path& file : job.files)
                 checkResultFile(job.data.kind, file);
             plans.push_back(planAnalysis(job.data.kind, job.data.project, job.data.settings));
-        } catch (const irsg::InputError& error) {
-            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
-                               error.diagnostics().end());
-        }
+            if (!plans.back().refined.empty() && (!job.share.isAll() || context.team != nullptr))
+                throw irsg::InputError(irsg::Diagnostic{
+                    .file = job.share.isAll() ? "several processes" : "--shard",
+                    .position = name(job.data.kind) + ".steps",
+                    .value = "adaptive",
+                    .expected = "fixed: which cases an adaptive sweep has follows from all of its "
+                                "cases, so that it has no parts"});
+        });
     }
     if (!diagnostics.empty())
         throw irsg::InputError(diagnostics);
     return plans;
+}
+
+/// Parts of a sweep have the fixed steps that its settings leave open: which cases an adaptive one
+/// has follows from all of them.
+void fixStepsOfParts(std::vector<Job>& jobs, const Context& context) {
+    for (Job& job : jobs)
+        if (!job.share.isAll() || context.team != nullptr)
+            job.data.settings = withFixedSteps(job.data.kind, job.data.settings);
 }
 
 /// Images of several bands become an image a band, its label behind the names of result and files.
@@ -60,22 +77,26 @@ std::vector<Job> eachBandItsImage(const std::vector<Job>& jobs) {
     return list;
 }
 
-/// Where the cases of a sweep go; null for anything else.
-std::unique_ptr<CaseFile> caseFileOf(const Job& job) {
+using Inputs = std::map<std::string, std::string>;
+
+/// Where the cases of a sweep go; null for anything else. `isDrawn` where they are all there.
+std::unique_ptr<CaseFile> caseFileOf(const Job& job, Inputs inputs, bool isDrawn) {
     if (job.data.kind->form != AnalysisForm::sweep)
         return nullptr;
     constexpr double worthAFile_s = 2.0;
-    const bool isAlone = job.share.isAll() && !job.resumes;
+    const bool resumes = job.resumes || isDrawn;
+    const bool isAlone = job.share.isAll() && !resumes;
     return std::make_unique<CaseFile>(
         CaseFile::besides(job.files.front(), job.share),
-        CaseFile::Options{job.share, job.resumes, inputHashes(), isAlone ? worthAFile_s : 0.0});
+        CaseFile::Options{job.share, resumes, std::move(inputs), isAlone ? worthAFile_s : 0.0});
 }
 
 } // namespace
 
 int runJobs(std::vector<Job> jobs, Context& context) {
     jobs = eachBandItsImage(jobs);
-    planned(jobs);
+    fixStepsOfParts(jobs, context);
+    planned(jobs, context);
     catchStopSignal();
     SceneBuilder builder;
     std::unique_ptr<ImageSource> source;
@@ -92,22 +113,36 @@ int runJobs(std::vector<Job> jobs, Context& context) {
             const StageTimer::Scope scope(&context.timer, "start renderer");
             source = makeIrsgImageSource();
         }
-        const std::unique_ptr<CaseFile> cases = caseFileOf(job);
+        AnalysisGenerator generator(*source, [&](const Project& project, const Settings& settings) {
+            return builder.build(project, settings);
+        });
+        // Of a sweep, as they are before anything is drawn, which reads more.
+        const bool isSweep = job.data.kind->form == AnalysisForm::sweep;
+        const Inputs inputs = isSweep ? inputHashes() : Inputs();
+        const auto start = std::chrono::steady_clock::now();
+        const CaseWork work = [&](CaseStore& store, const ProgressCallback& progress,
+                                  std::stop_token stop) {
+            generator.run(job.data, progress, std::move(stop), nullptr, &store);
+        };
+        if (context.team != nullptr &&
+            !drawnByTeam({job.files.front(), job.share, job.resumes, inputs}, *context.team, work))
+            continue;
+        const std::unique_ptr<CaseFile> cases = caseFileOf(job, inputs, context.team != nullptr);
         std::stop_source stop;
         {
             ProgressLine line;
-            AnalysisGenerator(*source,
-                              [&](const Project& project, const Settings& settings) {
-                                  return builder.build(project, settings);
-                              })
-                .run(
-                    job.data,
-                    [&](const Progress& progress) {
-                        line.show(progress);
-                        if (stopWasAsked())
-                            stop.request_stop();
-                    },
-                    stop.get_token(), &context.timer, cases.get());
+            generator.run(
+                job.data,
+                [&](const Progress& progress) {
+                    line.show(progress);
+                    if (stopWasAsked())
+                        stop.request_stop();
+                },
+                stop.get_token(), &context.timer, cases.get());
+        }
+        if (context.team != nullptr) {
+            const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+            job.data.elapsed_s = passed.count();
         }
         if (cases && cases->keptOld())
             warn("cases of an earlier run are kept as " + cases->file().string() +
@@ -142,14 +177,16 @@ int runJobs(std::vector<Job> jobs, Context& context) {
             break;
         }
     }
-    fmt::print("{}", context.json ? summaryJson(outcomes) : summaryText(outcomes));
+    if (context.team == nullptr || context.team->isLeader())
+        fmt::print("{}", context.json ? summaryJson(outcomes) : summaryText(outcomes));
     return stopWasAsked() ? warned : done;
 }
 
 int describeJobs(const std::vector<Job>& given, const Context& context) {
-    const std::vector<Job> jobs = eachBandItsImage(given);
+    std::vector<Job> jobs = eachBandItsImage(given);
+    fixStepsOfParts(jobs, context);
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    const std::vector<AnalysisPlan> plans = planned(jobs);
+    const std::vector<AnalysisPlan> plans = planned(jobs, context);
     for (std::size_t i = 0; i < plans.size(); ++i) {
         if (context.json) {
             list.push_back({{"name", jobs[i].data.name},

@@ -1,4 +1,7 @@
+#include <optional>
+
 #include "apps/smat-batch/Analyses.h"
+#include "apps/smat-batch/PartOptions.h"
 #include "apps/smat-batch/ProjectInput.h"
 #include "apps/smat-batch/SettingOptions.h"
 #include "irsg/radiometry/Errors.h"
@@ -20,15 +23,8 @@ class AnalysisCommand {
         command.add_option("--analysis", analysis_, "Start from this analysis of the project")
             ->type_name("NAME");
         command.add_flag("--dry-run", dryRun_, "Say what would be drawn, and stop");
-        if (kind->form == AnalysisForm::sweep) {
-            command
-                .add_option("--shard", shard_,
-                            "Draw one part of the sweep, 2/4 for the second of four, into "
-                            "FILE.part2of4; smat-batch merge joins the parts")
-                ->type_name("I/N");
-            command.add_flag("--resume", resumes_,
-                             "Go on with a run that was ended before it was done");
-        }
+        if (kind->form == AnalysisForm::sweep)
+            parts_.emplace(command, "the sweep");
         if (kind->form == AnalysisForm::image) {
             command.footer("Several bands give a file each: FILE@3-5um.exr.");
         } else if (kind->form != AnalysisForm::spectrum) {
@@ -58,15 +54,18 @@ class AnalysisCommand {
         {
             const StageTimer::Scope scope(&context.timer, "load");
             const Settings given = settings_.values();
-            const Project project = project_.load();
+            Project project = project_.load();
+            settings_.place(project);
             job.data = started(project);
             job.data.settings = job.data.settings.with(given);
+            settings_.requireNamed(job.data.settings);
         }
         job.data.commandLine = context.commandLine;
         job.files.assign(files_.begin(), files_.end());
-        if (!shard_.empty())
-            job.share = CaseShare::fromText(shard_, "--shard");
-        job.resumes = resumes_;
+        if (parts_) {
+            job.share = parts_->share();
+            job.resumes = parts_->resumes();
+        }
         return dryRun_ ? describeJobs({job}, context) : runJobs({job}, context);
     }
 
@@ -90,8 +89,8 @@ class AnalysisCommand {
     SettingOptions settings_;
     std::vector<std::string> files_;
     std::string analysis_;
-    std::string shard_;
-    bool resumes_ = false, dryRun_ = false;
+    std::optional<PartOptions> parts_;
+    bool dryRun_ = false;
 };
 
 } // namespace
@@ -99,6 +98,12 @@ class AnalysisCommand {
 void addAnalysisCommands(CLI::App& app, Context& context) {
     for (const AnalysisKind kind : allAnalysisKinds())
         addCommand<AnalysisCommand>(app, context, kind, kind);
+}
+
+void addSweepCommands(CLI::App& app, Context& context) {
+    for (const AnalysisKind kind : allAnalysisKinds())
+        if (kind->form == AnalysisForm::sweep)
+            addCommand<AnalysisCommand>(app, context, kind, kind);
 }
 
 } // namespace smat::batch

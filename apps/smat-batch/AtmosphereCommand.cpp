@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "apps/smat-batch/AtmosphereAnswers.h"
 #include "apps/smat-batch/AtmosphereEditing.h"
 #include "apps/smat-batch/AtmosphereInfo.h"
 #include "apps/smat-batch/Command.h"
@@ -85,6 +86,30 @@ void addEditing(CLI::App& command, Context& context) {
     });
 }
 
+/// `atmosphere answers`.
+void addAnswers(CLI::App& command, Context& context) {
+    struct Wanted {
+        std::vector<std::string> atmospheres, bands = {"3-5"};
+    };
+    auto wanted = std::make_shared<Wanted>();
+    CLI::App* answers = command.add_subcommand(
+        "answers", "Which of several atmospheres answers for which quantity in a band");
+    answers
+        ->add_option("ATMOSPHERE", wanted->atmospheres,
+                     "Atmosphere or Environment files in the order in which they are asked")
+        ->required()
+        ->type_name("");
+    answers
+        ->add_option("--band", wanted->bands, "Spectral band MIN-MAX; may be given more than once")
+        ->type_name("um")
+        ->capture_default_str();
+    answers->callback([&context, wanted] {
+        context.work = [&context, wanted] {
+            return printWhoAnswers(wanted->atmospheres, wanted->bands, context);
+        };
+    });
+}
+
 } // namespace
 
 void addAtmosphereCommand(CLI::App& app, Context& context) {
@@ -114,6 +139,7 @@ void addAtmosphereCommand(CLI::App& app, Context& context) {
         context.work = [&context, files, out] { return import(*files, *out, context); };
     });
     addEditing(*command, context);
+    addAnswers(*command, context);
 }
 
 } // namespace smat::batch

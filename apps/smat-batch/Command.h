@@ -13,6 +13,8 @@
 
 namespace smat::batch {
 
+class CaseTeam;
+
 enum ExitCode { done = 0, warned = 1, refused = 2, ourFault = 3 };
 
 /// What every command gets from the line it stands on.
@@ -23,6 +25,8 @@ struct Context {
     bool verbose = false;      ///< log lines on standard error
     std::string commandLine;   ///< as it was given, for the provenance
     std::function<int()> work; ///< what the chosen command does; gives the exit code
+    CaseTeam* team = nullptr;  ///< whose processes draw a sweep together; none: this one alone
+    std::string speaker;       ///< before an error that is told, where several processes tell
 };
 
 /// What is wrong with an option.
@@ -54,11 +58,14 @@ void addCommand(CLI::App& parent, Context& context, AnalysisKind kind,
 /// Each adds one command with its options; `context` outlives the parser.
 void addRunCommand(CLI::App& app, Context& context);
 void addAnalysisCommands(CLI::App& app, Context& context);
+void addSweepCommands(CLI::App& app, Context& context); ///< of them those that go case by case
 void addDatabaseCommand(CLI::App& app, Context& context);
 void addCompareCommand(CLI::App& app, Context& context);
 void addConvertCommand(CLI::App& app, Context& context);
 void addMergeCommand(CLI::App& app, Context& context);
+void addFrontierCommand(CLI::App& app, Context& context);
 void addExplainCommand(CLI::App& app, Context& context);
+void addReplayCommand(CLI::App& app, Context& context);
 void addModelCommand(CLI::App& app, Context& context);
 void addModelCodesCommand(CLI::App& model, Context& context); ///< of `model`
 void addMonteCarloCommand(CLI::App& app, Context& context);
@@ -66,6 +73,7 @@ void addMtfCommand(CLI::App& app, Context& context);
 void addAtmosphereCommand(CLI::App& app, Context& context);
 void addSelfTestCommand(CLI::App& app, Context& context);
 void addSettingsCommand(CLI::App& app, Context& context);
+void addProjectCommand(CLI::App& app, Context& context);
 void addRadiativeCommand(CLI::App& app, Context& context);
 void addSimulateCommand(CLI::App& app, Context& context);
 void addTemperatureProfileCommand(CLI::App& app, Context& context);

@@ -5,8 +5,10 @@
 #include "apps/smat-batch/Output.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReplacement.h"
+#include "irsg/scene/model/IndexNames.h"
 #include "irsg/scene/model/Model.h"
 #include "irsg/signature/MaterialCsv.h"
+#include "irsg/signature/ReflectanceCsv.h"
 #include "irsg/signature/ScalingXml.h"
 #include "irsg/signature/SpectrumCsv.h"
 
@@ -18,23 +20,20 @@ struct CreateOptions {
     std::string file, model, title;
 };
 
-/// A database with an entry for each code of a model, or for index 0 alone: opaque black surfaces
-/// at ambient temperature, to be given their real values.
+/// A database with an entry for each code of a model, named as the model names those faces, or for
+/// index 0 alone.
 int create(const CreateOptions& options, Context&) {
-    irsg::SignatureDatabase database;
     std::filesystem::path named = options.file;
     std::map<irsg::IrCodes, irsg::CodeUse> codes = {{{}, {}}};
+    irsg::IndexNames names;
     if (!options.model.empty()) {
-        codes = irsg::Model::load(options.model)->codes();
+        const auto model = irsg::Model::load(options.model);
+        codes = model->codes();
+        names = irsg::IndexNames(irsg::namesOf(options.model, *model->codesBeside()).names);
         named = options.model;
     }
-    database.title = options.title.empty() ? named.stem().string() : options.title;
-    for (const auto& [pair, use] : codes) {
-        irsg::TemperatureEntry& entry = database.temperatures[pair.temperature];
-        entry.name = "temperature " + std::to_string(pair.temperature);
-        entry.terms = irsg::TemperatureTerms::ofAmbient();
-        database.materials[pair.material].name = "material " + std::to_string(pair.material);
-    }
+    const irsg::SignatureDatabase database = irsg::blackDatabase(
+        codes, names, options.title.empty() ? named.stem().string() : options.title);
     irsg::createSignatureFile(database, options.file);
     if (!options.model.empty())
         irsg::createScalingFiles(options.model, database);
@@ -45,7 +44,7 @@ int create(const CreateOptions& options, Context&) {
 
 struct ExportOptions {
     std::string file, out, spectrum;
-    std::optional<int> material;
+    std::optional<int> material, reflectance;
     bool acceptChanges = false;
 };
 
@@ -56,11 +55,19 @@ irsg::InputError absent(const ExportOptions& options, const std::string& entry) 
                              .expected = "an entry that exists"});
 }
 
-/// All of it as JSON, or one spectrum or material as CSV.
+const irsg::Material& materialIn(const irsg::SignatureDatabase& database, int index,
+                                 const ExportOptions& options) {
+    const auto material = database.materials.find(index);
+    if (material == database.materials.end())
+        throw absent(options, fmt::format("materials.{}", index));
+    return material->second;
+}
+
+/// All of it as JSON, or one spectrum, material or table of reflectance as CSV.
 int exportText(const ExportOptions& options, Context& context) {
     const irsg::SignatureDatabase database =
         loadedDatabase(options.file, options.acceptChanges, context);
-    const bool part = !options.spectrum.empty() || options.material;
+    const bool part = !options.spectrum.empty() || options.material || options.reflectance;
     if (part && options.out.empty()) {
         throw irsg::InputError({.file = "OUT",
                                 .position = "",
@@ -73,10 +80,13 @@ int exportText(const ExportOptions& options, Context& context) {
             throw absent(options, "spectra." + options.spectrum);
         irsg::writeSpectrumCsv(spectrum->second, options.out);
     } else if (options.material) {
-        const auto material = database.materials.find(*options.material);
-        if (material == database.materials.end())
-            throw absent(options, fmt::format("materials.{}", *options.material));
-        irsg::writeMaterialCsv(material->second, options.out);
+        irsg::writeMaterialCsv(materialIn(database, *options.material, options), options.out);
+    } else if (options.reflectance) {
+        const irsg::Material& material = materialIn(database, *options.reflectance, options);
+        if (material.reflectanceTable.empty())
+            throw absent(options,
+                         fmt::format("materials.{}.reflectanceTable", *options.reflectance));
+        irsg::writeReflectanceCsv(material.reflectanceTable, options.out);
     } else if (options.out.empty()) {
         fmt::print("{}", irsg::signatureToJson(database));
     } else {
@@ -116,6 +126,10 @@ void addExport(CLI::App& database, Context& context) {
     command->add_option("--spectrum", options->spectrum, "This user-defined spectrum as CSV")
         ->type_name("NAME");
     command->add_option("--material", options->material, "The spectra of this material as CSV")
+        ->type_name("INDEX");
+    command
+        ->add_option("--reflectance", options->reflectance,
+                     "The table of reflectance of this material as CSV")
         ->type_name("INDEX");
     command->add_flag("--accept-changes", options->acceptChanges,
                       "Take entries that were changed outside this program");

@@ -51,14 +51,14 @@ int needed(const char* option, const std::optional<int>& value, const ImportOpti
 /// Spectra of emissivity, transmissivity and reflectivity into one material, made where absent.
 void importMaterial(const ImportOptions& options, irsg::SignatureDatabase& database) {
     const int index = needed("--material", options.material, options);
-    irsg::Material material;
-    material.name = std::filesystem::path(options.in).stem().string();
-    if (const auto there = database.materials.find(index); there != database.materials.end())
-        material = there->second;
-    irsg::readMaterialCsv(options.in, material);
-    if (!options.name.empty())
-        material.name = options.name;
-    database.materials[index] = std::move(material);
+    database.materials[index] = irsg::importedMaterial(options.in, database, index, options.name);
+}
+
+/// A table of its reflectance over directions into one material.
+void importReflectance(const ImportOptions& options, irsg::SignatureDatabase& database) {
+    const int index = needed("--material", options.material, options);
+    database.materials[index] =
+        irsg::importedReflectance(options.in, database, index, options.name);
 }
 
 /// A table of time or angle factors into the factors of one temperature entry.
@@ -139,6 +139,8 @@ int import(const ImportOptions& options, Context& context) {
         importSpectrum(options, database);
     else if (options.kind == "material")
         importMaterial(options, database);
+    else if (options.kind == "reflectance")
+        importReflectance(options, database);
     else
         importFactors(options, database);
     irsg::saveSignatureFile(database, options.file, opened);
@@ -161,8 +163,9 @@ void addDatabaseImport(CLI::App& database, Context& context) {
     command
         ->add_option("--as", options->kind,
                      "What a CSV holds: spectrum (user-defined), time or angle factors, material "
-                     "(emissivity, transmissivity, reflectivity)")
-        ->check(CLI::IsMember({"spectrum", "time", "angle", "material"}))
+                     "(emissivity, transmissivity, reflectivity, n, k), reflectance (a table over "
+                     "directions, or a Zemax BSDF file)")
+        ->check(CLI::IsMember({"spectrum", "time", "angle", "material", "reflectance"}))
         ->type_name("KIND");
     command->add_option("--unit", options->unit,
                         "Unit of the radiance, such as \"W cm-2 sr-1 (cm-1)-1\"");

@@ -34,8 +34,10 @@ std::vector<std::string> tablesOf(const irsg::TemperatureEntry& entry) {
         add(field.key, entry.terms.*member);
     });
     for (const irsg::ComponentFactor& factor : entry.factors) {
+        const bool isKept = factor.selection == irsg::FactorSelection::constant;
         irsg::forEachField<LookupTable>(irsg::factorFields(), [&](const auto& field, auto member) {
-            add(factor.component + "." + field.key, factor.*member);
+            add(factor.component + "." + field.key + (isKept ? " (kept, not used)" : ""),
+                factor.*member);
         });
     }
     return names;

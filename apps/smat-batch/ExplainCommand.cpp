@@ -1,5 +1,6 @@
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,12 +10,12 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/smat-batch/Command.h"
-#include "apps/smat-batch/ExplainOutput.h"
 #include "apps/smat-batch/Output.h"
 #include "apps/smat-batch/ProjectInput.h"
 #include "apps/smat-batch/SettingOptions.h"
-#include "smatcore/analysis/AnalysisGenerator.h"
-#include "smatcore/project/SceneBuilder.h"
+#include "irsg/image/ImageFile.h"
+#include "smatcore/analysis/AskedAnalysis.h"
+#include "smatcore/analysis/PixelExplainer.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat::batch {
@@ -58,74 +59,78 @@ class ExplainCommand {
         command.add_option("--analysis", analysis_, "Start from this image of the project")
             ->type_name("NAME");
         command.footer(
-            "Draws the image that `image` gives and traces rays through the same samples of the "
+            "PROJECT may be an image (.exr) that this program computed of a project beside it. "
+            "Draws "
+            "the image that `image` gives and traces rays through the same samples of the "
             "pixel. Facets are met and terms are summed in double precision on the processor; the "
             "factors of each sample (cosines) are kept as float. Asks for a build with Embree. A "
             "picture of one band, as radiance whatever --quantity says.");
     }
 
-    int run(Context& context) const {
+    int run(Context& context) {
         AnalysisData data;
         std::vector<std::pair<int, int>> pixels;
         {
             const StageTimer::Scope scope(&context.timer, "load");
             for (const std::string& text : pixels_)
                 pixels.push_back(pixelOf(text));
-            data = started(project_.load());
+            data = started();
         }
-        SceneBuilder builder;
-        const SceneDescription scene = builder.build(data.project, data.settings);
-        check(pixels, scene);
-
-        const std::unique_ptr<ImageSource> source = makeIrsgImageSource();
-        AnalysisGenerator(*source, [&](const Project&, const Settings&) {
-            return scene;
-        }).run(data, {}, {}, &context.timer);
-        for (const std::string& warning : data.warnings)
-            warn(data.name + ": " + warning);
+        check(pixels, data.settings);
+        PixelExplainer explainer(std::move(data), {}, {}, &context.timer);
+        for (const std::string& warning : explainer.drawn().warnings)
+            warn(explainer.drawn().name + ": " + warning);
 
         const StageTimer::Scope scope(&context.timer, "explain");
-        const auto explain = [&] {
-            const StageTimer::Scope ready(&context.timer, "make ready to explain");
-            return source->explainer();
-        }();
         std::vector<ExplainedPixel> explained;
         for (const auto& [x, y] : pixels)
-            explained.push_back({explain(x, y), static_cast<double>(data.image.at(x, y))});
-        fmt::print("{}", context.json ? explanationJson(explained, data.renderer)
-                                      : explanationText(explained, data.renderer));
+            explained.push_back(explainer.explain(x, y));
+        if (image_ && image_->primary().name == "L")
+            for (std::size_t i = 0; i < pixels.size(); ++i)
+                explained[i].inImage_W_m2_sr =
+                    static_cast<double>(image_->at(pixels[i].first, pixels[i].second));
+        fmt::print("{}", context.json ? explanationJson(explained, explainer.drawn().renderer)
+                                      : explanationText(explained, explainer.drawn().renderer));
         return done;
     }
 
   private:
-    AnalysisData started(const Project& project) const {
-        AnalysisData data = analysis_.empty() ? AnalysisData::of(project, AnalysisKind::image)
-                                              : AnalysisData::of(project, analysis_);
+    AnalysisData started() {
+        AnalysisData data;
+        if (std::filesystem::path(project_.file()).extension() == ".exr") {
+            if (!analysis_.empty() || !settings_.values().values().empty())
+                throw refusal(analysis_.empty() ? "--set" : "--analysis", "an option",
+                              "none: an image says how it was computed");
+            image_ = irsg::readImageFile(project_.file());
+            return analysisOfImage(*image_, project_.file());
+        }
+        Project project = project_.load();
+        settings_.place(project);
+        data = analysis_.empty() ? AnalysisData::of(project, AnalysisKind::image)
+                                 : AnalysisData::of(project, analysis_);
         if (data.kind->form != AnalysisForm::image)
             throw refusal("--analysis", analysis_ + ", which is of kind " + name(data.kind),
                           "an analysis of kind image");
         data.settings = data.settings.with(settings_.values());
-        data.settings.set(key::imageQuantity, "radiance");
-        if (bandsOf(data.project, data.settings).size() > 1)
-            throw refusal("--band", "several bands", "one band: a pixel has terms for each");
+        settings_.requireNamed(data.settings);
         return data;
     }
 
-    static void check(const std::vector<std::pair<int, int>>& pixels,
-                      const SceneDescription& scene) {
-        const irsg::Sensor& sensor = scene.sensor;
+    static void check(const std::vector<std::pair<int, int>>& pixels, const Settings& settings) {
+        const int width = settings[key::sensorWidth], height = settings[key::sensorHeight];
         for (const auto& [x, y] : pixels)
-            if (x < 0 || y < 0 || x >= sensor.width_px || y >= sensor.height_px)
+            if (x < 0 || y < 0 || x >= width || y >= height)
                 throw refusal(pixelOption, fmt::format("{},{}", x, y),
                               fmt::format("a pixel of the picture, which has columns 0 to {} and "
                                           "rows 0 to {}",
-                                          sensor.width_px - 1, sensor.height_px - 1));
+                                          width - 1, height - 1));
     }
 
     ProjectInput project_;
     SettingOptions settings_;
     std::vector<std::string> pixels_;
     std::string analysis_;
+    std::optional<irsg::RadianceImage> image_; ///< that is asked about
 };
 
 } // namespace

@@ -29,8 +29,12 @@ class MergeCommand {
     int run(Context& context) const {
         AnalysisData data = joinedCases({parts_.begin(), parts_.end()});
         Outcome outcome{&data, {}};
-        for (const std::string& file : files_)
+        for (const std::string& file : files_) {
             checkResultFile(data.kind, file);
+            const bool isMonteCarlo = !data.table.provenance.value("monte carlo").empty();
+            if (isMonteCarlo && std::filesystem::path(file).extension() != ".csv")
+                throw refusal("--out", file, "a .csv: parts of Monte Carlo have no draws");
+        }
         for (const std::string& file : files_) {
             irsg::refuseInputAsOutput(file);
             saveResult(data, file);
@@ -47,8 +51,10 @@ class MergeCommand {
 } // namespace
 
 void addMergeCommand(CLI::App& app, Context& context) {
-    addCommand<MergeCommand>(app, context, "merge",
-                             "Joins the parts of a sweep to the result of one run");
+    addCommand<MergeCommand>(
+        app, context, "merge",
+        "Joins the parts of a sweep, of Monte Carlo or of a scenario's frames to the "
+        "result of one run");
 }
 
 } // namespace smat::batch

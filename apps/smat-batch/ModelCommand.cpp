@@ -24,12 +24,12 @@ nlohmann::ordered_json guessJson(const irsg::PlacingGuess& guess) {
     return json;
 }
 
-int modelInfo(const std::string& file, const irsg::ModelPlacing& placing, Context& context) {
+int modelInfo(const std::string& file, const irsg::ModelOptions& options, Context& context) {
     std::shared_ptr<irsg::Model> model;
     irsg::PlacingGuess guess;
     {
         const StageTimer::Scope scope(&context.timer, "load");
-        model = irsg::Model::load(file, {.placing = placing});
+        model = irsg::Model::load(file, options);
         guess = irsg::placingGuess(file);
     }
     const irsg::BoundingBox& box = model->bounds();
@@ -91,7 +91,7 @@ void addModelCommand(CLI::App& app, Context& context) {
     auto placing = std::make_shared<PlacingOptions>(*infoCommand);
     infoCommand->callback([&context, file, placing] {
         context.work = [&context, file, placing] {
-            return modelInfo(*file, placing->placing(), context);
+            return modelInfo(*file, placing->over({}), context);
         };
     });
     addModelCodesCommand(*command, context);

@@ -4,18 +4,24 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "apps/smat-batch/CaseTeam.h"
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/NumberOptions.h"
 #include "apps/smat-batch/Output.h"
+#include "apps/smat-batch/PartOptions.h"
 #include "apps/smat-batch/ProjectInput.h"
+#include "apps/smat-batch/ScenarioOptions.h"
 #include "apps/smat-batch/SettingOptions.h"
 #include "apps/smat-batch/StopSignal.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileReading.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/MonteCarlo.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
+#include "smatcore/simulate/ScenarioFile.h"
+#include "smatcore/simulate/ScenarioMonteCarlo.h"
 
 namespace smat::batch {
 
@@ -25,15 +31,25 @@ namespace {
 class MonteCarloCommand {
   public:
     explicit MonteCarloCommand(CLI::App& command)
-        : project_(command),
+        : command_(command),
+          project_(command),
           settings_(command,
                     [](const SettingInfo& setting) {
                         return !isAnalysisSection(setting.section()) &&
                                setting.key != key::scalingUse;
                     }),
-          numbers_(command) {
+          numbers_(command),
+          parts_(command, "the sweep that is repeated") {
+        settings_.takeModels();
         command
             .add_option("--out", files_, "Result file, .csv or .json; may be given more than once")
+            ->type_name("FILE")
+            ->expected(1)
+            ->take_all();
+        command
+            .add_option("--draws", drawFiles_,
+                        "Raw draws, a row each with its scales and the quantity at every abscissa, "
+                        ".csv or .json; may be given more than once")
             ->type_name("FILE")
             ->expected(1)
             ->take_all();
@@ -75,20 +91,39 @@ class MonteCarloCommand {
         numbers_.add("--ranking-at", "X",
                      "Abscissa the ranking looks at (wavelength in um for a spectrum); the whole "
                      "sweep without it");
+        command
+            .add_option("--sensor", sensors_,
+                        "Of a scenario: only this one; may be given more than once")
+            ->type_name("NAME")
+            ->expected(1)
+            ->take_all();
+        numbers_.add("--from", "s", "Of a scenario: time of the first step");
+        numbers_.add("--to", "s", "Of a scenario: time of the last step");
+        command.footer(
+            "In place of a project a scenario (JSON): what each sensor sees of each entity at each "
+            "of its steps, in FILE-SENSOR-ENTITY.csv; of all entities together in FILE-SENSOR.csv. "
+            "Raw draws go to FILE-SENSOR.csv.");
     }
 
     int run(Context& context) const {
         checkFiles();
+        if (parts_.isGiven() || context.team != nullptr)
+            checkParts();
+        if (isScenarioFile(project_.file()))
+            return runScenario(context);
+        refuseGiven({"--sensor", "--from", "--to"}, "a scenario in place of a project");
         MonteCarloData data;
         data.options = options();
         SceneBuilder builder;
         {
             const StageTimer::Scope scope(&context.timer, "load");
             const Settings given = settings_.values();
-            const Project project = project_.load();
+            Project project = project_.load();
+            settings_.place(project);
             data.analysis = started(project);
             data.analysis.settings = data.analysis.settings.with(given);
             data.analysis.commandLine = context.commandLine;
+            settings_.requireNamed(data.analysis.settings);
             data.options.check();
             // Inputs are read, and refused, before a renderer is made.
             const SceneDescription scene = builder.build(project, data.analysis.settings);
@@ -101,21 +136,22 @@ class MonteCarloCommand {
             const StageTimer::Scope scope(&context.timer, "start renderer");
             source = makeIrsgImageSource();
         }
+        MonteCarlo monteCarlo(*source, [&](const Project& project, const Settings& settings) {
+            return builder.build(project, settings);
+        });
+        if (parts_.isGiven() || context.team != nullptr)
+            return runParts(data, monteCarlo, context);
         std::stop_source stop;
         {
             ProgressLine line;
-            MonteCarlo(*source,
-                       [&](const Project& project, const Settings& settings) {
-                           return builder.build(project, settings);
-                       })
-                .run(
-                    data,
-                    [&](const Progress& progress) {
-                        line.show(progress);
-                        if (stopWasAsked())
-                            stop.request_stop();
-                    },
-                    stop.get_token(), &context.timer);
+            monteCarlo.run(
+                data,
+                [&](const Progress& progress) {
+                    line.show(progress);
+                    if (stopWasAsked())
+                        stop.request_stop();
+                },
+                stop.get_token(), &context.timer);
         }
         for (const std::string& warning : data.analysis.warnings)
             warn(data.analysis.name + ": " + warning);
@@ -126,6 +162,10 @@ class MonteCarloCommand {
                 const auto made = saveMonteCarlo(data, file);
                 written.insert(written.end(), made.begin(), made.end());
             }
+            for (const std::string& file : drawFiles_) {
+                drawsTable(data).save(file);
+                written.emplace_back(file);
+            }
         }
         const std::vector<Outcome> outcomes{{&data.analysis, written}};
         fmt::print("{}", context.json ? summaryJson(outcomes) : summaryText(outcomes));
@@ -135,14 +175,144 @@ class MonteCarloCommand {
     }
 
   private:
-    void checkFiles() const {
-        if (files_.empty())
-            throw refusal("--out", "nothing", "a result file, such as --out montecarlo.csv");
-        for (const std::string& file : files_) {
-            const std::string extension = std::filesystem::path(file).extension().string();
-            if (extension != ".csv" && extension != ".json")
-                throw refusal("--out", file, "a file that ends in .csv or .json");
+    /// Case by case, into the table alone.
+    int runParts(MonteCarloData& data, MonteCarlo& monteCarlo, Context& context) const {
+        for (const std::string& file : files_)
+            irsg::refuseInputAsOutput(file);
+        CasePlace place{files_.front(), parts_.share(), parts_.resumes(), inputHashes()};
+        const CaseWork work = [&](CaseStore& store, const ProgressCallback& progress,
+                                  std::stop_token stop) {
+            monteCarlo.run(data, store, progress, std::move(stop), &context.timer);
+        };
+        if (context.team != nullptr) {
+            if (!drawnByTeam(place, *context.team, work))
+                return done;
+            place.resumes = true; // all of them are there
         }
+        CaseFile cases(CaseFile::besides(place.result, place.share), place.options());
+        workThrough(cases, work);
+        if (cases.keptOld())
+            warn("cases of an earlier run are kept as " + cases.file().string() +
+                 ".old; --resume goes on with them");
+        for (const std::string& warning : data.analysis.warnings)
+            warn(data.analysis.name + ": " + warning);
+        const StageTimer::Scope scope(&context.timer, "save");
+        Outcome outcome{&data.analysis, {}};
+        cases.flush();
+        if (!place.share.isAll()) {
+            outcome.files.push_back(cases.file());
+        } else if (!data.analysis.table.empty()) {
+            for (const std::string& file : files_) {
+                data.analysis.table.save(file);
+                outcome.files.emplace_back(file);
+            }
+            if (data.analysis.state == AnalysisState::complete)
+                cases.remove();
+        }
+        fmt::print("{}", context.json ? summaryJson({outcome}) : summaryText({outcome}));
+        if (stopWasAsked())
+            warn("stopped; what was done so far is kept");
+        return stopWasAsked() ? warned : done;
+    }
+
+    /// What parts cannot give. Throws InputError.
+    void checkParts() const {
+        if (!drawFiles_.empty())
+            throw refusal("--draws", drawFiles_.front(),
+                          "no raw draws of a run in parts: each has those of its cases alone");
+        for (const std::string& file : files_)
+            if (std::filesystem::path(file).extension() != ".csv")
+                throw refusal("--out", file,
+                              "a .csv of a run in parts: a .json has the draws of all cases");
+    }
+
+    void refuseGiven(const std::vector<const char*>& options, const std::string& expected) const {
+        for (const char* option : options)
+            if (command_.get_option(option)->count() > 0)
+                throw refusal(option, "an option", expected);
+    }
+
+    int runScenario(Context& context) const {
+        refuseGiven({"--analysis", "--kind", "--ranking", "--ranking-pairs", "--ranking-at"},
+                    "a project in place of a scenario");
+        project_.refuseOptionsFor("a scenario");
+        parts_.refuse("a project in place of a scenario");
+        if (context.team != nullptr)
+            throw refusal("montecarlo", "a scenario", "a project for several processes");
+        ScenarioMonteCarlo run;
+        run.options = options();
+        if (!numbers_.value("--phases"))
+            run.options.phases = 1;
+        run.commandLine = context.commandLine;
+        SceneBuilder builder;
+        {
+            const StageTimer::Scope scope(&context.timer, "load");
+            Settings given = scenarioOverrides(settings_);
+            given.set(key::scalingUse, "false");
+            const Scenario scenario = loadScenario(project_.file());
+            run.plan = planSimulation(scenario, {.sensors = sensors_,
+                                                 .from_s = numbers_.value("--from"),
+                                                 .to_s = numbers_.value("--to")});
+            run.scenario = loadScenarioFiles(scenario, builder, given);
+            for (const std::size_t sensor : run.plan.sensors) {
+                settings_.requireNamed(run.scenario.sensors[sensor].settings);
+                for (const std::string& warning : run.scenario.sensors[sensor].warnings)
+                    warn(scenario.sensors[sensor].name + ": " + warning);
+            }
+        }
+        catchStopSignal();
+        std::unique_ptr<ImageSource> source;
+        {
+            const StageTimer::Scope scope(&context.timer, "start renderer");
+            source = makeIrsgImageSource();
+        }
+        std::stop_source stop;
+        {
+            ProgressLine line;
+            runScenarioMonteCarlo(
+                run, *source,
+                [&](const Progress& progress) {
+                    line.show(progress);
+                    if (stopWasAsked())
+                        stop.request_stop();
+                },
+                stop.get_token(), &context.timer);
+        }
+        for (const std::string& warning : run.warnings)
+            warn(warning);
+        std::vector<std::filesystem::path> written;
+        {
+            const StageTimer::Scope scope(&context.timer, "save");
+            const auto take = [&](const std::vector<std::filesystem::path>& made) {
+                written.insert(written.end(), made.begin(), made.end());
+            };
+            for (const std::string& file : files_)
+                take(saveDistributions(run, file));
+            for (const std::string& file : drawFiles_)
+                take(saveScenarioDraws(run, file));
+        }
+        std::vector<Outcome> outcomes;
+        for (const ScenarioDistribution& part : run.parts)
+            outcomes.push_back({&part.data.analysis, {}});
+        outcomes.back().files = written;
+        fmt::print("{}", context.json ? summaryJson(outcomes) : summaryText(outcomes));
+        if (stopWasAsked())
+            warn("stopped; what was done so far is kept");
+        return run.state == AnalysisState::complete ? done : warned;
+    }
+
+    void checkFiles() const {
+        if (files_.empty() && drawFiles_.empty())
+            throw refusal("--out", "nothing", "a result file, such as --out montecarlo.csv");
+        const auto check = [](const char* option, const std::vector<std::string>& files) {
+            for (const std::string& file : files) {
+                const std::string extension = std::filesystem::path(file).extension().string();
+                if (extension != ".csv" && extension != ".json")
+                    throw refusal(option, file, "a file that ends in .csv or .json");
+            }
+        };
+        check("--out", files_);
+        check("--draws", drawFiles_);
     }
 
     AnalysisData started(const Project& project) const {
@@ -210,10 +380,12 @@ class MonteCarloCommand {
         return options;
     }
 
+    CLI::App& command_;
     ProjectInput project_;
     SettingOptions settings_;
     NumberOptions numbers_;
-    std::vector<std::string> files_;
+    PartOptions parts_;
+    std::vector<std::string> files_, drawFiles_, sensors_;
     std::string analysis_, kind_, sequence_ = "sobol", quantity_ = "contrast_intensity",
                                   statistic_ = "mean", percentiles_;
     bool ranking_ = false;

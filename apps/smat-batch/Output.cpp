@@ -37,9 +37,9 @@ void warn(const std::string& sentence) {
     tell("warning: " + sentence + "\n");
 }
 
-void complain(const irsg::InputError& error) {
+void complain(const irsg::InputError& error, const std::string& speaker) {
     for (const irsg::Diagnostic& diagnostic : error.diagnostics())
-        tell("error: " + diagnostic.message() + "\n");
+        tell(speaker + "error: " + diagnostic.message() + "\n");
 }
 
 void checkFolderGiven(const std::string& folder, const std::string& what) {

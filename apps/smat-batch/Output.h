@@ -24,7 +24,8 @@ std::string jsonText(const Json& json) {
 
 /// One sentence a line on standard error.
 void warn(const std::string& sentence);
-void complain(const irsg::InputError& error);
+/// `speaker` before each line says who, where several processes tell.
+void complain(const irsg::InputError& error, const std::string& speaker = "");
 
 /// Throws InputError where `--out` names no folder for `what`.
 void checkFolderGiven(const std::string& folder, const std::string& what);

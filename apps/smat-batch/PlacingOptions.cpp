@@ -18,9 +18,7 @@ namespace {
         irsg::Diagnostic{.file = option, .position = "", .value = value, .expected = expected});
 }
 
-std::optional<irsg::ModelAxis> axisOf(const char* option, const std::string& text) {
-    if (text.empty())
-        return std::nullopt;
+irsg::ModelAxis axisOf(const char* option, const std::string& text) {
     const auto& names = irsg::modelAxisNames();
     for (std::size_t i = 0; i < names.size(); ++i)
         if (text == names[i] || "+" + text == names[i])
@@ -76,21 +74,33 @@ PlacingOptions::PlacingOptions(CLI::App& command) {
         .add_option("--origin", origin_,
                     "Which point of it becomes the origin: file, centre, base or x,y,z of the file")
         ->type_name("POINT");
+    textureOption_ =
+        command
+            .add_flag(textureFlag, cutsTextureAlpha_,
+                      "What the alpha of its textures leaves out, below 0.5 or the file's own "
+                      "threshold, is no part of its faces; false: it is")
+            ->take_last();
 }
 
 std::string PlacingOptions::given() const {
-    return !up_.empty()       ? "--up-axis"
-           : !nose_.empty()   ? "--nose-axis"
-           : !unit_.empty()   ? "--unit"
-           : !origin_.empty() ? "--origin"
-                              : "";
+    return !up_.empty()                  ? "--up-axis"
+           : !nose_.empty()              ? "--nose-axis"
+           : !unit_.empty()              ? "--unit"
+           : !origin_.empty()            ? "--origin"
+           : textureOption_->count() > 0 ? textureFlag
+                                         : "";
 }
 
-irsg::ModelPlacing PlacingOptions::placing() const {
-    irsg::ModelPlacing placing;
-    placing.up = axisOf("--up-axis", up_);
-    placing.nose = axisOf("--nose-axis", nose_);
+irsg::ModelOptions PlacingOptions::over(irsg::ModelOptions options) const {
+    irsg::ModelPlacing& placing = options.placing;
+    if (textureOption_->count() > 0)
+        options.cutsTextureAlpha = cutsTextureAlpha_;
+    if (!up_.empty())
+        placing.up = axisOf("--up-axis", up_);
+    if (!nose_.empty())
+        placing.nose = axisOf("--nose-axis", nose_);
     if (!unit_.empty()) {
+        placing.unit_m.reset();
         for (const irsg::ModelUnit& unit : irsg::modelUnits)
             if (unit_ == unit.symbol)
                 placing.unit_m = unit.unit_m;
@@ -101,7 +111,7 @@ irsg::ModelPlacing PlacingOptions::placing() const {
     }
     if (!origin_.empty())
         placing.origin = originOf(origin_);
-    return placing;
+    return options;
 }
 
 } // namespace smat::batch

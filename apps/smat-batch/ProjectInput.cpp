@@ -18,27 +18,31 @@ Project ProjectInput::load() const {
     const std::filesystem::path file(file_);
     if (file.extension() != ".smat") {
         Project project = projectOfModel(file, database_);
-        project.models.front().options.placing = placing_.placing();
+        project.models.front().options = placing_.over({});
         return project;
     }
+    refuseOptionsFor("a project");
+    Project project = loadProject(file);
+    for (const std::string& key : unknownKeys(project))
+        warn(file_ + ": the key " + key + " is not known to this version and has no effect");
+    return project;
+}
+
+void ProjectInput::refuseOptionsFor(const std::string& what) const {
     if (!database_.empty()) {
         throw irsg::InputError(
             irsg::Diagnostic{.file = "--database",
                              .position = "",
                              .value = database_,
-                             .expected = "no database: a project names its own"});
+                             .expected = "no database: " + what + " names its own"});
     }
     if (!placing_.given().empty()) {
         throw irsg::InputError(
             irsg::Diagnostic{.file = placing_.given(),
                              .position = "",
                              .value = file_,
-                             .expected = "a bare model: a project places its own"});
+                             .expected = "a bare model: " + what + " places its own"});
     }
-    Project project = loadProject(file);
-    for (const std::string& key : unknownKeys(project))
-        warn(file_ + ": the key " + key + " is not known to this version and has no effect");
-    return project;
 }
 
 } // namespace smat::batch

@@ -18,6 +18,12 @@ class ProjectInput {
     /// Warns on standard error of keys the file holds and this version does not know. Throws
     /// InputError.
     Project load() const;
+    /// Throws InputError where there are options of a bare model, which `what`, "a scenario", has
+    /// no use for.
+    void refuseOptionsFor(const std::string& what) const;
+
+    /// As it was given.
+    const std::string& file() const { return file_; }
 
   private:
     std::string file_;

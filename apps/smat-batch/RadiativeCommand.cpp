@@ -5,6 +5,7 @@
 #include "apps/smat-batch/NumberOptions.h"
 #include "apps/smat-batch/SunOptions.h"
 #include "irsg/radiometry/Band.h"
+#include "irsg/radiometry/Collect.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/tools/RadiativeOutput.h"
@@ -81,14 +82,7 @@ class RadiativeCommand {
     /// Every diagnostic of the options at once.
     RadiativeRequest requestOf(const Context& context) const {
         std::vector<irsg::Diagnostic> diagnostics;
-        const auto collect = [&](const auto& work) {
-            try {
-                work();
-            } catch (const irsg::InputError& error) {
-                diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
-                                   error.diagnostics().end());
-            }
-        };
+        const auto collect = [&](const auto& work) { irsg::collect(diagnostics, work); };
         RadiativeRequest request;
         request.commandLine = context.commandLine;
         collect([&] { request.band = irsg::Band::fromText(band_).range(); });

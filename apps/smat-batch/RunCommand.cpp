@@ -30,7 +30,10 @@ class RunCommand {
         std::vector<Job> jobs;
         {
             const StageTimer::Scope scope(&context.timer, "load");
-            jobs = jobsOf(project_.load(), settings_.values(), context);
+            const Settings given = settings_.values();
+            Project project = project_.load();
+            settings_.place(project);
+            jobs = jobsOf(project, given, context);
         }
         if (dryRun_)
             return describeJobs(jobs, context);
@@ -56,6 +59,7 @@ class RunCommand {
             Job job;
             job.data = AnalysisData::of(project, one);
             job.data.settings = job.data.settings.with(given);
+            settings_.requireNamed(job.data.settings);
             job.data.commandLine = context.commandLine;
             for (const std::string& extension : usualResultExtensions(job.data.kind))
                 job.files.push_back(std::filesystem::path(folder_) / (one + extension));

@@ -14,6 +14,7 @@ class SelfTestCommand {
   public:
     explicit SelfTestCommand(CLI::App& command) {
         command.add_flag("--hard", options_.hard, "The hard cases as well");
+        command.add_flag("--page", isPage_, "As docs/accuracy.md has it");
         command.add_option("--only", options_.only, "Checks whose name holds this text");
     }
 
@@ -22,13 +23,16 @@ class SelfTestCommand {
             throw refusal("--only", "'" + options_.only + "'",
                           "a part of the name of a check, as scene or planck");
         const StageTimer::Scope scope(&context.timer, "checks");
-        if (!context.json)
+        const bool isTable = !context.json && !isPage_;
+        if (isTable)
             fmt::print("{}", selfTestHead());
         const auto results = runSelfTest(options_, [&](const SelfTestResult& result) {
-            if (!context.json)
+            if (isTable)
                 fmt::print("{}", selfTestLine(result));
         });
-        fmt::print("{}", context.json ? selfTestJson(results) + "\n" : selfTestCounts(results));
+        fmt::print("{}", context.json ? selfTestJson(results) + "\n"
+                         : isPage_    ? selfTestPage(results)
+                                      : selfTestCounts(results));
         const bool failed = std::ranges::any_of(results, [](const SelfTestResult& result) {
             return result.outcome == SelfTestResult::Outcome::failed;
         });
@@ -37,6 +41,7 @@ class SelfTestCommand {
 
   private:
     SelfTestOptions options_;
+    bool isPage_ = false;
 };
 
 } // namespace

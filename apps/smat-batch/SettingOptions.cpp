@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "apps/smat-batch/Output.h"
+#include "apps/smat-batch/PlacingOptions.h"
+#include "irsg/radiometry/Collect.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
+#include "smatcore/project/ModelFields.h"
 #include "smatcore/settings/AnalysisSections.h"
 #include "smatcore/settings/SettingKeys.h"
+#include "smatcore/simulate/ImagingSensorXml.h"
 
 namespace smat::batch {
 
@@ -33,10 +38,11 @@ std::string placed(const SettingInfo& setting, const std::string& text) {
     return list;
 }
 
-bool isFlagOfASetting(const std::string& option) {
-    return std::ranges::any_of(settingTable(), [&](const SettingInfo& setting) {
-        return setting.kind == SettingKind::boolean && setting.option == option;
-    });
+bool isFlagWithValue(const std::string& option) {
+    return option == PlacingOptions::textureFlag ||
+           std::ranges::any_of(settingTable(), [&](const SettingInfo& setting) {
+               return setting.kind == SettingKind::boolean && setting.option == option;
+           });
 }
 
 } // namespace
@@ -45,7 +51,7 @@ std::vector<std::string> withJoinedFlags(std::vector<std::string> arguments) {
     std::vector<std::string> joined;
     for (std::string& argument : arguments) {
         const bool isValue = argument == "true" || argument == "false";
-        if (isValue && !joined.empty() && isFlagOfASetting(joined.back()))
+        if (isValue && !joined.empty() && isFlagWithValue(joined.back()))
             joined.back() += "=" + argument;
         else
             joined.push_back(std::move(argument));
@@ -56,7 +62,9 @@ std::vector<std::string> withJoinedFlags(std::vector<std::string> arguments) {
 SettingOptions::SettingOptions(CLI::App& command, std::optional<AnalysisKind> kind)
     : SettingOptions(command, [kind](const SettingInfo& setting) {
           return concerns(setting, kind ? name(*kind) : "");
-      }) {}
+      }) {
+    takeModels();
+}
 
 SettingOptions::SettingOptions(CLI::App& command,
                                const std::function<bool(const SettingInfo&)>& takes) {
@@ -86,24 +94,42 @@ SettingOptions::SettingOptions(CLI::App& command,
     }
     if (takes(settingInfo(key::environmentSunElevation)))
         sun_.emplace(command);
-    command.add_option("--set", assignments_, "Any setting: key=value, as often as needed")
+    if (takes(settingInfo(key::sensorMode))) {
+        command
+            .add_option("--imaging-sensor", imagingSensor_,
+                        "An ImagingSensor file of KARMA (XML): calculation mode, antialiasing and "
+                        "backgrounds, over those of the project and below other options")
+            ->type_name("FILE")
+            ->take_last()
+            ->group(sectionTitle("sensor"));
+    }
+    command
+        .add_option("--set", assignments_,
+                    "Any setting: key=value, as often as needed; and of a model beside the "
+                    "target models.NAME.KEY=value, KEY as project set has it")
         ->type_name("KEY=VALUE")
         ->expected(1)
         ->take_all();
 }
 
+void SettingOptions::place(Project& project) const {
+    std::vector<irsg::Diagnostic> diagnostics;
+    for (const std::string& assignment : assignments_) {
+        if (!isModelAssignment(assignment))
+            continue;
+        irsg::collect(diagnostics, [&] { assignToModel(project, assignment); });
+    }
+    if (!diagnostics.empty())
+        throw irsg::InputError(diagnostics);
+}
+
 Settings SettingOptions::values() const {
     Settings settings;
     std::vector<irsg::Diagnostic> diagnostics;
-    const auto collect = [&](const auto& work) {
-        try {
-            work();
-        } catch (const irsg::InputError& error) {
-            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
-                               error.diagnostics().end());
-        }
-    };
+    const auto collect = [&](const auto& work) { irsg::collect(diagnostics, work); };
     for (const std::string& assignment : assignments_) {
+        if (takesModels_ && isModelAssignment(assignment))
+            continue;
         collect([&] {
             const std::size_t equals = assignment.find('=');
             const SettingInfo* setting =
@@ -127,9 +153,26 @@ Settings SettingOptions::values() const {
     }
     if (sun_)
         collect([&] { placeSun(settings); });
+    if (!imagingSensor_.empty()) {
+        collect([&] {
+            const ImagingSensorFile read = readImagingSensor(imagingSensor_);
+            settings = read.set.settings.with(settings);
+            for (const std::string& remark : read.remarks)
+                warn(remark);
+        });
+    }
     if (!diagnostics.empty())
         throw irsg::InputError(diagnostics);
     return settings;
+}
+
+void SettingOptions::requireNamed(const Settings& inEffect) const {
+    if (imagingSensor_.empty())
+        return;
+    std::vector<irsg::Diagnostic> missing =
+        readImagingSensor(imagingSensor_).missingIn(inEffect, "the project or an option");
+    if (!missing.empty())
+        throw irsg::InputError(std::move(missing));
 }
 
 void SettingOptions::placeSun(Settings& settings) const {

@@ -3,7 +3,9 @@
 
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/Output.h"
+#include "smatcore/project/ProjectFile.h"
 #include "smatcore/settings/SettingInfo.h"
+#include "smatcore/simulate/ImagingSensorXml.h"
 
 namespace smat::batch {
 
@@ -37,6 +39,15 @@ int list(bool markdown, const Context& context) {
     return done;
 }
 
+int write(const std::string& project, const std::string& file, const Context& context) {
+    writeImagingSensor(loadProject(project).settings, file);
+    if (context.json)
+        fmt::print("{}\n", jsonText(nlohmann::ordered_json{{"file", file}}));
+    else
+        fmt::print("-> {}\n", file);
+    return done;
+}
+
 } // namespace
 
 void addSettingsCommand(CLI::App& app, Context& context) {
@@ -44,8 +55,20 @@ void addSettingsCommand(CLI::App& app, Context& context) {
         app.add_subcommand("settings", "Lists every setting with its option, values and meaning");
     auto markdown = std::make_shared<bool>(false);
     command->add_flag("--markdown", *markdown, "As the page of the manual");
-    command->callback([&context, markdown] {
-        context.work = [&context, markdown] { return list(*markdown, context); };
+    auto project = std::make_shared<std::string>();
+    auto sensor = std::make_shared<std::string>();
+    command->add_option("--project", *project, "Project file (.smat) whose settings are written")
+        ->type_name("FILE");
+    command
+        ->add_option("--imaging-sensor", *sensor,
+                     "Writes the project's settings as an ImagingSensor file of KARMA (XML)")
+        ->type_name("FILE");
+    command->get_option("--imaging-sensor")->needs("--project");
+    command->get_option("--project")->needs("--imaging-sensor");
+    command->callback([&context, markdown, project, sensor] {
+        context.work = [&context, markdown, project, sensor] {
+            return sensor->empty() ? list(*markdown, context) : write(*project, *sensor, context);
+        };
     });
 }
 

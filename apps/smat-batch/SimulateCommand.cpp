@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -7,9 +8,12 @@
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/NumberOptions.h"
 #include "apps/smat-batch/Output.h"
+#include "apps/smat-batch/PartOptions.h"
+#include "apps/smat-batch/ScenarioOptions.h"
 #include "apps/smat-batch/SettingOptions.h"
 #include "apps/smat-batch/StopSignal.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/CaseFile.h"
 #include "smatcore/simulate/Film.h"
 #include "smatcore/simulate/FrameFiles.h"
 #include "smatcore/simulate/ScenarioFile.h"
@@ -32,7 +36,7 @@ std::string bandsText(const SceneDescription& scene) {
 class SimulateCommand {
   public:
     explicit SimulateCommand(CLI::App& command)
-        : numbers_(command), settings_(command, isScenarioSetting) {
+        : numbers_(command), settings_(command, isScenarioSetting), parts_(command, "the steps") {
         command.add_option("SCENARIO", scenario_, "Scenario file (JSON)")
             ->required()
             ->type_name("");
@@ -75,11 +79,14 @@ class SimulateCommand {
             plan = planSimulation(scenario, {.sensors = sensors_,
                                              .from_s = numbers_.value("--from"),
                                              .to_s = numbers_.value("--to")});
-            loaded = loadScenarioFiles(scenario, builder, overrides());
+            loaded = loadScenarioFiles(scenario, builder, scenarioOverrides(settings_));
+            for (const std::size_t sensor : plan.sensors)
+                settings_.requireNamed(loaded.sensors[sensor].settings);
         }
         const FrameFiles files(loaded, folder_, extensions(), context.commandLine);
         files.checkExtensions();
         checkFilmGiven();
+        const CaseShare share = parts_.share();
         for (const std::size_t sensor : plan.sensors)
             for (const std::string& warning : loaded.sensors[sensor].warnings)
                 warn(loaded.scenario.sensors[sensor].name + ": " + warning);
@@ -87,28 +94,10 @@ class SimulateCommand {
             describe(loaded, plan, files, context);
             return done;
         }
-        return simulate(loaded, plan, files, context);
+        return simulate(loaded, plan, files, share, context);
     }
 
   private:
-    Settings overrides() const {
-        const Settings given = settings_.values();
-        std::vector<irsg::Diagnostic> diagnostics;
-        for (const auto& [key, text] : given.values()) {
-            if (!isScenarioSetting(settingInfo(key))) {
-                diagnostics.push_back({.file = "--set",
-                                       .position = key,
-                                       .value = text,
-                                       .expected =
-                                           "a setting of sensor, environment, render, display "
-                                           "or image: the scenario says the rest"});
-            }
-        }
-        if (!diagnostics.empty())
-            throw irsg::InputError(diagnostics);
-        return given;
-    }
-
     std::vector<std::string> extensions() const {
         std::vector<std::string> list;
         for (const std::string& format : formats_)
@@ -119,6 +108,7 @@ class SimulateCommand {
     void checkFilmGiven() const {
         if (film_.empty())
             return;
+        parts_.refuse("all frames in one run for a film");
         checkFilm(film_);
         const std::vector<std::string> forms = extensions();
         if (std::ranges::find(forms, ".exr") == forms.end()) {
@@ -130,12 +120,20 @@ class SimulateCommand {
     }
 
     /// Sentences with the files.
-    std::string writeFilms(const FilmRecorder& recorder, const std::string& whose,
-                           const std::stop_token& stop) const {
+    std::string writeFilms(const FilmRecorder& recorder, const std::string& whose) const {
         std::string text;
+        std::stop_source stop;
+        if (stopWasAsked())
+            stop.request_stop();
+        ProgressLine line;
         for (const FilmStrip& strip : recorder.strips()) {
             const std::filesystem::path file = filmFile(film_, strip, recorder.strips().size());
-            const std::string sentence = writeFilm(strip, file, whose, stop);
+            const std::string sentence =
+                writeFilm(strip, file, whose, stop.get_token(), [&](const Progress& progress) {
+                    line.show(progress);
+                    if (stopWasAsked())
+                        stop.request_stop();
+                });
             if (sentence.empty())
                 text += "  -> " + file.string() + "\n";
             else
@@ -144,11 +142,30 @@ class SimulateCommand {
         return text;
     }
 
+    /// A file of steps beside the table of each sensor, where the run has parts.
+    std::vector<std::unique_ptr<CaseFile>>
+    stepFiles(const SimulationPlan& plan, const FrameFiles& files, const CaseShare& share) const {
+        std::vector<std::unique_ptr<CaseFile>> steps;
+        if (!parts_.isGiven())
+            return steps;
+        const auto inputs = inputHashes();
+        for (const std::size_t sensor : plan.sensors)
+            steps.push_back(std::make_unique<CaseFile>(
+                CaseFile::besides(files.tableFile(sensor), share),
+                CaseFile::Options{share, parts_.resumes(), inputs, 0.0}));
+        return steps;
+    }
+
     int simulate(const LoadedScenario& loaded, const SimulationPlan& plan, const FrameFiles& files,
-                 Context& context) const {
+                 const CaseShare& share, Context& context) const {
         catchStopSignal();
         for (const std::string& sentence : files.makeFolders(plan.sensors))
-            warn(sentence);
+            if (!parts_.isGiven())
+                warn(sentence);
+        const std::vector<std::unique_ptr<CaseFile>> steps = stepFiles(plan, files, share);
+        SimulationParts parts{{}, !share.isAll()};
+        for (const std::unique_ptr<CaseFile>& file : steps)
+            parts.stores.push_back(file.get());
         std::unique_ptr<ImageSource> source;
         {
             const StageTimer::Scope scope(&context.timer, "start renderer");
@@ -169,16 +186,24 @@ class SimulateCommand {
                     if (stopWasAsked())
                         stop.request_stop();
                 },
-                stop.get_token(), &context.timer, heed);
+                stop.get_token(), &context.timer, heed, steps.empty() ? nullptr : &parts);
+        }
+        for (const std::unique_ptr<CaseFile>& file : steps) {
+            file->flush();
+            if (file->keptOld())
+                warn("steps of an earlier run are kept as " + file->file().string() +
+                     ".old; --resume goes on with them");
+            if (share.isAll() && result.state == AnalysisState::complete)
+                file->remove();
         }
         std::string films;
         {
             const StageTimer::Scope scope(&context.timer, "film");
-            films = writeFilms(recorder, loaded.scenario.displayName(), stop.get_token());
+            films = writeFilms(recorder, loaded.scenario.displayName());
         }
         splitTimes(*source, context);
         fmt::print("{}", context.json ? jsonOf(result, loaded, files)
-                                      : textOf(result, loaded, files) + films);
+                                      : textOf(result, loaded, files, share) + films);
         if (stopWasAsked())
             warn("stopped; what was done so far is kept");
         return stopWasAsked() ? warned : done;
@@ -221,7 +246,7 @@ class SimulateCommand {
     }
 
     static std::string textOf(const SimulationResult& result, const LoadedScenario& loaded,
-                              const FrameFiles& files) {
+                              const FrameFiles& files, const CaseShare& share) {
         std::string text;
         for (const SensorResult& sensor : result.sensors) {
             text += fmt::format("{}: {} frames, {}\n", sensor.name, sensor.frames,
@@ -232,7 +257,9 @@ class SimulateCommand {
                 text += "  note: " + sensor.warnings[i] + "\n";
             }
             text += "  -> " + files.frameFile(sensor.sensor, 0, "").parent_path().string() + "\n";
-            text += "  -> " + files.tableFile(sensor.sensor).string() + "\n";
+            const std::filesystem::path table = files.tableFile(sensor.sensor);
+            text +=
+                "  -> " + (share.isAll() ? table : CaseFile::besides(table, share)).string() + "\n";
         }
         return text + fmt::format("{:.2f} s\n", result.elapsed_s);
     }
@@ -268,6 +295,7 @@ class SimulateCommand {
 
     NumberOptions numbers_;
     SettingOptions settings_;
+    PartOptions parts_;
     std::string scenario_;
     std::string folder_;
     std::vector<std::string> sensors_;

@@ -12,7 +12,9 @@ struct PlotRequest {
     std::filesystem::path output;               ///< .svg, .pdf, .png or .csv
     std::string quantity;                       ///< column key; the favourite one where empty
     bool logX = false, logY = false;            ///< Cartesian plots only
-    bool decibel = false;                       ///< polar plots only
+    bool decibel = false;                       ///< polar plots and signature tables
+    /// "range=3000": of a signature table, which of several ranges and states is drawn.
+    std::vector<std::string> at;
 };
 
 /// Needs a QApplication, on the offscreen platform where there is no display. Throws

@@ -11,9 +11,9 @@
 #include "apps/smat/PlotCommand.h"
 #include "gui/Leaving.h"
 #include "gui/MainWindow.h"
-#include "gui/Workbench.h"
 #include "gui/settings/Preferences.h"
 #include "gui/widgets/Theme.h"
+#include "gui/workbench/Workbench.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/data/ImageSource.h"
 #include "smatcore/data/Provenance.h"
@@ -125,7 +125,13 @@ int main(int argc, char** argv) {
                      "Column to draw, contrast_intensity where there is one");
     plot->add_flag("--log-x", request.logX, "Logarithmic abscissa");
     plot->add_flag("--log-y", request.logY, "Logarithmic ordinate");
-    plot->add_flag("--db", request.decibel, "Decibel radius of a polar plot");
+    plot->add_flag("--db", request.decibel,
+                   "Decibel radius of a polar plot, decibels of a signature table");
+    plot->add_option("--at", request.at,
+                     "Of a signature table the range or state that is drawn, such as range=3000; "
+                     "may be given more than once")
+        ->expected(1)
+        ->take_all();
 
     try {
         cli.parse(argc, argv);

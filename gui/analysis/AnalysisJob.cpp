@@ -1,6 +1,8 @@
 #include "gui/analysis/AnalysisJob.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 #include <QTimer>
 
@@ -12,9 +14,22 @@
 namespace smat::gui {
 namespace {
 
+/// True where the rows of a table are the first of one that has grown from it: adaptive sweeps put
+/// theirs between others.
+bool growsAtItsEnd(const ResultTable& table, const ResultTable& grown) {
+    const auto count = static_cast<std::ptrdiff_t>(table.rowCount());
+    for (std::size_t i = 0; i < grown.columns().size(); ++i) {
+        const auto &one = table.columns()[i].values, &other = grown.columns()[i].values;
+        if (count > std::ssize(other) ||
+            (count > 0 && one.back() != other[one.size() - 1] && !std::isnan(one.back())))
+            return false;
+    }
+    return true;
+}
+
 /// Rows of a result that grows, without copying those that are there already.
 void takeNewRows(ResultTable& table, const ResultTable& grown) {
-    if (table.columns().size() != grown.columns().size()) {
+    if (table.columns().size() != grown.columns().size() || !growsAtItsEnd(table, grown)) {
         table = grown;
         return;
     }
@@ -39,6 +54,8 @@ QString AnalysisJob::titleOf(const JobOrder& order) {
     if (order.simulation)
         return tr("Scenario: %1")
             .arg(QString::fromStdString(order.simulation->scenario.displayName()));
+    if (order.film)
+        return tr("Film: %1").arg(QString::fromStdString(order.film->file.filename().string()));
     const AnalysisData& data = order.analysis;
     const bool unnamed = data.name.empty() || data.name == smat::name(data.kind);
     const QString what = QString::fromStdString(unnamed ? smat::title(data.kind) : data.name);
@@ -74,20 +91,23 @@ double AnalysisJob::elapsed_s() const {
 
 void AnalysisJob::work(std::stop_token stop) {
     Outcome outcome;
-    // A window cannot show more than some thirty states a second.
+    // A window cannot show more than some thirty states a second. The first and the last step are
+    // always told: either may take its time, as the encoding of a film does.
     constexpr double leastPause_s = 0.03;
     double last_s = -1.0;
     const auto progress = [&](const Progress& now) {
-        if (now.done == 0 || now.done == now.total || now.elapsed_s - last_s > leastPause_s) {
+        if (now.done == 0 || now.done + 1 >= now.total || now.elapsed_s - last_s > leastPause_s) {
             last_s = now.elapsed_s;
             emit progressed(now);
         }
     };
     try {
-        if (!engine_->source)
+        if (!engine_->source && !order_.film)
             engine_->source = engine_->makeSource();
-        outcome.result = order_.simulation   ? simulate(progress, stop)
+        outcome.result = order_.film         ? makeFilm(progress, stop)
+                         : order_.simulation ? simulate(progress, stop)
                          : order_.monteCarlo ? drawScales(progress, stop)
+                         : order_.frontier   ? measureWays(progress, stop)
                                              : analyse(progress, stop);
     } catch (const irsg::InputError& error) {
         outcome.sentences << sentencesOf(error);
@@ -106,7 +126,8 @@ void AnalysisJob::work(std::stop_token stop) {
             working_ = false;
             if (!answered_)
                 answer(outcome);
-            else if (outcome.result.monteCarlo || outcome.result.simulation)
+            else if (outcome.result.monteCarlo || outcome.result.simulation ||
+                     (order_.frontier && outcome.result.data))
                 emit finished(outcome.result);
             emit ended();
         },
@@ -137,10 +158,19 @@ JobResult AnalysisJob::analyse(const ProgressCallback& progress, std::stop_token
 }
 
 JobResult AnalysisJob::simulate(const ProgressCallback& progress, std::stop_token stop) {
-    return {.data = {},
-            .monteCarlo = {},
-            .simulation = std::make_shared<const SimulationOutcome>(runSimulationOrder(
-                *order_.simulation, engine_->scenes, *engine_->source, progress, std::move(stop)))};
+    JobResult result;
+    result.simulation = std::make_shared<const SimulationOutcome>(runSimulationOrder(
+        *order_.simulation, engine_->scenes, *engine_->source, progress, std::move(stop)));
+    return result;
+}
+
+JobResult AnalysisJob::makeFilm(const ProgressCallback& progress,
+                                const std::stop_token& stop) const {
+    const FilmOrder& order = *order_.film;
+    JobResult result;
+    result.film = std::make_shared<const FilmOutcome>(
+        FilmOutcome{order.file, writeFilm(order.strip, order.file, order.whose, stop, progress)});
+    return result;
 }
 
 JobResult AnalysisJob::drawScales(const ProgressCallback& progress, std::stop_token stop) {
@@ -159,6 +189,19 @@ JobResult AnalysisJob::drawScales(const ProgressCallback& progress, std::stop_to
     return {{run, &run->analysis}, run};
 }
 
+JobResult AnalysisJob::measureWays(const ProgressCallback& progress, std::stop_token stop) {
+    auto data = std::make_shared<AnalysisData>(order_.analysis);
+    Frontier::run(
+        *data, *engine_->source,
+        [this](const Project& project, const Settings& settings) {
+            return engine_->scenes.build(project, settings);
+        },
+        *order_.frontier, progress, std::move(stop));
+    if (data->table.rowCount() == 0)
+        return {};
+    return {data};
+}
+
 void AnalysisJob::keep(const AnalysisData& data, const Progress& now) {
     const std::lock_guard lock(kept_.mutex);
     takeNewRows(kept_.data.table, data.table);
@@ -171,7 +214,8 @@ void AnalysisJob::keep(const AnalysisData& data, const Progress& now) {
 AnalysisJob::Outcome AnalysisJob::keptSoFar() {
     const std::lock_guard lock(kept_.mutex);
     AnalysisData data = kept_.data;
-    if (order_.simulation || data.table.empty() || data.kind->form == AnalysisForm::image)
+    if (order_.simulation || order_.film || data.table.empty() ||
+        data.kind->form == AnalysisForm::image)
         return {.result = {}, .sentences = {tr("Cancelled before the first case was done.")}};
     // What the run itself says of a stop between two cases.
     data.state = AnalysisState::partial;

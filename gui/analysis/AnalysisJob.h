@@ -13,6 +13,7 @@
 #include "gui/scenario/SimulationOrder.h"
 #include "smatcore/analysis/AnalysisData.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
+#include "smatcore/analysis/Frontier.h"
 #include "smatcore/analysis/MonteCarlo.h"
 #include "smatcore/project/SceneBuilder.h"
 
@@ -28,28 +29,32 @@ struct AnalysisEngine {
     SceneBuilder scenes;
 };
 
-/// What is asked of a job: an analysis, with options the Monte Carlo run of one, or the frames of a
-/// scenario.
+/// What is asked of a job: an analysis, with options the Monte Carlo run of one or time against
+/// error of its view, the frames of a scenario, or a film of them.
 struct JobOrder {
     AnalysisData analysis;
     std::optional<MonteCarloOptions> monteCarlo = {};
+    std::optional<Frontier::Options> frontier = {};
     std::shared_ptr<const SimulationOrder> simulation = {};
+    std::shared_ptr<const FilmOrder> film = {};
 };
 
-/// What came of one: `simulation`, or `data`, which `monteCarlo` holds where it was such a run.
+/// What came of one: `simulation`, `film`, or `data`, which `monteCarlo` holds where it was such a
+/// run.
 struct JobResult {
     std::shared_ptr<const AnalysisData> data = {};
     std::shared_ptr<const MonteCarloData> monteCarlo = {};
     std::shared_ptr<const SimulationOutcome> simulation = {};
-    bool isEmpty() const { return !data && !simulation; }
+    std::shared_ptr<const FilmOutcome> film = {};
+    bool isEmpty() const { return !data && !simulation && !film; }
 };
 
 /// One run of AnalysisGenerator or MonteCarlo in a thread of its own. Its signals arrive in the
 /// thread that made it. A cancel is answered within a moment: by the run itself where a case ends
 /// in that time, else by the cases done so far, and the drawing under way is left to end by itself;
-/// its engine is then not free before `ended`. What a Monte Carlo run or a scenario had drawn until
-/// then comes with another `finished`, after its answer. Destroying a job asks it to stop and waits
-/// for the drawing under way.
+/// its engine is then not free before `ended`. What a Monte Carlo run, a scenario or time against
+/// error had until then comes with another `finished`, after its answer. Destroying a job asks it
+/// to stop and waits for the drawing under way.
 class AnalysisJob : public QObject {
     Q_OBJECT
 
@@ -99,6 +104,8 @@ class AnalysisJob : public QObject {
     void work(std::stop_token stop);
     JobResult analyse(const ProgressCallback& progress, std::stop_token stop);
     JobResult simulate(const ProgressCallback& progress, std::stop_token stop);
+    JobResult makeFilm(const ProgressCallback& progress, const std::stop_token& stop) const;
+    JobResult measureWays(const ProgressCallback& progress, std::stop_token stop);
     JobResult drawScales(const ProgressCallback& progress, std::stop_token stop);
     void keep(const AnalysisData& data, const Progress& now);
     Outcome keptSoFar();

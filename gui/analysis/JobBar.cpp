@@ -10,10 +10,10 @@
 #include <QTimer>
 #include <QToolButton>
 
-#include "gui/Workbench.h"
 #include "gui/analysis/ResultStore.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/Widgets.h"
+#include "gui/workbench/Workbench.h"
 
 namespace smat::gui {
 

@@ -2,8 +2,8 @@
 
 #include <QCoreApplication>
 
-#include "gui/Workbench.h"
 #include "gui/database/DatabaseSession.h"
+#include "gui/workbench/Workbench.h"
 
 namespace smat::gui {
 namespace {
@@ -19,10 +19,19 @@ QString missingForAnalyses(Workbench& workbench) {
         return Missing::tr("Open a project, a sample or a model first.");
     if (workbench.project().models.empty())
         return Missing::tr("The project has no model: open one.");
-    if (workbench.project().models.front().database.empty() && !workbench.database().isOpen())
-        return Missing::tr(
-            "The model has no signature database: make or open one in the dock Signature "
-            "database.");
+    const auto& models = workbench.project().models;
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        if (!models[i].database.empty() ||
+            (i == workbench.chosenModel() && workbench.database().isOpen()))
+            continue;
+        if (models.size() == 1)
+            return Missing::tr(
+                "The model has no signature database: make or open one in the dock Signature "
+                "database.");
+        return Missing::tr("The model %1 has no signature database: choose the model in the "
+                           "scene, then make or open one in the dock Signature database.")
+            .arg(QString::fromStdString(models[i].shownName()));
+    }
     return {};
 }
 

@@ -6,6 +6,8 @@
 #include <QComboBox>
 #include <QVBoxLayout>
 
+#include "gui/analysis/FrontierPanel.h"
+#include "gui/analysis/MonteCarloPlots.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageExport.h"
 #include "gui/image/ImageView.h"
@@ -13,13 +15,17 @@
 #include "gui/plot/PlotPanel.h"
 #include "gui/plot/PolarPlot.h"
 #include "gui/plot/ResultPlot.h"
-#include "gui/tools/MonteCarloPlots.h"
+#include "gui/plot/TablePanel.h"
 #include "gui/widgets/Readable.h"
+#include "gui/workbench/ModelStore.h"
 #include "irsg/image/PngView.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/Conditions.h"
+#include "smatcore/analysis/Frontier.h"
+#include "smatcore/analysis/PixelExplainer.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
+#include "smatcore/tables/TableFormats.h"
 
 namespace smat::gui {
 namespace {
@@ -76,6 +82,10 @@ ResultPage::ResultPage(const std::vector<ResultEntry>& results, Dialogs dialogs,
         showMonteCarlo();
     else if (results_.front().isImage())
         showImage(std::move(dialogs));
+    else if (results_.size() == 1 && SignatureTable::isOne(results_.front().data->table))
+        showTable(std::move(dialogs));
+    else if (results_.size() == 1 && results_.front().data->kind == Frontier::kind())
+        showFrontier(std::move(dialogs));
     else
         showPlot(std::move(dialogs));
 }
@@ -94,10 +104,39 @@ void ResultPage::showImage(Dialogs dialogs) {
     setBackgroundRole(QPalette::Window); // so that fields stand out in the dark, too
 }
 
+void ResultPage::setModels(const std::shared_ptr<ModelStore>& models) {
+    const ResultEntry& entry = results_.front();
+    if (image_ == nullptr || !entry.canRunAgain())
+        return;
+    image_->setExplainer([data = entry.data, models]() -> PixelPanel::Work {
+        return [data, models] {
+            AnalysisData asked = *data;
+            asked.image = {};
+            return std::make_shared<PixelExplainer>(std::move(asked), ModelStore::loader(models));
+        };
+    });
+}
+
 void ResultPage::showMonteCarlo() {
     draws_ = new MonteCarloPlots(this);
     draws_->setData(*results_.front().monteCarlo);
     layout()->addWidget(draws_);
+}
+
+void ResultPage::showTable(Dialogs dialogs) {
+    const ResultEntry& entry = results_.front();
+    tables_ = new TablePanel({entry.data, &entry.data->table}, std::move(dialogs), this);
+    tables_->setTitle(entry.title);
+    tables_->setConditions(QString::fromStdString(lineOf(conditionsOf(entry.data->table))));
+    layout()->addWidget(tables_);
+    setBackgroundRole(QPalette::Window);
+}
+
+void ResultPage::showFrontier(Dialogs dialogs) {
+    frontier_ = new FrontierPanel(std::move(dialogs), this);
+    frontier_->setTable(results_.front().data->table);
+    layout()->addWidget(frontier_);
+    setBackgroundRole(QPalette::Window);
 }
 
 void ResultPage::showPlot(Dialogs dialogs) {
@@ -140,6 +179,8 @@ void ResultPage::rename(int id, const QString& title) {
             entry.title = title;
     if (panel_ != nullptr)
         drawQuantity();
+    if (tables_ != nullptr)
+        tables_->setTitle(title);
 }
 
 PolarPlot* ResultPage::polarPlot() const {
@@ -153,18 +194,28 @@ CartesianPlot* ResultPage::cartesianPlot() const {
 QStringList ResultPage::exportFilters() const {
     if (draws_ != nullptr)
         return draws_->exportFilters();
+    if (frontier_ != nullptr)
+        return frontier_->exportFilters();
     if (image_ != nullptr)
         return imageFilters();
     QStringList filters{tr("Scalable picture (*.svg)"), tr("PDF (*.pdf)"), tr("Picture (*.png)"),
                         tr("Values as text (*.csv)")};
     if (results_.size() == 1)
         filters << tr("All inputs and values (*.json)");
+    if (tables_ != nullptr)
+        for (const TableFormat* format : tableFormats())
+            if (format->isBuilt)
+                filters << QStringLiteral("%1 (*%2)").arg(format->name, format->extension);
     return filters;
 }
 
 void ResultPage::exportTo(const std::filesystem::path& file) const {
     if (draws_ != nullptr) {
         draws_->exportTo(file);
+        return;
+    }
+    if (frontier_ != nullptr) {
+        frontier_->exportTo(file);
         return;
     }
     const std::string suffix = file.extension().string();
@@ -177,6 +228,10 @@ void ResultPage::exportTo(const std::filesystem::path& file) const {
     } else if (results_.size() == 1 && (suffix == ".json" || suffix == ".csv")) {
         // The data with its provenance, rather than what is visible of it.
         results_.front().data->table.save(file);
+    } else if (tables_ != nullptr && tableFormatOf(file) != nullptr) {
+        saveTable(results_.front().data->table, file);
+    } else if (tables_ != nullptr) {
+        tables_->exportTo(file);
     } else {
         panel_->exportTo(file);
     }

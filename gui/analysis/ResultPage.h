@@ -15,10 +15,13 @@ class QComboBox;
 namespace smat::gui {
 
 class CartesianPlot;
+class FrontierPanel;
 class ImageView;
+class ModelStore;
 class MonteCarloPlots;
 class PlotPanel;
 class PolarPlot;
+class TablePanel;
 
 /// A page with one result, or several on one plot: an image, a polar plot or a Cartesian one, with
 /// what belongs to it.
@@ -31,9 +34,13 @@ class ResultPage : public QWidget, public Exportable {
                         Dialogs dialogs = Dialogs::ofDesktop(), QWidget* parent = nullptr);
 
     const QList<int>& resultIds() const { return ids_; }
+    /// An image is explained with these models; the page lets go of them with itself.
+    void setModels(const std::shared_ptr<ModelStore>& models);
     ImageView* imageView() const { return image_; }
+    TablePanel* tablePanel() const { return tables_; }
     PlotPanel* panel() const { return panel_; }
     MonteCarloPlots* monteCarlo() const { return draws_; }
+    FrontierPanel* frontier() const { return frontier_; }
     PolarPlot* polarPlot() const;
     CartesianPlot* cartesianPlot() const;
     /// Another name of one of its results, which its curve takes.
@@ -48,13 +55,17 @@ class ResultPage : public QWidget, public Exportable {
     void showImage(Dialogs dialogs);
     void showPlot(Dialogs dialogs);
     void showMonteCarlo();
+    void showTable(Dialogs dialogs);
+    void showFrontier(Dialogs dialogs);
     void drawQuantity();
 
     std::vector<ResultEntry> results_;
     QList<int> ids_;
     ImageView* image_ = nullptr;
     PlotPanel* panel_ = nullptr;
+    TablePanel* tables_ = nullptr;
     MonteCarloPlots* draws_ = nullptr;
+    FrontierPanel* frontier_ = nullptr;
     QComboBox* quantity_ = nullptr;
     bool drawn_ = false;
 };

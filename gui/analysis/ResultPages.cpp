@@ -2,11 +2,12 @@
 
 #include <QTabWidget>
 
-#include "gui/Workbench.h"
 #include "gui/analysis/FloatingPages.h"
+#include "gui/analysis/FrontierPanel.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
+#include "gui/workbench/Workbench.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 
@@ -47,6 +48,16 @@ void ResultPages::show(const QList<int>& ids) {
         return;
     try {
         auto* page = new ResultPage(entries, dialogs_);
+        page->setModels(workbench_.models());
+        if (FrontierPanel* frontier = page->frontier()) {
+            const auto follow = [this, frontier] { frontier->setUsable(workbench_.hasProject()); };
+            follow();
+            connect(&workbench_, &Workbench::projectOpened, frontier, follow);
+            connect(frontier, &FrontierPanel::useAsked, this,
+                    [this](const Settings& way, const QString& step) {
+                        workbench_.set(workbench_.settings().with(way), step);
+                    });
+        }
         const QString title =
             entries.size() > 1 ? tr("Overlay of %1").arg(entries.size()) : entries.front().title;
         tabs_->setCurrentIndex(tabs_->addTab(page, icon(entries.front().icon()), title));

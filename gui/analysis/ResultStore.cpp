@@ -95,7 +95,7 @@ int ResultStore::addDifference(int first, int second) {
                  .origin = ResultEntry::Origin::difference});
 }
 
-int ResultStore::addTable(const QString& title, const ResultTable& table) {
+int ResultStore::addTable(const QString& title, const ResultTable& table, bool quietly) {
     AnalysisData data;
     data.kind = resultKindFromName(table.provenance.value("analysis"));
     data.state = AnalysisState::complete;
@@ -103,7 +103,8 @@ int ResultStore::addTable(const QString& title, const ResultTable& table) {
     data.table = table;
     data.commandLine = table.provenance.value("command");
     return keep(
-        {.title = title, .data = shared(std::move(data)), .origin = ResultEntry::Origin::tool});
+        {.title = title, .data = shared(std::move(data)), .origin = ResultEntry::Origin::tool},
+        quietly);
 }
 
 void ResultStore::rename(int id, const QString& title) {

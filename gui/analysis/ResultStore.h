@@ -60,7 +60,7 @@ class ResultStore : public QObject {
     /// unknown result.
     int addDifference(int first, int second);
     /// Adds what a tool computed, a table over some axis.
-    int addTable(const QString& title, const ResultTable& table);
+    int addTable(const QString& title, const ResultTable& table, bool quietly = false);
     /// An empty title is no title: nothing happens.
     void rename(int id, const QString& title);
     void annotate(int id, const QString& notes);

@@ -10,8 +10,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/UnsavedNote.h"
-#include "gui/Workbench.h"
 #include "gui/analysis/AnalysisGeneratorDialog.h"
 #include "gui/analysis/ResultDetailsDialog.h"
 #include "gui/analysis/ResultItemDelegate.h"
@@ -20,6 +18,8 @@
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
+#include "gui/workbench/UnsavedNote.h"
+#include "gui/workbench/Workbench.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 

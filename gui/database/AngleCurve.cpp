@@ -10,14 +10,44 @@
 
 namespace smat::gui {
 
-AngleCurve::AngleCurve(QWidget* parent) : QWidget(parent) {
-    setObjectName("angleCurve");
+namespace {
+
+AngleCurve::Value powerOfCosine(double factor) {
+    return [factor](double cosine) { return factor == 0.0 ? 1.0 : std::pow(cosine, factor); };
+}
+
+} // namespace
+
+AngleCurve::AngleCurve(QString quantity, QWidget* parent)
+    : QWidget(parent), quantity_(std::move(quantity)) {
     setMinimumSize(200, 130);
     setToolTip(tr("Emission against the angle between the surface's normal and the sensor"));
 }
 
-void AngleCurve::setFactor(double factor) {
-    factor_ = factor;
+AngleCurve::Values AngleCurve::tabulated(const Value& value) {
+    Values values;
+    for (int angle_deg = 0; angle_deg <= 90; ++angle_deg)
+        values.push_back(
+            value(angle_deg == 90 ? 0.0 : std::cos(angle_deg * std::numbers::pi / 180.0)));
+    return values;
+}
+
+void AngleCurve::showFactor(double factor) {
+    show(powerOfCosine(factor),
+         {powerOfCosine(0.0), powerOfCosine(0.25), powerOfCosine(1.0), powerOfCosine(3.0)});
+}
+
+void AngleCurve::show(const Value& value, const std::vector<Value>& toCompare) {
+    shown_ = tabulated(value);
+    compared_.clear();
+    for (const Value& each : toCompare)
+        compared_.push_back(tabulated(each));
+    update();
+}
+
+void AngleCurve::clear() {
+    shown_.clear();
+    compared_.clear();
     update();
 }
 
@@ -48,27 +78,24 @@ void AngleCurve::paintEvent(QPaintEvent*) {
     painter.translate(9.0, area.center().y());
     painter.rotate(-90.0);
     painter.drawText(QRectF(-area.height() / 2.0, -8.0, area.height(), 16.0), Qt::AlignCenter,
-                     tr("part of that along the normal"));
+                     quantity_);
     painter.restore();
 
-    const auto curve = [&](double factor) {
+    const auto curve = [&](const Values& values) {
         QPainterPath path;
-        for (int i = 0; i <= 90; ++i) {
-            const double cosine = i == 90 ? 0.0 : std::cos(i * std::numbers::pi / 180.0);
-            const double value = factor == 0.0 ? 1.0 : std::pow(cosine, factor);
-            const QPointF at(area.left() + area.width() * i / 90.0,
-                             area.bottom() - value * area.height());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const QPointF at(area.left() + area.width() * static_cast<double>(i) / 90.0,
+                             area.bottom() - values[i] * area.height());
             i == 0 ? path.moveTo(at) : path.lineTo(at);
         }
         return path;
     };
     painter.setBrush(Qt::NoBrush);
-    for (const double factor : {0.0, 0.25, 1.0, 3.0}) {
-        painter.setPen(QPen(style.faintText, 1.0, Qt::DotLine));
-        painter.drawPath(curve(factor));
-    }
+    painter.setPen(QPen(style.faintText, 1.0, Qt::DotLine));
+    for (const Values& values : compared_)
+        painter.drawPath(curve(values));
     painter.setPen(QPen(style.curve(0), 2.2));
-    painter.drawPath(curve(factor_));
+    painter.drawPath(curve(shown_));
 }
 
 } // namespace smat::gui

@@ -7,6 +7,7 @@
 
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
+#include "gui/widgets/ThemeColors.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
@@ -39,6 +40,7 @@ DatabaseBanner::DatabaseBanner(EditorContext& context, QWidget* parent)
     });
     connect(&context_.workbench(), &Workbench::projectOpened, this, &DatabaseBanner::refresh);
     connect(&context_.workbench(), &Workbench::projectChanged, this, &DatabaseBanner::refresh);
+    connect(&context_.workbench(), &Workbench::modelChosen, this, &DatabaseBanner::refresh);
     refresh();
 }
 
@@ -56,10 +58,10 @@ void DatabaseBanner::attempt(const std::function<void()>& act) {
 }
 
 void DatabaseBanner::say(const QString& text) {
-    const bool dark = isDark(palette());
-    setStyleSheet(QStringLiteral("#databaseBanner { background: %1; border: 1px solid %2;"
-                                 " border-radius: 6px; }")
-                      .arg(dark ? "#3a3322" : "#fff6dd", dark ? "#6b5a2a" : "#ecd48a"));
+    setStyleSheet(
+        QStringLiteral("#databaseBanner { background: %1; border: 1px solid %2;"
+                       " border-radius: 6px; }")
+            .arg(colors::notice(palette()).name(), colors::noticeFrame(palette()).name()));
     words_->setText(text);
     show();
 }

@@ -13,6 +13,7 @@
 #include "gui/database/DatabaseBanner.h"
 #include "gui/database/EntryList.h"
 #include "gui/database/FindingsPanel.h"
+#include "gui/database/ImportMaterialDialog.h"
 #include "gui/database/ImportSpectrumDialog.h"
 #include "gui/database/MaterialPanel.h"
 #include "gui/database/SpectrumPanel.h"
@@ -44,17 +45,22 @@ DatabaseDock::DatabaseDock(Workbench& workbench, const Dialogs& dialogs, QWidget
     tabs_->setIconSize(QSize(16, 16));
     tabs_->setStyleSheet("QTabBar::tab { padding: 7px 8px; }");
     temperature_ = new TemperaturePanel(context_, this);
-    addPage(EntryKind::material, new MaterialPanel(context_, this), tr("Material"));
+    auto* material = new MaterialPanel(context_, this);
+    connect(material, &MaterialPanel::importWanted, this,
+            [this](int index) { importMaterialInto(index); });
+    addPage(EntryKind::material, material, tr("Material"));
     addPage(EntryKind::temperature, temperature_, tr("Temperature"));
     addPage(EntryKind::spectrum, new SpectrumPanel(context_, this), tr("Spectrum"));
     findings_ = new FindingsPanel(context_, this);
     tabs_->addTab(findings_, icon("check-physics"), tr("Findings"));
     letShownPageAloneAskForRoom(*tabs_);
 
-    connect(pageOf(EntryKind::material)
-                .list->addButton("library", "addFromLibrary",
+    auto* materials = pageOf(EntryKind::material).list;
+    connect(materials->addButton("library", "addFromLibrary",
                                  tr("Add common materials and paints from the library")),
             &QToolButton::clicked, this, &DatabaseDock::addFromLibrary);
+    connect(materials->addButton("import", "importMaterial", tr("Import a material from CSV")),
+            &QToolButton::clicked, this, &DatabaseDock::importMaterial);
     auto* spectra = pageOf(EntryKind::spectrum).list;
     connect(spectra->addButton("import", "importSpectrum", tr("Import a spectrum from CSV")),
             &QToolButton::clicked, this, &DatabaseDock::importSpectrum);
@@ -91,6 +97,9 @@ DatabaseDock::DatabaseDock(Workbench& workbench, const Dialogs& dialogs, QWidget
 
     connect(&context_.session(), &DatabaseSession::stateChanged, this, &DatabaseDock::refresh);
     connect(&context_.session(), &DatabaseSession::opened, this, &DatabaseDock::refresh);
+    connect(&workbench, &Workbench::modelChosen, this, &DatabaseDock::refresh);
+    connect(&workbench, &Workbench::projectChanged, this, &DatabaseDock::refresh);
+    connect(&workbench, &Workbench::projectOpened, this, &DatabaseDock::refresh);
     connect(banner_, &DatabaseBanner::newRequested, this, [this] { files_.makeNew(); });
     connect(banner_, &DatabaseBanner::firstSignatureRequested, this,
             &DatabaseDock::firstSignatureWanted);
@@ -175,6 +184,7 @@ QWidget* DatabaseDock::makeHeader() {
     action("library", tr("Add from library…"), "menuLibrary", &DatabaseDock::addFromLibrary);
     action("database", tr("Copy from another database…"), "copyFromDatabase",
            &DatabaseDock::copyFromDatabase);
+    action("import", tr("Import material…"), "menuImportMaterial", &DatabaseDock::importMaterial);
     action("import", tr("Import spectrum…"), "menuImportSpectrum", &DatabaseDock::importSpectrum);
     menu->addSeparator();
     action("new", tr("New database for this model…"), "menuNewDatabase",
@@ -198,9 +208,16 @@ void DatabaseDock::refresh() {
     save_->setEnabled(session.isOpen() && session.isDirty() &&
                       session.access() == DatabaseSession::Access::edit);
     findChild<QToolButton*>("databaseMenu")->setEnabled(context_.workbench().hasProject());
-    title_->setText(!session.isOpen() ? tr("No database")
+    QString title = !session.isOpen() ? tr("No database")
                                       : QString::fromStdString(session.file().filename().string()) +
-                                            (session.isDirty() ? " *" : ""));
+                                            (session.isDirty() ? " *" : "");
+    const Workbench& workbench = context_.workbench();
+    if (workbench.hasProject() && workbench.project().models.size() > 1)
+        title = tr("%1 of %2")
+                    .arg(title,
+                         QString::fromStdString(
+                             workbench.project().models.at(workbench.chosenModel()).shownName()));
+    title_->setText(title);
     title_->setToolTip(QString::fromStdString(session.file().string()));
 }
 
@@ -252,6 +269,29 @@ void DatabaseDock::copyFromDatabase() {
         takeEntries(irsg::loadSignatureFile(path, irsg::OutsideChanges::accept).database,
                     tr("Copy from %1").arg(name), tr("Copy entries from %1").arg(name));
     });
+}
+
+void DatabaseDock::importMaterial() {
+    importMaterialInto({});
+}
+
+void DatabaseDock::importMaterialInto(std::optional<int> wanted) {
+    if (!context_.session().isOpen())
+        return;
+    const QString file =
+        context_.dialogs().openFile(context_.window, tr("Import a material"),
+                                    {tr("Tables (*.csv *.txt *.bsdf)"), tr("All files (*)")});
+    if (file.isEmpty())
+        return;
+    ImportMaterialDialog dialog(context_, file.toStdString(), wanted, context_.window);
+    if (!context_.dialogs().run(dialog) || !dialog.material())
+        return;
+    const int index = dialog.index();
+    const irsg::Material material = *dialog.material();
+    context_.session().edit(
+        tr("Import material %1").arg(index),
+        [&](irsg::SignatureDatabase& database) { database.materials[index] = material; });
+    select({EntryKind::material, index});
 }
 
 void DatabaseDock::importSpectrum() {

@@ -20,8 +20,8 @@ class MaterialPanel;
 class SpectrumPanel;
 class TemperaturePanel;
 
-/// The editor of the target's signature database: materials, temperatures, spectra and findings as
-/// tabs, each a list with the entry that is chosen beside or below it.
+/// The editor of the signature database of the chosen model: materials, temperatures, spectra and
+/// findings as tabs, each a list with the entry that is chosen beside or below it.
 class DatabaseDock : public QDockWidget {
     Q_OBJECT
 
@@ -45,6 +45,9 @@ class DatabaseDock : public QDockWidget {
   public slots:
     void addFromLibrary();
     void copyFromDatabase();
+    void importMaterial();
+    /// Into this index where one is meant.
+    void importMaterialInto(std::optional<int> wanted);
     void importSpectrum();
     void exportSpectrum();
 

@@ -32,6 +32,21 @@ bool DatabaseFiles::mayClose() {
     return !session.isDirty();
 }
 
+bool DatabaseFiles::mayCloseAll() {
+    for (;;) {
+        if (!mayClose())
+            return false;
+        const auto edited = context_.workbench().editedDatabases();
+        if (edited.empty())
+            return true;
+        // It comes to sight first: nobody decides on what is hidden.
+        const auto file = std::filesystem::absolute(edited.begin()->first).lexically_normal();
+        emit context_.session().wanted(file);
+        if (context_.session().file() != file)
+            throw irsg::LogicError("the database of a model cannot be shown: " + file.string());
+    }
+}
+
 void DatabaseFiles::open() {
     if (!context_.workbench().hasProject() || !mayClose())
         return;
@@ -53,7 +68,7 @@ void DatabaseFiles::makeNew() {
         return;
     }
     const Project& project = workbench.project();
-    const ModelKey key = ModelKey::of(project, project.models.front());
+    const ModelKey key = ModelKey::of(project, project.models.at(workbench.chosenModel()));
     const auto& model = key.file;
     const QString file = context_.dialogs().saveFile(
         context_.window, tr("New signature database"), databaseFilters(),
@@ -62,15 +77,32 @@ void DatabaseFiles::makeNew() {
         return;
     context_.attempt(tr("This model cannot be read"), [&] {
         const auto target = workbench.models()->model(key);
-        irsg::SignatureDatabase database;
-        database.title = model.stem().string();
-        for (const auto& [pair, use] : target->codes()) {
-            irsg::TemperatureEntry& entry = database.temperatures[pair.temperature];
-            entry.name = "temperature " + std::to_string(pair.temperature);
-            entry.terms = irsg::TemperatureTerms::ofAmbient();
-            database.materials[pair.material].name = "material " + std::to_string(pair.material);
-        }
-        workbench.target().useNew(file.toStdString(), std::move(database));
+        // The model's own names of what has an index take another reading of its file.
+        naming_.run<irsg::IndexNames>(
+            [model, codes = target->codesBeside()] {
+                return irsg::IndexNames(irsg::namesOf(model, *codes).names);
+            },
+            [this, key, target, file](const irsg::IndexNames& names) {
+                useNew(key, *target, file.toStdString(), names);
+            },
+            [this](const std::exception_ptr& thrown) {
+                context_.dialogs().tell(context_.window, tr("This model cannot be read"),
+                                        sentencesOf(thrown));
+            });
+    });
+}
+
+void DatabaseFiles::useNew(const ModelKey& key, const irsg::Model& model,
+                           const std::filesystem::path& file, const irsg::IndexNames& names) {
+    auto& workbench = context_.workbench();
+    if (!workbench.hasProject())
+        return;
+    const Project& project = workbench.project();
+    if (ModelKey::of(project, project.models.at(workbench.chosenModel())) != key)
+        return; // another model is meant by now
+    context_.attempt(tr("This database cannot be made"), [&] {
+        workbench.target().useNew(
+            file, irsg::blackDatabase(model.codes(), names, key.file.stem().string()));
     });
 }
 
@@ -119,13 +151,14 @@ void DatabaseFiles::overwrite() {
 
 void DatabaseFiles::createScalings() {
     // Each only where it is not there: what somebody wrote is never touched.
-    const auto& models = context_.workbench().project().models;
-    if (models.empty() || isOfSample(context_.workbench().project().resolve(models.front().file)))
+    const auto& project = context_.workbench().project();
+    if (project.models.empty())
         return;
-    context_.attempt(tr("The scaling files cannot be written"), [&] {
-        const auto& project = context_.workbench().project();
-        irsg::createScalingFiles(project.resolve(models.front().file), context_.session().value());
-    });
+    const auto model = project.resolve(project.models.at(context_.workbench().chosenModel()).file);
+    if (isOfSample(model))
+        return;
+    context_.attempt(tr("The scaling files cannot be written"),
+                     [&] { irsg::createScalingFiles(model, context_.session().value()); });
 }
 
 void DatabaseFiles::saveAs() {

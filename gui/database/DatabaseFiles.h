@@ -4,6 +4,9 @@
 #include <QStringList>
 
 #include "gui/database/EditorContext.h"
+#include "gui/widgets/LatestTask.h"
+#include "gui/workbench/ModelStore.h"
+#include "irsg/scene/model/IndexNames.h"
 
 namespace smat::gui {
 
@@ -19,8 +22,11 @@ class DatabaseFiles {
 
     /// False where a person wants to go on editing what is not saved.
     bool mayClose();
+    /// The same of the databases of all models.
+    bool mayCloseAll();
     void open();
-    /// With an entry for every index of the model.
+    /// With an entry for every index of the model, named as the model names those faces. The model
+    /// is read for it in the background: the database opens a moment later.
     void makeNew();
     void save();
     void saveAs();
@@ -28,10 +34,13 @@ class DatabaseFiles {
     void overwrite();
 
   private:
+    void useNew(const ModelKey& key, const irsg::Model& model, const std::filesystem::path& file,
+                const irsg::IndexNames& names);
     /// The two scaling files beside the model, where they are not there.
     void createScalings();
 
     EditorContext& context_;
+    LatestTask naming_;
 };
 
 } // namespace smat::gui

@@ -2,9 +2,9 @@
 
 #include <QApplication>
 
-#include "gui/Workbench.h"
 #include "gui/database/DatabaseDock.h"
 #include "gui/view/SceneView.h"
+#include "gui/workbench/Workbench.h"
 
 namespace smat::gui {
 
@@ -27,8 +27,8 @@ DatabasePreview::DatabasePreview(Workbench& workbench, DatabaseDock& dock, Scene
     });
     connect(&view_, &SceneView::facePicked, this,
             [this](int temperature, int material, int model, const irsg::Vec3&) {
-                if (model == 0)
-                    dock_.selectCodes(temperature, material);
+                workbench_.chooseModel(static_cast<std::size_t>(model));
+                dock_.selectCodes(temperature, material);
                 view_.setHighlighted(
                     {.temperature = temperature, .material = material, .model = model});
             });
@@ -37,20 +37,20 @@ DatabasePreview::DatabasePreview(Workbench& workbench, DatabaseDock& dock, Scene
 }
 
 void DatabasePreview::followEdits() {
-    const auto edited = workbench_.editedDatabases();
-    const auto file = edited.empty() ? std::filesystem::path() : edited.begin()->first;
-    const auto database = edited.empty() ? nullptr : edited.begin()->second;
-    if (!file_.empty() && file != file_)
-        view_.setEditedDatabase(file_, nullptr);
-    if (!file.empty() && (file != file_ || database != shown_))
-        view_.setEditedDatabase(file, database);
-    file_ = file;
-    shown_ = database;
+    auto edited = workbench_.editedDatabases();
+    for (const auto& [file, database] : shown_)
+        if (!edited.contains(file))
+            view_.setEditedDatabase(file, nullptr);
+    for (const auto& [file, database] : edited)
+        if (const auto before = shown_.find(file);
+            before == shown_.end() || before->second != database)
+            view_.setEditedDatabase(file, database);
+    shown_ = std::move(edited);
 }
 
 void DatabasePreview::markCurrent() {
     FaceSelection selection;
-    selection.model = 0;
+    selection.model = static_cast<int>(workbench_.chosenModel());
     if (const auto key = dock_.current(); key && key->kind == EntryKind::temperature)
         selection.temperature = key->index;
     else if (key && key->kind == EntryKind::material)

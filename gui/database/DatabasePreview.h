@@ -1,11 +1,8 @@
 #pragma once
 
-#include <filesystem>
-#include <memory>
-
 #include <QObject>
 
-#include "irsg/signature/SignatureDatabase.h"
+#include "smatcore/project/SceneBuilder.h"
 
 namespace smat::gui {
 
@@ -30,8 +27,7 @@ class DatabasePreview : public QObject {
     Workbench& workbench_;
     DatabaseDock& dock_;
     SceneView& view_;
-    std::filesystem::path file_; ///< that the view has an edited database for
-    std::shared_ptr<const irsg::SignatureDatabase> shown_;
+    SceneBuilder::DatabaseOverrides shown_; ///< that the view has in place of files
 };
 
 } // namespace smat::gui

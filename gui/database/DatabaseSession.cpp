@@ -61,7 +61,7 @@ class DatabaseSession::Step : public QUndoCommand {
 
   private:
     void apply(bool forward) {
-        if (taken_ == session_.taken_)
+        if (session_.bring(taken_))
             session_.apply(change_, forward);
         else
             setObsolete(true);
@@ -89,10 +89,12 @@ DatabaseSession::~DatabaseSession() {
     // Edits that were not saved stay in their copy: closing asks before it comes to this.
     blockSignals(true);
     if (dirty_)
-        writeRecoveryNow();
+        writeRecoveryNow(); // those aside have theirs
 }
 
 void DatabaseSession::open(const fs::path& file, irsg::OutsideChanges outside) {
+    if (takeFromAside(fs::absolute(file).lexically_normal()))
+        return;
     // What is physically wrong is shown, to be repaired; only saving refuses it.
     auto loaded = irsg::loadSignatureFile(file, outside, irsg::LintErrors::accept);
     const bool accepted = !loaded.changedOutside.empty();
@@ -109,8 +111,8 @@ void DatabaseSession::create(const fs::path& file, irsg::SignatureDatabase value
 }
 
 void DatabaseSession::close() {
-    ++taken_;
-    leave();
+    leaveOrPutAside({});
+    taken_ = ++lastTaken_;
     value_ = saved_ = nullptr;
     file_.clear();
     left_.clear();
@@ -122,9 +124,11 @@ void DatabaseSession::close() {
 
 void DatabaseSession::take(const fs::path& file, irsg::SignatureDatabase value,
                            std::optional<irsg::SignatureDatabase> saved) {
-    ++taken_;
-    leave();
-    file_ = fs::absolute(file).lexically_normal();
+    const fs::path next = fs::absolute(file).lexically_normal();
+    leaveOrPutAside(next);
+    aside_.erase(next);
+    taken_ = ++lastTaken_;
+    file_ = next;
     value_ = std::make_shared<const irsg::SignatureDatabase>(std::move(value));
     isNew_ = !saved;
     acceptedOutside_ = false;
@@ -318,7 +322,7 @@ void DatabaseSession::discard() {
         close();
         return;
     }
-    ++taken_;
+    taken_ = ++lastTaken_;
     acceptedOutside_ = false;
     const auto change = DatabaseChange::between(value(), *saved_);
     value_ = saved_;

@@ -2,8 +2,10 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include <QFileSystemWatcher>
 #include <QLockFile>
@@ -22,8 +24,8 @@ namespace smat::gui {
 /// The signature database that is being edited: its file, its value, and what its file holds.
 /// Edits live in memory until they are saved; each is a named step of the window's undo stack.
 /// While there are unsaved edits, a recovery copy of them lies beside the file
-/// (`NAME.sigdb.recovery`), and a lock file tells other windows that this one edits. Knows no
-/// widget.
+/// (`NAME.sigdb.recovery`), and a lock file tells other windows that this one edits. Databases of
+/// other models of the project stay aside as they are, with their edits and steps. Knows no widget.
 class DatabaseSession : public QObject {
     Q_OBJECT
 
@@ -47,6 +49,11 @@ class DatabaseSession : public QObject {
     /// A new database that is to become this file; all of it is unsaved.
     void create(const std::filesystem::path& file, irsg::SignatureDatabase value);
     void close();
+    /// The files, absolute, that stay aside when another is taken; all others are left.
+    void keepAside(std::set<std::filesystem::path> files);
+    /// What is aside and not saved, by file.
+    using Values = std::map<std::filesystem::path, std::shared_ptr<const irsg::SignatureDatabase>>;
+    Values unsavedAside() const;
     bool isOpen() const { return value_ != nullptr; }
 
     const std::filesystem::path& file() const { return file_; }
@@ -107,9 +114,30 @@ class DatabaseSession : public QObject {
     void stateChanged();
     /// Another program changed the file.
     void changedOnDisk();
+    /// A step of a database that is aside is done or undone: it is to be shown.
+    void wanted(const std::filesystem::path& file);
 
   private:
     class Step;
+    /// A database with all that belongs to it, as the members below.
+    struct Aside {
+        std::shared_ptr<const irsg::SignatureDatabase> value, saved;
+        bool isNew = false, acceptedOutside = false, dirty = false;
+        Access access = Access::edit;
+        QString otherWindow;
+        int taken = 0;
+        std::optional<irsg::FileStamp> stamp;
+        std::unique_ptr<QLockFile> lock;
+        std::filesystem::path recovery;
+        QString recoveryProblem;
+        std::vector<std::filesystem::path> left;
+    };
+    void putAside();
+    bool takeFromAside(const std::filesystem::path& file);
+    /// Shows the database that a step is of; false where it was left.
+    bool bring(int taken);
+    void leaveOrPutAside(const std::filesystem::path& next);
+
     void take(const std::filesystem::path& file, irsg::SignatureDatabase value,
               std::optional<irsg::SignatureDatabase> saved);
     void apply(const DatabaseChange& change, bool forward);
@@ -129,7 +157,11 @@ class DatabaseSession : public QObject {
     Access access_ = Access::edit;
     QString otherWindow_;
     int gesture_ = 0;
-    int taken_ = 0; ///< counts what was opened: steps of another do nothing
+    int taken_ = 0; ///< which of those that were opened this is: steps of one that was left do
+                    ///< nothing
+    int lastTaken_ = 0;
+    std::set<std::filesystem::path> keep_;
+    std::map<std::filesystem::path, Aside> aside_;
     std::optional<irsg::FileStamp> stamp_;
     std::unique_ptr<QLockFile> lock_;
     QFileSystemWatcher watcher_;

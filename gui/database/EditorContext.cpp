@@ -17,7 +17,12 @@ EditorContext::EditorContext(Workbench& workbench, DatabaseSession& session, Dia
         readModel();
         readSettings();
     });
-    connect(&workbench_, &Workbench::projectChanged, this, &EditorContext::readModel);
+    const auto readBoth = [this] {
+        readModel();
+        readSettings();
+    };
+    connect(&workbench_, &Workbench::projectChanged, this, readBoth);
+    connect(&workbench_, &Workbench::modelChosen, this, readBoth);
     connect(&workbench_.painted(), &PaintedModels::changed, this,
             [this](const std::filesystem::path& model) {
                 if (target_ && target_->file == model)
@@ -38,7 +43,7 @@ void EditorContext::readModel() {
         knowsModel_ = false;
         return;
     }
-    const ProjectModel& target = workbench_.project().models.front();
+    const ProjectModel& target = workbench_.project().models.at(workbench_.chosenModel());
     const ModelKey key = ModelKey::of(workbench_.project(), target);
     const bool isKnown = target_ == key;
     if (isKnown && use_.fallbackTemperature == target.fallbackTemperature &&
@@ -81,12 +86,20 @@ void EditorContext::readSettings() {
     const Project& project = workbench_.project();
     const Settings& settings = workbench_.settings();
     std::string key, air;
-    for (const std::string_view name : std::initializer_list<std::string_view>{
-             key::sensorBand, key::sensorResponse, key::stateTime, key::statePower, key::stateMach})
+    for (const std::string_view name :
+         std::initializer_list<std::string_view>{key::sensorBand, key::sensorResponse})
         key += settings.text(name) + "|";
     for (const std::string_view name : std::initializer_list<std::string_view>{
-             key::environmentAtmospheres, key::environmentAmbientTemperature, key::targetAltitude})
+             key::environmentAtmospheres, key::environmentAmbientTemperature})
         air += settings.text(name) + "|";
+    irsg::EntityState state;
+    if (const std::size_t chosen = workbench_.chosenModel(); chosen < project.models.size()) {
+        state = stateOf(project, settings, chosen);
+        state.altitude_m = poseOf(project, settings, chosen).position_m.z;
+    }
+    key += std::to_string(state.time_s) + "|" + std::to_string(state.power) + "|" +
+           std::to_string(state.mach);
+    air += std::to_string(state.altitude_m);
     if (key == settingsKey_ && air == airKey_)
         return;
     settingsKey_ = key;
@@ -95,10 +108,8 @@ void EditorContext::readSettings() {
     } catch (const irsg::InputError&) {
         // A response that cannot be read is told where it is used; the last band stays.
     }
-    state_.time_s = settings[key::stateTime];
-    state_.power = settings[key::statePower];
-    state_.mach = settings[key::stateMach];
-    state_.altitude_m = settings[key::targetAltitude];
+    state.ambient_K = state_.ambient_K;
+    state_ = state;
     if (air != airKey_) {
         airKey_ = air;
         try {

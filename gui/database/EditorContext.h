@@ -6,11 +6,11 @@
 
 #include <QObject>
 
-#include "gui/Workbench.h"
 #include "gui/database/DatabaseEdits.h"
 #include "gui/database/DatabaseSession.h"
 #include "gui/widgets/Dialogs.h"
 #include "gui/widgets/LatestTask.h"
+#include "gui/workbench/Workbench.h"
 #include "irsg/signature/EntityState.h"
 #include "irsg/signature/Lint.h"
 
@@ -32,17 +32,17 @@ class EditorContext : public QObject {
     /// Says under this title what a file was refused for.
     void attempt(const QString& title, const std::function<void()>& act) const;
 
-    /// Faces of the target that carry an index; 0 for spectra.
+    /// Faces of the chosen model that carry an index; 0 for spectra.
     int facesOf(const EntryKey& key) const;
-    /// What the target asks of the database, for the physics to validate.
+    /// What the chosen model asks of the database, for the physics to validate.
     const irsg::ModelUse& modelUse() const { return use_; }
-    /// Indices of the target's faces that the database has no entry for.
+    /// Indices of the chosen model's faces that the database has no entry for.
     std::vector<EntryKey> missing() const;
     /// False where the model could not be read, or is not read yet.
     bool knowsModel() const { return knowsModel_; }
     bool isReadingModel() const { return reading_.isBusy(); }
     const irsg::SpectralRange& band() const { return band_; }
-    /// Of the target as the project's settings have it, in the air of its atmosphere.
+    /// Of the chosen model as the project has it, in the air of its atmosphere.
     const irsg::EntityState& state() const { return state_; }
 
     /// "Material 3", with its name where it has one.

@@ -7,6 +7,7 @@
 #include <QPixmap>
 
 #include "gui/widgets/Theme.h"
+#include "gui/widgets/ThemeColors.h"
 #include "irsg/image/ColorMap.h"
 
 namespace smat::gui {
@@ -64,7 +65,7 @@ std::vector<EntryListModel::Row> EntryListModel::rowsNow() const {
                             measured ? QString::fromStdString(entry.userSpectrum)
                                      : QString::number(now_K, 'f', 1) + " K",
                             0,
-                            measured ? QColor("#3b7be0") : temperatureColor(now_K)});
+                            measured ? colors::measuredEntry() : temperatureColor(now_K)});
         }
     } else {
         int number = 0;

@@ -26,10 +26,13 @@ class EntryNumbers {
     using Row = irsg::EntryField<Entry>;
 
     /// Makes the fields, children of `parent`. `edited(row, value)` is called for what a person
-    /// types, `finished()` when the typing is over.
-    template <typename Edited, typename Finished>
-    EntryNumbers(std::span<const Row> rows, QWidget* parent, Edited edited, Finished finished) {
+    /// types, `finished()` when the typing is over. Of all rows those that `belongs` says.
+    template <typename Edited, typename Finished, typename Belongs>
+    EntryNumbers(std::span<const Row> rows, QWidget* parent, Edited edited, Finished finished,
+                 Belongs belongs) {
         irsg::forEachField<double>(rows, [&](const Row& row, auto member) {
+            if (!belongs(row))
+                return;
             auto* field = makeNumberField(row.key, row.unit, row.help, row.number, parent);
             QObject::connect(field, &NumberField::edited, parent,
                              [&row, edited](double value) { edited(row, value); });
@@ -38,9 +41,21 @@ class EntryNumbers {
         });
     }
 
+    template <typename Edited, typename Finished>
+    EntryNumbers(std::span<const Row> rows, QWidget* parent, Edited edited, Finished finished)
+        : EntryNumbers(rows, parent, edited, finished, [](const Row&) { return true; }) {}
+
     void show(const Entry& entry) {
         for (const Shown& each : shown_)
             each.field->setValue(entry.*each.member);
+    }
+    /// Shows the fields of some rows alone.
+    template <typename Belongs>
+    void showOnly(Belongs belongs) {
+        for (const Shown& each : shown_) {
+            each.label->setVisible(belongs(*each.row));
+            each.field->setVisible(belongs(*each.row));
+        }
     }
     /// In pairs, each a label and its field, `perLine` of them a line.
     template <typename Grid>

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -48,11 +49,22 @@ FactorsPanel::FactorsPanel(EditorContext& context, QWidget* parent)
         constant_ = makeNumberField(row.key, row.unit, row.help, row.number, this);
         constant_->setObjectName("factorConstant");
     });
+    irsg::forEachField<irsg::FactorSelection>(
+        irsg::factorFields(), [&](const Row& row, auto /*member*/) {
+            selectionRow_ = &row;
+            selection_ = new QComboBox(this);
+            selection_->setObjectName("factorSelection");
+            selection_->setAccessibleName(tr(row.label));
+            selection_->setToolTip(tr(row.help));
+            selection_->addItem(tr("Tables"), static_cast<int>(irsg::FactorSelection::table));
+            selection_->addItem(tr("Constant alone"),
+                                static_cast<int>(irsg::FactorSelection::constant));
+        });
     auto* row = new QHBoxLayout;
+    row->addWidget(selection_);
+    row->addSpacing(12);
     row->addWidget(makeFieldLabel(constantRow_->label, this));
     row->addWidget(constant_);
-    row->addSpacing(12);
-    row->addWidget(axis_);
     row->addStretch(1);
 
     nodes_ = new NodeEditor(this);
@@ -72,6 +84,7 @@ FactorsPanel::FactorsPanel(EditorContext& context, QWidget* parent)
     column->setSpacing(8);
     column->addWidget(list_);
     column->addLayout(row);
+    column->addWidget(axis_, 0, Qt::AlignLeft);
     column->addWidget(nodes_, 1);
 
     connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
@@ -87,6 +100,15 @@ FactorsPanel::FactorsPanel(EditorContext& context, QWidget* parent)
         push(constantRow_->key, tr("%1 of %2").arg(tr(constantRow_->word), component_));
     });
     connect(constant_, &NumberField::finished, this, &FactorsPanel::gestureEnded);
+    connect(selection_, &QComboBox::activated, this, [this](int chosen) {
+        const auto selection =
+            static_cast<irsg::FactorSelection>(selection_->itemData(chosen).toInt());
+        if (selection == shownFactor().selection)
+            return;
+        factor().*selectionRow_->as<irsg::FactorSelection>() = selection;
+        push(selectionRow_->key, tr("%1 of %2").arg(tr(selectionRow_->word), component_));
+        emit gestureEnded();
+    });
     connect(nodes_, &NodeEditor::edited, this, [this](const Nodes& nodes, const QString& what) {
         const Row& row = shownRow();
         auto& table = factor().*row.as<irsg::LookupTable>();
@@ -148,19 +170,21 @@ void FactorsPanel::showList() {
     const QSignalBlocker quiet(list_);
     list_->clear();
     QTreeWidgetItem* chosen = nullptr;
-    const auto nodeCount = [](const irsg::LookupTable& table) {
-        return table.empty()
-                   ? QString("–")
-                   : counted(static_cast<long>(table.x().size()), tr("node"), tr("nodes")) +
-                         (table.loop() ? tr(", loop") : QString());
+    const auto nodeCount = [](const irsg::ComponentFactor& factor, const irsg::LookupTable& table) {
+        const QString count =
+            table.empty() ? QString("–")
+                          : counted(static_cast<long>(table.x().size()), tr("node"), tr("nodes")) +
+                                (table.loop() ? tr(", loop") : QString());
+        const bool isAside = factor.selection == irsg::FactorSelection::constant && !table.empty();
+        return isAside ? tr("%1, not used").arg(count) : count;
     };
     for (const auto& name : names) {
         const auto found = std::ranges::find(factors_, name, &irsg::ComponentFactor::component);
         const irsg::ComponentFactor factor =
             found == factors_.end() ? irsg::ComponentFactor{name, 1.0, {}, {}} : *found;
-        auto* item = new QTreeWidgetItem({QString::fromStdString(name), textOf(factor.constant),
-                                          nodeCount(factor.time), nodeCount(factor.angle),
-                                          QString::number(factor.at(state_), 'g', 4)});
+        auto* item = new QTreeWidgetItem(
+            {QString::fromStdString(name), textOf(factor.constant), nodeCount(factor, factor.time),
+             nodeCount(factor, factor.angle), QString::number(factor.at(state_), 'g', 4)});
         if (spectrum_.find(name) == nullptr)
             item->setToolTip(0, tr("The spectrum has no component of this name"));
         list_->addTopLevelItem(item);
@@ -190,6 +214,7 @@ void FactorsPanel::selectComponent(const QString& name) {
 void FactorsPanel::showTable() {
     const bool any = !component_.isEmpty();
     constant_->setEnabled(any);
+    selection_->setEnabled(any);
     nodes_->setEnabled(any);
     axis_->setEnabled(any);
     const Row& row = shownRow();
@@ -206,6 +231,7 @@ void FactorsPanel::showTable() {
     const auto shown = shownFactor();
     const irsg::LookupTable& table = shown.*row.as<irsg::LookupTable>();
     constant_->setValue(shown.*constantRow_->as<double>());
+    selection_->setCurrentIndex(selection_->findData(static_cast<int>(shown.selection)));
     nodes_->setNodes(nodesOf(table));
     loop_->setVisible(row.table.mayLoop);
     loop_->setChecked(table.loop());

@@ -6,6 +6,7 @@
 #include "gui/database/EntryNumbers.h"
 
 class QCheckBox;
+class QComboBox;
 class QTabBar;
 class QTreeWidget;
 class QTreeWidgetItem;
@@ -15,7 +16,8 @@ namespace smat::gui {
 class NodeEditor;
 
 /// The factors c_j(t, angle) of the components of a user-defined spectrum (eq. 6): a constant, and
-/// tables over time, which may loop, and over the angle from the nose axis.
+/// tables over time, which may loop, and over the angle from the nose axis, and which of them
+/// counts.
 class FactorsPanel : public QWidget {
     Q_OBJECT
 
@@ -56,6 +58,8 @@ class FactorsPanel : public QWidget {
     const Row* shownRow_ = nullptr;
     const Row* constantRow_ = nullptr;
     NumberField* constant_ = nullptr;
+    const Row* selectionRow_ = nullptr;
+    QComboBox* selection_ = nullptr;
     QCheckBox* loop_ = nullptr;
     NodeEditor* nodes_ = nullptr;
 };

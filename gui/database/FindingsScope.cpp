@@ -24,6 +24,7 @@ bool isSame(const irsg::LintScope& a, const irsg::LintScope& b) {
                           x.materialFaces == y.materialFaces &&
                           x.temperaturesOfMaterial == y.temperaturesOfMaterial &&
                           x.levelsOfDetail == y.levelsOfDetail &&
+                          x.sharedPlanes == y.sharedPlanes &&
                           x.fallbackTemperature == y.fallbackTemperature &&
                           x.fallbackMaterial == y.fallbackMaterial;
                });
@@ -92,7 +93,8 @@ FindingsScope::Surroundings FindingsScope::ofTargetAlone() const {
     if (context_.knowsModel()) {
         const Project& project = context_.workbench().project();
         around.scope.models.push_back(context_.modelUse());
-        around.modelFiles.push_back(project.resolve(project.models.front().file));
+        around.modelFiles.push_back(
+            project.resolve(project.models.at(context_.workbench().chosenModel()).file));
     }
     return around;
 }

@@ -1,22 +1,17 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 
-#include <QDialog>
-
-#include "gui/database/EditorContext.h"
+#include "gui/database/ImportDialog.h"
 
 class QComboBox;
-class QDialogButtonBox;
-class QLabel;
 class QLineEdit;
 
 namespace smat::gui {
 
 /// Reads a user-defined spectrum from a CSV file with the unit that a person gives where the file
-/// states none, and shows meanwhile what comes of it.
-class ImportSpectrumDialog : public QDialog {
+/// states none.
+class ImportSpectrumDialog : public ImportDialog {
     Q_OBJECT
 
   public:
@@ -27,16 +22,12 @@ class ImportSpectrumDialog : public QDialog {
     const std::optional<irsg::UserSpectrum>& spectrum() const { return spectrum_; }
 
   private:
-    void read();
+    QString readFile() override;
 
-    const EditorContext& context_;
-    std::filesystem::path file_;
     std::optional<irsg::UserSpectrum> spectrum_;
     QLineEdit* name_ = nullptr;
     QComboBox* unit_ = nullptr;
     QLineEdit* distance_ = nullptr;
-    QLabel* outcome_ = nullptr;
-    QDialogButtonBox* buttons_ = nullptr;
 };
 
 } // namespace smat::gui

@@ -1,5 +1,7 @@
 #include "gui/database/MaterialPanel.h"
 
+#include <string_view>
+
 #include <QGridLayout>
 #include <QLabel>
 #include <QTabWidget>
@@ -7,6 +9,7 @@
 
 #include "gui/database/AngleCurve.h"
 #include "gui/database/SpectralProperty.h"
+#include "gui/database/SurfacePage.h"
 #include "gui/widgets/Widgets.h"
 
 namespace smat::gui {
@@ -22,6 +25,7 @@ MaterialPanel::MaterialPanel(EditorContext& context, QWidget* parent)
     tabs_->addTab(emissivity_, tr("Emissivity"));
     tabs_->addTab(transmissivity_, tr("Transmissivity"));
     tabs_->addTab(makeAngle(), tr("N angle factor"));
+    tabs_->addTab(makeSurface(), tr("Surface"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 8, 0, 0);
     column->setSpacing(4);
@@ -53,23 +57,19 @@ SpectralProperty* MaterialPanel::makeProperty(bool emissivity) {
 
 QWidget* MaterialPanel::makeAngle() {
     auto* holder = new QWidget(this);
-    using Row = irsg::EntryField<irsg::Material>;
-    numbers_.emplace(
-        irsg::materialFields(), holder,
-        [this](const Row& row, double value) {
-            edit(tr("Set %1 of material %2").arg(tr(row.word)).arg(key_ ? key_->index : 0), row.key,
-                 [&](irsg::SignatureDatabase& database) {
-                     database.materials.at(key_->index).*row.as<double>() = value;
-                 });
-        },
-        [this] { endGesture(); });
     auto* words =
         new QLabel(tr("Emission is multiplied by cos<sup>N</sup> of the angle between the normal "
                       "and the sensor. Dotted: N = 0, 0.25, 1 and 3."),
                    holder);
     words->setWordWrap(true);
     words->setForegroundRole(QPalette::PlaceholderText);
-    curve_ = new AngleCurve(holder);
+    curve_ = new AngleCurve(tr("part of that along the normal"), holder);
+    curve_->setObjectName("angleCurve");
+    using Row = irsg::EntryField<irsg::Material>;
+    numbers_.emplace(
+        irsg::materialFields(), holder,
+        [this](const Row& row, double value) { setNumber(row, value); }, [this] { endGesture(); },
+        [](const Row& row) { return std::string_view(row.page).empty(); });
     auto* form = new QGridLayout;
     numbers_->addTo(*form, 1);
     auto* column = new QVBoxLayout(holder);
@@ -81,6 +81,32 @@ QWidget* MaterialPanel::makeAngle() {
     return holder;
 }
 
+QWidget* MaterialPanel::makeSurface() {
+    using Row = irsg::EntryField<irsg::Material>;
+    surface_ = new SurfacePage(this);
+    connect(surface_, &SurfacePage::modelChosen, this, [this](const std::string& name) {
+        edit(tr("Set surface model of material %1").arg(key_ ? key_->index : 0), "surfaceModel",
+             [&](irsg::SignatureDatabase& database) {
+                 database.materials.at(key_->index).surfaceModel = name;
+             });
+    });
+    connect(surface_, &SurfacePage::numberEdited, this,
+            [this](const Row& row, double value) { setNumber(row, value); });
+    connect(surface_, &SurfacePage::gestureEnded, this, [this] { endGesture(); });
+    connect(surface_, &SurfacePage::importWanted, this, [this] {
+        if (key_)
+            emit importWanted(key_->index);
+    });
+    return surface_;
+}
+
+void MaterialPanel::setNumber(const irsg::EntryField<irsg::Material>& row, double value) {
+    edit(tr("Set %1 of material %2").arg(tr(row.word)).arg(key_ ? key_->index : 0), row.key,
+         [&](irsg::SignatureDatabase& database) {
+             database.materials.at(key_->index).*row.as<double>() = value;
+         });
+}
+
 void MaterialPanel::refresh() {
     const irsg::Material& material = context_.session().value().materials.at(key_->index);
     const int faces = context_.facesOf(*key_);
@@ -89,7 +115,8 @@ void MaterialPanel::refresh() {
     emissivity_->setValue(material.emissivity, material.transmissivity, context_.band());
     transmissivity_->setValue(material.transmissivity, material.emissivity, context_.band());
     numbers_->show(material);
-    curve_->setFactor(material.nAngleFactor);
+    curve_->showFactor(material.nAngleFactor);
+    surface_->show(material, context_.band());
 }
 
 } // namespace smat::gui

@@ -9,8 +9,9 @@ namespace smat::gui {
 
 class AngleCurve;
 class SpectralProperty;
+class SurfacePage;
 
-/// One material: emissivity, transmissivity, N angle factor and notes.
+/// One material: emissivity, transmissivity, N angle factor, surface model and notes.
 class MaterialPanel : public EntryPanel {
     Q_OBJECT
 
@@ -18,17 +19,24 @@ class MaterialPanel : public EntryPanel {
     explicit MaterialPanel(EditorContext& context, QWidget* parent = nullptr);
     QTabWidget* tabs() const { return tabs_; }
 
+  signals:
+    /// Of what its surface is made of, from a file into this index.
+    void importWanted(int index);
+
   protected:
     void refresh() override;
 
   private:
     SpectralProperty* makeProperty(bool emissivity);
     QWidget* makeAngle();
+    QWidget* makeSurface();
+    void setNumber(const irsg::EntryField<irsg::Material>& row, double value);
 
     QTabWidget* tabs_ = nullptr;
     SpectralProperty *emissivity_ = nullptr, *transmissivity_ = nullptr;
     std::optional<EntryNumbers<irsg::Material>> numbers_;
     AngleCurve* curve_ = nullptr;
+    SurfacePage* surface_ = nullptr;
 };
 
 } // namespace smat::gui

@@ -9,6 +9,7 @@
 #include "gui/database/NodePlot.h"
 #include "gui/database/NodeTable.h"
 #include "gui/widgets/Theme.h"
+#include "gui/widgets/ThemeColors.h"
 
 namespace smat::gui {
 
@@ -54,8 +55,8 @@ NodeEditor::NodeEditor(QWidget* parent) : QWidget(parent) {
     column->addWidget(split, 1);
 
     connect(table_, &NodeTable::problem, this, [this](const QString& sentence) {
-        const bool dark = isDark(palette());
-        message_->setStyleSheet(QStringLiteral("color: %1").arg(dark ? "#ff9d9d" : "#b3261e"));
+        message_->setStyleSheet(
+            QStringLiteral("color: %1").arg(colors::errorText(palette()).name()));
         message_->setText(sentence);
     });
     connect(table_, &NodeTable::nodeSelected, plot_, &NodePlot::selectNode);

@@ -90,7 +90,7 @@ void NodePlot::dress() {
 
     const QColor color = style.curve(editedColor_);
     line_->setPen(color, 2.2);
-    line_->setTitle(rules_.yName);
+    line_->setTitle(rules_.ySymbol.isEmpty() ? rules_.yName : rules_.ySymbol);
     line_->setLegendAttribute(QwtPlotCurve::LegendShowLine);
     line_->setLegendIconSize(QSize(18, 10));
     heldBefore_->setPen(color, 1.4, Qt::DotLine);

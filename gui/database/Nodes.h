@@ -29,6 +29,7 @@ irsg::Spectrum spectrumOf(const Nodes& nodes, irsg::Spectrum::Outside outside);
 /// What the nodes of one table may be, and how a person reads them.
 struct NodeRules {
     QString xName, xUnit; ///< "wavelength", "um"
+    QString ySymbol;      ///< in the legend; yName where it is empty
     QString yName, yUnit; ///< "emissivity", ""
     double xMinimum = -std::numeric_limits<double>::infinity();
     double xMaximum = std::numeric_limits<double>::infinity();

@@ -8,6 +8,7 @@
 
 #include "gui/database/Nodes.h"
 #include "gui/widgets/Theme.h"
+#include "gui/widgets/ThemeColors.h"
 
 namespace smat::gui {
 
@@ -65,7 +66,7 @@ void NumberField::mark(const QString& problem) {
     setToolTip(problem.isEmpty() ? help_ : problem);
     QPalette colours = QApplication::palette(this);
     if (!problem.isEmpty())
-        colours.setColor(QPalette::Base, isDark(colours) ? QColor("#5a2a2e") : QColor("#ffe3e3"));
+        colours.setColor(QPalette::Base, colors::wrongField(colours));
     setPalette(problem.isEmpty() ? QPalette() : colours);
 }
 

@@ -23,6 +23,11 @@ constexpr int emissivityColor = 1;
 constexpr int transmissivityColor = 0;
 constexpr int reflectivityColor = 2;
 
+/// As the line above the plot has them: names leave a low plot no room.
+QString symbolOf(bool isEmissivity) {
+    return isEmissivity ? QStringLiteral("ε") : QStringLiteral("t");
+}
+
 Curve curveOf(const QString& name, const irsg::Spectrum& spectrum,
               const std::vector<double>& wavelengths_um) {
     return {name, wavelengths_um, spectrum.sample(wavelengths_um)};
@@ -92,6 +97,7 @@ void SpectralProperty::setValue(const irsg::Spectrum& value, const irsg::Spectru
         rules.xName = tr("wavelength");
         rules.xUnit = tr("µm");
         rules.yName = emission ? tr("emissivity") : tr("transmissivity");
+        rules.ySymbol = symbolOf(emission);
         rules.xPositive = true;
         rules.yMinimum = 0.0;
         rules.yMaximum = 1.0;
@@ -135,7 +141,7 @@ void SpectralProperty::drawBackdrop() {
     const double high = std::max(nodes.empty() ? band_.max_um : nodes.back().x, band_.max_um);
     const irsg::Spectrum* both[] = {&value_, &other_};
     const auto axis = irsg::mergeAxes(both, {std::max(0.2, low - 0.5), high + 0.5});
-    Curve rest{tr("reflectivity"), axis, {}};
+    Curve rest{QStringLiteral("ρ"), axis, {}};
     const auto a = value_.sample(axis);
     const auto b = other_.sample(axis);
     for (std::size_t i = 0; i < axis.size(); ++i)
@@ -144,13 +150,11 @@ void SpectralProperty::drawBackdrop() {
     const int own = emission ? emissivityColor : transmissivityColor;
     const int others = emission ? transmissivityColor : emissivityColor;
     if (value_.isConstant()) {
-        nodes_->plot()->setBackdrop(
-            {curveOf(emission ? tr("emissivity") : tr("transmissivity"), value_, axis),
-             curveOf(emission ? tr("transmissivity") : tr("emissivity"), other_, axis), rest});
+        nodes_->plot()->setBackdrop({curveOf(symbolOf(emission), value_, axis),
+                                     curveOf(symbolOf(!emission), other_, axis), rest});
         nodes_->plot()->setCurveColors(own, {own, others, reflectivityColor});
     } else {
-        nodes_->plot()->setBackdrop(
-            {curveOf(emission ? tr("transmissivity") : tr("emissivity"), other_, axis), rest});
+        nodes_->plot()->setBackdrop({curveOf(symbolOf(!emission), other_, axis), rest});
         nodes_->plot()->setCurveColors(own, {others, reflectivityColor});
     }
     const auto [least, most] = std::minmax_element(rest.y.begin(), rest.y.end());

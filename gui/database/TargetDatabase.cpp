@@ -17,9 +17,19 @@ TargetDatabase::TargetDatabase(QUndoStack& undoStack,
                                std::function<void(const std::filesystem::path&)> name)
     : session_(undoStack), name_(std::move(name)) {}
 
-void TargetDatabase::follow(const std::filesystem::path& named, bool anew) {
+void TargetDatabase::follow(const std::filesystem::path& named,
+                            const std::vector<std::filesystem::path>& ofAll, bool anew) {
     named_ = named;
+    ofAll_ = ofAll;
     const auto file = absoluteOf(named);
+    // Those of models that were taken out stay, too: they may come back. Of one model alone there
+    // is one at a time.
+    if (anew || (ofAll.size() < 2 && kept_.size() < 2))
+        kept_.clear();
+    if (!anew)
+        for (const auto& one : ofAll)
+            kept_.insert(absoluteOf(one));
+    session_.keepAside(kept_);
     if (!anew && file == session_.file() && session_.isOpen())
         return;
     problem_.clear();
@@ -72,9 +82,18 @@ void TargetDatabase::saveAs(const std::filesystem::path& file) {
 }
 
 SceneBuilder::DatabaseOverrides TargetDatabase::edited() const {
-    if (!session_.isOpen() || !session_.isDirty())
-        return {};
-    return {{named_, session_.snapshot()}};
+    SceneBuilder::DatabaseOverrides all;
+    const auto aside = session_.unsavedAside();
+    for (const auto& named : ofAll_)
+        if (const auto found = aside.find(absoluteOf(named)); found != aside.end())
+            all[named] = found->second;
+    if (session_.isOpen() && session_.isDirty()) {
+        all[named_] = session_.snapshot();
+        for (const auto& named : ofAll_)
+            if (absoluteOf(named) == session_.file())
+                all[named] = session_.snapshot();
+    }
+    return all;
 }
 
 } // namespace smat::gui

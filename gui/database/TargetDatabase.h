@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <set>
+#include <vector>
 
 #include <QStringList>
 
@@ -10,11 +12,12 @@
 
 namespace smat::gui {
 
-/// The signature database of the target of the project that is open: the file that the project
-/// names is the one that is edited, and why it is not.
+/// The signature database of the model of the project that is chosen: the file that the project
+/// names for it is the one that is edited, and why it is not. Those of the other models keep what
+/// was edited in them.
 class TargetDatabase {
   public:
-    /// `name` makes a file that of the target, as a step that can be undone.
+    /// `name` makes a file that of the chosen model, as a step that can be undone.
     TargetDatabase(QUndoStack& undoStack, std::function<void(const std::filesystem::path&)> name);
 
     /// Open where its file could be read.
@@ -26,23 +29,26 @@ class TargetDatabase {
     /// Throws irsg::InputError.
     void acceptChanges();
 
-    /// What the project names for its target; empty for none. Read again where it is the same, if
-    /// `anew` says so.
-    void follow(const std::filesystem::path& named, bool anew);
-    /// Make another file, or a new database that is to become a file, that of the target, as a step
+    /// What the project names for the model that is chosen, empty for none, and for all of its
+    /// models. Read again where it is the same, if `anew` says so; edits of all are left then.
+    void follow(const std::filesystem::path& named, const std::vector<std::filesystem::path>& ofAll,
+                bool anew);
+    /// Make another file, or a new database that is to become a file, that of the model, as a step
     /// that can be undone. Throw irsg::InputError.
     void use(const std::filesystem::path& file);
     void useNew(const std::filesystem::path& file, irsg::SignatureDatabase value);
-    /// Saves under another name, which becomes that of the target. Throws irsg::InputError.
+    /// Saves under another name, which becomes that of the model. Throws irsg::InputError.
     void saveAs(const std::filesystem::path& file);
-    /// It, where it has edits that are not saved, by the file that it stands in for: they take part
-    /// in view and analyses.
+    /// The databases of all models that have edits that are not saved, by the files that they
+    /// stand in for: they take part in view and analyses.
     SceneBuilder::DatabaseOverrides edited() const;
 
   private:
     DatabaseSession session_;
     std::function<void(const std::filesystem::path&)> name_;
-    std::filesystem::path named_; ///< by the project
+    std::filesystem::path named_;              ///< by the project
+    std::vector<std::filesystem::path> ofAll_; ///< the same of all its models
+    std::set<std::filesystem::path> kept_;     ///< whose edits stay, absolute
     QStringList problem_;
     bool changedOutside_ = false;
 };

@@ -49,12 +49,16 @@ QString scaleWord(irsg::ColorScale scale) {
     return {};
 }
 
+/// Of the scale that was found to show the object.
+QString chosenWord(irsg::ColorScale scale) {
+    return ColorBar::tr("Auto: %1").arg(scaleWord(scale).toLower());
+}
+
 } // namespace
 
 ColorBar::ColorBar(QWidget* parent, const QList<LimitMode>& modes) : QWidget(parent) {
     setObjectName("colorBar");
     map_ = &irsg::ColorMap::named(irsg::ColorMap::defaultName);
-    setFixedWidth(136);
     high_ = new QLineEdit(this);
     high_->setObjectName("limitHigh");
     high_->setToolTip(tr("Value of the last colour, which brighter pixels have, too"));
@@ -71,6 +75,10 @@ ColorBar::ColorBar(QWidget* parent, const QList<LimitMode>& modes) : QWidget(par
            "with a linear scale without its few hottest pixels, Percentiles leave out what is "
            "typed in, Locked keeps them whatever is shown"));
     makeScaleBox();
+    constexpr int leastWidth_px = 136, aroundWords_px = 50;
+    setFixedWidth(std::max(
+        leastWidth_px, fontMetrics().horizontalAdvance(chosenWord(irsg::ColorScale::logarithmic)) +
+                           aroundWords_px));
     makeMarks();
     lowPercent_ = percentBox("percentLow", 1.0, tr("Percentile of the first colour"));
     highPercent_ = percentBox("percentHigh", 99.0, tr("Percentile of the last colour"));
@@ -159,7 +167,7 @@ void ColorBar::setColors(const irsg::ColorMap& map, const irsg::DisplayLimits& l
     map_ = &map;
     limits_ = limits;
     colorScale_->setItemText(colorScale_->findData(static_cast<int>(irsg::ColorScale::automatic)),
-                             tr("Auto: %1").arg(scaleWord(limits.scale).toLower()));
+                             chosenWord(limits.scale));
     low_->setText(readableNumber(limits.low));
     high_->setText(readableNumber(limits.high));
     scale_->update();

@@ -6,6 +6,7 @@
 
 #include <QPainter>
 
+#include "gui/widgets/ThemeColors.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
@@ -28,7 +29,7 @@ SharedValues shareValues(std::shared_ptr<const irsg::RadianceImage> image,
 }
 
 QColor ColoredPlane::markColor(Mark mark) {
-    return mark == failed ? QColor(226, 24, 164) : QColor(245, 166, 0);
+    return mark == failed ? colors::failedPixel() : colors::warnedPixel();
 }
 
 void ColoredPlane::setValues(int width, int height, SharedValues values) {

@@ -12,6 +12,7 @@
 #include "gui/image/ImageInspector.h"
 #include "gui/image/ThresholdForm.h"
 #include "gui/widgets/Readable.h"
+#include "gui/widgets/ThemeColors.h"
 #include "irsg/image/ComparisonFigures.h"
 
 namespace smat::gui {
@@ -177,10 +178,11 @@ void ComparisonReport::showVerdict(const ComparedPair& pair) {
     verdict_->setStyleSheet(
         QStringLiteral("QLabel { background: %1; color: white; font-weight: bold; "
                        "border-radius: 4px; padding: 4px 12px; }")
-            .arg(pass                                              ? "#1f8a4c"
-                 : warning                                         ? "#b36b00"
-                 : compared && verdict_->text() == tr("DIFFERENT") ? "#56657a"
-                                                                   : "#c2283c"));
+            .arg((pass                                              ? colors::verdictPass()
+                  : warning                                         ? colors::verdictWarning()
+                  : compared && verdict_->text() == tr("DIFFERENT") ? colors::verdictDifferent()
+                                                                    : colors::verdictFailure())
+                     .name()));
 }
 
 } // namespace smat::gui

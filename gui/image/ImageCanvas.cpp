@@ -10,12 +10,14 @@
 #include <QWheelEvent>
 
 #include "gui/widgets/Theme.h"
+#include "gui/widgets/ThemeColors.h"
 
 namespace smat::gui {
 namespace {
 
 constexpr double wheelStep = 1.2, keyStep = 1.5;
 constexpr int printedDigits = 4;
+constexpr double leastDrag_px = 4.0;
 
 QString printed(double value) {
     return std::isnan(value) ? QStringLiteral("NaN") : QString::number(value, 'g', printedDigits);
@@ -188,15 +190,16 @@ double ImageCanvas::printingZoom() const {
 void ImageCanvas::drawFrame(QPainter& painter, const QRectF& pixels) const {
     const QRectF box = placement_.inRoom(pixels);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(Qt::black, 3.0));
+    painter.setPen(QPen(colors::imageMarkSeam(), 3.0));
     painter.drawRect(box);
-    painter.setPen(QPen(QColor("#ffd43b"), 1.4));
+    painter.setPen(QPen(colors::imageMark(), 1.4));
     painter.drawRect(box);
 }
 
 void ImageCanvas::drawOutlines(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
-    for (const auto& [color, width] : {std::pair{QColor(0, 0, 0, 150), 3.0}, {Qt::white, 1.0}}) {
+    for (const auto& [color, width] :
+         {std::pair{colors::outlineSeam(), 3.0}, {colors::outline(), 1.0}}) {
         painter.setPen(QPen(color, width));
         for (const QRectF& outline : outlines_)
             painter.drawRect(placement_.inRoom(outline));
@@ -215,15 +218,14 @@ void ImageCanvas::printValues(QPainter& painter) const {
             const QRectF box = placement_.inRoom(QRectF(x, y, 1.0, 1.0));
             const bool right = wiping && box.center().x() >= *wipe_ * width();
             const ColoredPlane& plane = right ? second_ : shown();
-            painter.setPen(plane.shownColorAt(x, y).lightness() > 140 ? QColor("#101010")
-                                                                      : QColor("#f4f4f4"));
+            painter.setPen(colors::textUpon(plane.shownColorAt(x, y)));
             painter.drawText(box, Qt::AlignCenter, printed(static_cast<double>(plane.at(x, y))));
         }
 }
 
 void ImageCanvas::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    painter.fillRect(rect(), isDark(palette()) ? QColor("#14161a") : QColor("#e3e6eb"));
+    painter.fillRect(rect(), colors::imageSurround(palette()));
     if (!hasImage()) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
         painter.drawText(rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
@@ -243,12 +245,12 @@ void ImageCanvas::paintEvent(QPaintEvent*) {
         const QRectF right(line, 0.0, width() - line, height());
         painter.save();
         painter.setClipRect(right);
-        painter.fillRect(right, isDark(palette()) ? QColor("#14161a") : QColor("#e3e6eb"));
+        painter.fillRect(right, colors::imageSurround(palette()));
         second_.draw(painter, placement_.imageInRoom(), right, devicePixelRatioF());
         painter.restore();
-        painter.setPen(QPen(Qt::black, 3.0));
+        painter.setPen(QPen(colors::imageMarkSeam(), 3.0));
         painter.drawLine(QPointF(line, 0.0), QPointF(line, height()));
-        painter.setPen(QPen(QColor("#ffd43b"), 1.4));
+        painter.setPen(QPen(colors::imageMark(), 1.4));
         painter.drawLine(QPointF(line, 0.0), QPointF(line, height()));
     }
     if (zoom() >= printingZoom())
@@ -295,10 +297,14 @@ void ImageCanvas::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void ImageCanvas::mouseReleaseEvent(QMouseEvent* event) {
-    if (selectFrom_)
-        select(*selectFrom_, event->position());
+    const std::optional<QPointF> from = selectFrom_;
+    if (from)
+        select(*from, event->position());
     panFrom_.reset();
     selectFrom_.reset();
+    if (from && (event->position() - *from).manhattanLength() <= leastDrag_px)
+        if (const auto pixel = pixelAt(*from))
+            emit clicked(*pixel);
 }
 
 void ImageCanvas::mouseDoubleClickEvent(QMouseEvent*) {
@@ -312,7 +318,7 @@ void ImageCanvas::leaveEvent(QEvent*) {
 void ImageCanvas::select(const QPointF& from, const QPointF& to) {
     // A click without a drag takes the selection away.
     std::optional<QRectF> box;
-    if ((to - from).manhattanLength() > 4.0)
+    if ((to - from).manhattanLength() > leastDrag_px)
         box = QRectF(placement_.inImage(from), placement_.inImage(to)).normalized();
     const bool hasChanged = chosen_.drag(box);
     update();

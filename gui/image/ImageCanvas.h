@@ -80,6 +80,8 @@ class ImageCanvas : public QWidget {
   signals:
     void hovered(std::optional<QPoint> pixel);
     void selectionChanged();
+    /// On a pixel, without a drag.
+    void clicked(const QPoint& pixel);
     void viewChanged();
 
   protected:

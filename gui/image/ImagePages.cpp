@@ -4,15 +4,17 @@
 
 #include <QFileInfo>
 
-#include "gui/PageTabs.h"
-#include "gui/Workbench.h"
 #include "gui/image/ComparisonWindow.h"
 #include "gui/image/ImageView.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
+#include "gui/workbench/PageTabs.h"
+#include "gui/workbench/Workbench.h"
 #include "irsg/image/ImageFile.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/AskedAnalysis.h"
 #include "smatcore/analysis/Conditions.h"
+#include "smatcore/analysis/PixelExplainer.h"
 
 namespace smat::gui {
 namespace {
@@ -50,6 +52,11 @@ bool ImagePages::areImages(const QStringList& files) {
             suffix == "txt" || suffix == "dat" || (suffix == "csv" && files.size() == 2);
         return mayBeMatrix && irsg::holdsImage(file.toStdString());
     });
+}
+
+std::vector<Project> ImagePages::openProjects() const {
+    return workbench_.hasProject() ? std::vector<Project>{workbench_.project()}
+                                   : std::vector<Project>{};
 }
 
 ComparisonWindow* ImagePages::compareResults(int a, int b) {
@@ -94,6 +101,14 @@ void ImagePages::open(const QStringList& files) {
             view->setBackgroundRole(QPalette::Window);
             view->setTitle(QFileInfo(file).completeBaseName());
             view->setImage(image, bandOf(*image));
+            // Why not, where the file does not say enough, is told when somebody asks.
+            view->setExplainer([this, image, file]() -> PixelPanel::Work {
+                return [image, path = std::filesystem::path(file.toStdString()),
+                        open = openProjects(), models = workbench_.models()] {
+                    return std::make_shared<PixelExplainer>(analysisOfImage(*image, path, open),
+                                                            ModelStore::loader(models));
+                };
+            });
             view->setConditions(QString::fromStdString(lineOf(conditionsOf(*image))));
             tabs_.addPage(view, icon("image"), QFileInfo(file).fileName());
         },

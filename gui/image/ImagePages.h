@@ -1,9 +1,12 @@
 #pragma once
 
+#include <vector>
+
 #include <QObject>
 
 #include "gui/widgets/Dialogs.h"
 #include "gui/widgets/LatestTask.h"
+#include "smatcore/project/Project.h"
 
 namespace smat::gui {
 
@@ -31,6 +34,8 @@ class ImagePages : public QObject {
     ComparisonWindow* compareResults(int a, int b);
 
   private:
+    /// Those whose images may be explained.
+    std::vector<Project> openProjects() const;
     const Workbench& workbench_;
     Dialogs& dialogs_;
     PageTabs& tabs_;

@@ -258,7 +258,7 @@ void ImageView::updateStatistics() {
 
 bool ImageView::isBusy() const {
     return figuresTask_.isBusy() || temperatureTask_.isBusy() || limitsTask_.isBusy() ||
-           canvas_->isBusy() || inspector_->isBusy();
+           canvas_->isBusy() || inspector_->isBusy() || pixels_->isBusy();
 }
 
 QStringList ImageView::exportFilters() const {
@@ -312,6 +312,24 @@ void ImageView::copyValues() const {
     QGuiApplication::clipboard()->setText(valuesText(*image_, plane(), canvas_->selection()));
 }
 
+void ImageView::setExplainer(PixelPanel::Maker maker) {
+    pixels_->setMaker(std::move(maker));
+    explains_->setVisible(pixels_->canExplain());
+    if (!pixels_->canExplain())
+        explains_->setChecked(false);
+}
+
+void ImageView::explainAt(const QPoint& pixel) {
+    if (!explains_->isChecked())
+        return;
+    // Planes of other quantities have no terms of their own.
+    const irsg::ImageChannel* radiance = image_->find("L");
+    std::optional<double> inImage;
+    if (radiance != nullptr)
+        inImage = static_cast<double>(radiance->values[image_->offset(pixel.x(), pixel.y())]);
+    pixels_->ask(pixel, inImage);
+}
+
 void ImageView::keyPressEvent(QKeyEvent* event) {
     const bool back = event->modifiers().testFlag(Qt::ShiftModifier);
     const int key = event->key();
@@ -338,6 +356,11 @@ void ImageView::keyPressEvent(QKeyEvent* event) {
         histogram_->toggle();
     } else if (key == Qt::Key_W) {
         windowsShown_->click();
+    } else if (key == Qt::Key_X && pixels_->canExplain()) {
+        explains_->click();
+    } else if ((key == Qt::Key_Return || key == Qt::Key_Enter) && explains_->isChecked() &&
+               canvas_->cursorPixel()) {
+        explainAt(*canvas_->cursorPixel());
     } else if (key >= Qt::Key_1 && key <= Qt::Key_9) {
         setShownPlane(key - Qt::Key_1);
     } else {
@@ -360,6 +383,7 @@ QList<std::pair<QString, QString>> imageKeys() {
         {ImageView::tr("H"), ImageView::tr("Histogram and statistics")},
         {ImageView::tr("W"),
          ImageView::tr("Antialiasing windows: objects and hot parts with samples of their own")},
+        {ImageView::tr("X"), ImageView::tr("What a pixel is made of: click it, or Return")},
         {ImageView::tr("Ctrl+C, Ctrl+Shift+C"), ImageView::tr("Copy picture, copy values")}};
 }
 

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include "gui/image/ImageExport.h"
+#include "gui/image/PixelPanel.h"
 #include "gui/widgets/Dialogs.h"
 #include "gui/widgets/Exportable.h"
 #include "gui/widgets/LatestTask.h"
@@ -51,6 +52,10 @@ class ImageView : public QWidget, public Exportable {
     void setConditions(const QString& conditions);
     void setDialogs(Dialogs dialogs) { dialogs_ = std::move(dialogs); }
 
+    /// How to explain the pixels of the image; without it there is no such button.
+    void setExplainer(PixelPanel::Maker maker);
+    PixelPanel* pixelPanel() const { return pixels_; }
+
     ImageCanvas* canvas() const { return canvas_; }
     ColorBar* colorBar() const { return colorBar_; }
     ImageInspector* inspector() const { return inspector_; }
@@ -84,6 +89,7 @@ class ImageView : public QWidget, public Exportable {
   private:
     QHBoxLayout* makeBar();
     void connectParts();
+    void explainAt(const QPoint& pixel);
     void showPlane();
     void updateColors();
     void recolor();
@@ -109,10 +115,12 @@ class ImageView : public QWidget, public Exportable {
     ImageCanvas* canvas_ = nullptr;
     ColorBar* colorBar_ = nullptr;
     ImageInspector* inspector_ = nullptr;
+    PixelPanel* pixels_ = nullptr;
     QComboBox* plane_ = nullptr;
     QComboBox* colors_ = nullptr;
     QToolButton* histogram_ = nullptr;
     QToolButton* windowsShown_ = nullptr;
+    QToolButton* explains_ = nullptr;
     std::vector<irsg::SampledWindow> windows_;
     QLabel* conditions_ = nullptr;
     QLabel* readout_ = nullptr;

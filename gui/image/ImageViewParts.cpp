@@ -24,10 +24,13 @@ ImageView::ImageView(QWidget* parent, Dialogs dialogs)
     colorBar_ = new ColorBar(this);
     inspector_ = new ImageInspector(this);
     inspector_->hide();
+    pixels_ = new PixelPanel(this);
+    pixels_->hide();
     conditions_ = new QLabel(this);
     conditions_->setObjectName("conditions");
     conditions_->setForegroundRole(QPalette::PlaceholderText);
     conditions_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    conditions_->setWordWrap(true);
     conditions_->hide();
     readout_ = new QLabel(this);
     readout_->setObjectName("pixelReadout");
@@ -53,12 +56,18 @@ ImageView::ImageView(QWidget* parent, Dialogs dialogs)
     splitter->addWidget(inspector_);
     splitter->setStretchFactor(0, 3);
     splitter->setStretchFactor(1, 1);
+    auto* across = new QSplitter(Qt::Horizontal, this);
+    across->setChildrenCollapsible(false);
+    across->addWidget(splitter);
+    across->addWidget(pixels_);
+    across->setStretchFactor(0, 3);
+    across->setStretchFactor(1, 2);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(10, 10, 10, 8);
     column->setSpacing(8);
     column->addLayout(makeBar());
     column->addWidget(conditions_);
-    column->addWidget(splitter, 1);
+    column->addWidget(across, 1);
     column->addWidget(readout_);
     column->addWidget(statistics_);
     connectParts();
@@ -88,6 +97,10 @@ QHBoxLayout* ImageView::makeBar() {
     windowsShown_ = textButton(tr("Windows"), "showWindows",
                                tr("Outline what the antialiasing sampled by itself (W)"));
     windowsShown_->setCheckable(true);
+    explains_ = textButton(tr("Explain"), "explainPixels",
+                           tr("A click on a pixel says what it is made of (X)"));
+    explains_->setCheckable(true);
+    explains_->hide();
     auto* copy = menuButton(tr("Copy"), "copyImage", tr("Copy to other programs"));
     copy->menu()->addAction(tr("Picture with colour bar"), this, [this] { copyPicture(true); });
     copy->menu()->addAction(tr("Picture"), this, [this] { copyPicture(false); });
@@ -115,13 +128,18 @@ QHBoxLayout* ImageView::makeBar() {
     connect(fit, &QToolButton::clicked, canvas_, &ImageCanvas::fit);
     connect(actual, &QToolButton::clicked, canvas_, &ImageCanvas::showActualSize);
     connect(windowsShown_, &QToolButton::toggled, this, &ImageView::outlineWindows);
+    connect(explains_, &QToolButton::toggled, this, [this](bool on) {
+        pixels_->setVisible(on);
+        if (on)
+            pixels_->prepare();
+    });
     connect(histogram_, &QToolButton::toggled, inspector_, &QWidget::setVisible);
 
     // In two rows where the page is narrow.
     auto* flow = new FlowBar(this);
     flow->first()->addWidget(plane_);
     flow->first()->addWidget(colors_);
-    for (QToolButton* button : {histogram_, windowsShown_, copy, write, fit, actual})
+    for (QToolButton* button : {histogram_, windowsShown_, explains_, copy, write, fit, actual})
         flow->second()->addWidget(button);
     auto* bar = new QHBoxLayout;
     bar->addWidget(flow);
@@ -137,6 +155,7 @@ void ImageView::connectParts() {
                                 : tr("Move the mouse over the image, or press the arrows, to read "
                                      "its pixels"));
     });
+    connect(canvas_, &ImageCanvas::clicked, this, &ImageView::explainAt);
     connect(canvas_, &ImageCanvas::selectionChanged, this, &ImageView::updateStatistics);
     connect(colorBar_, &ColorBar::limitsEdited, this, &ImageView::recolor);
     connect(colorBar_, &ColorBar::modeChosen, this, &ImageView::updateColors);

@@ -6,11 +6,11 @@
 
 #include <osg/Geometry>
 
-#include "gui/Workbench.h"
 #include "gui/paint/BoxMouse.h"
 #include "gui/paint/NewEntryDialog.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
+#include "gui/workbench/Workbench.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/model/Painting.h"
 
@@ -87,10 +87,14 @@ void FacePainter::connectDock() {
     connect(&dock_, &QDockWidget::visibilityChanged, this, &FacePainter::setActive);
     connect(&dock_, &PaintDock::pickByChosen, this,
             [this] { box_->setOn(isActive_ && dock_.pickBy() == PickBy::box); });
-    connect(&dock_, &PaintDock::modelChosen, this, [this](int model) {
-        number_ = model;
-        readMesh();
+    connect(&dock_, &PaintDock::modelChosen, this,
+            [this](int model) { workbench_.chooseModel(static_cast<std::size_t>(model)); });
+    connect(&workbench_, &Workbench::modelChosen, this, [this] {
+        number_ = static_cast<int>(workbench_.chosenModel());
+        if (isActive_)
+            readMesh();
     });
+    connect(&workbench_, &Workbench::projectOpened, this, [this] { number_ = 0; });
     connect(&dock_, &PaintDock::paintWanted, this, [this] { paint(false); });
     connect(&dock_, &PaintDock::eraseWanted, this, [this] { paint(true); });
     connect(&dock_, &PaintDock::clearWanted, this, [this] { choose({}); });
@@ -346,7 +350,7 @@ void FacePainter::addEntry(EntryKind kind) {
 }
 
 const irsg::SignatureDatabase* FacePainter::database() const {
-    if (number_ == 0 && workbench_.database().isOpen())
+    if (workbench_.database().isOpen())
         return &workbench_.database().value();
     return shown() != nullptr ? shown()->signature.get() : nullptr;
 }
@@ -376,7 +380,7 @@ void FacePainter::fillBoxes() {
             temperatures.try_emplace(codes.temperature);
             materials.try_emplace(codes.material);
         }
-    const bool mayAdd = number_ == 0 && workbench_.database().isOpen();
+    const bool mayAdd = workbench_.database().isOpen();
     dock_.temperature().setEntries(temperatures, mayAdd);
     dock_.material().setEntries(materials, mayAdd);
 }

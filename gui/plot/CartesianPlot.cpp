@@ -118,13 +118,18 @@ void CartesianPlot::setData(PlotData data) {
     detachItems(QwtPlotItem::Rtti_PlotCurve, true);
     forgetItems();
     data_ = std::move(data);
+    drawn_.clear();
+    for (const Curve& curve : data_.curves)
+        drawn_.push_back(curve.drawn());
 
     setTitle(plotTitle(data_.title, data_.conditions, style_));
     setAxisTitle(xBottom, axisText(data_.xTitle, style_));
     setAxisTitle(yLeft, axisText(data_.yTitle, style_));
     for (std::size_t i = 0; i < data_.curves.size(); ++i) {
-        auto* item = new SampledCurve(data_.curves[i]);
+        auto* item = new SampledCurve(drawn_[i]);
         item->setZ(10.0 + static_cast<double>(i));
+        // What a lone curve is may stand at its axis.
+        item->setItemAttribute(QwtPlotItem::Legend, data_.curves[i].name != data_.xTitle);
         item->attach(this);
         adopt(item);
     }
@@ -165,8 +170,7 @@ CartesianPlot::View CartesianPlot::fullView() const {
     View view{{xLog ? 1.0 : 0.0, xLog ? 10.0 : 1.0}, {yLog ? 1.0 : 0.0, yLog ? 10.0 : 1.0}};
     if (const auto range = rangeOf(data_.curves, &Curve::x, xLog))
         view.x = padded(*range, xLog, 0.0);
-    if (const auto range =
-            yLog ? logarithmicRange(data_.curves) : rangeWithErrors(data_.curves, false))
+    if (const auto range = yLog ? logarithmicRange(drawn_) : rangeWithErrors(drawn_, false))
         view.y = padded(*range, yLog, 0.06);
     return view;
 }

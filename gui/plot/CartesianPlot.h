@@ -73,6 +73,7 @@ class CartesianPlot : public QwtPlot, public CurvePlot {
     QRectF seenRect() const;
 
     PlotData data_;
+    std::vector<Curve> drawn_; ///< those of the data, straight between their samples
     QwtPlotGrid* grid_ = nullptr;
     std::unique_ptr<PlotNavigator> navigator_;
     ViewHistory<View> history_;

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <QStringList>
 
 #include "gui/widgets/Readable.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/data/CurveThrough.h"
 
 namespace smat::gui {
 
@@ -15,7 +17,43 @@ void Curve::check() const {
         throw irsg::LogicError("curve " + name.toStdString() + ": its columns differ in length");
 }
 
-std::optional<double> Curve::valueAt(double at) const {
+namespace {
+
+/// A run of finite samples of a smooth curve, `first` to `last`, and what lies between them.
+struct SmoothRun {
+    std::size_t first, last;
+    CurveThrough curve;
+};
+
+/// None where the curve is not smooth or cannot be. A turn without gaps is one run that closes.
+std::vector<SmoothRun> smoothRuns(const Curve& curve, double period) {
+    const auto &x = curve.x, &y = curve.y;
+    std::vector<SmoothRun> runs;
+    if (!curve.isSmooth || std::ranges::adjacent_find(x, std::greater_equal<>()) != x.end())
+        return runs;
+    const auto isThere = [&](std::size_t i) { return std::isfinite(x[i]) && std::isfinite(y[i]); };
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        if (!isThere(i))
+            continue;
+        std::size_t last = i;
+        while (last + 1 < x.size() && isThere(last + 1))
+            ++last;
+        const bool isWhole = i == 0 && last + 1 == x.size();
+        const auto part = [&](const std::vector<double>& values) {
+            return std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(i),
+                                       values.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+        };
+        runs.push_back(
+            {i, last,
+             CurveThrough(part(x), part(y), isWhole && curve.goesRound(period) ? period : 0.0)});
+        i = last;
+    }
+    return runs;
+}
+
+/// Linear between samples.
+std::optional<double> straightAt(const Curve& curve, double at) {
+    const auto &x = curve.x, &y = curve.y;
     for (std::size_t i = 0; i + 1 < x.size(); ++i) {
         const double x0 = x[i];
         const double x1 = x[i + 1];
@@ -30,9 +68,59 @@ std::optional<double> Curve::valueAt(double at) const {
     return std::nullopt;
 }
 
+} // namespace
+
+bool Curve::goesRound(double period) const {
+    return smat::goesRound(x, period);
+}
+
+Curve Curve::drawn(double period) const {
+    const std::vector<SmoothRun> runs = smoothRuns(*this, period);
+    if (runs.empty())
+        return *this;
+    constexpr int pieces = 8; // of a step: a cubic departs from them by 1/64 of what it does of one
+    Curve more{name, {}, {}};
+    const auto add = [&](double at, double value, double half) {
+        more.x.push_back(at);
+        more.y.push_back(value);
+        if (!error.empty())
+            more.error.push_back(half);
+    };
+    const auto errorOf = [&](std::size_t i) { return error.empty() ? 0.0 : error[i]; };
+    auto run = runs.begin();
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        add(x[i], y[i], errorOf(i));
+        if (run != runs.end() && i > run->last)
+            ++run;
+        const bool closes = i + 1 == x.size() && goesRound(period) && runs.size() == 1 &&
+                            runs.front().first == 0 && runs.front().last == i;
+        if (run == runs.end() || i < run->first || (i == run->last && !closes))
+            continue;
+        const std::size_t next = closes ? 0 : i + 1;
+        const double end = closes ? x[0] + period : x[next];
+        for (int k = 1; k < pieces; ++k) {
+            const double part = static_cast<double>(k) / pieces;
+            add(x[i] + part * (end - x[i]), run->curve.between(i - run->first, part),
+                errorOf(i) + part * (errorOf(next) - errorOf(i)));
+        }
+    }
+    return more;
+}
+
+std::optional<double> Curve::valueAt(double at) const {
+    for (const SmoothRun& run : smoothRuns(*this, 0.0))
+        if (run.first < run.last && at >= x[run.first] && at <= x[run.last])
+            return run.curve.at(at);
+    return straightAt(*this, at);
+}
+
 std::optional<double> Curve::valueAt(double at, double period) const {
     if (x.empty())
         return std::nullopt;
+    if (goesRound(period))
+        if (const auto runs = smoothRuns(*this, period);
+            runs.size() == 1 && runs.front().last + 1 == x.size() && runs.front().first == 0)
+            return runs.front().curve.at(at);
     const double first = *std::min_element(x.begin(), x.end());
     double wrapped = std::fmod(at - first, period);
     if (wrapped < 0.0)

@@ -12,11 +12,21 @@ struct Curve {
     QString name;
     std::vector<double> x, y;
     std::vector<double> error = {}; ///< half the width of a band about y; empty for none
+    /// Its samples follow it, so that it is CurveThrough between them, not straight lines; where x
+    /// ascends.
+    bool isSmooth = false;
 
     /// LogicError where the columns differ in length.
     void check() const;
 
-    /// y at `at`, linear between samples; nothing outside the samples and beside gaps.
+    /// Whether it goes all the way round an axis that repeats but for its last step.
+    bool goesRound(double period) const;
+    /// The curve with as many samples as a line needs that is drawn straight between them: more
+    /// where it is smooth, else the same. `period` as of valueAt.
+    Curve drawn(double period = 0.0) const;
+
+    /// y at `at`, linear between samples or as it is smooth; nothing outside the samples and beside
+    /// gaps.
     std::optional<double> valueAt(double at) const;
     /// The same on an axis that repeats after `period`.
     std::optional<double> valueAt(double at, double period) const;

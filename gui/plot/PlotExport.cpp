@@ -15,13 +15,14 @@
 
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PolarPlot.h"
+#include "gui/widgets/ThemeColors.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReplacement.h"
 
 namespace smat::gui {
 namespace {
 
-using Draw = std::function<void(QPainter&, const QRectF&)>;
+using Draw = DrawOnPaper;
 constexpr double pixelsPerInch = 96.0;
 
 QRectF withMargin(const QRectF& area) {
@@ -66,7 +67,7 @@ QImage asImage(QSize size, const Draw& draw) {
     constexpr int scale = 2;
     constexpr double inchesPerMetre = 39.3700787;
     QImage image(size * scale, QImage::Format_RGB32);
-    image.fill(Qt::white);
+    image.fill(colors::paper());
     image.setDotsPerMeterX(qRound(scale * pixelsPerInch * inchesPerMetre));
     image.setDotsPerMeterY(qRound(scale * pixelsPerInch * inchesPerMetre));
     QPainter painter(&image);
@@ -105,7 +106,7 @@ auto onPaper(const CartesianPlot& plot, QSize size, const Work& work) {
     const std::unique_ptr<CartesianPlot> twin(plot.makePrintCopy());
     twin->resize(size);
     return work([&](QPainter& painter, const QRectF& area) {
-        painter.fillRect(area, Qt::white);
+        painter.fillRect(area, colors::paper());
         QwtPlotRenderer renderer;
         renderer.setDiscardFlag(QwtPlotRenderer::DiscardBackground);
         renderer.render(twin.get(), &painter, withMargin(area));
@@ -116,7 +117,7 @@ auto onPaper(const PolarPlot& plot, QSize size, const Work& work) {
     const std::unique_ptr<PolarPlot> twin(plot.makePrintCopy());
     twin->resize(size);
     return work([&](QPainter& painter, const QRectF& area) {
-        painter.fillRect(area, Qt::white);
+        painter.fillRect(area, colors::paper());
         QwtPolarRenderer renderer;
         renderer.render(twin.get(), &painter, withMargin(area));
     });
@@ -143,6 +144,15 @@ void exportPlotAs(const Plot& plot, const std::filesystem::path& file, QSize siz
 void writePlotFile(const std::filesystem::path& file, const QByteArray& bytes) {
     irsg::writeFileDurably(
         file, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+}
+
+void exportDrawing(const std::filesystem::path& file, const QString& title, QSize size,
+                   const std::function<QString()>& csv, const DrawOnPaper& draw) {
+    exportAs(file, title, size, csv, draw);
+}
+
+QImage drawnPicture(QSize size, const DrawOnPaper& draw) {
+    return asImage(size, draw);
 }
 
 void exportPlot(const CartesianPlot& plot, const std::filesystem::path& file, QSize size) {

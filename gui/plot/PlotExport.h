@@ -1,10 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
 #include <QByteArray>
 #include <QImage>
 #include <QSize>
+
+class QPainter;
+class QRectF;
 
 namespace smat::gui {
 
@@ -36,6 +40,12 @@ enum class PlotPart {
 /// The numbers as text, see toCsv.
 QString plotValues(const CartesianPlot& plot, PlotPart part, QChar separator = ',');
 QString plotValues(const PolarPlot& plot, PlotPart part, QChar separator = ',');
+
+/// The same of anything that paints itself into an area, black on white.
+using DrawOnPaper = std::function<void(QPainter&, const QRectF&)>;
+void exportDrawing(const std::filesystem::path& file, const QString& title, QSize size,
+                   const std::function<QString()>& csv, const DrawOnPaper& draw);
+QImage drawnPicture(QSize size, const DrawOnPaper& draw);
 
 /// Throws irsg::InputError; a file already there is then left alone.
 void writePlotFile(const std::filesystem::path& file, const QByteArray& bytes);

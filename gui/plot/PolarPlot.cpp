@@ -36,15 +36,6 @@ class FewCircles : public QwtLinearScaleEngine {
     }
 };
 
-/// Goes all the way round but for its last step: then the first sample is drawn again.
-bool goesRound(const Curve& curve) {
-    if (curve.x.size() < 4)
-        return false;
-    const double step = std::abs(curve.x[1] - curve.x[0]);
-    const double span = std::abs(curve.x.back() - curve.x.front());
-    return span < turn_deg && span + 1.5 * step >= turn_deg;
-}
-
 } // namespace
 
 PolarPlot::PolarPlot(const PlotStyle& style, QWidget* parent)
@@ -123,6 +114,9 @@ void PolarPlot::setData(PolarData data) {
     for (const auto& curve : data.curves)
         curve.check();
     data_ = std::move(data);
+    drawn_.clear();
+    for (const Curve& curve : data_.curves)
+        drawn_.push_back(curve.drawn(turn_deg));
     setTitle(plotTitle(data_.title, data_.conditions, style_));
     // A scale that runs backwards turns clockwise.
     setScale(QwtPolar::Azimuth, data_.clockwise ? turn_deg : 0.0, data_.clockwise ? 0.0 : turn_deg,
@@ -187,13 +181,13 @@ void PolarPlot::setRadiusAxis() {
     // The radius ends at a round number above the largest value; it begins at 0, or below where a
     // contrast is negative.
     const bool decibel = radiusScale_ == RadiusScale::decibel;
-    const auto range = rangeOf(data_.curves, &Curve::y, decibel);
+    const auto range = rangeOf(drawn_, &Curve::y, decibel);
     largest_ = range ? range->maximum : 1.0;
     double low = 0.0, high = 0.0;
     if (decibel) {
         low = floor_dB;
     } else {
-        const auto all = rangeWithErrors(data_.curves, false);
+        const auto all = rangeWithErrors(drawn_, false);
         low = all ? std::min(all->minimum, 0.0) : 0.0;
         high = all ? std::max(all->maximum, 0.0) : 1.0;
         if (!(high > low))
@@ -205,7 +199,7 @@ void PolarPlot::setRadiusAxis() {
 }
 
 void PolarPlot::addCurve(std::size_t index) {
-    const Curve& curve = data_.curves[index];
+    const Curve& curve = drawn_[index];
     std::vector<PolarSample> samples;
     const auto add = [&](double angle_deg, std::size_t k) {
         const double error = curve.error.empty() ? 0.0 : curve.error[k];
@@ -222,7 +216,8 @@ void PolarPlot::addCurve(std::size_t index) {
     };
     for (std::size_t k = 0; k < curve.x.size(); ++k)
         add(curve.x[k], k);
-    if (goesRound(curve))
+    // Then the first sample is drawn again.
+    if (data_.curves[index].goesRound(turn_deg))
         add(curve.x.front() + turn_deg, 0);
     auto* item = new GappedPolarCurve(curve.name, std::move(samples), !curve.error.empty());
     item->setZ(10.0 + static_cast<double>(index));

@@ -95,6 +95,7 @@ class PolarPlot : public QwtPolarPlot, public CurvePlot {
     void placePole(const QPointF& pole, double factor);
 
     PolarData data_;
+    std::vector<Curve> drawn_; ///< those of the data, straight between their samples
     RadiusScale radiusScale_ = RadiusScale::linear;
     std::optional<Interval> limits_;
     double largest_ = 1.0;

@@ -101,6 +101,7 @@ void addCurves(std::vector<Curve>& curves, const NamedResult& result, const std:
                         part(abscissaOf(*result.table).values, turn), part(column->values, turn)};
             if (error != nullptr)
                 curve.error = part(error->values, turn);
+            curve.isSmooth = isAdaptive(*result.table);
             curves.push_back(std::move(curve));
         }
     }
@@ -125,12 +126,14 @@ void requireSame(const std::vector<NamedResult>& results, const std::string& wha
     }
 }
 
-QString titleOf(const std::vector<NamedResult>& results, const ResultColumn& column,
-                const QString& over) {
+/// With the name of a lone result where it does not stand at its curve.
+QString titleOf(const std::vector<NamedResult>& results, const std::vector<Curve>& curves,
+                const ResultColumn& column, const QString& over) {
     QString label = QString::fromStdString(column.axisTitle());
     label = label.left(label.indexOf(" ("));
     QString title = label + " over " + over;
-    if (results.size() == 1 && !results[0].name.isEmpty())
+    const auto namesIt = [&](const Curve& curve) { return curve.name == results[0].name; };
+    if (results.size() == 1 && !results[0].name.isEmpty() && std::ranges::none_of(curves, namesIt))
         title += QStringLiteral(" – ") + results[0].name;
     return title;
 }
@@ -218,7 +221,7 @@ PlotData cartesianData(const std::vector<NamedResult>& results, const std::strin
     const auto& first = *results.front().table;
     const auto& x = abscissaOf(first);
     const ResultColumn y = titled(first, quantity);
-    data.title = titleOf(results, y, plainLabel(x));
+    data.title = titleOf(results, data.curves, y, plainLabel(x));
     data.conditions = conditionsLine(results);
     data.xTitle = QString::fromStdString(x.axisTitle());
     data.yTitle = QString::fromStdString(y.axisTitle());
@@ -257,7 +260,7 @@ PolarData polarData(const std::vector<NamedResult>& results, const std::string& 
         mode = QStringLiteral("model yaw");
         data.directionNote = QStringLiteral("yaw counter-clockwise, camera at the top");
     }
-    data.title = titleOf(results, y, mode);
+    data.title = titleOf(results, data.curves, y, mode);
     data.conditions = conditionsLine(results);
     return data;
 }

@@ -39,8 +39,12 @@ QTableWidgetItem* readOnly(const QString& text, Qt::Alignment alignment = Qt::Al
 
 } // namespace
 
-FirstSignatureDialog::FirstSignatureDialog(const Project& project, QWidget* parent)
-    : QDialog(parent), project_(project), model_(project.resolve(project.models.front().file)) {
+FirstSignatureDialog::FirstSignatureDialog(const Project& project, std::size_t number,
+                                           QWidget* parent)
+    : QDialog(parent),
+      project_(project),
+      number_(number),
+      model_(project.resolve(project.models.at(number).file)) {
     setObjectName("firstSignatureDialog");
     setWindowTitle(tr("First signature of %1").arg(textOf(model_.filename())));
     resize(820, 560);
@@ -88,7 +92,7 @@ FirstSignatureDialog::FirstSignatureDialog(const Project& project, QWidget* pare
     column->addWidget(said_);
     column->addWidget(buttons);
 
-    const irsg::ModelPlacing given = project.models.front().options.placing;
+    const irsg::ModelPlacing given = project.models.at(number).options.placing;
     placing_->setPlacing(given);
     connect(placing_, &PlacingFields::changed, this,
             [this] { create_->setEnabled(isReady_ && placing_->isRight()); });
@@ -191,7 +195,7 @@ Project FirstSignatureDialog::write() const {
     irsg::createSignatureFile(first.database, database);
     irsg::saveModelCodes(codes, model_);
     Project project = project_;
-    ProjectModel& target = project.models.front();
+    ProjectModel& target = project.models.at(number_);
     target.database =
         target.file.is_absolute() ? database : target.file.parent_path() / database.filename();
     target.options.placing = placing_->placing();

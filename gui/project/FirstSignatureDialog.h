@@ -27,8 +27,8 @@ class FirstSignatureDialog : public QDialog {
     Q_OBJECT
 
   public:
-    /// Of the target of a project, which has a file.
-    explicit FirstSignatureDialog(const Project& project, QWidget* parent = nullptr);
+    /// Of a model of a project, which has a file.
+    FirstSignatureDialog(const Project& project, std::size_t number, QWidget* parent = nullptr);
 
     /// Whether names and shape are there to be chosen from.
     bool isReady() const { return isReady_; }
@@ -47,6 +47,7 @@ class FirstSignatureDialog : public QDialog {
     std::filesystem::path newDatabase() const;
 
     Project project_;
+    std::size_t number_; ///< of the model in the project
     std::filesystem::path model_;
     std::vector<irsg::FirstSurface> suggested_;
     std::vector<Row> rows_;

@@ -4,9 +4,9 @@
 
 #include <QStringList>
 
-#include "gui/ModelStore.h"
-#include "gui/ModelWait.h"
 #include "gui/widgets/LatestTask.h"
+#include "gui/workbench/ModelStore.h"
+#include "gui/workbench/ModelWait.h"
 
 namespace smat::gui {
 

@@ -8,12 +8,12 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "gui/Workbench.h"
 #include "gui/project/NewProjectDialog.h"
 #include "gui/settings/Preferences.h"
 #include "gui/start/DataFolder.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
+#include "gui/workbench/Workbench.h"
 #include "irsg/scene/model/OpenableFiles.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -34,10 +34,6 @@ std::optional<std::uintmax_t> modelBytes(const std::filesystem::path& file) {
         irsg::refusalOf(file.string(), irsg::FileKind::model))
         return std::nullopt;
     return bytes;
-}
-
-QString whenWritten(const std::filesystem::path& file) {
-    return QLocale::system().toString(QFileInfo(textOf(file)).lastModified(), QLocale::ShortFormat);
 }
 
 /// What a project without a file is known by.
@@ -193,7 +189,7 @@ void ProjectFiles::recoverPaint() {
                              .arg(textOf(file.filename()), whenWritten(*copy)),
                          {tr("&Recover it"), tr("&Discard it")});
         if (answer == 1)
-            RecoveryCopy::remove(*copy);
+            RecoverySlot::remove(*copy);
         if (answer != 0)
             continue;
         try {
@@ -273,7 +269,7 @@ ProjectFiles::Recovery ProjectFiles::recover(const std::filesystem::path& file) 
             return Recovery::taken;
         }
         if (answer == 1)
-            RecoveryCopy::remove(copy);
+            RecoverySlot::remove(copy);
         else
             left = true;
     }
@@ -394,17 +390,6 @@ bool ProjectFiles::chooseModelFile(std::size_t model) {
     Project changed = workbench_.project();
     changed.models.at(model).file = file.toStdString();
     workbench_.edit(changed, tr("Take model %1").arg(QFileInfo(file).fileName()));
-    return true;
-}
-
-bool ProjectFiles::chooseDatabaseFile(std::size_t model) {
-    const QString file = dialogs_.openFile(window_, tr("Signature database of the model"),
-                                           {tr("Signature databases (*.sigdb)")});
-    if (file.isEmpty())
-        return false;
-    Project changed = workbench_.project();
-    changed.models.at(model).database = file.toStdString();
-    workbench_.edit(changed, tr("Take database %1").arg(QFileInfo(file).fileName()));
     return true;
 }
 

@@ -48,9 +48,8 @@ class ProjectFiles : public QObject {
     /// were never saved and that a crash left behind, opens the file, and without one offers the
     /// newest unsaved changes that a crash left behind of a recent project.
     bool begin(const std::filesystem::path& file);
-    /// Another file for a model of the project, or for its database: a step to undo.
+    /// Another file for a model of the project: a step to undo.
     bool chooseModelFile(std::size_t model);
-    bool chooseDatabaseFile(std::size_t model);
 
     /// "*.flt *.osgt …".
     static QString modelPatterns();

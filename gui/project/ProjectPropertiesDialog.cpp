@@ -94,12 +94,19 @@ void ProjectPropertiesDialog::addModel(const ProjectModel& model, QTabWidget* ta
     fields.twoSided = new QCheckBox(tr("Faces show &both sides, whatever the file says"));
     fields.twoSided->setObjectName("twoSided." + number);
     fields.twoSided->setChecked(model.options.forceTwoSided);
+    fields.cutTextureAlpha = new QCheckBox(tr("Alpha of te&xtures cuts faces out below 0.5"));
+    fields.cutTextureAlpha->setObjectName("cutTextureAlpha." + number);
+    fields.cutTextureAlpha->setToolTip(
+        tr("What a texture leaves out is no part of its face, in the infrared and in the visible "
+           "view. A file's own threshold stands in place of 0.5."));
+    fields.cutTextureAlpha->setChecked(model.options.cutsTextureAlpha);
     fields.fallbackTemperature =
         entryField("fallbackTemperature." + number, model.fallbackTemperature);
     fields.fallbackMaterial = entryField("fallbackMaterial." + number, model.fallbackMaterial);
     form->addRow(tr("N&ame"), fields.name);
     form->addRow(fields.placing);
     form->addRow({}, fields.twoSided);
+    form->addRow({}, fields.cutTextureAlpha);
     auto* hint = new QLabel(tr("Entries of the database that stand in for codes without one:"));
     hint->setForegroundRole(QPalette::PlaceholderText);
     hint->setWordWrap(true);
@@ -122,6 +129,7 @@ Project ProjectPropertiesDialog::project() const {
         model.name = fields.name->text().trimmed().toStdString();
         model.options.placing = fields.placing->placing();
         model.options.forceTwoSided = fields.twoSided->isChecked();
+        model.options.cutsTextureAlpha = fields.cutTextureAlpha->isChecked();
         model.fallbackTemperature = entryOf(fields.fallbackTemperature);
         model.fallbackMaterial = entryOf(fields.fallbackMaterial);
     }

@@ -31,6 +31,7 @@ class ProjectPropertiesDialog : public QDialog {
         QLineEdit* name = nullptr;
         PlacingFields* placing = nullptr;
         QCheckBox* twoSided = nullptr;
+        QCheckBox* cutTextureAlpha = nullptr;
         QSpinBox* fallbackTemperature = nullptr;
         QSpinBox* fallbackMaterial = nullptr;
     };

@@ -1,14 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <vector>
 
-#include <QLockFile>
 #include <QObject>
 #include <QTimer>
 
+#include "gui/start/RecoverySlot.h"
 #include "smatcore/project/Project.h"
 
 namespace smat::gui {
@@ -47,7 +46,6 @@ class RecoveryCopy : public QObject {
     /// What a copy holds, as the project of `projectFile`. Throws irsg::InputError.
     static Project read(const std::filesystem::path& copy,
                         const std::filesystem::path& projectFile);
-    static void remove(const std::filesystem::path& copy);
 
   signals:
     /// The copy cannot be written: said once per project.
@@ -57,15 +55,11 @@ class RecoveryCopy : public QObject {
     void onModifiedChanged();
     void onProjectChanged();
     void write();
-    /// Finds a place where no copy lies and locks it. Throws irsg::InputError.
-    void claim(const std::filesystem::path& projectFile);
 
     Workbench& workbench_;
     QTimer timer_;
     std::optional<std::filesystem::path> file_; ///< of the project whose copy this is
-    std::filesystem::path copy_;                ///< where it lies, while there is a lock
-    std::unique_ptr<QLockFile> lock_;
-    bool written_ = false;
+    RecoverySlot slot_;
     bool told_ = false;
 };
 

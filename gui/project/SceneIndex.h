@@ -5,7 +5,7 @@
 
 #include <QString>
 
-#include "gui/ModelStore.h"
+#include "gui/workbench/ModelStore.h"
 #include "irsg/signature/SignatureDatabase.h"
 #include "smatcore/project/Project.h"
 

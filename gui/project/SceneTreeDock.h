@@ -30,6 +30,8 @@ class SceneTreeDock : public QDockWidget {
     void showIndex(IndexKind kind, int index, int model = 0);
     /// A database that is edited stands in for the file of its model until the next reload.
     void setDatabase(int model, const irsg::SignatureDatabase& database);
+    /// Lets a person type another name for a model.
+    void rename(int model);
     bool isLoading() const { return loading_ != nullptr; }
     const std::vector<ModelIndex>& index() const { return index_; }
 
@@ -38,6 +40,10 @@ class SceneTreeDock : public QDockWidget {
     void indexSelected(smat::gui::IndexKind kind, int index, int model);
     /// Something else than an index is selected.
     void nothingSelected();
+    /// A person wants a model to be added, that one to go, or to become the target.
+    void addModelWanted();
+    void removeModelWanted(int model);
+    void targetWanted(int model);
     void modelFileWanted(int model);
     void databaseFileWanted(int model);
     void sensorActivated();
@@ -56,6 +62,9 @@ class SceneTreeDock : public QDockWidget {
     void load();
     void count();
     void onProjectChanged();
+    void followDatabases();
+    void showChosen();
+    void takeName(QTreeWidgetItem* item);
     QSet<QString> openBranches() const;
     void fill();
     void fillModel(QTreeWidgetItem* root, std::size_t number);
@@ -72,6 +81,7 @@ class SceneTreeDock : public QDockWidget {
     QTreeWidgetItem* sun_ = nullptr;
     std::vector<ModelIndex> index_;
     std::vector<ProjectModel> models_; ///< those that index_ is of
+    Project filled_;                   ///< as the tree shows it
     std::shared_ptr<Loading> loading_;
     QTimer watch_;
 };

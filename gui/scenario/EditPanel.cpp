@@ -11,13 +11,16 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/database/NumberField.h"
 #include "gui/project/ProjectFiles.h"
+#include "gui/scenario/MountFields.h"
 #include "gui/scenario/PlaceFields.h"
+#include "gui/scenario/ScenarioFields.h"
+#include "gui/scenario/ScenarioSettings.h"
 #include "gui/scenario/TrajectoryModel.h"
 #include "gui/scenario/TrajectoryView.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Theme.h"
+#include "gui/widgets/ThemeColors.h"
 #include "gui/widgets/Widgets.h"
 
 namespace smat::gui {
@@ -68,18 +71,21 @@ EditPanel::EditPanel(ScenarioDocument& document, Dialogs dialogs, QWidget* paren
     part_->setAccessibleName(tr("Edited part of the scenario"));
     part_->setToolTip(tr("What the fields below are about"));
     part_->setMinimumWidth(120);
+    settings_ = textButton(tr("Settings…"), "scenarioSettings",
+                           tr("Settings of all sensors, or of the sensor that is edited"));
     add_ = textButton(tr("Add entity…"), "addEntity",
                       tr("Choose a model and its signature database; it stands beside the first "
                          "entity and can be moved from there"));
     remove_ = textButton(tr("Remove"), "removeEntity", tr("Remove this entity"));
     auto* first = new QHBoxLayout;
     first->addWidget(part_, 1);
+    first->addWidget(settings_);
     first->addWidget(add_);
     first->addWidget(remove_);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(10, 8, 10, 8);
     column->addLayout(first);
-    makeTimes(column);
+    makeWhole(column);
     makePart(column);
     message_ = new QLabel(this);
     message_->setObjectName("editMessage");
@@ -93,46 +99,24 @@ EditPanel::EditPanel(ScenarioDocument& document, Dialogs dialogs, QWidget* paren
         say({});
         followPart();
     });
+    connect(settings_, &QToolButton::clicked, this, [this] {
+        finish();
+        editScenarioSettings(document_, part().sensor, dialogs_, this);
+    });
     connect(add_, &QToolButton::clicked, this, &EditPanel::addEntity);
     connect(remove_, &QToolButton::clicked, this, &EditPanel::removeEntity);
     connect(&document_, &ScenarioDocument::changed, this, &EditPanel::follow);
     follow();
 }
 
-NumberField* EditPanel::timeField(QFormLayout* form, const char* name, const QString& label,
-                                  const QString& step, double Scenario::*time) {
-    auto* field = new NumberField("s", this);
-    field->setObjectName(name);
-    field->setAccessibleName(label);
-    form->addRow(label, field);
-    connect(field, &NumberField::edited, this, [this, step, time](double value) {
-        change(step, [&](EditedScenario& state) { state.scenario.*time = value; });
-    });
-    connect(field, &NumberField::finished, this, &EditPanel::finish);
-    return field;
-}
-
-void EditPanel::makeTimes(QVBoxLayout* column) {
-    times_ = new QWidget(this);
-    auto* form = new QFormLayout(times_);
-    form->setContentsMargins(0, 0, 0, 0);
-    title_ = new QLineEdit(times_);
-    title_->setObjectName("scenarioTitle");
-    form->addRow(tr("Title"), title_);
-    start_ =
-        timeField(form, "scenarioStart", tr("Start"), tr("Change the start"), &Scenario::start_s);
-    end_ = timeField(form, "scenarioEnd", tr("End"), tr("Change the end"), &Scenario::end_s);
-    step_ = timeField(form, "scenarioStep", tr("Step"), tr("Change the step"), &Scenario::dt_s);
-    step_->setRange(1e-6, 1e9);
-    step_->setStep(0.1);
-    for (NumberField* field : {start_, end_})
-        field->setRange(-1e9, 1e9);
-    connect(title_, &QLineEdit::textEdited, this, [this](const QString& text) {
-        change(tr("Change the title"),
-               [&](EditedScenario& state) { state.scenario.title = text.toStdString(); });
-    });
-    connect(title_, &QLineEdit::editingFinished, this, &EditPanel::finish);
-    column->addWidget(times_);
+void EditPanel::makeWhole(QVBoxLayout* column) {
+    whole_ = new ScenarioFields(this);
+    connect(whole_, &ScenarioFields::edited, this,
+            [this](const QString& step, const std::function<void(Scenario&)>& edit) {
+                change(step, [&](EditedScenario& state) { edit(state.scenario); });
+            });
+    connect(whole_, &ScenarioFields::finished, this, &EditPanel::finish);
+    column->addWidget(whole_);
 }
 
 QToolButton* EditPanel::tableButton(const char* drawing, const char* name, const QString& tip) {
@@ -153,6 +137,8 @@ void EditPanel::makePart(QVBoxLayout* column) {
     name_ = new QLineEdit(ofPart_);
     name_->setObjectName("partName");
     form->addRow(tr("Name"), name_);
+    mount_ = new MountFields(ofPart_);
+    form->addRow(mount_);
     where_ = new QLabel(ofPart_);
     where_->setObjectName("partPlace");
     where_->setWordWrap(true);
@@ -202,6 +188,13 @@ void EditPanel::makePart(QVBoxLayout* column) {
     rows->addWidget(table_, 1);
     column->addWidget(ofTable_, 1);
 
+    connect(mount_, &MountFields::edited, this,
+            [this](const QString& step, const std::function<void(EditedScenario&)>& edit) {
+                change(step, edit);
+                const QString problem = message_->text();
+                finish();
+                say(problem);
+            });
     connect(name_, &QLineEdit::textEdited, this, &EditPanel::rename);
     connect(name_, &QLineEdit::editingFinished, this, &EditPanel::finish);
     connect(place_, &PlaceFields::finished, this, &EditPanel::finish);
@@ -276,18 +269,16 @@ void EditPanel::follow() {
         else
             part_->addItem(names[i]);
     part_->setCurrentIndex(chosen);
-    if (title_->text() != textOf(scenario.title))
-        title_->setText(textOf(scenario.title));
-    start_->setValue(scenario.start_s);
-    end_->setValue(scenario.end_s);
-    step_->setValue(scenario.dt_s);
+    whole_->show(scenario);
     followPart();
 }
 
 void EditPanel::followPart() {
     const Part part = this->part();
     const Scenario& scenario = document_.scenario();
-    times_->setVisible(!part.entity && !part.sensor);
+    whole_->setVisible(!part.entity && !part.sensor);
+    settings_->setEnabled(!part.entity);
+    mount_->setVisible(part.sensor.has_value());
     ofPart_->setVisible(part.entity || part.sensor);
     remove_->setEnabled(part.entity.has_value());
     if (name_->text() != partName())
@@ -301,6 +292,7 @@ void EditPanel::followPart() {
         where_->setText(tr("Stands still here"));
     } else if (part.sensor) {
         const ScenarioSensor& sensor = scenario.sensors[*part.sensor];
+        mount_->show(scenario, *part.sensor);
         showPlace(sensor.trajectory, sensor.hold, sensor.offset);
         place_->setVisible(true);
         place_->showAttitude(sensor.track.empty());
@@ -337,15 +329,14 @@ void EditPanel::showPlace(const std::filesystem::path& trajectory, bool hold,
 
 void EditPanel::change(const QString& step, const std::function<void(EditedScenario&)>& edit) {
     if (gesture_ == ScenarioDocument::noGesture) {
-        gesture_ = ScenarioDocument::newGesture();
+        gesture_ = newGesture();
         before_ = document_.now();
     }
     say(document_.change(step, edit, gesture_));
 }
 
 void EditPanel::say(const QString& sentence) {
-    message_->setStyleSheet(
-        QStringLiteral("color: %1").arg(isDark(palette()) ? "#ff9d9d" : "#b3261e"));
+    message_->setStyleSheet(QStringLiteral("color: %1").arg(colors::errorText(palette()).name()));
     message_->setText(sentence);
     message_->setVisible(!sentence.isEmpty());
 }

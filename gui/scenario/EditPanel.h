@@ -10,7 +10,6 @@
 
 class QCheckBox;
 class QComboBox;
-class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QToolButton;
@@ -18,13 +17,15 @@ class QVBoxLayout;
 
 namespace smat::gui {
 
-class NumberField;
+class MountFields;
 class PlaceFields;
+class ScenarioFields;
 class TrajectoryModel;
 class TrajectoryView;
 
-/// The fields of a scenario: its title and times, and of the entity or the sensor that is chosen
-/// its name and where it is, a table of its trajectory or a place. What cannot be is told below.
+/// The fields of a scenario: its title, times, notes and settings, and of the entity or the sensor
+/// that is chosen its name and where it is, a table of its trajectory or a place; of a sensor what
+/// carries it, what it looks at and its settings. What cannot be is told below.
 class EditPanel : public QWidget {
     Q_OBJECT
 
@@ -38,11 +39,9 @@ class EditPanel : public QWidget {
         std::optional<std::size_t> entity, sensor;
     };
 
-    void makeTimes(QVBoxLayout* column);
+    void makeWhole(QVBoxLayout* column);
     void makePart(QVBoxLayout* column);
     QToolButton* tableButton(const char* drawing, const char* name, const QString& tip);
-    NumberField* timeField(QFormLayout* form, const char* name, const QString& label,
-                           const QString& step, double Scenario::*time);
     void follow();
     void followPart();
     void showPlace(const std::filesystem::path& trajectory, bool hold, const irsg::Pose& pose);
@@ -67,9 +66,11 @@ class EditPanel : public QWidget {
     std::shared_ptr<const EditedScenario> before_; ///< the typing that goes on
     QComboBox* part_ = nullptr;
     QToolButton *add_ = nullptr, *remove_ = nullptr;
-    QWidget *times_ = nullptr, *ofPart_ = nullptr, *ofTable_ = nullptr;
-    QLineEdit *title_ = nullptr, *name_ = nullptr;
-    NumberField *start_ = nullptr, *end_ = nullptr, *step_ = nullptr;
+    QToolButton* settings_ = nullptr;
+    QWidget *ofPart_ = nullptr, *ofTable_ = nullptr;
+    ScenarioFields* whole_ = nullptr;
+    QLineEdit* name_ = nullptr;
+    MountFields* mount_ = nullptr;
     QLabel *where_ = nullptr, *follows_ = nullptr, *message_ = nullptr;
     PlaceFields* place_ = nullptr;
     QCheckBox* hold_ = nullptr;

@@ -100,10 +100,6 @@ FramesPanel::FramesPanel(Dialogs dialogs, QWidget* parent)
     connect(quantity_, &QComboBox::activated, this, &FramesPanel::drawTable);
 }
 
-FramesPanel::~FramesPanel() {
-    stopFilm_.request_stop();
-}
-
 void FramesPanel::arrange(bool beside) {
     parts_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     strip_->setFlow(beside ? QListView::TopToBottom : QListView::LeftToRight);
@@ -163,7 +159,7 @@ void FramesPanel::showSensor(std::size_t sensor) {
     fillStrip();
     film_->setVisible(strip_->count() > 0);
     const bool canBe = shownFilm() != nullptr;
-    film_->setEnabled(canBe && !filming_.isBusy());
+    film_->setEnabled(canBe && !filming_);
     film_->setToolTip(canBe ? tr("The frames of the shown sensor and band in one scale of colours")
                             : tr("A film needs frames that were written as OpenEXR"));
     const SensorResult* result = shownResult();
@@ -275,22 +271,12 @@ void FramesPanel::exportFilm(const QString& extension, const QString& filter) {
     } catch (const irsg::InputError& error) {
         return dialogs_.tell(this, tr("This film cannot be written"), sentencesOf(error));
     }
-    film_->setEnabled(false);
-    const QString before = words_->text();
-    say(tr("The film is being written…"));
-    stopFilm_ = {};
-    filming_.run<std::string>(
-        [film = *film, file, whose = outcome_->order.scenario.displayName(),
-         stop = stopFilm_.get_token()] { return writeFilm(film, file, whose, stop); },
-        [this, file](const std::string& sentence) {
-            film_->setEnabled(true);
-            say(sentence.empty() ? tr("Wrote the film %1").arg(textOf(file)) : textOf(sentence));
-        },
-        [this, before](const std::exception_ptr& thrown) {
-            film_->setEnabled(true);
-            say(before);
-            dialogs_.tell(this, tr("This film cannot be written"), sentencesOf(thrown));
-        });
+    emit filmAsked({*film, file, outcome_->order.scenario.displayName()});
+}
+
+void FramesPanel::setFilming(bool filming) {
+    filming_ = filming;
+    film_->setEnabled(!filming && shownFilm() != nullptr);
 }
 
 } // namespace smat::gui

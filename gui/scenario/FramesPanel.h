@@ -1,13 +1,11 @@
 #pragma once
 
 #include <memory>
-#include <stop_token>
 
 #include <QWidget>
 
 #include "gui/scenario/SimulationOrder.h"
 #include "gui/widgets/Dialogs.h"
-#include "gui/widgets/LatestTask.h"
 
 class QBoxLayout;
 class QComboBox;
@@ -26,7 +24,6 @@ class FramesPanel : public QWidget {
 
   public:
     explicit FramesPanel(Dialogs dialogs, QWidget* parent = nullptr);
-    ~FramesPanel() override;
 
     void setOutcome(std::shared_ptr<const SimulationOutcome> outcome, const QString& colorMap);
     const SimulationOutcome* outcome() const { return outcome_.get(); }
@@ -34,9 +31,12 @@ class FramesPanel : public QWidget {
     void showSensor(std::size_t sensor);
     /// What is to be said of the run.
     void say(const QString& sentence);
+    /// Whether a film of this panel is in the line of jobs: no other one is begun.
+    void setFilming(bool filming);
 
   signals:
     void frameChosen(std::size_t sensor, std::size_t band, std::size_t number);
+    void filmAsked(const smat::gui::FilmOrder& order);
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -56,8 +56,7 @@ class FramesPanel : public QWidget {
     QString colorMap_;
     std::size_t sensor_ = 0;
     Dialogs dialogs_;
-    LatestTask filming_;
-    std::stop_source stopFilm_;
+    bool filming_ = false;
     QToolButton* film_ = nullptr;
     QLabel* words_ = nullptr;
     QListWidget* strip_ = nullptr;

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include <QUndoCommand>
-#include <nlohmann/json.hpp>
-
 #include "gui/start/DataFolder.h"
 #include "gui/widgets/Readable.h"
 #include "irsg/radiometry/Errors.h"
@@ -13,9 +10,6 @@
 
 namespace smat::gui {
 namespace {
-
-/// No scenario is longer; results in JSON may be.
-constexpr std::uintmax_t longestScenario_B = 16 << 20;
 
 /// Calls `use` with every path of a trajectory in a scenario.
 template <typename Scenario, typename Use>
@@ -76,53 +70,6 @@ const TrajectoryTable* EditedScenario::table(const std::filesystem::path& file) 
     return found == trajectories.end() ? nullptr : &found->second;
 }
 
-/// All of it before and after.
-class ScenarioDocument::Command : public QUndoCommand {
-  public:
-    Command(std::shared_ptr<ScenarioDocument*> document, QUndoStack& stack,
-            std::shared_ptr<const EditedScenario> before, EditedScenario after, int gesture)
-        : document_(std::move(document)),
-          stack_(stack),
-          before_(std::move(before)),
-          after_(std::make_shared<const EditedScenario>(std::move(after))),
-          gesture_(gesture) {}
-    int id() const override { return gesture_; }
-    bool mergeWith(const QUndoCommand* next) override {
-        const auto* step = dynamic_cast<const Command*>(next);
-        if (step == nullptr || step->document_ != document_)
-            return false;
-        after_ = step->after_;
-        setText(step->text());
-        setObsolete(*after_ == *before_);
-        return true;
-    }
-    void undo() override {
-        if (*document_ != nullptr)
-            (*document_)->apply(*before_);
-        else
-            passOn(&QUndoStack::undo);
-    }
-    void redo() override {
-        if (*document_ != nullptr)
-            (*document_)->apply(*after_);
-        else
-            passOn(&QUndoStack::redo);
-    }
-
-  private:
-    /// What was closed is neither undone nor done again: the step before it is.
-    void passOn(void (QUndoStack::*next)()) {
-        setObsolete(true);
-        QMetaObject::invokeMethod(
-            &stack_, [stack = &stack_, next] { (stack->*next)(); }, Qt::QueuedConnection);
-    }
-
-    std::shared_ptr<ScenarioDocument*> document_;
-    QUndoStack& stack_;
-    std::shared_ptr<const EditedScenario> before_, after_;
-    int gesture_;
-};
-
 ScenarioDocument::ScenarioDocument(const std::filesystem::path& file, QUndoStack& undoStack,
                                    QObject* parent)
     : QObject(parent),
@@ -130,18 +77,21 @@ ScenarioDocument::ScenarioDocument(const std::filesystem::path& file, QUndoStack
       now_(std::make_shared<const EditedScenario>(
           readAll(std::filesystem::absolute(file).lexically_normal()))),
       saved_(*now_),
-      self_(std::make_shared<ScenarioDocument*>(this)) {
+      apply_(std::make_shared<DocumentStep<EditedScenario>::Apply>(
+          [this](const EditedScenario& state) { apply(state); })) {
     noteStamps();
 }
 
 ScenarioDocument::~ScenarioDocument() {
-    *self_ = nullptr;
+    *apply_ = nullptr;
 }
 
 void ScenarioDocument::edit(EditedScenario after, const QString& step, int gesture) {
     if (after == *now_)
         return;
-    auto* command = new Command(self_, undoStack_, now_, std::move(after), gesture);
+    auto* command = new DocumentStep<EditedScenario>(
+        apply_, undoStack_, now_, std::make_shared<const EditedScenario>(std::move(after)),
+        gesture);
     command->setText(step);
     undoStack_.push(command);
 }
@@ -162,12 +112,6 @@ QString ScenarioDocument::change(const QString& step,
     }
     this->edit(std::move(after), step, gesture);
     return {};
-}
-
-int ScenarioDocument::newGesture() {
-    // Those of other documents on the stack, and the steps of the project, have other numbers.
-    static int last = 0x5ce0000;
-    return ++last;
 }
 
 void ScenarioDocument::apply(const EditedScenario& state) {
@@ -251,26 +195,6 @@ void ScenarioDocument::saveAs(const std::filesystem::path& file) {
     }
     noteStamps();
     emit stateChanged();
-}
-
-bool ScenarioDocument::isScenario(const std::filesystem::path& file) {
-    std::error_code failure;
-    if (!std::filesystem::is_regular_file(file, failure) ||
-        std::filesystem::file_size(file, failure) > longestScenario_B)
-        return false;
-    std::string text;
-    try {
-        text = readTextFile(file);
-    } catch (const irsg::InputError&) {
-        return false;
-    }
-    const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-    // One with a fault in its writing is still what it was meant to be.
-    if (json.is_discarded())
-        return text.find("\"entities\"") != std::string::npos &&
-               text.find("\"sensors\"") != std::string::npos;
-    return json.is_object() &&
-           (json.contains("entities") || json.contains("sensors") || json.contains("dt_s"));
 }
 
 } // namespace smat::gui

@@ -8,6 +8,7 @@
 #include <QObject>
 #include <QUndoStack>
 
+#include "gui/workbench/DocumentStep.h"
 #include "irsg/radiometry/FileStamp.h"
 #include "smatcore/simulate/LoadedScenario.h"
 
@@ -48,8 +49,6 @@ class ScenarioDocument : public QObject {
     /// then what was expected, and nothing changes.
     QString change(const QString& step, const std::function<void(EditedScenario&)>& edit,
                    int gesture = noGesture);
-    /// The number of another gesture.
-    static int newGesture();
     static constexpr int noGesture = -1;
 
     /// Whether another program has written one of the files since it was read or saved.
@@ -60,17 +59,12 @@ class ScenarioDocument : public QObject {
     /// its trajectories along, under other names where theirs are taken. Throws irsg::InputError.
     void saveAs(const std::filesystem::path& file);
 
-    /// Whether a file is a scenario (JSON with entities, sensors or steps); not whether it is a
-    /// sound one.
-    static bool isScenario(const std::filesystem::path& file);
-
   signals:
     void changed();
     /// isModified() or the file may be another.
     void stateChanged();
 
   private:
-    class Command;
     void apply(const EditedScenario& state);
     void take(EditedScenario state);
     /// The same scenario told from the folder of `file`, with trajectories that moved at their new
@@ -83,7 +77,7 @@ class ScenarioDocument : public QObject {
     EditedScenario saved_;
     std::map<std::filesystem::path, std::filesystem::path> moved_; ///< trajectories, since opened
     std::map<std::filesystem::path, irsg::FileStamp> stamps_;
-    std::shared_ptr<ScenarioDocument*> self_; ///< null in steps that outlive it
+    std::shared_ptr<DocumentStep<EditedScenario>::Apply> apply_; ///< of its steps
 };
 
 } // namespace smat::gui

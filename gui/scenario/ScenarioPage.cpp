@@ -6,10 +6,10 @@
 #include <QLabel>
 #include <QSplitter>
 #include <QTabWidget>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/Workbench.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageView.h"
 #include "gui/scenario/EditPanel.h"
@@ -24,6 +24,7 @@
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/VerticalScrollArea.h"
 #include "gui/widgets/Widgets.h"
+#include "gui/workbench/Workbench.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/settings/SettingKeys.h"
 
@@ -161,18 +162,51 @@ void ScenarioPage::connectParts() {
                 timeLine_->setStep(number);
                 ask();
             });
+    connectJobs();
+    connect(band_, &QComboBox::activated, this, &ScenarioPage::ask);
+    connect(pictures_, &ScenarioPictures::drawn, this, &ScenarioPage::show);
+    connect(pictures_, &ScenarioPictures::failed, this, &ScenarioPage::tellProblems);
+}
+
+void ScenarioPage::connectJobs() {
     JobQueue& jobs = workbench_.jobs();
     connect(&jobs, &JobQueue::finished, this, [this](int number, const JobResult& result) {
         if (number == job_ && result.simulation)
             takeOutcome(result.simulation);
+        if (number == film_ && result.film)
+            takeFilm(*result.film);
     });
     connect(&jobs, &JobQueue::failed, this, [this](int number, const QStringList& sentences) {
-        if (number == job_)
+        if (number == job_ || number == film_)
             frames_->say(sentences.join('\n'));
+        toldOfFilm_ = toldOfFilm_ || number == film_;
     });
-    connect(band_, &QComboBox::activated, this, &ScenarioPage::ask);
-    connect(pictures_, &ScenarioPictures::drawn, this, &ScenarioPage::show);
-    connect(pictures_, &ScenarioPictures::failed, this, &ScenarioPage::tellProblems);
+    connect(frames_, &FramesPanel::filmAsked, this, [this](const FilmOrder& order) {
+        toldOfFilm_ = false;
+        film_ = workbench_.start(order);
+        frames_->setFilming(true);
+        frames_->say(tr("The film is being written; the bar below says how far."));
+    });
+    // Whatever became of it; one that was cancelled, or taken out of the line, says nothing more.
+    const auto rest = [this] {
+        if (film_ == 0 || workbench_.jobs().holds(film_))
+            return;
+        if (!toldOfFilm_)
+            frames_->say(tr("There is no film: it was cancelled."));
+        film_ = 0;
+        frames_->setFilming(false);
+    };
+    const auto restLater = [this, rest] { QTimer::singleShot(0, this, rest); };
+    connect(&jobs, &JobQueue::ended, this, restLater);
+    connect(&jobs, &JobQueue::waitingChanged, this, restLater);
+}
+
+void ScenarioPage::takeFilm(const FilmOutcome& film) {
+    const QString sentence = film.sentence.empty() ? tr("Wrote the film %1").arg(textOf(film.file))
+                                                   : textOf(film.sentence);
+    toldOfFilm_ = true;
+    frames_->say(sentence);
+    emit said(sentence);
 }
 
 void ScenarioPage::followDocument() {

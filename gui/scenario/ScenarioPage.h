@@ -4,11 +4,11 @@
 
 #include <QWidget>
 
-#include "gui/DocumentPage.h"
 #include "gui/scenario/ScenarioPictures.h"
 #include "gui/scenario/SimulationOrder.h"
 #include "gui/widgets/Dialogs.h"
 #include "gui/widgets/Exportable.h"
+#include "gui/workbench/DocumentPage.h"
 
 class QComboBox;
 class QLabel;
@@ -47,6 +47,7 @@ class ScenarioPage : public QWidget, public Exportable, public DocumentPage {
     /// "flyby.json", with a mark where it has unsaved edits.
     QString title() const;
 
+    QString noun() const override { return tr("scenario"); }
     bool save() override;
     bool saveAs() override;
     bool mayClose() override;
@@ -73,6 +74,8 @@ class ScenarioPage : public QWidget, public Exportable, public DocumentPage {
     void tellProblems(const QStringList& sentences);
     /// Asks what is to be written and puts it in the line of jobs.
     void run();
+    void connectJobs();
+    void takeFilm(const FilmOutcome& film);
     void takeOutcome(const std::shared_ptr<const SimulationOutcome>& outcome);
     bool saveTo(std::filesystem::path file);
 
@@ -95,7 +98,8 @@ class ScenarioPage : public QWidget, public Exportable, public DocumentPage {
     QLabel* notes_ = nullptr;
     QToolButton* run_ = nullptr;
     FramesPanel* frames_ = nullptr;
-    int job_ = 0; ///< of this page, as it runs or waits
+    int job_ = 0, film_ = 0;  ///< of this page, as they run or wait
+    bool toldOfFilm_ = false; ///< what became of it
 };
 
 } // namespace smat::gui

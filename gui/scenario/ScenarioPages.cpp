@@ -1,12 +1,13 @@
 #include "gui/scenario/ScenarioPages.h"
 
-#include "gui/PageTabs.h"
-#include "gui/Workbench.h"
 #include "gui/scenario/ScenarioPage.h"
 #include "gui/scenario/TimeLine.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
+#include "gui/workbench/PageTabs.h"
+#include "gui/workbench/Workbench.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/simulate/ScenarioFile.h"
 
 namespace smat::gui {
 
@@ -14,7 +15,7 @@ ScenarioPages::ScenarioPages(Workbench& workbench, Dialogs& dialogs, PageTabs& t
     : QObject(&tabs), workbench_(workbench), dialogs_(dialogs), tabs_(tabs) {}
 
 bool ScenarioPages::open(const std::filesystem::path& file) {
-    if (!ScenarioDocument::isScenario(file))
+    if (!isScenarioFile(file))
         return false;
     if (ScenarioPage* page = pageOf(file)) {
         tabs_.setCurrentWidget(page);

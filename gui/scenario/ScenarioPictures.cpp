@@ -1,8 +1,8 @@
 #include "gui/scenario/ScenarioPictures.h"
 
-#include "gui/ModelStore.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
+#include "gui/workbench/ModelStore.h"
 #include "irsg/image/ApparentTemperature.h"
 #include "smatcore/analysis/Conditions.h"
 #include "smatcore/simulate/FrameFiles.h"

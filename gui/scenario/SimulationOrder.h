@@ -38,6 +38,17 @@ struct SimulationOutcome {
     std::vector<std::string> notes; ///< about the folders
 };
 
+/// Frames that are to become a film.
+struct FilmOrder {
+    FilmStrip strip;
+    std::filesystem::path file;
+    std::string whose; ///< the file that errors about the settings name
+};
+struct FilmOutcome {
+    std::filesystem::path file;
+    std::string sentence; ///< why there is no film; empty where there is one
+};
+
 /// Writes all that an order asks for, as smat-batch simulate does. Throws irsg::InputError.
 SimulationOutcome runSimulationOrder(const SimulationOrder& order, SceneBuilder& scenes,
                                      ImageSource& source, const ProgressCallback& progress,

@@ -15,6 +15,7 @@
 
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Theme.h"
+#include "gui/widgets/ThemeColors.h"
 #include "smatcore/settings/SettingAvailability.h"
 
 namespace smat::gui {
@@ -211,7 +212,7 @@ bool SettingForm::mark(const std::string& key) {
     // Only what is marked has colours of its own: all else follows the theme.
     QPalette colours;
     if (!field.valid) {
-        const QColor wrong = isDark(palette()) ? QColor("#5a2a2e") : QColor("#ffe3e3");
+        const QColor wrong = colors::wrongField(palette());
         colours.setColor(QPalette::Base, wrong);
         colours.setColor(QPalette::Button, wrong);
     }

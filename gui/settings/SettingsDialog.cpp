@@ -11,11 +11,11 @@
 #include <QPushButton>
 #include <QStackedWidget>
 
-#include "gui/Workbench.h"
 #include "gui/settings/MtfNote.h"
 #include "gui/widgets/DialogButtons.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/VerticalScrollArea.h"
+#include "gui/workbench/Workbench.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
@@ -38,7 +38,7 @@ std::vector<SettingsPage> SettingsDialog::pages() {
               key::renderFluxes, key::renderFluxWeights}},
             {tr("Atmosphere"),
              "air",
-             {key::environmentAtmospheres, key::environmentAmbientTemperature,
+             {key::environmentAtmospheres, key::environmentBins, key::environmentAmbientTemperature,
               key::renderReferenceAir}},
             {tr("Scattering"),
              "air",
@@ -57,8 +57,9 @@ std::vector<SettingsPage> SettingsDialog::pages() {
               key::environmentTerrainAltitude, key::renderTerrainHides}},
             {tr("Antialiasing"),
              "options",
-             {key::renderAntialiasing, key::renderSupersampling, key::renderZoom,
-              key::renderPointSource, key::renderHotParts, key::renderLayers, key::renderEngine}},
+             {key::renderAntialiasing, key::renderErrors, key::renderTargetError,
+              key::renderSupersampling, key::renderZoom, key::renderPointSource,
+              key::renderHotParts, key::renderLayers, key::renderEngine}},
             {tr("Colours"),
              "infrared",
              {key::displayColorMap, key::displayScale, key::displayMarkOutside, key::displayMinimum,
@@ -67,9 +68,24 @@ std::vector<SettingsPage> SettingsDialog::pages() {
 }
 
 SettingsDialog::SettingsDialog(Workbench& workbench, FileChooser chooseFile, QWidget* parent)
-    : QDialog(parent), workbench_(workbench), pages_(pages()) {
+    : SettingsDialog({.title = tr("Settings"),
+                      .settings = [&workbench] { return workbench.settings(); },
+                      .set =
+                          [&workbench](const Settings& edited) {
+                              workbench.set(edited, tr("Change settings"));
+                              return QString();
+                          },
+                      .resolve =
+                          [&workbench](const std::filesystem::path& path) {
+                              return workbench.project().resolve(path);
+                          }},
+                     pages(), std::move(chooseFile), parent) {}
+
+SettingsDialog::SettingsDialog(SettingsSubject subject, std::vector<SettingsPage> pages,
+                               FileChooser chooseFile, QWidget* parent)
+    : QDialog(parent), subject_(std::move(subject)), pages_(std::move(pages)) {
     setObjectName("settingsDialog");
-    setWindowTitle(tr("Settings"));
+    setWindowTitle(subject_.title);
     resize(800, 600);
     search_ = new QLineEdit(this);
     search_->setObjectName("settingsSearch");
@@ -86,7 +102,7 @@ SettingsDialog::SettingsDialog(Workbench& workbench, FileChooser chooseFile, QWi
     for (const auto& page : pages_) {
         new QListWidgetItem(icon(page.icon), page.title, list_);
         auto* form = new SettingForm(page.keys, chooseFile, nullptr, true);
-        form->setValues(workbench_.settings());
+        form->setValues(subject_.settings());
         connect(form, &SettingForm::edited, this, &SettingsDialog::refresh);
         connect(form, &SettingForm::validityChanged, this, &SettingsDialog::refresh);
         forms_.push_back(form);
@@ -139,7 +155,7 @@ void SettingsDialog::addNotes(SettingForm* form) {
     dynamic_cast<QFormLayout&>(*form->layout()).addRow(note);
     const auto tell = [this, form, note, key] {
         const std::string file = form->value(key);
-        note->tell(file.empty() ? std::filesystem::path() : workbench_.project().resolve(file));
+        note->tell(file.empty() ? std::filesystem::path() : subject_.resolve(file));
     };
     connect(form, &SettingForm::edited, note, tell);
     tell();
@@ -181,7 +197,7 @@ bool SettingsDialog::isAcceptable() const {
 }
 
 Settings SettingsDialog::edited() const {
-    Settings settings = workbench_.settings();
+    Settings settings = subject_.settings();
     for (const auto* form : forms_)
         form->writeTo(settings);
     return settings;
@@ -195,15 +211,19 @@ void SettingsDialog::refresh() {
     problems_->setVisible(!problems.isEmpty());
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(problems.isEmpty());
     buttons_->button(QDialogButtonBox::Apply)
-        ->setEnabled(problems.isEmpty() && edited() != workbench_.settings());
+        ->setEnabled(problems.isEmpty() && edited() != subject_.settings());
 }
 
 bool SettingsDialog::apply() {
     if (!isAcceptable())
         return false;
-    workbench_.set(edited(), tr("Change settings"));
+    const QString problem = subject_.set(edited());
     refresh();
-    return true;
+    if (problem.isEmpty())
+        return true;
+    problems_->setText(problem);
+    problems_->show();
+    return false;
 }
 
 void SettingsDialog::accept() {

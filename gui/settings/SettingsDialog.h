@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,15 @@ struct SettingsPage {
     std::vector<std::string> always = {};
 };
 
+/// Whose settings a dialog is about.
+struct SettingsSubject {
+    QString title;
+    std::function<Settings()> settings; ///< all in effect
+    /// One step to undo. Says why it cannot be; empty where it was done.
+    std::function<QString(const Settings& edited)> set;
+    std::function<std::filesystem::path(const std::filesystem::path&)> resolve;
+};
+
 /// All settings of the project but those of one kind of analysis, by pages, each field with unit,
 /// range and help from its description, to be found by any of its words. Apply and OK are one step
 /// to undo each; Cancel changes nothing.
@@ -34,6 +45,9 @@ class SettingsDialog : public QDialog {
 
   public:
     SettingsDialog(Workbench& workbench, FileChooser chooseFile, QWidget* parent = nullptr);
+    /// Those of something else, on pages of its own.
+    SettingsDialog(SettingsSubject subject, std::vector<SettingsPage> pages, FileChooser chooseFile,
+                   QWidget* parent = nullptr);
     /// Every setting of the table stands on one of them. The first ones are those of every
     /// analysis: band and mode, sensor, sun, background.
     static std::vector<SettingsPage> pages();
@@ -54,7 +68,7 @@ class SettingsDialog : public QDialog {
     void showExperts(bool visible);
     Settings edited() const;
 
-    Workbench& workbench_;
+    SettingsSubject subject_;
     std::vector<SettingsPage> pages_;
     std::vector<SettingForm*> forms_;
     QListWidget* list_ = nullptr;

@@ -97,12 +97,14 @@ std::filesystem::path ownPlaceOf(const std::filesystem::path& file) {
     return std::filesystem::path(own.toStdString()) / file.filename();
 }
 
-std::filesystem::path placeForUnsaved(const std::filesystem::path& file) {
+std::filesystem::path placeForUnsaved(const std::filesystem::path& file,
+                                      const std::filesystem::path& unnamed) {
     const auto inside = insideSamples(file);
-    if (inside.empty())
+    if (inside.empty() && !file.empty())
         return file;
     const QString data = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
-    const auto place = std::filesystem::path(data.toStdString()) / "smat/samples" / inside;
+    const std::filesystem::path own = std::filesystem::path(data.toStdString()) / "smat";
+    const auto place = file.empty() ? own / unnamed : own / "samples" / inside;
     // Where it cannot be made, keeping the copy says so.
     std::error_code failure;
     std::filesystem::create_directories(place.parent_path(), failure);

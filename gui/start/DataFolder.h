@@ -29,7 +29,8 @@ void requireOwnPlace(const std::filesystem::path& file);
 /// Where a file may be saved: where it is; one of a sample among the person's documents.
 std::filesystem::path ownPlaceOf(const std::filesystem::path& file);
 /// What a copy and a lock of unsaved edits lie beside: the file; for one of a sample a name in the
-/// person's own data, whose folder is made.
-std::filesystem::path placeForUnsaved(const std::filesystem::path& file);
+/// person's own data, whose folder is made; for what has no file yet `unnamed` there.
+std::filesystem::path placeForUnsaved(const std::filesystem::path& file,
+                                      const std::filesystem::path& unnamed = {});
 
 } // namespace smat::gui

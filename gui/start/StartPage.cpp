@@ -1,22 +1,27 @@
 #include "gui/start/StartPage.h"
 
+#include <algorithm>
+
 #include <QEvent>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "gui/start/DataFolder.h"
 #include "gui/widgets/Theme.h"
+#include "irsg/image/PngView.h"
 
 namespace smat::gui {
 namespace {
 
 constexpr QSize cardPicture(170, 112);
-constexpr int columns = 3, mostRecent = 6;
+constexpr int columns = 3, mostRecent = 6, leastCard_px = 100;
+constexpr int leftMargin_px = 24, rightMargin_px = 16, cardSpacing_px = 6;
 
 QLabel* heading(const QString& text, double scale, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -31,7 +36,8 @@ QLabel* heading(const QString& text, double scale, QWidget* parent) {
 /// bar; all of it where there is no frame.
 QPixmap withoutLegend(const QPixmap& picture) {
     const QImage image = picture.toImage().convertToFormat(QImage::Format_RGB32);
-    const QRgb line = qRgb(96, 96, 96);
+    constexpr irsg::Rgb frame = irsg::viewFrameColor;
+    const QRgb line = qRgb(frame.red, frame.green, frame.blue);
     const auto isLine = [&](int x, int y) {
         return image.valid(x, y) && image.pixel(x, y) == line;
     };
@@ -87,7 +93,7 @@ StartPage::StartPage(QWidget* page) : QWidget(page) {
     auto* body = new QWidget(this);
     body->setBackgroundRole(QPalette::Base);
     auto* grid = new QGridLayout(body);
-    grid->setContentsMargins(24, 18, 16, 18);
+    grid->setContentsMargins(leftMargin_px, 18, rightMargin_px, 18);
     grid->setHorizontalSpacing(24);
     grid->setVerticalSpacing(12);
     grid->addWidget(heading(tr("Infrared signatures of 3-D models"), 1.5, body), 0, 0, 1, 2);
@@ -101,6 +107,7 @@ StartPage::StartPage(QWidget* page) : QWidget(page) {
     scroll->setWidgetResizable(true);
     scroll->setBackgroundRole(QPalette::Base);
     scroll->setWidget(body);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(0, 0, 0, 0);
     all->addWidget(scroll);
@@ -113,6 +120,7 @@ QWidget* StartPage::makeSamples() {
     auto* part = new QWidget(this);
     auto* grid = new QGridLayout(part);
     grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(cardSpacing_px);
     grid->addWidget(heading(tr("Samples"), 1.15, part), 0, 0, 1, columns);
     int number = 0;
     for (const Sample& sample : samples()) {
@@ -127,6 +135,7 @@ QWidget* StartPage::makeSamples() {
         card->setFocusPolicy(Qt::StrongFocus);
         const QString file = QString::fromStdString(sample.project.string());
         connect(card, &QToolButton::clicked, this, [this, file] { emit fileChosen(file); });
+        cards_ << card;
         grid->addWidget(card, 1 + number / columns, number % columns, Qt::AlignLeft);
         ++number;
     }
@@ -189,6 +198,27 @@ void StartPage::setRecentFiles(const QStringList& files) {
         none->setForegroundRole(QPalette::PlaceholderText);
         recent_->addWidget(none);
     }
+}
+
+void StartPage::fitCards() {
+    if (cards_.isEmpty())
+        return;
+    const int bar_px = style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    const int around_px = cards_.front()->sizeHint().width() - cards_.front()->iconSize().width();
+    const int room_px = width() - leftMargin_px - rightMargin_px - bar_px;
+    const int card_px = (room_px - (columns - 1) * cardSpacing_px) / columns - around_px;
+    const int width_px = std::clamp(card_px, leastCard_px, cardPicture.width());
+    const QSize size(width_px, width_px * cardPicture.height() / cardPicture.width());
+    for (QToolButton* card : cards_) {
+        card->setIconSize(size);
+        // A title that is longer than its picture is read in the tip.
+        card->setMaximumWidth(size.width() + around_px);
+    }
+}
+
+void StartPage::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitCards();
 }
 
 void StartPage::showEvent(QShowEvent* event) {

@@ -2,9 +2,11 @@
 
 #include <filesystem>
 
+#include <QList>
 #include <QWidget>
 
 class QHBoxLayout;
+class QToolButton;
 class QVBoxLayout;
 
 namespace smat::gui {
@@ -31,9 +33,12 @@ class StartPage : public QWidget {
   protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
+    /// Cards as large as three fit into the page, smaller ones where it is narrow.
+    void fitCards();
     /// What lies below is not seen, and gets no keys.
     void letKeysBelow(bool let);
     QWidget* makeSamples();
@@ -41,6 +46,7 @@ class StartPage : public QWidget {
     QWidget* makeRecent();
 
     QVBoxLayout* recent_ = nullptr;
+    QList<QToolButton*> cards_;
 };
 
 } // namespace smat::gui

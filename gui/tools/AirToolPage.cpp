@@ -11,10 +11,10 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/Workbench.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/analysis/ResultStore.h"
 #include "gui/widgets/VerticalScrollArea.h"
+#include "gui/workbench/Workbench.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {

@@ -3,10 +3,10 @@
 #include <QAction>
 #include <QMenu>
 
-#include "gui/Workbench.h"
 #include "gui/tools/RadiativePage.h"
 #include "gui/tools/TemperatureProfilePage.h"
 #include "gui/widgets/Theme.h"
+#include "gui/workbench/Workbench.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 
 namespace smat::gui {

@@ -11,9 +11,9 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "gui/Workbench.h"
 #include "gui/tools/MonteCarloPage.h"
 #include "gui/widgets/VerticalScrollArea.h"
+#include "gui/workbench/Workbench.h"
 
 namespace smat::gui {
 

@@ -14,11 +14,11 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "gui/UnsavedNote.h"
-#include "gui/Workbench.h"
-#include "gui/tools/MonteCarloPlots.h"
+#include "gui/analysis/MonteCarloPlots.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
+#include "gui/workbench/UnsavedNote.h"
+#include "gui/workbench/Workbench.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/AnalysisDefinition.h"

@@ -9,10 +9,10 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "gui/Workbench.h"
 #include "gui/settings/SettingForm.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
+#include "gui/workbench/Workbench.h"
 #include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/project/EnvironmentInput.h"

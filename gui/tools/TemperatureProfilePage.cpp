@@ -6,9 +6,9 @@
 #include <QLineEdit>
 #include <QVBoxLayout>
 
-#include "gui/Workbench.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Widgets.h"
+#include "gui/workbench/Workbench.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/project/EnvironmentInput.h"
 #include "smatcore/project/SceneBuilder.h"

@@ -2,9 +2,9 @@
 
 #include <QLineEdit>
 
-#include "gui/Workbench.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
+#include "gui/workbench/Workbench.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/settings/SettingKeys.h"
 

@@ -4,6 +4,7 @@
 
 #include <QColor>
 
+#include "gui/widgets/ThemeColors.h"
 #include "irsg/scene/model/ModelValues.h"
 
 namespace smat::gui {
@@ -18,7 +19,7 @@ struct CodeColors {
     }
     QColor of(const irsg::IrCodes& codes) const {
         const auto found = colors.find(indexOf(codes));
-        return found == colors.end() ? QColor(128, 128, 128) : found->second;
+        return found == colors.end() ? colors::unknownIndex() : found->second;
     }
 };
 

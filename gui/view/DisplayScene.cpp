@@ -1,7 +1,12 @@
 #include "gui/view/DisplayScene.h"
 
+#include <algorithm>
+
+#include <osg/AlphaFunc>
+#include <osg/BoundingBox>
 #include <osg/ComputeBoundsVisitor>
 #include <osg/Geometry>
+#include <osg/Material>
 #include <osg/MatrixTransform>
 #include <osg/NodeVisitor>
 #include <osg/StateSet>
@@ -9,6 +14,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/model/ModelLoader.h"
 #include "irsg/scene/model/ModelPlacing.h"
+#include "irsg/scene/model/TextureCut.h"
 #include "irsg/scene/radiance/SceneRadiometry.h"
 
 namespace smat::gui {
@@ -22,6 +28,31 @@ class UnlitFaces : public osg::NodeVisitor {
         if (geometry.getNormalArray() == nullptr)
             geometry.getOrCreateStateSet()->setMode(
                 GL_LIGHTING, osg::StateAttribute::OFF | osg::StateAttribute::PROTECTED);
+    }
+};
+
+/// Shows textured faces where their alpha is not below a half, as far as their material lets
+/// anything be seen at all.
+class CutTextures : public osg::NodeVisitor {
+  public:
+    CutTextures() : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) {}
+    void apply(osg::Node& node) override {
+        if (osg::StateSet* state = node.getStateSet())
+            cut(*state);
+        traverse(node);
+    }
+
+  private:
+    static void cut(osg::StateSet& state) {
+        irsg::TextureState texture;
+        texture.update(state);
+        if (!texture.isOn() || !irsg::AlphaMask::of(texture))
+            return;
+        const auto* material =
+            dynamic_cast<const osg::Material*>(state.getAttribute(osg::StateAttribute::MATERIAL));
+        const float covers = material ? material->getDiffuse(osg::Material::FRONT).a() : 1.0f;
+        state.setAttributeAndModes(
+            new osg::AlphaFunc(osg::AlphaFunc::GEQUAL, texture.least * covers));
     }
 };
 
@@ -48,13 +79,53 @@ void attempt(const Work& work) {
 
 } // namespace
 
-void DisplayScene::placeTarget(const irsg::Pose& pose) {
-    if (models.empty())
-        return;
-    models.front().pose = pose;
-    models.front().placed->setMatrix(poseMatrix(pose));
-    models.front().marks->setMatrix(poseMatrix(pose));
-    referencePoint_m = pose.toWorld(referenceInModel_m);
+void DisplayScene::placeModel(DisplayModel& model, const irsg::Pose& pose) {
+    model.pose = pose;
+    model.placed->setMatrix(poseMatrix(pose));
+    model.marks->setMatrix(poseMatrix(pose));
+    if (&model == &models.front())
+        referencePoint_m = pose.toWorld(referenceInModel_m);
+}
+
+void DisplayScene::place(const Project& project, const Settings& settings) {
+    // Another number of models is read anew in a moment.
+    for (std::size_t i = 0; i < std::min(models.size(), project.models.size()); ++i)
+        placeModel(models[i], poseOf(project, settings, i));
+}
+
+double DisplayScene::reach_m() const {
+    double reach = radius_m;
+    for (std::size_t i = 1; i < models.size(); ++i) {
+        const ViewBall ball = ballOf(i);
+        reach = std::max(reach, irsg::length(ball.centre_m - referencePoint_m) + ball.radius_m);
+    }
+    return reach;
+}
+
+ViewBall DisplayScene::ballOf(std::size_t model) const {
+    if (model == 0 || model >= models.size())
+        return {referencePoint_m, radius_m};
+    return {models[model].pose.toWorld(models[model].centre_m), models[model].radius_m};
+}
+
+ViewBall DisplayScene::ballOfAll() const {
+    if (models.size() < 2)
+        return ballOf(0);
+    osg::BoundingBoxd box;
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        const ViewBall ball = ballOf(i);
+        const osg::Vec3d centre(ball.centre_m.x, ball.centre_m.y, ball.centre_m.z);
+        const osg::Vec3d half(ball.radius_m, ball.radius_m, ball.radius_m);
+        box.expandBy(centre - half);
+        box.expandBy(centre + half);
+    }
+    ViewBall all{{box.center().x(), box.center().y(), box.center().z()}, 0.0};
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        const ViewBall ball = ballOf(i);
+        all.radius_m =
+            std::max(all.radius_m, irsg::length(ball.centre_m - all.centre_m) + ball.radius_m);
+    }
+    return all;
 }
 
 void DisplayScene::setSignature(const std::filesystem::path& file,
@@ -122,12 +193,16 @@ DisplayScene loadDisplayScene(const Project& project, const Settings& settings,
             scene.remarks.push_back(QString::fromStdString(remark));
         UnlitFaces unlit;
         loaded.node->accept(unlit);
+        if (key.options.cutsTextureAlpha) {
+            CutTextures cut;
+            loaded.node->accept(cut);
+        }
 
         DisplayModel model;
         model.key = key;
         model.name =
             QString::fromStdString(given.name.empty() ? given.file.stem().string() : given.name);
-        model.pose = i == 0 ? targetPoseOf(settings) : given.pose;
+        model.pose = poseOf(project, settings, i);
         // As the infrared has it; where it cannot read the model, about the file's own origin.
         osg::ref_ptr<osg::MatrixTransform> turned = new osg::MatrixTransform(
             irsg::turnAndScale(irsg::completed(given.options.placing, loaded.axes, key.file)));
@@ -146,20 +221,26 @@ DisplayScene loadDisplayScene(const Project& project, const Settings& settings,
             model.database = project.resolve(given.database);
             attempt([&] { model.signature = builder.database(model.database); });
         }
+        osg::ComputeBoundsVisitor bounds;
+        turned->accept(bounds);
+        const osg::BoundingBox& box = bounds.getBoundingBox();
+        const osg::Vec3d centre = box.center();
+        model.centre_m = {centre.x(), centre.y(), centre.z()};
+        model.radius_m = box.radius();
+        for (unsigned int corner = 0; corner < 8; ++corner)
+            model.reach_m =
+                std::max(model.reach_m, static_cast<double>(box.corner(corner).length()));
         scene.models.push_back(std::move(model));
         if (i > 0)
             continue;
 
         // The camera turns about the target's own reference point.
-        osg::ComputeBoundsVisitor bounds;
-        turned->accept(bounds);
-        const osg::Vec3d centre = bounds.getBoundingBox().center();
-        scene.referenceInModel_m = {centre.x(), centre.y(), centre.z()};
-        scene.radius_m = bounds.getBoundingBox().radius();
+        scene.referenceInModel_m = scene.models.front().centre_m;
+        scene.radius_m = scene.models.front().radius_m;
         scene.target_ = given;
         scene.target_.file = key.file;
         scene.findReference();
-        scene.placeTarget(scene.models.front().pose);
+        scene.placeModel(scene.models.front(), scene.models.front().pose);
     }
     if (!diagnostics.empty())
         throw irsg::InputError(std::move(diagnostics));

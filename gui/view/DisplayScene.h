@@ -11,6 +11,7 @@
 
 #include "gui/view/InfraredRequest.h"
 #include "gui/view/ModelFaces.h"
+#include "gui/workbench/OrbitCamera.h"
 #include "irsg/scene/view/Pose.h"
 #include "smatcore/project/Project.h"
 
@@ -27,6 +28,9 @@ struct DisplayModel {
     std::shared_ptr<const ModelFaces> faces;   ///< null where the infrared cannot read it
     std::shared_ptr<const irsg::SignatureDatabase> signature; ///< null where it cannot be read
     irsg::Pose pose;
+    irsg::Vec3 centre_m;   ///< of its bounding box, in model axes
+    double radius_m = 1.0; ///< of the same
+    double reach_m = 0.0;  ///< of the farthest corner from the model's origin
 };
 
 /// What the 3-D view shows of a project: its models with their visible colours and their faces,
@@ -40,7 +44,13 @@ struct DisplayScene {
     std::vector<QString> remarks;
     LoadedModels loaded; ///< for the infrared renderer
 
-    void placeTarget(const irsg::Pose& pose);
+    /// Puts the models where the project and its settings have them.
+    void place(const Project& project, const Settings& settings);
+    /// Of a sphere about the reference point that holds all models.
+    double reach_m() const;
+    /// Of one model, and what holds all of them. The target is taken about its reference point.
+    ViewBall ballOf(std::size_t model) const;
+    ViewBall ballOfAll() const;
     /// The same model with other codes, as the infrared renderer has it.
     void setModel(const ModelKey& key, std::shared_ptr<const irsg::Model> model,
                   const std::shared_ptr<const ModelFaces>& faces);
@@ -53,6 +63,7 @@ struct DisplayScene {
     friend DisplayScene loadDisplayScene(const Project& project, const Settings& settings,
                                          const SceneBuilder::ModelLoader& models);
     void findReference();
+    void placeModel(DisplayModel& model, const irsg::Pose& pose);
     ProjectModel target_;
 };
 

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include <osg/Geode>
+#include <osg/Geometry>
+
 #include "gui/image/ImageView.h"
 #include "gui/view/InfraredDisplay.h"
 #include "gui/widgets/Readable.h"
@@ -17,6 +20,19 @@ constexpr double slow_s = 0.045, quick_s = 0.012;
 constexpr int coarsest = 4;
 /// Longer than this the visible display stands in for a picture that is awaited, s.
 constexpr double patience_s = 0.5;
+/// From so many triangles on, light between surfaces may take seconds where it is not known yet.
+constexpr unsigned large = 5000;
+
+unsigned trianglesOf(const LoadedModels& models) {
+    unsigned count = 0;
+    for (const auto& [key, model] : models) {
+        const osg::Geode* geode = model->graph()->asGroup()->getChild(0)->asGeode();
+        for (unsigned i = 0; i < geode->getNumDrawables(); ++i)
+            for (const auto& set : geode->getDrawable(i)->asGeometry()->getPrimitiveSetList())
+                count += set->getNumIndices() / 3;
+    }
+    return count;
+}
 
 } // namespace
 
@@ -151,10 +167,13 @@ void InfraredPictures::send(bool coarse) {
     std::optional<InfraredRequest> request = view_();
     if (!request)
         return;
+    // Something to be looked at comes first.
+    request->direct = !picture_.image && trianglesOf(request->models) >= large &&
+                      request->settings[key::renderBounces] != 0.0;
     if (coarse)
         request->size_px = {std::max(request->size_px.width() / coarseness_, 1),
                             std::max(request->size_px.height() / coarseness_, 1)};
-    request->coarse = coarse;
+    request->coarse = coarse || request->direct;
     request->revision = revision_;
     request->quantity = quantity_;
     request->map = map_;
@@ -172,12 +191,15 @@ void InfraredPictures::send(bool coarse) {
 void InfraredPictures::take(const InfraredPicture& picture) {
     if (!isOn_ || picture.revision <= droppedAt_)
         return;
-    if (picture.coarse && picture.radiance_s > slow_s)
+    const bool moves = picture.coarse && !picture.direct;
+    if (moves && picture.radiance_s > slow_s)
         coarseness_ = std::min(coarseness_ + 1, coarsest);
-    else if (picture.coarse && picture.radiance_s < quick_s)
+    else if (moves && picture.radiance_s < quick_s)
         coarseness_ = std::max(coarseness_ - 1, 1);
     picture_ = picture;
     problem_.clear();
+    if (picture.direct && !display_->isBusy())
+        send(false);
     stopWaiting();
     emit drawn(picture_);
 }

@@ -10,9 +10,9 @@
 #include <QMetaType>
 #include <QSize>
 
-#include "gui/ModelStore.h"
 #include "gui/image/ColorRule.h"
-#include "gui/view/OrbitCamera.h"
+#include "gui/workbench/ModelStore.h"
+#include "gui/workbench/OrbitCamera.h"
 #include "irsg/image/ColorMap.h"
 #include "irsg/image/RadianceImage.h"
 #include "smatcore/project/SceneBuilder.h"
@@ -36,6 +36,8 @@ struct InfraredRequest {
     /// One sample a pixel, for a picture that is gone in a moment; else the antialiasing of the
     /// settings.
     bool coarse = false;
+    /// Without light between surfaces, the first look at a model for which it takes long; coarse.
+    bool direct = false;
     /// Counts what changes the radiance; with an equal number only the colours are made anew.
     long revision = 0;
 
@@ -55,7 +57,7 @@ struct InfraredPicture {
     irsg::Viewpoint eye;
     QSize size_px; ///< of the picture
     double horizontalFieldOfView_rad = 0.035;
-    bool coarse = false;
+    bool coarse = false, direct = false;
     long revision = 0;
     double radiance_s = 0.0; ///< time that the radiance took; 0 where it was there already
     double seconds = 0.0;    ///< from the start of the work to its end

@@ -17,7 +17,7 @@ std::string environmentKeyOf(const InfraredRequest& request) {
     const Settings& settings = request.settings;
     std::string key = request.project->file.string();
     for (const std::string_view name : std::initializer_list<std::string_view>{
-             key::environmentAtmospheres, key::environmentAmbientTemperature,
+             key::environmentAtmospheres, key::environmentAmbientTemperature, key::environmentBins,
              key::environmentDayOfYear})
         key += "|" + settings.text(name);
     for (const std::string_view name : std::initializer_list<std::string_view>{
@@ -50,7 +50,8 @@ InfraredPicture InfraredScene::draw(const InfraredRequest& request) {
     InfraredPicture picture;
     {
         const irsg::Stopwatch all(picture.seconds);
-        if (!image_ || request.revision != last_.revision || request.coarse != last_.coarse) {
+        if (!image_ || request.revision != last_.revision || request.coarse != last_.coarse ||
+            request.direct != last_.direct) {
             const irsg::Stopwatch watch(picture.radiance_s);
             image_.reset();
             update(request);
@@ -68,6 +69,7 @@ InfraredPicture InfraredScene::draw(const InfraredRequest& request) {
         picture.size_px = request.size_px;
         picture.horizontalFieldOfView_rad = request.horizontalFieldOfView_rad;
         picture.coarse = request.coarse;
+        picture.direct = request.direct;
         picture.revision = request.revision;
         const auto& values = picture.plane().values;
         // Colours hold still while something moves, levels of an equalized scale, too.
@@ -123,6 +125,8 @@ void InfraredScene::update(const InfraredRequest& request) {
         render.zoomWindow = 0;
         render.samplesPerAxis = 1;
     }
+    if (request.direct)
+        render.bounces = 0;
     irsg_.setEnvironment(scene.environment);
     irsg_.setSensor(sensor);
     irsg_.setSettings(render);

@@ -3,7 +3,7 @@
 #include <QPointer>
 #include <QWidget>
 
-#include "gui/ModelWait.h"
+#include "gui/workbench/ModelWait.h"
 
 class QLabel;
 

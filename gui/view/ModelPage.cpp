@@ -16,6 +16,7 @@
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageExport.h"
 #include "gui/image/PaperPicture.h"
+#include "gui/view/SensorFrusta.h"
 #include "gui/view/ViewOverlay.h"
 #include "gui/widgets/FlowBar.h"
 #include "gui/widgets/Readable.h"
@@ -141,7 +142,7 @@ void ModelPage::makeStrip() {
     strip->addWidget(mapBox_);
     strip_->second()->addWidget(sensorButton_);
     strip_->second()->addWidget(inspectButton_);
-    for (QAction* action : QList<QAction*>{fit_} + toggles_) {
+    for (QAction* action : QList<QAction*>{fit_} + onStrip_) {
         auto* button = new QToolButton(this);
         button->setDefaultAction(action);
         button->setAutoRaise(true);
@@ -227,12 +228,27 @@ void ModelPage::makeActions() {
                        tr("A yellow line from the model's centre towards the sun"), false,
                        [this](bool on) { view_->overlay().setSunVectorVisible(on); });
     sun->setIcon(icon("sun-vector"));
+    handles_ = toggle("placeHandles", tr("Handles to &place a model"), ctrlShift | Qt::Key_H,
+                      tr("Arrows that move the chosen model and rings that turn it"), false,
+                      [this](bool on) { view_->setHandlesVisible(on); });
+    handles_->setIcon(icon("place-handles"));
     auto* inset = toggle("pictureInPicture", tr("Othe&r camera in a corner"), ctrlShift | Qt::Key_N,
                          tr("What the other camera sees, in a corner"), true,
                          [this](bool on) { view_->setInsetVisible(on); });
     inset->setIcon(icon("detach"));
-    toggles_ = {viewAxes, modelAxes, sun, wireframe, inset};
+    auto* frusta = toggle("zoomFrusta", tr("Frusta of the &zoom windows"), ctrlShift | Qt::Key_J,
+                          tr("What the sensor's antialiasing samples by itself, as seen from the "
+                             "inspection camera"),
+                          false, [this](bool on) { view_->frusta().setOn(on); });
+    frusta->setIcon(icon("frusta"));
+    toggles_ = {viewAxes, modelAxes, handles_, sun, frusta, wireframe, inset};
+    // Beside the editor a small screen has no room for more.
+    onStrip_ = {viewAxes, modelAxes, sun, wireframe, inset};
     makeCameraActions();
+}
+
+void ModelPage::showHandles(bool on) {
+    handles_->setChecked(on);
 }
 
 void ModelPage::makeCameraActions() {
@@ -244,11 +260,19 @@ void ModelPage::makeCameraActions() {
     connect(inspection_, &QAction::toggled, view_, [this](bool on) {
         view_->navigation().showCamera(on ? ViewCamera::inspection : ViewCamera::sensor);
     });
-    fit_ = new QAction(icon("home"), tr("&Fit the model in the view"), this);
+    fit_ = new QAction(icon("home"), tr("&Fit the scene in the view"), this);
     fit_->setObjectName("fitModel");
     fit_->setShortcut(QKeySequence(Qt::ALT | Qt::Key_0));
-    fit_->setToolTip(tr("Moves the inspection camera to where the whole model is seen (Alt+0)"));
+    fit_->setToolTip(
+        tr("Moves the inspection camera to where the model, or all of several, is seen (Alt+0)"));
     connect(fit_, &QAction::triggered, &view_->navigation(), &ViewNavigation::fit);
+    fitChosen_ = new QAction(tr("Fit the chosen mo&del in the view"), this);
+    fitChosen_->setObjectName("fitChosenModel");
+    fitChosen_->setShortcut(QKeySequence(Qt::ALT | Qt::Key_9));
+    fitChosen_->setToolTip(
+        tr("Moves the inspection camera to where the chosen one of several models is seen "
+           "(Alt+9)"));
+    connect(fitChosen_, &QAction::triggered, &view_->navigation(), &ViewNavigation::fitChosen);
     const std::tuple<const char*, QString, ViewSide> sides[] = {
         {"lookAtFront", tr("&Front"), ViewSide::front},
         {"lookAtRear", tr("&Rear"), ViewSide::rear},
@@ -277,7 +301,7 @@ void ModelPage::fillMenu(QMenu* menu) {
     maps->addAction(nextMap_);
     menu->addSeparator();
     menu->addAction(inspection_);
-    menu->addAction(fit_);
+    menu->addActions({fit_, fitChosen_});
     auto* sides = menu->addMenu(tr("&Look at"));
     sides->setObjectName("viewSides");
     sides->addActions(sides_);
@@ -352,8 +376,13 @@ QImage ModelPage::pictureOfPage() const {
         std::erase_if(conditions, [](const Condition& one) {
             return one.key == key::sensorBand || one.key == key::environmentAtmospheres;
         });
-    return onPaper({const_cast<SceneView*>(view_)->grab().toImage(), title_,
-                    QString::fromStdString(lineOf(conditions)), infrared ? bar_ : nullptr});
+    auto* view = const_cast<SceneView*>(view_);
+    const bool hasHandles = view->hasHandles();
+    view->setHandlesVisible(false); // nothing of the scene
+    const QImage picture = view->grab().toImage();
+    view->setHandlesVisible(hasHandles);
+    return onPaper(
+        {picture, title_, QString::fromStdString(lineOf(conditions)), infrared ? bar_ : nullptr});
 }
 
 } // namespace smat::gui

@@ -30,8 +30,11 @@ class ModelPage : public QWidget, public Exportable {
     ColorBar* colorBar() const { return bar_; }
     /// Puts a field of somebody else beside the displays, above the view.
     void addField(QWidget* field);
+    void showHandles(bool on);
     /// Those that need a model.
     QList<QAction*> modelActions() const { return QList<QAction*>{fit_} + sides_; }
+    /// The one that needs several.
+    QAction* fitChosenAction() const { return fitChosen_; }
     /// Of exported pictures: the name of what is open.
     void setTitle(const QString& title) { title_ = title; }
     /// Displays, quantity, colour map, wireframe, axes, sun vector.
@@ -60,9 +63,10 @@ class ModelPage : public QWidget, public Exportable {
     QAction* apparent_ = nullptr;
     QAction* nextMap_ = nullptr;
     QActionGroup* maps_ = nullptr;
-    QList<QAction*> toggles_;
+    QList<QAction*> toggles_, onStrip_; ///< in the menu; of them, in the strip
+    QAction* handles_ = nullptr;
     QAction* inspection_ = nullptr;
-    QAction* fit_ = nullptr;
+    QAction *fit_ = nullptr, *fitChosen_ = nullptr;
     QList<QAction*> sides_;
     FlowBar* strip_ = nullptr;
     QToolButton* sensorButton_ = nullptr;

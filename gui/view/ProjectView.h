@@ -4,6 +4,7 @@
 
 #include <QObject>
 
+#include "gui/view/PlaceHandles.h"
 #include "gui/widgets/Dialogs.h"
 #include "smatcore/project/Project.h"
 
@@ -48,12 +49,18 @@ class ProjectView : public QObject {
 
   private:
     void connectLoader();
+    void connectHandles();
+    /// The handles of the chosen model; they come where there are several.
+    void followHandles();
+    void drag(PlaceHandle handle, double change);
 
     Workbench& workbench_;
     Dialogs& dialogs_;
     ModelPage* page_;
     SceneLoader* loader_;
     std::vector<ProjectModel> shown_;
+    std::size_t placeable_ = 1; ///< models there were when handles were shown or hidden last
+    double begunAt_ = 0.0;      ///< the value that is dragged
 };
 
 } // namespace smat::gui

@@ -2,9 +2,9 @@
 
 #include <QStringList>
 
-#include "gui/ModelWait.h"
 #include "gui/view/DisplayScene.h"
 #include "gui/widgets/LatestTask.h"
+#include "gui/workbench/ModelWait.h"
 
 namespace smat::gui {
 

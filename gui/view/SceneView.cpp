@@ -6,7 +6,9 @@
 #include <QEvent>
 #include <QOpenGLContext>
 
+#include "gui/view/PlaceMouse.h"
 #include "gui/view/SceneDrawing.h"
+#include "gui/view/SensorFrusta.h"
 #include "gui/view/ViewHud.h"
 #include "gui/view/ViewOverlay.h"
 #include "gui/widgets/Theme.h"
@@ -29,18 +31,35 @@ SceneView::SceneView(QWidget* parent)
     setMouseTracking(true);
     setFormat(SceneDrawing::surfaceFormat());
     navigation_ = new ViewNavigation(this, [this] {
-        return ViewNavigation::Surroundings{projection(), subject_.frame(),
-                                            subject_.scene().radius_m, insetRect()};
+        const DisplayScene& scene = subject_.scene();
+        const auto fromTarget = [&](ViewBall ball) {
+            ball.centre_m = ball.centre_m - scene.referencePoint_m;
+            return ball;
+        };
+        return ViewNavigation::Surroundings{.projection = projection(),
+                                            .frame = subject_.frame(),
+                                            .radius_m = scene.radius_m,
+                                            .reach_m = scene.reach_m(),
+                                            .all = fromTarget(scene.ballOfAll()),
+                                            .chosen = fromTarget(scene.ballOf(subject_.chosen())),
+                                            .inset = insetRect()};
     });
     infrared_ = new InfraredPictures([this] { return infraredRequest(); }, this);
+    frusta_ = new SensorFrusta([this] { return sensorRequest(); }, this);
     overlay_ = new ViewOverlay(this, [this] { return hud(); });
     overlay_->show();
+    placing_ = new PlaceMouse(this, [this]() -> std::optional<PlaceMouse::Seen> {
+        if (!hasHandles())
+            return std::nullopt;
+        return PlaceMouse::Seen{handles(), projection()};
+    });
     follow();
 }
 
 SceneView::~SceneView() {
     // Nothing that still happens to the widget is for them.
     delete infrared_;
+    delete frusta_;
     delete navigation_;
     disconnect(contextGoes_);
     if (context() != nullptr) {
@@ -65,6 +84,8 @@ void SceneView::follow() {
         emit nothingPicked();
     });
 
+    connect(frusta_, &SensorFrusta::changed, this, &SceneView::redraw);
+    connect(placing_, &PlaceMouse::litChanged, overlay_, &ViewOverlay::refresh);
     connect(infrared_, &InfraredPictures::lookChanged, this, &SceneView::displayChanged);
     connect(infrared_, &InfraredPictures::drawn, this, [this](const InfraredPicture& picture) {
         drawing_->setPicture(picture);
@@ -142,6 +163,7 @@ void SceneView::setScene(DisplayScene scene) {
     if (context() != nullptr)
         makeCurrent();
     drawing_->forget(subject_.scene());
+    placing_->drop();
     subject_.setScene(std::move(scene));
     selection_ = {};
     chosen_ = {};
@@ -165,9 +187,36 @@ void SceneView::setProject(const Project& project, const Settings& settings) {
     sceneChanged();
 }
 
-void SceneView::setTargetPose(const irsg::Pose& pose) {
-    subject_.scene().placeTarget(pose);
+void SceneView::placeModels(const Project& project, const Settings& settings) {
+    subject_.scene().place(project, settings);
     sceneChanged();
+}
+
+void SceneView::setChosenModel(std::size_t model) {
+    subject_.setChosen(model);
+    overlay_->refresh();
+}
+
+void SceneView::setHandlesVisible(bool on) {
+    handles_ = on;
+    if (!on)
+        placing_->drop();
+    overlay_->refresh();
+}
+
+PlaceHandles SceneView::handles() const {
+    PlaceHandles handles = subject_.handles();
+    const ViewProjection through = projection();
+    // Neither a few pixels nor out of sight, however far the model is.
+    const double metresPerPixel =
+        std::max(through.depth_m(handles.pose.position_m), 1e-6) / through.focalLength_px;
+    const double side = std::min(through.window.width(), through.window.height());
+    handles.length_m = std::clamp(handles.length_m, 56.0 * metresPerPixel,
+                                  std::max(56.0, 0.38 * side) * metresPerPixel);
+    handles.lit = placing_->lit();
+    if (handles.lit)
+        handles.value = subject_.fieldWords(keyOf(*handles.lit));
+    return handles;
 }
 
 void SceneView::setEditedDatabase(const std::filesystem::path& file,
@@ -178,6 +227,7 @@ void SceneView::setEditedDatabase(const std::filesystem::path& file,
     // not be coarse, however quickly edits follow each other.
     if (!infrared_->isOn() || hasMoved)
         redraw();
+    frusta_->outdate();
     if (!infrared_->isOn())
         return;
     infrared_->outdate();
@@ -207,6 +257,15 @@ std::optional<InfraredRequest> SceneView::infraredRequest() const {
     if (request) {
         request->size_px = size() * devicePixelRatio();
         request->horizontalFieldOfView_rad = fieldOfView_rad();
+    }
+    return request;
+}
+
+std::optional<InfraredRequest> SceneView::sensorRequest() const {
+    auto request = subject_.request(cameras().sensor());
+    if (request) {
+        request->size_px = {subject_.frame().width_px, subject_.frame().height_px};
+        request->horizontalFieldOfView_rad = subject_.frame().horizontalFieldOfView_rad;
     }
     return request;
 }
@@ -268,6 +327,7 @@ void SceneView::setModel(const ModelKey& key, std::shared_ptr<const irsg::Model>
 
 void SceneView::sceneChanged() {
     redraw();
+    frusta_->outdate();
     if (!infrared_->isOn())
         return;
     infrared_->outdate();
@@ -340,6 +400,11 @@ ViewHud SceneView::hud() const {
     hud.camera = camera();
     hud.inspecting = cameras().isInspecting();
     hud.inset = insetRect();
+    hud.frusta = frusta_->frusta(hud.reference_m);
+    for (const irsg::SampledWindow& window : frusta_->windows())
+        hud.mostSamples = std::max(hud.mostSamples, std::min(window.across, window.down));
+    if (hasHandles())
+        hud.handles = handles();
     // On an infrared picture its own brightness counts, not the theme's.
     const InfraredPicture* picture = shownPicture();
     hud.dark = picture != nullptr ? qGray(picture->colors.pixel(0, 0)) < 128 : isDark(palette());
@@ -347,7 +412,10 @@ ViewHud SceneView::hud() const {
         return hud;
     hud.problem = infrared_->problem();
     if (const double waited_s = infrared_->waiting_s(); waited_s > 0.3)
-        hud.busy = tr("infrared: computing… %1 s").arg(waited_s, 0, 'f', 1);
+        hud.busy = (picture != nullptr && picture->direct
+                        ? tr("infrared: light between surfaces follows… %1 s")
+                        : tr("infrared: computing… %1 s"))
+                       .arg(waited_s, 0, 'f', 1);
     return hud;
 }
 

@@ -14,7 +14,9 @@
 
 namespace smat::gui {
 
+class PlaceMouse;
 class SceneDrawing;
+class SensorFrusta;
 class ViewOverlay;
 struct ViewHud;
 
@@ -42,7 +44,15 @@ class SceneView : public QOpenGLWidget {
     /// Pose, camera, frame, sun and all that the infrared picture depends on. The geometry stays
     /// that of setScene.
     void setProject(const Project& project, const Settings& settings);
-    void setTargetPose(const irsg::Pose& pose);
+    void placeModels(const Project& project, const Settings& settings);
+    /// The model that is meant where one of them is.
+    void setChosenModel(std::size_t model);
+    /// Whether that one has handles to place it by.
+    void setHandlesVisible(bool on);
+    bool hasHandles() const { return handles_ && subject_.hasModels(); }
+    /// The handles as they are drawn; LogicError of the standard library without models.
+    PlaceHandles handles() const;
+    PlaceMouse& placeMouse() { return *placing_; }
     /// A database that is being edited stands in for a file, by its resolved path; null for the
     /// file again. Drawn at once.
     void setEditedDatabase(const std::filesystem::path& file,
@@ -61,8 +71,9 @@ class SceneView : public QOpenGLWidget {
     /// What moves the cameras.
     ViewNavigation& navigation() { return *navigation_; }
     const ViewCameras& cameras() const { return navigation_->cameras(); }
-    /// Moves the sensor to where the whole model is seen.
+    /// Moves the sensor to where the whole target is seen, or all models.
     void showWholeModel() { navigation_->showWholeModel(); }
+    void showWholeScene() { navigation_->showWholeScene(); }
     /// The one that is looked through.
     const OrbitCamera& camera() const { return cameras().camera(); }
     /// Settings of the project, with the camera that is looked through.
@@ -75,6 +86,8 @@ class SceneView : public QOpenGLWidget {
     QRectF insetRect() const;
 
     void setWireframe(bool on);
+    /// The frusta of the sensor's zoom windows, in either display.
+    SensorFrusta& frusta() { return *frusta_; }
     /// Axes, sun vector and words over the picture.
     ViewOverlay& overlay() { return *overlay_; }
     /// Tints and outlines faces, in either display; an empty selection none.
@@ -134,15 +147,18 @@ class SceneView : public QOpenGLWidget {
     void refreshReadout();
     ViewHud hud() const;
     std::optional<InfraredRequest> infraredRequest() const;
+    std::optional<InfraredRequest> sensorRequest() const;
     double fieldOfView_rad() const { return fieldOfViewOf(subject_.frame(), size()); }
 
     std::unique_ptr<SceneDrawing> drawing_;
     ViewSubject subject_;
     ViewNavigation* navigation_ = nullptr;
     InfraredPictures* infrared_ = nullptr;
+    SensorFrusta* frusta_ = nullptr;
     ViewOverlay* overlay_ = nullptr;
     FacePicker picker_;
-    bool inset_ = true, wireframe_ = false;
+    PlaceMouse* placing_ = nullptr;
+    bool inset_ = true, wireframe_ = false, handles_ = false;
     FaceSelection selection_;
     ChosenFaces chosen_;
     std::shared_ptr<const CodeColors> codes_;

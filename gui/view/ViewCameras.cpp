@@ -32,10 +32,10 @@ void ViewCameras::forgetInspection() {
     shown_ = ViewCamera::sensor;
 }
 
-void ViewCameras::fit(double radius_m, double fieldOfView_rad) {
+void ViewCameras::fit(const ViewBall& ball, double fieldOfView_rad) {
     OrbitCamera& camera = inspect();
-    camera.offset_m = {};
-    camera.range_m = OrbitCamera::rangeToShow(radius_m, fieldOfView_rad);
+    camera.offset_m = ball.centre_m;
+    camera.range_m = OrbitCamera::rangeToShow(ball.radius_m, fieldOfView_rad);
 }
 
 void ViewCameras::lookAt(ViewSide side) {

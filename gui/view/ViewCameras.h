@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "gui/view/OrbitCamera.h"
 #include "gui/view/ViewProjection.h"
+#include "gui/workbench/OrbitCamera.h"
 
 namespace smat::gui {
 
@@ -35,8 +35,9 @@ class ViewCameras {
     /// Back to the sensor alone, as at first.
     void forgetInspection();
 
-    /// Moves the inspection camera until a sphere about the reference point fills the view.
-    void fit(double radius_m, double fieldOfView_rad);
+    /// Moves the inspection camera until the ball, whose centre is counted from the reference
+    /// point here, fills the view.
+    void fit(const ViewBall& ball, double fieldOfView_rad);
     void lookAt(ViewSide side);
     /// Moves the inspection camera sideways by a part of the window, as if the model were taken
     /// along: right and down are positive.

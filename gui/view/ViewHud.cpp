@@ -10,6 +10,8 @@
 #include <QTextDocument>
 
 #include "gui/plot/PlotLook.h"
+#include "gui/view/SeamedDrawing.h"
+#include "gui/widgets/ThemeColors.h"
 
 namespace smat::gui {
 namespace {
@@ -20,52 +22,23 @@ QString tr(const char* text) {
     return QCoreApplication::translate("smat::gui::ViewHud", text);
 }
 
-QColor inkOf(bool dark) {
-    return dark ? QColor("#d6dbe4") : QColor("#333b48");
-}
-QColor paperOf(bool dark) {
-    return dark ? QColor("#14171c") : QColor("#ffffff");
-}
-
-QColor faded(QColor color, float alpha) {
-    color.setAlphaF(alpha);
-    return color;
-}
-
-/// A line on a seam, so that it is seen before any colour.
-void drawSeamed(QPainter& painter, const QLineF& line, const QColor& color, double width_px,
-                bool dark, Qt::PenStyle style = Qt::SolidLine) {
-    painter.setPen(QPen(faded(paperOf(dark), 0.55F), width_px + 2.4, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(line);
-    painter.setPen(QPen(color, width_px, style, Qt::RoundCap));
-    painter.drawLine(line);
-}
-
-void drawSeamedText(QPainter& painter, const QPointF& middle, const QString& text,
-                    const QColor& color, bool dark) {
-    const QFontMetricsF metrics(painter.font());
-    QPainterPath path;
-    path.addText(middle - QPointF(metrics.horizontalAdvance(text) / 2.0,
-                                  (metrics.descent() - metrics.ascent()) / 2.0),
-                 painter.font(), text);
-    painter.strokePath(
-        path, QPen(faded(paperOf(dark), 0.75F), 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.fillPath(path, color);
-}
-
 /// Words on a plate that stands out from any picture.
 void drawPlate(QPainter& painter, const QRectF& box, bool dark) {
     painter.setPen(Qt::NoPen);
-    painter.setBrush(faded(paperOf(dark), 0.8F));
+    painter.setBrush(faded(colors::overlayPaper(dark), 0.8F));
     painter.drawRoundedRect(box, 5.0, 5.0);
     painter.setBrush(Qt::NoBrush);
 }
 
 enum class Corner { topLeft, topRight, bottomRight };
+constexpr double aroundLabel_px = 18.0;
+bool fits(const QPainter& painter, const QRectF& area, const QString& text) {
+    return QFontMetricsF(painter.font()).horizontalAdvance(text) + aroundLabel_px <= area.width();
+}
 void drawLabel(QPainter& painter, const QRectF& area, Corner corner, const QString& text,
                bool dark) {
     const QFontMetricsF metrics(painter.font());
-    QRectF box(0, 0, std::min(metrics.horizontalAdvance(text) + 18.0, area.width()),
+    QRectF box(0, 0, std::min(metrics.horizontalAdvance(text) + aroundLabel_px, area.width()),
                metrics.height() + 8.0);
     if (corner == Corner::topLeft)
         box.moveTopLeft(area.topLeft());
@@ -74,12 +47,10 @@ void drawLabel(QPainter& painter, const QRectF& area, Corner corner, const QStri
     else
         box.moveBottomRight(area.bottomRight());
     drawPlate(painter, box, dark);
-    painter.setPen(inkOf(dark));
+    painter.setPen(colors::overlayInk(dark));
     painter.drawText(box.adjusted(9, 0, -9, 0), Qt::AlignVCenter | Qt::AlignLeft,
                      metrics.elidedText(text, Qt::ElideRight, box.width() - 17.0));
 }
-
-const QColor axisColors[] = {QColor("#d64545"), QColor("#2f9e58"), QColor("#3b7be0")};
 
 } // namespace
 
@@ -93,10 +64,13 @@ void ViewHud::paint(QPainter& painter) const {
         paintFrame(painter);
     if (!inset.isNull())
         paintInset(painter);
+    paintFrusta(painter);
     if (hasModel && modelAxes)
         paintModelAxes(painter);
     if (hasModel && sunVector)
         paintSun(painter);
+    if (handles)
+        handles->paint(painter, projection, dark);
     if (viewAxes)
         paintViewAxes(painter);
     paintWords(painter);
@@ -105,7 +79,7 @@ void ViewHud::paint(QPainter& painter) const {
 }
 
 void ViewHud::paintInvitation(QPainter& painter) const {
-    painter.setPen(faded(inkOf(dark), 0.75F));
+    painter.setPen(faded(colors::overlayInk(dark), 0.75F));
     painter.drawText(QRectF(QPointF(), projection.window), Qt::AlignCenter | Qt::TextWordWrap,
                      tr("Nothing is open yet.\n"
                         "Open a project or a model (Ctrl+O), or drop one here."));
@@ -128,7 +102,7 @@ void ViewHud::paintFrame(QPainter& painter) const {
     const QRectF inner =
         frameRectIn(frame, projection.window).adjusted(inset_px, inset_px, -inset_px, -inset_px);
     const double arm = 16.0;
-    const QColor ink = faded(inkOf(dark), 0.75F);
+    const QColor ink = faded(colors::overlayInk(dark), 0.75F);
     for (const auto& [corner, right, down] :
          {std::tuple{inner.topLeft(), 1.0, 1.0}, std::tuple{inner.topRight(), -1.0, 1.0},
           std::tuple{inner.bottomLeft(), 1.0, -1.0}, std::tuple{inner.bottomRight(), -1.0, -1.0}}) {
@@ -149,9 +123,10 @@ void ViewHud::paintViewAxes(QPainter& painter) const {
         const auto& [along, name] = axes[i];
         const QPointF tip(irsg::dot(along, projection.eye.right),
                           -irsg::dot(along, projection.eye.up));
-        drawSeamed(painter, {origin, origin + tip * viewAxisLength_px}, axisColors[i], 2.4, dark);
-        drawSeamedText(painter, origin + tip * (viewAxisLength_px + 13.0), name, axisColors[i],
-                       dark);
+        drawSeamed(painter, {origin, origin + tip * viewAxisLength_px},
+                   colors::axis(static_cast<int>(i)), 2.4, dark);
+        drawSeamedText(painter, origin + tip * (viewAxisLength_px + 13.0), name,
+                       colors::axis(static_cast<int>(i)), dark);
     }
     painter.restore();
 }
@@ -166,7 +141,7 @@ void ViewHud::paintModelAxes(QPainter& painter) const {
         const auto line = projection.line(reference_m, reference_m + along * length_m);
         if (!line)
             continue;
-        drawSeamed(painter, *line, axisColors[i], 2.0, dark);
+        drawSeamed(painter, *line, colors::axis(static_cast<int>(i)), 2.0, dark);
         // A name beyond the tip, or beside an axis that points into the picture.
         const double length_px = line->length();
         const QPointF beyond =
@@ -174,7 +149,7 @@ void ViewHud::paintModelAxes(QPainter& painter) const {
         const QFontMetricsF metrics(painter.font());
         const double half = metrics.horizontalAdvance(axes[i].second) / 2.0;
         drawSeamedText(painter, line->p2() + QPointF(beyond.x() * (half + 6.0), beyond.y() * 13.0),
-                       axes[i].second, axisColors[i], dark);
+                       axes[i].second, colors::axis(static_cast<int>(i)), dark);
     }
 }
 
@@ -184,12 +159,35 @@ void ViewHud::paintSun(QPainter& painter) const {
         return;
     // Below the horizon no sun is reflected: the line is there, broken.
     const bool isUp = towardsSun.z > 0.0;
-    const QColor yellow("#ffcc00");
+    const QColor yellow = colors::sun();
     drawSeamed(painter, *line, yellow, 2.4, dark, isUp ? Qt::SolidLine : Qt::DotLine);
-    painter.setPen(QPen(QColor("#8a6a00"), 1.0));
+    painter.setPen(QPen(colors::sunRim(), 1.0));
     painter.setBrush(isUp ? yellow : faded(yellow, 0.4F));
     painter.drawEllipse(line->p2(), 6.0, 6.0);
     painter.setBrush(Qt::NoBrush);
+}
+
+void ViewHud::paintFrusta(QPainter& painter) const {
+    for (const ViewFrustum& frustum : frusta) {
+        const bool isFrame = frustum.of == ViewFrustum::Of::frame;
+        const QColor color =
+            isFrame ? faded(colors::overlayInk(dark), 0.8F) : colors::zoomFrustum();
+        const double width_px = isFrame ? 1.0 : 1.4;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const irsg::Vec3 &corner = frustum.corners_m[i], &next = frustum.corners_m[(i + 1) % 4];
+            if (const auto edge = projection.line(corner, next))
+                drawSeamed(painter, *edge, color, width_px, dark);
+            // Seen through the sensor itself they are points.
+            if (const auto edge =
+                    inspecting ? projection.line(frustum.eye_m, corner) : std::nullopt;
+                edge && frustum.of != ViewFrustum::Of::point)
+                drawSeamed(painter, *edge, faded(color, 0.6F), 0.8, dark);
+        }
+        if (const auto sight = frustum.of == ViewFrustum::Of::point && inspecting
+                                   ? projection.line(frustum.eye_m, frustum.corners_m[0])
+                                   : std::nullopt)
+            drawSeamed(painter, *sight, faded(color, 0.6F), 0.8, dark, Qt::DotLine);
+    }
 }
 
 QRectF ViewHud::wordsArea() const {
@@ -199,7 +197,7 @@ QRectF ViewHud::wordsArea() const {
 }
 
 void ViewHud::paintInset(QPainter& painter) const {
-    painter.setPen(QPen(faded(inkOf(dark), 0.75F), 1.4));
+    painter.setPen(QPen(faded(colors::overlayInk(dark), 0.75F), 1.4));
     painter.drawRect(inset);
     drawLabel(painter, inset.adjusted(3, 3, -3, -3), Corner::topLeft,
               inspecting ? tr("sensor") : tr("inspection"), dark);
@@ -207,14 +205,26 @@ void ViewHud::paintInset(QPainter& painter) const {
 
 void ViewHud::paintWords(QPainter& painter) const {
     QRectF area = wordsArea();
-    const QString words = tr(inspecting ? "inspection   azimuth %1°   elevation %2°   distance %3 m"
-                                        : "sensor   azimuth %1°   elevation %2°   range %3 m")
-                              .arg(camera.azimuth_deg, 0, 'f', 1)
-                              .arg(camera.elevation_deg, 0, 'f', 1)
-                              .arg(camera.range_m, 0, 'g', 6);
+    const auto placed = [this](const char* form) {
+        return tr(form)
+            .arg(camera.azimuth_deg, 0, 'f', 1)
+            .arg(camera.elevation_deg, 0, 'f', 1)
+            .arg(camera.range_m, 0, 'g', 6);
+    };
     QRectF left = area;
     if (!inset.isNull())
         left.setRight(inset.left() - 6.0);
+    QString words = placed(inspecting ? "inspection   azimuth %1°   elevation %2°   distance %3 m"
+                                      : "sensor   azimuth %1°   elevation %2°   range %3 m");
+    // No number may be cut off.
+    if (!fits(painter, left, words))
+        words = placed("az %1°   el %2°   %3 m");
+    if (const auto windows = std::ranges::count(frusta, ViewFrustum::Of::window, &ViewFrustum::of);
+        !frusta.empty())
+        words += "   " + (windows == 1 ? tr("1 window") : tr("%1 windows").arg(windows)) +
+                 (mostSamples > 0.0
+                      ? tr(", up to %1 samples a pixel and axis").arg(mostSamples, 0, 'g', 3)
+                      : QString());
     drawLabel(painter, left, Corner::topLeft, words, dark);
     if (!inset.isNull())
         area.setTop(std::max(area.top(), inset.bottom() + 6.0));
@@ -234,14 +244,14 @@ void ViewHud::paintProblem(QPainter& painter) const {
     words.setDefaultFont(painter.font());
     words.setDocumentMargin(0.0);
     words.setHtml(QStringLiteral("<div style='color:%1'><b>%2</b><p>%3</p></div>")
-                      .arg(inkOf(dark).name(), tr("No infrared picture"),
+                      .arg(colors::overlayInk(dark).name(), tr("No infrared picture"),
                            shown.join("\n").toHtmlEscaped().replace('\n', "<br>")));
     words.setTextWidth(width - 32.0);
 
     QRectF box(0, 0, width, std::min(words.size().height() + 28.0, window.height() - 24.0));
     box.moveCenter(QPointF(window.width() / 2.0, window.height() / 2.0));
-    painter.setPen(QPen(QColor("#d08a1d"), 1.4));
-    painter.setBrush(faded(paperOf(dark), 0.93F));
+    painter.setPen(QPen(colors::problemFrame(), 1.4));
+    painter.setBrush(faded(colors::overlayPaper(dark), 0.93F));
     painter.drawRoundedRect(box, 7.0, 7.0);
     painter.setBrush(Qt::NoBrush);
     const QRectF inner = box.adjusted(16, 14, -16, -14);

@@ -41,7 +41,13 @@ void ViewNavigation::showCamera(ViewCamera camera) {
 
 void ViewNavigation::fit() {
     const Surroundings around = surroundings_();
-    cameras_.fit(around.radius_m, narrowFieldOfView_rad(around.frame));
+    cameras_.fit(around.all, narrowFieldOfView_rad(around.frame));
+    tellMoved(false);
+}
+
+void ViewNavigation::fitChosen() {
+    const Surroundings around = surroundings_();
+    cameras_.fit(around.chosen, narrowFieldOfView_rad(around.frame));
     tellMoved(false);
 }
 
@@ -51,9 +57,16 @@ void ViewNavigation::lookAt(ViewSide side) {
 }
 
 void ViewNavigation::showWholeModel() {
-    const Surroundings around = surroundings_();
+    moveSensorBack(surroundings_().radius_m);
+}
+
+void ViewNavigation::showWholeScene() {
+    moveSensorBack(surroundings_().reach_m);
+}
+
+void ViewNavigation::moveSensorBack(double radius_m) {
     cameras_.useSensor().range_m =
-        OrbitCamera::rangeToShow(around.radius_m, narrowFieldOfView_rad(around.frame));
+        OrbitCamera::rangeToShow(radius_m, narrowFieldOfView_rad(surroundings_().frame));
     tellMoved(true);
 }
 

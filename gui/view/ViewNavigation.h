@@ -27,7 +27,9 @@ class ViewNavigation : public QObject {
     struct Surroundings {
         ViewProjection projection;
         ViewFrame frame;
-        double radius_m = 1.0; ///< of the model
+        double radius_m = 1.0; ///< of the target
+        double reach_m = 1.0;  ///< of all models about it
+        ViewBall all, chosen;  ///< models, counted from the target's reference point
         QRectF inset;          ///< of the other camera's picture; null where there is none
     };
     ViewNavigation(QWidget* view, std::function<Surroundings()> surroundings);
@@ -37,11 +39,14 @@ class ViewNavigation : public QObject {
     /// Back to the sensor alone.
     void forgetInspection();
     void showCamera(ViewCamera camera);
-    /// Of the inspection camera: the whole model, or a side of it.
+    /// Of the inspection camera: all models, the chosen one, or a side.
     void fit();
+    void fitChosen();
     void lookAt(ViewSide side);
-    /// Moves the sensor to where the whole model is seen.
+    /// Moves the sensor, which looks at the target, to where that is seen as a whole, or all
+    /// models.
     void showWholeModel();
+    void showWholeScene();
     bool isDragging() const { return dragFrom_.has_value(); }
     /// Where the mouse reads the picture: nowhere outside of it and during a drag.
     std::optional<QPointF> readsAt() const { return dragFrom_ ? std::nullopt : hoverAt_; }
@@ -70,6 +75,7 @@ class ViewNavigation : public QObject {
     bool pressKey(const QKeyEvent& event);
     void hover(const std::optional<QPointF>& point);
     OrbitCamera& camera(bool sensor);
+    void moveSensorBack(double radius_m);
     void tellMoved(bool sensor);
     void tellCamera();
 

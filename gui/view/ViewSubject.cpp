@@ -1,11 +1,15 @@
 #include "gui/view/ViewSubject.h"
 
+#include <algorithm>
+
 #include <QString>
 
 #include "gui/view/ViewHud.h"
+#include "gui/widgets/Readable.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/project/EnvironmentInput.h"
+#include "smatcore/project/ModelFields.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
@@ -25,7 +29,7 @@ void ViewSubject::setProject(const Project& project, const Settings& settings) {
     if (!project_ || *project_ != project)
         project_ = std::make_shared<const Project>(project);
     settings_ = settings;
-    scene_.placeTarget(targetPoseOf(settings));
+    scene_.place(project, settings);
     frame_ = {irsg::radians(settings[key::sensorFov]), settings[key::sensorWidth],
               settings[key::sensorHeight]};
     targetYaw_rad_ = irsg::radians(settings[key::targetYaw]);
@@ -78,6 +82,30 @@ std::optional<InfraredRequest> ViewSubject::request(const OrbitCamera& camera) c
     return request;
 }
 
+PlaceHandles ViewSubject::handles() const {
+    const std::size_t number = chosen_ < scene_.models.size() ? chosen_ : 0;
+    const DisplayModel& chosen = scene_.models.at(number);
+    PlaceHandles handles;
+    handles.pose = chosen.pose;
+    handles.length_m = 1.25 * std::max(chosen.reach_m, 1e-3);
+    handles.shifts = number > 0;
+    handles.name = chosen.name;
+    return handles;
+}
+
+QString ViewSubject::fieldWords(const char* key) const {
+    const ModelField* field = findModelField(key);
+    if (!project_ || field == nullptr || chosen_ >= project_->models.size())
+        return {};
+    Project shown = *project_;
+    shown.settings = settings_;
+    const std::string text = smat::textOf(shown, chosen_, *field);
+    const QString unit = readableUnit(field->info.unit);
+    return QStringLiteral("%1 %2%3").arg(QString::fromStdString(field->info.label).toLower(),
+                                         QString::fromStdString(text),
+                                         unit.isEmpty() || unit == "°" ? unit : " " + unit);
+}
+
 void ViewSubject::fill(ViewHud& hud) const {
     hud.frame = frame_;
     hud.towardsSun = towardsSun_;
@@ -86,8 +114,13 @@ void ViewSubject::fill(ViewHud& hud) const {
     if (!hud.hasModel)
         return;
     hud.reference_m = scene_.referencePoint_m;
-    hud.attitude = scene_.models.front().pose.attitude;
     hud.radius_m = scene_.radius_m;
+    const DisplayModel& chosen = scene_.models[chosen_ < scene_.models.size() ? chosen_ : 0];
+    hud.attitude = chosen.pose.attitude;
+    if (&chosen != &scene_.models.front()) {
+        hud.reference_m = chosen.pose.toWorld(chosen.centre_m);
+        hud.radius_m = chosen.radius_m;
+    }
 }
 
 } // namespace smat::gui

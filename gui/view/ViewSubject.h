@@ -4,8 +4,11 @@
 #include <memory>
 #include <optional>
 
+#include <QString>
+
 #include "gui/view/DisplayScene.h"
 #include "gui/view/InfraredRequest.h"
+#include "gui/view/PlaceHandles.h"
 #include "gui/view/ViewProjection.h"
 
 namespace smat::gui {
@@ -34,12 +37,20 @@ class ViewSubject {
     /// Of all that is not the view's own; nothing without models or a project.
     std::optional<InfraredRequest> request(const OrbitCamera& camera) const;
     void fill(ViewHud& hud) const;
+    /// The model that is meant where one of them is; the target where there is no such.
+    void setChosen(std::size_t model) { chosen_ = model; }
+    std::size_t chosen() const { return chosen_; }
+    /// To place it by. LogicError of the standard library where there are no models.
+    PlaceHandles handles() const;
+    /// "east 312.5 m" of it, for the key of a ModelField.
+    QString fieldWords(const char* key) const;
 
   private:
     DisplayScene scene_;
     std::shared_ptr<const Project> project_;
     Settings settings_;
     SceneBuilder::DatabaseOverrides edited_;
+    std::size_t chosen_ = 0;
     double targetYaw_rad_ = 0.0;
     ViewFrame frame_;
     irsg::Vec3 towardsSun_{0, 0, 1};

@@ -6,6 +6,7 @@
 #include <QLineEdit>
 
 #include "gui/widgets/Theme.h"
+#include "gui/widgets/ThemeColors.h"
 
 namespace smat::gui {
 
@@ -26,9 +27,9 @@ QWidget* CheckedCell::createEditor(QWidget* parent, const QStyleOptionViewItem&,
     connect(edit, &QLineEdit::textEdited, this, [this, edit, cell](const QString& text) {
         const QString sentence = problemOf_(cell, text);
         QPalette colours = edit->palette();
-        colours.setColor(QPalette::Base, sentence.isEmpty() ? QApplication::palette().base().color()
-                                         : isDark(QApplication::palette()) ? QColor("#5a2a2e")
-                                                                           : QColor("#ffe3e3"));
+        colours.setColor(QPalette::Base, sentence.isEmpty()
+                                             ? QApplication::palette().base().color()
+                                             : colors::wrongField(QApplication::palette()));
         edit->setPalette(colours);
         report_(sentence);
     });

@@ -12,12 +12,16 @@
 namespace smat::gui {
 namespace {
 
-/// Adds the suffix of the chosen filter where the name has none.
+/// Adds the suffix of the chosen filter where the name has none, and the whole of one of two parts,
+/// ".draws.csv", where it has but the last.
 QString withSuffix(const QString& file, const QString& filter) {
-    const auto match = QRegularExpression(R"(\*(\.\w+))").match(filter);
-    if (file.isEmpty() || !QFileInfo(file).suffix().isEmpty() || !match.hasMatch())
+    const auto match = QRegularExpression(R"(\*((?:\.\w+)?)(\.\w+))").match(filter);
+    if (file.isEmpty() || !match.hasMatch())
         return file;
-    return file + match.captured(1);
+    const QString before = match.captured(1), last = match.captured(2);
+    if (!before.isEmpty() && file.endsWith(last) && !file.endsWith(before + last))
+        return file.chopped(last.size()) + before + last;
+    return QFileInfo(file).suffix().isEmpty() ? file + before + last : file;
 }
 
 /// A box with one of our own pictures, which follow the theme.

@@ -51,7 +51,10 @@ QString readableUnit(const std::string& unit) {
     return withRaisedPowers(QString::fromStdString(unit));
 }
 
-QString withReadableUnits(QString sentence) {
+namespace {
+
+/// What stands for a unit behind a number, and what it is replaced by.
+std::vector<std::pair<QRegularExpression, QString>> unitsInSentences() {
     // Longer units first: some begin like shorter ones.
     std::vector<std::pair<QString, QString>> units;
     for (int i = 0; i < static_cast<int>(irsg::Quantity::dimensionless); ++i) {
@@ -60,11 +63,22 @@ QString withReadableUnits(QString sentence) {
             units.emplace_back(plain, readableUnit(unit));
     }
     std::ranges::sort(units, {}, [](const auto& unit) { return -unit.first.size(); });
+    std::vector<std::pair<QRegularExpression, QString>> result;
     for (const auto& [plain, readable] : units)
-        sentence.replace(QRegularExpression("(?<=[0-9.]|\\bin) " +
-                                            QRegularExpression::escape(plain) + "(?![\\w-])"),
-                         (readable == "°" ? "" : " ") + readable);
-    return sentence.replace(QRegularExpression("(?<=\\d) x (?=\\d)"), " × ");
+        result.emplace_back(QRegularExpression("(?<=[0-9.]|\\bin) " +
+                                               QRegularExpression::escape(plain) + "(?![\\w-])"),
+                            (readable == "°" ? "" : " ") + readable);
+    return result;
+}
+
+} // namespace
+
+QString withReadableUnits(QString sentence) {
+    static const auto units = unitsInSentences();
+    static const QRegularExpression times("(?<=\\d) x (?=\\d)");
+    for (const auto& [plain, readable] : units)
+        sentence.replace(plain, readable);
+    return sentence.replace(times, " × ");
 }
 
 } // namespace smat::gui

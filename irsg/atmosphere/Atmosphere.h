@@ -101,6 +101,8 @@ class Atmosphere {
 
     /// True where this atmosphere can prepare wideband terms (F14, F17).
     virtual bool isWidebandModeAvailable() const { return false; }
+    /// Why it cannot, in words that follow the name.
+    virtual std::string widebandRefusal() const { return "has no wideband mode"; }
     /// The wideband terms of a sensor, at which this atmosphere answers: see SensorCkData.h.
     /// LogicError where they are not available.
     virtual std::shared_ptr<const SensorCkData> prepareCk(const CkRequest& request) const;
@@ -108,6 +110,9 @@ class Atmosphere {
     virtual std::shared_ptr<const Atmosphere> withBins(int /*resolution_per_cm*/) const {
         return nullptr;
     }
+    /// The same air without tables, whose answers do not depend on what it was asked before; null
+    /// where they never do.
+    virtual std::shared_ptr<const Atmosphere> onTheFly() const { return nullptr; }
 
   protected:
     /// The answer to a question that was checked, over a range that the base holds.

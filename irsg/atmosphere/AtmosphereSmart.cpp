@@ -6,6 +6,7 @@
 #include "irsg/atmosphere/AirNodes.h"
 #include "irsg/atmosphere/SmartAdapter.h"
 #include "irsg/atmosphere/SunDiscGeometry.h"
+#include "irsg/atmosphere/ck/CkKept.h"
 #include "irsg/atmosphere/ck/CkStore.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/atmosphere/engine/ResourceFile.h"
@@ -29,9 +30,8 @@ std::optional<CkStore> storeOf(const AtmosphereSmart& air) {
 
 /// All that terms depend on: the program's own way to train, the tables, the air, the request.
 CkKey keyOf(const AtmosphereSmart& air, const CkRequest& request) {
-    constexpr double training = 4; // counts up with every change of what is trained
     CkKey key;
-    key.add(training);
+    key.add(ckTraining);
     // A table that was made anew has another time.
     const std::filesystem::path folder = atmosphereResource("gases.gastable").parent_path();
     std::set<std::filesystem::path> tables;
@@ -39,9 +39,12 @@ CkKey keyOf(const AtmosphereSmart& air, const CkRequest& request) {
         tables.insert(entry.path());
     for (const std::filesystem::path& table : tables)
         key.add(table.filename().string() + "|" + stampOf(table).value_or(FileStamp()).text());
+    // Tables of answers change nothing of what terms are trained on.
+    AtmosphereSmartParameters parameters = air.parameters();
+    parameters.irradianceMode = 1;
     for (const auto& some : {smartParameters(), ownSmartParameters()})
         for (const SmartParameter& parameter : some)
-            key.add(std::string(parameter.name)).add(valueText(parameter, air.parameters()));
+            key.add(std::string(parameter.name)).add(valueText(parameter, parameters));
     for (const AtmosphericState& level :
          air.air().profile.levels()) { // of an ascent the file alone says little
         key.add(level.altitude_m).add(level.pressure_hPa).add(level.temperature_K);
@@ -80,6 +83,22 @@ std::shared_ptr<AtmosphereSmart> AtmosphereSmart::withResolution(int resolution_
     auto other = std::make_shared<AtmosphereSmart>(std::move(parameters), name_, file_, gases_);
     other->remarks_ = remarks_;
     return other;
+}
+
+std::shared_ptr<const Atmosphere> AtmosphereSmart::onTheFly() const {
+    if (parameters_.irradianceMode != 1)
+        return nullptr;
+    const std::lock_guard lock(onTheFlyMutex_);
+    if (onTheFly_)
+        return onTheFly_;
+    AtmosphereSmartParameters parameters = parameters_;
+    parameters.irradianceMode = 2;
+    auto other = std::make_shared<AtmosphereSmart>(std::move(parameters), name_, file_, gases_);
+    other->remarks_ = remarks_;
+    // What both make of the same air is kept once.
+    (void)transfer();
+    std::call_once(other->once_, [&] { other->transfer_ = transfer_; });
+    return onTheFly_ = std::move(other);
 }
 
 const RadiativeTransfer& AtmosphereSmart::transfer() const {
@@ -199,15 +218,9 @@ double AtmosphereSmart::ambientTemperature_K(double altitude_m) const {
 std::shared_ptr<const SensorCkData> AtmosphereSmart::prepareCk(const CkRequest& request) const {
     checkRange(request.band.range());
     const std::optional<CkStore> store = storeOf(*this);
-    if (!store)
-        return std::make_shared<const SensorCkData>(SensorCkData::prepare(transfer(), request));
-    const CkKey key = keyOf(*this, request);
-    if (const auto text = store->find(key.text()))
-        if (auto kept = SensorCkData::fromKept(transfer(), request.band, *text))
-            return std::make_shared<const SensorCkData>(std::move(*kept));
-    auto made = std::make_shared<const SensorCkData>(SensorCkData::prepare(transfer(), request));
-    store->keep(key.text(), made->kept());
-    return made;
+    return keptOrTrained(store, store ? keyOf(*this, request) : CkKey(),
+                         CkNodes(transfer(), request.band), request.band,
+                         [&] { return SensorCkData::prepare(transfer(), request); });
 }
 
 } // namespace irsg

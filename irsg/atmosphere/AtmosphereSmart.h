@@ -78,6 +78,7 @@ class AtmosphereSmart : public Atmosphere {
     std::shared_ptr<const Atmosphere> withBins(int resolution_per_cm) const override {
         return withResolution(resolution_per_cm);
     }
+    std::shared_ptr<const Atmosphere> onTheFly() const override;
 
   protected:
     Spectrum nativeSpectrum(const AtmosphericQuery& question,
@@ -101,6 +102,8 @@ class AtmosphereSmart : public Atmosphere {
     mutable std::shared_ptr<const GasTable> gases_;
     mutable std::once_flag once_;
     mutable std::shared_ptr<const RadiativeTransfer> transfer_;
+    mutable std::mutex onTheFlyMutex_;
+    mutable std::shared_ptr<const AtmosphereSmart> onTheFly_;
     mutable std::mutex tablesMutex_;
     mutable std::map<std::vector<std::uint32_t>, std::unique_ptr<AirTables>> tables_;
 };

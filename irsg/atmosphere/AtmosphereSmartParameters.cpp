@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <type_traits>
 
 #include "irsg/atmosphere/SmartAdapter.h"
@@ -24,7 +25,8 @@ class Check {
     std::vector<Diagnostic> run() {
         for (const auto table : {smartParameters(), ownSmartParameters()})
             for (const SmartParameter& parameter : table)
-                checkRange(parameter);
+                std::ranges::move(rangeDiagnosticsOf(parameter, p_),
+                                  std::back_inserter(diagnostics_));
         checkBand();
         checkAlbedo();
         checkCombinations();
@@ -38,25 +40,6 @@ class Check {
     bool isRefused(std::string_view parameter) const {
         return std::ranges::find(diagnostics_, parameter, &Diagnostic::position) !=
                diagnostics_.end();
-    }
-
-    void checkNumber(const SmartParameter& parameter, double value) {
-        if (!(std::isfinite(value) && parameter.allows(value)))
-            refuse(parameter.name, withUnit(numberText(value), parameter.unit),
-                   std::string(parameter.range));
-    }
-    void checkRange(const SmartParameter& parameter) {
-        std::visit(
-            [&](auto field) {
-                const auto& value = p_.*field;
-                using Value = std::remove_cvref_t<decltype(value)>;
-                if constexpr (std::is_same_v<Value, std::vector<double>>)
-                    for (const double one : value)
-                        checkNumber(parameter, one);
-                else if constexpr (!std::is_same_v<Value, std::string>)
-                    checkNumber(parameter, static_cast<double>(value));
-            },
-            parameter.field);
     }
 
     void checkBand() {
@@ -181,6 +164,28 @@ std::string valueText(const SmartParameter& parameter, const AtmosphereSmartPara
     for (const double number : found.numbers)
         text += (text.empty() ? "" : " ") + numberText(number);
     return text;
+}
+
+std::vector<Diagnostic> rangeDiagnosticsOf(const SmartParameter& parameter,
+                                           const AtmosphereSmartParameters& values) {
+    std::vector<Diagnostic> diagnostics;
+    const auto check = [&](double value) {
+        if (!(std::isfinite(value) && parameter.allows(value)))
+            diagnostics.push_back({"", std::string(parameter.name),
+                                   withUnit(numberText(value), parameter.unit),
+                                   std::string(parameter.range)});
+    };
+    std::visit(
+        [&](auto field) {
+            const auto& value = values.*field;
+            using Value = std::remove_cvref_t<decltype(value)>;
+            if constexpr (std::is_same_v<Value, std::vector<double>>)
+                std::ranges::for_each(value, check);
+            else if constexpr (!std::is_same_v<Value, std::string>)
+                check(static_cast<double>(value));
+        },
+        parameter.field);
+    return diagnostics;
 }
 
 std::vector<Diagnostic> diagnosticsOf(const AtmosphereSmartParameters& parameters) {

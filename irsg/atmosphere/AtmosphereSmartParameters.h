@@ -10,7 +10,7 @@
 
 namespace irsg {
 
-/// The report's 27 parameters of AtmosphereSmart (F15, annex A) in the report's units, and two of
+/// The report's 27 parameters of AtmosphereSmart (F15, annex A) in the report's units, and some of
 /// our own. Defaults are the report's. Codes are described in smartParameters().
 struct AtmosphereSmartParameters {
     int aerosolModel = 0;
@@ -49,6 +49,8 @@ struct AtmosphereSmartParameters {
     /// Ours: mole fractions near the ground; negative: the model's or the ascent's own.
     double ch4_ppmv = -1.0;
     double n2o_ppmv = -1.0;
+    /// Ours: of the ground above sea level, m. Every other altitude is above the ground.
+    double groundAltitude_m = 0.0;
     /// Ours: what ozone and water vapour are multiplied by at all altitudes. Water stays below
     /// saturation.
     double ozoneScale = 1.0;
@@ -58,6 +60,15 @@ struct AtmosphereSmartParameters {
     std::string radiosonde;
 
     bool operator==(const AtmosphereSmartParameters&) const = default;
+};
+
+/// What a parameter is about, in the order in which forms show them.
+enum class SmartGroup { air, gases, aerosol, cloud, ground, computation };
+
+/// One value of a parameter that is a code.
+struct SmartCode {
+    int code;
+    std::string_view words; ///< "mid-latitude summer"
 };
 
 /// What describes one parameter: reading, writing, checking, forms and the manual use it.
@@ -74,6 +85,8 @@ struct SmartParameter {
     bool (*allows)(double); ///< each number; null for text
     std::string_view range; ///< in words, with the unit
     std::string_view help;
+    SmartGroup group;
+    std::span<const SmartCode> codes = {}; ///< all that there are; none where it is no code
 };
 
 /// The 27, by name; and our own, which are written only where they differ from their default.
@@ -89,6 +102,9 @@ struct SmartReading {
     std::vector<std::string> remarks;
 };
 
+/// Each number of one parameter that is out of its range, with its name as position.
+std::vector<Diagnostic> rangeDiagnosticsOf(const SmartParameter& parameter,
+                                           const AtmosphereSmartParameters& values);
 /// Each value out of range and each combination that cannot be, with the parameter's name as
 /// position and without a file; empty where all is well. Impossible are: BaseWavelengthMin not
 /// below BaseWavelengthMax; albedo values and wavelengths of different number, or wavelengths that

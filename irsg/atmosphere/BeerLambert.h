@@ -65,9 +65,15 @@ class BeerLambert : public Atmosphere {
     double ambientTemperature_K(double altitude_m) const override;
     AtmosphereDescription describe() const override;
 
+    /// Terms are wavelengths, at which the closed forms answer.
+    bool isWidebandModeAvailable() const override { return true; }
+    std::shared_ptr<const SensorCkData> prepareCk(const CkRequest& request) const override;
+
   protected:
     Spectrum nativeSpectrum(const AtmosphericQuery& question,
                             const SpectralRange& range) const override;
+    std::vector<double> valuesAtTerms(const AtmosphericQuery& question,
+                                      const SensorCkData& terms) const override;
 
   private:
     /// The nodes of the extinction in `range` and the ends of it.
@@ -76,6 +82,11 @@ class BeerLambert : public Atmosphere {
     Spectrum emittedAlong(double range_m, const SpectralRange& range) const;
     Spectrum seenAlong(const LineOfSight& sight, const SpectralRange& range) const;
     Spectrum unboundedRadiance(const SpectralRange& range) const;
+    /// The answer at single wavelengths.
+    std::vector<double> valuesAt(const AtmosphericQuery& question,
+                                 const std::vector<double>& wavelengths_um) const;
+    /// Wavelengths around a range between which no answer bends more than wideband terms need.
+    std::vector<double> candidates(const SpectralRange& range) const;
 
     BeerLambertParameters parameters_;
     SpectralRange base_;

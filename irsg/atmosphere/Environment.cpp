@@ -1,7 +1,9 @@
 #include "irsg/atmosphere/Environment.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "irsg/atmosphere/NearestRun.h"
 #include "irsg/atmosphere/Vacuum.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/radiometry/Band.h"
@@ -28,6 +30,12 @@ std::string refusalOf(const Atmosphere& atmosphere, AtmosphereProperty property)
 bool isDark(const AtmosphericQuery& question, const Atmosphere& air) {
     return question.quantity == AtmosphereProperty::solarIrradiance &&
            air.sunView(question.altitude_m, question.sun).part <= 0.0;
+}
+
+/// Its name, of a family of runs with how far the nearest is.
+std::string whoAnswers(const Atmosphere& air, const AtmosphericQuery& question) {
+    const auto* family = dynamic_cast<const RunFamily*>(&air);
+    return air.name() + (family ? family->nearestRun(question) : "");
 }
 
 } // namespace
@@ -90,7 +98,7 @@ Answer<std::vector<double>> Environment::answer(const AtmosphericQuery& question
         isWideband ? requireWideband(range, question.quantity) : require(range, question.quantity);
     if (isDark(question, air))
         return {std::vector<double>(sampling.size(), 0.0), air.name()};
-    return {air.answer(question, sampling), air.name()};
+    return {air.answer(question, sampling), whoAnswers(air, question)};
 }
 
 Answer<Spectrum> Environment::spectrum(const AtmosphericQuery& question,
@@ -99,7 +107,7 @@ Answer<Spectrum> Environment::spectrum(const AtmosphericQuery& question,
         return {*defaultBackground, byDefault};
     const Atmosphere& air = require(range, question.quantity);
     return {isDark(question, air) ? Spectrum::constant(0.0) : air.spectrum(question, range),
-            air.name()};
+            whoAnswers(air, question)};
 }
 
 AtmosphericQueryKey Environment::keyOf(const AtmosphericQuery& question,
@@ -145,10 +153,18 @@ Answer<double> Environment::ambientTemperature_K(double altitude_m) const {
 }
 
 const Atmosphere* Environment::findWideband(const SpectralRange& range) const {
+    // One air answers all: the first of those that know the most.
+    const auto known = [](const Atmosphere& air) {
+        return std::ranges::count_if(allAtmosphereProperties, [&](AtmosphereProperty property) {
+            return property != AtmosphereProperty::ambientTemperature && air.supports(property);
+        });
+    };
+    const Atmosphere* best = nullptr;
     for (const auto& atmosphere : atmospheres_)
-        if (atmosphere->isWidebandModeAvailable() && atmosphere->holds(range))
-            return atmosphere.get();
-    return nullptr;
+        if (atmosphere->isWidebandModeAvailable() && atmosphere->holds(range) &&
+            (best == nullptr || known(*atmosphere) > known(*best)))
+            best = atmosphere.get();
+    return best;
 }
 
 const Atmosphere& Environment::requireWideband(const SpectralRange& range) const {
@@ -159,7 +175,7 @@ const Atmosphere& Environment::requireWideband(const SpectralRange& range) const
         refusals += (refusals.empty() ? "" : ", ") + atmosphere->name() +
                     (atmosphere->isWidebandModeAvailable()
                          ? " (holds only " + textOf(atmosphere->base()) + ")"
-                         : " (has no wideband mode)");
+                         : " (" + atmosphere->widebandRefusal() + ")");
     }
     throw InputError({"environment", "wideband-ck over " + textOf(range),
                       refusals.empty() ? "no atmosphere" : refusals,

@@ -62,7 +62,8 @@ class Environment {
     std::shared_ptr<const SpectralSampling>
     nodesAt(const std::vector<double>& wavelengths_um) const;
 
-    /// The first atmosphere that has wideband terms for a band; null where there is none.
+    /// The atmosphere that has wideband terms for a band, of several the one that supports the most
+    /// quantities, of equals the first; null where there is none.
     const Atmosphere* findWideband(const SpectralRange& range) const;
     /// The same; InputError listing each atmosphere and why it has no wideband terms for the band:
     /// there is no default in wideband mode (F29).

@@ -24,10 +24,12 @@ AtmosphericModel SmartAdapter::atmosphericModel(const AtmosphereSmartParameters&
 Profile SmartAdapter::profile(const AtmosphereSmartParameters& parameters,
                               const std::filesystem::path& file) {
     Profile profile = Profile::model(static_cast<ModelAtmosphere>(parameters.atmosphereModel),
-                                     parameters.co2_ppmv);
+                                     parameters.co2_ppmv)
+                          .withGroundAt(parameters.groundAltitude_m);
     if (!parameters.radiosonde.empty())
         profile = Profile::fromRadiosonde(
-            resolveKarmaPath(parameters.radiosonde, file, "parameter Radiosonde"), profile);
+            resolveKarmaPath(parameters.radiosonde, file, "parameter Radiosonde"), profile,
+            parameters.groundAltitude_m);
     const auto scale = [&](Gas gas, double factor) {
         if (factor != 1.0)
             profile = profile.withScaled(gas, factor);
@@ -61,6 +63,7 @@ ParticleSettings SmartAdapter::particleSettings(const AtmosphereSmartParameters&
     settings.windSpeed_m_s = parameters.windSpeed_m_s;
     settings.windSpeed24h_m_s = parameters.windSpeedAverage24_m_s;
     settings.windHeight_m = parameters.windSpeedMeasurementHeight_m;
+    settings.ground_m = parameters.groundAltitude_m;
     settings.atmosphere = static_cast<ModelAtmosphere>(parameters.atmosphereModel);
     settings.winter = settings.atmosphere == ModelAtmosphere::midlatitudeWinter ||
                       settings.atmosphere == ModelAtmosphere::subarcticWinter;

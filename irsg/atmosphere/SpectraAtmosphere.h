@@ -67,6 +67,12 @@ class SpectraAtmosphere : public Atmosphere {
         return property == AtmosphereProperty::backgroundRadiance;
     }
     AtmosphereDescription describe() const override;
+    /// Terms pay where many lines of sight are asked; this air knows one, at its own nodes.
+    std::string widebandRefusal() const override {
+        return "has no wideband mode: it knows one line of sight, so that there is nothing to "
+               "train "
+               "terms on but the answer itself";
+    }
 
   protected:
     Spectrum nativeSpectrum(const AtmosphericQuery& question,

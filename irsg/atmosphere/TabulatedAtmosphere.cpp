@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "irsg/atmosphere/TabulatedTerms.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
@@ -92,6 +93,7 @@ TabulatedAtmosphere::TabulatedAtmosphere(std::vector<SpectralRun> runs, std::str
         wavelengths_um_.push_back(wavelengthFromWavenumber_um(wavenumber));
     fillPaths();
     fillSights();
+    ofTerms_ = std::make_shared<OfTerms>();
 }
 
 void TabulatedAtmosphere::checkFamily() const {
@@ -278,45 +280,74 @@ std::vector<double> TabulatedAtmosphere::sunlight(const AtmosphericQuery& questi
     }
 }
 
+std::vector<double> TabulatedAtmosphere::valuesAt(const AtmosphericQuery& question,
+                                                  std::size_t first, std::size_t last) const {
+    const AtmosphericPath& path = question.path;
+    const LineOfSight& sight = question.sight;
+    const bool isHere = path.range_m == 0.0;
+    const std::vector<double> nothing(last - first, 0.0);
+    switch (question.quantity) {
+    case AtmosphereProperty::transmittance: {
+        std::vector<double> values = isHere ? nothing : depths(path, first, last);
+        std::ranges::transform(values, values.begin(), [](double d) { return std::exp(-d); });
+        return values;
+    }
+    case AtmosphereProperty::pathRadiance:
+        if (isHere)
+            return nothing;
+        checkSun(question.sun);
+        return radiances_.answering(path).at(path, first, last, name_).radiance;
+    case AtmosphereProperty::backgroundRadiance:
+        checkSun(question.sun);
+        return backgrounds_.at(sight.sensorAltitude_m, sight.elevation_rad, first, last, name_,
+                               "line of sight");
+    case AtmosphereProperty::solarIrradiance:
+        return sunlight(question, first, last);
+    case AtmosphereProperty::scatteringOpticalDepth:
+        return isHere ? nothing : scatterings_.answering(path).at(path, first, last, name_).depth;
+    default:
+        throw LogicError("a table of runs was asked for what it does not support");
+    }
+}
+
 Spectrum TabulatedAtmosphere::nativeSpectrum(const AtmosphericQuery& question,
                                              const SpectralRange& range) const {
     const auto [first, last] = nodesAround(range);
     const auto begin = wavelengths_um_.begin();
     const std::vector<double> nodes(begin + static_cast<std::ptrdiff_t>(first),
                                     begin + static_cast<std::ptrdiff_t>(last));
-    const AtmosphericPath& path = question.path;
-    const LineOfSight& sight = question.sight;
-    const bool isHere = path.range_m == 0.0;
-    std::vector<double> values;
+    return {nodes, valuesAt(question, first, last), Spectrum::Outside::hold, name_};
+}
+
+std::string TabulatedAtmosphere::nearestRun(const AtmosphericQuery& question) const {
+    const auto ofPath = [&](const PropertyTables& tables) -> std::string {
+        const AtmosphericPath& path = question.path;
+        if (path.range_m == 0.0)
+            return "";
+        const PathTable& table = tables.answering(path);
+        RunDistance distance = table.nearest(path);
+        if (question.quantity == AtmosphereProperty::transmittance) {
+            const RunDistance back =
+                table.nearest({path.targetAltitude_m, path.sensorAltitude_m, path.range_m});
+            distance = back.sum() < distance.sum() ? back : distance;
+        }
+        return nearestRunText(distance);
+    };
     switch (question.quantity) {
     case AtmosphereProperty::transmittance:
-        values = isHere ? std::vector<double>(nodes.size(), 0.0) : depths(path, first, last);
-        std::ranges::transform(values, values.begin(), [](double d) { return std::exp(-d); });
-        break;
+        return ofPath(transmittances_);
     case AtmosphereProperty::pathRadiance:
-        if (isHere) {
-            values.assign(nodes.size(), 0.0);
-        } else {
-            checkSun(question.sun);
-            values = radiances_.answering(path).at(path, first, last, name_).radiance;
-        }
-        break;
-    case AtmosphereProperty::backgroundRadiance:
-        checkSun(question.sun);
-        values = backgrounds_.at(sight.sensorAltitude_m, sight.elevation_rad, first, last, name_,
-                                 "line of sight");
-        break;
-    case AtmosphereProperty::solarIrradiance:
-        values = sunlight(question, first, last);
-        break;
+        return ofPath(radiances_);
     case AtmosphereProperty::scatteringOpticalDepth:
-        values = isHere ? std::vector<double>(nodes.size(), 0.0)
-                        : scatterings_.answering(path).at(path, first, last, name_).depth;
-        break;
+        return ofPath(scatterings_);
+    case AtmosphereProperty::backgroundRadiance:
+        return nearestRunText(
+            backgrounds_.nearest(question.sight.sensorAltitude_m, question.sight.elevation_rad));
+    case AtmosphereProperty::solarIrradiance:
+        return nearestRunText(suns_.nearest(question.altitude_m, question.sun.elevation_rad));
     default:
-        return Atmosphere::nativeSpectrum(question, range);
+        return "";
     }
-    return {nodes, std::move(values), Spectrum::Outside::hold, name_};
 }
 
 std::vector<std::string> TabulatedAtmosphere::warnings() const {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,7 +34,7 @@ namespace irsg {
 /// radiance with a sun more than 0.5 deg lower or higher is an InputError; azimuths are not
 /// compared. A path, a direction or an altitude outside the family is an InputError that names it
 /// and the table's span.
-class TabulatedAtmosphere : public Atmosphere {
+class TabulatedAtmosphere : public Atmosphere, public RunFamily {
   public:
     /// Throws InputError naming every run that does not belong to the family of the first: other
     /// wavenumbers, other air (MODEL, IHAZE, ISEASN, IVULCN, ICSTL, ICLD, VIS, WSS, WHH, RAINRT,
@@ -70,10 +72,17 @@ class TabulatedAtmosphere : public Atmosphere {
     SpectralRange base() const override;
     bool supports(AtmosphereProperty property) const override;
     AtmosphereDescription describe() const override;
+    std::string nearestRun(const AtmosphericQuery& question) const override;
+
+    /// Terms are wavenumbers of the runs, at which the table of these alone answers.
+    bool isWidebandModeAvailable() const override { return true; }
+    std::shared_ptr<const SensorCkData> prepareCk(const CkRequest& request) const override;
 
   protected:
     Spectrum nativeSpectrum(const AtmosphericQuery& question,
                             const SpectralRange& range) const override;
+    std::vector<double> valuesAtTerms(const AtmosphericQuery& question,
+                                      const SensorCkData& terms) const override;
 
   private:
     /// Paths that end at altitudes of the air and paths to space are never mixed.
@@ -98,6 +107,13 @@ class TabulatedAtmosphere : public Atmosphere {
                                std::size_t last) const;
     std::vector<double> sunlight(const AtmosphericQuery& question, std::size_t first,
                                  std::size_t last) const;
+    /// The answer at spectral nodes first to last - 1.
+    std::vector<double> valuesAt(const AtmosphericQuery& question, std::size_t first,
+                                 std::size_t last) const;
+    /// Paths of the training, or those between them.
+    std::vector<AtmosphericPath> ckPaths(bool heldOut) const;
+    /// The table of some of its nodes, ascending in wavelength.
+    std::shared_ptr<const TabulatedAtmosphere> of(const std::vector<std::uint32_t>& nodes) const;
 
     std::vector<SpectralRun> runs_;
     std::string name_;
@@ -107,6 +123,9 @@ class TabulatedAtmosphere : public Atmosphere {
     PropertyTables scatterings_;
     SightTable backgrounds_;
     SightTable suns_;
+    /// Tables of the terms that were asked last; copies share them.
+    struct OfTerms;
+    std::shared_ptr<OfTerms> ofTerms_;
 };
 
 } // namespace irsg

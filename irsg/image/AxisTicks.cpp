@@ -35,12 +35,20 @@ std::pair<double, int> roundStep(double least) {
     return {std::pow(10.0, power + 1), power + 1};
 }
 
-/// Of at most two digits, the nearest.
-double rounded(double value) {
-    if (value == 0.0)
+/// Of what lies from `low` to `high` the roundest: 0, else, of the multiples of the largest of 1, 2
+/// and 5 times a power of ten that has any there, the one nearest to `wanted`; of two digits.
+double roundestBetween(double low, double high, double wanted) {
+    if (low <= 0.0 && high >= 0.0)
         return 0.0;
-    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 1.0);
-    return std::round(value / unit) * unit;
+    const double largest = std::max(std::abs(low), std::abs(high));
+    const double power = std::floor(std::log10(largest)), unit = std::pow(10.0, power - 1.0);
+    for (const double step : {50.0, 20.0, 10.0, 5.0, 2.0, 1.0}) {
+        const double first = std::ceil(low / (step * unit));
+        const double last = std::floor(high / (step * unit));
+        if (first <= last)
+            return std::clamp(std::round(wanted / (step * unit)), first, last) * step * unit;
+    }
+    return std::round(wanted / unit) * unit;
 }
 
 /// Decimals that show the two digits of a rounded value.
@@ -52,14 +60,20 @@ int decimalsOf(double value) {
     return std::max(0, (std::lround(second) % 10 == 0 ? 0 : 1) - power);
 }
 
-/// Round values at about equal steps of colour.
+/// Round values at about equal steps of colour: the roundest of each step.
 void addAlongColors(const DisplayLimits& limits, int most, double unit, AxisTicks& ticks) {
-    constexpr double nearest = 0.6; // of a step
+    // Parts of a step; values of which each has a colour of its own lie too close for a wide reach.
+    constexpr double nearest = 0.6;
+    const double reach = limits.scale == ColorScale::equalized ? 0.25 : 0.45;
+    const double step = 1.0 / (most - 1);
+    const auto scaledAt = [&](double position) { return limits.value(position) / unit; };
     double before = -1.0;
     for (int i = 0; i < most; ++i) {
-        const double scaled = rounded(limits.value(static_cast<double>(i) / (most - 1)) / unit);
+        const double middle = i * step;
+        const double scaled = roundestBetween(scaledAt(middle - reach * step),
+                                              scaledAt(middle + reach * step), scaledAt(middle));
         const double value = scaled * unit, position = limits.position(value);
-        if (value < limits.low || value > limits.high || position - before < nearest / (most - 1))
+        if (value < limits.low || value > limits.high || position - before < nearest * step)
             continue;
         before = position;
         ticks.values.push_back(value);

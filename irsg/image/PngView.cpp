@@ -14,7 +14,7 @@ namespace irsg {
 
 namespace {
 
-constexpr Rgb paper{255, 255, 255}, ink{38, 38, 38}, line{96, 96, 96};
+constexpr Rgb paper{255, 255, 255}, ink{38, 38, 38}, line = viewFrameColor;
 constexpr int comfortableHeight_px = 240;
 /// Of text at scale 1, px: as plots have it at 96 dots an inch.
 constexpr double titleSize_px = 13.0, conditionsSize_px = 11.0, barSize_px = 11.0;

@@ -10,6 +10,9 @@
 
 namespace irsg {
 
+/// Of the frame around the picture in a view with colour bar.
+inline constexpr Rgb viewFrameColor{96, 96, 96};
+
 /// How a plane is made into a picture. A PNG is a view: the values themselves belong in EXR or CSV.
 struct PngViewOptions {
     std::string colorMap = ColorMap::defaultName;

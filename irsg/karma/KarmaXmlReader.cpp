@@ -99,7 +99,7 @@ class Reader {
     void parse() {
         if (text_.find('\0') != std::string::npos || text_.starts_with("\xFF\xFE") ||
             text_.starts_with("\xFE\xFF"))
-            give("", "bytes that are no UTF-8 text", "an XML file in UTF-8");
+            give("", "bytes that are not UTF-8 text", "an XML file in UTF-8");
         const std::string encoding = encodingOf(text_);
         if (encoding == "iso-8859-1")
             text_ = utf8FromLatin1(text_);

@@ -22,8 +22,9 @@ Vec3 Irsg::referencePoint(std::size_t entity) const {
     return own.pose.toWorld(renderer_->referencePoint(own));
 }
 
-RenderedImage Irsg::render() {
-    Rendered made = renderer_->render(scene_, view_, {.image = true, .reports = true});
+RenderedImage Irsg::render(bool errors) {
+    Rendered made =
+        renderer_->render(scene_, view_, {.image = true, .reports = true, .errors = errors});
     return {std::move(made.image), std::move(made.reports.front())};
 }
 
@@ -55,6 +56,13 @@ std::unique_ptr<const ScaledView> Irsg::scaledView(const std::vector<ScalingInpu
 std::vector<std::unique_ptr<const ScaledView>>
 Irsg::scaledViews(const std::vector<ScalingInput>& inputs, const std::vector<Band>& bands) {
     return renderer_->render(scene_, view_, {.bands = bands, .scalings = inputs}).scaled;
+}
+
+std::vector<std::unique_ptr<const ScaledView>>
+Irsg::scaledObjects(const std::vector<ScalingInput>& inputs, const std::vector<Band>& bands) {
+    return renderer_
+        ->render(scene_, view_, {.bands = bands, .scalings = inputs, .scaledObjects = true})
+        .scaled;
 }
 
 std::unique_ptr<const ScaledView>

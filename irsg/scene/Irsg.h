@@ -45,8 +45,8 @@ class Irsg {
     /// See Renderer::check.
     void checkConfiguration() const { renderer_->check(scene_, view_); }
 
-    /// Radiance image in W m-2 sr-1 with its report.
-    RenderedImage render();
+    /// Radiance image in W m-2 sr-1 with its report, whose sums have their errors on request.
+    RenderedImage render(bool errors = false);
     /// The image of render() alone, for a window that follows what is edited (Wanted::followed).
     RadianceImage picture();
     /// See Renderer::explainer; of the present values.
@@ -62,10 +62,14 @@ class Irsg {
     std::vector<RenderReport> measureAlongRange(const std::vector<Band>& bands);
     /// Begins measure() of the present values, see Renderer::begin.
     std::shared_ptr<Renderer::Begun> beginMeasure(const std::vector<Band>& bands,
-                                                  bool alongRange = false, bool source = false) {
-        return renderer_->begin(
-            scene_, view_,
-            {.reports = true, .alongRange = alongRange, .source = source, .bands = bands});
+                                                  bool alongRange = false, bool source = false,
+                                                  bool errors = false) {
+        return renderer_->begin(scene_, view_,
+                                {.reports = true,
+                                 .alongRange = alongRange,
+                                 .source = source,
+                                 .errors = errors,
+                                 .bands = bands});
     }
     std::vector<RenderReport> finishMeasure(const std::shared_ptr<Renderer::Begun>& begun) {
         return renderer_->finish(begun);
@@ -78,6 +82,9 @@ class Irsg {
     /// The same in several bands, from the same drawings.
     std::vector<std::unique_ptr<const ScaledView>>
     scaledViews(const std::vector<ScalingInput>& inputs, const std::vector<Band>& bands);
+    /// In each band the view of all objects, and behind it that of each alone.
+    std::vector<std::unique_ptr<const ScaledView>>
+    scaledObjects(const std::vector<ScalingInput>& inputs, const std::vector<Band>& bands);
     /// The same of measureSpectrum().
     std::unique_ptr<const ScaledView> scaledSpectrum(const std::vector<ScalingInput>& inputs,
                                                      const std::vector<double>& wavenumbers_per_cm);

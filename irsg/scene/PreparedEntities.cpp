@@ -2,11 +2,70 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/model/DrawPieces.h"
 
 namespace irsg {
+
+namespace {
+
+bool haveEqualFacets(const RayMesh& one, const RayMesh& other) {
+    if (one.pieces() != other.pieces() || one.facets() != other.facets())
+        return false;
+    for (std::size_t piece = 0; piece < one.pieces(); ++piece) {
+        if (one.facetsOf(piece) != other.facetsOf(piece))
+            return false;
+        for (unsigned f = 0; f < one.facetsOf(piece); ++f) {
+            const auto a = one.facet(piece, f).corners_m, b = other.facet(piece, f).corners_m;
+            for (std::size_t corner = 0; corner < a.size(); ++corner)
+                if (a[corner].x != b[corner].x || a[corner].y != b[corner].y ||
+                    a[corner].z != b[corner].z)
+                    return false;
+        }
+    }
+    return true;
+}
+
+/// What bodies see of themselves as far as any renderer of the process holds it: a picture and an
+/// analysis of one model find it once.
+class HeldLight {
+  public:
+    std::shared_ptr<const BodyLight> find(const RayMesh& mesh, const PieceUses& uses, double error,
+                                          bool isAmongOthers) {
+        const std::scoped_lock lock(mutex_);
+        std::erase_if(held_, [](const Held& one) { return one.light.expired(); });
+        for (const Held& one : held_) {
+            if (one.error != error || one.isAmongOthers != isAmongOthers || one.uses != uses)
+                continue;
+            if (auto light = one.light.lock(); light && haveEqualFacets(light->mesh().rays(), mesh))
+                return light;
+        }
+        return nullptr;
+    }
+    void add(const PreparedModel::KnownLight& known) {
+        const std::scoped_lock lock(mutex_);
+        held_.push_back({known.uses, known.error, known.isAmongOthers, known.light});
+    }
+
+  private:
+    struct Held {
+        PieceUses uses;
+        double error;
+        bool isAmongOthers;
+        std::weak_ptr<const BodyLight> light;
+    };
+    std::mutex mutex_;
+    std::vector<Held> held_;
+};
+
+HeldLight& heldLight() {
+    static HeldLight held;
+    return held;
+}
+
+} // namespace
 
 const std::shared_ptr<const RayMesh>& PreparedModel::forRays() {
     if (!rayMesh) {
@@ -25,6 +84,8 @@ std::shared_ptr<const BodyLight> PreparedModel::lightBetween(const PieceUses& us
     });
     if (known != nullptr)
         return known->light;
+    if (auto held = heldLight().find(*forRays(), uses, error, isAmongOthers))
+        return light.add({uses, error, isAmongOthers, std::move(held)}).light;
     // What is between nodes is off by the square of their distance.
     constexpr double usualError = 0.005;
     LightResolution resolution;
@@ -34,8 +95,9 @@ std::shared_ptr<const BodyLight> PreparedModel::lightBetween(const PieceUses& us
     auto mesh = std::make_shared<const LightMesh>(forRays(), uses, resolution);
     auto nodes = std::make_shared<const LightNodes>(std::move(mesh), resolution);
     auto made = std::make_shared<const BodyLight>(std::move(nodes), uses, error);
-    light.add({uses, error, isAmongOthers, made});
-    return made;
+    const KnownLight& added = light.add({uses, error, isAmongOthers, std::move(made)});
+    heldLight().add(added);
+    return added.light;
 }
 
 std::size_t PreparedModel::facets() const {

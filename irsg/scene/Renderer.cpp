@@ -5,8 +5,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "irsg/atmosphere/NearestRun.h"
 #include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/NewLines.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/radiometry/Wording.h"
 #include "irsg/scene/RendererImpl.h"
@@ -89,11 +89,18 @@ Rendered Renderer::render(const Scene& scene, const SensorView& view, const Want
             const std::vector<RenderReport> nominal = p.reports(frame);
             p.timed("scaled view", [&] {
                 const SceneRadiometry& radiometry = frame.evaluated->radiometry;
-                for (std::size_t k = 0; k < frame.bands.size(); ++k)
+                const auto add = [&](std::size_t band, const ObjectRadiometry& sum,
+                                     std::optional<int> only) {
                     result.scaled.push_back(std::make_unique<const SceneScaledView>(
                         factors, radiometry, frame.evaluated->radiances, frame.light.get(),
-                        frame.evaluated->planck, rangesOf(frame.geometry), radiometry.outputs()[k],
-                        wanted.scalings, false, valuesOf(nominal[k].all)));
+                        frame.evaluated->planck, rangesOf(frame.geometry),
+                        radiometry.outputs()[band], wanted.scalings, false, valuesOf(sum), only));
+                };
+                for (std::size_t k = 0; k < frame.bands.size(); ++k) {
+                    add(k, nominal[k].all, {});
+                    for (std::size_t i = 0; wanted.scaledObjects && i < scene.entities.size(); ++i)
+                        add(k, nominal[k].objects[i], static_cast<int>(i));
+                }
             });
         }
     }
@@ -138,6 +145,14 @@ void Renderer::Impl::renderImage(const Frame& frame, const Wanted& wanted, Rende
         const bool isPictures = frame.scene.entities.size() <= 1 && frame.bands.size() == 1 &&
                                 sumsSampleAsPictures(frame);
         result.reports = isPictures ? std::vector{reportOf(frame, reduction)} : reports(frame);
+        if (isPictures && frame.withErrors) {
+            // Lattices are told apart in sums alone.
+            RenderReport sums = std::move(reports(frame).front());
+            RenderReport& own = result.reports.front();
+            own.all.errors = sums.all.errors;
+            for (std::size_t e = 0; e < own.objects.size(); ++e)
+                own.objects[e].errors = sums.objects[e].errors;
+        }
         RenderReport& first = result.reports.front();
         first.windows = std::move(drawn.windows);
         for (std::string& warning : drawn.warnings)
@@ -193,6 +208,8 @@ std::vector<RenderReport> Renderer::Impl::reports(const Frame& frame, const View
             report.totalIrradiance_W_m2 =
                 totalIrradiance_W_m2(frame, band, report.all.irradiance_W_m2);
         }
+        if (frame.withErrors)
+            addErrors(frame, factors, varying, all);
         return all;
     });
 }
@@ -288,7 +305,7 @@ double Renderer::Impl::totalIrradiance_W_m2(const Frame& frame, std::size_t band
 void Renderer::Impl::fillReport(const Frame& frame, std::size_t band, RenderReport& report) const {
     report.background_W_m2_sr = frame.backgrounds[band].centre_W_m2_sr();
     report.answeredBy = frame.answeredBy;
-    addNew(report.answeredBy, frame.backgroundReport.answeredBy);
+    addAnswer(report.answeredBy, frame.backgroundReport.answeredBy);
     std::ranges::copy(frame.warnings, std::back_inserter(report.warnings));
     std::ranges::copy(frame.backgroundReport.warnings, std::back_inserter(report.warnings));
     report.flooredPixels = frame.backgroundReport.flooredPixels;

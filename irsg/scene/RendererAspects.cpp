@@ -18,7 +18,7 @@ SurfaceRows drawnRows(const SurfaceRows& rows, std::size_t entities, int sliced 
     std::vector<SliceNodes> slices(entities);
     if (sliced >= 0)
         slices[static_cast<std::size_t>(sliced)] = std::move(slices_m);
-    return {rows.keys(), transparent, std::move(slices)};
+    return {rows.keys(), transparent, std::move(slices), rows.lobes()};
 }
 
 /// Slices about a distance of what reaches so far before and behind it.
@@ -29,6 +29,38 @@ SliceNodes slicesAbout(double distance_m, double reach_m) {
         slices_m.push_back(distance_m + (2.0 * part - 1.0) * reach_m);
     }
     return slices_m;
+}
+
+/// A view of one object from far away, as it is at unit distance.
+PointFactors pointOf(const ViewFactors& view, double distance_m) {
+    PointFactors point{FactorField<double>(1, view.layout.factorCount + 1), {}, {}};
+    FactorField<double>& field = point.sums_sr_m2;
+    view.field.forEach(0, [&](std::size_t kind, std::span<const double> numbers) {
+        double* own = field.at(0, field.kindOf(view.field.kinds()[kind]));
+        for (std::size_t i = 0; i < field.width(); ++i)
+            own[i] = numbers[i] * distance_m * distance_m;
+    });
+    addLight(view.light, distance_m * distance_m, point.light_sr_m2);
+    for (const ViewFactors& contrast : view.contrasts)
+        point.contrasts.push_back(pointOf(contrast, distance_m));
+    return point;
+}
+
+/// A view of one object as it is at unit distance, in pixels 1 m wide there.
+ViewFactors atUnitDistance(const ViewFactors& view, double distance_m, double pixel_sr) {
+    ViewFactors unit{
+        view.layout, FactorField<double>(1, view.layout.width()), {}, view.layersLeftOver, {}};
+    const double square_m2 = distance_m * distance_m;
+    addLight(view.light, square_m2, unit.light);
+    view.field.forEach(0, [&](std::size_t kind, std::span<const double> numbers) {
+        double* sums = unit.field.at(0, unit.field.kindOf(view.field.kinds()[kind]));
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            sums[i] = numbers[i] * square_m2;
+        sums[view.layout.pixels()] *= pixel_sr;
+    });
+    for (const ViewFactors& contrast : view.contrasts)
+        unit.contrasts.push_back(atUnitDistance(contrast, distance_m, pixel_sr));
+    return unit;
 }
 
 } // namespace
@@ -42,8 +74,10 @@ PointAspect Renderer::Impl::aspectOf(const Frame& frame, int entity, const Vec3&
                         static_cast<double>(settings.maximumLayers), usesRays(frame) ? 1.0 : 0.0},
                        terms.glsl(settings)};
     append(aspect.numbers, from);
+    aspect.numbers.push_back(frame.withErrors ? 1.0 : 0.0);
     aspect.numbers.push_back(frame.shadows ? static_cast<double>(settings.sunShadows) : 0.0);
     appendReceivers(frame, aspect.numbers);
+    appendLobes(frame, aspect.numbers);
     if (frame.shadows)
         aspect.numbers.insert(aspect.numbers.end(), frame.shadows->reflects().begin(),
                               frame.shadows->reflects().end());
@@ -71,7 +105,8 @@ PointAspect Renderer::Impl::aspectOf(const Frame& frame, int entity, const Vec3&
 ViewFactors Renderer::Impl::drawAlone(const Frame& frame, int entity, const CameraFrame& camera,
                                       int zoomWindow, const SurfaceRows& rows) {
     const Entity& own = frame.entity(entity);
-    FactorSums sums(camera.sensor(), rows, fronts, terms.factorCount(), {}, frame.exchange);
+    FactorSums sums(camera.sensor(), rows, fronts, terms.factorCount(), {}, frame.exchange,
+                    frame.withErrors);
     ViewFactors view = sums.emptyView();
     auto seen =
         zoomEntityInfo(entity, camera, own.model->bounds(), prepared.of(own).ball, own.pose);
@@ -88,7 +123,7 @@ ViewFactors Renderer::Impl::drawAlone(const Frame& frame, int entity, const Came
             alone.occluders.clear();
             alone.terrain = {};
             frame.engine->drawFactors({SampleSheet::of(window), {alone}},
-                                      rows.isSliced() || frame.shadows, samples);
+                                      rows.isSliced() || isShaded(frame), samples);
             timed("layer sorting", [&] {
                 sortAndShade(frame, {SampleSheet::of(window), {alone}}, samples);
             });
@@ -127,15 +162,7 @@ const PointFactors& Renderer::Impl::pointFactors(const Frame& frame, const ZoomE
         const SurfaceRows rows = drawnRows(frame.surfaceRows(), frame.scene.entities.size());
         const ViewFactors view =
             drawAlone(frame, object.entity, zoom, frame.scene.settings.zoomWindow * 3 / 2, rows);
-        PointFactors atUnitDistance{FactorField<double>(1, terms.factorCount() + 1), {}};
-        FactorField<double>& field = atUnitDistance.sums_sr_m2;
-        view.field.forEach(0, [&](std::size_t kind, std::span<const double> numbers) {
-            double* own = field.at(0, field.kindOf(view.field.kinds()[kind]));
-            for (std::size_t i = 0; i < field.width(); ++i)
-                own[i] = numbers[i] * distance_m * distance_m;
-        });
-        addLight(view.light, distance_m * distance_m, atUnitDistance.light_sr_m2);
-        return atUnitDistance;
+        return pointOf(view, distance_m);
     });
 }
 
@@ -191,7 +218,7 @@ void Renderer::Impl::addAlongRange(const Frame& frame, const ZoomEntityInfo& obj
     aspect.numbers.push_back(isSliced ? 1.0 : 0.0);
 
     const RangePlace place{geometry.path.range_m, frame.view.sensor.pixelPitch()};
-    for (const auto& [node, weight] : RangeFactors::weightsAt(reach_m / place.range_m)) {
+    const auto addNode = [&](std::size_t node, double weight, bool isError) {
         const double distance_m = reach_m / RangeFactors::nodes[node];
         const SurfaceRows rows =
             drawnRows(frame.surfaceRows(), frame.scene.entities.size(), object.entity,
@@ -199,8 +226,18 @@ void Renderer::Impl::addAlongRange(const Frame& frame, const ZoomEntityInfo& obj
         const ViewFactors& drawn = rangeFactors.at(object.entity, aspect, node, [&] {
             return drawAtNode(frame, object.entity, from, node, rows);
         });
-        addAtRange(drawn, weight, rows, distance_m, frame.surfaceRows(), place, view);
-    }
+        if (!isError)
+            return addAtRange(drawn, weight, rows, distance_m, frame.surfaceRows(), place, view);
+        // Its own contrasts are those of the sum already.
+        addAtRange(drawn, weight, rows, distance_m, frame.surfaceRows(), place,
+                   view.contrasts.back());
+    };
+    const double nearness = reach_m / place.range_m;
+    for (const auto& [node, weight] : RangeFactors::weightsAt(nearness))
+        addNode(node, weight, false);
+    if (!view.contrasts.empty())
+        for (const auto& [node, weight] : RangeFactors::errorWeightsAt(nearness))
+            addNode(node, weight, true);
 }
 
 ViewFactors Renderer::Impl::drawAtNode(const Frame& frame, int entity, const Vec3& from,
@@ -220,20 +257,8 @@ ViewFactors Renderer::Impl::drawAtNode(const Frame& frame, int entity, const Vec
                              Viewpoint::lookAt(at_m + toWorld * from * distance_m, at_m,
                                                toWorld * Vec3{0, 0, 1}, toWorld * Vec3{0, 1, 0}));
 
-    const ViewFactors view = drawAlone(frame, entity, camera, zoomWindow, rows);
-    ViewFactors atUnitDistance{
-        view.layout, FactorField<double>(1, view.layout.width()), {}, view.layersLeftOver};
-    const double square_m2 = distance_m * distance_m;
-    addLight(view.light, square_m2, atUnitDistance.light);
-    const double pixel_sr = sensor.pixelPitch() * sensor.pixelPitch();
-    view.field.forEach(0, [&](std::size_t kind, std::span<const double> numbers) {
-        FactorField<double>& field = atUnitDistance.field;
-        double* sums = field.at(0, field.kindOf(view.field.kinds()[kind]));
-        for (std::size_t i = 0; i < numbers.size(); ++i)
-            sums[i] = numbers[i] * square_m2;
-        sums[view.layout.pixels()] *= pixel_sr;
-    });
-    return atUnitDistance;
+    return atUnitDistance(drawAlone(frame, entity, camera, zoomWindow, rows), distance_m,
+                          sensor.pixelPitch() * sensor.pixelPitch());
 }
 
 } // namespace irsg

@@ -2,6 +2,7 @@
 #include <optional>
 #include <utility>
 
+#include "irsg/radiometry/Errors.h"
 #include "irsg/scene/RendererImpl.h"
 #include "irsg/scene/draw/LayerSort.h"
 #include "irsg/scene/radiance/TruthLayers.h"
@@ -26,9 +27,16 @@ void Renderer::Impl::onEngine(const Frame& frame, const std::function<void()>& w
 }
 
 FactorMaking Renderer::Impl::factorMaking(const Frame& frame, const CameraFrame& camera) const {
-    FactorMaking making{terms.factorCount(), terms.glsl(frame.scene.settings), {}, {}, {}};
+    const bool withNormals = frame.lobes != nullptr;
+    FactorMaking making{terms.factorCount() + (withNormals ? normalFactors : 0),
+                        terms.glsl(frame.scene.settings, withNormals),
+                        {},
+                        {},
+                        {}};
+    if (making.factorCount > mostFactors)
+        throw LogicError("more factors than there is room for beside the normals of surfaces");
     if (usesRays(frame))
-        making.functions = terms.functions(frame.scene.settings);
+        making.functions = terms.functions(frame.scene.settings, withNormals);
     if (frame.shadows)
         making.shadowedFrom = terms.shadowedFrom(frame.scene.settings);
     for (const FrameDirection& direction : terms.directions)
@@ -126,10 +134,10 @@ FrameReduction Renderer::Impl::drawObjects(const Frame& frame, std::vector<Sampl
                 });
             };
             const bool isSliced = std::ranges::any_of(sheet.windows, isSlicedIn);
-            if (!isSliced && !frame_.shadows &&
+            if (!isSliced && !isShaded(frame_) &&
                 std::ranges::none_of(scene.scenes, &SurfaceScene::hasTransparent))
                 return frame_.engine->drawRadiance(scene, samples);
-            frame_.engine->drawFactors(scene, isSliced || frame_.shadows, factors_);
+            frame_.engine->drawFactors(scene, isSliced || isShaded(frame_), factors_);
             {
                 Stopwatch sorting(sortSeconds);
                 impl_.sortAndShade(frame_, scene, factors_);
@@ -235,14 +243,13 @@ Renderer::Impl::beginWindows(const Frame& frame, const std::vector<SampleWindow>
                                                       WindowStream::Seconds& seconds) {
         SampleEngine& engine = *frame.engine;
         engine.drawFactors(scenesOf(frame, frame.camera, (*planned)[i]),
-                           withDistance || frame.shadows, samples);
+                           withDistance || isShaded(frame), samples);
         seconds.drawing += engine.takeDrawSeconds();
         seconds.reading += engine.takeReadSeconds();
     };
-    if (frame.shadows)
+    if (isShaded(frame))
         work.shade = [this, &frame, planned](std::size_t i, FactorSamples& samples) {
-            frame.shadows->apply(scenesOf(frame, frame.camera, (*planned)[i]),
-                                 frame.scene.settings.truthLayers, samples);
+            shade(frame, scenesOf(frame, frame.camera, (*planned)[i]), samples);
         };
     work.take = [planned, take = std::move(take)](std::size_t i, const FactorSamples& samples) {
         for (const SampleWindow& window : (*planned)[i].windows)

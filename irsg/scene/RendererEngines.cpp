@@ -11,7 +11,8 @@ namespace irsg {
 
 namespace {
 
-/// Facets from which rays are quicker than OpenGL drawn by the processor (docs/accuracy.md).
+/// Facets from which rays are quicker than OpenGL drawn by the processor
+/// (docs/accuracy-sampling.md).
 constexpr std::size_t manyFacets = 200'000;
 
 /// Mesa's renderers that have no graphics card.
@@ -115,6 +116,38 @@ std::vector<SunShadows::Caster> Renderer::Impl::casters(const Frame& frame) {
     });
 }
 
+std::vector<SunShadows::Sunlit> Renderer::Impl::sunlitOf(const Frame& frame,
+                                                         const std::vector<int>& shadowed,
+                                                         const SunShadows& shadows) {
+    sunlitFacets.letGo([](const auto& one) { return one->isGone(); });
+    std::vector<SunShadows::Sunlit> all;
+    for (const int from : shadowed) {
+        if (from < 0)
+            continue;
+        const Vec3 towards =
+            terms.directions[static_cast<std::size_t>(from)].world(frame.scene.environment.sun);
+        const auto isKnown = [&](const SunShadows::Sunlit& one) { return one.towards == towards; };
+        if (std::ranges::any_of(all, isKnown))
+            continue;
+        SunShadows::Sunlit& sunlit = all.emplace_back(SunShadows::Sunlit{towards, {}});
+        for (const SunShadows::Caster& caster : shadows.casters()) {
+            std::shared_ptr<const SunlitFacets>& facets = sunlit.facets.emplace_back();
+            if (caster.rows.empty() || caster.mesh->facets() > SunlitFacets::mostFacets)
+                continue;
+            const Vec3 there = caster.pose.attitude.rotation().transposed() * towards;
+            facets = sunlitFacets.of(
+                [&](const std::shared_ptr<const SunlitFacets>& one) {
+                    return one->isOf(caster.mesh, caster.uses, there, shadows.radius_rad());
+                },
+                [&] {
+                    return std::make_shared<const SunlitFacets>(caster.mesh, caster.uses, there,
+                                                                shadows.radius_rad());
+                });
+        }
+    }
+    return all;
+}
+
 void Renderer::Impl::takeShadows(Frame& frame, const Wanted& wanted) {
     const std::vector<int> shadowed = terms.shadowedFrom(frame.scene.settings);
     const bool hasShadows = std::ranges::any_of(shadowed, [](int from) { return from >= 0; });
@@ -144,6 +177,7 @@ void Renderer::Impl::takeShadows(Frame& frame, const Wanted& wanted) {
                                          frame.scene.settings.sunShadows == SunShadowMode::disc);
         if (frame.exchange)
             shadows->setPlaces(placesOf(frame));
+        shadows->setSunlit(sunlitOf(frame, shadowed, *shadows));
         frame.shadows = std::move(shadows);
     }
     if (shadowingTerrain != frame.scene.terrain) {
@@ -156,8 +190,15 @@ void Renderer::Impl::takeShadows(Frame& frame, const Wanted& wanted) {
 void Renderer::Impl::sortAndShade(const Frame& frame, const SheetScene& sheet,
                                   FactorSamples& samples) {
     sortLayers(samples, frame.scene.settings.maximumLayers);
+    shade(frame, sheet, samples);
+}
+
+void Renderer::Impl::shade(const Frame& frame, const SheetScene& sheet,
+                           FactorSamples& samples) const {
     if (frame.shadows)
         frame.shadows->apply(sheet, frame.scene.settings.truthLayers, samples);
+    if (frame.lobes)
+        frame.lobes->apply(sheet, frame.exchange ? frame.shadows.get() : nullptr, samples);
 }
 
 } // namespace irsg

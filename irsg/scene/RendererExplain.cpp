@@ -135,7 +135,11 @@ PixelExplanation Renderer::explain(Explainer& explainer, int x, int y) {
             if (!drawn)
                 drawn = p.scenesOf(frame, frame.camera, sheet);
             FactorSamples& samples = explainer.samples;
-            RayEngine::traceRuns(*drawn, w, runs, samples);
+            // Lobes are as wide as normals around differ.
+            if (frame.lobes)
+                frame.engine->drawFactors(*drawn, true, samples);
+            else
+                RayEngine::traceRuns(*drawn, w, runs, samples);
             p.sortAndShade(frame, *drawn, samples);
             const WindowRays rays(drawn->scenes[w], window);
             for (const SampleRun& run : runs)

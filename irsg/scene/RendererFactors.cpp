@@ -31,6 +31,7 @@ Renderer::Impl::ViewKey Renderer::Impl::viewKey(const Frame& frame) const {
                    static_cast<double>(settings.maximumLayers),
                    settings.terrainHides ? 1.0 : 0.0,
                    usesRays(frame) ? 1.0 : 0.0,
+                   frame.withErrors ? 1.0 : 0.0,
                    frame.shadows ? static_cast<double>(settings.sunShadows) : 0.0};
     const Viewpoint& viewpoint = frame.view.viewpoint;
     for (const Vec3& v : {viewpoint.position_m, viewpoint.right, viewpoint.up})
@@ -50,6 +51,7 @@ Renderer::Impl::ViewKey Renderer::Impl::viewKey(const Frame& frame) const {
         key.numbers.insert(key.numbers.end(), frame.shadows->reflects().begin(),
                            frame.shadows->reflects().end());
     appendReceivers(frame, key.numbers);
+    appendLobes(frame, key.numbers);
     for (const ZoomEntityInfo& object : frame.alongRange)
         key.numbers.push_back(static_cast<double>(object.entity));
     key.terrain = frame.scene.terrain;
@@ -87,7 +89,8 @@ std::shared_ptr<Renderer::Impl::FactorDrawing> Renderer::Impl::beginFactors(cons
     drawing->key = std::move(key);
     drawing->varying = std::move(varying);
     drawing->sums.emplace(frame.view.sensor, drawing->key.rows, drawing->fronts,
-                          terms.factorCount(), pointersTo(drawing->varying), frame.exchange);
+                          terms.factorCount(), pointersTo(drawing->varying), frame.exchange,
+                          frame.withErrors);
     drawing->factors = drawing->sums->emptyView();
     // The drawing outlives what is begun here: it waits for that when it goes.
     drawing->windows = beginWindows(
@@ -107,13 +110,17 @@ const ViewFactors& Renderer::Impl::factorsOf(const Frame& frame, FactorDrawing& 
         waitFor(drawing.windows, "factor sums");
         ViewFactors own = std::exchange(drawing.factors, drawing.sums->emptyView());
         drawing.factors.layersLeftOver = own.layersLeftOver;
-        for (auto& [kind, sums] : own.light)
-            drawing.factors
-                .light[{fronts.numberOf(drawing.fronts.materials(kind.first)), kind.second}] =
-                std::move(sums);
-        drawing.factors.field.add(
-            own.field, [](std::size_t) { return std::size_t{0}; },
-            [&](int front) { return fronts.numberOf(drawing.fronts.materials(front)); });
+        const auto take = [&](ViewFactors& from, ViewFactors& to) {
+            for (auto& [kind, sums] : from.light)
+                to.light[{fronts.numberOf(drawing.fronts.materials(kind.first)), kind.second}] =
+                    std::move(sums);
+            to.field.add(
+                from.field, [](std::size_t) { return std::size_t{0}; },
+                [&](int front) { return fronts.numberOf(drawing.fronts.materials(front)); });
+        };
+        take(own, drawing.factors);
+        for (std::size_t k = 0; k < own.contrasts.size(); ++k)
+            take(own.contrasts[k], drawing.factors.contrasts[k]);
         for (const ZoomEntityInfo& object : frame.points)
             addPointToView(pointFactors(frame, object), frame.surfaceRows(), placeOf(frame, object),
                            pointersTo(drawing.varying), drawing.factors);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "irsg/atmosphere/NearestRun.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/NewLines.h"
 #include "irsg/scene/RendererImpl.h"
@@ -61,13 +62,16 @@ Renderer::Impl::Frame Renderer::Impl::frame(const Scene& scene, const SensorView
         wanted.bands.empty() ? std::vector<Band>{view.sensor.band} : wanted.bands;
     Frame result(scene, view, bands);
     result.withSources = wanted.source && !wanted.image;
+    result.withErrors = wanted.errors && wanted.reports;
     result.centre = centreOf(view.viewpoint);
     result.geometry = geometry(scene, view);
     checkScene(scene.entities, result.geometry, scene.environment, view.sensor, bands,
                scene.settings);
+    takeMirrorGrids(scene, bands.front(), result.geometry);
     takeEngine(result);
     evaluate(result);
     takeShadows(result, wanted);
+    takeLobes(result);
     if (wanted.alongRange && !wanted.image)
         planAlongRange(result);
     findDetails(result);
@@ -83,7 +87,9 @@ void Renderer::Impl::evaluate(Frame& frame) {
         for (std::size_t e = 0; e < frame.geometry.size(); ++e) {
             frame.geometry[e].slices_m = sampled->slices_m[e];
             frame.geometry[e].airError = sampled->airError[e];
+            frame.geometry[e].likelyAirError = sampled->likelyAirError[e];
         }
+        frame.sampled = sampled;
         frame.answeredBy = sampled->answeredBy;
         frame.warnings = sampled->warnings;
         frame.evaluated =
@@ -142,7 +148,7 @@ void Renderer::Impl::drawBackgrounds(Frame& frame, const std::vector<SampledBand
         frame.backgrounds.push_back(background.draw(frame.view.sensor, frame.view.viewpoint, sky,
                                                     wanted, terrainPainter(frame), report));
         frame.backgroundReport.flooredPixels += report.flooredPixels;
-        addNew(frame.backgroundReport.answeredBy, report.answeredBy);
+        addAnswer(frame.backgroundReport.answeredBy, report.answeredBy);
         addNew(frame.backgroundReport.warnings, report.warnings);
     }
 }

@@ -20,6 +20,8 @@
 #include "irsg/scene/draw/Stopwatch.h"
 #include "irsg/scene/draw/WindowStream.h"
 #include "irsg/scene/radiance/AtmosphericQueryCache.h"
+#include "irsg/scene/radiance/LobeSamples.h"
+#include "irsg/scene/radiance/OtherAir.h"
 #include "irsg/scene/radiance/PointSources.h"
 #include "irsg/scene/radiance/RadiometryCache.h"
 #include "irsg/scene/radiance/RangeFactors.h"
@@ -64,6 +66,7 @@ struct Renderer::Impl {
     Fronts fronts;
     PointSources pointSources;
     RangeFactors rangeFactors;
+    RecentlyUsed<std::shared_ptr<const SunlitFacets>> sunlitFacets{8};
     std::shared_ptr<const Terrain> shadowingTerrain; ///< of what is kept of aspects
     /// Light between the surfaces of scenes, by all that it depends on.
     struct KnownExchange {
@@ -76,6 +79,7 @@ struct Renderer::Impl {
     RecentlyUsed<KnownExchange> exchanges{4};
     LightSolutions lightSolutions;
     SceneScattering scattering;
+    OtherAir otherAir;
 
     /// All that the factors of a view depend on.
     struct ViewKey {
@@ -122,9 +126,11 @@ struct Renderer::Impl {
         std::string renderer; ///< who that is
         std::vector<Band> bands;
         bool withSources = false; ///< outputs are the bands, then their sources
+        bool withErrors = false;
         std::vector<ObjectGeometry> geometry;
         LineOfSight centre; ///< through the middle of the field, unbounded
         std::vector<std::string> answeredBy, warnings;
+        std::shared_ptr<const SampledScene> sampled;
         std::shared_ptr<EvaluatedScene> evaluated;
         SharedValues background;                  ///< uniform, as evaluated radiances have it
         std::vector<FrameBackground> backgrounds; // by output
@@ -134,6 +140,7 @@ struct Renderer::Impl {
         std::shared_ptr<const RayMesh> terrainMesh;         // likewise
         std::shared_ptr<const SunShadows> shadows;          // null for none
         std::shared_ptr<const LightExchange> exchange;      // between surfaces, likewise
+        std::shared_ptr<const LobeSamples> lobes;           // of directional ones, likewise
         std::shared_ptr<SceneLight> light;                  // of the bands, likewise
         std::vector<SurfaceRow> rows;                       // by drawn row, of the first band
         std::vector<bool> hot;              // by drawn row: worth samples of its own
@@ -206,9 +213,23 @@ struct Renderer::Impl {
     void takeEngine(Frame& frame);
     /// Gives it what stands before the sun, where shadows are asked for.
     void takeShadows(Frame& frame, const Wanted& wanted);
+    /// What of the shadows is known without rays, for the directions of factors.
+    std::vector<SunShadows::Sunlit> sunlitOf(const Frame& frame, const std::vector<int>& shadowed,
+                                             const SunShadows& shadows);
     /// What stands in the way of light, entity by entity, and the terrain.
     std::vector<SunShadows::Caster> casters(const Frame& frame);
-    /// Sorts the layers of a drawing, and takes the light of the sun away from what is in shadow.
+    /// Gives it what directional surfaces need.
+    void takeLobes(Frame& frame);
+    /// The same, and the air's directions that its objects reflect.
+    void takeMirrorGrids(const Scene& scene, const Band& band,
+                         std::vector<ObjectGeometry>& geometry);
+    /// What of a drawing is left to do to sorted layers: light of the sun that is taken away,
+    /// lobes.
+    void shade(const Frame& frame, const SheetScene& sheet, FactorSamples& samples) const;
+    static bool isShaded(const Frame& frame) { return frame.shadows || frame.lobes; }
+    /// Appends what the factors of lobes depend on.
+    static void appendLobes(const Frame& frame, std::vector<double>& numbers);
+    /// Sorts the layers of a drawing, and does that.
     void sortAndShade(const Frame& frame, const SheetScene& sheet, FactorSamples& samples);
 
     // RendererLight.cpp: light between surfaces.
@@ -281,6 +302,23 @@ struct Renderer::Impl {
     void addAlongRange(const Frame& frame, const ZoomEntityInfo& object, ViewFactors& view);
     ViewFactors drawAtNode(const Frame& frame, int entity, const Vec3& from, std::size_t node,
                            const SurfaceRows& rows);
+
+    // RendererErrors.cpp: how wrong the sums of a view may be.
+    /// Gives reports, by output, their errors. `varying`: see objectSums.
+    void addErrors(const Frame& frame, const ViewFactors& factors, const std::vector<int>& varying,
+                   std::vector<RenderReport>& reports);
+    void addSamplingErrors(const Frame& frame, const ViewFactors& factors,
+                           const std::vector<int>& varying, std::vector<RenderReport>& reports);
+    void addAirErrors(const Frame& frame, const ViewFactors& factors,
+                      std::vector<RenderReport>& reports);
+    /// Sums as they are in other air, or in the same one along other paths.
+    std::vector<ObjectSums> sumsElsewhere(const Frame& frame, const ViewFactors& factors,
+                                          const std::vector<ObjectGeometry>& geometry);
+    /// Those that the other air has of itself; else those of the frame.
+    std::shared_ptr<const SpectralSampling> otherAirNodes(const Frame& frame, const Band& band);
+    void addBackgroundErrors(const Frame& frame, std::vector<RenderReport>& reports);
+    /// Of the background behind an object in a band, W m-2 sr-1.
+    double backgroundError_W_m2_sr(const Frame& frame, std::size_t entity, std::size_t band);
 
     // RendererScattering.cpp
     /// Tells of objects that are partly or wholly outside the frame, and near enough for their

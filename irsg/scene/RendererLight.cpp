@@ -121,6 +121,59 @@ std::shared_ptr<SceneLight> Renderer::Impl::lightOf(const Frame& frame,
     });
 }
 
+void Renderer::Impl::takeMirrorGrids(const Scene& scene, const Band& band,
+                                     std::vector<ObjectGeometry>& geometry) {
+    if (scene.settings.fluxes != ReflectionMode::smart)
+        return;
+    const bool byAzimuth =
+        std::ranges::any_of(scene.environment.atmospheres(), [](const auto& atmosphere) {
+            return atmosphere->answersByAzimuth(AtmosphereProperty::backgroundRadiance);
+        });
+    for (std::size_t e = 0; e < geometry.size(); ++e) {
+        const Entity& entity = scene.entities[e];
+        const bool hasLobes = std::ranges::any_of(entity.model->codes(), [&](const auto& use) {
+            const Material* material = materialEntry(entity, use.first.material);
+            return material != nullptr && !material->surfaceModel.empty();
+        });
+        if (hasLobes)
+            geometry[e].mirror = MirrorGrid(scene.environment.horizonElevation_rad(
+                                                geometry[e].path.targetAltitude_m, band.range()),
+                                            byAzimuth);
+    }
+}
+
+void Renderer::Impl::takeLobes(Frame& frame) {
+    const SurfaceRows& rows = frame.surfaceRows();
+    if (rows.lobes().empty())
+        return;
+    LobeSamples::Making making;
+    making.models = frame.evaluated->radiometry.models();
+    for (const ObjectGeometry& object : frame.geometry)
+        making.grids.push_back(object.mirror);
+    making.roles = terms.lobeRoles();
+    making.isSunSmart = frame.scene.settings.sun == ReflectionMode::smart;
+    for (std::size_t i = 0; i < terms.directions.size(); ++i) {
+        if (terms.directions[i].name == "zenithEye")
+            making.zenith = static_cast<int>(i);
+        if (terms.directions[i].name == "sunEye")
+            making.sun = static_cast<int>(i);
+    }
+    frame.lobes = std::make_shared<const LobeSamples>(rows, std::move(making));
+}
+
+void Renderer::Impl::appendLobes(const Frame& frame, std::vector<double>& numbers) {
+    if (!frame.lobes)
+        return;
+    for (const auto& model : frame.evaluated->radiometry.models()) {
+        numbers.push_back(model ? 1.0 : 0.0);
+        if (model)
+            numbers.insert(numbers.end(), model->key().begin(), model->key().end());
+    }
+    for (const ObjectGeometry& object : frame.geometry)
+        for (const double number : object.mirror.key())
+            numbers.push_back(number);
+}
+
 void Renderer::Impl::appendReceivers(const Frame& frame, std::vector<double>& numbers) {
     if (!frame.exchange)
         return;

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "irsg/atmosphere/AtmosphereScatteringLut.h"
+#include "irsg/atmosphere/NearestRun.h"
 #include "irsg/radiometry/NewLines.h"
 #include "irsg/radiometry/Wording.h"
 #include "irsg/scene/RendererImpl.h"
@@ -32,10 +33,11 @@ std::vector<ScatteredObject> Renderer::Impl::objectsToScatter(const Frame& frame
         if (path.fromTransmittance)
             addNew(warnings, {"scattering: no atmosphere has a scattering optical depth, so that "
                               "eq. 10 takes it from the transmittance of " +
-                              path.answeredBy + ": absorption by gases blurs as if it scattered"});
+                              withoutNearestRun(path.answeredBy) +
+                              ": absorption by gases blurs as if it scattered"});
         else if (path.opticalDepth == 0.0)
             addNew(warnings, {"scattering: nothing scatters on the path to '" + name + "', as " +
-                              path.answeredBy + " says: it has no haze"});
+                              withoutNearestRun(path.answeredBy) + " says: it has no haze"});
     }
     return objects;
 }
@@ -82,8 +84,7 @@ void Renderer::Impl::scatter(const Frame& frame, RadianceImage& image,
         KindRadiances& radiances = frame.evaluated->radiances;
         const SurfaceRows& rows = frame.surfaceRows();
         const auto objectOf = [&](const FactorKind& kind) -> ScatteredObject& {
-            const auto drawn = static_cast<std::size_t>(rows.drawnOf(kind.row));
-            return objects[static_cast<std::size_t>(rows.keys()[drawn].first)];
+            return objects[static_cast<std::size_t>(rows.keyOf(rows.drawnOf(kind.row)).first)];
         };
         radiances.prepare(field.kinds());
         const int width = frame.view.sensor.width_px;

@@ -58,6 +58,8 @@ struct Wanted {
     /// spectrum is taken as it was measured, at its reference distance. Without effect on
     /// images.
     bool source = false;
+    /// The sums of the reports come with their errors (ErrorParts). Not of spectra and scales.
+    bool errors = false;
     /// In-band quantities are asked for in these, from the same drawings; none: in the sensor's.
     std::vector<Band> bands = {};
     /// Wavenumbers of a spectrum, cm-1, > 0, in any order; it is computed in the spectral mode,
@@ -66,6 +68,9 @@ struct Wanted {
     /// The view as a function of these scales, in each band, or at the wavenumbers where there are
     /// any. The entities' own scales must be empty then (LogicError).
     std::vector<ScalingInput> scalings = {};
+    /// Behind the view of all objects in a band one of each object alone, in their order. Without
+    /// effect on spectra.
+    bool scaledObjects = false;
 };
 
 struct Rendered {

@@ -10,6 +10,7 @@
 #include "irsg/radiometry/Wording.h"
 #include "irsg/scene/scattering/SceneScattering.h"
 #include "irsg/scene/trace/RaysBuilt.h"
+#include "irsg/signature/SurfaceModel.h"
 
 namespace irsg {
 
@@ -74,10 +75,24 @@ void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double am
             diagnostics.push_back({entity.name, place, roundedText(temperature_K) + " K",
                                    "a positive temperature in the present state"});
     }
+    for (const auto& [index, material] : materials) {
+        try {
+            SurfaceModel::of(*material);
+        } catch (const InputError& error) {
+            for (Diagnostic one : error.diagnostics()) {
+                one.file = entity.name;
+                one.position = "material index " + std::to_string(index) + " (" + material->name +
+                               ") " + one.position;
+                diagnostics.push_back(std::move(one));
+            }
+        }
+    }
     const auto check = [&](int index, const Material* material, const Band& band) {
         for (const auto& [name, spectrum] :
              {std::pair("emissivity", &material->emissivity),
-              std::pair("transmissivity", &material->transmissivity)})
+              std::pair("transmissivity", &material->transmissivity),
+              std::pair("refractive index", &material->refractiveIndex),
+              std::pair("extinction", &material->extinction)})
             if (!spectrum->covers(band.range()))
                 diagnostics.push_back({entity.name,
                                        "material index " + std::to_string(index) + " (" +

@@ -26,7 +26,8 @@ void forEachColumn(Entry& entry, std::span<const EntryField<std::remove_const_t<
                 if constexpr (std::is_same_v<Value, TemperatureTerms>) {
                     forEachColumn(value, termFields(), version, use);
                 } else if constexpr (!std::is_same_v<Value, LookupTable> &&
-                                     !std::is_same_v<Value, ComponentFactors>) {
+                                     !std::is_same_v<Value, ComponentFactors> &&
+                                     !std::is_same_v<Value, ReflectanceTable>) {
                     use(field.column, value);
                 }
             },

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "irsg/radiometry/Units.h"
+#include "irsg/signature/SurfaceModel.h"
 
 namespace irsg {
 
@@ -195,6 +196,14 @@ const std::array factorRows = {
                                 .factor = degrees(1.0)},
                   .step = 30.0,
                   .firstValue = 1.0}},
+    EntryField<ComponentFactor>{
+        .key = "selection",
+        .column = "selection",
+        .member = &ComponentFactor::selection,
+        .label = "Selection",
+        .word = "selection",
+        .help = "What counts: the tables, or the constant alone. What does not is kept",
+        .since = 5},
 };
 
 const std::array temperatureRows = {
@@ -256,6 +265,107 @@ const std::array materialRows = {
                    .step = 0.25}},
     EntryField<Material>{
         .key = "notes", .column = "notes", .member = &Material::notes, .label = "Notes"},
+    EntryField<Material>{.key = "surfaceModel",
+                         .column = "surface_model",
+                         .member = &Material::surfaceModel,
+                         .label = "Surface model",
+                         .word = "surface model",
+                         .help = "How it reflects over directions: Lambertian, facets whose "
+                                 "slopes follow GGX or Beckmann, the models of Sandford and "
+                                 "Robertson or of Shell, or as a table was measured. With facets, "
+                                 "emissivity is that along the normal",
+                         .words = SurfaceModel::names,
+                         .since = 4},
+    EntryField<Material>{
+        .key = "roughness",
+        .column = "roughness",
+        .member = &Material::roughness,
+        .label = "Roughness",
+        .word = "roughness",
+        .help = "Of the facets: the root of twice their mean square slope. 0.02 is a polished "
+                "sheet, 0.1 to 0.3 gloss or metal as it comes, 0.5 and more a matt coat",
+        .page = "surface",
+        .number = {.expected = "a number from 0.001 to 1",
+                   .least = leastRoughness,
+                   .most = 1.0,
+                   .step = 0.05},
+        .since = 4},
+    EntryField<Material>{.key = "refractiveIndex",
+                         .column = "refractive_index",
+                         .member = &Material::refractiveIndex,
+                         .label = "Refractive index",
+                         .word = "refractive index",
+                         .help = "n of the bulk, in place of the emissivity; 0: not known",
+                         .number = {.expected = "a number of at least 0", .least = 0.0},
+                         .since = 4},
+    EntryField<Material>{.key = "extinction",
+                         .column = "extinction",
+                         .member = &Material::extinction,
+                         .label = "Extinction",
+                         .word = "extinction",
+                         .help = "k of the bulk, beside its refractive index",
+                         .number = {.expected = "a number of at least 0", .least = 0.0},
+                         .since = 4},
+    EntryField<Material>{.key = "diffuseReflectivity",
+                         .column = "diffuse_reflectivity",
+                         .member = &Material::diffuseReflectivity,
+                         .label = "Diffuse reflectivity",
+                         .word = "diffuse reflectivity",
+                         .help = "The diffuse part of Sandford and Robertson's model and of "
+                                 "Shell's, over the hemisphere",
+                         .number = {.expected = "a number of at least 0", .least = 0.0},
+                         .since = 6},
+    EntryField<Material>{.key = "volumeReflectivity",
+                         .column = "volume_reflectivity",
+                         .member = &Material::volumeReflectivity,
+                         .label = "Volume reflectivity",
+                         .word = "volume reflectivity",
+                         .help = "The part of Shell's model that comes from below the surface, pi "
+                                 "times that per steradian",
+                         .number = {.expected = "a number of at least 0", .least = 0.0},
+                         .since = 6},
+    EntryField<Material>{
+        .key = "grazingFactor",
+        .column = "grazing_factor",
+        .member = &Material::grazingFactor,
+        .label = "b",
+        .word = "b",
+        .help = "b of Sandford and Robertson's model: how soon emissivity falls towards grazing "
+                "angles, from 0 (not at all) to 1",
+        .page = "surface",
+        .number = {.expected = "a number from 0 to 1", .least = 0.0, .most = 1.0, .step = 0.05},
+        .since = 6},
+    EntryField<Material>{
+        .key = "shadowTau_deg",
+        .column = "shadow_tau_deg",
+        .member = &Material::shadowTau_deg,
+        .label = "τ of shadowing",
+        .word = "tau",
+        .unit = "deg",
+        .help = "Of Maxwell and Beard's shadowing in Shell's model: the smaller, the sooner "
+                "facets are hidden from light that comes and goes obliquely",
+        .page = "surface",
+        .number = {.expected = "an angle from 0.1 to 1000 deg", .least = 0.1, .most = 1000.0},
+        .since = 6},
+    EntryField<Material>{
+        .key = "shadowOmega_deg",
+        .column = "shadow_omega_deg",
+        .member = &Material::shadowOmega_deg,
+        .label = "Ω of shadowing",
+        .word = "omega",
+        .unit = "deg",
+        .help = "Of Maxwell and Beard's shadowing in Shell's model: the smaller, the more facets "
+                "that are tilted are hidden",
+        .page = "surface",
+        .number = {.expected = "an angle from 0.1 to 1000 deg", .least = 0.1, .most = 1000.0},
+        .since = 6},
+    EntryField<Material>{.key = "reflectanceTable",
+                         .column = "reflectance_table",
+                         .member = &Material::reflectanceTable,
+                         .label = "Table",
+                         .word = "table of reflectance",
+                         .help = "Measured reflectance over directions",
+                         .since = 6},
 };
 
 const std::array spectrumRows = {
@@ -291,8 +401,10 @@ const std::array spectrumRows = {
         .key = "notes", .column = "notes", .member = &UserSpectrum::notes, .label = "Notes"},
 };
 
-constexpr std::array<std::pair<EmissionMode, const char*>, 2> modes = {
-    {{EmissionMode::temperature, "temperature"}, {EmissionMode::userSpectrum, "userSpectrum"}}};
+constexpr std::array modes = {NamedChoice{EmissionMode::temperature, "temperature"},
+                              NamedChoice{EmissionMode::userSpectrum, "userSpectrum"}};
+constexpr std::array selections = {NamedChoice{FactorSelection::table, "table"},
+                                   NamedChoice{FactorSelection::constant, "constant"}};
 
 template <typename Entry>
 int versionOf(const Entry& entry, std::span<const EntryField<Entry>> fields) {
@@ -357,21 +469,12 @@ int newestFormatVersion() {
     return newest;
 }
 
-const char* nameOf(EmissionMode mode) {
-    return std::ranges::find(modes, mode, &std::pair<EmissionMode, const char*>::first)->second;
+std::span<const NamedChoice<EmissionMode>> choicesOf(EmissionMode /*any*/) {
+    return modes;
 }
 
-const EmissionMode* emissionModeNamed(const std::string& name) {
-    const auto* const found =
-        std::ranges::find(modes, name, [](const auto& row) { return std::string(row.second); });
-    return found == modes.end() ? nullptr : &found->first;
-}
-
-std::string emissionModesExpected() {
-    std::string text;
-    for (const auto& [mode, name] : modes)
-        text += (text.empty() ? "'" : " or '") + std::string(name) + "'";
-    return text;
+std::span<const NamedChoice<FactorSelection>> choicesOf(FactorSelection /*any*/) {
+    return selections;
 }
 
 } // namespace irsg

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <variant>
+#include <vector>
 
 #include "irsg/signature/EntityState.h"
 #include "irsg/signature/SignatureDatabase.h"
@@ -60,7 +64,8 @@ template <typename Entry>
 struct EntryField {
     using Member =
         std::variant<std::string Entry::*, double Entry::*, Spectrum Entry::*, LookupTable Entry::*,
-                     EmissionMode Entry::*, TemperatureTerms Entry::*, ComponentFactors Entry::*>;
+                     EmissionMode Entry::*, FactorSelection Entry::*, TemperatureTerms Entry::*,
+                     ComponentFactors Entry::*, ReflectanceTable Entry::*>;
 
     const char* key; ///< in JSON and in places of findings: "ambientOffset_K"
     /// In SQLite and in `db info`: "ambient_offset_K". Of a table or a spectrum, what tells its
@@ -71,8 +76,11 @@ struct EntryField {
     const char* word = "";  ///< in the name of a step that can be undone: "delta T"
     const char* unit = "";  ///< of the value
     const char* help = "";
+    const char* page = ""; ///< of the entry's form, where not its first: "surface"
     NumberRules number = {};
     TableRules table = {};
+    /// What a text may be beside empty; null where it may be anything.
+    const std::vector<std::string>& (*words)() = nullptr;
     /// Whether a JSON file has to say it; null where it never has to.
     bool (*isRequired)(const Entry& entry) = nullptr;
     /// The version of the file's format that brought it. What is of a later version than 1 is
@@ -111,11 +119,37 @@ int formatVersionOf(const SignatureDatabase& database);
 /// The version that brought the last field: the newest that is read.
 int newestFormatVersion();
 
-/// "temperature" and "userSpectrum", as both forms of the file name the modes.
-const char* nameOf(EmissionMode mode);
-/// Null where no mode has this name.
-const EmissionMode* emissionModeNamed(const std::string& name);
+/// A value that is one of a few, as both forms of the file name it.
+template <typename Choice>
+struct NamedChoice {
+    Choice value;
+    const char* name;
+};
+/// "temperature" and "userSpectrum", "table" and "constant".
+std::span<const NamedChoice<EmissionMode>> choicesOf(EmissionMode any);
+std::span<const NamedChoice<FactorSelection>> choicesOf(FactorSelection any);
+
+template <typename Choice>
+    requires std::is_enum_v<Choice>
+const char* nameOf(Choice choice) {
+    const auto all = choicesOf(choice);
+    return std::ranges::find(all, choice, &NamedChoice<Choice>::value)->name;
+}
+/// No value where no choice has this name.
+template <typename Choice>
+std::optional<Choice> choiceNamed(const std::string& name) {
+    for (const NamedChoice<Choice>& one : choicesOf(Choice()))
+        if (name == one.name)
+            return one.value;
+    return std::nullopt;
+}
 /// "'temperature' or 'userSpectrum'".
-std::string emissionModesExpected();
+template <typename Choice>
+std::string choicesExpected() {
+    std::string text;
+    for (const NamedChoice<Choice>& one : choicesOf(Choice()))
+        text += (text.empty() ? "'" : " or '") + std::string(one.name) + "'";
+    return text;
+}
 
 } // namespace irsg

@@ -37,8 +37,10 @@ void add(json& object, const char* key, const std::string& text) {
 void add(json& object, const char* key, double number) {
     object[key] = number;
 }
-void add(json& object, const char* key, EmissionMode mode) {
-    object[key] = nameOf(mode);
+template <typename Choice>
+    requires std::is_enum_v<Choice>
+void add(json& object, const char* key, Choice choice) {
+    object[key] = nameOf(choice);
 }
 void add(json& object, const char* key, const Spectrum& spectrum) {
     object[key] = spectrumJson(spectrum);
@@ -48,6 +50,23 @@ void add(json& object, const char* key, const LookupTable& table) {
 }
 void add(json& object, const char* key, const TemperatureTerms& terms) {
     object[key] = fieldsJson(terms, termFields());
+}
+/// Rows of directions, each with a value a wavelength.
+void add(json& object, const char* key, const ReflectanceTable& table) {
+    json nodes = json::array();
+    for (const ReflectanceTable::Row& row : table.rows()) {
+        json one = {row.incidence_deg};
+        if (table.isBrdf()) {
+            one.push_back(row.reflection_deg);
+            one.push_back(row.azimuth_deg);
+        }
+        for (const double value : row.values)
+            one.push_back(value);
+        nodes.push_back(std::move(one));
+    }
+    object[key] = {{"kind", table.isBrdf() ? "brdf" : "directionalHemispherical"},
+                   {"wavelengths_um", table.wavelengths_um()},
+                   {"nodes", std::move(nodes)}};
 }
 void add(json& object, const char* key, const ComponentFactors& factors) {
     for (const ComponentFactor& factor : factors)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -42,6 +43,12 @@ class Findings {
     std::vector<Finding>& into_;
     std::string entry_;
 };
+
+/// A number above 0 with three digits.
+inline std::string rounded(double value) {
+    const double scale = std::pow(10.0, 2.0 - std::floor(std::log10(value)));
+    return numberText(std::round(value * scale) / scale);
+}
 
 /// Repairs of one entry, which do nothing where it is gone.
 inline Finding::Repair onMaterial(int index, std::function<void(Material&)> change) {

@@ -45,6 +45,8 @@ struct ModelUse {
     /// What the loader had to do about levels of detail: a range of a level that ends before the
     /// sensor empties the picture in programs that obey it.
     std::vector<std::string> levelsOfDetail = {};
+    /// Faces of different codes in one plane, of which the order in the file decides.
+    std::vector<std::string> sharedPlanes = {};
 };
 
 /// A state that the entity of the database takes in an analysis.
@@ -73,7 +75,8 @@ struct LintScope {
 /// brightness temperatures outside 200 to 4000 K, with the unit that would repair them (W cm-2
 /// against W m-2, per cm-1 against per um); curves that become a Planck curve only when the density
 /// per cm-1 is told from that per um; loops that jump; spectra that do not cover the band; tables
-/// that hold their end value in the states given; entries that nothing uses; levels of detail.
+/// that hold their end value in the states given; entries that nothing uses; levels of detail;
+/// faces of different codes in one plane.
 ///
 /// Findings come in the order of the database; equal databases give equal findings.
 std::vector<Finding> lint(const SignatureDatabase& database, const LintScope& scope = {});

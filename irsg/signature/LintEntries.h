@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "irsg/signature/Findings.h"
 #include "irsg/signature/Lint.h"
 
 namespace irsg {
@@ -12,6 +13,10 @@ namespace irsg {
 /// between nm and cm-1 where an axis may be either.
 void lintMaterial(int index, const Material& material, const std::vector<SpectralRange>& bands,
                   std::vector<Finding>& findings);
+
+/// How a material reflects over directions: n and k, what its emissivity says beside them
+/// (Kirchhoff), reflectance over angle (energy), and what has no effect.
+void lintSurface(int index, const Material& material, Findings& findings);
 
 /// The terms of eq. 7, their tables, and the temperatures they give at rest and around it.
 void lintTerms(int index, const TemperatureEntry& entry, std::vector<Finding>& findings);

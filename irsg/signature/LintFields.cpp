@@ -81,6 +81,16 @@ void lintText(const std::string& place, const std::string& text, Findings& findi
         findings.error(place, "bytes that are not UTF-8", "text in UTF-8");
 }
 
+void lintWord(const std::string& place, const std::string& text,
+              const std::vector<std::string>& words, Findings& findings) {
+    if (text.empty() || std::ranges::find(words, text) != words.end())
+        return;
+    std::string expected;
+    for (const std::string& word : words)
+        expected += "'" + word + "' or ";
+    findings.error(place, "'" + text + "'", expected + "nothing");
+}
+
 bool lintNumber(const std::string& place, double value, const NumberRules& rules,
                 const std::function<Finding::Repair(double)>& repairTo, Findings& findings) {
     if (!std::isfinite(value) || !isWithin(value, rules.least, rules.most)) {

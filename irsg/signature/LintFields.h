@@ -14,6 +14,10 @@ using PartRepair = std::function<Finding::Repair(std::function<void(Part&)>)>;
 
 void lintText(const std::string& place, const std::string& text, Findings& findings);
 
+/// A text that is empty or one of some words.
+void lintWord(const std::string& place, const std::string& text,
+              const std::vector<std::string>& words, Findings& findings);
+
 /// One number against its rules. Returns whether it may be used.
 bool lintNumber(const std::string& place, double value, const NumberRules& rules,
                 const std::function<Finding::Repair(double)>& repairTo, Findings& findings);
@@ -30,6 +34,8 @@ bool lintFields(const std::string& place, const Part& part,
     bool usable = true;
     forEachField<std::string>(fields, [&](const auto& field, auto member) {
         lintText(place + "." + field.key, part.*member, findings);
+        if (field.words)
+            lintWord(place + "." + field.key, part.*member, field.words(), findings);
     });
     forEachField<double>(fields, [&](const auto& field, auto member) {
         const auto repairTo = [&](double value) {

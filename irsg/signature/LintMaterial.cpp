@@ -157,6 +157,10 @@ void lintMaterial(int index, const Material& material, const std::vector<Spectra
     bool sound = true;
     forEachField<Spectrum>(materialFields(), [&](const auto& field, auto property) {
         const std::string place = std::string(".") + field.key;
+        if (property == &Material::refractiveIndex || property == &Material::extinction) {
+            lintAxis(index, place, material, property, bands, findings);
+            return;
+        }
         // Each is looked at, whatever the others are.
         const bool fits = lintFraction(index, place, material, property, findings);
         const bool overAxis = lintAxis(index, place, material, property, bands, findings);
@@ -165,6 +169,7 @@ void lintMaterial(int index, const Material& material, const std::vector<Spectra
     // A sum of values at different wavelengths says nothing.
     if (sound)
         lintSum(index, material, findings);
+    lintSurface(index, material, findings);
 }
 
 } // namespace irsg

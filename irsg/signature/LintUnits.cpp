@@ -5,6 +5,7 @@
 
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/signature/Findings.h"
 #include "irsg/signature/LintAxis.h"
 #include "irsg/signature/SpectrumCsv.h"
 
@@ -130,12 +131,6 @@ std::optional<UnitReading> greyReading(const Spectrum& radiance,
         }
     }
     return std::nullopt;
-}
-
-/// Three digits.
-std::string rounded(double value) {
-    const double scale = std::pow(10.0, 2.0 - std::floor(std::log10(value)));
-    return numberText(std::round(value * scale) / scale);
 }
 
 } // namespace

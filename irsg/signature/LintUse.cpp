@@ -102,6 +102,13 @@ void lintUse(const SignatureDatabase& database, const std::vector<ModelUse>& mod
                 "take the ranges out where the model is made; this program draws the highest "
                 "detail at every range";
         }
+        for (const std::string& shared : model.sharedPlanes) {
+            Findings ofModel(findings, "model");
+            ofModel.warning(" " + model.name, shared, "one face where there is one surface")
+                .remedy =
+                "give them one code, make one a subface of the other, or move it where the model "
+                "is made";
+        }
     }
     lintUnused(database.temperatures, temperatures, &SignatureDatabase::temperatures,
                temperaturePath, findings);

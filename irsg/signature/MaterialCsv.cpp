@@ -7,6 +7,8 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReplacement.h"
 #include "irsg/signature/CsvAxis.h"
+#include "irsg/signature/ReflectanceCsv.h"
+#include "irsg/signature/SurfaceModel.h"
 
 namespace irsg {
 
@@ -14,6 +16,24 @@ namespace {
 
 constexpr std::array<const char*, 3> properties = {"emissivity", "transmissivity", "reflectivity"};
 constexpr SpectralRange greyAxis{0.3, 30.0};
+
+/// What stands beside them, each by itself.
+struct Optical {
+    const char* name;
+    Spectrum Material::*member;
+    bool isFraction;
+};
+constexpr std::array<Optical, 4> opticals = {
+    {{"n", &Material::refractiveIndex, false},
+     {"k", &Material::extinction, false},
+     {"diffuse_reflectivity", &Material::diffuseReflectivity, true},
+     {"volume_reflectivity", &Material::volumeReflectivity, true}}};
+
+const Optical* opticalNamed(const std::string& name) {
+    const auto* const found =
+        std::ranges::find(opticals, name, [](const Optical& one) { return std::string(one.name); });
+    return found == opticals.end() ? nullptr : found;
+}
 
 /// The column of each property, or none.
 using Columns = std::array<std::optional<std::size_t>, 3>;
@@ -23,28 +43,79 @@ Columns columnsOf(const CsvTable& table, const CsvColumns& columns,
     Columns found;
     for (std::size_t i = 0; i < columns.names.size(); ++i) {
         const auto property = std::ranges::find(properties, columns.names[i].text);
-        if (property == properties.end()) {
-            diagnostics.push_back(table.diagnostic(
-                columns.names[i], "'emissivity', 'transmissivity' or 'reflectivity'"));
-        } else {
+        if (property != properties.end())
             found[static_cast<std::size_t>(property - properties.begin())] = i;
-        }
+        else if (opticalNamed(columns.names[i].text) == nullptr)
+            diagnostics.push_back(table.diagnostic(
+                columns.names[i], "'emissivity', 'transmissivity', 'reflectivity', 'n', 'k', "
+                                  "'diffuse_reflectivity' or 'volume_reflectivity'"));
     }
     return found;
 }
 
-void checkFractions(const CsvTable& table, const CsvColumns& columns,
-                    std::vector<Diagnostic>& diagnostics) {
-    for (const auto& column : columns.cells) {
-        for (const CsvCell& cell : column) {
+void checkValues(const CsvTable& table, const CsvColumns& columns,
+                 std::vector<Diagnostic>& diagnostics) {
+    for (std::size_t i = 0; i < columns.names.size(); ++i) {
+        const Optical* const optical = opticalNamed(columns.names[i].text);
+        const bool isFraction = optical == nullptr || optical->isFraction;
+        for (const CsvCell& cell : columns.cells[i]) {
             const double value = parseNumber(cell.text).value_or(0.0);
-            if (value < 0.0 || value > 1.0) {
+            if (value < 0.0 && !isFraction)
+                diagnostics.push_back(table.diagnostic(cell, "a value of at least 0"));
+            else if (isFraction && (value < 0.0 || value > 1.0))
                 diagnostics.push_back(table.diagnostic(
                     cell, value > 1.5 && value <= 100.0 ? "a fraction from 0 to 1, not percent"
                                                         : "a value from 0 to 1"));
-            }
         }
     }
+}
+
+/// n and k as refractiveindex.info hands them on: a block of rows under `wl,n` and one under
+/// `wl,k`, or one under `wl,n,k`, over um.
+void readIndexBlocks(const CsvTable& table, Material& material) {
+    std::vector<Diagnostic> diagnostics;
+    Material read = material;
+    const std::vector<CsvRow>& rows = table.rows();
+    for (std::size_t first = 0; first < rows.size();) {
+        const std::vector<CsvCell>& names = rows[first].cells;
+        std::size_t end = first + 1;
+        while (end < rows.size() && rows[end].cells.front().text != "wl")
+            ++end;
+        std::vector<std::vector<double>> columns(names.size());
+        for (std::size_t r = first + 1; r < end; ++r) {
+            if (rows[r].cells.size() != names.size()) {
+                diagnostics.push_back(
+                    table.diagnostic(rows[r].line, std::to_string(rows[r].cells.size()) + " cells",
+                                     std::to_string(names.size())));
+                continue;
+            }
+            for (std::size_t i = 0; i < names.size(); ++i) {
+                const double value = table.number(rows[r].cells[i], diagnostics).value_or(0.0);
+                const bool ascends = i > 0 || columns[0].empty() || value > columns[0].back();
+                if (value < 0.0 || (i == 0 && !(value > 0.0 && ascends)))
+                    diagnostics.push_back(
+                        table.diagnostic(rows[r].cells[i], i == 0 ? "wavelengths in um that ascend"
+                                                                  : "a value of at least 0"));
+                columns[i].push_back(value);
+            }
+        }
+        for (std::size_t i = 1; i < names.size(); ++i) {
+            const Optical* const optical = opticalNamed(names[i].text);
+            if (optical == nullptr || optical->isFraction)
+                diagnostics.push_back(table.diagnostic(names[i], "'n' or 'k'"));
+            else if (columns[0].empty())
+                diagnostics.push_back(table.diagnostic(names[i], "rows of numbers under it"));
+            else if (diagnostics.empty())
+                read.*optical->member =
+                    columns[0].size() == 1
+                        ? Spectrum::constant(columns[i].front())
+                        : Spectrum(columns[0], columns[i], Spectrum::Outside::hold, table.file());
+        }
+        first = end;
+    }
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
+    material = std::move(read);
 }
 
 struct Fractions {
@@ -79,19 +150,25 @@ std::string sumText(const std::array<std::optional<double>, 3>& given) {
 
 void readMaterialCsv(const std::filesystem::path& file, Material& material) {
     const CsvTable table = CsvTable::read(file);
+    if (!table.rows().empty() && table.rows().front().cells.front().text == "wl") {
+        readIndexBlocks(table, material);
+        return;
+    }
     std::vector<Diagnostic> diagnostics;
     const CsvColumns columns = readColumns(table, 2, diagnostics);
     const SpectralAxis axis = readSpectralAxis(table, columns, diagnostics);
     const Columns where = columnsOf(table, columns, diagnostics);
     if (diagnostics.empty()) {
         checkSpectralAxis(table, columns, diagnostics);
-        checkFractions(table, columns, diagnostics);
+        checkValues(table, columns, diagnostics);
     }
 
     // Row by row, what is given and what follows from it.
+    const bool hasFractions =
+        std::ranges::any_of(where, [](const auto& one) { return one.has_value(); });
     std::vector<double> emissivity;
     std::vector<double> transmissivity;
-    for (std::size_t i = 0; diagnostics.empty() && i < columns.axis.size(); ++i) {
+    for (std::size_t i = 0; diagnostics.empty() && hasFractions && i < columns.axis.size(); ++i) {
         std::array<std::optional<double>, 3> given;
         for (std::size_t property = 0; property < given.size(); ++property)
             if (where[property])
@@ -113,21 +190,69 @@ void readMaterialCsv(const std::filesystem::path& file, Material& material) {
         throw InputError(std::move(diagnostics));
 
     std::vector<double> wavelengths_um = wavelengthsOf(columns, axis);
-    if (wavelengths_um.back() < wavelengths_um.front()) {
+    const bool descends = wavelengths_um.back() < wavelengths_um.front();
+    if (descends)
         std::ranges::reverse(wavelengths_um);
-        std::ranges::reverse(emissivity);
-        std::ranges::reverse(transmissivity);
-    }
+    const auto spectrumOf = [&](std::vector<double> values) {
+        if (descends)
+            std::ranges::reverse(values);
+        return Spectrum(wavelengths_um, std::move(values), Spectrum::Outside::hold, table.file());
+    };
+    for (std::size_t i = 0; i < columns.names.size(); ++i)
+        if (const Optical* const optical = opticalNamed(columns.names[i].text))
+            material.*optical->member = spectrumOf(columns.values[i]);
+    if (!hasFractions)
+        return;
     const bool opaque = std::ranges::all_of(transmissivity, [](double t) { return t == 0.0; });
-    material.transmissivity = opaque ? Spectrum()
-                                     : Spectrum(wavelengths_um, std::move(transmissivity),
-                                                Spectrum::Outside::hold, table.file());
-    material.emissivity = Spectrum(std::move(wavelengths_um), std::move(emissivity),
-                                   Spectrum::Outside::hold, table.file());
+    material.transmissivity = opaque ? Spectrum() : spectrumOf(std::move(transmissivity));
+    material.emissivity = spectrumOf(std::move(emissivity));
+}
+
+Material importedReflectance(const std::filesystem::path& file, const SignatureDatabase& database,
+                             int index, const std::string& name) {
+    Material material;
+    material.name = file.stem().string();
+    if (const auto there = database.materials.find(index); there != database.materials.end())
+        material = there->second;
+    material.reflectanceTable = readReflectanceTable(file);
+    material.surfaceModel = "tabulated";
+    if (!name.empty())
+        material.name = name;
+    // What the table leaves along the normal: it is what is emitted.
+    const std::vector<double>& axis_um = material.reflectanceTable.wavelengths_um();
+    std::vector<double> values;
+    for (const double wavelength_um : axis_um)
+        values.push_back(std::clamp(1.0 - material.transmissivity.at(wavelength_um) -
+                                        reflectanceOverAngle(material, 1.0, wavelength_um),
+                                    0.0, 1.0));
+    material.emissivity = values.size() == 1 ? Spectrum::constant(values.front())
+                                             : Spectrum(axis_um, std::move(values));
+    return material;
+}
+
+Material importedMaterial(const std::filesystem::path& file, const SignatureDatabase& database,
+                          int index, const std::string& name) {
+    Material material;
+    material.name = file.stem().string();
+    if (const auto there = database.materials.find(index); there != database.materials.end())
+        material = there->second;
+    readMaterialCsv(file, material);
+    if (!name.empty())
+        material.name = name;
+    return material;
 }
 
 void writeMaterialCsv(const Material& material, const std::filesystem::path& file) {
-    const Spectrum* const spectra[] = {&material.emissivity, &material.transmissivity};
+    std::vector<const Spectrum*> spectra = {&material.emissivity, &material.transmissivity};
+    std::string text = "um,emissivity,transmissivity,reflectivity";
+    std::vector<const Spectrum*> beside;
+    for (const Optical& optical : opticals)
+        if (material.*optical.member != Spectrum()) {
+            beside.push_back(&(material.*optical.member));
+            text += std::string(",") + optical.name;
+        }
+    text += "\n";
+    spectra.insert(spectra.end(), beside.begin(), beside.end());
     std::vector<double> axis_um;
     for (const Spectrum* const spectrum : spectra) {
         axis_um.insert(axis_um.end(), spectrum->wavelengths_um().begin(),
@@ -138,7 +263,6 @@ void writeMaterialCsv(const Material& material, const std::filesystem::path& fil
     std::ranges::sort(axis_um);
     axis_um.erase(std::ranges::unique(axis_um).begin(), axis_um.end());
 
-    std::string text = "um,emissivity,transmissivity,reflectivity\n";
     for (const double wavelength_um : axis_um) {
         text += numberText(wavelength_um);
         for (const double value :
@@ -146,6 +270,8 @@ void writeMaterialCsv(const Material& material, const std::filesystem::path& fil
               std::max(material.reflectivityAt(wavelength_um), 0.0)}) {
             text += "," + numberText(value);
         }
+        for (const Spectrum* const spectrum : beside)
+            text += "," + numberText(spectrum->at(wavelength_um));
         text += "\n";
     }
     writeFileDurably(file, text);

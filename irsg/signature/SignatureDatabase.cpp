@@ -24,7 +24,9 @@ std::vector<std::string> tablesHeld(const SignatureDatabase& database, const Ent
             continue;
         }
         for (std::size_t i = 0; i < entry.factors.size(); ++i)
-            check(path + ".factors[" + std::to_string(i) + "]", entry.factors[i], factorFields());
+            if (entry.factors[i].selection == FactorSelection::table)
+                check(path + ".factors[" + std::to_string(i) + "]", entry.factors[i],
+                      factorFields());
     }
     return held;
 }

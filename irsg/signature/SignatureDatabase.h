@@ -6,6 +6,7 @@
 
 #include "irsg/radiometry/Spectrum.h"
 #include "irsg/signature/ComponentFactors.h"
+#include "irsg/signature/ReflectanceTable.h"
 #include "irsg/signature/SurfaceTemperature.h"
 #include "irsg/signature/UserSpectrum.h"
 
@@ -28,6 +29,9 @@ struct TemperatureEntry {
     bool operator==(const TemperatureEntry&) const = default;
 };
 
+/// Facets are not smoother: the sun's disc is wider than what they would show of it.
+inline constexpr double leastRoughness = 0.001;
+
 /// What stands behind one material index (IRMaterial) of a model. Reflectivity is derived:
 /// rho = 1 - emissivity - transmissivity.
 struct Material {
@@ -36,8 +40,26 @@ struct Material {
     Spectrum transmissivity;   ///< grey or spectral, 0 for opaque
     double nAngleFactor = 0.0; ///< N of cos^N(theta_view), >= 0
     std::string notes;
+    /// How it reflects over directions (see SurfaceModel); empty: Lambertian. With facets,
+    /// emissivity is that along the normal, with Sandford and Robertson's model the hemispherical.
+    std::string surfaceModel = {};
+    double roughness = 0.2; ///< alpha of the model's facets, 0.001 to 1
+    /// n and k of its bulk, in place of the emissivity, for a surface with facets; 0: unknown.
+    Spectrum refractiveIndex = {}, extinction = {};
+    /// rho_D and rho_V of the models that have them.
+    Spectrum diffuseReflectivity = {}, volumeReflectivity = {};
+    double grazingFactor = 0.3; ///< b of Sandford and Robertson, 0 to 1
+    /// Of Maxwell and Beard's shadowing.
+    double shadowTau_deg = 15.0, shadowOmega_deg = 40.0;
+    ReflectanceTable reflectanceTable = {}; ///< of the model "tabulated"
 
     bool isOpaque() const { return transmissivity.maximum() <= 0.0; }
+    /// Whether its model takes n and k.
+    bool hasIndex() const {
+        return !surfaceModel.empty() && surfaceModel != "sandfordRobertson" &&
+               surfaceModel != "tabulated" && refractiveIndex.maximum() > 0.0;
+    }
+    /// 1 - emissivity - transmissivity.
     double reflectivityAt(double wavelength_um) const;
     bool operator==(const Material&) const = default;
 };

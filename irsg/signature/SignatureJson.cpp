@@ -42,16 +42,56 @@ class FieldReader {
     void into(Spectrum& spectrum, const char* key) {
         spectrum = object_.spectrum(key, spectrum.values().front(), required_);
     }
-    void into(EmissionMode& mode, const char* key) {
+    template <typename Choice>
+        requires std::is_enum_v<Choice>
+    void into(Choice& choice, const char* key) {
         const std::string name = object_.text(key, required_);
-        if (const EmissionMode* const known = emissionModeNamed(name))
-            mode = *known;
+        if (const auto known = choiceNamed<Choice>(name))
+            choice = *known;
         else if (!name.empty())
-            problems_.addText(object_.pathOf(key), "'" + name + "'", emissionModesExpected());
+            problems_.addText(object_.pathOf(key), "'" + name + "'", choicesExpected<Choice>());
     }
     void into(TemperatureTerms& terms, const char* key) {
         if (const json* const value = object_.find(key, required_))
             readWhole(*value, object_.pathOf(key), terms, termFields());
+    }
+    void into(ReflectanceTable& table, const char* key) {
+        const json* const value = object_.find(key, required_);
+        if (value == nullptr)
+            return;
+        JsonObject own(*value, object_.pathOf(key), problems_);
+        const std::string kind = own.text("kind", true);
+        const bool isBrdf = kind == "brdf";
+        if (!isBrdf && !kind.empty() && kind != "directionalHemispherical")
+            problems_.addText(own.pathOf("kind"), "'" + kind + "'",
+                              "'brdf' or 'directionalHemispherical'");
+        const json* const axis = own.find("wavelengths_um", true);
+        std::vector<double> wavelengths_um;
+        if (axis != nullptr && axis->is_array() &&
+            std::ranges::all_of(*axis, [](const json& one) { return one.is_number(); }))
+            wavelengths_um = axis->get<std::vector<double>>();
+        else if (axis != nullptr)
+            problems_.add(own.pathOf("wavelengths_um"), *axis, "a list [...] of wavelengths in um");
+        const std::size_t angles = isBrdf ? 3 : 1;
+        const auto columns = own.columns("nodes", angles + wavelengths_um.size());
+        own.finish();
+        if (!columns || wavelengths_um.empty())
+            return;
+        std::vector<ReflectanceTable::Row> rows((*columns)[0].size());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            rows[i].incidence_deg = (*columns)[0][i];
+            if (isBrdf) {
+                rows[i].reflection_deg = (*columns)[1][i];
+                rows[i].azimuth_deg = (*columns)[2][i];
+            }
+            for (std::size_t w = 0; w < wavelengths_um.size(); ++w)
+                rows[i].values.push_back((*columns)[angles + w][i]);
+        }
+        try {
+            table = ReflectanceTable(isBrdf, std::move(wavelengths_um), std::move(rows));
+        } catch (const InputError& error) {
+            problems_.add(object_.pathOf(key), error);
+        }
     }
     void into(ComponentFactors& factors, const char* key) {
         const json* const value = object_.find(key, required_);

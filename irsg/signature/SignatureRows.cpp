@@ -1,6 +1,7 @@
 #include "irsg/signature/SignatureRows.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "irsg/signature/EntryColumns.h"
@@ -16,14 +17,14 @@ struct Table {
     std::string columns;
 };
 
-std::string declarationOf(const std::string& /*text*/) {
+std::string declarationOf(const char* /*column*/, const std::string& /*text*/) {
     return " TEXT NOT NULL";
 }
-std::string declarationOf(double /*number*/) {
+std::string declarationOf(const char* /*column*/, double /*number*/) {
     return " REAL NOT NULL";
 }
 /// NULL where it has nodes.
-std::string declarationOf(const Spectrum& /*spectrum*/) {
+std::string declarationOf(const char* /*column*/, const Spectrum& /*spectrum*/) {
     return " REAL";
 }
 std::string oneOf(const std::string& column, const std::vector<std::string>& names) {
@@ -32,8 +33,13 @@ std::string oneOf(const std::string& column, const std::vector<std::string>& nam
         list += (list.empty() ? "'" : ", '") + name + "'";
     return " TEXT NOT NULL CHECK (" + column + " IN (" + list + "))";
 }
-std::string declarationOf(EmissionMode /*mode*/) {
-    return oneOf("mode", {nameOf(EmissionMode::temperature), nameOf(EmissionMode::userSpectrum)});
+template <typename Choice>
+    requires std::is_enum_v<Choice>
+std::string declarationOf(const char* column, Choice choice) {
+    std::vector<std::string> names;
+    for (const NamedChoice<Choice>& one : choicesOf(choice))
+        names.emplace_back(one.name);
+    return oneOf(column, names);
 }
 
 /// ", name TEXT NOT NULL, ...": the columns of an entry, behind those of its key.
@@ -42,7 +48,7 @@ std::string columnsOf(std::span<const EntryField<Entry>> fields, int version) {
     std::string text;
     Entry entry;
     forEachColumn(entry, fields, version, [&](const char* column, const auto& value) {
-        text += ", " + std::string(column) + declarationOf(value);
+        text += ", " + std::string(column) + declarationOf(column, value);
     });
     return text;
 }
@@ -55,7 +61,7 @@ std::vector<Table> schemaOf(int version) {
     const std::string property =
         "property" + oneOf("property", nodeNames<Spectrum>(materialFields(), version));
     const std::string loop = "loop INTEGER NOT NULL CHECK (loop IN (0, 1))";
-    return {
+    std::vector<Table> tables = {
         {"about", "key TEXT PRIMARY KEY NOT NULL, value TEXT NOT NULL"},
         {"temperature", "id INTEGER PRIMARY KEY" + columnsOf(temperatureFields(), version)},
         {"temperature_table",
@@ -96,6 +102,13 @@ std::vector<Table> schemaOf(int version) {
          " FOREIGN KEY (spectrum, position) REFERENCES user_spectrum_component(spectrum, position)"
          " ON DELETE CASCADE"},
         {"content_hash", "entry TEXT PRIMARY KEY NOT NULL, sha256 TEXT NOT NULL"}};
+    if (!nodeNames<ReflectanceTable>(materialFields(), version).empty())
+        tables.push_back(
+            {"material_reflectance",
+             "material INTEGER NOT NULL REFERENCES material(id) ON DELETE CASCADE, node INTEGER "
+             "NOT NULL, wavelength_um REAL NOT NULL, incidence_deg REAL NOT NULL, reflection_deg "
+             "REAL, azimuth_deg REAL, value REAL NOT NULL, PRIMARY KEY (material, node)"});
+    return tables;
 }
 
 /// One statement, run again and again with other values.
@@ -120,15 +133,19 @@ class Insert {
     }
     template <typename Value>
     void add(const Value& value) {
-        statement_.bind(++column_, value);
+        if constexpr (std::is_enum_v<Value>)
+            statement_.bind(++column_, nameOf(value));
+        else
+            statement_.bind(++column_, value);
     }
-    void add(EmissionMode mode) { statement_.bind(++column_, nameOf(mode)); }
     /// NULL where it has nodes.
     void add(const Spectrum& spectrum) {
         ++column_;
         if (spectrum.isConstant())
             statement_.bind(column_, spectrum.values().front());
     }
+    /// NULL.
+    void skip() { ++column_; }
     void finish() { statement_.exec(); }
 
   private:
@@ -214,11 +231,35 @@ void writeTemperatures(const SignatureDatabase& database, SQLite::Database& file
     }
 }
 
+/// A row for each value; angles of reflection are those of a BRDF alone.
+void writeTable(int index, const ReflectanceTable& table, Insert& insert) {
+    int node = 0;
+    for (const ReflectanceTable::Row& row : table.rows())
+        for (std::size_t w = 0; w < row.values.size(); ++w) {
+            insert.begin();
+            insert.add(index);
+            insert.add(node++);
+            insert.add(table.wavelengths_um()[w]);
+            insert.add(row.incidence_deg);
+            for (const double angle_deg : {row.reflection_deg, row.azimuth_deg})
+                table.isBrdf() ? insert.add(angle_deg) : insert.skip();
+            insert.add(row.values[w]);
+            insert.finish();
+        }
+}
+
 void writeMaterials(const SignatureDatabase& database, SQLite::Database& file, int version) {
     EntryInsert row(file, "material", "id", materialFields(), version);
     Insert node(file, "material_node", "material, property, node, wavelength_um, value");
+    std::optional<Insert> reflectance;
+    if (!nodeNames<ReflectanceTable>(materialFields(), version).empty())
+        reflectance.emplace(file, "material_reflectance",
+                            "material, node, wavelength_um, incidence_deg, reflection_deg, "
+                            "azimuth_deg, value");
     for (const auto& [index, material] : database.materials) {
         row(material, index);
+        if (reflectance)
+            writeTable(index, material.reflectanceTable, *reflectance);
         forEachField<Spectrum>(
             materialFields(), [&, &id = index, &of = material](const auto& field, auto member) {
                 const Spectrum& spectrum = of.*member;

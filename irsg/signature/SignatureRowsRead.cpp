@@ -131,12 +131,14 @@ class Reader {
     }
     void read(Rows& row, int column, std::string& text) { text = row.text(column); }
     void read(Rows& row, int column, double& number) { number = row.number(column); }
-    void read(Rows& row, int column, EmissionMode& mode) {
+    template <typename Choice>
+        requires std::is_enum_v<Choice>
+    void read(Rows& row, int column, Choice& choice) {
         const std::string name = row.text(column);
-        if (const EmissionMode* const known = emissionModeNamed(name))
-            mode = *known;
+        if (const auto known = choiceNamed<Choice>(name))
+            choice = *known;
         else
-            row.refuse("mode '" + name + "'", emissionModesExpected());
+            row.refuse("'" + name + "'", choicesExpected<Choice>());
     }
     /// A number, or NULL where nodes follow.
     void read(Rows& row, int column, Spectrum& spectrum) {
@@ -175,6 +177,49 @@ class Reader {
                     readNodes(row, column, index, name, nodes, value);
                 ++column;
             });
+        }
+        if (!nodeNames<ReflectanceTable>(materialFields(), version_).empty())
+            readReflectance();
+    }
+
+    void readReflectance() {
+        struct Read {
+            bool isBrdf = false;
+            std::vector<double> wavelengths_um;
+            std::vector<ReflectanceTable::Row> rows;
+        };
+        std::map<int, Read> tables;
+        for (Rows row = rows("material_reflectance",
+                             "material, wavelength_um, incidence_deg, reflection_deg, "
+                             "azimuth_deg, value",
+                             "material, node");
+             row.next();) {
+            Read& table = tables[row.integer(0)];
+            table.isBrdf = table.isBrdf || !row.isNull(3);
+            ReflectanceTable::Row one{row.number(2),
+                                      table.isBrdf ? row.number(3) : 0.0,
+                                      table.isBrdf ? row.number(4) : 0.0,
+                                      {}};
+            const ReflectanceTable::Row* const last =
+                table.rows.empty() ? nullptr : &table.rows.back();
+            const bool isNext = last == nullptr || last->incidence_deg != one.incidence_deg ||
+                                last->reflection_deg != one.reflection_deg ||
+                                last->azimuth_deg != one.azimuth_deg;
+            if (table.rows.size() < 2 && !(isNext && last != nullptr))
+                table.wavelengths_um.push_back(row.number(1));
+            if (isNext)
+                table.rows.push_back(std::move(one));
+            table.rows.back().values.push_back(row.number(5));
+        }
+        for (auto& [index, table] : tables) {
+            const auto material = database_.materials.find(index);
+            if (material == database_.materials.end())
+                continue;
+            material->second.reflectanceTable =
+                guarded<ReflectanceTable>(materialPath(index) + ".reflectanceTable", [&] {
+                    return ReflectanceTable(table.isBrdf, std::move(table.wavelengths_um),
+                                            std::move(table.rows));
+                });
         }
     }
 

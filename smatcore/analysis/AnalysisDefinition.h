@@ -31,6 +31,9 @@ struct AnalysisDefinition {
     const char* help;  ///< one line, for the command
     const char* icon;  ///< of resources/icons
     AnalysisForm form = AnalysisForm::sweep;
+    /// Of a plot whose `<name>.steps` are adaptive or fixed: the setting that fixes its cases,
+    /// which is `auto` or a number. Null of others.
+    const char* step = nullptr;
     /// Of this kind alone; their keys begin with `name` and a dot. Null where there are none.
     std::vector<SettingInfo> (*settings)() = nullptr;
     /// Fills coordinate, columns and cases. What does not fit goes into `diagnostics`, by the key
@@ -40,6 +43,8 @@ struct AnalysisDefinition {
     /// Keys of settings of the view that it takes no notice of, because it varies them or sets them
     /// by itself. Null where there are none.
     std::vector<std::string> (*ignored)(const Settings& settings) = nullptr;
+    /// Its table is one over azimuth and elevation, which tableFormats() write, too.
+    bool isOverDirections = false;
 };
 
 /// Of sweeps: at most so many cases.

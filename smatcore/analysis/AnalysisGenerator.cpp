@@ -7,15 +7,22 @@
 
 #include <fmt/format.h>
 
+#include "irsg/atmosphere/NearestRun.h"
+#include "irsg/atmosphere/OnTheFly.h"
 #include "irsg/radiometry/NewLines.h"
+#include "irsg/radiometry/Quantity.h"
+#include "irsg/radiometry/Wording.h"
+#include "smatcore/analysis/AdaptiveSweep.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
 #include "smatcore/analysis/CalculationChoice.h"
 #include "smatcore/analysis/CaseChecks.h"
 #include "smatcore/analysis/CaseWarnings.h"
+#include "smatcore/analysis/ErrorColumns.h"
 #include "smatcore/analysis/ImageFiles.h"
 #include "smatcore/analysis/SceneRestorer.h"
 #include "smatcore/analysis/SweepTable.h"
+#include "smatcore/analysis/SweepTarget.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/Log.h"
 
@@ -23,11 +30,20 @@ namespace smat {
 
 namespace {
 
+using Target = std::optional<SweepTarget>;
+
 void drawImage(AnalysisData& data, const SceneDescription& scene, ImageSource& source,
-               const AnalysisCase& one, SweepTable& table, CaseWarnings& warnings) {
-    irsg::RenderedImage rendered = source.render();
-    irsg::addNew(data.answeredBy, rendered.report.answeredBy);
+               const AnalysisPlan& plan, const Target& target, SweepTable& table,
+               CaseWarnings& warnings) {
+    const AnalysisCase& one = plan.cases.front();
+    irsg::RenderedImage rendered =
+        plan.errors == ErrorColumns::none ? source.render() : source.renderWithErrors();
+    if (rendered.report.all.errors)
+        describeErrors(*rendered.report.all.errors, rendered.image);
+    irsg::addAnswer(data.answeredBy, rendered.report.answeredBy);
     warnings.addReport(rendered.report, data.settings[key::renderLayers]);
+    if (target)
+        target->check({rendered.report}, warnings);
     table.addCase(one, {rendered.report});
     data.image = std::move(rendered.image);
     const std::string sentence = showQuantity(data.image, scene.sensor, data.settings);
@@ -39,7 +55,7 @@ void measureSpectrum(AnalysisData& data, ImageSource& source, const AnalysisPlan
                      SweepTable& table, CaseWarnings& warnings) {
     // The sums of the same view say who answered for the air.
     const irsg::RenderReport report = source.measure();
-    irsg::addNew(data.answeredBy, report.answeredBy);
+    irsg::addAnswer(data.answeredBy, report.answeredBy);
     warnings.addReport(report, data.settings[key::renderLayers]);
     const irsg::IntensitySpectrum spectrum = source.measureSpectrum(plan.wavenumbers_per_cm);
     for (const std::string& sentence : spectrum.warnings)
@@ -49,13 +65,15 @@ void measureSpectrum(AnalysisData& data, ImageSource& source, const AnalysisPlan
 
 /// One case of a sweep, in every band.
 CaseRecord recordOf(const AnalysisData& data, const ImageSource::Reports& reports,
-                    const AnalysisCase& one, const SweepTable& table, CaseWarnings& warnings,
-                    std::string place) {
+                    const AnalysisCase& one, const Target& target, const SweepTable& table,
+                    CaseWarnings& warnings, std::string place) {
     CaseRecord record{std::move(place), table.rowOf(one, reports), {}, {}};
     for (const irsg::RenderReport& report : reports) {
-        irsg::addNew(record.answeredBy, report.answeredBy);
+        irsg::addAnswer(record.answeredBy, report.answeredBy);
         warnings.addReport(report, data.settings[key::renderLayers]);
     }
+    if (target)
+        target->check(reports, warnings);
     record.remarks = warnings.remarks();
     return record;
 }
@@ -92,7 +110,7 @@ CaseSetUp setUp(ImageSource& source, const SceneDescription& scene, const Analys
     source.setViewpoint(set.viewpoint);
     for (std::size_t i = 0; i < scene.entities.size(); ++i) {
         const irsg::Entity& entity = scene.entities[i];
-        const irsg::EntityState state = one.state(entity.state);
+        const irsg::EntityState state = one.state(entity.state, scene.ownOf(i));
         source.setState(i, state);
         for (std::string& sentence :
              heldTables(entity, state, set.poses[i], set.poses[i].toWorld(inModel[i]),
@@ -101,14 +119,6 @@ CaseSetUp setUp(ImageSource& source, const SceneDescription& scene, const Analys
         }
     }
     return set;
-}
-
-/// How many cases a run with a store comes to.
-std::size_t countOf(const CaseStore& store, const AnalysisPlan& plan) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < plan.cases.size(); ++i)
-        count += store.known(i) != nullptr || store.isMine(i) ? 1 : 0;
-    return count;
 }
 
 void addSetUp(const SceneDescription& scene, AnalysisKind kind, const std::string& place,
@@ -145,11 +155,13 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
     data.warnings.clear();
 
     // Everything that can be refused is looked at before the first drawing.
-    const AnalysisPlan cases = plan(data);
+    AnalysisPlan cases = plan(data);
     SceneDescription scene;
     {
         const StageTimer::Scope scope(timer, "load");
         scene = scenes_(data.project, data.settings);
+        // A case of a sweep has the same numbers whatever was before it, and those of an image.
+        scene.environment = irsg::onTheFly(scene.environment);
     }
     std::vector<irsg::Vec3> inModel;
     {
@@ -157,7 +169,7 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
         if (data.kind->form == AnalysisForm::sweep && data.settings[key::sensorMode] == "auto") {
             CalculationChoice choice = chooseCalculation(scene, cases);
             scene.render.mode = choice.mode;
-            if (!choice.reason.empty())
+            if (!choice.reason.empty() && !data.settings[key::renderTargetError])
                 data.answeredBy.push_back(std::move(choice.reason));
         }
         source_.configure(scene);
@@ -172,10 +184,23 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
     const irsg::Pose standing = scene.entities.front().pose;
     const irsg::Vec3 referencePoint = standing.toWorld(inModel.front());
     SweepTable table(cases, scene, data.table);
+    std::optional<AdaptiveSweep> adaptive;
+    if (!cases.refined.empty())
+        adaptive.emplace(cases, data.table);
 
     {
         const SceneRestorer restore(source_, scene,
                                     standingCase(data.settings).viewpoint(referencePoint));
+        const Target target = [&] {
+            const StageTimer::Scope scope(timer, "choose");
+            if (progress && data.settings[key::renderTargetError])
+                progress({0, cases.cases.size(), elapsed_s(), name(data.kind) + ": target error"});
+            return SweepTarget::choose(
+                source_, scene, cases, data.settings,
+                [&](const AnalysisCase& one) { setUp(source_, scene, one, standing, inModel); });
+        }();
+        if (target)
+            irsg::addNew(data.answeredBy, target->choice().sentences);
         const StageTimer::Scope scope(timer, "analyse");
         logInfo(cases.description);
         std::size_t done = 0;
@@ -188,8 +213,8 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
             irsg::addNew(data.warnings, warnings.sentences());
         };
         const auto take = [&](const CaseRecord& record) {
-            data.table.addRow(record.row);
-            irsg::addNew(data.answeredBy, record.answeredBy);
+            data.table.insertRow(adaptive ? adaptive->add(record.row) : done, record.row);
+            irsg::addAnswer(data.answeredBy, record.answeredBy);
             tellWarnings();
             ++done;
         };
@@ -198,15 +223,15 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
         const auto finish = [&](const CaseSetUp& set) {
             addSetUp(scene, data.kind, cases.place(*set.one), set, warnings);
             if (data.kind->form == AnalysisForm::sweep) {
-                const CaseRecord record =
-                    recordOf(data, set.reports(), *set.one, table, warnings, cases.place(*set.one));
+                const CaseRecord record = recordOf(data, set.reports(), *set.one, target, table,
+                                                   warnings, cases.place(*set.one));
                 take(record);
                 if (store != nullptr)
                     store->add(set.number, record);
                 return;
             }
             if (data.kind->form == AnalysisForm::image)
-                drawImage(data, scene, source_, *set.one, table, warnings);
+                drawImage(data, scene, source_, cases, target, table, warnings);
             else
                 measureSpectrum(data, source_, cases, table, warnings);
             tellWarnings();
@@ -218,10 +243,22 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
         };
         if (store != nullptr) {
             writeProvenance(data, scene);
-            store->begin(data, cases.cases.size());
+            // How many cases an adaptive sweep has is not known before.
+            store->begin(data, adaptive ? static_cast<std::size_t>(mostCases) : cases.cases.size());
         }
-        const std::size_t wanted = store == nullptr ? cases.cases.size() : countOf(*store, cases);
-        for (std::size_t i = 0; i < cases.cases.size(); ++i) {
+        std::size_t wanted =
+            store == nullptr ? cases.cases.size() : store->expected(cases.cases.size());
+        const auto isAtEnd = [&](std::size_t i) {
+            if (i < cases.cases.size() || !adaptive)
+                return i >= cases.cases.size();
+            finishBegun();
+            const std::vector<AnalysisCase> more = adaptive->next();
+            // References to cases stay: none is begun.
+            cases.cases.insert(cases.cases.end(), more.begin(), more.end());
+            wanted += more.size();
+            return more.empty();
+        };
+        for (std::size_t i = 0; !isAtEnd(i); ++i) {
             const AnalysisCase& one = cases.cases[i];
             if (const CaseRecord* known = store ? store->known(i) : nullptr) {
                 finishBegun();
@@ -244,7 +281,8 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
             }
             try {
                 set.reports =
-                    source_.beginMeasure({scene.allBands(), cases.isAlongRange, cases.withSource});
+                    source_.beginMeasure({scene.allBands(), cases.isAlongRange, cases.withSource,
+                                          cases.errors != ErrorColumns::none});
             } catch (...) {
                 finishBegun();
                 throw;
@@ -255,6 +293,8 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
                 finishBegun();
         }
         finishBegun();
+        if (adaptive && done == cases.cases.size())
+            data.answeredBy.push_back(adaptive->sentence());
         if (progress)
             progress({done, wanted, elapsed_s(), name(data.kind)});
         data.state = done == cases.cases.size() ? AnalysisState::complete : AnalysisState::partial;

@@ -26,12 +26,13 @@ std::string describe(const AnalysisPlan& plan, const Settings& settings) {
                            name(plan.kind), plan.wavenumbers_per_cm.size(),
                            plan.wavenumbers_per_cm.front(), plan.wavenumbers_per_cm.back(), raster);
     }
+    const char* more = plan.refined.empty() ? "" : " and more where curves bend";
     if (!plan.axes.empty()) {
-        return fmt::format("{}: {} cases, {} to {}, {}", name(plan.kind), plan.cases.size(),
+        return fmt::format("{}: {} cases{}, {} to {}, {}", name(plan.kind), plan.cases.size(), more,
                            plan.place(plan.cases.front()), plan.place(plan.cases.back()), raster);
     }
-    return fmt::format("{}: {} cases, {} {:.6g} to {:.6g} {}, {}", name(plan.kind),
-                       plan.cases.size(), axis.key, plan.cases.front().coordinate,
+    return fmt::format("{}: {} cases{}, {} {:.6g} to {:.6g} {}, {}", name(plan.kind),
+                       plan.cases.size(), more, axis.key, plan.cases.front().coordinate,
                        plan.cases.back().coordinate, axis.unit, raster);
 }
 
@@ -70,6 +71,19 @@ void checkAbilities(AnalysisKind kind, const Settings& settings,
 
 } // namespace
 
+bool isAdaptivePlot(AnalysisKind kind, const Settings& settings) {
+    if (kind->step == nullptr)
+        return false;
+    const std::string& steps = settings.text(name(kind) + ".steps");
+    return steps == "adaptive" || (steps == "auto" && !settings[OptionalRealKey{kind->step}]);
+}
+
+Settings withFixedSteps(AnalysisKind kind, Settings settings) {
+    if (isAdaptivePlot(kind, settings) && settings.text(name(kind) + ".steps") == "auto")
+        settings.set(name(kind) + ".steps", "fixed");
+    return settings;
+}
+
 AnalysisCase standingCase(const Settings& settings) {
     AnalysisCase one;
     one.time_s = settings[key::stateTime];
@@ -90,11 +104,11 @@ irsg::Pose AnalysisCase::standing(const irsg::Pose& inScene) const {
     return at;
 }
 
-irsg::EntityState AnalysisCase::state(irsg::EntityState inScene) const {
+irsg::EntityState AnalysisCase::state(irsg::EntityState inScene, const OwnState& own) const {
     inScene.time_s = time_s;
     inScene.power = power.value_or(inScene.power);
     inScene.mach = mach.value_or(inScene.mach);
-    return inScene;
+    return own.where(inScene);
 }
 
 irsg::Pose AnalysisCase::pose(const irsg::Pose& standing,
@@ -169,6 +183,21 @@ AnalysisPlan planAnalysis(AnalysisKind kind, const Project& project, const Setti
         for (irsg::Diagnostic& diagnostic : diagnostics)
             diagnostic.file = project.displayName();
         throw irsg::InputError(diagnostics);
+    }
+    if (kind->form != AnalysisForm::spectrum) {
+        plan.errors = errorColumnsOf(settings);
+        if (plan.errors == ErrorColumns::none && settings[key::renderTargetError])
+            plan.errors = ErrorColumns::sum;
+    }
+    if (!plan.refined.empty()) {
+        const bool isAsked = settings.text(name(kind) + ".steps") == "adaptive";
+        plan.largestBend = 0.01 * settings[key::renderTargetError].value_or(isAsked ? 1.0 : 2.0);
+        // What nobody asked for stays quick, and goes after curves, not after noise.
+        if (!isAsked) {
+            plan.mostRefined = 2 * plan.cases.size();
+            if (plan.errors == ErrorColumns::none)
+                plan.errors = ErrorColumns::sum;
+        }
     }
     plan.description = describe(plan, settings);
     return plan;

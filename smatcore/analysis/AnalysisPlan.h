@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "irsg/radiometry/Quantity.h"
 #include "irsg/scene/view/Pose.h"
 #include "irsg/signature/EntityState.h"
+#include "smatcore/analysis/ErrorColumns.h"
 #include "smatcore/project/Project.h"
 
 namespace smat {
@@ -21,8 +23,9 @@ struct AnalysisCase {
 
     double coordinate = 0.0; ///< angle, range or time in the plan's unit: the first column
     double time_s = 0.0;
-    std::optional<double> power, mach; ///< of every entity; as the scene has them where not set
-    std::optional<double> altitude_m;  ///< of the target's origin; the same
+    /// Of every entity without its own; as the scene has them where not set.
+    std::optional<double> power, mach;
+    std::optional<double> altitude_m; ///< of the target's origin; the same
     irsg::Attitude attitude;
     CameraPath path = CameraPath::about;
     double cameraYaw_rad = 0.0; ///< yaw of the horizontal frame the camera's azimuth is counted in
@@ -46,8 +49,16 @@ struct AnalysisCase {
     /// The target of standing() turned about its reference point, so that the camera keeps its
     /// range.
     irsg::Pose pose(const irsg::Pose& standing, const irsg::Vec3& referencePointInModel) const;
-    /// What an entity does in this case, by what it does in the scene.
-    irsg::EntityState state(irsg::EntityState inScene) const;
+    /// What an entity does in this case, by what it does in the scene and does by itself.
+    irsg::EntityState state(irsg::EntityState inScene, const OwnState& own) const;
+};
+
+/// What an adaptive sweep puts more cases into: the places along one of its axes.
+struct RefinedAxis {
+    irsg::Quantity quantity = irsg::Quantity::dimensionless;
+    std::vector<double> places; ///< ascending
+    bool isTurn = false;        ///< of 360 deg, whose end is its beginning
+    double leastStep = 0.0;     ///< no two places come closer
 };
 
 /// A sweep, expanded to its cases before anything is drawn.
@@ -60,8 +71,16 @@ struct AnalysisPlan {
     std::vector<AnalysisCase> cases;
     /// Many cases differ in nothing but the range, so that few drawings serve them all.
     bool isAlongRange = false;
-    bool withSource = false;                ///< asks for the intensity without air, too
-    std::vector<double> wavenumbers_per_cm; ///< of a spectrum, ascending
+    bool withSource = false;                  ///< asks for the intensity without air, too
+    ErrorColumns errors = ErrorColumns::none; ///< never of a spectrum
+    std::vector<double> wavenumbers_per_cm;   ///< of a spectrum, ascending
+    /// Of an adaptive sweep: what is refined, and the cases at all places of these axes, in the
+    /// order of the result; empty of one with fixed steps.
+    std::vector<RefinedAxis> refined;
+    std::function<std::vector<AnalysisCase>(const std::vector<RefinedAxis>&)> casesAt;
+    double largestBend = 0.0; ///< of the curve between its cases, as a part: see AdaptiveSweep
+    /// So many in all, where they bend most; of several axes without this bound.
+    std::optional<std::size_t> mostRefined;
 
     /// "polar: 36 cases, angle 0 to 350 deg, 640 x 512 px".
     std::string description;
@@ -69,6 +88,13 @@ struct AnalysisPlan {
     /// Where a case is on the axis: "500 m", or on several: "azimuth 30 deg, elevation 5 deg".
     std::string place(const AnalysisCase& one) const;
 };
+
+/// Whether the cases of a plot follow its curves: where its `steps` say so, or are `auto` while
+/// AnalysisDefinition::step, which would fix them, is so, too. Never of other analyses.
+bool isAdaptivePlot(AnalysisKind kind, const Settings& settings);
+/// These settings, with fixed steps where they leave it open: for what has to know all cases before
+/// the first one.
+Settings withFixedSteps(AnalysisKind kind, Settings settings);
 
 /// The target and the camera as the settings place them: the case every sweep starts from.
 AnalysisCase standingCase(const Settings& settings);

@@ -7,8 +7,13 @@
 #include <fmt/format.h>
 
 #include "smatcore/analysis/AnalysisDefinition.h"
+#include "smatcore/analysis/AnalysisPlan.h"
+#include "smatcore/analysis/InputFiles.h"
 #include "smatcore/data/ColumnName.h"
+#include "smatcore/project/ModelFields.h"
+#include "smatcore/project/SceneScalings.h"
 #include "smatcore/settings/AnalysisSections.h"
+#include "smatcore/support/BuildId.h"
 
 namespace smat {
 
@@ -34,6 +39,21 @@ void addColumnExtremes(AnalysisData& data, Quantity quantity, Quantity abscissa)
         data.summary.push_back({"Largest " + label + where(most), *most, column->unit});
         data.summary.push_back({"Least " + label + where(least), *least, column->unit});
     }
+}
+
+/// "east 300 m, north 0 m, altitude 100 m, heading 90 deg, pitch 0 deg, roll 0 deg, power 0.4":
+/// where a model stands that is not the target, and what it does by itself.
+std::string placeWords(const Project& project, std::size_t model) {
+    std::string words;
+    for (const ModelField& field : modelFields()) {
+        const std::string text = textOf(project, model, field);
+        const bool isOfPlace = field.info.unit == "m" || field.info.unit == "deg";
+        if (field.key == "yaw" || (!isOfPlace && text == field.info.defaultText))
+            continue;
+        words += fmt::format("{}{} {}{}{}", words.empty() ? "" : ", ", field.key, text,
+                             field.info.unit.empty() ? "" : " ", field.info.unit);
+    }
+    return words;
 }
 
 void addImageNumbers(AnalysisData& data) {
@@ -93,6 +113,14 @@ void writeProvenance(AnalysisData& data, const SceneDescription& scene) {
         const bool unsaved = scene.unsavedDatabases.contains(i);
         provenance.add("database", model.database.filename().string() +
                                        (unsaved ? ", with edits that are not saved" : ""));
+        if (i > 0)
+            provenance.add("place", placeWords(data.project, i));
+    }
+    for (const InputFile& input : inputFilesOf(data.project, data.settings, data.kind)) {
+        const bool isUnsaved =
+            input.role == "database" && scene.unsavedDatabases.contains(input.number);
+        if (const std::string hash = isUnsaved ? "" : contentHash(input.file); !hash.empty())
+            provenance.add("input", hash + " " + input.role + " " + input.file.filename().string());
     }
     for (const irsg::Band& band : scene.allBands()) {
         const irsg::SpectralRange range = band.range();
@@ -100,11 +128,18 @@ void writeProvenance(AnalysisData& data, const SceneDescription& scene) {
                        fmt::format("{} ({} to {} um)", band.name(), range.min_um, range.max_um));
     }
     for (const SettingInfo& setting : settingTable()) {
+        // How the cases stand is told where they follow the curves, asked for or not.
+        if (setting.key == name(data.kind) + ".steps" &&
+            data.settings.text(setting.key) == "auto" && isAdaptivePlot(data.kind, data.settings))
+            provenance.add(setting.key, "adaptive");
         if (concerns(setting, name(data.kind)) && !data.settings.isDefault(setting.key)) {
             const std::string unit = setting.unit.empty() ? "" : " " + setting.unit;
             provenance.add(setting.key, data.settings.text(setting.key) + unit);
         }
     }
+    tellDrawnScales(scene, data.settings, provenance);
+    if (!buildId().empty())
+        provenance.add("build", buildId());
     provenance.add("renderer", data.renderer);
     for (const std::string& answer : data.answeredBy)
         provenance.add("answered by", answer);

@@ -4,15 +4,17 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "irsg/atmosphere/NearestRun.h"
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
 #include "irsg/radiometry/NewLines.h"
-#include "irsg/signature/Sha256.h"
+#include "smatcore/analysis/InputFiles.h"
 #include "smatcore/analysis/ResultFile.h"
 #include "smatcore/data/CheckedJson.h"
 
@@ -21,7 +23,7 @@ namespace smat {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr const char* format = "smat cases 1";
 /// Runs of cases that each part has at least: so that parts take alike, wherever cases are slow.
@@ -35,8 +37,8 @@ constexpr std::size_t runsOfPart = 16;
                             .expected = std::move(expected)});
 }
 
-std::string line(const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+std::string line(const OrderedJson& json) {
+    return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 /// Numbers that read back exactly, those that are none included.
@@ -47,6 +49,8 @@ std::string rowText(const std::vector<double>& row) {
 std::vector<double> rowOf(const CheckedJson& json) {
     const std::string text = json.text();
     std::vector<double> row;
+    if (text.empty())
+        return row; // of a case without a row
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
         const std::string word = text.substr(begin, end - begin);
@@ -64,9 +68,16 @@ std::vector<double> rowOf(const CheckedJson& json) {
     return row;
 }
 
+double numberOf(const CheckedJson& json) {
+    const std::vector<double> one = rowOf(json);
+    if (one.size() != 1)
+        json.refuse("a number");
+    return one.front();
+}
+
 /// What a result says of itself before its first case.
-Json headOf(const AnalysisData& data, std::size_t cases, const CaseFile::Options& options) {
-    Json columns = Json::array(), provenance = Json::array();
+OrderedJson headOf(const AnalysisData& data, std::size_t cases, const CaseFile::Options& options) {
+    OrderedJson columns = OrderedJson::array(), provenance = OrderedJson::array();
     for (const ResultColumn& column : data.table.columns())
         columns.push_back({{"name", column.key}, {"unit", column.unit}});
     for (const auto& [key, value] : data.table.provenance.entries)
@@ -79,7 +90,7 @@ Json headOf(const AnalysisData& data, std::size_t cases, const CaseFile::Options
 /// A file of cases as it was read.
 struct Read {
     fs::path file;
-    Json head;
+    OrderedJson head;
     std::map<std::size_t, CaseRecord> records;
     std::uintmax_t whole_B = 0;
     CaseShare share() const { return {head["part"], head["parts"]}; }
@@ -96,10 +107,21 @@ CaseRecord recordOf(const CheckedJson& json, const std::vector<std::string>& las
     if (json.has("remarks"))
         for (const CheckedJson& remark : json.at("remarks").list()) {
             const CaseRemark one{remark.at("kind").text(), remark.at("sentence").text(),
-                                 rowOf(remark.at("value")).front()};
+                                 numberOf(remark.at("value"))};
             record.remarks.push_back(one);
         }
     return record;
+}
+
+OrderedJson jsonOf(std::size_t i, const CaseRecord& record, bool withAnswers) {
+    OrderedJson json{{"case", i}, {"place", record.place}, {"row", rowText(record.row)}};
+    if (withAnswers)
+        json["answered"] = record.answeredBy;
+    for (const CaseRemark& remark : record.remarks)
+        json["remarks"].push_back({{"kind", remark.kind},
+                                   {"sentence", remark.sentence},
+                                   {"value", fmt::format("{}", remark.value)}});
+    return json;
 }
 
 void checkHead(const CheckedJson& head) {
@@ -138,14 +160,14 @@ Read readCases(const fs::path& file) {
         const CheckedJson json(text.substr(begin, end - begin), where, "a line of cases (JSON)");
         if (number == 1) {
             checkHead(json);
-            read.head = Json::parse(text.substr(begin, end - begin));
+            read.head = OrderedJson::parse(text.substr(begin, end - begin));
         } else {
             CaseRecord record = recordOf(json, lastAnswers);
             const CheckedJson place = json.at("case");
             const double i = place.number();
             if (!(i >= 0.0 && i < static_cast<double>(read.cases()) && i == std::floor(i)))
                 place.refuse(fmt::format("a case from 0 to {}", read.cases() - 1));
-            if (record.row.size() != read.head["columns"].size())
+            if (!record.row.empty() && record.row.size() != read.head["columns"].size())
                 json.at("row").refuse(fmt::format("{} numbers", read.head["columns"].size()));
             lastAnswers = record.answeredBy;
             read.records[static_cast<std::size_t>(i)] = std::move(record);
@@ -156,16 +178,17 @@ Read readCases(const fs::path& file) {
 }
 
 /// What two runs of one sweep have in common.
-Json identityOf(Json head) {
+OrderedJson identityOf(OrderedJson head) {
     head.erase("part");
     head.erase("parts");
-    std::erase_if(head["provenance"].get_ref<Json::array_t&>(), [](const Json& entry) {
-        return entry["key"] == "command" || entry["key"] == "project";
-    });
+    std::erase_if(head["provenance"].get_ref<OrderedJson::array_t&>(),
+                  [](const OrderedJson& entry) {
+                      return entry["key"] == "command" || entry["key"] == "project";
+                  });
     return head;
 }
 
-std::string brief(const Json& json) {
+std::string brief(const OrderedJson& json) {
     const std::string text = json.is_string() ? json.get<std::string>() : json.dump();
     return text.size() > 120 ? text.substr(0, 117) + "..." : text;
 }
@@ -174,20 +197,20 @@ std::string brief(const Json& json) {
 struct Mismatch {
     std::string what, one, other;
 };
-std::optional<Mismatch> mismatchOf(const Json& oneHead, const Json& otherHead) {
-    const Json one = identityOf(oneHead), other = identityOf(otherHead);
+std::optional<Mismatch> mismatchOf(const OrderedJson& oneHead, const OrderedJson& otherHead) {
+    const OrderedJson one = identityOf(oneHead), other = identityOf(otherHead);
     if (one == other)
         return std::nullopt;
     for (const char* key : {"cases", "columns"})
         if (one[key] != other[key])
             return Mismatch{key, brief(one[key]), brief(other[key])};
     std::map<std::string, std::pair<std::string, std::string>> values;
-    const auto collect = [&](const Json& head, bool isFirst) {
+    const auto collect = [&](const OrderedJson& head, bool isFirst) {
         for (const auto& [file, hash] : head["inputs"].items()) {
             auto& both = values["content of " + file];
             (isFirst ? both.first : both.second) = "SHA-256 " + hash.get<std::string>();
         }
-        for (const Json& entry : head["provenance"]) {
+        for (const OrderedJson& entry : head["provenance"]) {
             auto& both = values[entry["key"]];
             (isFirst ? both.first : both.second) += entry["value"].get<std::string>() + " ";
         }
@@ -252,9 +275,9 @@ CaseFile::CaseFile(fs::path file, Options options)
 
 void CaseFile::begin(const AnalysisData& data, std::size_t cases) {
     cases_ = cases;
-    const Json head = headOf(data, cases, options_);
+    const OrderedJson head = headOf(data, cases, options_);
     if (options_.resumes && existed_) {
-        if (const auto mismatch = mismatchOf(Json::parse(head_), head))
+        if (const auto mismatch = mismatchOf(OrderedJson::parse(head_), head))
             refuse(file_, mismatch->what, mismatch->one,
                    mismatch->other + ", as this run has it: what is resumed must be the same");
         fs::resize_file(file_, whole_B_);
@@ -268,7 +291,7 @@ void CaseFile::begin(const AnalysisData& data, std::size_t cases) {
         fs::rename(file_, old);
         keptOld_ = true;
     }
-    write(line(head));
+    write(head_ = line(head));
 }
 
 const CaseRecord* CaseFile::known(std::size_t i) const {
@@ -277,15 +300,30 @@ const CaseRecord* CaseFile::known(std::size_t i) const {
 }
 
 void CaseFile::add(std::size_t i, const CaseRecord& record) {
-    Json json{{"case", i}, {"place", record.place}, {"row", rowText(record.row)}};
     // What is as in the line before is not said again.
-    if (record.answeredBy != lastAnswers_)
-        json["answered"] = lastAnswers_ = record.answeredBy;
-    for (const CaseRemark& remark : record.remarks)
-        json["remarks"].push_back({{"kind", remark.kind},
-                                   {"sentence", remark.sentence},
-                                   {"value", fmt::format("{}", remark.value)}});
-    write(line(json));
+    const bool isSaid = record.answeredBy != std::exchange(lastAnswers_, record.answeredBy);
+    write(line(jsonOf(i, record, isSaid)));
+}
+
+std::string CaseFile::headText(const AnalysisData& data, std::size_t cases,
+                               const Options& options) {
+    return line(headOf(data, cases, options));
+}
+
+std::string CaseFile::recordText(std::size_t i, const CaseRecord& record) {
+    return line(jsonOf(i, record, true));
+}
+
+std::pair<std::size_t, CaseRecord> CaseFile::recordFrom(const std::string& text,
+                                                        const std::string& who) {
+    const CheckedJson json(text, who, "a line of cases (JSON)");
+    return {static_cast<std::size_t>(json.at("case").number()), recordOf(json, {})};
+}
+
+void CaseFile::checkSameSweep(const std::string& head, const std::string& who) const {
+    if (const auto mismatch = mismatchOf(OrderedJson::parse(head_), OrderedJson::parse(head)))
+        throw irsg::InputError(
+            {who, mismatch->what, mismatch->other, mismatch->one + ", as all others have it"});
 }
 
 void CaseFile::write(const std::string& text) {
@@ -323,17 +361,22 @@ AnalysisData joinedCases(const std::vector<fs::path>& files) {
             refuse(file, mismatch->what, mismatch->other,
                    mismatch->one + ", as in " + files.front().string());
     }
-    const Json& head = parts.front().head;
+    const OrderedJson& head = parts.front().head;
     ResultTable table;
-    for (const Json& column : head["columns"])
+    for (const OrderedJson& column : head["columns"])
         table.add(column["name"].get<std::string>(), column["unit"].get<std::string>());
     std::vector<std::string> answeredBy, before;
-    for (const Json& entry : head["provenance"])
+    for (const OrderedJson& entry : head["provenance"])
         if (entry["key"] == "answered by")
             answeredBy.push_back(entry["value"]);
         else if (entry["key"] == "warning")
             before.push_back(entry["value"]);
-    CaseWarnings warnings;
+    // Frames of a scenario are no sweep, whose warnings name their cases.
+    const bool isOfScenario = std::ranges::any_of(head["provenance"], [](const OrderedJson& entry) {
+        return entry["key"] == "analysis" && entry["value"] == name(AnalysisKind::simulation);
+    });
+    CaseWarnings warnings(isOfScenario ? CaseWarnings::Telling::once
+                                       : CaseWarnings::Telling::byCase);
     std::size_t missing = 0, firstMissing = 0;
     for (std::size_t i = 0; i < parts.front().cases(); ++i) {
         const CaseRecord* found = nullptr;
@@ -352,8 +395,9 @@ AnalysisData joinedCases(const std::vector<fs::path>& files) {
             ++missing;
             continue;
         }
-        table.addRow(found->row);
-        irsg::addNew(answeredBy, found->answeredBy);
+        if (!found->row.empty())
+            table.addRow(found->row);
+        irsg::addAnswer(answeredBy, found->answeredBy);
         warnings.addCase(found->place, found->remarks);
     }
     if (missing > 0) {
@@ -378,7 +422,7 @@ AnalysisData joinedCases(const std::vector<fs::path>& files) {
                    " (--resume goes on with it)");
     }
     irsg::addNew(before, warnings.sentences());
-    for (const Json& entry : head["provenance"]) {
+    for (const OrderedJson& entry : head["provenance"]) {
         const std::string key = entry["key"];
         if (key == "state")
             table.provenance.add(key, "complete");
@@ -396,7 +440,7 @@ std::map<std::string, std::string> inputHashes() {
     std::map<std::string, std::string> hashes;
     for (const fs::path& file : irsg::inputsRead()) {
         std::string& hash = hashes[file.filename().string()];
-        hash += (hash.empty() ? "" : " ") + irsg::sha256(irsg::readFile(file));
+        hash += (hash.empty() ? "" : " ") + fileHash(file);
     }
     return hashes;
 }

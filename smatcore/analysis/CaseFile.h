@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "smatcore/analysis/AnalysisData.h"
@@ -48,6 +49,9 @@ class CaseFile : public CaseStore {
     /// Throws InputError where the file holds cases of other inputs, settings or programs. A file
     /// that is not gone on with is kept beside as FILE.old.
     void begin(const AnalysisData& data, std::size_t cases) override;
+    /// What another process that draws of the same sweep says of it (headText). Throws InputError
+    /// where it is of other inputs, settings or programs; `who` it is.
+    void checkSameSweep(const std::string& head, const std::string& who) const;
     const CaseRecord* known(std::size_t i) const override;
     bool isMine(std::size_t i) const override { return options_.share.has(i, cases_); }
     void add(std::size_t i, const CaseRecord& record) override;
@@ -57,6 +61,13 @@ class CaseFile : public CaseStore {
     /// Takes the file away again, once the result is saved.
     void remove();
     const std::filesystem::path& file() const { return file_; }
+
+    /// What a result says of itself before its first case, and a case: a line each.
+    static std::string headText(const AnalysisData& data, std::size_t cases,
+                                const Options& options);
+    static std::string recordText(std::size_t i, const CaseRecord& record);
+    static std::pair<std::size_t, CaseRecord> recordFrom(const std::string& text,
+                                                         const std::string& who);
     /// True where begin() set cases of an earlier run aside.
     bool keptOld() const { return keptOld_; }
 

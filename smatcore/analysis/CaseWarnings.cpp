@@ -67,7 +67,26 @@ void CaseWarnings::addObjectsBeyondFrame(const SceneDescription& scene,
     }
 }
 
+std::vector<std::string> CaseWarnings::sentencesOnce() const {
+    std::vector<Entry> entries = entries_;
+    const auto isOfKind = [](const Entry& entry) { return entry.kind != entry.sentence; };
+    std::ranges::stable_sort(entries, {}, [&](const Entry& entry) {
+        return isOfKind(entry) ? entry.kind : std::string();
+    });
+    std::vector<std::string> all;
+    for (Entry& entry : entries) {
+        const std::string word = "{cases}";
+        if (const std::size_t at = entry.sentence.find(word);
+            isOfKind(entry) && at != std::string::npos)
+            entry.sentence.replace(at, word.size(), std::to_string(entry.cases));
+        all.push_back(entry.sentence);
+    }
+    return all;
+}
+
 std::vector<std::string> CaseWarnings::sentences() const {
+    if (telling_ == Telling::once)
+        return sentencesOnce();
     std::vector<std::string> all;
     for (const Entry& entry : entries_) {
         if (entry.cases == count_) {

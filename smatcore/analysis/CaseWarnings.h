@@ -17,9 +17,14 @@ struct CaseRemark {
 };
 
 /// What the cases of a sweep warn of, each sentence once with the cases it holds for: "at 500 m
-/// (and 3 more): ...". A sentence that holds for every case so far stands alone.
+/// (and 3 more): ...". A sentence that holds for every case so far stands alone. Frames of a
+/// scenario say theirs once without the cases, first those with no kind but themselves; {cases} in
+/// one stands for how many there are.
 class CaseWarnings {
   public:
+    enum class Telling { byCase, once };
+    explicit CaseWarnings(Telling telling = Telling::byCase) : telling_(telling) {}
+
     /// Everything added from now on is of this case ("500 m").
     void beginCase(std::string name);
     void add(const std::string& sentence);
@@ -45,6 +50,9 @@ class CaseWarnings {
         std::size_t cases = 0, lastCase = 0; ///< the number of the last case, from 1
     };
 
+    std::vector<std::string> sentencesOnce() const;
+
+    Telling telling_;
     std::vector<Entry> entries_;
     std::vector<CaseRemark> remarks_; // of this case
     std::string case_;

@@ -35,6 +35,7 @@ class IrsgImageSource : public ImageSource {
     void setViewpoint(const irsg::Viewpoint& viewpoint) override { irsg_.setViewpoint(viewpoint); }
 
     irsg::RenderedImage render() override { return irsg_.render(); }
+    irsg::RenderedImage renderWithErrors() override { return irsg_.render(true); }
     std::function<irsg::PixelExplanation(int x, int y)> explainer() override {
         return
             [this, ready = irsg_.explainer()](int x, int y) { return irsg_.explain(*ready, x, y); };
@@ -48,7 +49,8 @@ class IrsgImageSource : public ImageSource {
         return irsg_.measureAlongRange(bands);
     }
     std::function<Reports()> beginMeasure(const Measure& wanted) override {
-        return [this, begun = irsg_.beginMeasure(wanted.bands, wanted.alongRange, wanted.source)] {
+        return [this, begun = irsg_.beginMeasure(wanted.bands, wanted.alongRange, wanted.source,
+                                                 wanted.errors)] {
             return irsg_.finishMeasure(begun);
         };
     }
@@ -69,6 +71,11 @@ class IrsgImageSource : public ImageSource {
     scaledViews(const std::vector<irsg::ScalingInput>& inputs,
                 const std::vector<irsg::Band>& bands) override {
         return irsg_.scaledViews(inputs, bands);
+    }
+    std::vector<std::unique_ptr<const irsg::ScaledView>>
+    scaledObjects(const std::vector<irsg::ScalingInput>& inputs,
+                  const std::vector<irsg::Band>& bands) override {
+        return irsg_.scaledObjects(inputs, bands);
     }
 
     std::string rendererDescription() override { return irsg_.rendererDescription(); }

@@ -6,21 +6,22 @@
 
 #include <fmt/format.h>
 
+#include "irsg/atmosphere/NearestRun.h"
+#include "irsg/atmosphere/OnTheFly.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/NewLines.h"
-#include "irsg/radiometry/ParallelFor.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
+#include "smatcore/analysis/AnalysisProvenance.h"
+#include "smatcore/analysis/DrawLoop.h"
 #include "smatcore/analysis/MonteCarloReport.h"
 #include "smatcore/analysis/MonteCarloViews.h"
+#include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/Log.h"
 
 namespace smat {
 
 namespace {
-
-constexpr std::size_t batch = 256;
-constexpr std::size_t mostValues = 50'000'000;
 
 irsg::InputError refusal(std::string position, std::string value, std::string expected) {
     return irsg::InputError({.file = "montecarlo",
@@ -44,33 +45,26 @@ class Run {
                           "a spectrum, polar, time or range analysis");
         }
         analysis.settings.set(key::scalingUse, "false");
+        // Draws are of the cases that there are before any is drawn.
+        analysis.settings = withFixedSteps(analysis.kind, analysis.settings);
         plan_ = planAnalysis(analysis.kind, analysis.project, analysis.settings);
+        if (analysis.kind->form != AnalysisForm::spectrum)
+            data_.errors = errorColumnsOf(analysis.settings);
         scene_ = scenes(analysis.project, analysis.settings);
+        scene_.environment = irsg::onTheFly(scene_.environment);
         irsg::addNew(analysis.warnings, scene_.remarks);
         data_.scalings = sceneScalings(analysis.project, scene_, analysis.warnings);
-        const bool anyVaries = std::any_of(data_.scalings.begin(), data_.scalings.end(),
-                                           [](const SceneScaling& one) { return !one.isFixed(); });
-        if (!anyVaries) {
-            throw refusal(
-                "scalings", "no scale that varies",
-                "a scaling file beside the model with min below max for an index that the "
-                "model has");
-        }
         const std::size_t places = plan_.kind->form == AnalysisForm::spectrum
                                        ? plan_.wavenumbers_per_cm.size()
                                        : plan_.cases.size() * scene_.allBands().size();
-        if (data_.options.samples > mostValues / std::max<std::size_t>(places, 1)) {
-            throw refusal("samples",
-                          fmt::format("{} at {} abscissae", data_.options.samples, places),
-                          fmt::format("at most {} values in all: fewer samples or a coarser sweep",
-                                      mostValues));
-        }
+        DrawLoop::check(data_.scalings, data_.options.samples, places);
         const auto seed = static_cast<std::uint64_t>(analysis.settings[key::scalingSeed]);
+        data_.seed = seed;
         draws_.emplace(data_.scalings, data_.options.sequence, seed);
         if (data_.options.ranking)
             companions_.emplace(data_.scalings, data_.options.sequence, seed, true);
         total_ = plan_.cases.size() * static_cast<std::size_t>(data_.options.phases) +
-                 (data_.options.samples + batch - 1) / batch + (data_.options.ranking ? 1 : 0);
+                 DrawLoop::steps(data_.options.samples) + (data_.options.ranking ? 1 : 0);
     }
 
     void drawViews() {
@@ -85,35 +79,15 @@ class Run {
     }
 
     void drawScales() {
-        const MonteCarloOptions& options = data_.options;
-        for (auto& values : data_.values)
-            values.reserve(options.samples);
-        std::size_t nextLook = batch;
-        while (data_.draws() < options.samples) {
-            if (data_.draws() > 0 && stop_.stop_requested())
-                break;
-            say(fmt::format("draw {}", data_.draws()));
-            const std::size_t end = std::min(options.samples, data_.draws() + batch);
-            std::vector<std::vector<double>> drawn(end - data_.draws());
-            irsg::parallelFor(drawn.size(), [&](std::size_t i) {
-                drawn[i] = views_->valuesAt(draws_->at(data_.draws() + i));
-            });
-            for (const std::vector<double>& all : drawn)
-                for (std::size_t k = 0; k < all.size(); ++k)
-                    data_.values[k].push_back(all[k]);
-            ++done_;
-            // Looked at ever more rarely: each look sorts what there is.
-            if (options.standardError && data_.draws() >= nextLook) {
-                nextLook = data_.draws() + data_.draws() / 4;
-                if (relativeError() <= *options.standardError) {
-                    data_.reachedStandardError = true;
-                    break;
-                }
-            }
-        }
-        data_.statistic = statistics();
-        if (options.standardError && !data_.reachedStandardError)
-            data_.reachedStandardError = relativeError() <= *options.standardError;
+        loop_.emplace(
+            std::vector<MonteCarloData*>{&data_}, *draws_,
+            [this](const std::vector<double>& scales) { return views_->valuesAt(scales); });
+        loop_->run(
+            [this](std::size_t draw) {
+                say(fmt::format("draw {}", draw));
+                ++done_;
+            },
+            stop_);
     }
 
     void rank() {
@@ -147,24 +121,99 @@ class Run {
         ++done_;
     }
 
+    /// Throws InputError for what has no parts.
+    void refuseWhatIsOfAll() const {
+        const MonteCarloOptions& options = data_.options;
+        if (options.ranking)
+            throw refusal("ranking", "a ranking", "none in parts: it follows from all cases");
+        if (options.standardError)
+            throw refusal("standard error", "draws that end by it",
+                          "a number of draws alone in parts: it follows from all cases");
+        if (data_.analysis.kind->form == AnalysisForm::spectrum)
+            throw refusal("analysis", data_.analysis.name + ", a spectrum",
+                          "a sweep: a spectrum is one view, which has no parts");
+    }
+
+    /// Case by case into the table.
+    void goThrough(CaseStore& store) {
+        AnalysisData& analysis = data_.analysis;
+        source_.configure(scene_);
+        analysis.renderer = source_.rendererDescription();
+        const std::vector<irsg::Band> bands = scene_.allBands();
+        data_.bands = bands.size() > 1 ? bandLabels(bands) : std::vector<std::string>{""};
+        const MonteCarloAxis axis{plan_.coordinate};
+        writeProvenance(analysis, scene_);
+        beginDraws(data_, axis);
+        store.begin(analysis, plan_.cases.size());
+        total_ = store.expected(plan_.cases.size());
+
+        AnalysisPlan single = plan_;
+        CaseWarnings warnings;
+        for (std::size_t i = 0; i < plan_.cases.size(); ++i) {
+            std::optional<CaseRecord> drawn;
+            const CaseRecord* record = store.known(i);
+            if (record != nullptr) {
+                warnings.addCase(record->place, record->remarks);
+            } else {
+                if (!store.isMine(i))
+                    continue;
+                if (stop_.stop_requested())
+                    break;
+                single.cases = {plan_.cases[i]};
+                drawn = drawnOf(single, axis);
+                if (!drawn)
+                    break;
+                record = &*drawn;
+                warnings.addCase(record->place, record->remarks);
+                store.add(i, *record);
+            }
+            analysis.table.addRow(record->row);
+            irsg::addAnswer(analysis.answeredBy, record->answeredBy);
+            ++done_;
+        }
+        irsg::addNew(analysis.warnings, warnings.sentences());
+        if (done_ < total_)
+            analysis.warnings.push_back(fmt::format("stopped after {} of {} cases", done_, total_));
+        analysis.state =
+            done_ == plan_.cases.size() ? AnalysisState::complete : AnalysisState::partial;
+        writeProvenance(analysis, scene_);
+        tellDraws(data_, axis, data_.options.samples);
+        analysis.summary.push_back({"Draws", static_cast<double>(data_.options.samples), ""});
+    }
+
+    /// The case of a plan, none where a stop was asked for meanwhile.
+    std::optional<CaseRecord> drawnOf(const AnalysisPlan& single, const MonteCarloAxis& axis) {
+        MonteCarloData one;
+        one.analysis.kind = data_.analysis.kind;
+        one.analysis.settings = data_.analysis.settings;
+        one.options = data_.options;
+        one.scalings = data_.scalings;
+        one.seed = data_.seed;
+        one.errors = data_.errors;
+        const std::string place = single.place(single.cases.front());
+        MonteCarloViews views(source_, single, scene_, one);
+        views.draw([&](const std::string& what) { say(place + ": " + what); }, stop_);
+        if (stop_.stop_requested())
+            return std::nullopt;
+        DrawLoop({&one}, *draws_, [&](const std::vector<double>& scales) {
+            return views.valuesAt(scales);
+        }).run([&](std::size_t draw) { say(fmt::format("{}: draw {}", place, draw)); }, stop_);
+        if (one.draws() < data_.options.samples)
+            return std::nullopt;
+        return CaseRecord{place, rowOfDraws(one, axis, 0), one.analysis.answeredBy,
+                          views.remarks()};
+    }
+
     void finish() {
         AnalysisData& analysis = data_.analysis;
         const bool isRanked = !companions_ || rankedPairs_ == data_.options.rankingPairs;
         const bool isDrawn = data_.draws() == data_.options.samples || data_.reachedStandardError;
         analysis.state = views_->areAll() && isDrawn && isRanked ? AnalysisState::complete
                                                                  : AnalysisState::partial;
-        if (!isDrawn)
-            analysis.warnings.push_back(
-                fmt::format("stopped after {} of {} draws", data_.draws(), data_.options.samples));
         if (!isRanked)
             analysis.warnings.push_back(fmt::format("stopped after {} of {} pairs of the ranking",
                                                     rankedPairs_, data_.options.rankingPairs));
-        if (data_.options.standardError && !data_.reachedStandardError)
-            analysis.warnings.push_back(fmt::format(
-                "the standard error of the {} is {:.2g} of its largest magnitude after {} draws; "
-                "{:.2g} was asked for",
-                name(data_.options.statistic), relativeError(), data_.draws(),
-                *data_.options.standardError));
+        loop_->tellShortcomings();
         reportMonteCarlo(data_, plan_, scene_);
     }
 
@@ -177,26 +226,6 @@ class Run {
     }
 
   private:
-    std::vector<Estimate> statistics() const {
-        std::vector<Estimate> estimates;
-        for (const std::vector<double>& values : data_.values)
-            estimates.push_back(
-                data_.options.sequence == DrawSequence::sobol
-                    ? estimateByReplicates(values, sobolReplicates, data_.options.statistic)
-                    : estimate(values, data_.options.statistic));
-        return estimates;
-    }
-
-    /// Largest standard error over the largest magnitude of the statistic.
-    double relativeError() const {
-        double error = 0.0, magnitude = 0.0;
-        for (const Estimate& one : statistics()) {
-            error = std::max(error, one.standardError);
-            magnitude = std::max(magnitude, std::abs(one.value));
-        }
-        return error == 0.0 ? 0.0 : error / magnitude;
-    }
-
     ImageSource& source_;
     MonteCarloData& data_;
     const ProgressCallback& progress_;
@@ -207,6 +236,7 @@ class Run {
     SceneDescription scene_;
     std::optional<ScalingDraws> draws_, companions_;
     std::optional<MonteCarloViews> views_;
+    std::optional<DrawLoop> loop_;
     std::size_t done_ = 0, total_ = 0, rankedPairs_ = 0;
 };
 
@@ -215,8 +245,10 @@ class Run {
 MonteCarlo::MonteCarlo(ImageSource& source, SceneFactory scenes)
     : source_(source), scenes_(std::move(scenes)) {}
 
-void MonteCarlo::run(MonteCarloData& data, const ProgressCallback& progress, std::stop_token stop,
-                     StageTimer* timer) {
+namespace {
+
+/// What is asked, without what came out.
+MonteCarloData asked(const MonteCarloData& data) {
     MonteCarloData fresh;
     fresh.analysis = data.analysis;
     fresh.analysis.table = {};
@@ -224,6 +256,34 @@ void MonteCarlo::run(MonteCarloData& data, const ProgressCallback& progress, std
     fresh.analysis.warnings.clear();
     fresh.analysis.answeredBy.clear();
     fresh.options = data.options;
+    return fresh;
+}
+
+} // namespace
+
+void MonteCarlo::run(MonteCarloData& data, CaseStore& store, const ProgressCallback& progress,
+                     std::stop_token stop, StageTimer* timer) {
+    MonteCarloData fresh = asked(data);
+    fresh.analysis.state = AnalysisState::partial;
+    Run run(source_, fresh, progress, stop);
+    {
+        const StageTimer::Scope scope(timer, "load");
+        run.refuseWhatIsOfAll();
+        run.load(scenes_);
+    }
+    logInfo("Monte Carlo: case by case");
+    {
+        const StageTimer::Scope scope(timer, "draw cases");
+        run.goThrough(store);
+    }
+    fresh.analysis.elapsed_s = run.elapsed_s();
+    run.say("done");
+    data = std::move(fresh);
+}
+
+void MonteCarlo::run(MonteCarloData& data, const ProgressCallback& progress, std::stop_token stop,
+                     StageTimer* timer) {
+    MonteCarloData fresh = asked(data);
     Run run(source_, fresh, progress, stop);
     {
         const StageTimer::Scope scope(timer, "load");

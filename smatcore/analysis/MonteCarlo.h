@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -7,6 +8,8 @@
 #include <vector>
 
 #include "smatcore/analysis/AnalysisGenerator.h"
+#include "smatcore/analysis/CaseStore.h"
+#include "smatcore/analysis/ErrorColumns.h"
 #include "smatcore/analysis/SampleStatistics.h"
 #include "smatcore/analysis/ScalingDraws.h"
 #include "smatcore/analysis/SobolIndices.h"
@@ -52,6 +55,7 @@ struct MonteCarloData {
     AnalysisData analysis; ///< its kind, project and settings; table, summary and warnings come out
     MonteCarloOptions options;
 
+    std::uint64_t seed = 1;                ///< of the draws that were made
     std::vector<SceneScaling> scalings;    ///< those that have an effect
     std::string unit;                      ///< of the values
     std::string abscissaKey, abscissaUnit; ///< "wavelength", "um"
@@ -61,7 +65,9 @@ struct MonteCarloData {
     std::vector<std::vector<double>> values; ///< by place, then by draw
     std::vector<double> nominal;             ///< at scales of 1
     std::vector<double> numericalError;      ///< standard deviation over the phases
-    std::vector<Estimate> statistic;         ///< by place
+    ErrorColumns errors = ErrorColumns::none;
+    std::vector<irsg::ErrorParts> nominalErrors; ///< stated ones at scales of 1, where asked for
+    std::vector<Estimate> statistic;             ///< by place
     std::vector<RankedScaling> ranking;
     bool reachedStandardError = false;
 
@@ -88,6 +94,12 @@ class MonteCarlo {
     /// varies, more than 5e7 values.
     void run(MonteCarloData& data, const ProgressCallback& progress = {}, std::stop_token stop = {},
              StageTimer* timer = nullptr);
+    /// The same case by case, for runs in parts: each is drawn and goes through all draws before
+    /// the next one. The table comes out with the bytes of one run, and no values of draws. Throws
+    /// InputError, too, for what follows from all cases (a ranking, a standard error that ends the
+    /// draws) and for a spectrum, which has one.
+    void run(MonteCarloData& data, CaseStore& store, const ProgressCallback& progress = {},
+             std::stop_token stop = {}, StageTimer* timer = nullptr);
 
   private:
     ImageSource& source_;
@@ -102,6 +114,17 @@ std::vector<std::filesystem::path> saveMonteCarlo(const MonteCarloData& data,
 /// The single values of all draws, which no table holds, as an image of 32-bit floats: place after
 /// place, draw after draw, in rows of 4096, the rest of the last row 0. LogicError before a run.
 irsg::RadianceImage drawsImage(const MonteCarloData& data);
+/// The raw draws: a row a draw with its number, `draw`, its scales, `scale NAME`, and the quantity
+/// at each place, `contrast_intensity at 90 deg@3-5um`. Of a run that was read back the quantities
+/// have the 7 digits that it keeps. LogicError before a run.
+ResultTable drawsTable(const MonteCarloData& data);
+/// The same of several runs with the same draws, each of an object, `near.contrast_intensity at 2
+/// s`; provenance is that of the last.
+struct NamedDraws {
+    std::string object; ///< "" of all together
+    const MonteCarloData* data;
+};
+ResultTable drawsTable(const std::vector<NamedDraws>& runs);
 /// Reads back what saveMonteCarlo wrote as .json, with the values of drawsImage. What was asked is
 /// not in a file: project and settings stay empty. Throws InputError for a file of another form and
 /// for draws that do not fit it.

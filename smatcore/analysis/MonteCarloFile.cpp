@@ -210,6 +210,45 @@ std::string MonteCarloData::equivalentCommand(const std::string& outputFile) con
            " --out " + shellQuoted(outputFile);
 }
 
+ResultTable drawsTable(const MonteCarloData& data) {
+    return drawsTable({NamedDraws{"", &data}});
+}
+
+ResultTable drawsTable(const std::vector<NamedDraws>& runs) {
+    const MonteCarloData& last = *runs.back().data;
+    if (last.draws() == 0)
+        throw irsg::LogicError("draws were asked for before any was made");
+    ResultTable table;
+    table.provenance = last.analysis.table.provenance;
+    table.add("draw", "");
+    std::vector<std::string> names;
+    for (const SceneScaling& scaling : last.scalings)
+        names.push_back("scale " + scaling.name);
+    for (const std::string& name : distinctLabels(names))
+        table.add(name, "");
+    for (const auto& [object, data] : runs) {
+        const std::string quantity = data->analysis.table.provenance.value("quantity");
+        const std::string unit = data->abscissaUnit.empty() ? "" : " " + data->abscissaUnit;
+        for (std::size_t band = 0; band < data->bands.size(); ++band)
+            for (const double abscissa : data->abscissae)
+                table.add((object.empty() ? "" : object + ".") +
+                              data->columnKey(quantity + " at " + irsg::numberText(abscissa) + unit,
+                                              band),
+                          data->unit);
+    }
+    const ScalingDraws draws(last.scalings, last.options.sequence, last.seed);
+    for (std::size_t draw = 0; draw < last.draws(); ++draw) {
+        std::vector<double> row{static_cast<double>(draw)};
+        const std::vector<double> scales = draws.at(draw);
+        row.insert(row.end(), scales.begin(), scales.end());
+        for (const auto& [object, data] : runs)
+            for (const std::vector<double>& values : data->values)
+                row.push_back(values[draw]);
+        table.addRow(row);
+    }
+    return table;
+}
+
 std::vector<std::filesystem::path> saveMonteCarlo(const MonteCarloData& data,
                                                   const std::filesystem::path& file) {
     const std::string extension = file.extension().string();

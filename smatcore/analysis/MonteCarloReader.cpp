@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/MonteCarlo.h"
 #include "smatcore/analysis/ResultFile.h"
 #include "smatcore/data/CheckedJson.h"
+#include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/TextFile.h"
 
 namespace smat {
@@ -165,6 +167,10 @@ MonteCarloData loadMonteCarlo(const std::filesystem::path& file, const irsg::Rad
     data.reachedStandardError = json.at("reached_standard_error").boolean();
     takeColumns(data, fileName);
     takeDraws(data, json.at("draws"), draws);
+    // Provenance tells what is not the default.
+    const std::string seed = data.analysis.table.provenance.value(key::scalingSeed.name);
+    if (const auto number = irsg::parseNumber(seed); number && *number >= 0.0)
+        data.seed = static_cast<std::uint64_t>(*number);
     return data;
 }
 

@@ -29,25 +29,11 @@ Quantity quantityOf(Asked asked, bool isSpectrum) {
     return isSpectrum ? Quantity::spectralIrradiance : Quantity::irradiance;
 }
 
-std::string describe(const SceneScaling& scaling) {
-    const irsg::Distribution& d = scaling.distribution;
-    std::string text =
-        d.isFixed() ? fmt::format("{}: {}", scaling.name, irsg::numberText(d.minimum()))
-                    : fmt::format("{}: {}, {} to {}", scaling.name, irsg::info(d.kind()).name,
-                                  irsg::numberText(d.minimum()), irsg::numberText(d.maximum()));
-    if (!d.hasDefaultParameters())
-        for (std::size_t i = 0; i < d.parameters().size(); ++i)
-            text += fmt::format(", {} {}", irsg::info(d.kind()).parameters[i],
-                                irsg::numberText(d.parameters()[i]));
-    return text;
-}
-
-void writeTable(MonteCarloData& data, const AnalysisPlan& plan) {
-    const bool isSpectrum = plan.kind->form == AnalysisForm::spectrum;
+void addColumns(MonteCarloData& data, const MonteCarloAxis& of) {
+    const bool isSpectrum = !of.wavenumbers_per_cm.empty();
     ResultTable& table = data.analysis.table;
     const irsg::QuantityInfo& quantity = irsg::info(quantityOf(data.options.quantity, isSpectrum));
-    const irsg::QuantityInfo& axis =
-        irsg::info(isSpectrum ? Quantity::wavelength : plan.coordinate);
+    const irsg::QuantityInfo& axis = irsg::info(of.abscissa);
     data.unit = std::string(quantity.unit);
     data.abscissaKey = std::string(axis.key);
     data.abscissaUnit = std::string(axis.unit);
@@ -66,25 +52,8 @@ void writeTable(MonteCarloData& data, const AnalysisPlan& plan) {
         add("maximum");
         if (data.options.phases > 1)
             add("error_numerical");
-    }
-    for (std::size_t i = 0; i < data.abscissae.size(); ++i) {
-        std::vector<double> row;
-        if (isSpectrum)
-            row.push_back(plan.wavenumbers_per_cm[i]);
-        row.push_back(data.abscissae[i]);
-        for (std::size_t k = i; k < data.values.size(); k += data.abscissae.size()) {
-            std::vector<double> ascending = data.values[k];
-            std::sort(ascending.begin(), ascending.end());
-            row.insert(row.end(),
-                       {data.nominal[k], meanOf(ascending), standardDeviationOf(ascending),
-                        data.statistic[k].standardError, ascending.front()});
-            for (const double percent : data.options.percentiles)
-                row.push_back(percentileOf(ascending, percent));
-            row.push_back(ascending.back());
-            if (data.options.phases > 1)
-                row.push_back(data.numericalError[k]);
-        }
-        table.addRow(row);
+        for (const char* prefix : errorPrefixes(data.errors))
+            add(std::string(prefix) + "nominal");
     }
 }
 
@@ -117,28 +86,67 @@ void summarise(MonteCarloData& data) {
     }
 }
 
-void writeDraws(MonteCarloData& data, const AnalysisPlan& plan) {
-    Provenance& provenance = data.analysis.table.provenance;
-    provenance.add("monte carlo", fmt::format("{} draws of the {} sequence, seed {}", data.draws(),
-                                              name(data.options.sequence),
-                                              data.analysis.settings[key::scalingSeed]));
-    const Quantity quantity =
-        quantityOf(data.options.quantity, plan.kind->form == AnalysisForm::spectrum);
-    provenance.add("quantity", std::string(irsg::info(quantity).key));
-    provenance.add("standard error of", name(data.options.statistic));
-    provenance.add("phases", std::to_string(data.options.phases));
+} // namespace
+
+void tellDraws(MonteCarloData& data, const MonteCarloAxis& axis, std::size_t draws) {
+    Provenance own;
+    own.add("monte carlo", fmt::format("{} draws of the {} sequence, seed {}", draws,
+                                       name(data.options.sequence), data.seed));
+    const Quantity quantity = quantityOf(data.options.quantity, !axis.wavenumbers_per_cm.empty());
+    own.add("quantity", std::string(irsg::info(quantity).key));
+    own.add("standard error of", name(data.options.statistic));
+    own.add("phases", std::to_string(data.options.phases));
     for (const SceneScaling& scaling : data.scalings)
-        provenance.add("scale", describe(scaling));
+        own.add("scale", scaling.name + ": " + describe(scaling.distribution));
+    auto& entries = data.analysis.table.provenance.entries;
+    const auto at = std::ranges::find_if(entries, [](const auto& entry) {
+        return entry.first == "answered by" || entry.first == "warning";
+    });
+    entries.insert(at, own.entries.begin(), own.entries.end());
 }
 
-} // namespace
+void beginDraws(MonteCarloData& data, const MonteCarloAxis& axis) {
+    addColumns(data, axis);
+    tellDraws(data, axis, data.options.samples);
+}
+
+std::vector<double> rowOfDraws(const MonteCarloData& data, const MonteCarloAxis& axis,
+                               std::size_t abscissa) {
+    std::vector<double> row;
+    if (!axis.wavenumbers_per_cm.empty())
+        row.push_back(axis.wavenumbers_per_cm[abscissa]);
+    row.push_back(data.abscissae[abscissa]);
+    for (std::size_t k = abscissa; k < data.values.size(); k += data.abscissae.size()) {
+        std::vector<double> ascending = data.values[k];
+        std::sort(ascending.begin(), ascending.end());
+        row.insert(row.end(), {data.nominal[k], meanOf(ascending), standardDeviationOf(ascending),
+                               data.statistic[k].standardError, ascending.front()});
+        for (const double percent : data.options.percentiles)
+            row.push_back(percentileOf(ascending, percent));
+        row.push_back(ascending.back());
+        if (data.options.phases > 1)
+            row.push_back(data.numericalError[k]);
+        if (data.errors != ErrorColumns::none)
+            appendError(row, data.nominalErrors[k], data.errors);
+    }
+    return row;
+}
+
+void reportDraws(MonteCarloData& data, const MonteCarloAxis& axis) {
+    addColumns(data, axis);
+    for (std::size_t i = 0; i < data.abscissae.size(); ++i)
+        data.analysis.table.addRow(rowOfDraws(data, axis, i));
+    summarise(data);
+    tellDraws(data, axis, data.draws());
+}
 
 void reportMonteCarlo(MonteCarloData& data, const AnalysisPlan& plan,
                       const SceneDescription& scene) {
-    writeTable(data, plan);
-    summarise(data);
     writeProvenance(data.analysis, scene);
-    writeDraws(data, plan);
+    if (plan.kind->form == AnalysisForm::spectrum)
+        reportDraws(data, {Quantity::wavelength, plan.wavenumbers_per_cm});
+    else
+        reportDraws(data, {plan.coordinate});
 }
 
 } // namespace smat

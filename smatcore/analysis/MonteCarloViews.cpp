@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "irsg/atmosphere/NearestRun.h"
 #include "irsg/radiometry/NewLines.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/CaseChecks.h"
@@ -39,6 +40,14 @@ double number(const irsg::ObjectRadiometry& all, Asked asked) {
                                                : all.irradiance_W_m2;
 }
 
+irsg::ErrorParts errorOf(const irsg::ObjectRadiometry& all, Asked asked) {
+    if (!all.errors)
+        return unknownError();
+    return asked == Asked::intensity           ? all.errors->intensity_W_sr
+           : asked == Asked::contrastIntensity ? all.errors->contrastIntensity_W_sr
+                                               : all.errors->irradiance_W_m2;
+}
+
 const std::vector<double>& column(const irsg::IntensitySpectrum& spectrum, Asked asked) {
     return asked == Asked::intensity           ? spectrum.intensity_W_sr_um
            : asked == Asked::contrastIntensity ? spectrum.contrastIntensity_W_sr_um
@@ -63,11 +72,11 @@ void MonteCarloViews::draw(const Telling& tell, const std::stop_token& stop) {
     data_.bands = bands_.size() > 1 ? bandLabels(bands_) : std::vector<std::string>{""};
     nominal_.resize(bands_.size());
     numericalError_.resize(bands_.size());
-    CaseWarnings warnings;
+    errors_.resize(bands_.size());
     for (const AnalysisCase& one : plan_.cases) {
         if (!views_.empty() && stop.stop_requested())
             break;
-        warnings.beginCase(plan_.place(one));
+        warnings_.beginCase(plan_.place(one));
         std::vector<irsg::Pose> poses;
         for (const irsg::Entity& entity : scene_.entities)
             poses.push_back(entity.pose);
@@ -75,52 +84,58 @@ void MonteCarloViews::draw(const Telling& tell, const std::stop_token& stop) {
         poses.front() = one.pose(standing, inModel.front());
         const irsg::Viewpoint viewpoint = one.viewpoint(standing.toWorld(inModel.front()));
         source_.setPose(0, poses.front());
-        warnings.addObjectsBeyondFrame(scene_, poses, viewpoint);
+        warnings_.addObjectsBeyondFrame(scene_, poses, viewpoint);
         for (std::size_t i = 0; i < scene_.entities.size(); ++i) {
-            const irsg::EntityState state = one.state(scene_.entities[i].state);
+            const irsg::EntityState state = one.state(scene_.entities[i].state, scene_.ownOf(i));
             source_.setState(i, state);
             for (const std::string& sentence :
                  heldTables(scene_.entities[i], state, poses[i], poses[i].toWorld(inModel[i]),
                             viewpoint.position_m))
-                warnings.add(sentence);
+                warnings_.add(sentence);
         }
-        drawPhases(one, viewpoint, tell, warnings, stop);
+        drawPhases(one, viewpoint, tell, stop);
     }
-    irsg::addNew(analysis.warnings, warnings.sentences());
+    irsg::addNew(analysis.warnings, warnings_.sentences());
     for (std::size_t band = 0; band < bands_.size(); ++band) {
         const auto append = [](std::vector<double>& all, const std::vector<double>& more) {
             all.insert(all.end(), more.begin(), more.end());
         };
         append(data_.nominal, nominal_[band]);
         append(data_.numericalError, numericalError_[band]);
+        data_.nominalErrors.insert(data_.nominalErrors.end(), errors_[band].begin(),
+                                   errors_[band].end());
     }
     if (!areAll())
         analysis.warnings.push_back(
             fmt::format("stopped after {} of {} cases", views_.size(), plan_.cases.size()));
 }
 
-MonteCarloViews::Drawing MonteCarloViews::drawOne(const AnalysisCase& one, CaseWarnings* warnings) {
+MonteCarloViews::Drawing MonteCarloViews::drawOne(const AnalysisCase& one, bool isInPlace) {
     const Asked asked = data_.options.quantity;
     if (plan_.kind->form == AnalysisForm::spectrum) {
         const irsg::IntensitySpectrum spectrum = source_.measureSpectrum(plan_.wavenumbers_per_cm);
-        if (warnings != nullptr)
+        if (isInPlace)
             for (const std::string& sentence : spectrum.warnings)
-                warnings->add(sentence);
-        return {spectrum.wavelengths_um, {column(spectrum, asked)}, {}};
+                warnings_.add(sentence);
+        return {spectrum.wavelengths_um, {column(spectrum, asked)}, {}, {}};
     }
-    Drawing drawing{{one.coordinate}, {}, {}};
-    for (const irsg::RenderReport& report : source_.measure(bands_)) {
+    Drawing drawing{{one.coordinate}, {}, {}, {}};
+    const bool withErrors = isInPlace && data_.errors != ErrorColumns::none;
+    for (const irsg::RenderReport& report :
+         withErrors ? source_.beginMeasure({bands_, false, false, true})()
+                    : source_.measure(bands_)) {
         drawing.values.push_back({number(report.all, asked)});
-        irsg::addNew(drawing.answeredBy, report.answeredBy);
-        if (warnings != nullptr)
-            warnings->addReport(report, data_.analysis.settings[key::renderLayers]);
+        irsg::addAnswer(drawing.answeredBy, report.answeredBy);
+        if (isInPlace)
+            warnings_.addReport(report, data_.analysis.settings[key::renderLayers]);
+        if (withErrors)
+            drawing.errors.push_back(errorOf(report.all, asked));
     }
     return drawing;
 }
 
 void MonteCarloViews::drawPhases(const AnalysisCase& one, const irsg::Viewpoint& viewpoint,
-                                 const Telling& tell, CaseWarnings& warnings,
-                                 const std::stop_token& stop) {
+                                 const Telling& tell, const std::stop_token& stop) {
     const auto append = [](std::vector<double>& all, const std::vector<double>& more) {
         all.insert(all.end(), more.begin(), more.end());
     };
@@ -130,12 +145,14 @@ void MonteCarloViews::drawPhases(const AnalysisCase& one, const irsg::Viewpoint&
         tell(fmt::format("case {} of {}, phase {} of {}", caseNumber, plan_.cases.size(), phase + 1,
                          data_.options.phases));
         source_.setViewpoint(phase == 0 ? viewpoint : atPhase(viewpoint, scene_.sensor, phase));
-        Drawing drawing = drawOne(one, phase == 0 ? &warnings : nullptr);
+        Drawing drawing = drawOne(one, phase == 0);
         if (phase == 0) {
             append(data_.abscissae, drawing.abscissae);
             for (std::size_t band = 0; band < bands_.size(); ++band)
                 append(nominal_[band], drawing.values[band]);
-            irsg::addNew(data_.analysis.answeredBy, drawing.answeredBy);
+            for (std::size_t band = 0; band < drawing.errors.size(); ++band)
+                errors_[band].push_back(drawing.errors[band]);
+            irsg::addAnswer(data_.analysis.answeredBy, drawing.answeredBy);
             std::vector<irsg::ScalingInput> inputs;
             for (const SceneScaling& scaling : data_.scalings)
                 inputs.push_back(scaling.input);

@@ -27,6 +27,8 @@ class MonteCarloViews {
     /// Abscissae, nominal values, numerical errors and warnings go to the data. A stop ends it
     /// after the first drawing.
     void draw(const Telling& tell, const std::stop_token& stop);
+    /// What the last case warns of.
+    const std::vector<CaseRemark>& remarks() const { return warnings_.remarks(); }
     bool areAll() const { return views_.size() == plan_.cases.size(); }
     /// The quantity at every place that was drawn. May be asked by several threads at a time.
     std::vector<double> valuesAt(const std::vector<double>& scales) const;
@@ -41,11 +43,12 @@ class MonteCarloViews {
         std::vector<double> abscissae;
         std::vector<std::vector<double>> values; ///< by band
         std::vector<std::string> answeredBy;
+        std::vector<irsg::ErrorParts> errors; ///< by band, of the case in its own place
     };
-    /// Warnings of the drawing go to `warnings`.
-    Drawing drawOne(const AnalysisCase& one, CaseWarnings* warnings);
+    /// In its own place, whose warnings and errors count, or at a phase.
+    Drawing drawOne(const AnalysisCase& one, bool isInPlace);
     void drawPhases(const AnalysisCase& one, const irsg::Viewpoint& viewpoint, const Telling& tell,
-                    CaseWarnings& warnings, const std::stop_token& stop);
+                    const std::stop_token& stop);
     void addNumericalError(const std::vector<Drawing>& atPhases);
 
     ImageSource& source_;
@@ -57,6 +60,8 @@ class MonteCarloViews {
     std::vector<std::vector<std::unique_ptr<const irsg::ScaledView>>> views_;
     /// By band, then by abscissa.
     std::vector<std::vector<double>> nominal_, numericalError_;
+    std::vector<std::vector<irsg::ErrorParts>> errors_;
+    CaseWarnings warnings_;
 };
 
 } // namespace smat

@@ -44,18 +44,16 @@ std::vector<AnalysisData> analysesOf(const Project& project) {
 /// The states of one model in one analysis, each once.
 void addStates(const AnalysisData& analysis, std::size_t model, irsg::LintScope& scope) {
     const irsg::Environment environment = environmentOf(analysis.project, analysis.settings);
-    irsg::EntityState standing;
-    standing.power = analysis.settings[key::statePower];
-    standing.mach = analysis.settings[key::stateMach];
-    const irsg::Pose pose =
-        model == 0 ? targetPoseOf(analysis.settings) : analysis.project.models[model].pose;
+    const irsg::EntityState standing = targetStateOf(analysis.settings);
+    const irsg::Pose pose = poseOf(analysis.project, analysis.settings, model);
 
+    const OwnState own = model == 0 ? OwnState() : analysis.project.models[model].own;
     const std::string name = analysis.name.empty() ? smat::name(analysis.kind) : analysis.name;
     const std::size_t first = scope.states.size();
     // The states do not depend on the band, and an image has one at a time.
     for (const AnalysisCase& one :
          planAnalysis(analysis.kind, analysis.project, eachBand(analysis.settings).front()).cases) {
-        irsg::EntityState state = one.state(standing);
+        irsg::EntityState state = one.state(standing, own);
         state.altitude_m = (model == 0 ? one.standing(pose) : pose).position_m.z;
         state.ambient_K = environment.ambientTemperature_K(state.altitude_m).value;
         state.aspectAngle_rad = model == 0 ? aspectAngle_rad(one) : 0.0;

@@ -6,12 +6,13 @@
 #include "smatcore/analysis/AnalysisData.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/ImageFiles.h"
+#include "smatcore/tables/TableFormats.h"
 
 namespace smat {
 
 std::vector<std::string> usualResultExtensions(AnalysisKind kind) {
     if (kind->form != AnalysisForm::image)
-        return resultExtensions(kind);
+        return {".csv", ".json"};
     std::vector<std::string> extensions;
     for (const irsg::ImageFormat* format : irsg::imageFormats())
         if (format->isUsual)
@@ -25,6 +26,10 @@ std::vector<std::string> resultExtensions(AnalysisKind kind) {
     if (kind->form == AnalysisForm::image)
         extensions = irsg::imageExtensions();
     extensions.emplace_back(".json");
+    if (kind->isOverDirections)
+        for (const TableFormat* format : tableFormats())
+            if (format->isBuilt)
+                extensions.emplace_back(format->extension);
     return extensions;
 }
 
@@ -32,6 +37,11 @@ void checkResultFile(AnalysisKind kind, const std::filesystem::path& file) {
     const std::vector<std::string> known = resultExtensions(kind);
     if (std::find(known.begin(), known.end(), file.extension().string()) != known.end())
         return;
+    const TableFormat* format = kind->isOverDirections ? tableFormatOf(file) : nullptr;
+    if (format != nullptr)
+        throw irsg::InputError({file.string(), "",
+                                std::string(format->name) + ", " + format->extension,
+                                std::string("a build with ") + format->library});
     throw irsg::InputError(
         irsg::Diagnostic{.file = file.string(),
                          .position = "",
@@ -42,7 +52,9 @@ void checkResultFile(AnalysisKind kind, const std::filesystem::path& file) {
 void saveResult(const AnalysisData& data, const std::filesystem::path& file) {
     checkResultFile(data.kind, file);
     const std::string extension = file.extension().string();
-    if (data.kind->form != AnalysisForm::image || extension == ".json") {
+    if (data.kind->isOverDirections && tableFormatOf(file) != nullptr) {
+        saveTable(data.table, file);
+    } else if (data.kind->form != AnalysisForm::image || extension == ".json") {
         data.table.save(file);
     } else if (data.image.empty()) {
         throw irsg::InputError(irsg::Diagnostic{.file = file.string(),

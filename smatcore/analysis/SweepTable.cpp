@@ -11,6 +11,7 @@ using irsg::Quantity;
 SweepTable::SweepTable(const AnalysisPlan& plan, const SceneDescription& scene, ResultTable& table)
     : form_(plan.kind->form),
       withSource_(plan.withSource),
+      errors_(plan.errors),
       coordinates_(plan.columns),
       bands_({""}),
       table_(table) {
@@ -50,7 +51,29 @@ void SweepTable::addColumns(const std::string& object) {
         if (form_ == AnalysisForm::image && object.empty())
             addColumn(Quantity::totalIrradiance, object, band);
         addColumn(Quantity::pixels, object, band);
+        if (errors_ != ErrorColumns::none)
+            addErrorColumns(object, band);
     }
+}
+
+void SweepTable::addErrorColumns(const std::string& object, const std::string& band) {
+    std::vector<Quantity> quantities = {Quantity::intensity, Quantity::contrastIntensity,
+                                        Quantity::irradiance};
+    if (withSource_)
+        quantities.push_back(Quantity::sourceIntensity);
+    for (const Quantity quantity : quantities)
+        for (const char* prefix : errorPrefixes(errors_)) {
+            const irsg::QuantityInfo& info = irsg::info(quantity);
+            table_.add(ColumnName{prefix, object, std::string(info.key), band}.key(),
+                       std::string(info.unit));
+        }
+}
+
+void SweepTable::addErrors(std::vector<double>& row, const irsg::ObjectRadiometry& sums,
+                           const irsg::ObjectRadiometry* source) const {
+    appendErrors(row, sums, errors_);
+    if (source != nullptr)
+        appendError(row, source->errors ? source->errors->intensity_W_sr : unknownError(), errors_);
 }
 
 void SweepTable::addColumn(Quantity quantity, const std::string& object, const std::string& band) {
@@ -85,6 +108,7 @@ std::vector<double> SweepTable::rowOf(const AnalysisCase& one,
         if (form_ == AnalysisForm::image)
             row.push_back(reports[band].totalIrradiance_W_m2);
         row.push_back(reports[band].all.coveredPixels);
+        addErrors(row, reports[band].all, source ? &source->all : nullptr);
     }
     for (std::size_t i = 0; i < objects_.size(); ++i) {
         row.push_back(reports.front().objects.at(i).range_m);
@@ -92,6 +116,7 @@ std::vector<double> SweepTable::rowOf(const AnalysisCase& one,
             const irsg::RenderReport* source = sourceOf(band);
             append(row, reports[band].objects.at(i), source ? &source->objects.at(i) : nullptr);
             row.push_back(reports[band].objects.at(i).coveredPixels);
+            addErrors(row, reports[band].objects.at(i), source ? &source->objects.at(i) : nullptr);
         }
     }
     return row;

@@ -13,6 +13,9 @@ namespace smat {
 /// The columns of a result: where the cases are, then the sums of all objects in each band, then
 /// those of each object where there are several: `intensity`, or `intensity@3-5um` of one of
 /// several bands, and `NAME.range`, `NAME.intensity@3-5um`, ... of an object at its own range.
+/// Behind the numbers of a band, where they are asked for, their errors, `error_intensity@3-5um`,
+/// and those by cause, `error_sampling_intensity@3-5um`, `error_air_...`, `error_background_...`;
+/// not a number where a source does not know them.
 /// Names of objects are made distinct as distinctLabels does.
 class SweepTable {
   public:
@@ -27,6 +30,9 @@ class SweepTable {
 
   private:
     void addColumns(const std::string& object);
+    void addErrorColumns(const std::string& object, const std::string& band);
+    void addErrors(std::vector<double>& row, const irsg::ObjectRadiometry& sums,
+                   const irsg::ObjectRadiometry* source) const;
     void addColumn(irsg::Quantity quantity, const std::string& object, const std::string& band);
     /// The sums in a band; `source`: without air, null where nobody asked.
     static void append(std::vector<double>& row, const irsg::ObjectRadiometry& sums,
@@ -34,6 +40,7 @@ class SweepTable {
 
     AnalysisForm form_;
     bool withSource_;
+    ErrorColumns errors_;
     std::vector<irsg::Quantity> coordinates_;
     std::vector<std::string> objects_; ///< empty where there is one
     std::vector<std::string> bands_;   ///< one "" where there is one

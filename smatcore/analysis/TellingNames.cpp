@@ -63,8 +63,14 @@ std::string words(const irsg::Spectrum& spectrum) {
 std::string words(const irsg::LookupTable& table) {
     return rangeWords(table.y());
 }
-std::string words(irsg::EmissionMode mode) {
-    return irsg::nameOf(mode);
+template <typename Choice>
+    requires std::is_enum_v<Choice>
+std::string words(Choice choice) {
+    return irsg::nameOf(choice);
+}
+
+std::string words(const irsg::ReflectanceTable& table) {
+    return std::to_string(table.rows().size()) + " directions";
 }
 
 /// The sign of a quantity where the field has one.

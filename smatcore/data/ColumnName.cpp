@@ -13,7 +13,8 @@ namespace smat {
 
 namespace {
 
-constexpr std::array prefixes{"error_", "difference_", "relative_difference_"};
+constexpr std::array prefixes{"error_sampling_", "error_air_",  "error_background_",
+                              "error_",          "difference_", "relative_difference_"};
 
 bool isQuantity(std::string_view key) {
     for (int i = 0; i < static_cast<int>(irsg::Quantity::dimensionless); ++i)

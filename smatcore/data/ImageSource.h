@@ -9,6 +9,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/Irsg.h"
 #include "irsg/scene/radiance/ScaledView.h"
+#include "smatcore/data/OwnState.h"
 
 namespace smat {
 
@@ -24,7 +25,14 @@ struct SceneDescription {
     std::shared_ptr<const irsg::Skybox> skybox;   ///< null for none
     std::shared_ptr<const irsg::Terrain> terrain; ///< null for none
     std::vector<std::string> remarks;             ///< what loading had to say, each said once
+    /// What entities do by themselves, in the states above already; empty: all do the same.
+    std::vector<OwnState> own;
+    /// What was drawn of scaling files: "temperature 5 (exhaust): 1.03, uniform, 0.9 to 1.1".
+    std::vector<std::string> drawnScales;
 
+    OwnState ownOf(std::size_t entity) const {
+        return entity < own.size() ? own[entity] : OwnState();
+    }
     std::vector<irsg::Band> allBands() const {
         return bands.empty() ? std::vector<irsg::Band>{sensor.band} : bands;
     }
@@ -48,6 +56,8 @@ class ImageSource {
     virtual void setViewpoint(const irsg::Viewpoint& viewpoint) = 0;
 
     virtual irsg::RenderedImage render() = 0;
+    /// The same with the errors of its sums, where the source knows them.
+    virtual irsg::RenderedImage renderWithErrors() { return render(); }
     /// Says what the pixels of render()'s image are made of: called with a column and a row, the
     /// top left pixel is 0, 0. Of what is set at present; it must not outlive this source.
     virtual std::function<irsg::PixelExplanation(int x, int y)> explainer() {
@@ -68,6 +78,8 @@ class ImageSource {
         bool alongRange = false;
         /// Behind the reports of the bands those of the source (irsg::Wanted::source).
         bool source = false;
+        /// The sums have their errors, where the source knows them.
+        bool errors = false;
     };
     /// Begins measure(), or measureAlongRange(), of what is set at present: drawing goes on while
     /// the caller sets the next case. Called once, the result waits for the reports; it must not
@@ -93,6 +105,13 @@ class ImageSource {
     virtual std::vector<std::unique_ptr<const irsg::ScaledView>>
     scaledViews(const std::vector<irsg::ScalingInput>& inputs,
                 const std::vector<irsg::Band>& bands) = 0;
+    /// The same, and in each band behind the view of all objects that of each alone, in their
+    /// order. An input of no entity (-1) scales nothing.
+    virtual std::vector<std::unique_ptr<const irsg::ScaledView>>
+    scaledObjects(const std::vector<irsg::ScalingInput>& /*inputs*/,
+                  const std::vector<irsg::Band>& /*bands*/) {
+        throw irsg::LogicError("this image source does not tell scales of objects");
+    }
 
     virtual std::string rendererDescription() = 0;
     /// Time spent inside the renderer by stage since the last reset.

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/data/CurveThrough.h"
 
 namespace smat {
 
@@ -30,11 +33,16 @@ bool varies(const ResultColumn* column) {
     return *most - *least > 1e-9;
 }
 
-/// One column over an ascending axis; a polar one goes on after a turn.
+/// One column over an ascending axis; a polar one goes on after a turn, one that is smooth is as it
+/// is drawn.
 class Sampled {
   public:
-    Sampled(const std::vector<double>& axis, const std::vector<double>& values, bool isRound)
+    Sampled(const std::vector<double>& axis, const std::vector<double>& values, bool isRound,
+            bool isSmooth)
         : axis_(axis), values_(values) {
+        if (isSmooth && std::ranges::adjacent_find(axis, std::greater_equal<>()) == axis.end() &&
+            std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
+            smooth_.emplace(axis, values, isRound ? turn_deg : 0.0);
         if (!std::is_sorted(axis_.begin(), axis_.end())) {
             std::reverse(axis_.begin(), axis_.end());
             std::reverse(values_.begin(), values_.end());
@@ -44,8 +52,10 @@ class Sampled {
             values_.push_back(values_.front());
         }
     }
-    /// Linear between samples, NaN outside.
+    /// NaN outside.
     double at(double x) const {
+        if (smooth_)
+            return x <= axis_.back() ? smooth_->at(x) : missing;
         const auto after = std::lower_bound(axis_.begin(), axis_.end(), x);
         if (after == axis_.end())
             return missing;
@@ -60,6 +70,7 @@ class Sampled {
 
   private:
     std::vector<double> axis_, values_;
+    std::optional<CurveThrough> smooth_;
 };
 
 /// Strictly one way, and finite.
@@ -80,12 +91,7 @@ void checkAxis(const DifferenceSide& side, const ResultColumn& axis) {
 
 /// Goes all the way round but for its last step.
 bool isRound(const ResultTable& table, const ResultColumn& axis) {
-    const auto& x = axis.values;
-    if (polarTypeOf(table).empty() || x.size() < 4)
-        return false;
-    const double step = std::abs(x[1] - x[0]);
-    const double span = std::abs(x.back() - x.front());
-    return span < turn_deg && span + 1.5 * step >= turn_deg;
+    return !polarTypeOf(table).empty() && goesRound(axis.values, turn_deg);
 }
 
 /// Every abscissa of either that both reach.
@@ -125,6 +131,10 @@ std::string measuredKeys(const ResultTable& table) {
 }
 
 } // namespace
+
+bool isAdaptive(const ResultTable& table) {
+    return table.provenance.value(table.provenance.value("analysis") + ".steps") == "adaptive";
+}
 
 std::string abscissaKey(const ResultTable& table) {
     if (table.columns().empty())
@@ -176,7 +186,7 @@ ResultTable differenceOf(const DifferenceSide& a, const DifferenceSide& b) {
     for (const ResultColumn& column : a.table->columns()) {
         if (&column != &axisA && isAbscissa(*a.table, column) && !type.empty()) {
             result.add(column.key, column.unit);
-            const Sampled sampled(axisA.values, column.values, false);
+            const Sampled sampled(axisA.values, column.values, false, false);
             columns.emplace_back();
             for (const double x : axis)
                 columns.back().push_back(sampled.at(x));
@@ -190,8 +200,10 @@ ResultTable differenceOf(const DifferenceSide& a, const DifferenceSide& b) {
             continue;
         }
         any = true;
-        const Sampled ofA(axisA.values, column.values, isRound(*a.table, axisA));
-        const Sampled ofB(axisB.values, other->values, isRound(*b.table, axisB));
+        const Sampled ofA(axisA.values, column.values, isRound(*a.table, axisA),
+                          isAdaptive(*a.table));
+        const Sampled ofB(axisB.values, other->values, isRound(*b.table, axisB),
+                          isAdaptive(*b.table));
         std::vector<double> differences, relative;
         for (const double x : axis) {
             const double reference = ofB.at(x);

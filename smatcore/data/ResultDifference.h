@@ -12,8 +12,8 @@ struct DifferenceSide {
     const ResultTable* table = nullptr;
 };
 
-/// A minus B at every abscissa of either that both reach, each linear between its samples: for each
-/// column that both measured in the same unit, `difference_<key>` in that unit and
+/// A minus B at every abscissa of either that both reach, each as it is drawn between its samples:
+/// for each column that both measured in the same unit, `difference_<key>` in that unit and
 /// `relative_difference_<key> [%]`, 100 (A - B) / |B|, without a value where B is 0. Angles of
 /// polar plots repeat after 360 degrees. A missing sample of either leaves a gap (NaN). The
 /// provenance names both sides, each with its own.
@@ -22,6 +22,9 @@ struct DifferenceSide {
 /// abscissa that turns back, results that do not overlap, and results without a common column.
 ResultTable differenceOf(const DifferenceSide& a, const DifferenceSide& b);
 
+/// True for the table of a plot whose cases followed its curves: it is CurveThrough between its
+/// rows, not straight lines.
+bool isAdaptive(const ResultTable& table);
 /// Key of the abscissa of plots: wavelength of spectra, else the first column. LogicError for a
 /// table without columns.
 std::string abscissaKey(const ResultTable& table);

@@ -34,6 +34,9 @@ std::string ResultColumn::axisTitle() const {
     // "error_contrast_intensity" is the error of what the rest of the key names.
     static constexpr std::pair<std::string_view, std::string_view> prefixes[] = {
         {"error_", "Error of "},
+        {"error_sampling_", "Error by sampling of "},
+        {"error_air_", "Error by air of "},
+        {"error_background_", "Error by background of "},
         {"relative_difference_", "Relative difference of "},
         {"difference_", "Difference of "}};
     const ColumnName parts = ColumnName::of(key);
@@ -80,10 +83,16 @@ const ResultColumn* ResultTable::find(irsg::Quantity quantity) const {
 }
 
 void ResultTable::addRow(const std::vector<double>& values) {
-    if (values.size() != columns_.size())
-        throw irsg::LogicError("a row of a result table needs one value per column");
-    for (std::size_t i = 0; i < values.size(); ++i)
-        columns_[i].values.push_back(values[i]);
+    insertRow(rowCount(), values);
+}
+
+void ResultTable::insertRow(std::size_t at, const std::vector<double>& values) {
+    if (values.size() != columns_.size() || at > rowCount())
+        throw irsg::LogicError("a row of a result table needs one value per column, and a place");
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        std::vector<double>& column = columns_[i].values;
+        column.insert(column.begin() + static_cast<std::ptrdiff_t>(at), values[i]);
+    }
 }
 
 std::string ResultTable::toCsv() const {

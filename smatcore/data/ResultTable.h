@@ -42,6 +42,8 @@ class ResultTable {
     const ResultColumn* find(irsg::Quantity quantity) const;
     /// One value per column (LogicError otherwise).
     void addRow(const std::vector<double>& values);
+    /// The same before row `at`; behind all where it is the number of rows.
+    void insertRow(std::size_t at, const std::vector<double>& values);
 
     /// `# key: value` lines, a header row, then numbers that read back exactly.
     std::string toCsv() const;

@@ -258,6 +258,7 @@ irsg::ModelOptions JsonFields::takeModelOptions(Json& json, const std::string& p
         options.placing.unit_m = takeNumber(json, "unit_m", path, 1e-6, 1e6);
     options.placing.origin = takeOrigin(json, path);
     options.forceTwoSided = takeBoolean(json, "twoSided", path);
+    options.cutsTextureAlpha = takeBoolean(json, "cutTextureAlpha", path);
     return options;
 }
 

@@ -46,7 +46,8 @@ class JsonFields {
     /// `yaw_deg`, `pitch_deg` and `roll_deg`.
     irsg::Attitude takeAttitude(Json& json, const std::string& path);
     std::optional<int> takeIndex(Json& json, const char* key, const std::string& path);
-    /// How a model is read: `upAxis`, `noseAxis`, `unit_m`, `origin` and `twoSided`.
+    /// How a model is read: `upAxis`, `noseAxis`, `unit_m`, `origin`, `twoSided` and
+    /// `cutTextureAlpha`.
     irsg::ModelOptions takeModelOptions(Json& json, const std::string& path);
     /// Takes the sections of settings out of `json`; what is unknown in them stays.
     Settings takeSettings(Json& json, const std::string& path);

@@ -102,6 +102,8 @@ void writeModelOptions(Json& json, const irsg::ModelOptions& options) {
                              : Json(modelOriginNames()[static_cast<std::size_t>(origin->at)]);
     if (options.forceTwoSided)
         json["twoSided"] = true;
+    if (options.cutsTextureAlpha)
+        json["cutTextureAlpha"] = true;
 }
 
 Json pointJson(const irsg::Vec3& point) {

@@ -31,7 +31,8 @@ void writeSettings(nlohmann::json& json, const JsonPaths& paths, const Settings&
 void writeSettings(nlohmann::json& json, const JsonPaths& paths, const Settings& settings,
                    const Settings& under);
 
-/// `upAxis`, `noseAxis`, `unit_m`, `origin` and `twoSided`, where they are set.
+/// `upAxis`, `noseAxis`, `unit_m`, `origin`, `twoSided` and `cutTextureAlpha`, where they are
+/// set.
 void writeModelOptions(nlohmann::json& json, const irsg::ModelOptions& options);
 nlohmann::json pointJson(const irsg::Vec3& point);
 /// `yaw_deg`, `pitch_deg` and `roll_deg`, where they are not 0.

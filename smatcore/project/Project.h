@@ -7,6 +7,7 @@
 
 #include "irsg/scene/model/Model.h"
 #include "irsg/scene/view/Pose.h"
+#include "smatcore/data/OwnState.h"
 #include "smatcore/project/AnalysisKind.h"
 #include "smatcore/settings/Settings.h"
 
@@ -14,19 +15,23 @@ namespace smat {
 
 /// One model of a project. The first is the target: it stands at the origin at `target.altitude`
 /// with the attitude of `target.yaw`, `.pitch` and `.roll`, and the camera looks at its reference
-/// point. The others stand where their own pose says.
+/// point. The others stand where their own pose says and do what their own state says; where it
+/// says nothing, they do what the target does.
 struct ProjectModel {
     std::string name = {};          ///< the file's name where it is empty
     std::filesystem::path file;     ///< relative to the project file, or absolute
     std::filesystem::path database; ///< the same
     irsg::ModelOptions options = {};
     irsg::Pose pose = {}; ///< world: m east, north, altitude; not of the target
+    OwnState own = {};    ///< not of the target
     /// In model axes; the centre of the bounding box where it is not set.
     std::optional<irsg::Vec3> referencePoint_m = {};
     std::optional<int> fallbackTemperature = {}; ///< entries that stand in for codes without one
     std::optional<int> fallbackMaterial = {};
     std::string unknownKeys = {}; ///< JSON object of keys this version does not know, kept on save
 
+    /// The name, or that of the file.
+    std::string shownName() const { return name.empty() ? file.stem().string() : name; }
     bool operator==(const ProjectModel&) const = default;
 };
 

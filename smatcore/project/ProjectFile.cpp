@@ -37,6 +37,12 @@ Json modelJson(const ProjectModel& model, const JsonPaths& paths) {
     if (model.pose.position_m != irsg::Vec3{})
         json["position_m"] = pointJson(model.pose.position_m);
     writeAttitude(json, model.pose.attitude);
+    if (model.own.power)
+        json["power"] = *model.own.power;
+    if (model.own.mach)
+        json["mach"] = *model.own.mach;
+    if (model.own.timeOffset_s != 0.0)
+        json["timeOffset_s"] = model.own.timeOffset_s;
     if (model.referencePoint_m)
         json["referencePoint_m"] = pointJson(*model.referencePoint_m);
     if (model.fallbackTemperature)

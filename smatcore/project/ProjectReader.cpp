@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "smatcore/project/ProjectFile.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat {
 
@@ -50,14 +51,21 @@ void ProjectReader::readModels(Project& project) {
                 continue;
             }
             if (i == 0)
-                readTargetPose((*found)[i], path);
+                refuseOwnOfTarget((*found)[i], path);
             project.models.push_back(readModel((*found)[i], path));
         }
     }
     root().erase("models");
 }
 
-void ProjectReader::readTargetPose(const Json& json, const std::string& path) {
+void ProjectReader::refuseOwnOfTarget(const Json& json, const std::string& path) {
+    for (const char* key : {"power", "mach", "timeOffset_s"}) {
+        if (json.contains(key)) {
+            refuse(joinedKeyPath(path, key), json[key],
+                   "no state of its own: the first model is the target, of which state.power, "
+                   "state.mach and state.time tell");
+        }
+    }
     for (const char* key : {"position_m", "yaw_deg", "pitch_deg", "roll_deg"}) {
         if (json.contains(key)) {
             refuse(joinedKeyPath(path, key), json[key],
@@ -80,6 +88,15 @@ ProjectModel ProjectReader::readModel(const Json& given, const std::string& path
     if (const auto position = takePoint(json, "position_m", path))
         model.pose.position_m = *position;
     model.pose.attitude = takeAttitude(json, path);
+    const auto takeWithin = [&](const char* name, std::string_view limits) {
+        const SettingInfo& setting = settingInfo(limits);
+        return json.contains(name)
+                   ? std::optional(takeNumber(json, name, path, setting.minimum, setting.maximum))
+                   : std::nullopt;
+    };
+    model.own.power = takeWithin("power", key::statePower);
+    model.own.mach = takeWithin("mach", key::stateMach);
+    model.own.timeOffset_s = takeWithin("timeOffset_s", key::stateTime).value_or(0.0);
     model.referencePoint_m = takePoint(json, "referencePoint_m", path);
     model.fallbackTemperature = takeIndex(json, "fallbackTemperature", path);
     model.fallbackMaterial = takeIndex(json, "fallbackMaterial", path);

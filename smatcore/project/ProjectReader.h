@@ -19,7 +19,7 @@ class ProjectReader : private JsonFields {
   private:
     void readModels(Project& project);
     ProjectModel readModel(const Json& json, const std::string& path);
-    void readTargetPose(const Json& json, const std::string& path);
+    void refuseOwnOfTarget(const Json& json, const std::string& path);
     void readAnalyses(Project& project);
     NamedAnalysis readAnalysis(const std::string& name, const Json& json, const std::string& path);
 };

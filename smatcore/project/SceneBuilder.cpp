@@ -77,7 +77,7 @@ SceneDescription SceneBuilder::build(const Project& project, const Settings& set
     for (std::size_t i = 0; i < project.models.size(); ++i) {
         const ProjectModel& given = project.models[i];
         irsg::Entity entity;
-        entity.name = given.name.empty() ? given.file.stem().string() : given.name;
+        entity.name = given.shownName();
         collect(diagnostics, [&] {
             entity.model = model(project.resolve(given.file), given.options);
             addRemarks(scene.remarks, entity.model.get(), given.file);
@@ -93,10 +93,9 @@ SceneDescription SceneBuilder::build(const Project& project, const Settings& set
             if (overrides_.contains(file))
                 scene.unsavedDatabases.insert(i);
         }
-        entity.pose = i == 0 ? targetPoseOf(settings) : given.pose;
-        entity.state.time_s = settings[key::stateTime];
-        entity.state.power = settings[key::statePower];
-        entity.state.mach = settings[key::stateMach];
+        entity.pose = poseOf(project, settings, i);
+        scene.own.push_back(i == 0 ? OwnState() : given.own);
+        entity.state = scene.own.back().where(targetStateOf(settings));
         entity.referencePoint_m = given.referencePoint_m;
         entity.fallbackTemperature = given.fallbackTemperature;
         entity.fallbackMaterial = given.fallbackMaterial;
@@ -155,11 +154,28 @@ irsg::FileStamp SceneBuilder::stampOf(const std::filesystem::path& file, const c
     return *stamp;
 }
 
+irsg::EntityState targetStateOf(const Settings& settings) {
+    irsg::EntityState state;
+    state.time_s = settings[key::stateTime];
+    state.power = settings[key::statePower];
+    state.mach = settings[key::stateMach];
+    return state;
+}
+
 irsg::Pose targetPoseOf(const Settings& settings) {
     return {.position_m = {0.0, 0.0, settings[key::targetAltitude]},
             .attitude = {irsg::radians(settings[key::targetYaw]),
                          irsg::radians(settings[key::targetPitch]),
                          irsg::radians(settings[key::targetRoll])}};
+}
+
+irsg::Pose poseOf(const Project& project, const Settings& settings, std::size_t model) {
+    return model == 0 ? targetPoseOf(settings) : project.models.at(model).pose;
+}
+
+irsg::EntityState stateOf(const Project& project, const Settings& settings, std::size_t model) {
+    const irsg::EntityState ofTarget = targetStateOf(settings);
+    return model == 0 ? ofTarget : project.models.at(model).own.where(ofTarget);
 }
 
 } // namespace smat

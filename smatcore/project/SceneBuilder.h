@@ -75,5 +75,10 @@ std::vector<irsg::Band> bandsOf(const Project& project, const Settings& settings
 std::vector<std::string> bandLabels(const std::vector<irsg::Band>& bands);
 irsg::RenderSettings renderSettingsOf(const Settings& settings);
 irsg::Pose targetPoseOf(const Settings& settings);
+/// Time, power and Mach number; what follows from the place is left to the renderer.
+irsg::EntityState targetStateOf(const Settings& settings);
+/// Of any model of a project: the target as the settings place it, the others as their own pose.
+irsg::Pose poseOf(const Project& project, const Settings& settings, std::size_t model);
+irsg::EntityState stateOf(const Project& project, const Settings& settings, std::size_t model);
 
 } // namespace smat

@@ -6,6 +6,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/random/Philox.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat {
 
@@ -110,10 +111,38 @@ std::vector<SceneScaling> sceneScalings(const Project& project, const SceneDescr
 void applyScalings(const Project& project, std::uint64_t seed, SceneDescription& scene) {
     for (const SceneScaling& scaling : sceneScalings(project, scene, scene.remarks)) {
         irsg::Entity& entity = scene.entities[static_cast<std::size_t>(scaling.input.entity)];
+        const double value = scaling.at(seed, 0);
         (scaling.input.kind == ScalingKind::temperature
              ? entity.temperatureScale
-             : entity.emissivityScale)[scaling.input.index] = scaling.at(seed, 0);
+             : entity.emissivityScale)[scaling.input.index] = value;
+        scene.drawnScales.push_back(
+            fmt::format("{}: {}{}", scaling.name, irsg::numberText(value),
+                        scaling.isFixed() ? "" : ", " + describe(scaling.distribution)));
     }
+}
+
+std::string describe(const irsg::Distribution& distribution) {
+    if (distribution.isFixed())
+        return irsg::numberText(distribution.minimum());
+    const auto& law = irsg::info(distribution.kind());
+    std::string text =
+        fmt::format("{}, {} to {}", law.name, irsg::numberText(distribution.minimum()),
+                    irsg::numberText(distribution.maximum()));
+    if (!distribution.hasDefaultParameters())
+        for (std::size_t i = 0; i < distribution.parameters().size(); ++i)
+            text += fmt::format(", {} {}", law.parameters[i],
+                                irsg::numberText(distribution.parameters()[i]));
+    return text;
+}
+
+void tellDrawnScales(const SceneDescription& scene, const Settings& settings,
+                     Provenance& provenance) {
+    if (scene.drawnScales.empty())
+        return;
+    if (settings.isDefault(key::scalingSeed))
+        provenance.add(key::scalingSeed.name, settings.text(key::scalingSeed));
+    for (const std::string& drawn : scene.drawnScales)
+        provenance.add("drawn scale", drawn);
 }
 
 } // namespace smat

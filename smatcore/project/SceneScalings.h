@@ -6,6 +6,7 @@
 
 #include "irsg/scene/radiance/ScaledView.h"
 #include "smatcore/data/ImageSource.h"
+#include "smatcore/data/Provenance.h"
 #include "smatcore/project/Project.h"
 
 namespace smat {
@@ -28,8 +29,17 @@ struct SceneScaling {
 std::vector<SceneScaling> sceneScalings(const Project& project, const SceneDescription& scene,
                                         std::vector<std::string>& remarks);
 
-/// Scales the entities of a scene with draw 0 of a seed: what loading its databases does where the
-/// settings ask for scalings.
+/// "log-normal, 0.95 to 1.08", with the parameters that are not those of the range; "1.02" of a
+/// fixed one.
+std::string describe(const irsg::Distribution& distribution);
+
+/// Scales the entities of a scene with draw 0 of a seed, and notes what was drawn: what loading its
+/// databases does where the settings ask for scalings.
 void applyScalings(const Project& project, std::uint64_t seed, SceneDescription& scene);
+
+/// What a result says of scales: `scaling.seed`, where it is the default, and a `drawn scale` each.
+/// Nothing where none were drawn.
+void tellDrawnScales(const SceneDescription& scene, const Settings& settings,
+                     Provenance& provenance);
 
 } // namespace smat

@@ -71,7 +71,11 @@ irsg::Environment environmentOf(const Project& project, const Settings& settings
         environment.add(std::make_shared<irsg::AtmosphereScatteringLut>(
             project.resolve(mtf.front()), 1e-3 * settings[key::environmentScatteringCoefficient]));
     }
-    environment.sun = sunFrom(settings, addAir(environment, resolvedAir(project, settings)));
+    std::optional<int> bins_per_cm;
+    if (settings[key::environmentBins] != "own")
+        bins_per_cm = std::stoi(settings[key::environmentBins]);
+    environment.sun =
+        sunFrom(settings, addAir(environment, resolvedAir(project, settings), bins_per_cm));
     if (environment.atmospheres().size() == mtf.size()) {
         using enum irsg::Vacuum::Background;
         environment.add(

@@ -11,6 +11,7 @@
 #include "irsg/image/ExrFile.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/SignatureFile.h"
+#include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/ResultFile.h"
 #include "smatcore/project/JsonFields.h"
 #include "smatcore/project/JsonWriting.h"
@@ -161,6 +162,9 @@ void takeAsked(AnalysisData& data, const Words& words, const std::filesystem::pa
     }
     data.kind = asked->kind;
     data.settings = data.project.settings.with(asked->settings);
+    // Where adaptive steps are not told there were none.
+    if (data.table.provenance.value(name(data.kind) + ".steps").empty())
+        data.settings = withFixedSteps(data.kind, data.settings);
     std::erase_if(data.project.analyses,
                   [&](const NamedAnalysis& one) { return one.name == words.analysis; });
 }

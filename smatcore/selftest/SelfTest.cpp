@@ -130,6 +130,37 @@ std::string selfTestCounts(const std::vector<SelfTestResult>& results) {
                        countOf(results, Outcome::notPossible));
 }
 
+std::string selfTestPage(const std::vector<SelfTestResult>& results) {
+    std::string page =
+        "# What the answer is known of\n\n"
+        "Made by `smat-batch selftest --hard --page > docs/accuracy.md`, from the catalogue that "
+        "[the self-test](selftest.md) runs on any machine:\n"
+        "closed forms, published numbers, and other ways to compute the same. *Found* is what this "
+        "page's machine gave (Mesa's llvmpipe).\n"
+        "What sampling costs has [a page of its own](accuracy-sampling.md), and so has "
+        "[the air](atmosphere-accuracy.md).\n";
+    std::string room;
+    for (const SelfTestResult& result : results) {
+        const SelfTestCheck& check = *result.check;
+        const std::string own = check.name.substr(0, check.name.find('.'));
+        if (own != room) {
+            room = own;
+            page += "\n## " + room +
+                    "\n\n| check | what is held against what | found | known | unit | error | "
+                    "bound |\n|---|---|---|---|---|---|---|\n";
+        }
+        const bool isRelative = check.error == SelfTestCheck::Error::relative;
+        page += fmt::format("| {}{} | {} | ", check.name.substr(own.size() + 1),
+                            check.hard ? " (hard)" : "", check.says);
+        page += result.remark.empty()
+                    ? fmt::format("{:.8g} | {:.8g} | {} | {:.1e}", result.found.value,
+                                  result.found.expected, check.unit, result.error)
+                    : fmt::format("{} | | {} | ", result.remark, check.unit);
+        page += fmt::format(" | {:.1e} {} |\n", check.bound, isRelative ? "relative" : "absolute");
+    }
+    return page;
+}
+
 std::string selfTestJson(const std::vector<SelfTestResult>& results) {
     nlohmann::ordered_json checks = nlohmann::ordered_json::array();
     for (const SelfTestResult& result : results) {

@@ -60,7 +60,7 @@ struct SelfTestOptions {
     std::string only;
 };
 
-/// All checks by room, from Planck's law to whole scenes: docs/accuracy.md tells more of some.
+/// All checks by room, from Planck's law to whole scenes: docs/accuracy.md is made of them.
 const std::vector<SelfTestCheck>& selfTestChecks();
 /// Those of the options, in order.
 std::vector<const SelfTestCheck*> selfTestChecks(const SelfTestOptions& options);
@@ -76,6 +76,8 @@ std::string_view name(SelfTestResult::Outcome outcome);
 std::string selfTestHead();
 std::string selfTestLine(const SelfTestResult& result);
 std::string selfTestCounts(const std::vector<SelfTestResult>& results);
+/// docs/accuracy.md: a table a room of what each check says, found and is bound by.
+std::string selfTestPage(const std::vector<SelfTestResult>& results);
 /// All of it, with what each check says.
 std::string selfTestJson(const std::vector<SelfTestResult>& results);
 

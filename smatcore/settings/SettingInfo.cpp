@@ -22,6 +22,8 @@ std::string plainNumber(double value) {
 }
 
 std::optional<std::string> canonicalNumber(const SettingInfo& setting, std::string_view text) {
+    if (setting.unit == "%" && text.ends_with('%'))
+        text = irsg::trimmed(text.substr(0, text.size() - 1));
     const std::optional<double> value = irsg::parseNumber(text);
     if (!value || *value < setting.minimum || *value > setting.maximum)
         return std::nullopt;

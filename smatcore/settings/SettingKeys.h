@@ -56,6 +56,7 @@ inline constexpr RealKey environmentSunAzimuth{"environment.sunAzimuth"};
 inline constexpr RealKey environmentSunElevation{"environment.sunElevation"};
 inline constexpr OptionalRealKey environmentDayOfYear{"environment.dayOfYear"};
 inline constexpr RealKey environmentAmbientTemperature{"environment.ambientTemperature"};
+inline constexpr TextKey environmentBins{"environment.bins"};
 inline constexpr PathsKey environmentMtf{"environment.mtf"};
 inline constexpr RealKey environmentScatteringCoefficient{"environment.scatteringCoefficient"};
 inline constexpr PathsKey environmentSkybox{"environment.skybox"};
@@ -88,6 +89,8 @@ inline constexpr TextKey renderEngine{"render.engine"};
 inline constexpr TextKey renderShadows{"render.shadows"};
 inline constexpr OptionalRealKey renderBounces{"render.bounces"};
 inline constexpr RealKey renderLightError{"render.lightError"};
+inline constexpr TextKey renderErrors{"render.errors"};
+inline constexpr OptionalRealKey renderTargetError{"render.targetError"};
 
 inline constexpr TextKey displayColorMap{"display.colorMap"};
 inline constexpr TextKey displayScale{"display.scale"};

@@ -98,6 +98,28 @@ SettingInfo files(PathsKey key, std::string option, std::string label, std::stri
                std::move(help), SettingAudience::basic);
 }
 
+namespace {
+
+std::string adaptiveWords(const std::string& how) {
+    return "adaptive: more cases where curves bend, " + how +
+           ", until straight lines between them are within the target error, or 1 % where there "
+           "is none";
+}
+
+} // namespace
+
+SettingInfo adaptiveSteps(TextKey key, const std::string& how) {
+    return choice(key, "--steps", "Steps", {"fixed", "adaptive"}, "fixed",
+                  "fixed, or " + adaptiveWords(how) + ".");
+}
+
+SettingInfo stepsOfPlot(TextKey key, const std::string& step, const std::string& how) {
+    return choice(key, "--steps", "Steps", {"auto", "fixed", "adaptive"}, "auto",
+                  adaptiveWords(how) + "; auto: adaptive while " + step +
+                      " is auto, with 2 % in place of 1 % and the errors of the numbers, else "
+                      "fixed.");
+}
+
 SettingInfo named(SettingInfo info, std::vector<std::string> names) {
     info.names = std::move(names);
     return info;

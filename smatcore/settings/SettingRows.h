@@ -30,6 +30,10 @@ SettingInfo bands(TextKey key, std::string option, std::string label, std::strin
                   std::string help);
 SettingInfo file(PathsKey key, std::string option, std::string label, std::string help);
 SettingInfo files(PathsKey key, std::string option, std::string label, std::string help);
+/// How the cases of a sweep stand: `fixed`, or `adaptive`, `how` far.
+SettingInfo adaptiveSteps(TextKey key, const std::string& how);
+/// The same of a plot, which is adaptive where `step`, the setting of its cases, is `auto`.
+SettingInfo stepsOfPlot(TextKey key, const std::string& step, const std::string& how);
 /// A row with words for forms, one of each choice.
 SettingInfo named(SettingInfo info, std::vector<std::string> names);
 

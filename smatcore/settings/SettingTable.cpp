@@ -30,10 +30,11 @@ void addSensor(std::vector<SettingInfo>& table) {
     table.push_back(named(
         choice(key::sensorMode, "--mode", "Calculation mode", {"auto", "spectral", "ck"}, "auto",
                "How the band is integrated. Spectral multiplies at every wavelength and "
-               "integrates last; ck does so at a few terms that an AtmosphereSmart is asked for, "
-               "trained to a few thousandths. Auto takes ck for sweeps over 400 different lines of "
-               "sight and more, which pay for training; results say what it took and why. Images "
-               "and frames are then spectral; spectra always are.",
+               "integrates last; ck does so at a few terms that the air is asked for, trained to a "
+               "few thousandths. Auto takes ck for sweeps over so many different lines of sight "
+               "that they pay for training, 3 in air of a file, 100 to 200 in computed air; "
+               "results say what it took and why. Images and frames are then spectral; spectra "
+               "always are.",
                SettingAudience::expert),
         {"auto", "spectral", "wideband-ck"}));
 }
@@ -72,7 +73,8 @@ void addViewAndTarget(std::vector<SettingInfo>& table) {
 void addScalings(std::vector<SettingInfo>& table) {
     table.push_back(flag(key::scalingUse, "--scalings", "Use scalings", false,
                          "Multiplies temperatures and emissivities with the scales of the two "
-                         "scaling files beside the model, drawn when the database is loaded."));
+                         "scaling files beside the model, drawn when the database is loaded. In a "
+                         "scenario on where there are such files, unless it says otherwise."));
     table.push_back(integer(key::scalingSeed, "--seed", "Seed", "", 0, 2147483647, "1",
                             "Names the random numbers of the scales: the same seed gives the same "
                             "draw on every machine, another seed another one."));
@@ -93,6 +95,11 @@ void addEnvironment(std::vector<SettingInfo>& table) {
         "True elevation of the middle of the sun above the horizontal; it sets at the horizon of "
         "the altitude, with its disc. Where it is not set, that of an Environment file among the "
         "atmospheres."));
+    table.push_back(choice(
+        key::environmentBins, "--bins", "Bins of computed air", {"own", "1", "5", "15"}, "own",
+        "Width of the bins of an AtmosphereSmart, cm-1: own, or in place of its file's 1, 5 or "
+        "15; wider ones are quicker and less exact. Air without bins refuses it.",
+        SettingAudience::expert));
     table.push_back(choiceOrNumber(
         key::environmentDayOfYear, "--day-of-year", "Day of the year", "", {"mean"}, 1, 366, "mean",
         "For the distance of the sun, which changes the light of a computed atmosphere and of "
@@ -258,7 +265,8 @@ void addRendering(std::vector<SettingInfo>& table) {
                             "with azimuth."));
     table.push_back(flag(key::renderSunDisc, "--sun-disc", "Sun disc", false,
                          "Draws the sun as a disc of 0.53 degrees where nothing hides it; a "
-                         "skybox should have no sun of its own then."));
+                         "skybox should have no sun of its own then. In a scenario on, unless it "
+                         "says otherwise."));
     table.push_back(
         flag(key::renderScattering, "--scattering", "Scattering", false,
              "Images show the haze that droplets scatter around objects. Needs an MTF "
@@ -268,6 +276,20 @@ void addRendering(std::vector<SettingInfo>& table) {
                          "Terrain hides what is behind it; else it is a picture behind all "
                          "objects.",
                          SettingAudience::expert));
+    table.push_back(named(
+        choice(key::renderErrors, "--errors", "Errors of results", {"off", "sum", "causes"}, "off",
+               "Errors beside the intensities, contrast and irradiance of sweeps and images, which "
+               "the truth lies within 19 times out of 20: their sum, or by their causes, too "
+               "(samples, air, background). Takes up to twice the time."),
+        {"off", "sum of all causes", "by cause"}));
+    table.push_back(choiceOrNumber(
+        key::renderTargetError, "--target-error", "Target error", "%", {"none"}, 0.001, 50, "none",
+        "Largest error of the intensities and contrasts of sweeps and images, as a part of them, "
+        "or "
+        "of a tenth of the largest contrast. The cheapest windows, bins of computed air or "
+        "wideband-ck and rows of background that meet it are chosen in place of those that are "
+        "set, and light is left out whose bound is a part of it; results say what and why, and "
+        "have the sum of their errors. A spectrum stays as it is set."));
     table.push_back(
         integer(key::renderLayers, "--layers", "Transparent layers", "", 1, 1000, "64",
                 "Transparent surfaces kept per sample, nearest first; samples with more "

@@ -216,7 +216,7 @@ fs::path filmFile(const fs::path& file, const FilmStrip& strip, std::size_t stri
 }
 
 std::string writeFilm(const FilmStrip& strip, const fs::path& file, const std::string& whose,
-                      const std::stop_token& stop) {
+                      const std::stop_token& stop, const ProgressCallback& progress) {
     checkFilm(file);
     if (strip.frames.empty() || strip.low > strip.high)
         return fmt::format("{}: no film, since no frame shows anything", strip.label);
@@ -226,7 +226,17 @@ std::string writeFilm(const FilmStrip& strip, const fs::path& file, const std::s
     if (!isPictures)
         temporary.emplace();
     std::size_t place = 0;
+    const auto start = std::chrono::steady_clock::now();
+    const auto say = [&](std::size_t done, std::string what) {
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        if (progress)
+            progress({done, strip.frames.size() + (isPictures ? 0 : 1), elapsed.count(),
+                      std::move(what)});
+    };
+    std::size_t done = 0;
     for (const FilmStrip::Frame& frame : strip.frames) {
+        say(done, fmt::format("{}: frame {} of {}", strip.label, done + 1, strip.frames.size()));
+        ++done;
         if (stop.stop_requested())
             return fmt::format("{}: no film, since it was stopped", strip.label);
         const fs::path picture =
@@ -235,8 +245,11 @@ std::string writeFilm(const FilmStrip& strip, const fs::path& file, const std::s
                        : *temporary / fmt::format("{:06}.png", place++);
         saveImage(irsg::readExr(frame.file), colors, frame.words, whose, picture);
     }
-    if (isPictures)
+    if (isPictures) {
+        say(done, "done");
         return "";
+    }
+    say(done, strip.label + ": encoding");
     const fs::path film = *temporary / ("film" + file.extension().string());
     const fs::path errors = *temporary / "errors";
     const auto status =
@@ -248,6 +261,7 @@ std::string writeFilm(const FilmStrip& strip, const fs::path& file, const std::s
         throw filmError(file, fmt::format("ffmpeg ended with {}: {}", *status, lastLine(errors)),
                         "a film of the frames");
     irsg::writeFileDurably(file, irsg::readFile(film));
+    say(done + 1, "done");
     return "";
 }
 

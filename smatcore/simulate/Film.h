@@ -51,8 +51,10 @@ std::filesystem::path filmFile(const std::filesystem::path& file, const FilmStri
 /// film that ffmpeg encodes (.mp4 in H.264, or what it has instead; .gif), at as many frames a
 /// second as the scenario has steps, from 1 to 50. `whose` is the file that errors about the
 /// settings name. Returns the sentence that there is nothing to show, or "". Throws InputError; a
-/// film is written whole or not at all. A stop leaves no film.
+/// film is written whole or not at all. A stop leaves no film; of
+/// numbered pictures those that are done stay. Progress counts frames, and encoding as one more.
 std::string writeFilm(const FilmStrip& strip, const std::filesystem::path& file,
-                      const std::string& whose, const std::stop_token& stop = {});
+                      const std::string& whose, const std::stop_token& stop = {},
+                      const ProgressCallback& progress = {});
 
 } // namespace smat

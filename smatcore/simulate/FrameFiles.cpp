@@ -10,6 +10,7 @@
 #include "irsg/radiometry/Wording.h"
 #include "smatcore/analysis/ImageFiles.h"
 #include "smatcore/project/SceneBuilder.h"
+#include "smatcore/project/SceneScalings.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
 #include "smatcore/support/Folders.h"
@@ -92,23 +93,20 @@ std::filesystem::path FrameFiles::imagingSensorFile(std::size_t sensor) const {
 }
 
 void FrameFiles::writeImagingSensor(std::size_t sensor) const {
-    const ImagingSensorParameters parameters =
-        imagingSensorParametersOf(scenario_.sensors.at(sensor).settings);
     const std::filesystem::path& own = scenario_.scenario.sensors[sensor].imagingSensor;
-    irsg::KarmaXml document =
-        own.empty() ? toKarma(parameters) : irsg::KarmaXml::read(scenario_.scenario.resolve(own));
-    toKarma(parameters, document);
-    document.write(imagingSensorFile(sensor));
+    smat::writeImagingSensor(scenario_.sensors.at(sensor).settings, imagingSensorFile(sensor),
+                             scenario_.scenario.resolve(own));
 }
 
-Provenance FrameFiles::provenance(std::size_t sensor) const {
-    const Scenario& scenario = scenario_.scenario;
-    const LoadedSensor& loaded = scenario_.sensors.at(sensor);
+Provenance sensorProvenance(const LoadedScenario& of, std::size_t sensor,
+                            const std::string& commandLine) {
+    const Scenario& scenario = of.scenario;
+    const LoadedSensor& loaded = of.sensors.at(sensor);
     Provenance provenance;
     provenance.add("program", "smat " + programVersion());
     provenance.add("analysis", name(AnalysisKind::simulation));
-    if (!commandLine_.empty())
-        provenance.add("command", commandLine_);
+    if (!commandLine.empty())
+        provenance.add("command", commandLine);
     provenance.add("scenario", scenario.displayName());
     provenance.add("sensor", scenario.sensors[sensor].name);
     for (const ScenarioEntity& entity : scenario.entities) {
@@ -127,6 +125,7 @@ Provenance FrameFiles::provenance(std::size_t sensor) const {
             provenance.add(setting.key, loaded.settings.text(setting.key) + unit);
         }
     }
+    tellDrawnScales(loaded.scene, loaded.settings, provenance);
     return provenance;
 }
 
@@ -140,7 +139,7 @@ void FrameFiles::describe(SensorFrame& frame, std::size_t number) const {
         std::string& attribute = attributes[key];
         attribute += (attribute.empty() ? "" : "; ") + value;
     };
-    for (const auto& [key, value] : provenance(frame.sensor).entries)
+    for (const auto& [key, value] : sensorProvenance(scenario_, frame.sensor, commandLine_).entries)
         join(key, value);
     const irsg::Band band = sensor.scene.allBands().at(frame.band);
     attributes["band"] =
@@ -198,26 +197,37 @@ void FrameFiles::write(SensorFrame& frame, std::size_t number) const {
     }
 }
 
-void FrameFiles::writeTable(SensorResult& result, AnalysisState state) const {
-    Provenance provenance = this->provenance(result.sensor);
+Provenance FrameFiles::provenanceOf(const SensorResult& result, AnalysisState state) const {
+    Provenance provenance = sensorProvenance(scenario_, result.sensor, commandLine_);
     provenance.add("state", state == AnalysisState::complete ? "complete" : "partial");
     for (const std::string& answer : result.answeredBy)
         provenance.add("answered by", answer);
     for (const std::string& warning : result.warnings)
         provenance.add("warning", warning);
-    result.table.provenance = std::move(provenance);
+    return provenance;
+}
+
+void FrameFiles::writeTable(SensorResult& result, AnalysisState state) const {
+    result.table.provenance = provenanceOf(result, state);
     result.table.save(tableFile(result.sensor));
 }
 
 void writeSimulation(const LoadedScenario& scenario, const SimulationPlan& plan,
                      const FrameFiles& files, ImageSource& source, SimulationResult& result,
                      const ProgressCallback& progress, std::stop_token stop, StageTimer* timer,
-                     const FrameSink& heed) {
+                     const FrameSink& heed, const SimulationParts* parts) {
     for (const std::size_t sensor : plan.sensors)
         files.writeImagingSensor(sensor);
     SceneGenerator3D generator(scenario, source);
     source.resetStageTimes();
+    SimulationSteps steps;
+    if (parts != nullptr)
+        steps = {parts->stores, [&](const SensorResult& sensor) {
+                     return files.provenanceOf(sensor, AnalysisState::partial);
+                 }};
     const auto writeTables = [&] {
+        if (parts != nullptr && parts->isPart)
+            return;
         for (SensorResult& sensor : result.sensors)
             files.writeTable(sensor, result.state);
     };
@@ -229,7 +239,7 @@ void writeSimulation(const LoadedScenario& scenario, const SimulationPlan& plan,
                 if (heed)
                     heed(frame, number);
             },
-            result, progress, std::move(stop), timer);
+            result, progress, std::move(stop), timer, parts ? &steps : nullptr);
     } catch (const irsg::InputError&) {
         // What was done so far is kept; the refusal is told by whoever asked.
         writeTables();

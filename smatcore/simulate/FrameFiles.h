@@ -9,6 +9,11 @@
 
 namespace smat {
 
+/// How what a sensor of a scenario sees came to be: program, command where it is not empty,
+/// scenario, entities, bands, settings and what was drawn of scaling files.
+Provenance sensorProvenance(const LoadedScenario& scenario, std::size_t sensor,
+                            const std::string& commandLine);
+
 /// Where the frames of a simulation go: one folder a sensor, `frame_000012.exr` in it, a table
 /// `SENSOR.csv` beside it, and `SENSOR.xml`, its settings as an ImagingSensor file. Files say how
 /// they came to be and hold no clock: equal inputs give equal bytes.
@@ -41,16 +46,22 @@ class FrameFiles {
     /// Writes what the frames of a sensor are made with in KARMA's form, on top of what else its
     /// own ImagingSensor file holds. Throws InputError.
     void writeImagingSensor(std::size_t sensor) const;
+    /// What the table of a sensor says of itself.
+    Provenance provenanceOf(const SensorResult& result, AnalysisState state) const;
     /// Writes the table of a sensor with its provenance. Throws InputError.
     void writeTable(SensorResult& result, AnalysisState state) const;
 
   private:
-    Provenance provenance(std::size_t sensor) const;
-
     const LoadedScenario& scenario_;
     std::filesystem::path folder_;
     std::vector<std::string> extensions_;
     std::string commandLine_;
+};
+
+/// The steps of a run in parts: a store for each sensor of the plan.
+struct SimulationParts {
+    std::vector<CaseStore*> stores;
+    bool isPart = false; ///< of several, which are joined to the tables: none is written
 };
 
 /// Makes the frames of a plan with this renderer and writes all there is to write: folders,
@@ -59,6 +70,7 @@ class FrameFiles {
 void writeSimulation(const LoadedScenario& scenario, const SimulationPlan& plan,
                      const FrameFiles& files, ImageSource& source, SimulationResult& result,
                      const ProgressCallback& progress = {}, std::stop_token stop = {},
-                     StageTimer* timer = nullptr, const FrameSink& heed = {});
+                     StageTimer* timer = nullptr, const FrameSink& heed = {},
+                     const SimulationParts* parts = nullptr);
 
 } // namespace smat

@@ -1,5 +1,6 @@
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
+#include "smatcore/support/Log.h"
 
 namespace smat {
 
@@ -74,6 +75,38 @@ ImagingSensorParameters imagingSensorParametersOf(const Settings& settings) {
     parameters.terrainTextureColorOffset = settings[key::environmentTerrainOffset];
     parameters.useAtmosphereScattering = switchOf(settings[key::renderScattering]);
     return parameters;
+}
+
+std::vector<irsg::Diagnostic> ImagingSensorFile::missingIn(const Settings& inEffect,
+                                                           const std::string& whose) const {
+    std::vector<irsg::Diagnostic> missing;
+    for (const ImagingSensorSettings::Needed& needed : set.needed) {
+        if (inEffect[PathsKey{needed.setting.c_str()}].empty()) {
+            missing.push_back(
+                {.file = file.string(),
+                 .position = needed.parameter,
+                 .value = "1",
+                 .expected = "0, or files in the setting " + needed.setting + " of " + whose});
+        }
+    }
+    return missing;
+}
+
+ImagingSensorFile readImagingSensor(const std::filesystem::path& file) {
+    logInfo("reading imaging sensor " + file.string());
+    const ImagingSensorReading reading = imagingSensorFromKarma(irsg::KarmaXml::read(file));
+    ImagingSensorFile read{.file = file, .set = settingsOf(reading.parameters), .remarks = {}};
+    for (const std::string& remark : reading.remarks)
+        read.remarks.push_back(file.filename().string() + ": " + remark);
+    return read;
+}
+
+void writeImagingSensor(const Settings& inEffect, const std::filesystem::path& file,
+                        const std::filesystem::path& own) {
+    const ImagingSensorParameters parameters = imagingSensorParametersOf(inEffect);
+    irsg::KarmaXml document = own.empty() ? toKarma(parameters) : irsg::KarmaXml::read(own);
+    toKarma(parameters, document);
+    document.write(file);
 }
 
 } // namespace smat

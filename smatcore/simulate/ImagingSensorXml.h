@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "irsg/karma/KarmaXml.h"
+#include "irsg/radiometry/Errors.h"
 #include "smatcore/settings/Settings.h"
 
 namespace smat {
@@ -71,5 +72,23 @@ struct ImagingSensorSettings {
 ImagingSensorSettings settingsOf(const ImagingSensorParameters& parameters);
 /// The settings in effect as parameters: all of them.
 ImagingSensorParameters imagingSensorParametersOf(const Settings& settings);
+
+/// A file that was read as settings, to go below what else says them.
+struct ImagingSensorFile {
+    std::filesystem::path file;
+    ImagingSensorSettings set;
+    std::vector<std::string> remarks; ///< "ImagingSensor.xml: line 3: Gain is no parameter of ..."
+
+    /// What it turns on must be named somewhere: a diagnostic for each setting that is empty, which
+    /// `whose`, "the project", should set.
+    std::vector<irsg::Diagnostic> missingIn(const Settings& inEffect,
+                                            const std::string& whose) const;
+};
+/// Throws InputError as irsg::KarmaXml::read and imagingSensorFromKarma do.
+ImagingSensorFile readImagingSensor(const std::filesystem::path& file);
+/// Writes the settings in effect, on top of what else stands in `own` where that is not empty.
+/// Throws InputError.
+void writeImagingSensor(const Settings& inEffect, const std::filesystem::path& file,
+                        const std::filesystem::path& own = {});
 
 } // namespace smat

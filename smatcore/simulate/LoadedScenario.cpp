@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "irsg/atmosphere/OnTheFly.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/signature/ScalingXml.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
 #include "smatcore/support/Log.h"
 
@@ -24,7 +26,7 @@ class Loader {
         LoadedScenario loaded{.scenario = scenario_, .paths = {}, .sensors = {}};
         for (std::size_t i = 0; i < scenario_.entities.size(); ++i)
             loaded.paths.push_back(pathOf(scenario_.entities[i], i));
-        const Project project = projectOf();
+        const Project project = projectOf(scenario_);
         for (const ScenarioSensor& sensor : scenario_.sensors) {
             loaded.sensors.push_back(loadSensor(sensor, project));
             shareEnvironment(loaded.sensors);
@@ -83,25 +85,6 @@ class Loader {
         return path;
     }
 
-    /// The entities as the models of a project, whose builder loads them.
-    Project projectOf() const {
-        Project project;
-        project.file = scenario_.file;
-        project.title = scenario_.title;
-        for (const ScenarioEntity& entity : scenario_.entities) {
-            ProjectModel model;
-            model.name = entity.name;
-            model.file = entity.model;
-            model.database = entity.database;
-            model.options = entity.options;
-            model.referencePoint_m = entity.referencePoint_m;
-            model.fallbackTemperature = entity.fallbackTemperature;
-            model.fallbackMaterial = entity.fallbackMaterial;
-            project.models.push_back(model);
-        }
-        return project;
-    }
-
     LoadedSensor loadSensor(const ScenarioSensor& sensor, const Project& project) {
         LoadedSensor loaded{.settings = scenario_.settings,
                             .scene = {},
@@ -109,38 +92,37 @@ class Loader {
                             .warnings = {}};
         if (sensor.mount == MountKind::trajectory)
             loaded.path = read(sensor.trajectory);
-        needed_.clear();
+        named_.reset();
         if (!sensor.imagingSensor.empty())
-            collect([&] { readImagingSensor(sensor, loaded); });
+            collect([&] { readImagingSensorOf(sensor, loaded); });
         loaded.settings = loaded.settings.with(sensor.settings).with(overrides_);
-        refuseMissing(sensor, loaded);
+        // Files that nobody asked for need not be there.
+        const bool isAsked = loaded.settings.isSet(key::scalingUse);
+        loaded.settings = scenarioDefaults().with(loaded.settings);
+        if (!isAsked && !hasScalings())
+            loaded.settings.set(key::scalingUse, "false");
+        // What the ImagingSensor file turns on must be named somewhere.
+        if (named_)
+            for (irsg::Diagnostic& missing :
+                 named_->missingIn(loaded.settings, "the scenario or its sensor " + sensor.name))
+                diagnostics_.push_back(std::move(missing));
         collect([&] { loaded.scene = builder_.build(project, loaded.settings); });
+        // A step has the same frame whatever was before it.
+        loaded.scene.environment = irsg::onTheFly(loaded.scene.environment);
         return loaded;
     }
 
-    /// What the ImagingSensor file turns on must be named somewhere.
-    void refuseMissing(const ScenarioSensor& sensor, const LoadedSensor& loaded) {
-        for (const ImagingSensorSettings::Needed& needed : needed_) {
-            if (loaded.settings[PathsKey{needed.setting.c_str()}].empty()) {
-                diagnostics_.push_back({.file = scenario_.resolve(sensor.imagingSensor).string(),
-                                        .position = needed.parameter,
-                                        .value = "1",
-                                        .expected = "0, or files in the setting " + needed.setting +
-                                                    " of the scenario or its sensor " +
-                                                    sensor.name});
-            }
-        }
+    bool hasScalings() const {
+        return std::ranges::any_of(scenario_.entities, [&](const ScenarioEntity& entity) {
+            return irsg::hasScalingFiles(scenario_.resolve(entity.model));
+        });
     }
 
-    void readImagingSensor(const ScenarioSensor& sensor, LoadedSensor& loaded) {
-        const std::filesystem::path file = scenario_.resolve(sensor.imagingSensor);
-        logInfo("reading imaging sensor " + file.string());
-        const ImagingSensorReading reading = imagingSensorFromKarma(irsg::KarmaXml::read(file));
-        const ImagingSensorSettings set = settingsOf(reading.parameters);
-        needed_ = set.needed;
-        loaded.settings = loaded.settings.with(set.settings);
-        for (const std::string& remark : reading.remarks)
-            loaded.warnings.push_back(file.filename().string() + ": " + remark);
+    void readImagingSensorOf(const ScenarioSensor& sensor, LoadedSensor& loaded) {
+        const ImagingSensorFile read = readImagingSensor(scenario_.resolve(sensor.imagingSensor));
+        loaded.settings = loaded.settings.with(read.set.settings);
+        loaded.warnings = read.remarks;
+        named_ = read;
     }
 
     /// Gives the last sensor the environment of an earlier one that is described alike, so that
@@ -166,7 +148,7 @@ class Loader {
     SceneBuilder& builder_;
     const Settings& overrides_;
     const EditedTrajectories& edited_;
-    std::vector<ImagingSensorSettings::Needed> needed_; ///< of the sensor that is being loaded
+    std::optional<ImagingSensorFile> named_; ///< by the sensor that is being loaded
     std::vector<irsg::Diagnostic> diagnostics_;
 };
 
@@ -200,6 +182,24 @@ std::optional<SensorPlace> LoadedScenario::sensorAt(std::size_t sensor, double t
         return std::nullopt;
     return SensorPlace{mount->pose.toWorld(given.offset.position_m),
                        mount->pose.attitude.rotation() * own};
+}
+
+Project projectOf(const Scenario& scenario) {
+    Project project;
+    project.file = scenario.file;
+    project.title = scenario.title;
+    for (const ScenarioEntity& entity : scenario.entities) {
+        ProjectModel model;
+        model.name = entity.name;
+        model.file = entity.model;
+        model.database = entity.database;
+        model.options = entity.options;
+        model.referencePoint_m = entity.referencePoint_m;
+        model.fallbackTemperature = entity.fallbackTemperature;
+        model.fallbackMaterial = entity.fallbackMaterial;
+        project.models.push_back(model);
+    }
+    return project;
 }
 
 LoadedScenario loadScenarioFiles(const Scenario& scenario, SceneBuilder& builder,

@@ -19,7 +19,7 @@ struct SensorPlace {
 
 /// A sensor with everything its frames are made of.
 struct LoadedSensor {
-    Settings settings;      ///< all in effect
+    Settings settings;      ///< all in effect, scenarioDefaults() among them
     SceneDescription scene; ///< all entities, wherever they are; sensor, environment, rendering
     Trajectory path;        ///< of its own mount; of one in the world or on an entity at rest
     std::vector<std::string> warnings; ///< what its ImagingSensor file asks in vain
@@ -40,6 +40,9 @@ struct LoadedScenario {
 
 /// Trajectories as they are edited, by their resolved file: they stand in for what the file holds.
 using EditedTrajectories = std::map<std::filesystem::path, TrajectoryTable>;
+
+/// The entities of a scenario as the models of a project.
+Project projectOf(const Scenario& scenario);
 
 /// Reads what a scenario names. `overrides` go before the settings of every sensor. Throws
 /// InputError with the diagnostics of all files and settings together: those of the parts, an

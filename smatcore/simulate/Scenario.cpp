@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "smatcore/settings/SettingKeys.h"
+
 namespace smat {
 
 namespace {
@@ -50,6 +52,16 @@ bool isScenarioSetting(const SettingInfo& setting) {
     const std::string section = setting.section();
     return section != "camera" && section != "target" && section != "state" &&
            (section == "image" || !isAnalysisSection(section));
+}
+
+const Settings& scenarioDefaults() {
+    static const Settings defaults = [] {
+        Settings made;
+        made.set(key::scalingUse, "true");
+        made.set(key::renderSunDisc, "true");
+        return made;
+    }();
+    return defaults;
 }
 
 } // namespace smat

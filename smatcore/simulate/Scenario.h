@@ -76,8 +76,12 @@ struct Scenario {
     bool operator==(const Scenario&) const = default;
 };
 
-/// True for the settings that a scenario or one of its sensors may set: sensor, environment,
-/// render, display and image. Camera, target and state follow from the trajectories.
+/// True for the settings that a scenario or one of its sensors may set: sensor, scaling,
+/// environment, render, display and image. Camera, target and state follow from the trajectories.
 bool isScenarioSetting(const SettingInfo& setting);
+
+/// What KARMA does and a project has to ask for (F32, F55), below all that a scenario sets: scaling
+/// files beside models are applied, the sun's disc is drawn.
+const Settings& scenarioDefaults();
 
 } // namespace smat

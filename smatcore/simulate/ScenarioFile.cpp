@@ -1,5 +1,6 @@
 #include "smatcore/simulate/ScenarioFile.h"
 
+#include "irsg/radiometry/Errors.h"
 #include "smatcore/project/JsonFields.h"
 #include "smatcore/project/JsonWriting.h"
 #include "smatcore/simulate/ScenarioReader.h"
@@ -10,6 +11,9 @@ namespace smat {
 namespace {
 
 using Json = nlohmann::json;
+
+/// No scenario is longer; results in JSON may be.
+constexpr std::uintmax_t longestScenario_B = 16 << 20;
 
 void writeText(Json& json, const char* key, const std::string& text) {
     if (!text.empty())
@@ -72,6 +76,26 @@ Scenario scenarioFromJson(const std::string& text, const std::filesystem::path& 
 
 Scenario loadScenario(const std::filesystem::path& file) {
     return scenarioFromJson(readTextFile(file), file);
+}
+
+bool isScenarioFile(const std::filesystem::path& file) {
+    std::error_code failure;
+    if (!std::filesystem::is_regular_file(file, failure) ||
+        std::filesystem::file_size(file, failure) > longestScenario_B)
+        return false;
+    std::string text;
+    try {
+        text = readTextFile(file);
+    } catch (const irsg::InputError&) {
+        return false;
+    }
+    const Json json = Json::parse(text, nullptr, false);
+    // One with a fault in its writing is still what it was meant to be.
+    if (json.is_discarded())
+        return text.find("\"entities\"") != std::string::npos &&
+               text.find("\"sensors\"") != std::string::npos;
+    return json.is_object() &&
+           (json.contains("entities") || json.contains("sensors") || json.contains("dt_s"));
 }
 
 std::string scenarioToJson(const Scenario& scenario, const std::filesystem::path& file) {

@@ -19,6 +19,10 @@ Scenario loadScenario(const std::filesystem::path& file);
 /// The same from memory, as if the text stood in `file`.
 Scenario scenarioFromJson(const std::string& text, const std::filesystem::path& file);
 
+/// Whether a file is a scenario (JSON with entities, sensors or steps); not whether it is a sound
+/// one.
+bool isScenarioFile(const std::filesystem::path& file);
+
 /// Sorted keys, defaults omitted, paths relative to `file`'s folder where they lie in or beside it.
 /// Equal scenarios give equal text.
 std::string scenarioToJson(const Scenario& scenario, const std::filesystem::path& file);

@@ -7,6 +7,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/CaseChecks.h"
+#include "smatcore/analysis/ErrorColumns.h"
 
 namespace smat {
 
@@ -123,7 +124,7 @@ void SceneGenerator3D::select(std::size_t sensor, std::size_t band,
     selected_ = {sensor, band};
 }
 
-SensorFrame SceneGenerator3D::frame(std::size_t sensor, double time_s, std::size_t band) {
+SensorFrame SceneGenerator3D::place(std::size_t sensor, double time_s, std::size_t band) {
     SensorFrame frame;
     frame.sensor = sensor;
     frame.band = band;
@@ -158,10 +159,21 @@ SensorFrame SceneGenerator3D::frame(std::size_t sensor, double time_s, std::size
         frame.warnings.insert(frame.warnings.end(), held.begin(), held.end());
     }
     source_.setViewpoint(*view);
-    frame.rendered = source_.render();
+    return frame;
+}
+
+SensorFrame SceneGenerator3D::frame(std::size_t sensor, double time_s, std::size_t band) {
+    SensorFrame frame = place(sensor, time_s, band);
+    if (errorColumnsOf(scenario_.sensors[sensor].settings) == ErrorColumns::none) {
+        frame.rendered = source_.render();
+    } else {
+        frame.rendered = source_.renderWithErrors();
+        if (const auto& errors = frame.rendered.report.all.errors)
+            describeErrors(*errors, frame.rendered.image);
+    }
 
     // Back from those that were drawn to all of them.
-    drawn = 0;
+    std::size_t drawn = 0;
     for (const auto& at : frame.entities) {
         frame.objects.push_back(at ? std::optional(frame.rendered.report.objects.at(drawn++))
                                    : std::nullopt);

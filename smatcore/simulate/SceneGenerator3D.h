@@ -37,7 +37,10 @@ class SceneGenerator3D {
     /// Throws InputError naming sensors and entities that are below the ground, and sensors that
     /// are where they look to, each with the first of these times at which they are.
     void check(const std::vector<std::size_t>& sensors, const std::vector<double>& times_s) const;
-    /// LogicError where the sensor does not see. Throws InputError as the renderer does.
+    /// Puts everybody where they are as this sensor sees them: what the renderer does next is of
+    /// that moment. A frame without its drawing. LogicError where the sensor does not see.
+    SensorFrame place(std::size_t sensor, double time_s, std::size_t band = 0);
+    /// The same with its drawing. Throws InputError as the renderer does.
     SensorFrame frame(std::size_t sensor, double time_s, std::size_t band = 0);
 
   private:

@@ -6,8 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "irsg/atmosphere/NearestRun.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/NewLines.h"
+#include "smatcore/analysis/CaseWarnings.h"
+#include "smatcore/analysis/ErrorColumns.h"
 #include "smatcore/data/ColumnName.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -21,6 +24,12 @@ using irsg::Quantity;
 
 constexpr Quantity entityQuantities[] = {Quantity::intensity, Quantity::contrastIntensity,
                                          Quantity::irradiance, Quantity::pixels};
+constexpr Quantity quantitiesWithErrors[] = {Quantity::intensity, Quantity::contrastIntensity,
+                                             Quantity::irradiance};
+
+ErrorColumns errorsOf(const LoadedScenario& loaded, std::size_t sensor) {
+    return errorColumnsOf(loaded.sensors[sensor].settings);
+}
 
 /// Labels of the bands of a sensor, "" of a single one.
 std::vector<std::string> labelsOf(const LoadedScenario& loaded, std::size_t sensor) {
@@ -38,42 +47,26 @@ SensorResult resultOf(const LoadedScenario& loaded, std::size_t sensor) {
     result.table.add(Quantity::time);
     result.table.add("frame", "");
     const std::vector<std::string> bands = labelsOf(loaded, sensor);
-    const auto add = [&](const std::string& entity, Quantity quantity, const std::string& band) {
+    const auto add = [&](const std::string& entity, Quantity quantity, const std::string& band,
+                         const char* prefix = "") {
         const irsg::QuantityInfo& column = irsg::info(quantity);
-        result.table.add(ColumnName{"", entity, std::string(column.key), band}.key(),
+        result.table.add(ColumnName{prefix, entity, std::string(column.key), band}.key(),
                          std::string(column.unit));
     };
     for (const std::string& band : bands)
         add("", Quantity::totalIrradiance, band);
     for (const ScenarioEntity& entity : loaded.scenario.entities) {
         add(entity.name, Quantity::range, "");
-        for (const std::string& band : bands)
+        for (const std::string& band : bands) {
             for (const Quantity quantity : entityQuantities)
                 add(entity.name, quantity, band);
+            for (const Quantity quantity : quantitiesWithErrors)
+                for (const char* prefix : errorPrefixes(errorsOf(loaded, sensor)))
+                    add(entity.name, quantity, band, prefix);
+        }
     }
     return result;
 }
-
-/// What renderings of one sensor could not do exactly: the worst of all frames, said once.
-struct Shortcomings {
-    int layersLeftOver = 0;
-
-    void take(const irsg::RenderReport& report) {
-        layersLeftOver = std::max(layersLeftOver, report.layersLeftOver);
-    }
-    void sayIn(SensorResult& result) const {
-        if (result.framesMissing > 0) {
-            result.warnings.push_back(fmt::format("no frame at {} of the steps: the sensor, or "
-                                                  "what it looks at, is not there",
-                                                  result.framesMissing));
-        }
-        if (layersLeftOver > 0) {
-            result.warnings.push_back(fmt::format(
-                "up to {} samples of a frame have more transparent layers than are kept, see {}",
-                layersLeftOver, key::renderLayers.name));
-        }
-    }
-};
 
 /// What is kept of the frames of one step, one for each band.
 struct StepSums {
@@ -81,16 +74,24 @@ struct StepSums {
     std::vector<std::vector<std::optional<irsg::ObjectRadiometry>>> of; ///< by band, then by entity
 };
 
-void takeFrame(SensorResult& result, const SensorFrame& frame, StepSums& sums) {
+void takeFrame(const SensorFrame& frame, StepSums& sums, CaseRecord& record,
+               CaseWarnings& warnings) {
     sums.totalIrradiance_W_m2.push_back(frame.rendered.report.totalIrradiance_W_m2);
     sums.of.push_back(frame.objects);
-    ++result.frames;
-    irsg::addNew(result.answeredBy, frame.rendered.report.answeredBy);
-    irsg::addNew(result.warnings, frame.rendered.report.warnings);
-    irsg::addNew(result.warnings, frame.warnings);
+    irsg::addAnswer(record.answeredBy, frame.rendered.report.answeredBy);
+    for (const std::string& sentence : frame.rendered.report.warnings)
+        warnings.add(sentence);
+    for (const std::string& sentence : frame.warnings)
+        warnings.add(sentence);
+    if (const int left = frame.rendered.report.layersLeftOver; left > 0)
+        warnings.addWorst("layers", left,
+                          fmt::format("up to {} samples of a frame have more transparent layers "
+                                      "than are kept, see {}",
+                                      left, key::renderLayers.name));
 }
 
-void addRow(SensorResult& result, const SimulationPlan::Step& step, const StepSums& sums) {
+std::vector<double> rowOf(const SimulationPlan::Step& step, const StepSums& sums,
+                          ErrorColumns errors) {
     std::vector<double> row = {step.time_s, static_cast<double>(step.number)};
     row.insert(row.end(), sums.totalIrradiance_W_m2.begin(), sums.totalIrradiance_W_m2.end());
     constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
@@ -101,22 +102,26 @@ void addRow(SensorResult& result, const SimulationPlan::Step& step, const StepSu
             if (const auto& object = ofBand[entity]) {
                 row.insert(row.end(), {object->intensity_W_sr, object->contrastIntensity_W_sr,
                                        object->irradiance_W_m2, object->coveredPixels});
+                appendErrors(row, *object, errors);
             } else {
-                row.insert(row.end(), std::size(entityQuantities), nowhere);
+                row.insert(row.end(),
+                           std::size(entityQuantities) +
+                               std::size(quantitiesWithErrors) * errorPrefixes(errors).size(),
+                           nowhere);
             }
         }
     }
-    result.table.addRow(row);
+    return row;
 }
 
-/// Tells what is missing when the run ends, however it ends.
+/// Tells what there is to warn of when the run ends, however it ends.
 class Closing {
   public:
-    Closing(SimulationResult& result, const std::vector<Shortcomings>& shortcomings)
-        : result_(result), shortcomings_(shortcomings) {}
+    Closing(SimulationResult& result, const std::vector<CaseWarnings>& warnings)
+        : result_(result), warnings_(warnings) {}
     ~Closing() {
-        for (std::size_t i = 0; i < shortcomings_.size(); ++i)
-            shortcomings_[i].sayIn(result_.sensors[i]);
+        for (std::size_t i = 0; i < warnings_.size(); ++i)
+            irsg::addNew(result_.sensors[i].warnings, warnings_[i].sentences());
         result_.elapsed_s = elapsed_s();
     }
     Closing(const Closing&) = delete;
@@ -128,9 +133,33 @@ class Closing {
 
   private:
     SimulationResult& result_;
-    const std::vector<Shortcomings>& shortcomings_;
+    const std::vector<CaseWarnings>& warnings_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
+
+/// Tells the stores of a run in parts what their results say of themselves.
+void beginSteps(const SimulationSteps& steps, const SimulationPlan& plan,
+                const SimulationResult& result) {
+    for (std::size_t i = 0; i < result.sensors.size(); ++i) {
+        AnalysisData head;
+        head.kind = AnalysisKind::simulation;
+        head.name = result.sensors[i].name;
+        head.table = result.sensors[i].table;
+        head.table.provenance = steps.provenance(result.sensors[i]);
+        steps.stores.at(i)->begin(head, plan.steps.size());
+    }
+}
+
+/// What becomes of the step of a sensor, drawn or known.
+void takeStep(SensorResult& sensor, const CaseRecord& record, std::size_t bands) {
+    irsg::addAnswer(sensor.answeredBy, record.answeredBy);
+    if (record.row.empty()) {
+        ++sensor.framesMissing;
+    } else {
+        sensor.table.addRow(record.row);
+        sensor.frames += bands;
+    }
+}
 
 } // namespace
 
@@ -188,50 +217,83 @@ SimulationPlan planSimulation(const Scenario& scenario, const SimulationRequest&
 
 void runSimulation(SceneGenerator3D& generator, const SimulationPlan& plan, const FrameSink& sink,
                    SimulationResult& result, const ProgressCallback& progress, std::stop_token stop,
-                   StageTimer* timer) {
+                   StageTimer* timer, const SimulationSteps* steps) {
     generator.check(plan.sensors, plan.times_s());
     result = {.state = AnalysisState::partial, .sensors = {}, .elapsed_s = 0.0};
     for (const std::size_t sensor : plan.sensors)
         result.sensors.push_back(resultOf(generator.scenario(), sensor));
-    std::vector<Shortcomings> shortcomings(plan.sensors.size());
-    const Closing closing(result, shortcomings);
+    if (steps != nullptr)
+        beginSteps(*steps, plan, result);
+    std::vector<CaseWarnings> warnings(plan.sensors.size(),
+                                       CaseWarnings(CaseWarnings::Telling::once));
+    const Closing closing(result, warnings);
 
-    const std::size_t total = plan.steps.size() * plan.sensors.size();
+    const auto storeOf = [&](std::size_t i) { return steps ? steps->stores.at(i) : nullptr; };
+    std::size_t wanted = 0;
+    for (std::size_t i = 0; i < plan.sensors.size(); ++i)
+        wanted += steps ? storeOf(i)->expected(plan.steps.size()) : plan.steps.size();
     logInfo(fmt::format("making frames of {} sensor{} at {} steps", plan.sensors.size(),
                         plan.sensors.size() == 1 ? "" : "s", plan.steps.size()));
+
+    const auto drawn = [&](const SimulationPlan::Step& step, std::size_t i) {
+        const SensorResult& sensor = result.sensors[i];
+        CaseRecord record{fmt::format("{:.6g} s", step.time_s), {}, {}, {}};
+        warnings[i].beginCase(record.place);
+        if (!generator.sees(sensor.sensor, step.time_s)) {
+            warnings[i].addWorst("frames missing", 0.0,
+                                 "no frame at {cases} of the steps: the sensor, or what it looks "
+                                 "at, is not there");
+        } else {
+            logDebug("frame of " + sensor.name + ": " + record.place);
+            StepSums sums;
+            const auto& scene = generator.scenario().sensors[sensor.sensor].scene;
+            for (std::size_t band = 0; band < scene.allBands().size(); ++band) {
+                SensorFrame frame = [&] {
+                    const StageTimer::Scope scope(timer, "frames");
+                    return generator.frame(sensor.sensor, step.time_s, band);
+                }();
+                takeFrame(frame, sums, record, warnings[i]);
+                const StageTimer::Scope scope(timer, "save");
+                sink(frame, step.number);
+            }
+            record.row = rowOf(step, sums, errorsOf(generator.scenario(), sensor.sensor));
+        }
+        record.remarks = warnings[i].remarks();
+        return record;
+    };
+
     std::size_t done = 0;
-    for (const SimulationPlan::Step& step : plan.steps) {
+    for (std::size_t number = 0; number < plan.steps.size(); ++number) {
+        const SimulationPlan::Step& step = plan.steps[number];
         for (std::size_t i = 0; i < plan.sensors.size(); ++i) {
             SensorResult& sensor = result.sensors[i];
-            const std::string what = fmt::format("{}: {:.6g} s", sensor.name, step.time_s);
+            CaseStore* const store = storeOf(i);
+            const std::size_t bands =
+                generator.scenario().sensors[sensor.sensor].scene.allBands().size();
+            if (const CaseRecord* known = store ? store->known(number) : nullptr) {
+                warnings[i].addCase(known->place, known->remarks);
+                takeStep(sensor, *known, bands);
+                ++done;
+                continue;
+            }
+            if (store != nullptr && !store->isMine(number))
+                continue;
             if (progress)
-                progress({done, total, closing.elapsed_s(), what});
+                progress({done, wanted, closing.elapsed_s(),
+                          fmt::format("{}: {:.6g} s", sensor.name, step.time_s)});
             if (stop.stop_requested())
                 return;
-            if (!generator.sees(sensor.sensor, step.time_s)) {
-                ++sensor.framesMissing;
-            } else {
-                logDebug("frame of " + what);
-                const auto& scene = generator.scenario().sensors[sensor.sensor].scene;
-                StepSums sums;
-                for (std::size_t band = 0; band < scene.allBands().size(); ++band) {
-                    SensorFrame frame = [&] {
-                        const StageTimer::Scope scope(timer, "frames");
-                        return generator.frame(sensor.sensor, step.time_s, band);
-                    }();
-                    shortcomings[i].take(frame.rendered.report);
-                    takeFrame(sensor, frame, sums);
-                    const StageTimer::Scope scope(timer, "save");
-                    sink(frame, step.number);
-                }
-                addRow(sensor, step, sums);
-            }
+            const CaseRecord record = drawn(step, i);
+            takeStep(sensor, record, bands);
+            if (store != nullptr)
+                store->add(number, record);
             ++done;
         }
     }
-    result.state = AnalysisState::complete;
+    if (done == plan.steps.size() * plan.sensors.size())
+        result.state = AnalysisState::complete;
     if (progress)
-        progress({done, total, closing.elapsed_s(), "frames"});
+        progress({done, wanted, closing.elapsed_s(), "frames"});
 }
 
 } // namespace smat

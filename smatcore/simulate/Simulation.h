@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "smatcore/analysis/AnalysisData.h"
+#include "smatcore/analysis/CaseStore.h"
 #include "smatcore/simulate/SceneGenerator3D.h"
 #include "smatcore/support/Progress.h"
 #include "smatcore/support/StageTimer.h"
@@ -46,6 +47,8 @@ struct SensorResult {
     /// each entity `NAME.range [m]`, `NAME.intensity [W sr-1]`, `NAME.contrast_intensity [W sr-1]`,
     /// `NAME.irradiance [W m-2]` of the contrast, and `NAME.pixels`; nan where it is not there. Of
     /// several bands each but the range is there in every band, `NAME.intensity@3-5um [W sr-1]`.
+    /// With `render.errors` those of intensity, contrast and irradiance stand behind the numbers of
+    /// an entity's band, `error_NAME.intensity [W sr-1]`.
     ResultTable table;
     std::vector<std::string> answeredBy;
     std::vector<std::string> warnings; ///< each said once
@@ -60,11 +63,21 @@ struct SimulationResult {
 /// Takes each frame as soon as it is made; the number is that of its step.
 using FrameSink = std::function<void(SensorFrame&, std::size_t number)>;
 
+/// Where the steps of a run in parts come from and go to: cases of a store for each sensor, of
+/// which one has the row of its table, none where it makes no frame. The frames of steps that are
+/// known are where they were put then.
+struct SimulationSteps {
+    std::vector<CaseStore*> stores; ///< by sensor of the plan
+    /// Of a sensor's table before its first row.
+    std::function<Provenance(const SensorResult&)> provenance;
+};
+
 /// Makes the frames of a plan, step by step, each for every sensor. Places are checked for all
 /// steps before the first drawing. What is in `result` stays there when an exception passes or a
-/// stop is asked for. Throws InputError.
+/// stop is asked for; it is complete where every step is in it. Throws InputError.
 void runSimulation(SceneGenerator3D& generator, const SimulationPlan& plan, const FrameSink& sink,
                    SimulationResult& result, const ProgressCallback& progress = {},
-                   std::stop_token stop = {}, StageTimer* timer = nullptr);
+                   std::stop_token stop = {}, StageTimer* timer = nullptr,
+                   const SimulationSteps* steps = nullptr);
 
 } // namespace smat

@@ -18,7 +18,7 @@ AdaptiveTable sine(double tolerance, std::size_t* calls = nullptr) {
             }
             return std::vector<double>{std::sin(x), x};
         },
-        largestDifference);
+        halfway(largestDifference));
 }
 
 TEST(AdaptiveTable, StaysWithinItsTolerance) {
@@ -56,7 +56,7 @@ TEST(AdaptiveTable, RefinesOnlyWhereItIsAsked) {
 TEST(AdaptiveTable, ComputesWhatItCannotInterpolate) {
     const AdaptiveTable step(
         0.0, 1.0, 1e-3, [](double x) { return std::vector<double>{x < 1.0 / 3.0 ? 0.0 : 1.0}; },
-        largestDifference);
+        halfway(largestDifference));
     EXPECT_EQ(step.at(0.2)[0], 0.0);
     EXPECT_EQ(step.at(0.5)[0], 1.0);
     EXPECT_EQ(step.at(std::nextafter(1.0 / 3.0, 0.0))[0], 0.0);
@@ -147,6 +147,38 @@ TEST_F(AirTablesTest, AskTheTransferLessThanTheyAreAsked) {
         (void)tables.transmittance({3000.0, 3000.0, range_m});
     }
     EXPECT_LT(tables.evaluations(), questions / 10);
+}
+
+TEST_F(AirTablesTest, HoldTheirToleranceWhereAirIsBlackAfterMillimetres) {
+    // A node of a depth of 1 in 13 um beside one of 1 in kilometres.
+    for (double range_m = 1e-6; range_m < 3.0; range_m *= 1.17) {
+        const AtmosphericPath path{10.0, 10.0, range_m};
+        EXPECT_LT(largestDifference(tables.transmittance(path),
+                                    transfer.transmittance(tables.nodes(), path)),
+                  1.5 * tolerance)
+            << range_m;
+    }
+    EXPECT_LE(tables.largestError(), tolerance);
+}
+
+TEST_F(AirTablesTest, AreBoundedHoweverManyAltitudesAreAsked) {
+    for (int i = 0; i < 3000; ++i) {
+        const double altitude_m = 1.0 + 0.37 * i;
+        const auto found = tables.transmittance({altitude_m, altitude_m, 2000.0});
+        EXPECT_EQ(tables.evaluations(), 0u); // what is asked once has no table
+        if (i % 500 == 0) {
+            EXPECT_EQ(found,
+                      transfer.transmittance(tables.nodes(), {altitude_m, altitude_m, 2000.0}));
+        }
+    }
+    EXPECT_EQ(tables.bytes(), 0u);
+    for (int i = 0; i < 3000; ++i) {
+        const double altitude_m = 1.0 + 0.37 * i;
+        (void)tables.transmittance({altitude_m, altitude_m, 2000.0});
+        (void)tables.transmittance({altitude_m, altitude_m, 2001.0});
+    }
+    EXPECT_GT(tables.bytes(), 0u);
+    EXPECT_LT(tables.bytes(), 1000 * 5 * sizeof(double));
 }
 
 } // namespace

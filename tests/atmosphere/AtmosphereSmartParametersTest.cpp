@@ -105,13 +105,14 @@ TEST(AtmosphereSmartParameters, OurOwnAreWrittenOnlyWhereTheyDiffer) {
     parameters.aerosols = 0;
     parameters.ozoneScale = 0.9;
     parameters.waterScale = 1.25;
+    parameters.groundAltitude_m = 1155.0;
     parameters.radiosonde = "ascent.csv";
     KarmaXml document = toKarma(parameters);
     EXPECT_EQ(fromKarma(document).parameters, parameters);
     toKarma(AtmosphereSmartParameters(), document);
     EXPECT_THAT(document.text(), testing::Not(HasSubstr("Co2_ppmv")));
-    for (const char* name :
-         {"Radiosonde", "Ch4_ppmv", "N2o_ppmv", "Aerosols", "OzoneScale", "WaterScale"}) {
+    for (const char* name : {"Radiosonde", "Ch4_ppmv", "N2o_ppmv", "Aerosols", "OzoneScale",
+                             "WaterScale", "GroundAltitude"}) {
         EXPECT_THAT(document.text(), testing::Not(HasSubstr(name)));
     }
 }
@@ -259,6 +260,8 @@ INSTANTIATE_TEST_SUITE_P(
         bad("carbonDioxideBelowZero", "Co2_ppmv", "-1", {"-1 ppmv"}),
         bad("methaneBeyondAll", "Ch4_ppmv", "20000", {"20000 ppmv", "0 to 10000 ppmv"}),
         bad("nitrousOxideBeyondAll", "N2o_ppmv", "10001", {"0 to 10000 ppmv"}),
+        bad("aGroundBelowTheSea", "GroundAltitude", "-1", {"-1 m", "0 to 5000 m"}),
+        bad("aGroundAboveTheAlps", "GroundAltitude", "5001", {"5001 m", "0 to 5000 m"}),
         bad("ozoneBelowZero", "OzoneScale", "-0.1", {"-0.1", "0 to 100"}),
         bad("ozoneBeyondAll", "OzoneScale", "101", {"0 to 100"}),
         bad("waterBelowZero", "WaterScale", "-1", {"-1", "0 to 100"}),

@@ -328,7 +328,7 @@ TEST(AtmosphereDescription, TellsLinesAndFactsOfEachKind) {
     EXPECT_EQ(std::get<AtmosphereFacts>(fact(spectra, "geometry").value).front().name,
               "sensor_altitude_m");
     const AtmosphereDescription real = smart()->describe();
-    EXPECT_THAT(real.lines[2], HasSubstr("34 parameters, 2 not as by default (*)"));
+    EXPECT_THAT(real.lines[2], HasSubstr("35 parameters, 2 not as by default (*)"));
     EXPECT_EQ(std::get<AtmosphereFacts>(fact(real, "smart").value).front().name, "profile");
     const AtmosphereDescription runs = table()->describe();
     EXPECT_THAT(runs.lines, testing::Contains("1 run"));

@@ -123,8 +123,22 @@ TEST(ModtranJson, BadDocumentsAreRefusedByName) {
         {"ITYPE 4", with("\"ITYPE\": 2", "\"ITYPE\": 4"), "found ITYPE 4"},
         {"a text for a number", with("\"H1ALT\": 0.5", "\"H1ALT\": \"low\""),
          "H1ALT: found \"low\""},
-        {"several lines of sight", with("\"ITYPE\": 2,", "\"ITYPE\": 2, \"MLOS\": [{}],"),
-         "several lines of sight"},
+        {"lines of sight that are none", with("\"ITYPE\": 2,", "\"ITYPE\": 2, \"MLOS\": 2,"),
+         "MLOS: found 2, expected an array"},
+        {"a line of sight that is none", with("\"ITYPE\": 2,", "\"ITYPE\": 2, \"MLOS\": [{}, 7],"),
+         "MLOS[1]: found 7, expected an object"},
+        {"a line of sight without altitude",
+         with("\"H1ALT\": 0.5,", "\"MLOS\": [{\"H1ALT\": 1}, {}],"), "MLOS[1]: found no H1ALT"},
+        {"a text in a line of sight",
+         with("\"ITYPE\": 2,", "\"ITYPE\": 2, \"MLOS\": [{\"OBSZEN\": \"up\"}],"),
+         "MLOS[0].OBSZEN: found \"up\""},
+        {"two lines of sight with one result",
+         with("\"ITYPE\": 2,", "\"ITYPE\": 2, \"MLOS\": [{}, {\"OBSZEN\": 50}],"),
+         "found results of one line of sight, expected an array of 2"},
+        {"two lines of sight with three results",
+         replaced(with("\"ITYPE\": 2,", "\"ITYPE\": 2, \"MLOS\": [{}, {\"OBSZEN\": 50}],"),
+                  "{\"SPECTRA\"", "[{}, {}, {}], \"unused\": {\"SPECTRA\""),
+         "MODTRANOUTPUT: found 3 results, expected 2"},
         {"a target that is not reached", with("60.0", "120.0"), "found RANGE 0"},
         {"unknown unit", with("\"XFLAG\": \"W\"", "\"XFLAG\": \"Q\""), "XFLAG: found Q"},
         {"no transmittance", with("TOT_TRANS", "XX_TRANS"), "no column TOT_TRANS"},
@@ -143,6 +157,66 @@ TEST(ModtranJson, BadDocumentsAreRefusedByName) {
                     HasSubstr(row.says))
             << row.name;
     }
+}
+
+/// Two lines of sight: the one of `input`, and one 10 deg higher from 1 km.
+const std::string twoSights = replaced(
+    input, "\"ITYPE\": 2,", "\"ITYPE\": 2, \"MLOS\": [{}, {\"OBSZEN\": 50.0, \"H1ALT\": 1.0}],");
+const std::string radiance = output.substr(output.find("{\"RADIANCE\""),
+                                           output.rfind("}}") + 1 - output.find("{\"RADIANCE\""));
+
+TEST(ModtranJson, SeveralLinesOfSightAreSeveralRuns) {
+    const std::string second = replaced(radiance, "0.25", "0.2");
+    const std::string spectra = output.substr(output.find("{\"SPECTRA\""));
+    const std::string group = radiance.substr(radiance.find(": {") + 2);
+    const std::string groupOnly = group.substr(0, group.rfind('}'));
+    const std::string spectra2 = replaced(spectra, "0.25", "0.2");
+    for (const std::string& results : {"[" + spectra + ", " + spectra2 + "]",
+                                       "{\"SPECTRA\": [" + radiance + ", " + second + "]}",
+                                       "{\"SPECTRA\": {\"RADIANCE\": [" + groupOnly + ", " +
+                                           replaced(groupOnly, "0.25", "0.2") + "]}}"}) {
+        const std::string text =
+            "{\"MODTRAN\": [{" + twoSights + ", \"MODTRANOUTPUT\": " + results + "}]}";
+        const std::vector<SpectralRun> runs = parseModtranJson(text, "x.json");
+        ASSERT_EQ(runs.size(), 2u) << text;
+        const SpectralRun alone = parseModtranJson(document, "x.json").front();
+        EXPECT_EQ(runs[0].geometry, alone.geometry);
+        EXPECT_EQ(runs[0].transmittance, alone.transmittance);
+        EXPECT_EQ(runs[0].source, "x.json, case slant, line of sight 1");
+        EXPECT_DOUBLE_EQ(runs[1].geometry.sensorAltitude_m, 750.0);
+        EXPECT_DOUBLE_EQ(runs[1].geometry.elevation_rad, radians(40.0));
+        EXPECT_DOUBLE_EQ(runs[1].geometry.targetAltitude_m, alone.geometry.targetAltitude_m);
+        EXPECT_EQ(runs[1].transmittance[1], 0.2);
+        EXPECT_EQ(runs[1].pathRadiance_W_m2_sr_um, alone.pathRadiance_W_m2_sr_um);
+    }
+}
+
+TEST(ModtranJson, ResultsAloneAreOfTheInputThatNamesThem) {
+    const auto folder = smat::test::ownFolder();
+    const std::string results = "{\"MODTRAN\": [{" + output + "}]}";
+    const auto file = writtenFile(folder / "slant.json", results);
+    ASSERT_TRUE(TabulatedAtmosphere::canImport(file));
+    // Nobody names it.
+    writtenFile(folder / "other.json",
+                "{\"MODTRAN\": [{" + replaced(input, "slant.json", "else.json") + "}]}");
+    EXPECT_THAT(refusalOf([&] { readModtranJson(file); }), HasSubstr("JSONPRNT names this file"));
+    for (const char* named : {"slant.json", "out/slant.json", "slant"}) {
+        writtenFile(folder / "run.json",
+                    "{\"MODTRAN\": [{" + replaced(input, "slant.json", named) + "}]}");
+        const SpectralRun run = readModtranJson(file).front();
+        SpectralRun expected = parseModtranJson(document, "slant.json").front();
+        EXPECT_EQ(run, expected) << named;
+    }
+    // Two cases, the second of two lines of sight.
+    writtenFile(folder / "run.json", "{\"MODTRAN\": [{" + input + "}, {" + twoSights + "}]}");
+    EXPECT_THAT(refusalOf([&] { readModtranJson(file); }), HasSubstr("found 1 cases, expected 2"));
+    writtenFile(folder / "slant.json", "{\"MODTRAN\": [{" + output +
+                                           "}, {\"MODTRANOUTPUT\": {\"SPECTRA\": [" + radiance +
+                                           ", " + radiance + "]}}]}");
+    const std::vector<SpectralRun> runs = readModtranJson(file);
+    ASSERT_EQ(runs.size(), 3u);
+    EXPECT_EQ(runs[1].geometry, runs[0].geometry);
+    EXPECT_DOUBLE_EQ(runs[2].geometry.sensorAltitude_m, 750.0);
 }
 
 TEST(ModtranCsv, TakesItsGeometryFromTheDocumentBesideIt) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "irsg/atmosphere/ck/CkNodes.h"
 #include "irsg/atmosphere/ck/CkStore.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/radiometry/Errors.h"
@@ -177,7 +178,8 @@ TEST(SensorCkData, AreTheSameFromWhatWasKept) {
     CkRequest request;
     request.band = Band::topHat(9.9, 10.2);
     const SensorCkData made = SensorCkData::prepare(transfer, request);
-    const auto read = SensorCkData::fromKept(transfer, request.band, made.kept());
+    const auto read =
+        SensorCkData::fromKept(CkNodes(transfer, request.band), request.band, made.kept());
     ASSERT_TRUE(read);
     EXPECT_EQ(read->wavelengths_um(), made.wavelengths_um());
     EXPECT_EQ(read->weights_um(), made.weights_um());
@@ -201,7 +203,7 @@ TEST(SensorCkData, AreKeptWithPointsUnderDecimalCommas) {
     }
     EXPECT_EQ(made.kept(), kept);
     EXPECT_EQ(CkKey().add(0.5).text(), key);
-    EXPECT_TRUE(SensorCkData::fromKept(transfer, request.band, kept));
+    EXPECT_TRUE(SensorCkData::fromKept(CkNodes(transfer, request.band), request.band, kept));
 }
 
 TEST(SensorCkData, AreFoundByAllThatTheyDependOn) {
@@ -237,15 +239,19 @@ TEST(SensorCkData, AreNothingFromWhatIsDamaged) {
     request.band = Band::topHat(9.9, 10.2);
     const std::string text = SensorCkData::prepare(transfer, request).kept();
     for (std::size_t length = 0; length < text.size(); length += 7) {
-        EXPECT_FALSE(SensorCkData::fromKept(transfer, request.band, text.substr(0, length)))
+        EXPECT_FALSE(SensorCkData::fromKept(CkNodes(transfer, request.band), request.band,
+                                            text.substr(0, length)))
             << length;
     }
     for (std::size_t at = 0; at < text.size(); at += 11) {
         std::string bad = text;
         bad[at] = '?';
-        EXPECT_FALSE(SensorCkData::fromKept(transfer, request.band, bad)) << at;
+        EXPECT_FALSE(SensorCkData::fromKept(CkNodes(transfer, request.band), request.band, bad))
+            << at;
     }
-    EXPECT_FALSE(SensorCkData::fromKept(transfer, Band::topHat(4.0, 4.2), text)) << "another band";
+    EXPECT_FALSE(SensorCkData::fromKept(CkNodes(transfer, Band::topHat(4.0, 4.2)),
+                                        Band::topHat(4.0, 4.2), text))
+        << "another band";
 }
 
 } // namespace

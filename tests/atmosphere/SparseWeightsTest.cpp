@@ -9,10 +9,10 @@ namespace {
 
 SparseProblem problem(std::size_t rows, std::size_t columns) {
     SparseProblem p;
-    p.rows = rows;
-    for (std::size_t c = 0; c < columns; ++c) {
-        for (std::size_t r = 0; r < rows; ++r) {
-            p.columns.push_back(
+    p.columnCount = columns;
+    for (std::size_t r = 0; r < rows; ++r) {
+        for (std::size_t c = 0; c < columns; ++c) {
+            p.matrix.push_back(
                 static_cast<float>(std::exp(-std::exp(-3.0 + 0.2 * static_cast<double>(c)) * 0.05 *
                                             static_cast<double>(r + 1))));
         }
@@ -23,9 +23,9 @@ SparseProblem problem(std::size_t rows, std::size_t columns) {
 
 TEST(SparseWeights, FindsTheColumnsOfWhichTheTargetIsMade) {
     SparseProblem p = problem(50, 30);
-    for (std::size_t r = 0; r < p.rows; ++r) {
-        p.target[r] = 0.5 * static_cast<double>(p.columns[4 * p.rows + r]) +
-                      2.0 * static_cast<double>(p.columns[22 * p.rows + r]);
+    for (std::size_t r = 0; r < p.rows(); ++r) {
+        p.target[r] =
+            0.5 * static_cast<double>(p.row(r)[4]) + 2.0 * static_cast<double>(p.row(r)[22]);
     }
     const SparseWeights found = sparseWeights(p, 1e-4, 30);
     EXPECT_LE(found.largestError, 1e-4);
@@ -41,8 +41,8 @@ TEST(SparseWeights, FindsTheColumnsOfWhichTheTargetIsMade) {
 TEST(SparseWeights, UsesNoMoreThanItMay) {
     SparseProblem p = problem(60, 40);
     for (std::size_t c = 0; c < 40; ++c) {
-        for (std::size_t r = 0; r < p.rows; ++r) {
-            p.target[r] += static_cast<double>(p.columns[c * p.rows + r]) / 40.0;
+        for (std::size_t r = 0; r < p.rows(); ++r) {
+            p.target[r] += static_cast<double>(p.row(r)[c]) / 40.0;
         }
     }
     double last = 1.0;

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "irsg/atmosphere/NearestRun.h"
 #include "irsg/atmosphere/TabulatedAtmosphere.h"
 #include "irsg/atmosphere/import/Tape7.h"
 #include "tests/atmosphere/TabulatedSupport.h"
@@ -252,4 +253,53 @@ TEST(TabulatedInterpolation, BetweenAltitudesDepthsFallAsDensitiesDo) {
         EXPECT_GE(thin, 0.5 - 1e-12);
         EXPECT_LE(thin, 1.0);
     }
+}
+
+TEST(TabulatedInterpolation, TellsHowFarTheNearestRunIs) {
+    std::vector<SyntheticRun> made;
+    for (const double altitude : {0.0, 1000.0}) {
+        for (const double range : {1000.0, 2000.0, 5000.0}) {
+            made.push_back(runOver({altitude, altitude, range}));
+        }
+    }
+    const TabulatedAtmosphere air = family(made);
+    const auto said = [&](const AtmosphericPath& path) {
+        return air.nearestRun(AtmosphericQuery::transmittance(path));
+    };
+    EXPECT_EQ(said({0.0, 0.0, 2000.0}),
+              " (nearest run at most 0 m in altitude, 0 m in range away)");
+    EXPECT_EQ(said({0.0, 0.0, 2750.5}),
+              " (nearest run at most 0 m in altitude, 750.5 m in range away)");
+    EXPECT_EQ(said({400.0, 400.0, 4000.0}),
+              " (nearest run at most 400 m in altitude, 1000 m in range away)");
+    EXPECT_EQ(said({0.0, 0.0, 0.0}), ""); // known without a run
+    // The air of a path is the same the other way round.
+    SyntheticRun slant = runOver({0.0, 2000.0, 5000.0});
+    const TabulatedAtmosphere down = family({slant});
+    EXPECT_EQ(down.nearestRun(AtmosphericQuery::transmittance({2000.0, 0.0, 5000.0})),
+              down.nearestRun(AtmosphericQuery::transmittance({0.0, 2000.0, 5000.0})));
+}
+
+TEST(NearestRun, OneLineKeepsTheFarthest) {
+    const auto line = [](double altitude_m, double range_m) {
+        return "transmittance: family" +
+               nearestRunText({.altitude_m = altitude_m, .range_m = range_m});
+    };
+    std::vector<std::string> lines;
+    addAnswer(lines, line(0.0, 250.0));
+    addAnswer(lines, "path radiance: vacuum");
+    addAnswer(lines, line(100.0, 20.0));
+    addAnswer(lines, line(0.0, 1.0));
+    addAnswer(lines, "path radiance: vacuum");
+    EXPECT_EQ(lines, (std::vector<std::string>{line(100.0, 250.0), "path radiance: vacuum"}));
+    // Another quantity and another family are lines of their own.
+    addAnswer(lines, "path radiance: family" + nearestRunText({.range_m = 3.0}));
+    addAnswer(lines,
+              std::vector<std::string>{"sun: family" + nearestRunText({.elevation_deg = 0.5}),
+                                       "sun: family" + nearestRunText({.altitude_m = 7.0})});
+    ASSERT_EQ(lines.size(), 4u);
+    EXPECT_EQ(lines.back(),
+              "sun: family (nearest run at most 7 m in altitude, 0.5 deg in elevation away)");
+    EXPECT_EQ(withoutNearestRun(lines.back()), "sun: family");
+    EXPECT_EQ(withoutNearestRun("vacuum"), "vacuum");
 }

@@ -158,6 +158,13 @@ TEST(Tape7, AnEarlyEndIsAWarningThatNamesTheLastWavenumber) {
     ASSERT_EQ(run.warnings.size(), 1u);
     EXPECT_THAT(run.warnings.front(), HasSubstr("stops at 2020 cm-1"));
 
+    // A complete table stops nowhere, whoever took the line behind it.
+    std::string whole = tape7({});
+    whole.resize(whole.find("-9999"));
+    EXPECT_TRUE(parsed(whole).front().warnings.empty());
+    EXPECT_EQ(parsed(whole).front().wavenumbers_per_cm,
+              parsed(tape7({})).front().wavenumbers_per_cm);
+
     std::string cut = tape7({});
     cut.resize(cut.find(" 2030.00") + 15);
     const SpectralRun rest = parsed(cut).front();

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "irsg/image/ExrFile.h"
+#include "irsg/image/ImageFile.h"
 #include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
@@ -193,6 +194,124 @@ TEST(SmatBatchRange, ANamedAnalysisGivesTheSameNumbersFromRunAndFromItsOwnComman
         smatBatch({"range", sphere, "--analysis", "range", "--out", folder / "r.csv"}).exitCode, 0);
     EXPECT_EQ(ResultTable::load(folder / "out" / "range.csv").columns(),
               ResultTable::load(folder / "r.csv").columns());
+}
+
+/// The values of that key in the provenance.
+std::vector<std::string> told(const Provenance& provenance, const std::string& of) {
+    std::vector<std::string> values;
+    for (const auto& [key, value] : provenance.entries) {
+        if (key == of) {
+            values.push_back(value);
+        }
+    }
+    return values;
+}
+
+std::string imagingSensor(const std::string& parameters) {
+    return "<data><fileType>Parameters</fileType><type>/ImagingSensor/Root/Sensor/ImagingSensor"
+           "</type>\n" +
+           parameters + "</data>\n";
+}
+std::string parameter(const std::string& name, const std::string& value) {
+    return "<parameter name=\"" + name + "\"><double>" + value + "</double></parameter>\n";
+}
+
+TEST(SmatBatchImagingSensor, IsReadByImageAndSweepsBelowOtherOptions) {
+    const TemporaryFolder folder;
+    write(folder / "i.xml",
+          imagingSensor(parameter("AntialiasingMode", "1") +
+                        parameter("TerrainTextureColorOffset", "0.25") +
+                        parameter("NumberOfBackgroundRows", "5") + parameter("Gain", "3")));
+    const auto run = [&](std::vector<std::string> words) {
+        const Ran ran = smatBatch(words, folder.path());
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        return ran;
+    };
+    const Ran image = run({"image", sphere, "--imaging-sensor", "i.xml", "--out", "a.exr"});
+    EXPECT_THAT(image.err, HasSubstr("i.xml: line 5: Gain is no parameter of ImagingSensor"));
+    const irsg::RadianceImage read = irsg::readExr(folder / "a.exr");
+    EXPECT_EQ(read.attributes.at("render.antialiasing"), "1");
+    EXPECT_EQ(read.attributes.at("render.backgroundRows"), "5");
+    EXPECT_EQ(read.attributes.at("environment.terrainOffset"), "0.25");
+    run({"image", sphere, "--antialiasing", "1", "--set", "render.backgroundRows=5", "--out",
+         "b.exr"});
+    EXPECT_EQ(irsg::readExr(folder / "b.exr").primary().values, read.primary().values);
+    run({"polar", sphere, "--step", "180", "--imaging-sensor", "i.xml", "--antialiasing", "2",
+         "--out", "a.csv"});
+    const Provenance polar = ResultTable::load(folder / "a.csv").provenance;
+    EXPECT_EQ(polar.value("render.antialiasing"), "2") << "the option goes over the file";
+    EXPECT_EQ(polar.value("environment.terrainOffset"), "0.25");
+    for (const char* command :
+         {"spectrum", "range", "time", "condition", "run", "montecarlo", "explain", "simulate"}) {
+        EXPECT_THAT(smatBatch({command, "--help"}).out, HasSubstr("--imaging-sensor")) << command;
+    }
+}
+
+TEST(SmatBatchImagingSensor, OfAProjectIsWrittenAndReadBackAsItWas) {
+    const TemporaryFolder folder;
+    write(folder / "p.smat", R"({"version": 1, "models": [{"file": "x.flt"}],
+  "environment": {"skyboxSlope": 12}, "render": {"antialiasing": 5, "backgroundColumns": 3,
+  "backgroundRows": 7}})");
+    const Ran wrote =
+        smatBatch({"settings", "--project", "p.smat", "--imaging-sensor", "o.xml"}, folder.path());
+    ASSERT_EQ(wrote.exitCode, 0) << wrote.err;
+    const Ran ran =
+        smatBatch({"polar", sphere, "--step", "180", "--imaging-sensor", "o.xml", "--out", "a.csv"},
+                  folder.path());
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const Provenance polar = ResultTable::load(folder / "a.csv").provenance;
+    EXPECT_EQ(polar.value("render.antialiasing"), "5");
+    EXPECT_EQ(polar.value("render.backgroundColumns"), "3");
+    EXPECT_EQ(polar.value("render.backgroundRows"), "7");
+    EXPECT_EQ(polar.value("environment.skyboxSlope"), "12 W m-2 sr-1");
+    EXPECT_NE(smatBatch({"settings", "--imaging-sensor", "o.xml"}, folder.path()).exitCode, 0);
+}
+
+TEST(SmatBatchImagingSensor, ThatIsWrongIsRefusedByItsPlace) {
+    const TemporaryFolder folder;
+    const auto refusal = [&](const std::string& parameters) {
+        write(folder / "i.xml", imagingSensor(parameters));
+        const Ran ran = smatBatch({"image", sphere, "--imaging-sensor", "i.xml", "--out", "a.exr"},
+                                  folder.path());
+        EXPECT_EQ(ran.exitCode, 2);
+        return ran.err;
+    };
+    EXPECT_THAT(refusal(parameter("AntialiasingMode", "6")),
+                testing::AllOf(HasSubstr("i.xml"), HasSubstr("line 2"), HasSubstr("0 to 5")));
+    EXPECT_THAT(refusal(parameter("UseSkyboxBackground", "1")),
+                HasSubstr("UseSkyboxBackground: found 1, expected 0, or files in the setting "
+                          "environment.skybox of the project or an option"));
+    EXPECT_THAT(smatBatch({"image", sphere, "--imaging-sensor", "none.xml", "--out", "a.exr"},
+                          folder.path())
+                    .err,
+                HasSubstr("none.xml"));
+}
+
+TEST(SmatBatchScalings, EveryResultSaysWhatWasDrawnWithWhichSeed) {
+    const TemporaryFolder folder;
+    const std::string project =
+        (std::filesystem::path(SMAT_SOURCE_DIR) / "tests/kept/kept.smat").string();
+    const auto run = [&](std::vector<std::string> words) {
+        const Ran ran = smatBatch(words);
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+    };
+    run({"polar", project, "--step", "180", "--band", "3-5", "--scalings", "--out",
+         folder / "a.csv", "--out", folder / "a.json"});
+    const ResultTable csv = ResultTable::load(folder / "a.csv");
+    const std::vector<std::string> drawn = told(csv.provenance, "drawn scale");
+    ASSERT_EQ(drawn.size(), 2u);
+    EXPECT_THAT(drawn[0], testing::MatchesRegex("temperature 1.*: 0\\.9.*, uniform, 0.98 to 1.02|"
+                                                "temperature 1.*: 1\\.0.*, uniform, 0.98 to 1.02"));
+    EXPECT_THAT(drawn[1], testing::HasSubstr("emissivity 1"));
+    EXPECT_EQ(told(csv.provenance, "scaling.seed"), std::vector<std::string>{"1"});
+    EXPECT_EQ(told(ResultTable::load(folder / "a.json").provenance, "drawn scale"), drawn);
+    run({"image", project, "--band", "3-5", "--scalings", "--seed", "1", "--out",
+         folder / "a.exr"});
+    EXPECT_EQ(irsg::readImageFile(folder / "a.exr").attributes.at("drawn scale"),
+              drawn[0] + "; " + drawn[1]);
+    run({"polar", project, "--step", "180", "--band", "3-5", "--out", folder / "b.csv"});
+    EXPECT_TRUE(told(ResultTable::load(folder / "b.csv").provenance, "drawn scale").empty());
+    EXPECT_TRUE(told(ResultTable::load(folder / "b.csv").provenance, "scaling.seed").empty());
 }
 
 TEST(SmatBatchDryRun, SaysWhatWouldBeDrawnAndDrawsNothing) {

@@ -60,6 +60,27 @@ std::string tableOver(double min_um, double max_um) {
     return irsg::TabulatedAtmosphere({run}, "table").toText();
 }
 
+TEST(SmatBatchAtmosphere, ResultsOfAFamilySayHowFarItsNearestRunIs) {
+    const TemporaryFolder folder;
+    const std::string out = (folder.path() / "family.smatatm").string();
+    ASSERT_EQ(smatBatch({"atmosphere", "import", tape7File(folder, "a", 1.0),
+                         tape7File(folder, "b", 2.0), tape7File(folder, "c", 5.0), "--out", out})
+                  .exitCode,
+              0);
+    const auto answeredBy = [&](const char* range_m) {
+        const std::string file = (folder.path() / "out.csv").string();
+        const Ran ran = smatBatch({"radiative", out, "--quantity", "transmittance", "--band",
+                                   "4.91-4.99", "--sensor-altitude", "0", "--altitude", "0",
+                                   "--range", range_m, "--out", file});
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        return ResultTable::load(file).provenance.value("answered by");
+    };
+    EXPECT_THAT(answeredBy("2000"),
+                HasSubstr("(nearest run at most 0 m in altitude, 0 m in range"));
+    EXPECT_THAT(answeredBy("3400"),
+                HasSubstr("(nearest run at most 0 m in altitude, 1400 m in range away)"));
+}
+
 TEST(SmatBatchAtmosphere, GivesASpectrumFromEndToEndOfItsTable) {
     const TemporaryFolder folder;
     for (const auto& [min_um, max_um, band] :
@@ -108,7 +129,7 @@ TEST(SmatBatchAtmosphere, InfoOfAnAtmosphereSmartMarksWhatDiffersFromTheDefault)
     EXPECT_EQ(ran.exitCode, 0) << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("base 3 to 5 um"));
     EXPECT_THAT(ran.out, HasSubstr("spectral and wideband-ck"));
-    EXPECT_THAT(ran.out, HasSubstr("34 parameters, 2 not as by default (*)"));
+    EXPECT_THAT(ran.out, HasSubstr("35 parameters, 2 not as by default (*)"));
     EXPECT_THAT(ran.out, HasSubstr("* Visibility                  23000 m  (default 0)"));
     EXPECT_THAT(ran.out, HasSubstr("* Co2_ppmv                    380 ppmv  (default 400)"));
     EXPECT_THAT(ran.out, HasSubstr("  AirMass                     3\n"));
@@ -118,7 +139,7 @@ TEST(SmatBatchAtmosphere, InfoOfAnAtmosphereSmartMarksWhatDiffersFromTheDefault)
 
     const auto json = nlohmann::json::parse(smatBatch({"atmosphere", "info", file, "--json"}).out);
     const auto& parameters = json["smart"]["parameters"];
-    ASSERT_EQ(parameters.size(), 34u);
+    ASSERT_EQ(parameters.size(), 35u);
     for (const auto& parameter : parameters) {
         const bool differs = parameter["name"] == "Visibility" || parameter["name"] == "Co2_ppmv";
         EXPECT_EQ(parameter["differs"], differs) << parameter;
@@ -143,7 +164,7 @@ TEST(SmatBatchAtmosphere, NewAndSetWriteEveryParameterThatInfoTells) {
     const std::string file = (folder.path() / "air.xml").string();
     ASSERT_EQ(smatBatch({"atmosphere", "new", "AerosolModel=2", "--out", file}).exitCode, 0);
     const auto json = nlohmann::json::parse(smatBatch({"atmosphere", "info", file, "--json"}).out);
-    ASSERT_EQ(json["smart"]["parameters"].size(), 34u);
+    ASSERT_EQ(json["smart"]["parameters"].size(), 35u);
     // Every one is given its own value anew.
     std::vector<std::string> all = {"atmosphere", "set", file};
     for (const auto& parameter : json["smart"]["parameters"]) {
@@ -249,7 +270,7 @@ TEST(SmatBatchAtmosphere, InfoOfAnEnvironmentListsItsAtmospheresInTheOrderTheyAr
     EXPECT_EQ(json["kind"], "environment");
     ASSERT_EQ(json["atmospheres"].size(), 2u);
     EXPECT_EQ(json["atmospheres"][0]["entry"], "SMARTI");
-    EXPECT_EQ(json["atmospheres"][0]["smart"]["parameters"].size(), 34u);
+    EXPECT_EQ(json["atmospheres"][0]["smart"]["parameters"].size(), 35u);
     EXPECT_EQ(json["atmospheres"][1]["air_temperature_K"], 288.15);
     EXPECT_EQ(json["default_background"]["wavelengths_um"][1], 5.0);
 }

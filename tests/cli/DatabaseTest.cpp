@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "irsg/signature/ReflectanceCsv.h"
 #include "irsg/signature/SignatureFile.h"
 #include "tests/cli/Program.h"
 #include "tests/support/TemporaryFolder.h"
@@ -145,6 +146,32 @@ TEST(SmatBatchExport, WritesASpectrumAndAMaterialThatCanBeImported) {
     EXPECT_TRUE(made.spectra.at("s").components == source.spectra.at("funnel plume").components);
     EXPECT_EQ(made.spectra.at("s").referenceDistance_m,
               source.spectra.at("funnel plume").referenceDistance_m);
+}
+
+TEST(SmatBatchImport, TakesIndexAndTablesOfReflectanceAndGivesTheseBack) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "new.sigdb";
+    EXPECT_EQ(smatBatch({"db", "create", file}).exitCode, 0);
+    write(folder / "index.csv", "wl,n\n3,2\n5,3\n\nwl,k\n3,20\n5,30\n");
+    write(folder / "table.csv", "incidence_deg,3,5\n0,0.2,0.4\n90,1,1\n");
+    EXPECT_EQ(smatBatch({"db", "import", folder / "index.csv", file, "--as", "material",
+                         "--material", "3"})
+                  .exitCode,
+              0);
+    EXPECT_EQ(smatBatch({"db", "import", folder / "table.csv", file, "--as", "reflectance",
+                         "--material", "4"})
+                  .exitCode,
+              0);
+    const irsg::SignatureDatabase made = irsg::loadSignatureFile(file).database;
+    EXPECT_EQ(made.materials.at(3).extinction.at(4.0), 25.0);
+    EXPECT_EQ(made.materials.at(4).surfaceModel, "tabulated");
+    EXPECT_EQ(smatBatch({"db", "export", file, folder / "back.csv", "--reflectance", "4"}).exitCode,
+              0);
+    EXPECT_TRUE(irsg::readReflectanceTable(folder / "back.csv") ==
+                made.materials.at(4).reflectanceTable);
+    const Ran none = smatBatch({"db", "export", file, folder / "none.csv", "--reflectance", "3"});
+    EXPECT_EQ(none.exitCode, 2);
+    EXPECT_THAT(none.err, testing::HasSubstr("reflectanceTable"));
 }
 
 TEST(SmatBatchImport, WarnsOfUnitsThatAreNotLikely) {

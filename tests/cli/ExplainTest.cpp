@@ -1,6 +1,7 @@
 // smat-batch explain: what pixels of the samples are made of, beside what is drawn of them.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <random>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 
 #include "irsg/scene/trace/RaysBuilt.h"
 #include "tests/cli/Program.h"
+#include "tests/support/TemporaryFolder.h"
 
 namespace smat::test {
 namespace {
@@ -47,6 +49,30 @@ TEST_F(SmatBatchExplain, OfACornerIsBackgroundAlone) {
     EXPECT_TRUE(pixel["surfaces"].empty());
     EXPECT_EQ(pixel["computed_W_m2_sr"], pixel["background"]["behind_W_m2_sr"]);
     EXPECT_LT(std::abs(pixel["relative_difference"].get<double>()), 1e-6);
+}
+
+TEST_F(SmatBatchExplain, OfAnImageFileExplainsThePictureThatItHolds) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "sphere.exr";
+    std::filesystem::copy(std::filesystem::path(sphere).parent_path(), folder.path(),
+                          std::filesystem::copy_options::recursive);
+    ASSERT_EQ(smatBatch({"image", folder / "sphere.smat", "--width", "48", "--height", "32",
+                         "--azimuth", "20", "--out", file})
+                  .exitCode,
+              0);
+    const Ran ran = smatBatch({"explain", file, "--pixel", "24,16", "--json"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const auto pixel = nlohmann::json::parse(ran.out)["pixels"].at(0);
+    EXPECT_EQ(pixel["drawn_W_m2_sr"], pixel["in_image_W_m2_sr"]);
+    EXPECT_FALSE(pixel["surfaces"].empty());
+    // Without its project it is said why not.
+    std::filesystem::remove(folder / "sphere.smat");
+    const Ran without = smatBatch({"explain", file, "--pixel", "24,16"});
+    EXPECT_EQ(without.exitCode, 2);
+    EXPECT_THAT(without.err, HasSubstr("sphere.smat, which is neither open nor beside"));
+    const Ran options = smatBatch({"explain", file, "--pixel", "1,1", "--width", "9"});
+    EXPECT_EQ(options.exitCode, 2);
+    EXPECT_THAT(options.err, HasSubstr("an image says how it was computed"));
 }
 
 struct Bad {

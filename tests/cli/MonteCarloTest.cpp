@@ -82,6 +82,119 @@ TEST_F(SmatBatchMonteCarlo, WritesBandsAndRankingOfTheFirstAnalysisThatIsNoImage
     EXPECT_EQ(json["scales"][0]["distribution"], "normal");
 }
 
+TEST_F(SmatBatchMonteCarlo, ExportsRawDrawsAlikeInBothForms) {
+    const Ran ran = run({"--samples", "64", "--seed", "3", "--phases", "1", "--sequence", "plain",
+                         "--draws", "draws.csv", "--draws", "draws.json", "--out", "bands.csv"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const ResultTable csv = ResultTable::load(folder / "draws.csv");
+    EXPECT_EQ(csv.columns(), ResultTable::load(folder / "draws.json").columns());
+    EXPECT_EQ(csv.rowCount(), 64u);
+    EXPECT_EQ(csv.provenance.value("monte carlo"), "64 draws of the plain sequence, seed 3");
+    const ResultTable bands = ResultTable::load(folder / "bands.csv");
+    double sum = 0.0, most = 0.0;
+    for (const double value : csv.find("contrast_intensity at 60 deg")->values) {
+        sum += value;
+        most = std::max(most, value);
+    }
+    EXPECT_NEAR(bands.find("mean")->values[1] / (sum / 64.0), 1.0, 1e-9);
+    EXPECT_EQ(bands.find("maximum")->values[1], most);
+
+    // Draw 0 of the plain sequence is what an analysis with --scalings says that it drew.
+    const Ran polar = smatBatch(
+        {"polar", "t.smat", "--scalings", "--seed", "3", "--out", "one.csv"}, folder.path());
+    ASSERT_EQ(polar.exitCode, 0) << polar.err;
+    const ResultTable one = ResultTable::load(folder / "one.csv");
+    int told = 0;
+    for (const auto& [key, value] : one.provenance.entries) {
+        if (key != "drawn scale") {
+            continue;
+        }
+        const std::size_t colon = value.find(": ");
+        // What stands in a header has no commas.
+        std::string name = value.substr(0, colon);
+        std::ranges::replace(name, ',', '_');
+        const ResultColumn* column = csv.find("scale " + name);
+        ASSERT_NE(column, nullptr) << value;
+        EXPECT_EQ(std::stod(value.substr(colon + 2)), column->values[0]) << value;
+        ++told;
+    }
+    EXPECT_EQ(told, 11);
+    EXPECT_EQ(run({"--draws", "draws.txt"}).exitCode, 2);
+}
+
+TEST_F(SmatBatchMonteCarlo, OverAScenarioTellsWhatEachSensorSeesOfEachEntity) {
+    const auto entity = [](const std::string& name, const std::string& place) {
+        return R"({"name": ")" + name +
+               R"(", "model": "turboprop4.flt", "database": "turboprop4.sigdb", "power": 0.7,
+  "position_m": )" +
+               place + "}";
+    };
+    write(folder / "s.json", R"({"version": 1, "dt_s": 1, "end_s": 1, "render": {"bounces": 0},
+  "sensor": {"width": 96, "height": 64, "fov": 6},
+  "entities": [)" + entity("near", "[0, 0, 500]") +
+                                 ", " + entity("far", "[20, 300, 500]") + R"(],
+  "sensors": [{"name": "south", "position_m": [0, -900, 500], "track": "near"}]})");
+    const auto batch = [&](std::vector<std::string> words) {
+        const Ran ran = smatBatch(words, folder.path());
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        return ran;
+    };
+    batch({"simulate", "s.json", "--scalings", "false", "--out", "plain"});
+    batch({"simulate", "s.json", "--seed", "4", "--out", "drawn"});
+    const auto montecarlo = [&](const std::string& threads, const std::string& name) {
+        return batch({"--threads", threads, "montecarlo", "s.json", "--samples", "300", "--seed",
+                      "4", "--sequence", "plain", "--out", name + ".csv", "--draws",
+                      "draws-" + name + ".csv"});
+    };
+    const Ran ran = montecarlo("1", "one");
+    EXPECT_THAT(ran.out, HasSubstr("south-near"));
+    const ResultTable plain = ResultTable::load(folder / "plain/south.csv");
+    const ResultTable drawn = ResultTable::load(folder / "drawn/south.csv");
+    const ResultTable draws = ResultTable::load(folder / "draws-one-south.csv");
+    for (const std::string name : {"near", "far"}) {
+        SCOPED_TRACE(name);
+        const ResultTable bands = ResultTable::load(folder / ("one-south-" + name + ".csv"));
+        ASSERT_EQ(bands.rowCount(), 2u);
+        for (std::size_t row = 0; row < 2; ++row) {
+            // Scales of 1 give the simulation, and draw 0 gives what it draws itself.
+            const double atOne = plain.find(name + ".contrast_intensity")->values[row];
+            EXPECT_NEAR(bands.find("nominal")->values[row] / atOne, 1.0, 1e-6);
+            const double first = drawn.find(name + ".contrast_intensity")->values[row];
+            const std::string key = name + ".contrast_intensity at " + std::to_string(row) + " s";
+            ASSERT_NE(draws.find(key), nullptr) << key;
+            EXPECT_NEAR(draws.find(key)->values[0] / first, 1.0, 1e-4);
+            EXPECT_GT(std::abs(first / atOne - 1.0), 1e-2);
+        }
+    }
+    // Both have their own scales, and together they are the sum.
+    EXPECT_NE(draws.find("scale near temperature 5 (exhaust pipes)"), nullptr);
+    for (std::size_t row = 0; row < 300; ++row) {
+        EXPECT_NEAR(draws.find("near.contrast_intensity at 0 s")->values[row] +
+                        draws.find("far.contrast_intensity at 0 s")->values[row],
+                    draws.find("contrast_intensity at 0 s")->values[row],
+                    1e-4 * std::abs(draws.find("contrast_intensity at 0 s")->values[row]));
+    }
+    montecarlo("4", "four");
+    const auto numbers = [&](const std::string& name) {
+        return ResultTable::load(folder / (name + "-south-near.csv")).columns();
+    };
+    EXPECT_EQ(numbers("one"), numbers("four"));
+    const auto refusal = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"montecarlo", "s.json", "--out", "x.csv"});
+        const Ran refused = smatBatch(more, folder.path());
+        EXPECT_EQ(refused.exitCode, 2);
+        return refused.err;
+    };
+    EXPECT_THAT(refusal({"--ranking"}), HasSubstr("a project in place of a scenario"));
+    EXPECT_THAT(refusal({"--kind", "polar"}), HasSubstr("a project in place of a scenario"));
+    EXPECT_THAT(refusal({"--phases", "2"}), HasSubstr("phases: found 2, expected 1"));
+    EXPECT_THAT(refusal({"--sensor", "north"}), HasSubstr("the name of a sensor: south"));
+    EXPECT_THAT(refusal({"--database", "x.sigdb"}), HasSubstr("a scenario names its own"));
+    EXPECT_THAT(refusal({"--set", "camera.range=9"}), HasSubstr("the scenario says the rest"));
+    EXPECT_THAT(run({"--sensor", "south", "--out", "x.csv"}).err,
+                HasSubstr("a scenario in place of a project"));
+}
+
 TEST_F(SmatBatchMonteCarlo, RepeatsAKindWithTheSettingsOfTheProject) {
     const Ran ran = run({"--kind", "range", "--samples", "64", "--phases", "1", "--set",
                          "range.points=3", "--out", "mc.csv"});

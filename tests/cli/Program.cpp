@@ -26,8 +26,8 @@ struct Pipe {
     }
 };
 
-[[noreturn]] void become(const std::vector<std::string>& arguments,
-                         const std::filesystem::path& folder, const Pipe& out, const Pipe& err) {
+[[noreturn]] void become(std::vector<std::string> words, const std::filesystem::path& folder,
+                         const Pipe& out, const Pipe& err) {
     dup2(out.write, STDOUT_FILENO);
     dup2(err.write, STDERR_FILENO);
     for (const int end : {out.read, out.write, err.read, err.write}) {
@@ -37,13 +37,11 @@ struct Pipe {
         _exit(126);
     }
     std::vector<char*> raw;
-    std::vector<std::string> words = {SMAT_BATCH};
-    words.insert(words.end(), arguments.begin(), arguments.end());
     for (std::string& word : words) {
         raw.push_back(word.data());
     }
     raw.push_back(nullptr);
-    execv(SMAT_BATCH, raw.data());
+    execvp(raw.front(), raw.data());
     _exit(127);
 }
 
@@ -51,10 +49,17 @@ struct Pipe {
 
 Ran smatBatch(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
               const std::string& interruptAfter, int signal) {
+    std::vector<std::string> words = {SMAT_BATCH};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return runProgram(words, folder, interruptAfter, signal);
+}
+
+Ran runProgram(const std::vector<std::string>& words, const std::filesystem::path& folder,
+               const std::string& interruptAfter, int signal) {
     const Pipe out, err;
     const pid_t child = fork();
     if (child == 0) {
-        become(arguments, folder, out, err);
+        become(words, folder, out, err);
     }
     close(out.write);
     close(err.write);

@@ -31,6 +31,10 @@ constexpr bool memoryIsTold() {
 Ran smatBatch(const std::vector<std::string>& arguments, const std::filesystem::path& folder = ".",
               const std::string& interruptAfter = "", int signal = SIGINT);
 
+/// The same of any program, which is words.front().
+Ran runProgram(const std::vector<std::string>& words, const std::filesystem::path& folder = ".",
+               const std::string& interruptAfter = "", int signal = SIGINT);
+
 std::filesystem::path sample(const std::string& name);
 std::string contentOf(const std::filesystem::path& file);
 void write(const std::filesystem::path& file, const std::string& content);

@@ -58,8 +58,9 @@ std::vector<float> pixels(const std::filesystem::path& file) {
 
 TEST(SmatBatchSimulate, WritesTheFramesAndTablesOfTheSample) {
     const TemporaryFolder folder;
-    const Ran ran = smatBatch({"simulate", flyby, "--out", folder / "out", "--from", "5", "--to",
-                               "6", "--format", "exr", "--format", "png", "--json"});
+    const Ran ran =
+        smatBatch({"simulate", flyby, "--out", folder / "out", "--from", "5", "--to", "6",
+                   "--format", "exr", "--format", "png", "--light-error", "0.02", "--json"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
     const auto json = nlohmann::json::parse(ran.out);
     EXPECT_EQ(json["state"], "complete");
@@ -87,7 +88,8 @@ TEST(SmatBatchSimulate, WritesTheFramesAndTablesOfTheSample) {
 TEST(SmatBatchSimulate, TwoSensorsGiveTheImagesOfTwoRunsBitForBit) {
     const TemporaryFolder folder;
     const auto run = [&](const std::string& out, const Words& more) {
-        Words words = {"simulate", flyby, "--out", folder / out, "--from", "6", "--to", "7"};
+        Words words = {"simulate", flyby,  "--out", folder / out,    "--from",
+                       "6",        "--to", "6.5",   "--light-error", "0.02"};
         words.insert(words.end(), more.begin(), more.end());
         const Ran ran = smatBatch(words);
         ASSERT_EQ(ran.exitCode, 0) << ran.err;
@@ -96,7 +98,7 @@ TEST(SmatBatchSimulate, TwoSensorsGiveTheImagesOfTwoRunsBitForBit) {
     run("mwir", {"--sensor", "mwir"});
     run("lwir", {"--sensor", "lwir"});
     for (const std::string name : {"mwir", "lwir"}) {
-        for (const char* frame : {"frame_000012.exr", "frame_000013.exr", "frame_000014.exr"}) {
+        for (const char* frame : {"frame_000012.exr", "frame_000013.exr"}) {
             EXPECT_EQ(pixels(folder / "both" / name / frame), pixels(folder / name / name / frame))
                 << name << " " << frame;
         }

@@ -217,6 +217,40 @@ TEST(SmatBatchParts, AreJoinedToTheBytesOfOneRun) {
     EXPECT_EQ(image.exitCode, 2);
 }
 
+TEST(SmatBatchTargetError, IsChosenAlikeByPartsAndToldInTheResult) {
+    const TemporaryFolder folder;
+    const auto ran = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"polar", sphere, "--step", "60", "--atmosphere", "none",
+                                   "--target-error", "0.5%", "--width", "64", "--height", "64"});
+        const Ran one = smatBatch(more);
+        EXPECT_EQ(one.exitCode, 0) << one.err;
+    };
+    ran({"--out", folder / "one.csv"});
+    EXPECT_THAT(contentOf(folder / "one.csv"), HasSubstr("# answered by: target error 0.5 %: "));
+    EXPECT_FALSE(column(ResultTable::load(folder / "one.csv"), "error_contrast_intensity").empty());
+    const std::string all = folder / "all.csv";
+    ran({"--shard", "1/2", "--out", all});
+    ran({"--shard", "2/2", "--out", all});
+    const Ran merged = smatBatch({"merge", all + ".part1of2", all + ".part2of2", "--out", all});
+    EXPECT_EQ(merged.exitCode, 0) << merged.err;
+    EXPECT_EQ(withoutCommand(all), withoutCommand(folder / "one.csv"));
+}
+
+TEST(SmatBatchAdaptiveSteps, HaveNoParts) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> start = {"range", sphere,    "--points",
+                                            "3",     "--steps", "adaptive"};
+    auto part = start, whole = start;
+    part.insert(part.end(), {"--shard", "1/2", "--out", folder / "a.csv"});
+    const Ran refused = smatBatch(part);
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_THAT(refused.err, HasSubstr("range.steps"));
+    whole.insert(whole.end(), {"--out", folder / "a.csv"});
+    const Ran ran = smatBatch(whole);
+    EXPECT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_THAT(contentOf(folder / "a.csv"), HasSubstr("# answered by: adaptive steps: 3 + "));
+}
+
 TEST(SmatBatchThreads, ChangeNothingButTheTime) {
     const TemporaryFolder folder;
     const auto ran = [&](const std::string& threads) {

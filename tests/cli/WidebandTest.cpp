@@ -8,11 +8,10 @@
 namespace smat::test {
 namespace {
 
-/// Contrast intensities of a range analysis through a model atmosphere, W sr-1.
+/// Contrast intensities of a range analysis through an atmosphere, W sr-1.
 std::vector<double> intensities(const std::string& project, const std::string& band,
-                                const std::string& mode) {
-    const std::string air =
-        sample("../resources/atmospheres/midlatitude-summer-rural-23km.xml").string();
+                                const std::string& mode, const std::string& file) {
+    const std::string air = sample("../resources/atmospheres/" + file).string();
     const TemporaryFolder folder;
     const Ran ran = smatBatch({"range", sample(project).string(), "--from", "500", "--to", "8000",
                                "--points", "4", "--band", band, "--atmosphere", air, "--mode", mode,
@@ -44,13 +43,15 @@ struct WidebandCase {
     const char* name;
     const char* project;
     const char* band;
+    const char* air = "midlatitude-summer-rural-23km.xml";
 };
 
 class SmatBatchWideband : public testing::TestWithParam<WidebandCase> {};
 
 TEST_P(SmatBatchWideband, GivesTheIntensitiesOfTheSpectralMode) {
-    const auto spectral = intensities(GetParam().project, GetParam().band, "spectral");
-    const auto wideband = intensities(GetParam().project, GetParam().band, "ck");
+    const auto spectral =
+        intensities(GetParam().project, GetParam().band, "spectral", GetParam().air);
+    const auto wideband = intensities(GetParam().project, GetParam().band, "ck", GetParam().air);
     ASSERT_EQ(spectral.size(), 4u);
     ASSERT_EQ(wideband.size(), 4u);
     for (std::size_t i = 0; i < spectral.size(); ++i) {
@@ -58,11 +59,12 @@ TEST_P(SmatBatchWideband, GivesTheIntensitiesOfTheSpectralMode) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SmatBatchWideband,
-                         testing::Values(WidebandCase{"SphereInMidWave", "sphere/sphere.smat",
-                                                      "3.2-4.8"},
-                                         WidebandCase{"BoxInLongWave", "box/box.smat", "8-12"}),
-                         [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, SmatBatchWideband,
+    testing::Values(WidebandCase{"SphereInMidWave", "sphere/sphere.smat", "3.2-4.8"},
+                    WidebandCase{"BoxInLongWave", "box/box.smat", "8-12"},
+                    WidebandCase{"SphereInHaze", "sphere/sphere.smat", "3.2-4.8", "haze-23km.csv"}),
+    [](const auto& info) { return std::string(info.param.name); });
 
 TEST(SmatBatchComputedAir, IsSeenStraightDownAndStraightUp) {
     const std::string air =

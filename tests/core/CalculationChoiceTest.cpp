@@ -4,6 +4,8 @@
 
 #include "irsg/atmosphere/AtmosphereSmart.h"
 #include "irsg/atmosphere/BeerLambert.h"
+#include "irsg/atmosphere/SpectraAtmosphere.h"
+#include "irsg/atmosphere/TabulatedAtmosphere.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "smatcore/analysis/CalculationChoice.h"
 #include "tests/support/TemporaryFolder.h"
@@ -33,14 +35,14 @@ AnalysisPlan ranges(std::size_t count) {
 }
 
 TEST(CalculationChoices, AreSpectralUntilLinesOfSightPayForTraining) {
-    const CalculationChoice few = chooseCalculation(computedAir(), ranges(399));
+    const CalculationChoice few = chooseCalculation(computedAir(), ranges(199));
     EXPECT_EQ(few.mode, CalculationMode::spectral);
     EXPECT_EQ(few.reason,
-              "mode auto: spectral, as training wideband-ck pays from 400 different lines of "
-              "sight on, not for 399");
-    const CalculationChoice many = chooseCalculation(computedAir(), ranges(400));
+              "mode auto: spectral, as training wideband-ck pays from 200 different lines of "
+              "sight on, not for 199");
+    const CalculationChoice many = chooseCalculation(computedAir(), ranges(200));
     EXPECT_EQ(many.mode, CalculationMode::wideband);
-    EXPECT_THAT(many.reason, HasSubstr("400 different lines of sight pay"));
+    EXPECT_THAT(many.reason, HasSubstr("200 different lines of sight pay"));
 }
 
 TEST(CalculationChoices, CountALineOfSightOnceHoweverManyAspectsShareIt) {
@@ -73,13 +75,51 @@ TEST(CalculationChoices, AreNoneWhereOtherAirAnswersInEitherMode) {
 
     SceneDescription scene;
     scene.sensor.band = irsg::Band::topHat(9.9, 10.1);
-    scene.environment.add(std::make_shared<irsg::BeerLambert>(
-        irsg::BeerLambert::fromCsv(SMAT_SOURCE_DIR "/resources/atmospheres/haze-23km.csv")));
+    irsg::SpectraAtmosphereParameters known;
+    known.spectra[irsg::AtmosphereProperty::transmittance] =
+        irsg::Spectrum({9.0, 11.0}, {0.9, 0.8});
+    known.path = irsg::AtmosphericPath{0.0, 0.0, 1000.0};
+    scene.environment.add(std::make_shared<irsg::SpectraAtmosphere>(known));
     EXPECT_EQ(chooseCalculation(scene, many).reason, "") << "air without wideband-ck";
     scene.environment.add(computedAir().environment.atmospheres().front());
     const CalculationChoice mixed = chooseCalculation(scene, many);
-    EXPECT_EQ(mixed.mode, CalculationMode::spectral) << "the haze answers in the spectral mode";
+    EXPECT_EQ(mixed.mode, CalculationMode::spectral) << "other air answers in the spectral mode";
     EXPECT_EQ(mixed.reason, "");
+}
+
+TEST(CalculationChoices, PayFromThreeLinesOfSightOnInAirOfAFile) {
+    SceneDescription scene;
+    scene.sensor.band = irsg::Band::topHat(9.9, 10.1);
+    scene.environment.add(std::make_shared<irsg::BeerLambert>(
+        irsg::BeerLambert::fromCsv(SMAT_SOURCE_DIR "/resources/atmospheres/haze-23km.csv")));
+    EXPECT_EQ(chooseCalculation(scene, ranges(2)).mode, CalculationMode::spectral);
+    EXPECT_EQ(chooseCalculation(scene, ranges(3)).mode, CalculationMode::wideband);
+    scene.environment.add(computedAir().environment.atmospheres().front());
+    EXPECT_EQ(chooseCalculation(scene, ranges(3)).mode, CalculationMode::wideband)
+        << "which answers all, too, and last";
+}
+
+/// Runs have no diffuse fluxes: the mode is there for scenes that ask for none.
+TEST(CalculationChoices, AreThereForRunsWhereNothingIsAskedThatTheyLack) {
+    irsg::SpectralRun run;
+    run.source = "run";
+    run.kind = irsg::RunKind::thermalRadiance;
+    run.geometry = {irsg::RunPath::horizontal, 0.0, 0.0, 5000.0, 0.0, {}};
+    for (double nu = 980.0; nu < 1020.0; nu += 1.0) {
+        run.wavenumbers_per_cm.push_back(nu);
+        run.transmittance.push_back(0.6);
+        run.pathRadiance_W_m2_sr_um.push_back(2.0);
+        run.totalRadiance_W_m2_sr_um.push_back(4.0);
+    }
+    SceneDescription scene;
+    scene.sensor.band = irsg::Band::topHat(9.9, 10.1);
+    scene.environment.add(
+        std::make_shared<irsg::TabulatedAtmosphere>(std::vector<irsg::SpectralRun>{run}, "runs"));
+    EXPECT_EQ(chooseCalculation(scene, ranges(50)).reason, "");
+    scene.render.fluxes = irsg::ReflectionMode::off;
+    scene.render.sun = irsg::ReflectionMode::off;
+    scene.render.background = irsg::BackgroundMode::none;
+    EXPECT_EQ(chooseCalculation(scene, ranges(50)).mode, CalculationMode::wideband);
 }
 
 TEST(CalculationChoices, AreNoneForAirThatLacksWhatTheWidebandModeWouldRefuse) {

@@ -227,6 +227,42 @@ TEST_F(MonteCarloTest, DrawsWhatLoadingTheDatabaseDraws) {
     EXPECT_EQ(target.temperatureScale.count(3), 0u);
 }
 
+TEST_F(MonteCarloTest, ExportsEachDrawWithItsScalesAndWhatCameOfThem) {
+    data.analysis.settings.set("scaling.seed", "7");
+    for (const DrawSequence sequence : {DrawSequence::plain, DrawSequence::sobol}) {
+        data.options.sequence = sequence;
+        run();
+        const ResultTable table = drawsTable(data);
+        ASSERT_EQ(table.rowCount(), 512u);
+        EXPECT_EQ(table.provenance, data.analysis.table.provenance);
+        const auto column = [&](const std::string& key) {
+            const ResultColumn* found = table.find(key);
+            EXPECT_NE(found, nullptr) << key;
+            return found == nullptr ? std::vector<double>(512) : found->values;
+        };
+        const auto t1 = column("scale temperature 1 (skin)");
+        const auto t2 = column("scale temperature 2 (pipe)");
+        const auto e1 = column("scale emissivity 1 (paint)");
+        const auto ahead = column("contrast_intensity at 0 deg");
+        const auto aside = column("contrast_intensity at 90 deg");
+        EXPECT_EQ(table.find("contrast_intensity at 90 deg")->unit, "W sr-1");
+        for (std::size_t k = 0; k < 512; ++k) {
+            EXPECT_EQ(column("draw")[k], static_cast<double>(k));
+            EXPECT_NEAR(ahead[k], LinearView::at(1.0, t1[k], t2[k], e1[k]), 1e-9);
+            EXPECT_NEAR(aside[k], LinearView::at(0.0, t1[k], t2[k], e1[k]), 1e-9);
+        }
+        EXPECT_NEAR(meanOf(aside), data.analysis.table.find("mean")->values[1], 1e-9);
+
+        // Of a run that was read back: the same scales, the quantities as it keeps them.
+        const auto file = ownFolder() / "kept.json";
+        saveMonteCarlo(data, file);
+        const ResultTable again = drawsTable(loadMonteCarlo(file, drawsImage(data)));
+        EXPECT_EQ(again.find("scale temperature 2 (pipe)")->values, t2);
+        EXPECT_NEAR(again.find("contrast_intensity at 90 deg")->values[3], aside[3], 1e-4);
+    }
+    EXPECT_THROW(drawsTable(MonteCarloData()), irsg::LogicError);
+}
+
 TEST_F(MonteCarloTest, StopsAtAStandardErrorAndSaysWhereItDidNotReachIt) {
     data.options.samples = 100000;
     data.options.standardError = 1e-5;

@@ -31,6 +31,7 @@ Project fullProject() {
     target.database = "../common/ship.sigdb";
     target.options.placing.nose = irsg::ModelAxis::minusX;
     target.options.forceTwoSided = true;
+    target.options.cutsTextureAlpha = true;
     target.referencePoint_m = irsg::Vec3{1, 2, 3};
     target.fallbackTemperature = 0;
     target.fallbackMaterial = -4;

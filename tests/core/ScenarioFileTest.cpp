@@ -32,19 +32,20 @@ Scenario fullScenario() {
     scenario.end_s = 2.0;
     scenario.settings.set("environment.atmospheres", "air.csv");
     scenario.settings.set("render.sun", "off");
-    ScenarioEntity transport{
-        .name = "transport",
-        .model = "../models/transport.flt",
-        .database = "/far/away/transport.sigdb",
-        .options = {.placing = {.nose = irsg::ModelAxis::minusX}, .forceTwoSided = true},
-        .referencePoint_m = irsg::Vec3{1, 2, 3},
-        .fallbackTemperature = 4,
-        .fallbackMaterial = -5,
-        .trajectory = "transport.csv",
-        .hold = true,
-        .timeOffset_s = 0.5,
-        .power = 0.7,
-        .mach = 0.4};
+    ScenarioEntity transport{.name = "transport",
+                             .model = "../models/transport.flt",
+                             .database = "/far/away/transport.sigdb",
+                             .options = {.placing = {.nose = irsg::ModelAxis::minusX},
+                                         .forceTwoSided = true,
+                                         .cutsTextureAlpha = true},
+                             .referencePoint_m = irsg::Vec3{1, 2, 3},
+                             .fallbackTemperature = 4,
+                             .fallbackMaterial = -5,
+                             .trajectory = "transport.csv",
+                             .hold = true,
+                             .timeOffset_s = 0.5,
+                             .power = 0.7,
+                             .mach = 0.4};
     ScenarioEntity tower{.name = "tower",
                          .model = "tower.flt",
                          .database = "tower.sigdb",

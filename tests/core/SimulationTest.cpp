@@ -6,6 +6,7 @@
 #include "irsg/image/ExrFile.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/signature/ScalingXml.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/simulate/FrameFiles.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
@@ -413,6 +414,68 @@ TEST_F(ASimulation, WritesTheSettingsOfASensorAsAnImagingSensorFile) {
         EXPECT_EQ(reading.parameters.calculationMode, 2.0);
         EXPECT_EQ(reading.remarks.size(), sensor) << "what else stood in its own file is kept";
     }
+}
+
+/// Scaling files beside model.flt: temperature 0 and emissivity 0 of the database.
+void writeScales(const std::filesystem::path& folder) {
+    using irsg::ScalingKind;
+    const std::filesystem::path model = folder / "model.flt";
+    writeTextFile(irsg::scalingFile(model, ScalingKind::temperature),
+                  irsg::scalingXml({{0, {{irsg::DistributionKind::normal, 0.9, 1.1}, ""}}}));
+    writeTextFile(irsg::scalingFile(model, ScalingKind::emissivity),
+                  irsg::scalingXml({{0, {{irsg::DistributionKind::uniform, 0.75, 0.75}, ""}}}));
+}
+
+TEST_F(ASimulation, DrawsTheSunsDiscAndAppliesScalingFilesUnlessItIsToldNotTo) {
+    EXPECT_TRUE(load().sensors[0].scene.render.sunDisc);
+    EXPECT_FALSE(load().sensors[0].settings[key::scalingUse]) << "there are no files";
+    scenario.sensors[1].settings.set("render.sunDisc", "false");
+    scenario.sensors[1].settings.set("scaling.use", "false");
+    writeScales(folder.path());
+    const LoadedScenario loaded = load();
+    EXPECT_TRUE(loaded.sensors[0].scene.render.sunDisc);
+    EXPECT_FALSE(loaded.sensors[1].scene.render.sunDisc);
+    // Each entity of one model has draws of its own, those of any other sensor.
+    const auto& scaled = loaded.sensors[0].scene.entities;
+    const double drawn = scaled[0].temperatureScale.at(0);
+    EXPECT_GT(drawn, 0.9);
+    EXPECT_LT(drawn, 1.1);
+    EXPECT_NE(drawn, scaled[1].temperatureScale.at(0));
+    EXPECT_EQ(scaled[0].emissivityScale.at(0), 0.75);
+    EXPECT_TRUE(loaded.sensors[1].scene.entities[0].temperatureScale.empty());
+    EXPECT_EQ(load().sensors[0].scene.entities[0].temperatureScale.at(0), drawn);
+    scenario.settings.set("scaling.seed", "2");
+    EXPECT_NE(load().sensors[0].scene.entities[0].temperatureScale.at(0), drawn);
+    Settings without;
+    without.set("scaling.use", "false");
+    EXPECT_TRUE(load(without).sensors[0].scene.entities[0].temperatureScale.empty());
+}
+
+TEST_F(ASimulation, RefusesScalingsThatAreAskedForAndAbsent) {
+    scenario.settings.set("scaling.use", "true");
+    EXPECT_THAT(refusal(), HasSubstr("model(temperaturesScalings).xml: found no such file"));
+}
+
+TEST_F(ASimulation, FramesAndTablesSayWhatWasDrawn) {
+    writeScales(folder.path());
+    const LoadedScenario loaded = load();
+    const double value = loaded.sensors[1].scene.entities[1].temperatureScale.at(0);
+    NotingSource source;
+    SimulationResult result;
+    const FrameFiles files(loaded, folder / "out", {".exr"}, "");
+    files.makeFolders({0, 1});
+    writeSimulation(loaded, planSimulation(scenario, {}), files, source, result);
+    const std::string ofTower =
+        "tower temperature 0 (skin): " + irsg::numberText(value) + ", normal, 0.9 to 1.1";
+    const auto attributes = irsg::readExr(folder / "out/deck/frame_000001.exr").attributes;
+    EXPECT_THAT(attributes.at("drawn scale"), HasSubstr(ofTower));
+    EXPECT_THAT(attributes.at("drawn scale"), HasSubstr("tower emissivity 0 (paint): 0.75"));
+    EXPECT_EQ(attributes.at("scaling.seed"), "1");
+    EXPECT_EQ(attributes.at("scaling.use"), "true");
+    const Provenance table = ResultTable::load(folder / "out/deck.csv").provenance;
+    EXPECT_THAT(table.entries,
+                Contains(std::pair<std::string, std::string>("drawn scale", ofTower)));
+    EXPECT_EQ(table.value("scaling.seed"), "1");
 }
 
 } // namespace

@@ -90,6 +90,83 @@ TEST(SweepTable, HasTheColumnsOfOneObjectInOneBandWithoutObjectOrBand) {
                             "irradiance [W m-2]", "pixels"));
 }
 
+/// A sphere whose numbers are known to 1, 2 and 2 % by cause.
+class Uncertain : public GreySphere {
+  public:
+    std::function<Reports()> beginMeasure(const Measure& wanted) override {
+        asked = wanted.errors;
+        Reports reports = measure(wanted.bands);
+        for (irsg::RenderReport& report : reports) {
+            if (wanted.errors) {
+                report.all.errors = errorsOf(report.all);
+            }
+        }
+        return [reports] { return reports; };
+    }
+    irsg::RenderedImage renderWithErrors() override {
+        irsg::RenderedImage rendered = render();
+        rendered.report.all.errors = errorsOf(rendered.report.all);
+        return rendered;
+    }
+    bool asked = false;
+
+  private:
+    static irsg::RadiometryErrors errorsOf(const irsg::ObjectRadiometry& sums) {
+        const irsg::ErrorParts one{0.01, 0.02, 0.02};
+        return {one.times(sums.intensity_W_sr), one.times(sums.contrastIntensity_W_sr),
+                one.times(sums.irradiance_W_m2)};
+    }
+};
+
+TEST(SweepTable, HasTheErrorsOfItsNumbersBehindThemWhereTheyAreAskedFor) {
+    for (const char* errors : {"off", "sum", "causes"}) {
+        Uncertain sphere;
+        AnalysisData data =
+            asked(AnalysisKind::range,
+                  {{"range.points", "2"}, {"render.errors", errors}, {"sensor.band", "3-5,8-12"}});
+        AnalysisGenerator(sphere, test::sceneWithoutFiles).run(data);
+        const bool isAsked = errors != std::string("off");
+        EXPECT_EQ(sphere.asked, isAsked);
+        EXPECT_EQ(data.table.columns().size(),
+                  isAsked ? (errors == std::string("sum") ? 15u : 33u) : 9u);
+        if (!isAsked) {
+            continue;
+        }
+        for (const char* quantity : {"intensity@8-12um", "irradiance@3-5um"}) {
+            const ResultColumn* error = data.table.find(std::string("error_") + quantity);
+            ASSERT_NE(error, nullptr);
+            EXPECT_EQ(error->unit, data.table.find(quantity)->unit);
+            EXPECT_NEAR(error->values[1], 0.03 * column(data, quantity)[1],
+                        1e-12 * column(data, quantity)[1]);
+        }
+        if (errors == std::string("causes")) {
+            EXPECT_NEAR(column(data, "error_background_contrast_intensity@3-5um")[0],
+                        0.02 * column(data, "contrast_intensity@3-5um")[0], 1e-9);
+            EXPECT_NEAR(column(data, "error_sampling_intensity@3-5um")[0],
+                        0.01 * column(data, "intensity@3-5um")[0], 1e-9);
+        }
+    }
+}
+
+TEST(SweepTable, SaysThatASourceDoesNotKnowItsErrors) {
+    GreySphere sphere;
+    AnalysisData data =
+        asked(AnalysisKind::range, {{"range.points", "2"}, {"render.errors", "sum"}});
+    AnalysisGenerator(sphere, test::sceneWithoutFiles).run(data);
+    EXPECT_TRUE(std::isnan(column(data, "error_intensity")[0]));
+}
+
+TEST(SweepTable, ErrorsOfAnImageAreItsAttributesByCause) {
+    Uncertain sphere;
+    AnalysisData data = asked(AnalysisKind::image, {{"render.errors", "sum"}});
+    AnalysisGenerator(sphere, test::sceneWithoutFiles).run(data);
+    const auto number = [&](const char* key) { return std::stod(data.image.attributes.at(key)); };
+    EXPECT_NEAR(number("error_intensity_W_sr"), 0.03 * column(data, "intensity")[0], 1e-6);
+    EXPECT_NEAR(number("error_sampling_irradiance_W_m2") / column(data, "irradiance")[0], 0.01,
+                1e-8);
+    EXPECT_NEAR(column(data, "error_intensity")[0], number("error_intensity_W_sr"), 1e-6);
+}
+
 TEST(SweepTable, BandsThatMeetAddToTheBandOfBoth) {
     for (const AnalysisKind kind : {AnalysisKind::polar, AnalysisKind::range, AnalysisKind::time}) {
         GreySphere sphere;
@@ -264,6 +341,15 @@ TEST(ColumnName, IsReadAndWritten) {
     }
     EXPECT_EQ(ColumnName::of("near.intensity@3-5um").which(), "near, 3-5 um");
     EXPECT_EQ(ColumnName::of("near.intensity@3-5um").series(), "intensity");
+}
+
+TEST(ColumnName, TellsTheErrorOfACauseFromTheirSum) {
+    const ColumnName name = ColumnName::of("error_air_near.contrast_intensity@3-5um");
+    EXPECT_EQ(name, (ColumnName{"error_air_", "near", "contrast_intensity", "3-5um"}));
+    EXPECT_EQ(name.key(), "error_air_near.contrast_intensity@3-5um");
+    EXPECT_EQ(ColumnName::of("error_intensity").prefix, "error_");
+    EXPECT_EQ((ResultColumn{"error_sampling_intensity", "W sr-1", {}}).axisTitle(),
+              "Error by sampling of intensity (W·sr⁻¹)");
 }
 
 TEST(ColumnName, LabelsAreDistinctAndFitIntoAHeader) {

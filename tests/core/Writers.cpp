@@ -12,6 +12,7 @@
 #include "irsg/scene/model/Model.h"
 #include "irsg/scene/model/ModelConverter.h"
 #include "irsg/signature/MaterialCsv.h"
+#include "irsg/signature/ReflectanceCsv.h"
 #include "irsg/signature/ScalingXml.h"
 #include "irsg/signature/SignatureFile.h"
 #include "irsg/signature/SpectrumCsv.h"
@@ -19,6 +20,7 @@
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
 #include "smatcore/simulate/ScenarioFile.h"
+#include "smatcore/tables/TableFormats.h"
 #ifdef SMAT_HAS_SCATTERING
 #include "irsg/scattering/FinishedBatches.h"
 #include "irsg/scattering/MtfDatabase.h"
@@ -71,6 +73,16 @@ ResultTable table(bool second) {
     ResultTable made;
     made.add(irsg::Quantity::range);
     made.addRow({second ? 2.0 : 1.0});
+    return made;
+}
+
+/// Over directions.
+ResultTable signatureTable(bool second) {
+    ResultTable made;
+    made.add(irsg::Quantity::azimuth);
+    made.add(irsg::Quantity::elevation);
+    made.add(irsg::Quantity::contrastIntensity);
+    made.addRow({0.0, 0.0, second ? 2.0 : 1.0});
     return made;
 }
 
@@ -191,6 +203,12 @@ const std::vector<Writer>& otherWriters() {
              irsg::writeMaterialCsv(material, file);
          },
          bytesOf},
+        {"ReflectanceTable", "a.csv",
+         [](const fs::path& file, bool second) {
+             irsg::writeReflectanceCsv(
+                 {false, {4.0}, {{0, 0, 0, {second ? 0.9 : 0.8}}, {90, 0, 0, {1.0}}}}, file);
+         },
+         bytesOf},
         {"ScalingFile",
          "a(temperaturesScalings).xml",
          [](const fs::path& file, bool) {
@@ -199,6 +217,12 @@ const std::vector<Writer>& otherWriters() {
          bytesOf,
          false,
          {"a(emissivitiesScalings).xml"}},
+#ifdef SMAT_HAS_TABLES
+        // .mat is written in the same way, after some hundred calls that fill a file in memory.
+        {"NetCdfTable", "a.nc",
+         [](const fs::path& file, bool second) { saveTable(signatureTable(second), file); },
+         bytesOf},
+#endif
 #ifdef SMAT_HAS_SCATTERING
         {"FinishedBatches", "a.mtf.part",
          [](const fs::path& file, bool second) {

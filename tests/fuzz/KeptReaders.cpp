@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include "irsg/atmosphere/ck/CkNodes.h"
 #include "irsg/atmosphere/ck/CkStore.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/radiometry/Errors.h"
@@ -43,7 +44,8 @@ std::string widebandText() {
 }
 
 void readWidebandText(File file) {
-    const auto terms = irsg::SensorCkData::fromKept(air(), narrowBand(), irsg::readFile(file));
+    const auto terms = irsg::SensorCkData::fromKept(irsg::CkNodes(air(), narrowBand()),
+                                                    narrowBand(), irsg::readFile(file));
     if (!terms) { // trained anew, without a word
         throw irsg::InputError({file.string(), "", "no terms", "terms that were kept"});
     }

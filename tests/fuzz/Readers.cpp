@@ -33,6 +33,7 @@
 #include "irsg/scene/model/FlightScanner.h"
 #include "irsg/scene/model/Model.h"
 #include "irsg/signature/MaterialCsv.h"
+#include "irsg/signature/ReflectanceCsv.h"
 #include "irsg/signature/ScalingXml.h"
 #include "irsg/signature/SignatureFile.h"
 #include "irsg/signature/SpectrumCsv.h"
@@ -111,7 +112,19 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
              irsg::readMaterialCsv(f, into);
          },
          {},
-         {"um,emissivity\n3,0.9\n5,0.8\n"}},
+         {"um,emissivity\n3,0.9\n5,0.8\n", "um,n,k\n3,1.5,0.1\n5,2,0.2\n",
+          "wl,n\n3,4\n5,5\n\nwl,k\n3,29\n5,40\n"}},
+        {"reflectance-table",
+         ".csv",
+         [](File f) { irsg::readReflectanceTable(f); },
+         {},
+         {"incidence_deg,3.4,10.6\n0,0.2,0.3\n60,0.3,0.4\n",
+          "incidence_deg,reflection_deg,azimuth_deg,4\n0,0,0,0.1\n0,0,180,0.1\n0,60,0,0.1\n"
+          "0,60,180,0.2\n",
+          "Source Measured\nSymmetry PlaneSymmetrical\nSpectralContent Monochrome\nScatterType "
+          "BRDF\nSampleRotation 1\n0\nAngleOfIncidence 1\n0\nScatterAzimuth 2\n0 180\n"
+          "ScatterRadial 2\n0 90\nMonochrome\nDataBegin\nTIS 0.5\n0.3 0.1\n0.3 0.1\n"
+          "DataEnd\n"}},
         {"band-csv",
          ".csv",
          [](File f) { irsg::Band::fromCsv(f); },

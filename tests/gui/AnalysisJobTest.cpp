@@ -4,7 +4,7 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
-#include "gui/Workbench.h"
+#include "gui/workbench/Workbench.h"
 #include "tests/gui/GatedSource.h"
 #include "tests/gui/GuiEnvironment.h"
 #include "tests/gui/SampleProject.h"

@@ -8,9 +8,9 @@
 #include <QSignalSpy>
 #include <gtest/gtest.h>
 
-#include "gui/Workbench.h"
 #include "gui/tools/AirToolPage.h"
 #include "gui/widgets/BackgroundPool.h"
+#include "gui/workbench/Workbench.h"
 #include "irsg/radiometry/Errors.h"
 #include "tests/gui/GuiEnvironment.h"
 #include "tests/gui/SampleProject.h"

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fstream>
 
 #include <QApplication>
@@ -14,11 +15,13 @@
 #include "gui/database/CopyEntriesDialog.h"
 #include "gui/database/DatabaseBanner.h"
 #include "gui/database/FindingsPanel.h"
+#include "gui/database/LitBallView.h"
 #include "gui/project/SceneTreeDock.h"
 #include "gui/widgets/Theme.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/MaterialLibrary.h"
 #include "irsg/signature/ScalingXml.h"
+#include "irsg/signature/SurfaceModel.h"
 #include "smatcore/analysis/ProjectLint.h"
 #include "tests/gui/DatabaseFixture.h"
 
@@ -64,6 +67,8 @@ TEST_F(DatabaseEditorTest, EveryTabInBothThemes) {
         keep("transmissivity" + ending);
         chooseTab("materialTabs", "N angle factor");
         keep("angle" + ending);
+        chooseTab("materialTabs", "Surface");
+        keep("surface" + ending);
         chooseTab("materialTabs", "Notes");
         keep("notes" + ending);
         dock().select({EntryKind::temperature, 2});
@@ -100,6 +105,64 @@ TEST_F(DatabaseEditorTest, EveryTabInBothThemes) {
     applyTheme(*qApp, ThemeMode::light);
     EXPECT_FALSE(session().isDirty()) << "looking changes nothing";
     EXPECT_FALSE(workbench.undoStack().canUndo());
+}
+
+TEST_F(DatabaseEditorTest, ChoosesHowAMaterialReflectsInStepsThatAreUndone) {
+    const irsg::Material before = session().value().materials.at(1);
+    dock().select({EntryKind::material, 1});
+    chooseTab("materialTabs", "Surface");
+    auto* model = find<QComboBox>("surfaceModel");
+    EXPECT_EQ(model->currentIndex(), 0);
+    EXPECT_FALSE(find<QWidget>("roughness")->isVisible()) << "Lambertian surfaces have none";
+    const QImage lambertian = find<LitBallView>("litBall")->picture();
+    EXPECT_FALSE(lambertian.isNull());
+
+    model->setCurrentIndex(model->findData("ggx"));
+    emit model->activated(model->currentIndex());
+    EXPECT_EQ(session().value().materials.at(1).surfaceModel, "ggx");
+    EXPECT_TRUE(find<QWidget>("roughness")->isVisible());
+    EXPECT_FALSE(find<QWidget>("grazingFactor")->isVisible());
+    const QImage rough = find<LitBallView>("litBall")->picture();
+    EXPECT_NE(rough, lambertian);
+    type("roughness", "0.15");
+    EXPECT_EQ(session().value().materials.at(1).roughness, 0.15);
+    EXPECT_NE(find<LitBallView>("litBall")->picture(), rough) << "it follows as one types";
+    test::keepScreenshot(*window, "editor-surface-ggx");
+
+    workbench.undoStack().undo();
+    EXPECT_EQ(session().value().materials.at(1).roughness, before.roughness);
+    workbench.undoStack().undo();
+    EXPECT_EQ(session().value().materials.at(1), before);
+    EXPECT_EQ(model->currentIndex(), 0);
+}
+
+TEST_F(DatabaseEditorTest, ShowsEveryModelWithTheNumbersThatItTakes) {
+    dock().select({EntryKind::material, 1});
+    chooseTab("materialTabs", "Surface");
+    auto* model = find<QComboBox>("surfaceModel");
+    for (const ThemeMode mode : {ThemeMode::light, ThemeMode::dark}) {
+        applyTheme(*qApp, mode);
+        for (const std::string& name : irsg::SurfaceModel::names()) {
+            model->setCurrentIndex(model->findData(QString::fromStdString(name)));
+            ASSERT_GT(model->currentIndex(), 0) << name;
+            emit model->activated(model->currentIndex());
+            EXPECT_EQ(session().value().materials.at(1).surfaceModel, name);
+            const auto& taken = irsg::SurfaceModel::fieldsOf(name);
+            for (const char* key :
+                 {"roughness", "grazingFactor", "shadowTau_deg", "shadowOmega_deg"}) {
+                EXPECT_EQ(find<QWidget>(key)->isVisible(),
+                          std::ranges::find(taken, std::string(key)) != taken.end())
+                    << name << " " << key;
+            }
+            // What lacks n and k or a table has no ball.
+            EXPECT_EQ(find<LitBallView>("litBall")->picture().isNull(),
+                      name == "shellTarget" || name == "tabulated")
+                << name;
+            test::keepScreenshot(*window, "editor-surface-" + name +
+                                              (mode == ThemeMode::dark ? "-dark" : "-light"));
+        }
+    }
+    applyTheme(*qApp, ThemeMode::light);
 }
 
 TEST_F(DatabaseEditorTest, AddsDuplicatesRenumbersAndDeletesWithALookAtTheFaces) {
@@ -165,7 +228,7 @@ TEST_F(DatabaseEditorTest, AddsDuplicatesRenumbersAndDeletesWithALookAtTheFaces)
     EXPECT_EQ(session().value(), edited);
 }
 
-TEST_F(DatabaseEditorTest, SelectsWithViewAndTreeAndLeavesOtherModelsAlone) {
+TEST_F(DatabaseEditorTest, SelectsWithViewAndTreeAndFollowsTheModelThatIsMeant) {
     Project project = workbench.editedProject();
     const auto box = std::filesystem::path(SMAT_SOURCE_DIR) / "samples/box";
     project.models.push_back(project.models.front());
@@ -210,16 +273,19 @@ TEST_F(DatabaseEditorTest, SelectsWithViewAndTreeAndLeavesOtherModelsAlone) {
     };
     EXPECT_EQ(modelInTree(), 0);
     emit view.facePicked(2, 1, 1, {});
-    EXPECT_EQ(*dock().current(), material(4)) << "the database of another model is not edited here";
+    EXPECT_EQ(*dock().current(), material(1)) << "of the database of that model";
+    EXPECT_EQ(session().file(), box / "box.sigdb");
     EXPECT_EQ(view.highlighted(), (FaceSelection{2, 1, 1}));
     EXPECT_EQ(modelInTree(), 1);
 
-    // The tree selects in the editor, Enter brings it to the front; of another model it only marks.
+    // The tree selects in the editor, which goes to the model's database; Enter brings it to the
+    // front.
     emit tree->indexSelected(IndexKind::material, 3, 0);
     EXPECT_EQ(*dock().current(), material(3));
     EXPECT_EQ(view.highlighted(), (FaceSelection{{}, 3, 0}));
     emit tree->indexSelected(IndexKind::material, 1, 1);
-    EXPECT_EQ(*dock().current(), material(3));
+    EXPECT_EQ(*dock().current(), material(1));
+    EXPECT_EQ(session().file(), box / "box.sigdb");
     EXPECT_EQ(view.highlighted(), (FaceSelection{{}, 1, 1}));
     window->findChild<QDockWidget*>("resultsDock")->raise();
     QTest::qWait(50);

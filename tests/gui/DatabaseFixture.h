@@ -30,6 +30,7 @@ class DatabaseFixture : public WindowFixture {
                           fs::copy_options::overwrite_existing);
         }
         Project project = projectOfModel(folder / (sample + ".flt"));
+        project.settings.set("render.lightError", "0.02");
         for (const auto& [key, value] : settings) {
             project.settings.set(key, value);
         }

@@ -220,6 +220,21 @@ TEST_F(DatabasePictureTest, EachFactorOfAUserDefinedSpectrum) {
     EXPECT_NEAR(middlePixel(), 2.0 * 1.5 * co2 + h2o, tolerance * 20.0) << "angle, 8 degrees";
     test::keepScreenshot(*window, "database-factors");
 
+    // Both are kept, one counts.
+    auto* selection = find<QComboBox>("factorSelection", factors);
+    selection->setFocus();
+    QTest::keyClick(selection, Qt::Key_Down);
+    EXPECT_NEAR(middlePixel(), 0.5 * co2 + h2o, tolerance * 8.0) << "the constant alone";
+    EXPECT_EQ(workbench.undoStack().undoText(), "Set selection of CO2 of temperature 1");
+    EXPECT_TRUE(find<QTreeWidget>("components", factors)
+                    ->topLevelItem(0)
+                    ->text(2)
+                    .endsWith("loop, not used"));
+    test::keepScreenshot(*window, "database-factors-constant");
+    workbench.undoStack().undo();
+    EXPECT_EQ(selection->currentText(), "Tables");
+    EXPECT_NEAR(middlePixel(), 2.0 * 1.5 * co2 + h2o, tolerance * 20.0) << "tables again";
+
     // Tables of a file, for both components at once; a component that is not there is refused.
     std::ofstream(folder / "angles.csv") << ",CO2,H2O\n0,0,1\n16,2,1\n180,2,1\n";
     chosen = QString::fromStdString((folder / "angles.csv").string());

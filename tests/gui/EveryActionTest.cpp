@@ -209,9 +209,14 @@ TEST_F(EveryActionTest, NoEntryOfTheMenusIsDead) {
     dead.removeIf([&](const QString& path) { return !ran.contains(path); });
     EXPECT_TRUE(dead.isEmpty()) << dead.join('\n').toStdString();
 
+    // These have something to do where there are several models (SeveralModelsTest and
+    // PlacedModelsTest do it).
+    const QStringList ofSeveral{
+        "Edit > Make the chosen model the target", "Edit > Remove the chosen model from the scene",
+        "View > Fit the chosen model in the view", "View > Show the whole scene"};
     QStringList never;
     for (const QString& path : seen) {
-        if (!chosenEntries.contains(path) && path != "File > Quit" &&
+        if (!chosenEntries.contains(path) && path != "File > Quit" && !ofSeveral.contains(path) &&
             path != "File > Open recent > No files yet") {
             never << path;
         }

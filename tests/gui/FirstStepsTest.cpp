@@ -40,7 +40,8 @@ TEST_F(FirstStepsTest, PaintAnAircraftHeatItsEnginesAndSeeIt) {
     const auto file = folder / "mine.sigdb";
     chosen = QString::fromStdString(file.string());
     find<QPushButton>("newDatabase")->click();
-    ASSERT_TRUE(session().isOpen()) << told.join('\n').toStdString();
+    ASSERT_TRUE(test::waitUntil([&] { return session().isOpen(); }))
+        << told.join('\n').toStdString();
     EXPECT_TRUE(session().isDirty());
     EXPECT_GE(session().value().materials.size(), 4U);
     runAnalysis("image");

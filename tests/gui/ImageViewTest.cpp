@@ -85,10 +85,11 @@ void setMode(ImageView& view, LimitMode mode) {
 }
 
 TEST_F(ImageViewTest, ALargeImageIsColouredInAnotherThreadWhileTheOldPictureStays) {
+    // In bars, of which one lies in the middle whatever width the canvas has.
     irsg::RadianceImage large(700, 600);
     for (int y = 0; y < 600; ++y) {
         for (int x = 0; x < 700; ++x) {
-            large.primary().values[large.offset(x, y)] = static_cast<float>(1 + x / 7);
+            large.primary().values[large.offset(x, y)] = static_cast<float>(1 + x / 100);
         }
     }
     view.setImage(large);

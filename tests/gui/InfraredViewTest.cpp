@@ -203,6 +203,35 @@ TEST_F(InfraredViewTest, IsCoarserWhileOneDragsAndFullAtRest) {
     EXPECT_EQ(view.shownPicture()->size_px, QSize(400, 300) * pixelRatio());
 }
 
+TEST_F(InfraredViewTest, TheFirstLookAtALargeModelDoesNotWaitForLightBetweenSurfaces) {
+    ASSERT_NO_FATAL_FAILURE(show(sample("corvette")));
+    std::vector<bool> direct;
+    QObject::connect(&view, &SceneView::pictureShown, &view, [&] {
+        if (const InfraredPicture* picture = view.shownPicture()) {
+            direct.push_back(picture->direct);
+        }
+    });
+    ASSERT_TRUE(showInfrared());
+    EXPECT_EQ(direct, (std::vector<bool>{true, false}));
+    // What is known is not left out again.
+    set("camera.azimuth", "61");
+    ASSERT_TRUE(waitForPicture());
+    EXPECT_FALSE(direct.back());
+    EXPECT_EQ(std::ranges::count(direct, true), 1);
+    // Nothing is left out of a small model, or where no light between surfaces is wanted.
+    view.setDisplay(ViewDisplay::visible);
+    direct.clear();
+    ASSERT_NO_FATAL_FAILURE(show(sample("turboprop4")));
+    ASSERT_TRUE(showInfrared());
+    view.setDisplay(ViewDisplay::visible);
+    Project without = sample("corvette");
+    without.settings.set("render.bounces", "0");
+    ASSERT_NO_FATAL_FAILURE(show(without));
+    ASSERT_TRUE(showInfrared());
+    EXPECT_GE(direct.size(), 2U);
+    EXPECT_EQ(std::ranges::count(direct, true), 0);
+}
+
 TEST_F(InfraredViewTest, TheLatestOfManyRequestsIsTheOneThatStays) {
     ASSERT_NO_FATAL_FAILURE(show(sample("ship")));
     ASSERT_TRUE(showInfrared());

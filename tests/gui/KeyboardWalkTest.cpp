@@ -255,6 +255,8 @@ class KeyboardWalkTest : public test::WindowFixture {
         std::ofstream(chosen.toStdString()) << "wavelength [um],radiance [W m-2 sr-1 um-1]\n"
                                                "3,1\n4,2\n5,1\n";
         window->findChild<QAction*>("menuImportSpectrum")->trigger();
+        std::ofstream(chosen.toStdString()) << "um,emissivity\n3,0.9\n5,0.8\n";
+        window->findChild<QAction*>("menuImportMaterial")->trigger();
         chosen.clear();
         auto* results = window->findChild<ResultsDock*>();
         results->raise();
@@ -345,7 +347,8 @@ TEST_F(KeyboardWalkTest, EveryPageDialogAndDockIsWalkedByTab) {
     }
     chosen.clear();
     for (const auto& entry : entries) {
-        const std::set<QString> never{"quit", "closeResult", "collapseDocks"};
+        // The last opens a field in a row of the tree, which is left by Enter or Escape.
+        const std::set<QString> never{"quit", "closeResult", "collapseDocks", "renameModel"};
         if (entry && entry->isEnabled() && !never.contains(entry->objectName()) &&
             !entry->isCheckable()) {
             entry->trigger();
@@ -377,7 +380,14 @@ TEST_F(KeyboardWalkTest, EveryPageDialogAndDockIsWalkedByTab) {
     EXPECT_TRUE(problems.isEmpty()) << problems.join('\n').toStdString();
     RecordProperty("walks", walks);
     for (const QString& name : declared("QDialog")) {
-        EXPECT_TRUE(walkedDialogs.contains(name)) << name.toStdString() << " was not walked";
+        // What others are made of is seen in them.
+        std::set<QString> shown = declared(name.toStdString());
+        if (shown.empty()) {
+            shown.insert(name);
+        }
+        for (const QString& one : shown) {
+            EXPECT_TRUE(walkedDialogs.contains(one)) << one.toStdString() << " was not walked";
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -111,8 +112,9 @@ TEST_F(MainWindowTest, DialogRefusesAValueOutOfRangeAndShowsTheCommand) {
         EXPECT_TRUE(form.isAcceptable());
         auto* command = form.findChild<QLineEdit*>("commandLine");
         EXPECT_TRUE(command->text().contains("smat-batch polar")) << command->text().toStdString();
-        auto* step = form.findChild<QLineEdit*>("polar.step");
-        EXPECT_TRUE(step->toolTip().contains("Angle between two cases"));
+        auto* steps = form.findChild<QComboBox*>("polar.step");
+        EXPECT_TRUE(steps->toolTip().contains("Angle between two cases"));
+        QLineEdit* step = steps->lineEdit();
         step->selectAll();
         QTest::keyClicks(step, "-4");
         EXPECT_FALSE(form.isAcceptable());
@@ -122,7 +124,7 @@ TEST_F(MainWindowTest, DialogRefusesAValueOutOfRangeAndShowsTheCommand) {
         EXPECT_TRUE(command->text().contains("--step=45")) << command->text().toStdString();
         EXPECT_TRUE(command->text().contains("--azimuth=33")) << command->text().toStdString();
         EXPECT_TRUE(form.isAcceptable());
-        EXPECT_EQ(form.data().settings[RealKey{"polar.step"}], 45.0);
+        EXPECT_EQ(form.data().settings[OptionalRealKey{"polar.step"}], 45.0);
         seen = true;
     };
     window->findChild<QAction*>("new-polar")->trigger();

@@ -3,10 +3,10 @@
 #include <semaphore>
 #include <thread>
 
-#include "gui/ModelStore.h"
 #include "gui/project/SceneTreeDock.h"
 #include "gui/tools/RadiativePage.h"
 #include "gui/widgets/BackgroundPool.h"
+#include "gui/workbench/ModelStore.h"
 #include "irsg/radiometry/Errors.h"
 #include "tests/gui/DatabaseFixture.h"
 

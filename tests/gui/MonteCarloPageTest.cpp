@@ -18,9 +18,9 @@
 #include <QTreeWidget>
 #include <gtest/gtest.h>
 
+#include "gui/analysis/MonteCarloPlots.h"
+#include "gui/analysis/RankingBars.h"
 #include "gui/plot/CartesianPlot.h"
-#include "gui/tools/MonteCarloPlots.h"
-#include "gui/tools/RankingBars.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/support/TextFile.h"
@@ -186,7 +186,7 @@ TEST_F(MonteCarloPageTest, AFullDiskLeavesOlderFilesWhole) {
     runToTheEnd();
     ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
     const QStringList filters = page->exportFilters();
-    ASSERT_EQ(filters.size(), 5);
+    ASSERT_EQ(filters.size(), 7);
     for (const QString& filter : filters) {
         const std::string name = "bands" + filter.section('*', -1).chopped(1).toStdString();
         SCOPED_TRACE(name);
@@ -236,7 +236,8 @@ TEST_F(MonteCarloPageTest, ShowsBandsHistogramAndRankingOfTheSampleAircraft) {
     applyTheme(*qApp, ThemeMode::light);
     EXPECT_EQ(page->plots().bands()->data().curves.size(), 7u);
 
-    for (const char* name : {"mc.csv", "mc-ranking.csv", "mc.json", "mc.svg", "mc.pdf", "mc.png"}) {
+    for (const char* name : {"mc.csv", "mc-ranking.csv", "mc.json", "mc.draws.csv", "mc.draws.json",
+                             "mc.svg", "mc.pdf", "mc.png"}) {
         if (std::string(name) != "mc-ranking.csv") {
             page->exportTo(folder / name);
         }

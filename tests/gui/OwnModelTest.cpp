@@ -101,6 +101,7 @@ TEST_F(OwnModelTest, FromAFileWithoutCodesToAPolarPlot) {
     workbench.set("sensor.width", "320");
     workbench.set("sensor.height", "256");
     workbench.set("render.antialiasing", "1");
+    workbench.set("render.lightError", "0.02");
     trigger("infraredDisplay");
     auto* view = window->findChild<SceneView*>();
     ASSERT_NE(view, nullptr);

@@ -163,7 +163,7 @@ TEST_F(ProjectFilesTest, OffersANewProjectThatACrashLeftBehind) {
     saveProject(left, copy);
     answer = 0;
     window->begin({});
-    RecoveryCopy::remove(copy);
+    RecoverySlot::remove(copy);
     ASSERT_TRUE(workbench.hasProject());
     EXPECT_EQ(workbench.project().title, "Never saved");
     EXPECT_TRUE(workbench.project().file.empty());

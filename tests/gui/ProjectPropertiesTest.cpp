@@ -84,6 +84,7 @@ TEST_F(ProjectPropertiesTest, PropertiesAreChangedUndoneAndReopenedFromTheFile) 
         dialog.findChild<QPlainTextEdit*>("notes")->setPlainText("two\nlines");
         dialog.findChild<QComboBox*>("placing.0.nose")->setCurrentIndex(1);
         dialog.findChild<QCheckBox*>("twoSided.0")->click();
+        dialog.findChild<QCheckBox*>("cutTextureAlpha.0")->click();
         auto* temperature = dialog.findChild<QSpinBox*>("fallbackTemperature.0");
         EXPECT_TRUE(temperature->text().contains("refused"));
         temperature->setValue(0);
@@ -99,6 +100,7 @@ TEST_F(ProjectPropertiesTest, PropertiesAreChangedUndoneAndReopenedFromTheFile) 
     EXPECT_EQ(saved.notes, "two\nlines");
     EXPECT_EQ(saved.models.front().options.placing.nose, irsg::ModelAxis::plusX);
     EXPECT_TRUE(saved.models.front().options.forceTwoSided);
+    EXPECT_TRUE(saved.models.front().options.cutsTextureAlpha);
     EXPECT_EQ(saved.models.front().fallbackTemperature, 0);
     EXPECT_FALSE(saved.models.front().fallbackMaterial.has_value());
     trigger("undo");

@@ -23,11 +23,11 @@ class RecoveryCopyTest : public test::WindowFixture {
     void empty() const {
         for (const auto& recent : workbench.recentFiles()) {
             for (const auto& copy : RecoveryCopy::leftBehind(recent.toStdString())) {
-                RecoveryCopy::remove(copy);
+                RecoverySlot::remove(copy);
             }
         }
         for (const auto& copy : RecoveryCopy::leftBehind({})) {
-            RecoveryCopy::remove(copy);
+            RecoverySlot::remove(copy);
         }
     }
     static void leave(const std::string& title, int number = 1) {

@@ -31,6 +31,18 @@ TEST(ResultPlotTest, StatesModeOffsetAndDirection) {
     EXPECT_DOUBLE_EQ(data.curves.at(0).y.at(9), 190.0);
 }
 
+TEST(ResultPlotTest, SaysTheNameOfALoneResultOnce) {
+    auto table = test::polarTable();
+    const auto data = polarData({{"run", &table}}, "intensity");
+    EXPECT_EQ(data.curves.at(0).name, "run");
+    EXPECT_FALSE(data.title.contains("run")) << data.title.toStdString();
+    for (int angle = 0; angle < 360; angle += 10) {
+        table.addRow({1.0 * angle, 1.0 * angle, 30.0, 0.0, 1.0, 2.0 + angle});
+    }
+    // Its curves are named after their turns.
+    EXPECT_TRUE(polarData({{"run", &table}}, "intensity").title.endsWith(" – run"));
+}
+
 TEST(ResultPlotTest, SaysTheConditionsUnderTheTitle) {
     auto table = test::polarTable("camera-azimuth");
     table.provenance.add("analysis", "polar");

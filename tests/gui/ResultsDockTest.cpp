@@ -1,6 +1,7 @@
 #include "gui/analysis/ResultsDock.h"
 
 #include <QClipboard>
+#include <QComboBox>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>
@@ -74,7 +75,7 @@ TEST_F(ResultsDockTest, EditsWhatWasAskedAndRunsAgain) {
     runAnalysis("polar");
     choose({0});
     onDialog = [](QDialog& dialog) {
-        auto* step = dialog.findChild<QLineEdit*>("polar.step");
+        QLineEdit* step = dialog.findChild<QComboBox*>("polar.step")->lineEdit();
         step->selectAll();
         QTest::keyClicks(step, "90");
     };

@@ -18,6 +18,7 @@ std::filesystem::path writeSampleProject(const std::filesystem::path& folder) {
     project.settings.set("camera.elevation", "15");
     project.settings.set("target.altitude", "100");
     project.settings.set("render.antialiasing", 0);
+    project.settings.set("render.lightError", "0.02");
     project.settings.set("polar.step", "30");
     project.settings.set("table.azimuthStep", "90");
     project.settings.set("table.elevationStep", "30");

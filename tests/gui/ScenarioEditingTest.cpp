@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QTabWidget>
 #include <QToolButton>
 #include <QUndoStack>
@@ -144,6 +145,114 @@ TEST_F(ScenarioEditingTest, TimesTitleNamesAndPlacesAreEditedAndReopenedEqual) {
     EXPECT_EQ(page->document().scenario().title, "Pass");
     EXPECT_EQ(page->document().scenario().sensors[1].track, "mover");
     EXPECT_EQ(page->document().scenario().entities[1].pose.position_m.y, 110.0);
+}
+
+TEST_F(ScenarioEditingTest, NotesAndSettingsAreEditedUndoneSavedAndReopenedEqual) {
+    edits("Scenario");
+    auto* notes = page->findChild<QPlainTextEdit*>("scenarioText");
+    ASSERT_TRUE(notes->isVisible());
+    EXPECT_EQ(notes->toPlainText(), "Kept as it is.");
+    notes->setFocus();
+    notes->selectAll();
+    QTest::keyClicks(notes, "Seen at dawn");
+    QTest::keyClick(notes, Qt::Key_Tab); // goes on to the next field
+    EXPECT_FALSE(notes->hasFocus());
+    EXPECT_EQ(page->document().scenario().notes, "Seen at dawn");
+    EXPECT_EQ(workbench.undoStack().count(), 1);
+    EXPECT_EQ(workbench.undoStack().undoText(), "Change the notes");
+
+    const auto setsField = [&](const char* key, const QString& text) {
+        onDialog = [=](QDialog& dialog) {
+            EXPECT_NE(dialog.findChild<QWidget*>("render.sunDisc"), nullptr);
+            EXPECT_EQ(dialog.findChild<QWidget*>("camera.range"), nullptr);
+            auto* field = dialog.findChild<QLineEdit*>(key);
+            ASSERT_NE(field, nullptr) << key;
+            field->setText(text);
+            emit field->textEdited(text);
+            dialog.accept();
+        };
+        page->findChild<QToolButton*>("scenarioSettings")->click();
+        ASSERT_TRUE(settles(*page));
+    };
+    setsField("sensor.fov", "9");
+    EXPECT_EQ(page->document().scenario().settings.text("sensor.fov"), "9");
+    EXPECT_FALSE(page->document().scenario().settings.isSet("render.sunDisc"))
+        << "what was not touched is not set";
+    EXPECT_EQ(workbench.undoStack().undoText(), "Change settings of all sensors");
+    EXPECT_EQ(page->picture().settings[RealKey{"sensor.fov"}], 9.0);
+    choosePart("lwir (sensor)");
+    setsField("sensor.fov", "5");
+    EXPECT_EQ(page->document().scenario().sensors[1].settings.text("sensor.fov"), "5");
+    EXPECT_EQ(page->document().scenario().settings.text("sensor.fov"), "9");
+    setsField("sensor.fov", "9"); // what it would have without
+    EXPECT_FALSE(page->document().scenario().sensors[1].settings.isSet("sensor.fov"));
+    EXPECT_EQ(workbench.undoStack().count(), 4);
+    choosePart("buoy");
+    EXPECT_FALSE(page->findChild<QToolButton*>("scenarioSettings")->isEnabled());
+
+    trigger("saveProject");
+    EXPECT_FALSE(page->document().isModified()) << told.join('\n').toStdString();
+    QUndoStack stack;
+    EXPECT_EQ(ScenarioDocument(folder / "pass.json", stack).scenario(),
+              page->document().scenario());
+    while (workbench.undoStack().canUndo()) {
+        workbench.undoStack().undo();
+    }
+    EXPECT_EQ(page->document().scenario().notes, "Kept as it is.");
+    EXPECT_EQ(page->document().scenario().settings.text("sensor.fov"), "12");
+}
+
+TEST_F(ScenarioEditingTest, ASensorIsGivenACarrierAndATargetByKeys) {
+    edits("mwir (sensor)");
+    auto* mount = page->findChild<QComboBox*>("sensorMount");
+    auto* track = page->findChild<QComboBox*>("sensorTrack");
+    const Scenario before = page->document().scenario();
+    const auto sensor = [&]() -> const ScenarioSensor& {
+        return page->document().scenario().sensors[0];
+    };
+    EXPECT_EQ(mount->currentText(), "The ground: stands still");
+    test::keepScreenshot(*window, "scenario-mount");
+    track->setFocus();
+    QTest::keyClick(track, Qt::Key_End); // the buoy
+    EXPECT_EQ(sensor().track, "buoy");
+    EXPECT_EQ(workbench.undoStack().undoText(), "Change what mwir looks at");
+    EXPECT_FALSE(page->findChild<QLineEdit*>("place.yaw")->isVisible());
+    // On what it looks at it cannot ride.
+    mount->setFocus();
+    QTest::keyClick(mount, Qt::Key_End);
+    EXPECT_TRUE(message().contains("another entity than its carrier")) << message().toStdString();
+    EXPECT_EQ(mount->currentText(), "The ground: stands still");
+    EXPECT_EQ(workbench.undoStack().count(), 1);
+    // On the mover it sits where it stood when the scenario began: its nose points east.
+    QTest::keyClick(mount, Qt::Key_Down);
+    EXPECT_EQ(message(), "");
+    EXPECT_EQ(sensor().mount, MountKind::entity);
+    EXPECT_EQ(sensor().carrier, "mover");
+    EXPECT_NEAR(sensor().offset.position_m.x, 100.0, 1e-6);
+    EXPECT_NEAR(sensor().offset.position_m.y, 6.0, 1e-6);
+    EXPECT_NEAR(sensor().offset.position_m.z, 0.0, 1e-6);
+    ASSERT_TRUE(settles(*page));
+    mount->setFocus();
+    QTest::keyClick(mount, Qt::Key_Home);
+    EXPECT_EQ(sensor().mount, MountKind::world);
+    EXPECT_EQ(sensor().offset.position_m, before.sensors[0].offset.position_m);
+    // Without a target it goes on looking there.
+    track->setFocus();
+    QTest::keyClick(track, Qt::Key_Home);
+    EXPECT_EQ(sensor().track, "");
+    const irsg::Vec3 nose = sensor().offset.attitude.rotation() * irsg::Vec3{0, 1, 0};
+    const irsg::Vec3 wanted = irsg::normalized(irsg::Vec3{4, 110, 0});
+    EXPECT_NEAR(irsg::length(nose - wanted), 0.0, 1e-12);
+    EXPECT_EQ(workbench.undoStack().count(), 4);
+    trigger("saveProject");
+    QUndoStack stack;
+    EXPECT_NEAR(
+        ScenarioDocument(folder / "pass.json", stack).scenario().sensors[0].offset.attitude.yaw_rad,
+        sensor().offset.attitude.yaw_rad, 1e-12);
+    while (workbench.undoStack().canUndo()) {
+        workbench.undoStack().undo();
+    }
+    EXPECT_EQ(page->document().scenario().sensors[0], before.sensors[0]);
 }
 
 TEST_F(ScenarioEditingTest, ABlockIsPastedFromASpreadsheetAndCopiedBack) {

@@ -31,6 +31,7 @@ class ScenarioFixture : public WindowFixture {
         write("pass.json",
               R"({"version": 1, "title": "Pass", "notes": "Kept as it is.",
  "dt_s": 0.25, "end_s": 2, "sensor": {"width": 48, "height": 40, "fov": 12},
+ "render": {"lightError": 0.02},
  "entities": [)" + entity("mover", R"("trajectory": "flight.csv")") +
                   ", " + entity("buoy", R"("position_m": [4, 110, 50])") + R"(],
  "sensors": [{"name": "mwir", "position_m": [0, 0, 50], "sensor": {"band": "3-5"}},

@@ -8,12 +8,12 @@
 #include <QTableWidget>
 #include <QToolButton>
 
-#include "gui/RecentFiles.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ImageView.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/scenario/PlanView.h"
+#include "gui/workbench/RecentFiles.h"
 #include "irsg/image/ExrFile.h"
 #include "tests/cli/Program.h"
 #include "tests/gui/ScenarioFixture.h"
@@ -28,6 +28,19 @@ class ScenarioPageTest : public test::ScenarioFixture {
     }
     static void press(ScenarioPage& page, Qt::Key key) {
         QTest::keyClick(page.findChild<QSlider*>("timeSlider"), key);
+    }
+    /// Orders frames of the whole scenario into the folder "frames".
+    void beginFrames(ScenarioPage& page) {
+        onDialog = [this](QDialog& dialog) {
+            dialog.findChild<QLineEdit*>("folder")->setText(
+                QString::fromStdString((folder / "frames").string()));
+        };
+        page.findChild<QToolButton*>("runScenario")->click();
+    }
+    /// False where they do not come.
+    bool writeFrames(ScenarioPage& page) {
+        beginFrames(page);
+        return test::waitUntil([this] { return !workbench.isRunning(); });
     }
 };
 
@@ -207,12 +220,7 @@ TEST_F(ScenarioPageTest, WhatTheWindowWritesEqualsSmatBatchByteForByte) {
 TEST_F(ScenarioPageTest, AFilmStripShowsTheFramesAndACurveTheTable) {
     ScenarioPage* page = openScenario();
     ASSERT_NE(page, nullptr);
-    onDialog = [&](QDialog& dialog) {
-        dialog.findChild<QLineEdit*>("folder")->setText(
-            QString::fromStdString((folder / "frames").string()));
-    };
-    page->findChild<QToolButton*>("runScenario")->click();
-    ASSERT_TRUE(test::waitUntil([&] { return !workbench.isRunning(); }));
+    ASSERT_TRUE(writeFrames(*page));
     auto* strip = page->findChild<QListWidget*>("filmStrip");
     ASSERT_EQ(strip->count(), 9);
     EXPECT_EQ(strip->item(3)->text(), "0.75 s");
@@ -245,12 +253,7 @@ TEST_F(ScenarioPageTest, AFilmOfTheFramesIsThatOfSmatBatch) {
     ASSERT_NE(page, nullptr);
     auto* film = page->findChild<QToolButton*>("exportFilm");
     EXPECT_FALSE(film->isVisible());
-    onDialog = [&](QDialog& dialog) {
-        dialog.findChild<QLineEdit*>("folder")->setText(
-            QString::fromStdString((folder / "frames").string()));
-    };
-    page->findChild<QToolButton*>("runScenario")->click();
-    ASSERT_TRUE(test::waitUntil([&] { return !workbench.isRunning(); }));
+    ASSERT_TRUE(writeFrames(*page));
     ASSERT_TRUE(film->isVisible());
     // Without ffmpeg only numbered pictures are offered, and the others say why not.
     const QByteArray path = qgetenv("PATH");
@@ -298,14 +301,48 @@ TEST_F(ScenarioPageTest, AFilmOfTheFramesIsThatOfSmatBatch) {
     qputenv("PATH", path);
 }
 
+TEST_F(ScenarioPageTest, AFilmTellsHowFarItIsAndCanBeCancelled) {
+    ScenarioPage* page = openScenario();
+    ASSERT_NE(page, nullptr);
+    ASSERT_TRUE(writeFrames(*page));
+    // What stands for ffmpeg has begun when it says so, and never ends.
+    const QByteArray path = qgetenv("PATH");
+    std::filesystem::create_directories(folder / "bin");
+    write("bin/ffmpeg",
+          "#!/bin/sh\ntouch '" + (folder / "begun").string() + "'\nexec sleep 1000\n");
+    std::filesystem::permissions(folder / "bin/ffmpeg", std::filesystem::perms::owner_all);
+    qputenv("PATH", QByteArray::fromStdString((folder / "bin").string()) + ":" + path);
+    auto* film = page->findChild<QToolButton*>("exportFilm");
+    emit film->menu()->aboutToShow();
+    chosen = QString::fromStdString((folder / "own.mp4").string());
+    std::vector<std::string> told;
+    QObject::connect(&workbench, &Workbench::jobProgressed, page,
+                     [&](const Progress& now) { told.push_back(now.what); });
+    film->menu()->findChild<QAction*>("filmMp4")->trigger();
+    ASSERT_TRUE(test::waitUntil([&] { return std::filesystem::exists(folder / "begun"); }));
+    auto* bar = window->findChild<QWidget*>("jobBar");
+    ASSERT_TRUE(test::waitUntil([&] { return !told.empty() && told.back() == "mwir: encoding"; }));
+    EXPECT_TRUE(bar->isVisible());
+    EXPECT_EQ(bar->findChild<QLabel*>("jobTitle")->text(), "Film: own.mp4");
+    EXPECT_EQ(told.front(), "mwir: frame 1 of 9");
+    EXPECT_FALSE(film->isEnabled());
+    test::keepScreenshot(*window, "scenario-film-progress");
+    bar->findChild<QToolButton*>("cancelJob")->click();
+    EXPECT_TRUE(test::waitUntil([&] { return film->isEnabled(); }));
+    EXPECT_TRUE(test::waitUntil([&] { return !workbench.jobs().isWorking(); }));
+    EXPECT_FALSE(bar->isVisible());
+    EXPECT_FALSE(std::filesystem::exists(folder / "own.mp4"));
+    EXPECT_TRUE(
+        page->findChild<QLabel*>("framesWords")->text().contains("no film, since it was stopped"))
+        << page->findChild<QLabel*>("framesWords")->text().toStdString();
+    EXPECT_TRUE(this->told.isEmpty()) << this->told.join('\n').toStdString();
+    qputenv("PATH", path);
+}
+
 TEST_F(ScenarioPageTest, ACancelledRunKeepsItsFrames) {
     ScenarioPage* page = openScenario();
     ASSERT_NE(page, nullptr);
-    onDialog = [&](QDialog& dialog) {
-        dialog.findChild<QLineEdit*>("folder")->setText(
-            QString::fromStdString((folder / "frames").string()));
-    };
-    page->findChild<QToolButton*>("runScenario")->click();
+    beginFrames(*page);
     const auto frame = [&](int number) {
         return folder / "frames/lwir" / ("frame_00000" + std::to_string(number) + ".exr");
     };

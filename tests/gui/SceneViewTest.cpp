@@ -8,7 +8,7 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
-#include "gui/Workbench.h"
+#include "gui/workbench/Workbench.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
 #include "smatcore/project/ProjectFile.h"
 #include "tests/gui/GuiEnvironment.h"

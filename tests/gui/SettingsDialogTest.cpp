@@ -1,6 +1,7 @@
 #include "gui/settings/SettingsDialog.h"
 
 #include <algorithm>
+#include <fstream>
 #include <map>
 #include <set>
 
@@ -279,6 +280,51 @@ TEST_F(SettingsDialogTest, TheFormRefusesWhatItsAnalysisCannotDo) {
     workbench.set("render.zoom", "sills");
     workbench.set("render.antialiasing", "4"); // of the modes 3 to 5, which have a zoom
     EXPECT_NE(problems(AnalysisKind::polar).find("published zoom"), std::string::npos);
+}
+
+TEST_F(SettingsDialogTest, AnImagingSensorIsImportedUndoneWrittenAndReadBack) {
+    openSample();
+    const std::filesystem::path file = folder / "i.xml";
+    const auto writes = [&](const std::string& parameters) {
+        std::ofstream(file) << "<data><fileType>Parameters</fileType>"
+                               "<type>/ImagingSensor/Root/Sensor/ImagingSensor</type>"
+                            << parameters << "</data>";
+        chosen = QString::fromStdString(file.string());
+    };
+    const auto parameter = [](const std::string& name, const std::string& value) {
+        return "<parameter name=\"" + name + "\"><double>" + value + "</double></parameter>";
+    };
+    const Settings before = workbench.settings();
+    writes(parameter("CalculationMode", "2") + parameter("AntialiasingMode", "5") +
+           parameter("NumberOfBackgroundRows", "7") + parameter("Gain", "3"));
+    trigger("importImagingSensor");
+    EXPECT_EQ(workbench.settings().text("sensor.mode"), "ck");
+    EXPECT_EQ(workbench.settings().text("render.antialiasing"), "5");
+    EXPECT_EQ(workbench.settings().text("render.backgroundRows"), "7");
+    EXPECT_TRUE(told.join(' ').contains("Gain is no parameter")) << told.join(' ').toStdString();
+    EXPECT_EQ(workbench.undoStack().undoText(), "Import imaging sensor i.xml");
+    const Settings imported = workbench.settings();
+    workbench.undoStack().undo();
+    EXPECT_EQ(workbench.settings(), before);
+    workbench.undoStack().redo();
+    chosen = QString::fromStdString((folder / "o.xml").string());
+    told.clear();
+    trigger("exportImagingSensor");
+    workbench.undoStack().undo();
+    trigger("importImagingSensor");
+    EXPECT_TRUE(told.isEmpty()) << told.join(' ').toStdString();
+    for (const char* key : {"render.antialiasing", "render.backgroundRows", "sensor.mode"}) {
+        EXPECT_EQ(workbench.settings().text(key), imported.text(key)) << key;
+    }
+    // What cannot be is told, and changes nothing.
+    const Settings kept = workbench.settings();
+    writes(parameter("AntialiasingMode", "6"));
+    trigger("importImagingSensor");
+    EXPECT_TRUE(told.join(' ').contains("0 to 5")) << told.join(' ').toStdString();
+    writes(parameter("UseSkyboxBackground", "1"));
+    trigger("importImagingSensor");
+    EXPECT_TRUE(told.join(' ').contains("environment.skybox")) << told.join(' ').toStdString();
+    EXPECT_EQ(workbench.settings(), kept);
 }
 
 TEST_F(SettingsDialogTest, CancelChangesNothing) {

@@ -241,6 +241,23 @@ TEST_F(StartPageTest, TheFirstStartFitsTheScreen) {
     EXPECT_EQ(WindowLayout::firstSize({3840, 2160}), QSize(1360, 840));
 }
 
+TEST_F(StartPageTest, EveryCardIsWholeBesideTheEditorOnASmallScreen) {
+    for (const QSize size : {QSize(1280, 800), QSize(1600, 1000)}) {
+        window->resize(size);
+        QTest::qWait(30);
+        auto* page = window->findChild<StartPage*>();
+        ASSERT_NE(page, nullptr);
+        int cards = 0;
+        for (const auto* card : page->findChildren<QToolButton*>()) {
+            const QRect place(card->mapTo(page, QPoint(0, 0)), card->size());
+            EXPECT_GE(place.left(), 0) << card->objectName().toStdString();
+            EXPECT_LE(place.right(), page->width()) << card->objectName().toStdString();
+            cards += card->objectName().startsWith("sample-") ? 1 : 0;
+        }
+        EXPECT_GE(cards, 7);
+    }
+}
+
 TEST_F(StartPageTest, TheColourBarStaysInSightBesideTheEditorOnASmallScreen) {
     window->resize(1280, 800);
     openSample();

@@ -1,7 +1,7 @@
 #include <QLineEdit>
 #include <QMenu>
 
-#include "gui/Workbench.h"
+#include "gui/workbench/Workbench.h"
 #include "irsg/radiometry/Errors.h"
 #include "tests/gui/WindowFixture.h"
 

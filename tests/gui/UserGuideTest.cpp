@@ -67,11 +67,16 @@ class UserGuideTest : public test::WindowFixture {
             runAnalysis(analysis);
         }
         accept = false;
-        for (const char* name :
-             {"newProject", "projectProperties", "firstSignature", "convertModel", "preferences",
-              "options", "analysisSettings", "compareImages", "radiativeOutput",
-              "temperatureProfile", "monteCarlo", "menuLibrary", "showShortcuts", "findCommand",
-              "selfTest", "showAbout"}) {
+        for (const char* name : {"newProject",       "projectProperties",
+                                 "firstSignature",   "convertModel",
+                                 "preferences",      "options",
+                                 "analysisSettings", "compareImages",
+                                 "radiativeOutput",  "temperatureProfile",
+                                 "newAir",           "projectAir",
+                                 "importAir",        "monteCarlo",
+                                 "frontier",         "menuLibrary",
+                                 "showShortcuts",    "findCommand",
+                                 "selfTest",         "showAbout"}) {
             trigger(name);
         }
         auto* tabs = window->findChild<QTabWidget*>("tabs");

@@ -30,6 +30,7 @@ class ViewFixture : public ::testing::Test {
         Settings& settings = project.settings;
         settings.set("sensor.width", pixels(400));
         settings.set("sensor.height", pixels(300));
+        settings.set("render.lightError", "0.02");
         return project;
     }
     /// Pixels of a picture that a pixel of the widget has along each side.

@@ -8,8 +8,8 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
+#include "gui/analysis/RankingBars.h"
 #include "gui/plot/ResultPlot.h"
-#include "gui/tools/RankingBars.h"
 #include "smatcore/project/ProjectFile.h"
 #include "tests/gui/WindowFixture.h"
 

@@ -12,6 +12,7 @@
 #include "gui/MainWindow.h"
 #include "gui/view/SceneView.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
+#include "smatcore/project/ProjectFile.h"
 #include "tests/gui/GuiEnvironment.h"
 #include "tests/gui/SampleProject.h"
 
@@ -70,6 +71,19 @@ class WindowFixture : public ::testing::Test {
     }
     /// Opens a file and waits until its models are shown, or told of.
     bool opens(const std::filesystem::path& file) { return window->open(file) && waitForModel(); }
+    /// A project of a sample, without light between its surfaces, in the test's own folder.
+    std::filesystem::path own(const std::string& name) {
+        Project project = loadProject(std::filesystem::path(SMAT_SOURCE_DIR) / "samples" / name /
+                                      (name + ".smat"));
+        for (ProjectModel& model : project.models) {
+            model.file = std::filesystem::absolute(project.resolve(model.file));
+            model.database = std::filesystem::absolute(project.resolve(model.database));
+        }
+        project.settings.set("render.bounces", "0");
+        const auto file = folder / (name + ".smat");
+        saveProject(project, file);
+        return file;
+    }
     bool waitForModel() {
         return waitUntil([this] { return !window->isLoadingModel(); });
     }

@@ -35,8 +35,8 @@ TEST_F(WindowSizeTest, EveryPageAndDockFitsASmallScreen) {
         runAnalysis(word);
         fits(word);
     }
-    for (const char* tool :
-         {"compareImages", "radiativeOutput", "temperatureProfile", "monteCarlo"}) {
+    for (const char* tool : {"compareImages", "radiativeOutput", "temperatureProfile", "monteCarlo",
+                             "frontier", "newAir", "projectAir"}) {
         trigger(tool);
         fits(tool);
         test::keepScreenshot(*window, std::string("small-") + tool);
@@ -85,7 +85,7 @@ TEST_F(WindowSizeTest, ToolPagesNeedNoScrollingOnASmallScreen) {
     auto* centre = window->findChild<QScrollArea*>("centre");
     ASSERT_NE(centre, nullptr);
     for (const char* tool :
-         {"compareImages", "radiativeOutput", "temperatureProfile", "monteCarlo"}) {
+         {"compareImages", "radiativeOutput", "temperatureProfile", "monteCarlo", "frontier"}) {
         trigger(tool);
         QTest::qWait(30);
         EXPECT_LE(centre->widget()->minimumSizeHint().width(), centre->viewport()->width()) << tool;
@@ -98,6 +98,19 @@ TEST_F(WindowSizeTest, ToolPagesNeedNoScrollingOnASmallScreen) {
                 EXPECT_EQ(side->verticalScrollBar()->maximum(), 0) << tool;
             }
         }
+    }
+}
+
+TEST_F(WindowSizeTest, PagesOfTheAirScrollNowhereSidewaysOnASmallScreen) {
+    window->resize(smallScreen);
+    openSample();
+    auto* centre = window->findChild<QScrollArea*>("centre");
+    for (const char* tool : {"newAir", "projectAir"}) {
+        trigger(tool);
+        QTest::qWait(30);
+        EXPECT_LE(centre->widget()->minimumSizeHint().width(), centre->viewport()->width()) << tool;
+        EXPECT_EQ(centre->horizontalScrollBar()->maximum(), 0) << tool;
+        EXPECT_EQ(centre->verticalScrollBar()->maximum(), 0) << tool;
     }
 }
 

@@ -43,6 +43,20 @@ TEST(AxisTicks, StandAtRoundValues) {
     }
 }
 
+TEST(AxisTicks, AreTheRoundestValuesAlongColoursThatDoNotFollowValues) {
+    DisplayLimits limits{0.0, 2000.0};
+    limits.scale = ColorScale::logarithmic;
+    EXPECT_THAT(axisTicks(limits, 13).labels,
+                ElementsAre("0", "0.2", "1", "2", "5", "10", "20", "50", "100", "200", "500",
+                            "1000", "2000"));
+    limits.scale = ColorScale::squareRoot;
+    EXPECT_THAT(axisTicks(limits, 5).labels, ElementsAre("0", "200", "500", "1000", "2000"));
+    limits.scale = ColorScale::equalized;
+    limits.levels = std::make_shared<const std::vector<double>>(
+        std::vector<double>{0.0, 287.3, 287.9, 288.6, 2000.0});
+    EXPECT_THAT(axisTicks(limits, 5).labels, ElementsAre("0", "250", "290", "2000"));
+}
+
 TEST(AxisTicks, LieInsideTheLimitsAndSayTheirValueAtAnyMagnitude) {
     for (int power = -44; power <= 38; ++power) {
         for (const double low : {0.0, 1.0, -3.7, 99.2}) {

@@ -71,6 +71,9 @@ class Zones {
         return sum / area;
     }
 
+    /// Of the last band, at the rim.
+    double atRim() const { return radiosity_.back(); }
+
   private:
     /// Area times view factor between two discs (Howell, A Catalog of Radiation Heat Transfer
     /// Configuration Factors, C-41).
@@ -180,4 +183,18 @@ TEST(ZonesOfCavitiesTest, AreStableAndConverge) {
     const double coarse = coneOf(100), fine = coneOf(200), finest = coneOf(400);
     EXPECT_LT(std::abs(finest - fine), 0.5 * std::abs(fine - coarse));
     EXPECT_LT(std::abs(finest - fine), 2e-4);
+}
+
+// Buckley 1927, "On the radiation from the inside of a circular cylinder" (Phil. Mag. 4, 753-762):
+// the rim of a cylinder without end has the root of the wall's emissivity.
+TEST(ZonesOfCavitiesTest, HaveTheRimOfBuckleysCylinder) {
+    Profile profile = line(0, 0, 1, 0, 40);
+    constexpr int bands = 200;
+    for (int i = 1; i <= bands; ++i) { // close together at the rim
+        const double left = 1.0 - static_cast<double>(i) / bands;
+        profile.push_back({1.0, 40.0 * (1.0 - left * left * left)});
+    }
+    for (const double emissivity : emissivities) {
+        EXPECT_NEAR(Zones(profile, emissivity).atRim() / std::sqrt(emissivity), 1.0, 5e-5);
+    }
 }

@@ -28,7 +28,8 @@ struct Shape {
 /// What is drawn of a loaded model that is counted from an origin, in single precision.
 Shape shapeOf(const LoadedGraph& loaded, const osg::Vec3d& origin) {
     SurfaceMesh mesh;
-    GeometryCollector(mesh, osg::Matrixd::translate(-origin), "a", true).collect(*loaded.node);
+    GeometryCollector(mesh, osg::Matrixd::translate(-origin), "a", {.forceTwoSided = true})
+        .collect(*loaded.node);
     Shape shape;
     for (const auto& [key, part] : mesh.parts()) {
         shape.area += part.area_m2;

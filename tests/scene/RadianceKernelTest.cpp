@@ -123,6 +123,10 @@ TEST(EveryWayToANumber, GivesTheSameNumber) {
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             double sum = static_cast<double>(image.image.find("background")->values[i]);
             for (const RadianceTerm& term : RadianceTerms::standard().terms) {
+                if (term.surface == SurfaceQuantity::mirrored) {
+                    EXPECT_EQ(image.image.find(term.name), nullptr); // no surface has lobes
+                    continue;
+                }
                 sum += static_cast<double>(image.image.find(term.name)->values[i]);
             }
             ASSERT_NEAR(sum, static_cast<double>(pixels[i]), 2e-5 * static_cast<double>(pixels[i]));

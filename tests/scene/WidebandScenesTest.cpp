@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "irsg/atmosphere/AtmosphereSmart.h"
-#include "irsg/atmosphere/BeerLambert.h"
+#include "irsg/atmosphere/SpectraAtmosphere.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Planck.h"
@@ -289,11 +289,12 @@ TEST(WidebandScene, IsRefusedByNameWithoutAirThatHasTheMode) {
     EXPECT_THAT(refusal(irsg), HasSubstr("wideband-ck over 3-5 um"));
     EXPECT_THROW(irsg.checkConfiguration(), InputError);
 
-    BeerLambertParameters haze;
-    haze.name = "haze";
-    haze.extinction_per_m = Spectrum::constant(1e-4);
-    irsg.setEnvironment(environmentOf(std::make_shared<BeerLambert>(haze)));
-    EXPECT_THAT(refusal(irsg), HasSubstr("haze (has no wideband mode)"));
+    SpectraAtmosphereParameters measured;
+    measured.name = "measured";
+    measured.spectra[AtmosphereProperty::transmittance] = Spectrum({2.0, 6.0}, {0.5, 0.6});
+    measured.path = AtmosphericPath{0.0, 0.0, 1000.0};
+    irsg.setEnvironment(environmentOf(std::make_shared<SpectraAtmosphere>(measured)));
+    EXPECT_THAT(refusal(irsg), HasSubstr("measured (has no wideband mode: it knows one line"));
 
     irsg.setEnvironment(environmentOf(smartAir(2, 8.0, 12.0)));
     EXPECT_THAT(refusal(irsg), HasSubstr("holds only 8-12 um"));

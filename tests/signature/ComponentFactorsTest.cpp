@@ -1,6 +1,7 @@
 #include "irsg/signature/ComponentFactors.h"
 
 #include "irsg/radiometry/Units.h"
+#include "irsg/signature/SignatureDatabase.h"
 
 #include "Support.h"
 
@@ -46,6 +47,24 @@ TEST(ComponentFactor, MultipliesTimeAndAngle) {
     const ComponentFactor factor{"CO2", 123.0, time, angle};
     EXPECT_DOUBLE_EQ(factor.at(stateAt(1.0, 90.0)), 0.7 * 0.4);
     EXPECT_DOUBLE_EQ(factor.at(stateAt(0.5, 135.0)), 0.6 * 0.3);
+}
+
+TEST(ComponentFactor, OfASelectedConstantLeavesItsTablesAside) {
+    ComponentFactor factor{"CO2", 0.25, time, angle};
+    factor.selection = FactorSelection::constant;
+    EXPECT_EQ(factor.at(stateAt(1.0, 90.0)), 0.25);
+    factor.selection = FactorSelection::table;
+    EXPECT_DOUBLE_EQ(factor.at(stateAt(1.0, 90.0)), 0.7 * 0.4) << "they are still there";
+}
+
+TEST(ComponentFactor, WhoseTableDoesNotCountHoldsNoEndOfIt) {
+    SignatureDatabase database;
+    database.temperatures[1].mode = EmissionMode::userSpectrum;
+    ComponentFactor factor{"CO2", 0.25, LookupTable({0.0, 1.0}, {0.5, 0.7}), {}};
+    database.temperatures[1].factors = {factor};
+    EXPECT_EQ(tablesHeld(database, stateAt(9.0, 0.0)).size(), 1u);
+    database.temperatures[1].factors.front().selection = FactorSelection::constant;
+    EXPECT_TRUE(tablesHeld(database, stateAt(9.0, 0.0)).empty());
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 
+#include "irsg/radiometry/Errors.h"
 #include "irsg/signature/EntryJson.h"
 #include "irsg/signature/Lint.h"
 #include "irsg/signature/SignatureFile.h"
@@ -84,6 +85,12 @@ void change(LookupTable& table) {
 void change(EmissionMode& mode) {
     mode = EmissionMode::userSpectrum;
 }
+void change(ReflectanceTable& table) {
+    table = {false, {3.0, 5.0}, {{0, 0, 0, {0.25, 0.5}}, {80, 0, 0, {0.5, 0.75}}}};
+}
+void change(FactorSelection& selection) {
+    selection = FactorSelection::constant;
+}
 void change(TemperatureTerms& terms) {
     terms.base_K += 1.0;
 }
@@ -129,6 +136,11 @@ TYPED_TEST(EveryField, IsKeptByBothFormsOfTheFileAndSeenByTheHash) {
         const SignatureDatabase before = holding(entry);
         std::visit([&](auto member) { change(entry.*member); }, field.member);
         SignatureDatabase database = holding(entry);
+        // Of texts that are words, one of them.
+        if (const auto text = field.template as<std::string>(); text && field.words) {
+            entry.*text = field.words().front();
+            database = holding(entry);
+        }
         if (std::string(field.key) == "mode") {
             database.temperatures.at(3).userSpectrum = "plume core";
         }
@@ -231,6 +243,71 @@ TEST(EntryFields, EachVersionIsAskedForByWhatItBrought) {
     EXPECT_THAT(signatureToJson(database), testing::HasSubstr("\"calibrationFactor\": 0.9"));
     plume.calibrationFactor = 1.0;
     EXPECT_EQ(formatVersionOf(database), 1);
+    TemperatureEntry entry;
+    entry.mode = EmissionMode::userSpectrum;
+    entry.userSpectrum = "plume core";
+    entry.factors = {{"H2O", 0.5, LookupTable({0.0, 1.0}, {0.2, 0.4}), {}}};
+    database = holding(entry);
+    EXPECT_EQ(formatVersionOf(database), 1);
+    database.temperatures.at(3).factors.front().selection = FactorSelection::constant;
+    saveSignatureFile(database, folder / "b.sigdb");
+    EXPECT_EQ(versionOf(folder / "b.sigdb"), 5);
+    EXPECT_THAT(signatureToJson(database), testing::HasSubstr("\"selection\": \"constant\""));
+}
+
+TEST(EntryFields, ASelectionThatNobodyKnowsIsRefusedByItsPlace) {
+    TemperatureEntry entry;
+    entry.mode = EmissionMode::userSpectrum;
+    entry.userSpectrum = "plume core";
+    entry.factors = {{"H2O", 0.5, {}, {}, FactorSelection::constant}};
+    std::string text = signatureToJson(holding(entry));
+    const std::size_t at = text.find("\"selection\": \"constant\"");
+    ASSERT_NE(at, std::string::npos);
+    text.replace(at + 14, 8, "both");
+    try {
+        signatureFromJson(text, "a.json");
+        FAIL() << "accepted";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("temperatures.3.factors[0].selection"));
+        EXPECT_THAT(error.what(),
+                    testing::HasSubstr("found 'both', expected 'table' or 'constant'"));
+    }
+}
+
+TEST(EntryFields, TablesOfReflectanceAreKeptByBothForms) {
+    const TemporaryFolder folder;
+    SignatureDatabase database = completeDatabase();
+    std::vector<ReflectanceTable::Row> rows;
+    for (const double incidence_deg : {0.0, 60.0}) {
+        for (const double reflection_deg : {0.0, 30.0, 90.0}) {
+            for (const double azimuth_deg : {0.0, 180.0}) {
+                rows.push_back({incidence_deg, reflection_deg, azimuth_deg, {0.1, 0.2}});
+            }
+        }
+    }
+    Material& material = database.materials[77];
+    material.surfaceModel = "tabulated";
+    material.reflectanceTable = {true, {3.4, 10.6}, rows};
+    EXPECT_EQ(formatVersionOf(database), 6);
+    saveSignatureFile(database, folder / "a.sigdb");
+    EXPECT_TRUE(loadSignatureFile(folder / "a.sigdb").database == database);
+    const std::string text = signatureToJson(database);
+    EXPECT_TRUE(signatureFromJson(text, "a.json") == database);
+    // What is wrong in JSON is told by its place.
+    const auto told = [&](const std::string& from, const std::string& to) -> std::string {
+        std::string wrong = text;
+        wrong.replace(wrong.find(from), from.size(), to);
+        try {
+            signatureFromJson(wrong, "a.json");
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "nothing";
+    };
+    EXPECT_THAT(told("\"brdf\"", "\"btdf\""), testing::HasSubstr("reflectanceTable.kind"));
+    EXPECT_THAT(told("[0, 0, 180, 0.1, 0.2]", "[0, 0, 170, 0.1, 0.2]"),
+                testing::HasSubstr("every direction"));
+    EXPECT_THAT(told("[3.4, 10.6]", "[10.6, 3.4]"), testing::HasSubstr("ascend"));
 }
 
 TEST(EntryFields, CelsiusTakenForKelvinIsSuspectedAndRepaired) {

@@ -41,6 +41,53 @@ TEST(MaterialCsv, TakesWavenumbersAndAnyDirectionForOneCurve) {
     EXPECT_TRUE(read("um,emissivity\n5,0.75\n4,0.5\n") == over_um);
 }
 
+TEST(MaterialCsv, TakesIndexAndExtinctionAloneOrBesideEmissivity) {
+    Material material;
+    material.emissivity = Spectrum::constant(0.3);
+    const Material alone = read("um,n,k\n3,1.5,0.1\n5,2.5,4\n", material);
+    EXPECT_EQ(alone.emissivity, material.emissivity);
+    EXPECT_EQ(alone.refractiveIndex.at(4.0), 2.0);
+    EXPECT_EQ(alone.extinction.at(5.0), 4.0);
+    const Material both = read("cm-1,k,emissivity,diffuse_reflectivity\n2000,4,0.5,0.2\n"
+                               "2500,2,0.75,0.1\n");
+    EXPECT_EQ(both.extinction.at(5.0), 4.0);
+    EXPECT_EQ(both.emissivity.at(4.0), 0.75);
+    EXPECT_EQ(both.diffuseReflectivity.at(5.0), 0.2);
+}
+
+TEST(MaterialCsv, TakesTheBlocksOfRefractiveIndexInfo) {
+    const Material material = read("wl,n\n3,4.1\n5,5.3\n\nwl,k\n3,29\n4,35\n5,44\n");
+    EXPECT_EQ(material.refractiveIndex.at(5.0), 5.3);
+    EXPECT_EQ(material.extinction.at(4.0), 35.0);
+    EXPECT_EQ(material.emissivity, Spectrum::constant(1.0));
+    const auto told = [](const std::string& text) -> std::string {
+        try {
+            read(text);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "nothing";
+    };
+    EXPECT_THAT(told("wl,n\n3,4.1\n2,5.3\n"), HasSubstr("line 3, column 1"));
+    EXPECT_THAT(told("wl,n\n3,x\n"), HasSubstr("line 2, column 2"));
+    EXPECT_THAT(told("wl,q\n3,4\n"), HasSubstr("'n' or 'k'"));
+    EXPECT_THAT(told("wl,n\n3\n"), HasSubstr("line 2"));
+    EXPECT_THAT(told("um,n\n3,-4\n5,1\n"), HasSubstr("at least 0"));
+}
+
+TEST(MaterialCsv, TakesATableOfReflectanceAsAModel) {
+    const TemporaryFolder folder;
+    SignatureDatabase database;
+    database.materials[4].name = "coat";
+    const auto file =
+        writeBytes(folder / "coat.csv", std::string("incidence_deg,3,5\n0,0.2,0.4\n90,1,1\n"));
+    const Material material = importedReflectance(file, database, 4);
+    EXPECT_EQ(material.name, "coat");
+    EXPECT_EQ(material.surfaceModel, "tabulated");
+    EXPECT_NEAR(material.emissivity.at(4.0), 0.7, 1e-9);
+    EXPECT_EQ(importedReflectance(file, database, 5).name, "coat");
+}
+
 TEST(MaterialCsv, KeepsNameAndN) {
     Material material;
     material.name = "paint";

@@ -160,8 +160,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "format", "'gltf'", "smat-signature"},
         BadJson{
             "NewerVersion",
-            R"({"format": "smat-signature", "version": 4, "temperatures": {}, "materials": {}})",
-            "version", "4", "1 to 3"},
+            R"({"format": "smat-signature", "version": 7, "temperatures": {}, "materials": {}})",
+            "version", "7", "1 to 6"},
         BadJson{"NoMaterials", R"({"format": "smat-signature", "version": 1, "temperatures": {}})",
                 "materials", "nothing", "required"},
         BadJson{"UnknownTopKey",

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "tests/support/SceneFixtures.h"
@@ -25,6 +28,31 @@ inline Irsg rendererOf(const std::vector<Entity>& entities, const RenderSettings
     irsg.setSettings(settings);
     irsg.setEntities(entities);
     return irsg;
+}
+
+/// What a camera in a closed room of 2 x 1.5 x 1 m about its origin sees in 3 to 5 um, pixel by
+/// pixel.
+inline std::vector<double> pixelsInRoom(const Entity& room, int bounces, double error) {
+    Irsg irsg = rendererOf({room}, lightSettings(bounces, error));
+    Sensor sensor = sensorOf(24, 20, 100.0);
+    sensor.band = Band::topHat(3.0, 5.0);
+    irsg.setSensor(sensor);
+    const Vec3 eye{1.6, 1.1, standingAltitude_m + 0.6};
+    irsg.setViewpoint(Viewpoint::lookAt(eye, eye + Vec3{-std::cos(0.6), -std::sin(0.6), -0.2}));
+    const RadianceImage image = irsg.render().image;
+    const std::vector<float>& values = image.find("L")->values;
+    return {values.begin(), values.end()};
+}
+
+/// The least and the greatest ratio of one's pixels to another's.
+inline std::pair<double, double> ratiosOf(const std::vector<double>& one,
+                                          const std::vector<double>& other) {
+    std::pair<double, double> found{one.at(0) / other.at(0), one.at(0) / other.at(0)};
+    for (std::size_t p = 0; p < one.size(); ++p) {
+        found.first = std::min(found.first, one[p] / other.at(p));
+        found.second = std::max(found.second, one[p] / other.at(p));
+    }
+    return found;
 }
 
 } // namespace irsg::test

@@ -51,6 +51,20 @@ CkKey& CkKey::add(const std::string& text) {
     return *this;
 }
 
+CkKey& CkKey::add(const Spectrum& spectrum) {
+    for (const auto* numbers : {&spectrum.wavelengths_um(), &spectrum.values()}) {
+        add(static_cast<double>(numbers->size()));
+        for (const double number : *numbers)
+            add(number);
+    }
+    return *this;
+}
+
+CkKey& CkKey::addDigest(std::span<const double> numbers) {
+    add(static_cast<double>(numbers.size()));
+    return add(digest({reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()}));
+}
+
 CkStore::CkStore(fs::path folder, std::uintmax_t bytes)
     : folder_(std::move(folder)), bytes_(bytes) {}
 

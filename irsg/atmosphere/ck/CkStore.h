@@ -3,7 +3,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
+
+#include "irsg/radiometry/Spectrum.h"
 
 namespace irsg {
 
@@ -12,6 +15,10 @@ class CkKey {
   public:
     CkKey& add(double value);
     CkKey& add(const std::string& text);
+    /// Its nodes and values; a constant has a value and no wavelength.
+    CkKey& add(const Spectrum& spectrum);
+    /// Many numbers by a digest of their bits.
+    CkKey& addDigest(std::span<const double> numbers);
     const std::string& text() const { return text_; }
 
   private:

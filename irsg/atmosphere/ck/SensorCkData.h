@@ -26,7 +26,11 @@ struct CkRequest {
     double largestError = 0.003; ///< of in-band quantities on the training cases, relative
     std::size_t mostTerms = 250;
 };
+class Atmosphere;
 class CkKey;
+class CkNodes;
+struct CkAir;
+struct SparseWeights;
 /// Adds all of a request to what its terms are found by, and what training itself is.
 void addTo(CkKey& key, const CkRequest& request);
 
@@ -43,11 +47,15 @@ class SensorCkData : public SpectralSampling {
   public:
     /// Trains the terms. Throws InputError where the band has no node in the atmosphere's table.
     static SensorCkData prepare(const RadiativeTransfer& transfer, const CkRequest& request);
+    /// Of air that is not computed: `known` is `air` at its nodes, and the error on paths that were
+    /// not trained is that against the spectral mode of `air`, which is asked at the terms for it.
+    static SensorCkData prepare(const CkAir& known, const Atmosphere& air,
+                                const CkRequest& request);
 
     /// The terms as text, and from it: nothing where it is damaged or of other tables. The band is
     /// that of the training.
     std::string kept() const;
-    static std::optional<SensorCkData> fromKept(const RadiativeTransfer& transfer, const Band& band,
+    static std::optional<SensorCkData> fromKept(const CkNodes& nodes, const Band& band,
                                                 const std::string& text);
 
     /// A sampling as terms; null where it is of another kind.
@@ -69,6 +77,7 @@ class SensorCkData : public SpectralSampling {
 
   private:
     explicit SensorCkData(Band band) : band_(std::move(band)) {}
+    SensorCkData(const CkNodes& nodes, const CkRequest& request, const SparseWeights& chosen);
 
     Band band_;
     NodeSet nodes_;

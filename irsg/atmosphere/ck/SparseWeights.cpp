@@ -1,218 +1,18 @@
 #include "irsg/atmosphere/ck/SparseWeights.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <memory>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
+#include "irsg/atmosphere/ck/ActiveSet.h"
 #include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/VectorClones.h"
 
 namespace irsg {
 
 namespace {
-
-constexpr std::size_t lanes = 16; ///< sums that run side by side, so that compilers make vectors
-
-template <typename Number>
-double sumOf(const std::array<Number, lanes>& sums) {
-    double all = 0.0;
-    for (const Number sum : sums)
-        all += static_cast<double>(sum);
-    return all;
-}
-
-IRSG_VECTOR_CLONES double product(const float* a, const float* b, std::size_t n) {
-    std::array<double, lanes> sums{};
-    std::size_t r = 0;
-    for (; r + lanes <= n; r += lanes)
-        for (std::size_t k = 0; k < lanes; ++k)
-            sums[k] += static_cast<double>(a[r + k]) * static_cast<double>(b[r + k]);
-    for (; r < n; ++r)
-        sums[0] += static_cast<double>(a[r]) * static_cast<double>(b[r]);
-    return sumOf(sums);
-}
-
-IRSG_VECTOR_CLONES double coarseProduct(const float* a, const float* b, std::size_t n) {
-    std::array<float, lanes> sums{};
-    std::size_t r = 0;
-    for (; r + lanes <= n; r += lanes)
-        for (std::size_t k = 0; k < lanes; ++k)
-            sums[k] += a[r + k] * b[r + k];
-    for (; r < n; ++r)
-        sums[0] += a[r] * b[r];
-    return sumOf(sums);
-}
-
-IRSG_VECTOR_CLONES void subtract(double weight, const float* column, std::size_t n, double* rest) {
-    for (std::size_t r = 0; r < n; ++r)
-        rest[r] -= weight * static_cast<double>(column[r]);
-}
-
-double largest(const std::vector<double>& values) {
-    double most = 0.0;
-    for (const double value : values)
-        most = std::max(most, std::abs(value));
-    return most;
-}
-
-/// Least squares with weighted rows over a set of columns that grows and shrinks.
-class ActiveSet {
-  public:
-    explicit ActiveSet(const SparseProblem& problem)
-        : problem_(&problem), importance_(problem.rows, 1.0f) {
-        for (const double value : problem.target)
-            target_.push_back(static_cast<float>(value));
-    }
-
-    const std::vector<std::size_t>& columns() const { return columns_; }
-    const std::vector<double>& weights() const { return weights_; }
-    const std::vector<float>& importance() const { return importance_; }
-    std::size_t size() const { return columns_.size(); }
-
-    void add(std::size_t column) {
-        columns_.push_back(column);
-        weights_.push_back(0.0);
-        appendProducts(columns_.size() - 1);
-    }
-    void remove(std::size_t place) {
-        const auto at = static_cast<std::ptrdiff_t>(place);
-        columns_.erase(columns_.begin() + at);
-        weights_.erase(weights_.begin() + at);
-        right_.erase(right_.begin() + at);
-        gram_.erase(gram_.begin() + at);
-        for (std::size_t i = place; i < gram_.size(); ++i)
-            gram_[i].erase(gram_[i].begin() + at);
-    }
-    /// Makes rows count more the larger their errors are.
-    void emphasize(const std::vector<double>& rest) {
-        const double perLargest = 1.0 / std::max(largest(rest), 1e-30);
-        double sum = 0.0;
-        for (std::size_t r = 0; r < rest.size(); ++r) {
-            constexpr double least = 0.02;
-            importance_[r] *= static_cast<float>(std::abs(rest[r]) * perLargest + least);
-            sum += static_cast<double>(importance_[r]);
-        }
-        const auto scale = static_cast<float>(static_cast<double>(rest.size()) / sum);
-        for (float& value : importance_)
-            value = std::max(value * scale, 1e-6f);
-        gram_.clear();
-        right_.clear();
-        for (std::size_t i = 0; i < columns_.size(); ++i)
-            appendProducts(i);
-    }
-    /// Solves for weights that are not negative, from those at hand: they move towards the
-    /// unconstrained solution as far as all stay positive, and what reaches zero leaves the set.
-    /// False where a column depends on the others.
-    bool solve() {
-        for (;;) {
-            if (!decompose())
-                return false;
-            const std::vector<double> trial = solution();
-            double step = 1.0;
-            for (std::size_t i = 0; i < trial.size(); ++i)
-                if (trial[i] <= 0.0)
-                    step = std::min(step, weights_[i] / (weights_[i] - trial[i]));
-            bool isInside = true;
-            for (std::size_t i = trial.size(); i-- > 0;) {
-                isInside = isInside && trial[i] > 0.0;
-                weights_[i] += step * (trial[i] - weights_[i]);
-                if (weights_[i] <= 1e-14)
-                    remove(i);
-            }
-            if (isInside)
-                return true;
-        }
-    }
-    std::vector<double> residual() const {
-        std::vector<double> rest = problem_->target;
-        for (std::size_t i = 0; i < weights_.size(); ++i)
-            subtract(weights_[i], data(columns_[i]), problem_->rows, rest.data());
-        return rest;
-    }
-    /// Places in the set, from the column whose loss raises the sum of squares least: by
-    /// weight^2 / (Gram^-1)_ii.
-    std::vector<std::size_t> dispensable() {
-        decompose();
-        const std::size_t n = size();
-        std::vector<double> cost(n), row(n);
-        for (std::size_t k = 0; k < n; ++k) {
-            double inverse = 0.0; // of the Gram matrix: squares of a column of the inverse factor
-            for (std::size_t i = k; i < n; ++i) {
-                double sum = i == k ? 1.0 : 0.0;
-                for (std::size_t j = k; j < i; ++j)
-                    sum -= factor_[i][j] * row[j];
-                row[i] = sum / factor_[i][i];
-                inverse += row[i] * row[i];
-            }
-            cost[k] = weights_[k] * weights_[k] / inverse;
-        }
-        std::vector<std::size_t> order(n);
-        std::iota(order.begin(), order.end(), 0u);
-        std::ranges::sort(order, {}, [&](std::size_t i) { return cost[i]; });
-        return order;
-    }
-
-  private:
-    const float* data(std::size_t column) const {
-        return problem_->columns.data() + column * problem_->rows;
-    }
-    void appendProducts(std::size_t place) {
-        const float* own = data(columns_[place]);
-        std::vector<float> weighted(problem_->rows);
-        for (std::size_t r = 0; r < weighted.size(); ++r)
-            weighted[r] = own[r] * importance_[r];
-        std::vector<double> products;
-        for (std::size_t i = 0; i <= place; ++i)
-            products.push_back(product(weighted.data(), data(columns_[i]), problem_->rows));
-        gram_.push_back(std::move(products));
-        right_.push_back(product(weighted.data(), target_.data(), problem_->rows));
-    }
-    /// Cholesky's.
-    bool decompose() {
-        const std::size_t n = columns_.size();
-        factor_.assign(n, {});
-        for (std::size_t i = 0; i < n; ++i) {
-            factor_[i].resize(i + 1);
-            for (std::size_t j = 0; j <= i; ++j) {
-                double sum = gram_[i][j];
-                for (std::size_t k = 0; k < j; ++k)
-                    sum -= factor_[i][k] * factor_[j][k];
-                if (i != j)
-                    factor_[i][j] = sum / factor_[j][j];
-                else if (sum <= 1e-11 * gram_[i][i])
-                    return false;
-                else
-                    factor_[i][i] = std::sqrt(sum);
-            }
-        }
-        return true;
-    }
-    std::vector<double> solution() const {
-        const std::size_t n = columns_.size();
-        std::vector<double> x(n);
-        for (std::size_t i = 0; i < n; ++i) {
-            double sum = right_[i];
-            for (std::size_t k = 0; k < i; ++k)
-                sum -= factor_[i][k] * x[k];
-            x[i] = sum / factor_[i][i];
-        }
-        for (std::size_t i = n; i-- > 0;) {
-            for (std::size_t k = i + 1; k < n; ++k)
-                x[i] -= factor_[k][i] * x[k];
-            x[i] /= factor_[i][i];
-        }
-        return x;
-    }
-
-    const SparseProblem* problem_;
-    std::vector<float> importance_; ///< of the rows, mean 1
-    std::vector<float> target_;
-    std::vector<std::size_t> columns_;
-    std::vector<double> weights_;
-    std::vector<std::vector<double>> gram_, factor_; ///< lower triangles
-    std::vector<double> right_;
-};
 
 /// A set and how far it is from the target.
 struct Fit {
@@ -224,11 +24,12 @@ struct Fit {
         : set(std::move(active)), rest(set.residual()), error(largest(rest)) {}
 };
 
-/// Lawson's iteration towards the least largest error; the best of a few passes.
-Fit levelled(ActiveSet set, int passes) {
+/// Lawson's iteration towards the least largest error; the best of a few passes, of which there are
+/// no more once the error is small enough.
+Fit levelled(ActiveSet set, int passes, double enough = 0.0) {
     Fit best(std::move(set));
     Fit now = best;
-    for (int pass = 0; pass < passes; ++pass) {
+    for (int pass = 0; pass < passes && best.error > enough; ++pass) {
         now.set.emphasize(now.rest);
         if (!now.set.solve())
             break;
@@ -242,10 +43,10 @@ Fit levelled(ActiveSet set, int passes) {
 /// Finds columns to add.
 class Candidates {
   public:
-    explicit Candidates(const SparseProblem& problem)
-        : problem_(problem), used_(problem.columnCount(), 0) {
-        for (std::size_t c = 0; c < problem.columnCount(); ++c) {
-            const double square = product(column(c), column(c), problem.rows);
+    explicit Candidates(const SomeRows& problem)
+        : problem_(problem), used_(problem.columnCount, 0) {
+        for (std::size_t c = 0; c < problem.columnCount; ++c) {
+            const double square = coarseProduct(problem.column(c), problem.column(c), problem.rows);
             perLength_.push_back(square > 0.0 ? 1.0 / std::sqrt(square) : 0.0);
         }
     }
@@ -267,7 +68,7 @@ class Candidates {
             if (used_[c])
                 continue;
             const double slope =
-                coarseProduct(column(c), direction.data(), problem_.rows) * perLength_[c];
+                coarseProduct(problem_.column(c), direction.data(), problem_.rows) * perLength_[c];
             if (slope > bestSlope) {
                 bestSlope = slope;
                 best = c;
@@ -277,26 +78,27 @@ class Candidates {
     }
 
   private:
-    const float* column(std::size_t c) const { return problem_.columns.data() + c * problem_.rows; }
-
-    const SparseProblem& problem_;
+    const SomeRows& problem_;
     std::vector<double> perLength_;
     std::vector<char> used_;
     std::vector<std::size_t> refused_; ///< they say nothing new
 };
 
-/// Adds terms until no row's error is above `largestError`, `most` are in use or none helps.
-Fit grown(const SparseProblem& problem, double largestError, std::size_t most) {
+/// Adds terms to a set until no row's error is above `largestError`, `most` are in use or none
+/// helps.
+Fit grown(const SomeRows& problem, ActiveSet start, double largestError, std::size_t most) {
     // A fit that is stuck comes loose as a rule: some sets need a hundred terms more for it.
     constexpr int patience = 250;
     Candidates candidates(problem);
-    Fit fit{ActiveSet(problem)};
+    Fit fit(std::move(start));
+    if (fit.set.size() > 0)
+        fit = levelled(std::move(fit.set), fit.set.size() < most ? 1 : 6, largestError);
     Fit best = fit;
     int fruitless = 0;
-    std::size_t levelledAt = 0;
+    std::size_t levelledAt = fit.set.size();
     while (best.error > largestError && fit.set.size() < most && fruitless < patience) {
         const std::size_t next = candidates.steepest(fit);
-        if (next == problem.columnCount())
+        if (next == problem.columnCount)
             break;
         ActiveSet with = fit.set;
         with.add(next);
@@ -317,33 +119,39 @@ Fit grown(const SparseProblem& problem, double largestError, std::size_t most) {
     return best;
 }
 
-/// Takes terms out as long as the error stays within the bound.
-Fit pruned(Fit fit, double largestError) {
-    constexpr int passes = 6, attempts = 3;
-    fit = levelled(std::move(fit.set), passes);
+/// How far a set is from the target in every row of a problem.
+std::vector<double> restOf(const SparseProblem& problem, const ActiveSet& set) {
+    std::vector<double> rest = problem.target;
+    for (std::size_t r = 0; r < rest.size(); ++r)
+        for (std::size_t i = 0; i < set.size(); ++i)
+            rest[r] -= set.weights()[i] * static_cast<double>(problem.row(r)[set.columns()[i]]);
+    return rest;
+}
+
+/// Takes terms out as long as the error stays within the bound in every row of the problem.
+Fit pruned(const SparseProblem& problem, Fit fit, double largestError) {
+    constexpr int passes = 3, attempts = 3;
     for (bool isFinished = false; !isFinished;) {
         isFinished = true;
         const std::vector<std::size_t> order = fit.set.dispensable();
         // Many at once while there is room, then one by one.
-        const bool isFar = fit.error < 0.7 * largestError;
-        const std::size_t many = isFar ? fit.set.size() / 16 : 0;
-        for (int attempt = many > 1 ? 0 : 1; attempt <= attempts && isFinished; ++attempt) {
-            const auto at = static_cast<std::size_t>(attempt);
-            std::vector<std::size_t> places;
-            if (attempt == 0)
-                places.assign(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(many));
-            else if (at <= order.size())
-                places = {order[at - 1]};
-            if (places.empty() || places.size() >= fit.set.size())
+        for (std::size_t attempt = 0; attempt <= attempts && isFinished; ++attempt) {
+            const std::size_t many = attempt == 0 ? fit.set.size() / 16 : 1;
+            const std::size_t from = attempt == 0 ? 0 : attempt - 1;
+            if ((attempt == 0 && many < 2) || many >= fit.set.size() || from + many > order.size())
                 continue;
+            std::vector<std::size_t> places(order.begin() + static_cast<std::ptrdiff_t>(from),
+                                            order.begin() +
+                                                static_cast<std::ptrdiff_t>(from + many));
             std::ranges::sort(places, std::ranges::greater());
             ActiveSet fewer = fit.set;
             for (const std::size_t place : places)
                 fewer.remove(place);
             if (!fewer.solve())
                 continue;
-            Fit trial = levelled(std::move(fewer), passes);
-            if (trial.error <= largestError) {
+            Fit trial = levelled(std::move(fewer), passes, largestError);
+            if (trial.error <= largestError &&
+                largest(restOf(problem, trial.set)) <= largestError) {
                 fit = std::move(trial);
                 isFinished = false;
             }
@@ -352,27 +160,84 @@ Fit pruned(Fit fit, double largestError) {
     return fit;
 }
 
+/// Rows that a fit sees: some of a problem, and what it misses.
+class WorkingRows {
+  public:
+    WorkingRows(std::size_t all, std::size_t few) : isIn_(all, 0) {
+        const std::size_t step = std::max<std::size_t>(1, all / few);
+        for (std::size_t r = 0; r < all; r += step)
+            take(r);
+    }
+    const std::vector<std::size_t>& rows() const { return rows_; }
+
+    /// Takes in the rows of the largest errors above a bound; false where there is none.
+    bool grow(const std::vector<double>& rest, double bound, std::size_t most) {
+        std::vector<std::size_t> missed;
+        for (std::size_t r = 0; r < rest.size(); ++r)
+            if (!isIn_[r] && std::abs(rest[r]) > bound)
+                missed.push_back(r);
+        std::ranges::stable_sort(missed, std::ranges::greater(),
+                                 [&](std::size_t r) { return std::abs(rest[r]); });
+        missed.resize(std::min(missed.size(), most));
+        for (const std::size_t r : missed)
+            take(r);
+        return !missed.empty();
+    }
+
+  private:
+    void take(std::size_t r) {
+        rows_.push_back(r);
+        isIn_[r] = 1;
+    }
+    std::vector<std::size_t> rows_;
+    std::vector<char> isIn_;
+};
+
 } // namespace
 
 SparseWeights sparseWeights(const SparseProblem& problem, double largestError, std::size_t most) {
-    if (problem.columnCount() == 0 || problem.target.size() != problem.rows)
+    if (problem.columnCount == 0 || problem.matrix.size() != problem.columnCount * problem.rows())
         throw LogicError("terms were asked for where there are no candidates");
-    Fit fit = grown(problem, largestError, most);
-    if (fit.error <= largestError)
-        fit = pruned(std::move(fit), largestError);
+    constexpr std::size_t fewRows = 400, moreRows = 150;
+    constexpr int rounds = 12;
+    // Rows that are not looked at may be a little worse than those that are.
+    const double bound = 0.9 * largestError;
 
+    WorkingRows working(problem.rows(), fewRows);
+    auto some = std::make_unique<SomeRows>(problem, working.rows());
     SparseWeights result;
-    std::vector<std::size_t> order(fit.set.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::ranges::sort(order, {}, [&](std::size_t i) { return fit.set.columns()[i]; });
-    for (const std::size_t i : order) {
-        result.columns.push_back(fit.set.columns()[i]);
-        result.weights.push_back(fit.set.weights()[i]);
+    result.largestError = HUGE_VAL;
+    const auto take = [&](const Fit& fit, const std::vector<double>& rest) {
+        result.columns = fit.set.columns();
+        result.weights = fit.set.weights();
+        result.largestError = largest(rest);
+        result.rmsError =
+            std::sqrt(std::inner_product(rest.begin(), rest.end(), rest.begin(), 0.0) /
+                      static_cast<double>(rest.size()));
+    };
+    ActiveSet start(*some);
+    for (int round = 0; round < rounds; ++round) {
+        Fit fit = grown(*some, std::move(start), bound, most);
+        const std::vector<double> rest = restOf(problem, fit.set);
+        if (largest(rest) < result.largestError)
+            take(fit, rest);
+        if (result.largestError <= largestError) {
+            fit = pruned(problem, std::move(fit), largestError);
+            take(fit, restOf(problem, fit.set));
+            break;
+        }
+        if (!working.grow(rest, std::max(bound, fit.error), moreRows))
+            break;
+        auto more = std::make_unique<SomeRows>(problem, working.rows());
+        start = ActiveSet(*more, fit.set);
+        some = std::move(more);
     }
-    result.largestError = fit.error;
-    const double squares =
-        std::inner_product(fit.rest.begin(), fit.rest.end(), fit.rest.begin(), 0.0);
-    result.rmsError = std::sqrt(squares / static_cast<double>(problem.rows));
+    std::vector<std::pair<std::size_t, double>> terms;
+    for (std::size_t i = 0; i < result.columns.size(); ++i)
+        terms.emplace_back(result.columns[i], result.weights[i]);
+    std::ranges::sort(terms);
+    for (std::size_t i = 0; i < terms.size(); ++i)
+        std::tie(result.columns[i], result.weights[i]) = terms[i];
     return result;
 }
 

@@ -7,11 +7,12 @@ namespace irsg {
 
 /// A linear problem whose solution shall have few terms: weights w >= 0 with matrix * w = target.
 struct SparseProblem {
-    std::size_t rows = 0;
-    std::vector<float> columns; ///< column by column
+    std::size_t columnCount = 0;
+    std::vector<float> matrix; ///< row by row
     std::vector<double> target;
 
-    std::size_t columnCount() const { return rows == 0 ? 0 : columns.size() / rows; }
+    std::size_t rows() const { return target.size(); }
+    const float* row(std::size_t r) const { return matrix.data() + r * columnCount; }
 };
 
 struct SparseWeights {
@@ -26,7 +27,9 @@ struct SparseWeights {
 /// given more and more importance, which leads to the least largest error (Lawson's iteration, Rice
 /// and Usow 1968, Math. Comp. 22, 118). Stops when no row's error is above `largestError`, when
 /// `most` terms are in use or when nothing improves. Then terms that matter least are taken out
-/// again as long as the error stays within the bound.
+/// again as long as the error stays within the bound. All of it sees a few hundred rows, to which
+/// those are added that the terms so found miss most, until they hold for every row: rows of one
+/// path and its neighbours say nearly the same.
 SparseWeights sparseWeights(const SparseProblem& problem, double largestError, std::size_t most);
 
 } // namespace irsg

@@ -214,7 +214,16 @@ Optics humidOptics(const std::string& model, double relativeHumidity) {
 }
 
 std::vector<ParticleLayer> aerosols(const ParticleSettings& settings,
-                                    const HumidityProfile& relativeHumidityAt) {
+                                    const HumidityProfile& humidityAboveGround) {
+    // Tables begin at sea level.
+    constexpr double still_m = 6000.0;
+    const auto aboveGround_m = [&](double altitude_m) {
+        return altitude_m < still_m ? altitude_m * (1.0 - settings.ground_m / still_m)
+                                    : altitude_m - settings.ground_m;
+    };
+    const HumidityProfile relativeHumidityAt = [&](double altitude_m) {
+        return humidityAboveGround(aboveGround_m(altitude_m));
+    };
     const AerosolModel kind = *settings.aerosol;
     const Model& model = models.at(static_cast<std::size_t>(kind));
 
@@ -263,6 +272,8 @@ std::vector<ParticleLayer> aerosols(const ParticleSettings& settings,
         upper[i] = stratosphere[i] > 0.0 ? 0.0 : upper[i];
     layers.push_back(
         layer("meteoric dust", region(table.first(), upper), dryOptics("meteoric_dust")));
+    for (ParticleLayer& one : layers)
+        std::ranges::transform(one.altitudes_m, one.altitudes_m.begin(), aboveGround_m);
     return layers;
 }
 

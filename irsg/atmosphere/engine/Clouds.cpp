@@ -29,7 +29,7 @@ const std::map<int, Cloud> waterClouds = {{1, {"cumulus"}},
 constexpr double waterEdge = 0.02;
 constexpr double cirrusEdge = 0.1;
 
-const ParticleTable& table() {
+const ParticleTable& cloudTable() {
     static const ParticleTable table = ParticleTable::read(
         atmosphereResource("particles-clouds.csv"), ParticleTable::Kind::profile,
         {"cumulus", "altostratus", "stratus", "stratocumulus", "nimbostratus", "rain_drizzle2",
@@ -39,7 +39,7 @@ const ParticleTable& table() {
 
 /// The rows of the table in which a cloud is, the last included.
 std::pair<std::size_t, std::size_t> rowsOf(const char* kind) {
-    const std::vector<double>& values = table().column(kind);
+    const std::vector<double>& values = cloudTable().column(kind);
     auto wet = [](double value) { return value > 0.0; };
     const auto first = std::ranges::find_if(values, wet);
     if (first == values.end())
@@ -83,9 +83,9 @@ ParticleLayer waterCloud(const ParticleSettings& settings, const Cloud& cloud,
         append(layer, std::max(0.0, place.base_m - edge_m), 0.0);
     for (std::size_t i = first; i <= last; ++i)
         append(layer,
-               place.base_m + (table().first()[i] - place.ownBase_m) * place.thickness_m /
+               place.base_m + (cloudTable().first()[i] - place.ownBase_m) * place.thickness_m /
                                   place.ownThickness_m,
-               table().column(cloud.kind)[i]);
+               cloudTable().column(cloud.kind)[i]);
     append(layer, place.base_m + place.thickness_m + edge_m, 0.0);
     if (settings.cloudExtinction_per_m > 0.0)
         scale(layer, settings.cloudExtinction_per_m, place.thickness_m);
@@ -130,10 +130,10 @@ double rainExtinction_per_m(double rate_mm_h) {
 ParticleLayer rain(const Cloud& cloud, const CloudPlace& place) {
     ParticleLayer layer;
     layer.name = "rain";
-    const std::vector<double>& rates = table().column(cloud.rain);
+    const std::vector<double>& rates = cloudTable().column(cloud.rain);
     const std::size_t last = rowsOf(cloud.kind).second;
     for (std::size_t i = 0; i <= last; ++i) {
-        const double own_m = table().first()[i];
+        const double own_m = cloudTable().first()[i];
         const double altitude_m = own_m < place.ownBase_m
                                       ? own_m * place.base_m / place.ownBase_m
                                       : place.base_m + (own_m - place.ownBase_m) *
@@ -153,8 +153,8 @@ CloudPlace cloudPlace(const ParticleSettings& settings) {
     const auto water = waterClouds.find(settings.cloudModel);
     if (water != waterClouds.end()) {
         const auto [first, last] = rowsOf(water->second.kind);
-        place.ownBase_m = table().first()[first];
-        place.ownThickness_m = table().first()[last] - place.ownBase_m;
+        place.ownBase_m = cloudTable().first()[first];
+        place.ownThickness_m = cloudTable().first()[last] - place.ownBase_m;
     } else {
         // Cirrus lie higher where the troposphere does: tropical, midlatitude summer and winter,
         // subarctic summer and winter, US standard.

@@ -17,7 +17,7 @@ std::string column(const char* quantity, int mode, const char* humidity) {
     return std::string("log10_") + quantity + "_mode" + std::to_string(mode) + humidity;
 }
 
-const ParticleTable& table() {
+const ParticleTable& navyTable() {
     static const ParticleTable table = [] {
         std::vector<std::string> columns;
         for (const char* quantity : {"ext", "abs"})
@@ -52,12 +52,12 @@ WindAerosol navyMaritime(int airMass, double wind_m_s, double wind24h_m_s,
     while (i + 1 < percents.size() && percent > percents[i])
         ++i;
     const double part = (percent - percents[i - 1]) / (percents[i] - percents[i - 1]);
-    const std::size_t count = table().first().size();
+    const std::size_t count = navyTable().first().size();
     auto sum = [&](const char* quantity) {
         std::vector<double> result(count, 0.0);
         for (int mode = 1; mode <= 3; ++mode) {
-            const auto& drier = table().column(column(quantity, mode, humidities[i - 1]));
-            const auto& moister = table().column(column(quantity, mode, humidities[i]));
+            const auto& drier = navyTable().column(column(quantity, mode, humidities[i - 1]));
+            const auto& moister = navyTable().column(column(quantity, mode, humidities[i]));
             for (std::size_t k = 0; k < count; ++k)
                 result[k] += factor_per_m * amplitudes[static_cast<std::size_t>(mode - 1)] *
                              std::pow(10.0, std::lerp(drier[k], moister[k], part));
@@ -71,7 +71,7 @@ WindAerosol navyMaritime(int airMass, double wind_m_s, double wind24h_m_s,
     const Optics maritime = humidOptics("maritime", f);
     const ParticleLayer phase{"", {}, {}, maritime.wavelengths_um, maritime.values};
     WindAerosol result;
-    result.optics.wavelengths_um = table().first();
+    result.optics.wavelengths_um = navyTable().first();
     for (std::size_t k = 0; k < count; ++k)
         result.optics.values.push_back({extinction[k], std::min(absorption[k], extinction[k]),
                                         phase.opticsAt(result.optics.wavelengths_um[k]).asymmetry});

@@ -8,16 +8,16 @@ namespace irsg::continuum {
 
 namespace {
 
-struct Tables {
+struct OzoneTables {
     EvenTable visible, huggins, ultraviolet, nitricAcid;
 };
 
-const Tables& tables() {
-    static const Tables shipped = [] {
+const OzoneTables& ozoneTables() {
+    static const OzoneTables shipped = [] {
         auto read = [](const char* name, const std::vector<std::string>& columns) {
             return EvenTable::read(atmosphereResource(name), columns);
         };
-        return Tables{
+        return OzoneTables{
             read("continuum-ozone-visible.csv", {"k [atm-1 cm-1]"}),
             read("continuum-ozone-huggins.csv", {"c0 [1e-20 cm2]", "c1 [K-1]", "c2 [K-2]"}),
             read("continuum-ozone-ultraviolet.csv", {"sigma [1e-20 cm2]"}),
@@ -29,7 +29,7 @@ const Tables& tables() {
 } // namespace
 
 double ozone_per_m(const AtmosphericState& air, double wavenumber_per_cm) {
-    const Tables& all = tables();
+    const OzoneTables& all = ozoneTables();
     double cross_cm2 = 0.0;
     if (const auto huggins = all.huggins.place(wavenumber_per_cm); huggins.inside) {
         const double dT = clampedTemperature_K(air) - 273.15;
@@ -44,7 +44,7 @@ double ozone_per_m(const AtmosphericState& air, double wavenumber_per_cm) {
 }
 
 double nitricAcid_per_m(const AtmosphericState& air, double wavenumber_per_cm) {
-    const EvenTable& table = tables().nitricAcid;
+    const EvenTable& table = ozoneTables().nitricAcid;
     return 100.0 * table.at(0, table.place(wavenumber_per_cm)) * air.fraction(Gas::HNO3) *
            amagats(air);
 }

@@ -53,6 +53,7 @@ void checkAerosol(const ParticleSettings& s, Diagnostics& diagnostics) {
 
     if (s.airMass < 1 || s.airMass > 10)
         diagnostics.add("AirMass", std::to_string(s.airMass), "1 (open ocean) to 10 (continental)");
+    diagnostics.within("GroundAltitude", s.ground_m, 0.0, 5000.0, "0 to 5000 m");
     diagnostics.within("WindSpeed", s.windSpeed_m_s, 0.1, 30.0, "0.1 to 30 m/s");
     diagnostics.within("WindSpeedAverage24", s.windSpeed24h_m_s, 0.1, 30.0, "0.1 to 30 m/s");
     diagnostics.within("WindSpeedMeasurementHeight", s.windHeight_m, 2.0, 40.0, "2 to 40 m");

@@ -52,6 +52,9 @@ struct ParticleSettings {
     double windSpeed_m_s = 5.0; ///< now, at windHeight_m, 0.1 to 30
     double windSpeed24h_m_s = 5.0; ///< mean of the last 24 hours
     double windHeight_m = 10.0;    ///< of both winds above ground, 2 to 40
+    /// Of the ground above sea level, 0 to 5000: aerosols below 6 km are pressed together between
+    /// it and there, those above stay where they are, as with MODTRAN's GNDALT.
+    double ground_m = 0.0;
     bool winter = false;           ///< autumn/winter profiles above 2 km, else spring/summer
     int cloudModel = 0;            ///< 0 none, 1 to 5 clouds, 6 to 10 with rain, 18 and 19 cirrus
     double cloudBase_m = -1.0;     ///< negative: the model's own

@@ -88,6 +88,19 @@ Profile Profile::withScaled(Gas gas, double factor) const {
     return Profile(std::move(levels), name_);
 }
 
+Profile Profile::withGroundAt(double ground_m) const {
+    if (!(ground_m >= 0.0 && ground_m < top_m()))
+        throw LogicError("a ground at " + numberText(ground_m) + " m");
+    std::vector<AtmosphericState> levels{at(ground_m)};
+    // A level that is nearly the ground is the ground.
+    for (const AtmosphericState& level : levels_)
+        if (level.altitude_m > ground_m + 1e-3)
+            levels.push_back(level);
+    for (AtmosphericState& level : levels)
+        level.altitude_m -= ground_m;
+    return Profile(std::move(levels), name_);
+}
+
 AtmosphericState Profile::at(double altitude_m) const {
     const auto upper = std::ranges::upper_bound(
         levels_, altitude_m, {}, [](const AtmosphericState& level) { return level.altitude_m; });

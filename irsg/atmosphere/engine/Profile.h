@@ -45,11 +45,18 @@ class Profile {
     /// A radiosonde ascent: CSV with the header `altitude [m], pressure [hPa], temperature [K] |
     /// temperature [C], relative_humidity [%] | dew_point [C] | h2o [ppmv]` in any order and
     /// optionally `co2 [ppmv]`, `o3 [ppmv]`, `n2o [ppmv]`, `co [ppmv]`, `ch4 [ppmv]`, `o2 [ppmv]`,
-    /// `hno3 [ppmv]`. Humidity and dew point are over water. The first altitude is at most 1000 m;
-    /// below it the air is isothermal and hydrostatic. Above its last level the ascent is blended
-    /// into `background` over 5 km (smooth step; the pressures there must agree within a fifth);
-    /// gases that the file lacks are the background's. Throws InputError naming every diagnostic.
-    static Profile fromRadiosonde(const std::filesystem::path& file, const Profile& background);
+    /// `hno3 [ppmv]`. Humidity and dew point are over water. Altitudes of the file are above sea
+    /// level, `ground_m` of it is altitude 0 of the result and of `background`; what lies below is
+    /// cut off. The first altitude is at most 1000 m above the ground; below it the air is
+    /// isothermal and hydrostatic. Above its last level the ascent is blended into `background`
+    /// over 5 km (smooth step; the pressures there must agree within a fifth); gases that the file
+    /// lacks are the background's. Throws InputError naming every diagnostic.
+    static Profile fromRadiosonde(const std::filesystem::path& file, const Profile& background,
+                                  double ground_m = 0.0);
+
+    /// The same air above a ground that lies higher: its altitude 0 is `ground_m` of this.
+    /// LogicError for a ground below 0 or not below the top.
+    Profile withGroundAt(double ground_m) const;
 
     /// The same air with a gas multiplied by a factor of 0 or more at all altitudes. Water stays
     /// where it is at saturation or goes no farther. LogicError for a negative factor.

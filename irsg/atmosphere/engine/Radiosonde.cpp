@@ -66,8 +66,8 @@ std::string quoted(const std::vector<std::string_view>& words, std::string_view 
 /// One ascent on its way from cells to levels; gathers the diagnostics as it goes.
 class Ascent {
   public:
-    Ascent(const std::filesystem::path& file, const Profile& background)
-        : table_(CsvTable::read(file)), background_(background) {
+    Ascent(const std::filesystem::path& file, const Profile& background, double ground_m)
+        : table_(CsvTable::read(file)), background_(background), ground_m_(ground_m) {
         readHeader();
         refuse();
         for (std::size_t i = 1; i < table_.rows().size(); ++i)
@@ -78,6 +78,7 @@ class Ascent {
         refuse();
         checkTop();
         refuse();
+        cutAtGround();
     }
 
     /// The rows, from the ground up, with the other gases of the background.
@@ -147,7 +148,7 @@ class Ascent {
     }
 
     void addLevel(const CsvRow& row) {
-        AtmosphericState level = background_.at(values_["altitude [m]"]);
+        AtmosphericState level = background_.at(values_["altitude [m]"] - ground_m_);
         level.pressure_hPa = values_["pressure [hPa]"];
         level.temperature_K = cells_.contains("temperature [K]")
                                   ? values_["temperature [K]"]
@@ -159,15 +160,16 @@ class Ascent {
 
         if (levels_.empty()) {
             if (level.altitude_m > highestStart_m)
-                diagnostics_.push_back(table_.diagnostic(cell(row, "altitude [m]"),
-                                                         "a first altitude of at most " +
-                                                             numberText(highestStart_m) + " m"));
+                diagnostics_.push_back(table_.diagnostic(
+                    cell(row, "altitude [m]"), "a first altitude of at most " +
+                                                   numberText(ground_m_ + highestStart_m) +
+                                                   " m, 1000 m above GroundAltitude"));
         } else {
             if (level.altitude_m <= levels_.back().altitude_m)
-                diagnostics_.push_back(table_.diagnostic(cell(row, "altitude [m]"),
-                                                         "more than " +
-                                                             numberText(levels_.back().altitude_m) +
-                                                             " m: altitudes ascend strictly"));
+                diagnostics_.push_back(table_.diagnostic(
+                    cell(row, "altitude [m]"),
+                    "more than " + numberText(levels_.back().altitude_m + ground_m_) +
+                        " m: altitudes ascend strictly"));
             if (level.pressure_hPa >= levels_.back().pressure_hPa)
                 diagnostics_.push_back(
                     table_.diagnostic(cell(row, "pressure [hPa]"),
@@ -199,6 +201,12 @@ class Ascent {
 
     void checkTop() {
         const AtmosphericState& last = levels_.back();
+        if (last.altitude_m <= 0.0) {
+            diagnostics_.push_back(table_.diagnostic(cell(table_.rows().back(), "altitude [m]"),
+                                                     "a last altitude above GroundAltitude, " +
+                                                         numberText(ground_m_) + " m"));
+            return;
+        }
         if (last.altitude_m >= background_.top_m())
             return;
         const double expected_hPa = background_.at(last.altitude_m).pressure_hPa;
@@ -207,11 +215,22 @@ class Ascent {
                 cell(table_.rows().back(), "pressure [hPa]"),
                 "about " + numberText(std::round(expected_hPa * 100.0) / 100.0) +
                     " hPa, the pressure of the atmosphere above (" + background_.name() + ") at " +
-                    numberText(last.altitude_m) + " m, within a fifth"));
+                    numberText(last.altitude_m + ground_m_) + " m, within a fifth"));
+    }
+
+    /// Between two rows the air at the ground is that of a profile.
+    void cutAtGround() {
+        const double below_m = -levels_.front().altitude_m;
+        if (!(below_m > 0.0))
+            return;
+        for (AtmosphericState& level : levels_)
+            level.altitude_m += below_m;
+        levels_ = Profile(levels_).withGroundAt(below_m).levels();
     }
 
     CsvTable table_;
     const Profile& background_;
+    double ground_m_; ///< above sea level, of which altitudes of the levels are
     std::map<std::string_view, std::size_t> cells_;
     std::map<std::string_view, double> values_;
     std::vector<AtmosphericState> levels_;
@@ -238,8 +257,9 @@ AtmosphericState blended(const AtmosphericState& background,
 
 } // namespace
 
-Profile Profile::fromRadiosonde(const std::filesystem::path& file, const Profile& background) {
-    const Ascent ascent(file, background);
+Profile Profile::fromRadiosonde(const std::filesystem::path& file, const Profile& background,
+                                double ground_m) {
+    const Ascent ascent(file, background, ground_m);
     std::vector<AtmosphericState> measured = ascent.levels();
     if (measured.front().altitude_m > 0.0) {
         AtmosphericState ground = measured.front();

@@ -12,7 +12,7 @@ namespace {
 enum Column : std::size_t { self296, self260, foreign296 };
 constexpr double reference_per_cm3 = 101325.0 / (1.380649e-23 * 296.0) * 1e-6;
 
-const EvenTable& table() {
+const EvenTable& waterTable() {
     static const EvenTable shipped =
         EvenTable::read(atmosphereResource("continuum-water.csv"),
                         {"self296 [1e-20 cm3]", "self260 [1e-20 cm3]", "foreign296 [1e-20 cm3]"});
@@ -22,11 +22,11 @@ const EvenTable& table() {
 } // namespace
 
 WaterSpectral waterAt(double wavenumber_per_cm) {
-    const EvenTable::Place place = table().place(wavenumber_per_cm);
+    const EvenTable::Place place = waterTable().place(wavenumber_per_cm);
     WaterSpectral water;
     water.wavenumber_per_cm = wavenumber_per_cm;
-    water.foreign296 = table().at(foreign296, place);
-    const double warm = table().at(self296, place), cool = table().at(self260, place);
+    water.foreign296 = waterTable().at(foreign296, place);
+    const double warm = waterTable().at(self296, place), cool = waterTable().at(self260, place);
     if (warm > 0.0 && cool > 0.0) {
         water.self296 = warm;
         water.lnCooling_per_K = std::log(cool / warm) / 36.0;

@@ -15,7 +15,7 @@ namespace irsg {
 namespace {
 
 /// Rows of a file that belong to one run.
-struct Block {
+struct CsvBlock {
     std::vector<const CsvRow*> header;
     std::vector<const CsvRow*> rows;
 };
@@ -28,8 +28,8 @@ bool isTerminator(const CsvRow& row) {
     return fortranNumber(row.cells.front().text) == -9999.0;
 }
 
-std::vector<Block> blocksOf(const CsvTable& table) {
-    std::vector<Block> blocks(1);
+std::vector<CsvBlock> blocksOf(const CsvTable& table) {
+    std::vector<CsvBlock> blocks(1);
     for (const CsvRow& row : table.rows()) {
         if (!isNumbers(row)) {
             const CsvCell& first = row.cells.front();
@@ -56,12 +56,12 @@ std::vector<Block> blocksOf(const CsvTable& table) {
         }
     }
     std::erase_if(blocks,
-                  [](const Block& block) { return block.rows.empty() && block.header.empty(); });
+                  [](const CsvBlock& block) { return block.rows.empty() && block.header.empty(); });
     return blocks;
 }
 
 /// Name of a column: the cell of one header line, or of all of them from the top.
-std::optional<RunColumn> columnOf(const Block& block, std::size_t column) {
+std::optional<RunColumn> columnOf(const CsvBlock& block, std::size_t column) {
     std::string joined;
     for (const CsvRow* line : block.header) {
         if (column >= line->cells.size())
@@ -77,7 +77,7 @@ std::optional<RunColumn> columnOf(const Block& block, std::size_t column) {
 }
 
 /// What the header says about its spectral axis.
-std::optional<SpectralUnit> unitOf(const Block& block) {
+std::optional<SpectralUnit> unitOf(const CsvBlock& block) {
     for (const CsvRow* line : block.header) {
         std::string text = line->cells.front().text;
         std::ranges::transform(text, text.begin(), [](char c) {
@@ -93,39 +93,7 @@ std::optional<SpectralUnit> unitOf(const Block& block) {
     return std::nullopt;
 }
 
-/// Settings of the blocks of a CSV from the documents beside it.
-std::vector<ModtranCase> casesBeside(const std::filesystem::path& file) {
-    const std::filesystem::path folder =
-        file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-    std::vector<std::filesystem::path> documents;
-    const std::filesystem::path twin = std::filesystem::path(file).replace_extension(".json");
-    std::error_code problem;
-    if (std::filesystem::exists(twin, problem))
-        documents.push_back(twin);
-    std::vector<std::filesystem::path> others;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, problem))
-        if (entry.path().extension() == ".json" && entry.path() != twin)
-            others.push_back(entry.path());
-    std::ranges::sort(others);
-    documents.insert(documents.end(), others.begin(), others.end());
-    for (const std::filesystem::path& document : documents) {
-        const std::string text = readTextFile(document);
-        if (!isModtranJson(text))
-            continue;
-        std::vector<ModtranCase> cases = parseModtranCases(text, document.string());
-        const auto isOther = [&](const ModtranCase& one) {
-            return std::filesystem::path(one.csvName).filename() != file.filename();
-        };
-        if (document == twin && std::ranges::all_of(cases, isOther))
-            return cases;
-        std::erase_if(cases, isOther);
-        if (!cases.empty())
-            return cases;
-    }
-    return {};
-}
-
-SpectralRun readBlock(const CsvTable& csv, const Block& block, const ModtranCase* documented,
+SpectralRun readBlock(const CsvTable& csv, const CsvBlock& block, const ModtranCase* documented,
                       std::vector<Diagnostic>& diagnostics) {
     ModtranCase settings = documented ? *documented : ModtranCase();
     SpectralRun run;
@@ -211,8 +179,8 @@ std::vector<SpectralRun> readModtranCsv(const std::filesystem::path& file) {
     const CsvTable csv = CsvTable::read(file);
     if (csv.rows().empty())
         throw InputError({file.string(), "", "an empty table", "results of a MODTRAN run"});
-    const std::vector<ModtranCase> cases = casesBeside(file);
-    const std::vector<Block> blocks = blocksOf(csv);
+    const std::vector<ModtranCase> cases = modtranCasesBeside(file, &ModtranCase::csvName);
+    const std::vector<CsvBlock> blocks = blocksOf(csv);
     std::vector<Diagnostic> diagnostics;
     if (!cases.empty() && cases.size() != blocks.size()) {
         throw InputError(csv.diagnostic(std::to_string(blocks.size()) + " tables of numbers",
@@ -240,7 +208,7 @@ bool isModtranCsv(std::string_view text) {
     } catch (const InputError&) {
         return false;
     }
-    const std::vector<Block> blocks = blocksOf(*table);
+    const std::vector<CsvBlock> blocks = blocksOf(*table);
     if (blocks.empty() || blocks.front().header.empty())
         return false;
     std::size_t known = 0;

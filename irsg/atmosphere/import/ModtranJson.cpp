@@ -95,6 +95,8 @@ constexpr Key keys[] = {
     {"SPECTRAL", "DV", "DV"},          {"SPECTRAL", "FWHM", "FWHM"},
 };
 
+constexpr const char* inputKey = "\"MODTRANINPUT\"";
+
 /// MODTRAN itself takes comments in its documents.
 const JsonForm form = {.expected = "a MODTRAN 6 document (JSON)", .mayComment = true};
 
@@ -122,43 +124,31 @@ class Document {
             throw InputError(std::move(diagnostics_));
     }
 
-    /// The case of an index; `number` of its diagnostics begin with MODTRAN[number].
-    ModtranCase readCase(std::size_t number) {
+    /// The lines of sight of the case of an index.
+    std::vector<ModtranCase> readCase(std::size_t number) {
         ModtranCase result;
+        result.number = number;
         const std::string path = pathOf(number) + ".MODTRANINPUT";
         const json& entry = cases()[number];
         if (!entry.is_object() || !entry.contains("MODTRANINPUT") ||
             !entry["MODTRANINPUT"].is_object()) {
-            offend(path, "no such object", "the input of the case beside its results");
-            return result;
+            offend(path, "no such object",
+                   "the input of the case beside its results, or in a document of this folder "
+                   "whose FILEOPTIONS.JSONPRNT names this file");
+            return {result};
         }
         const json& input = entry["MODTRANINPUT"];
         result.name = text(input, "NAME");
-        if (input.contains("FILEOPTIONS"))
+        if (input.contains("FILEOPTIONS")) {
             result.csvName = text(input["FILEOPTIONS"], "CSVPRNT");
-        for (const Key& key : keys) {
-            if (!input.contains(key.group) || !input[key.group].is_object() ||
-                !input[key.group].contains(key.key)) {
-                continue;
-            }
-            const std::string at = path + "." + key.group + "." + key.key;
-            if (const std::optional<double> value = numberOf(input[key.group][key.key], at))
-                result.cards[key.card] = *value;
+            result.jsonName = text(input["FILEOPTIONS"], "JSONPRNT");
         }
-        if (input.contains("GEOMETRY") && input["GEOMETRY"].is_object() &&
-            input["GEOMETRY"].contains("MLOS") && !input["GEOMETRY"]["MLOS"].empty()) {
-            offend(path + ".GEOMETRY.MLOS", "several lines of sight", "one line of sight a case");
-        }
-        for (const char* needed : {"ITYPE", "IEMSCT", "H1"}) {
-            if (!result.cards.contains(needed)) {
-                offend(path, "no " + std::string(needed == std::string("H1") ? "H1ALT" : needed),
-                       "this setting in the input");
-            }
-        }
+        for (const Key& key : keys)
+            if (input.contains(key.group))
+                readKey(key, input[key.group], path + "." + key.group, result.cards);
         result.kind = kindOf(result.cards, path);
         result.unit = unitOf(input, path);
-        finishSlant(result.cards);
-        return result;
+        return sightsOf(std::move(result), input, path);
     }
 
     static std::string pathOf(std::size_t number) {
@@ -166,6 +156,53 @@ class Document {
     }
 
   private:
+    void readKey(const Key& key, const json& group, const std::string& path,
+                 std::map<std::string, double>& cards) {
+        if (!group.is_object() || !group.contains(key.key))
+            return;
+        if (const auto value = numberOf(group[key.key], path + "." + key.key))
+            cards[key.card] = *value;
+    }
+
+    /// A case of several lines of sight is several, each with GEOMETRY's keys where it has none.
+    std::vector<ModtranCase> sightsOf(ModtranCase common, const json& input,
+                                      const std::string& path) {
+        const json none = json::array();
+        const std::string place = path + ".GEOMETRY.MLOS";
+        const json::json_pointer pointer("/GEOMETRY/MLOS");
+        const json& sights = input.contains(pointer) ? input[pointer] : none;
+        if (!sights.is_array()) {
+            offend(place, shownJson(sights), "an array of lines of sight");
+            return {common};
+        }
+        if (sights.empty()) {
+            finishSight(common.cards, path);
+            return {common};
+        }
+        std::vector<ModtranCase> all;
+        for (std::size_t i = 0; i < sights.size(); ++i) {
+            const std::string at = place + "[" + std::to_string(i) + "]";
+            all.push_back(common);
+            if (!sights[i].is_object()) {
+                offend(at, shownJson(sights[i]), "an object with keys of GEOMETRY");
+                continue;
+            }
+            for (const Key& key : keys)
+                if (key.group == std::string_view("GEOMETRY"))
+                    readKey(key, sights[i], at, all.back().cards);
+            finishSight(all.back().cards, at);
+        }
+        return all;
+    }
+
+    void finishSight(std::map<std::string, double>& cards, const std::string& path) {
+        for (const auto& [needed, called] :
+             {std::pair{"ITYPE", "ITYPE"}, {"IEMSCT", "IEMSCT"}, {"H1", "H1ALT"}})
+            if (!cards.contains(needed))
+                offend(path, std::string("no ") + called, "this setting in the input");
+        finishSlant(cards);
+    }
+
     static std::string text(const json& object, const char* key) {
         return object.is_object() && object.contains(key) && object[key].is_string()
                    ? object[key].get<std::string>()
@@ -230,27 +267,68 @@ class Document {
     std::vector<Diagnostic> diagnostics_;
 };
 
-/// The arrays of one case's results.
-RunTable spectraOf(Document& document, std::size_t number, const ModtranCase& settings) {
+/// Where results stand, as a path and as a pointer.
+struct OutputPlace {
+    std::string path;
+    json::json_pointer pointer;
+
+    OutputPlace then(const std::string& key) const { return {path + "." + key, pointer / key}; }
+    OutputPlace then(std::size_t index) const {
+        return {path + "[" + std::to_string(index) + "]", pointer / index};
+    }
+};
+
+/// The results of a line of sight: those of several stand in an array on one of the levels. No
+/// value where there are none; says so then.
+std::optional<OutputPlace> placeOf(Document& document, const ModtranCase& settings,
+                                   std::size_t sight, std::size_t sights) {
+    const json& entry = document.cases()[settings.number];
+    OutputPlace place{Document::pathOf(settings.number), json::json_pointer()};
+    const char* group = settings.kind == RunKind::transmittance ? "TRANSMITTANCE"
+                        : settings.kind == RunKind::sunlight    ? "IRRADIANCE"
+                                                                : "RADIANCE";
+    bool isApart = false;
+    for (const char* key : {"MODTRANOUTPUT", "SPECTRA", group}) {
+        place = place.then(key);
+        const json* found =
+            entry.is_object() && entry.contains(place.pointer) ? &entry[place.pointer] : nullptr;
+        if (found != nullptr && found->is_array() && !isApart) {
+            if (found->size() != sights) {
+                document.offend(place.path, std::to_string(found->size()) + " results",
+                                std::to_string(sights) + ", one for each line of sight");
+                return std::nullopt;
+            }
+            isApart = true;
+            place = place.then(sight);
+            found = &entry[place.pointer];
+        }
+        if (found == nullptr || !found->is_object()) {
+            document.offend(place.path, "no such object",
+                            "results of the case (JSONOPT WRT_OUTPUT)");
+            return std::nullopt;
+        }
+    }
+    if (sights > 1 && !isApart) {
+        document.offend(place.path, "results of one line of sight",
+                        "an array of " + std::to_string(sights) +
+                            ", one for each of GEOMETRY.MLOS");
+        return std::nullopt;
+    }
+    return place;
+}
+
+/// The arrays of one line of sight.
+RunTable spectraOf(Document& document, const OutputPlace& place, const ModtranCase& settings) {
     RunTable table{.file = document.file(),
                    .positions = {},
                    .columns = {},
                    .unit = settings.unit,
                    .transmittanceRounding = 0.0,
                    .sumsIncluded = false};
-    const char* group = settings.kind == RunKind::transmittance ? "TRANSMITTANCE"
-                        : settings.kind == RunKind::sunlight    ? "IRRADIANCE"
-                                                                : "RADIANCE";
-    const std::string path =
-        Document::pathOf(number) + ".MODTRANOUTPUT.SPECTRA." + std::string(group);
-    const json::json_pointer pointer("/MODTRANOUTPUT/SPECTRA/" + std::string(group));
-    const json& entry = document.cases()[number];
-    if (!entry.contains(pointer) || !entry[pointer].is_object()) {
-        document.offend(path, "no such object", "results of the case (JSONOPT WRT_OUTPUT)");
-        return table;
-    }
+    const std::string& path = place.path;
+    const json& spectra = document.cases()[settings.number][place.pointer];
     std::optional<std::size_t> rows;
-    for (const auto& [key, values] : entry[pointer].items()) {
+    for (const auto& [key, values] : spectra.items()) {
         const std::optional<RunColumn> column = runColumn(key);
         if (!column || !values.is_array())
             continue;
@@ -292,30 +370,66 @@ RunTable spectraOf(Document& document, std::size_t number, const ModtranCase& se
     return table;
 }
 
+/// Lines of sight of each case.
+std::vector<std::vector<ModtranCase>> byCase(const std::vector<ModtranCase>& sights) {
+    std::vector<std::vector<ModtranCase>> cases;
+    for (const ModtranCase& sight : sights) {
+        if (cases.empty() || cases.back().back().number != sight.number)
+            cases.emplace_back();
+        cases.back().push_back(sight);
+    }
+    return cases;
+}
+
 } // namespace
 
 std::vector<SpectralRun> readModtranJson(const std::filesystem::path& file) {
-    return parseModtranJson(readTextFile(file), file.string());
+    const std::string text = readTextFile(file);
+    const bool hasInput = text.find(inputKey) != std::string::npos;
+    return parseModtranJson(text, file.string(),
+                            hasInput ? std::vector<ModtranCase>()
+                                     : modtranCasesBeside(file, &ModtranCase::jsonName));
 }
 
-std::vector<SpectralRun> parseModtranJson(const std::string& text, const std::string& file) {
+std::vector<SpectralRun> parseModtranJson(const std::string& text, const std::string& file,
+                                          const std::vector<ModtranCase>& beside) {
     Document document(text, file);
+    const std::vector<std::vector<ModtranCase>> stated = byCase(beside);
+    if (!stated.empty() && stated.size() != document.cases().size()) {
+        throw InputError(
+            {file, "MODTRAN", std::to_string(document.cases().size()) + " cases",
+             std::to_string(stated.size()) + " as in the input document that names this file"});
+    }
     std::vector<SpectralRun> runs;
     for (std::size_t i = 0; i < document.cases().size(); ++i) {
-        const ModtranCase settings = document.readCase(i);
-        SpectralRun run;
-        run.source = std::filesystem::path(file).filename().string() + ", case " +
-                     (settings.name.empty() ? std::to_string(i) : settings.name);
-        run.kind = settings.kind;
-        run.cards = settings.cards;
         const std::size_t before = document.diagnostics().size();
-        const RunTable table = spectraOf(document, i, settings);
-        if (before == document.diagnostics().size()) {
-            placeRun(run, file, Document::pathOf(i) + ".MODTRANINPUT.GEOMETRY",
-                     document.diagnostics());
-            fillRun(run, table, document.diagnostics());
+        std::vector<ModtranCase> sights = stated.empty() ? document.readCase(i) : stated[i];
+        if (document.diagnostics().size() != before)
+            continue;
+        for (std::size_t k = 0; k < sights.size(); ++k) {
+            ModtranCase& settings = sights[k];
+            settings.number = i;
+            const std::string line =
+                sights.size() > 1 ? ", line of sight " + std::to_string(k + 1) : "";
+            SpectralRun run;
+            run.source = std::filesystem::path(file).filename().string() + ", case " +
+                         (settings.name.empty() ? std::to_string(i) : settings.name) + line;
+            run.kind = settings.kind;
+            run.cards = settings.cards;
+            const auto place = placeOf(document, settings, k, sights.size());
+            if (!place)
+                continue;
+            const std::size_t beforeSpectra = document.diagnostics().size();
+            const RunTable table = spectraOf(document, *place, settings);
+            if (beforeSpectra == document.diagnostics().size()) {
+                placeRun(run, file,
+                         Document::pathOf(i) + ".MODTRANINPUT.GEOMETRY" +
+                             (sights.size() > 1 ? ".MLOS[" + std::to_string(k) + "]" : ""),
+                         document.diagnostics());
+                fillRun(run, table, document.diagnostics());
+            }
+            runs.push_back(std::move(run));
         }
-        runs.push_back(std::move(run));
     }
     document.throwIfAny();
     return runs;
@@ -325,9 +439,41 @@ std::vector<ModtranCase> parseModtranCases(const std::string& text, const std::s
     Document document(text, file);
     std::vector<ModtranCase> cases;
     for (std::size_t i = 0; i < document.cases().size(); ++i)
-        cases.push_back(document.readCase(i));
+        for (ModtranCase& sight : document.readCase(i))
+            cases.push_back(std::move(sight));
     document.throwIfAny();
     return cases;
+}
+
+std::vector<ModtranCase> modtranCasesBeside(const std::filesystem::path& file,
+                                            std::string ModtranCase::*name) {
+    const std::filesystem::path folder =
+        file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+    std::vector<std::filesystem::path> documents;
+    const std::filesystem::path twin = std::filesystem::path(file).replace_extension(".json");
+    std::error_code problem;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, problem))
+        if (entry.path().extension() == ".json" && entry.path().filename() != file.filename())
+            documents.push_back(entry.path());
+    std::ranges::sort(documents, {}, [&](const std::filesystem::path& one) {
+        return std::pair(one.filename() != twin.filename(), one);
+    });
+    for (const std::filesystem::path& document : documents) {
+        const std::string text = readTextFile(document);
+        if (!isModtranJson(text) || text.find(inputKey) == std::string::npos)
+            continue;
+        std::vector<ModtranCase> cases = parseModtranCases(text, document.string());
+        const auto isOther = [&](const ModtranCase& one) {
+            const auto named = std::filesystem::path(one.*name).filename();
+            return named != file.filename() && named.string() + ".json" != file.filename();
+        };
+        if (document.filename() == twin.filename() && std::ranges::all_of(cases, isOther))
+            return cases;
+        std::erase_if(cases, isOther);
+        if (!cases.empty())
+            return cases;
+    }
+    return {};
 }
 
 bool isModtranJson(std::string_view text) {

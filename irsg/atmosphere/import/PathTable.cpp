@@ -11,7 +11,7 @@ namespace irsg {
 
 namespace {
 
-constexpr double opaqueDepth = 40.0;
+constexpr double unknownDepth = 40.0;
 /// Weight of a path of 1 m that is otherwise fully transparent, so that what little it radiates
 /// has an equivalent source.
 constexpr double transparentWeight_per_m = 1e-10;
@@ -109,7 +109,7 @@ void PathTable::place(std::size_t index) {
     // What is opaque continues the node before it; radiance becomes a source.
     for (std::size_t i = 0; i < node.depth.size(); ++i)
         if (!node.source.empty() && std::isinf(node.depth[i]))
-            node.source[i] /= emissivity(opaqueDepth, node.path.range_m);
+            node.source[i] /= emissivity(unknownDepth, node.path.range_m);
         else if (!node.source.empty())
             node.source[i] /= emissivity(node.depth[i], node.path.range_m);
 }
@@ -181,7 +181,7 @@ double PathTable::depthAt(const Pair& pair, double range_m, std::size_t index, s
         const double range = pair.ranges_m[k + 1];
         const double depth = nodes_[pair.nodes[k]].depth[index];
         y.push_back(std::isinf(depth)
-                        ? std::max(opaqueDepth, x.size() > 1 ? y.back() * range / x.back() : 0.0)
+                        ? std::max(unknownDepth, x.size() > 1 ? y.back() * range / x.back() : 0.0)
                         : depth);
         x.push_back(range);
     }
@@ -247,6 +247,23 @@ PathTable::Answer PathTable::at(const AtmosphericPath& path, std::size_t first, 
     return blend(ends, path.range_m, first, last);
 }
 
+RunDistance PathTable::nearest(const AtmosphericPath& path) const {
+    std::vector<RunDistance> all;
+    for (const Node& node : nodes_)
+        all.push_back(
+            {.altitude_m = std::max(std::abs(node.path.sensorAltitude_m - path.sensorAltitude_m),
+                                    std::abs(node.path.targetAltitude_m - path.targetAltitude_m)),
+             .range_m = std::abs(node.path.range_m - path.range_m)});
+    return *std::ranges::min_element(all, {}, &RunDistance::sum);
+}
+
+std::vector<AtmosphericPath> PathTable::longest() const {
+    std::vector<AtmosphericPath> paths;
+    for (const Pair& one : pairs_)
+        paths.push_back({one.sensor_m, one.target_m, one.ranges_m.back()});
+    return paths;
+}
+
 std::string PathTable::span() const {
     if (nodes_.empty())
         return "no path";
@@ -265,7 +282,7 @@ void PathTable::compare(const Answer& guess, const Node& node, ErrorSum& depth,
     double largest = 0.0;
     std::vector<double> truth;
     for (std::size_t i = 0; i < node.source.size(); ++i) {
-        const double opaque = std::isinf(node.depth[i]) ? opaqueDepth : node.depth[i];
+        const double opaque = std::isinf(node.depth[i]) ? unknownDepth : node.depth[i];
         truth.push_back(node.source[i] * emissivity(opaque, node.path.range_m));
         largest = std::max(largest, truth.back());
     }

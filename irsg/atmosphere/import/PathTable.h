@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "irsg/atmosphere/AtmosphericQuery.h"
+#include "irsg/atmosphere/NearestRun.h"
 #include "irsg/atmosphere/import/Interpolation.h"
 
 namespace irsg {
@@ -41,6 +42,12 @@ class PathTable {
     /// and the table's span for a path outside the table.
     Answer at(const AtmosphericPath& path, std::size_t first, std::size_t last,
               const std::string& owner) const;
+
+    /// How far the nearest node is; the table is not empty.
+    RunDistance nearest(const AtmosphericPath& path) const;
+
+    /// The longest path between every pair of altitudes.
+    std::vector<AtmosphericPath> longest() const;
 
     /// "sensor 0 to 2000 m, target 0 m, range up to 5000 m (12 paths)".
     std::string span() const;

@@ -102,6 +102,27 @@ std::vector<double> SightTable::at(double altitude_m, double elevation_rad, std:
     return values;
 }
 
+RunDistance SightTable::nearest(double altitude_m, double elevation_rad) const {
+    std::vector<RunDistance> all;
+    for (const Row& row : rows_)
+        for (const double node_rad : row.elevations_rad)
+            all.push_back({.altitude_m = std::abs(row.altitude_m - altitude_m),
+                           .elevation_deg = degrees(std::abs(node_rad - elevation_rad))});
+    return *std::ranges::min_element(all, {}, &RunDistance::sum);
+}
+
+std::vector<LineOfSight> SightTable::sights() const {
+    std::vector<LineOfSight> all;
+    for (const Row& row : rows_)
+        for (std::size_t i = 0; i < row.elevations_rad.size(); ++i) {
+            all.push_back({row.altitude_m, row.elevations_rad[i], 0.0});
+            if (i > 0)
+                all.push_back({row.altitude_m,
+                               0.5 * (row.elevations_rad[i - 1] + row.elevations_rad[i]), 0.0});
+        }
+    return all;
+}
+
 std::string SightTable::span() const {
     if (rows_.empty())
         return "no direction";

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "irsg/atmosphere/AtmosphericQuery.h"
+#include "irsg/atmosphere/NearestRun.h"
 #include "irsg/atmosphere/import/Interpolation.h"
 
 namespace irsg {
@@ -27,6 +29,12 @@ class SightTable {
     /// ("line of sight") and the table's span for a direction outside the table.
     std::vector<double> at(double altitude_m, double elevation_rad, std::size_t first,
                            std::size_t last, const std::string& owner, const char* what) const;
+
+    /// How far the nearest node is; the table is not empty.
+    RunDistance nearest(double altitude_m, double elevation_rad) const;
+
+    /// The lines of sight that are known, and those half way between neighbours in elevation.
+    std::vector<LineOfSight> sights() const;
 
     /// "altitude 0 to 2000 m, elevation -5 to 90 deg (12 directions)".
     std::string span() const;

@@ -228,13 +228,19 @@ class Tape7Reader {
     void warnOfEnd(bool terminated) {
         const double last = run_.wavenumbers_per_cm.back();
         const double asked = run_.cards["V2"];
+        // A complete table ends within a step of what was asked, whatever follows it, and one that
+        // is closed within a slit more.
+        const bool isWhole =
+            table_.unit == SpectralUnit::wavenumber &&
+            last + run_.cards["DV"] + (terminated ? run_.cards["FWHM"] : 0.0) >= asked;
+        if (isWhole)
+            return;
         if (!terminated) {
             run_.warnings.push_back("the file stops at " + numberText(last) +
                                     " cm-1 without -9999; its cards ask for " +
                                     numberText(run_.cards["V1"]) + " to " + numberText(asked) +
                                     " cm-1");
-        } else if (table_.unit == SpectralUnit::wavenumber &&
-                   last + run_.cards["DV"] + run_.cards["FWHM"] < asked) {
+        } else if (table_.unit == SpectralUnit::wavenumber) {
             run_.warnings.push_back("the data end at " + numberText(last) +
                                     " cm-1; the cards ask for " + numberText(run_.cards["V1"]) +
                                     " to " + numberText(asked) + " cm-1");

@@ -56,9 +56,8 @@ AdaptiveTable::Values AdaptiveTable::at(double x) const {
         const double quarter = 0.5 * (a + middle), threeQuarters = 0.5 * (middle + b);
         Cell& cell = cells_[{a, b}];
         if (!cell.tested) {
-            const double error =
-                std::max(distance_(value(quarter), between(value(a), value(middle), 0.5)),
-                         distance_(value(threeQuarters), between(value(middle), value(b), 0.5)));
+            const double error = std::max(distance_(value(quarter), value(a), value(middle)),
+                                          distance_(value(threeQuarters), value(middle), value(b)));
             cell.tested = true;
             cell.good = error <= tolerance_;
             if (cell.good)
@@ -83,9 +82,25 @@ std::size_t AdaptiveTable::evaluations() const {
     return evaluations_;
 }
 
+std::size_t AdaptiveTable::bytes() const {
+    const std::lock_guard lock(mutex_);
+    std::size_t sum = 0;
+    for (const auto& [x, values] : values_)
+        sum += values.size() * sizeof(double);
+    return sum;
+}
+
 double AdaptiveTable::largestError() const {
     const std::lock_guard lock(mutex_);
     return largestError_;
+}
+
+AdaptiveTable::Distance halfway(double (*difference)(const std::vector<double>&,
+                                                     const std::vector<double>&)) {
+    return [difference](const std::vector<double>& found, const std::vector<double>& from,
+                        const std::vector<double>& to) {
+        return difference(found, between(from, to, 0.5));
+    };
 }
 
 double largestDifference(const std::vector<double>& a, const std::vector<double>& b) {

@@ -18,8 +18,10 @@ class AdaptiveTable {
   public:
     using Values = std::vector<double>;
     using Function = std::function<Values(double)>;
-    /// How far a value is from another, in the unit of the tolerance.
-    using Distance = std::function<double(const Values& found, const Values& interpolated)>;
+    /// How wrong a straight line from one value to another may be, in the unit of the tolerance,
+    /// where `found` is the function halfway; see `halfway`.
+    using Distance =
+        std::function<double(const Values& found, const Values& from, const Values& to)>;
 
     /// Over low to high, low < high (LogicError otherwise). Cells are not made smaller than
     /// (high - low) / 2^30.
@@ -30,6 +32,7 @@ class AdaptiveTable {
     Values at(double x) const;
 
     std::size_t evaluations() const; ///< of the function, until now
+    std::size_t bytes() const;       ///< of what is kept
     /// The largest distance measured in a cell that is used for interpolation; 0 before any.
     double largestError() const;
 
@@ -50,6 +53,9 @@ class AdaptiveTable {
     mutable double largestError_ = 0.0;
 };
 
+/// The distance of the function from the middle of the line.
+AdaptiveTable::Distance halfway(double (*difference)(const std::vector<double>&,
+                                                     const std::vector<double>&));
 /// The largest difference of two elements.
 double largestDifference(const std::vector<double>& a, const std::vector<double>& b);
 /// Sum of differences relative to the sum of the first's absolute values (0 for two zeros).

@@ -29,8 +29,16 @@ std::vector<double> transmittances(std::vector<double> depth) {
     return depth;
 }
 
-double transmittanceDifference(const std::vector<double>& a, const std::vector<double>& b) {
-    return largestDifference(transmittances(a), transmittances(b));
+/// How wrong a transmittance may be anywhere between two depths: a depth that bends from the line
+/// halfway counts by what it does where the air is clearest, not where it is black anyway.
+double transmittanceDifference(const std::vector<double>& found, const std::vector<double>& from,
+                               const std::vector<double>& to) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const double bend = std::abs(found[i] - 0.5 * (from[i] + to[i]));
+        largest = std::max(largest, -std::exp(-std::min(from[i], to[i])) * std::expm1(-bend));
+    }
+    return largest;
 }
 
 /// All of a DirectedLight in a row, so that a table can be made of it: the elevation last.
@@ -57,12 +65,13 @@ DirectedLight unpacked(const std::vector<double>& row, std::size_t nodes) {
 /// The largest relative difference of any part that is not below a thousandth of the first: phase
 /// functions make some of them count more, and others less.
 AdaptiveTable::Distance partsDifference(std::size_t nodes) {
-    return [nodes](const std::vector<double>& a, const std::vector<double>& b) {
+    return [nodes](const std::vector<double>& a, const std::vector<double>& from,
+                   const std::vector<double>& to) {
         double largest = 0.0, whole = 0.0;
         for (std::size_t first = 0; first + nodes <= a.size(); first += nodes) {
             double difference = 0.0, sum = 0.0;
             for (std::size_t i = first; i < first + nodes; ++i) {
-                difference += std::abs(a[i] - b[i]);
+                difference += std::abs(a[i] - 0.5 * (from[i] + to[i]));
                 sum += std::abs(a[i]);
             }
             whole = std::max(whole, sum);
@@ -94,14 +103,28 @@ RangeCell cellOf(double range_m, double least_m) {
 AirTables::AirTables(const RadiativeTransfer& transfer, NodeSet nodes, double tolerance)
     : transfer_(transfer), nodes_(std::move(nodes)), tolerance_(tolerance) {}
 
-const AdaptiveTable& AirTables::table(const Key& key, double low, double high,
-                                      const AdaptiveTable::Function& function,
-                                      const AdaptiveTable::Distance& distance) const {
+std::shared_ptr<const AdaptiveTable>
+AirTables::table(const Key& key, double low, double high, const AdaptiveTable::Function& function,
+                 const AdaptiveTable::Distance& distance) const {
     const std::lock_guard lock(mutex_);
-    auto& own = tables_[key];
-    if (!own)
-        own = std::make_unique<AdaptiveTable>(low, high, tolerance_, function, distance);
-    return *own;
+    const auto isThis = [&](const Kept& kept) { return kept.first == key; };
+    if (const Kept* known = tables_.find(isThis))
+        return known->second;
+    // What is asked once is not worth a table.
+    const auto isSame = [&](const Key& asked) { return asked == key; };
+    if (asked_.find(isSame) == nullptr) {
+        asked_.add(key);
+        return nullptr;
+    }
+    // Those that were not asked longest make place; who is asking one meanwhile still has it.
+    std::size_t bytes = 0;
+    tables_.letGo([&](const Kept& kept) {
+        bytes += kept.second->bytes();
+        return bytes > mostBytes;
+    });
+    return tables_
+        .add({key, std::make_shared<AdaptiveTable>(low, high, tolerance_, function, distance)})
+        .second;
 }
 
 std::vector<double> AirTables::transmittance(const AtmosphericPath& path) const {
@@ -117,8 +140,8 @@ std::vector<double> AirTables::transmittance(const AtmosphericPath& path) const 
     // The path between two altitudes is the same in both directions.
     const auto [low_m, high_m] = std::minmax(path.sensorAltitude_m, path.targetAltitude_m);
     const Key key{Kind::transmittance, low_m, high_m, cell.low_m, 0.0, 0.0};
-    return transmittances(
-        table(key, cell.low_m, cell.high_m, function, transmittanceDifference).at(path.range_m));
+    const auto own = table(key, cell.low_m, cell.high_m, function, transmittanceDifference);
+    return own ? transmittances(own->at(path.range_m)) : transfer_.transmittance(nodes_, path);
 }
 
 std::vector<double> AirTables::towards(const DirectedLight& light, const SunPosition& sun,
@@ -142,12 +165,14 @@ DirectedLight AirTables::recent(const Key& key,
 std::vector<double> AirTables::pathRadiance(const AtmosphericPath& path,
                                             const SunPosition& sun) const {
     const double least_m = shortest_m(path.sensorAltitude_m, path.targetAltitude_m);
-    if (onTheFly() || !(path.range_m > least_m && path.range_m <= farthest_m)) {
+    const auto alone = [&] {
         const Key key{Kind::pathRadiance, path.sensorAltitude_m, path.targetAltitude_m,
                       path.range_m,       sun.elevation_rad,     sun.distance_au};
         return towards(recent(key, [&] { return transfer_.pathLight(nodes_, path, sun); }), sun,
                        path.azimuth_rad);
-    }
+    };
+    if (onTheFly() || !(path.range_m > least_m && path.range_m <= farthest_m))
+        return alone();
     const RangeCell cell = cellOf(path.range_m, least_m);
     auto function = [this, path, sun](double range_m) {
         AtmosphericPath at = path;
@@ -156,9 +181,11 @@ std::vector<double> AirTables::pathRadiance(const AtmosphericPath& path,
     };
     const Key key{Kind::pathRadiance, path.sensorAltitude_m, path.targetAltitude_m,
                   cell.low_m,         sun.elevation_rad,     sun.distance_au};
-    const AdaptiveTable& own =
+    const auto own =
         table(key, cell.low_m, cell.high_m, function, partsDifference(nodes_.nodes.size()));
-    return towards(unpacked(own.at(path.range_m), nodes_.nodes.size()), sun, path.azimuth_rad);
+    if (!own)
+        return alone();
+    return towards(unpacked(own->at(path.range_m), nodes_.nodes.size()), sun, path.azimuth_rad);
 }
 
 AirTables::Horizon AirTables::horizonOf(double altitude_m) const {
@@ -176,6 +203,8 @@ AirTables::Horizon AirTables::horizonOf(double altitude_m) const {
         (ground ? horizon.below_rad : horizon.above_rad) = middle_rad;
     }
     const std::lock_guard lock(mutex_);
+    if (horizons_.size() >= mostHorizons)
+        horizons_.clear();
     return horizons_.emplace(altitude_m, horizon).first->second;
 }
 
@@ -208,9 +237,10 @@ std::vector<double> AirTables::backgroundRadiance(const LineOfSight& sight,
                   sun.elevation_rad,
                   sun.distance_au};
     auto function = [light](double elevation_rad) { return packed(light(elevation_rad)); };
-    const AdaptiveTable& own =
-        table(key, low, high, function, partsDifference(nodes_.nodes.size()));
-    return towards(unpacked(own.at(sight.elevation_rad), nodes_.nodes.size()), sun,
+    const auto own = table(key, low, high, function, partsDifference(nodes_.nodes.size()));
+    if (!own)
+        return alone();
+    return towards(unpacked(own->at(sight.elevation_rad), nodes_.nodes.size()), sun,
                    sight.azimuth_rad);
 }
 
@@ -219,9 +249,9 @@ std::vector<double> AirTables::overAltitude(Kind kind, double altitude_m, const 
     const double top_m = transfer_.air().profile.top_m();
     if (onTheFly() || !(altitude_m >= 0.0 && altitude_m <= top_m))
         return function(altitude_m);
-    return table({kind, 0.0, 0.0, 0.0, sun.elevation_rad, sun.distance_au}, 0.0, top_m, function,
-                 relativeDifference)
-        .at(altitude_m);
+    const Key key{kind, 0.0, 0.0, 0.0, sun.elevation_rad, sun.distance_au};
+    const auto own = table(key, 0.0, top_m, function, halfway(relativeDifference));
+    return own ? own->at(altitude_m) : function(altitude_m);
 }
 
 std::vector<double> AirTables::solarIrradiance(double altitude_m, const SunPosition& sun) const {
@@ -245,16 +275,30 @@ std::vector<double> AirTables::downwardFlux(double altitude_m, const SunPosition
 std::size_t AirTables::evaluations() const {
     const std::lock_guard lock(mutex_);
     std::size_t sum = 0;
-    for (const auto& [key, own] : tables_)
-        sum += own->evaluations();
+    tables_.letGo([&](const Kept& kept) {
+        sum += kept.second->evaluations();
+        return false;
+    });
+    return sum;
+}
+
+std::size_t AirTables::bytes() const {
+    const std::lock_guard lock(mutex_);
+    std::size_t sum = 0;
+    tables_.letGo([&](const Kept& kept) {
+        sum += kept.second->bytes();
+        return false;
+    });
     return sum;
 }
 
 double AirTables::largestError() const {
     const std::lock_guard lock(mutex_);
     double largest = 0.0;
-    for (const auto& [key, own] : tables_)
-        largest = std::max(largest, own->largestError());
+    tables_.letGo([&](const Kept& kept) {
+        largest = std::max(largest, kept.second->largestError());
+        return false;
+    });
     return largest;
 }
 

@@ -1,6 +1,6 @@
 #include "irsg/scene/background/BandSky.h"
 
-#include "irsg/radiometry/NewLines.h"
+#include "irsg/atmosphere/NearestRun.h"
 
 namespace irsg {
 
@@ -12,7 +12,7 @@ double BandSky::ask(const char* quantity, const AtmosphericQuery& question) cons
     std::string line = quantity;
     line += ": ";
     line += answer.answeredBy;
-    addNew(answeredBy_, std::move(line));
+    addAnswer(answeredBy_, std::move(line));
     return sampling_.integrate(answer.value);
 }
 

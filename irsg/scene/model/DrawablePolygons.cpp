@@ -160,6 +160,8 @@ class Polygons {
         if (const auto colour = bound(geometry_.getColorArray(), vertex, set_))
             for (int i = 0; i < 4; ++i)
                 corner.colour[i] = static_cast<float>((*colour)[static_cast<std::size_t>(i)]);
+        if (const auto place = bound(geometry_.getTexCoordArray(0), vertex, set_))
+            corner.onTexture.set((*place)[0], (*place)[1]);
         return corner;
     }
 

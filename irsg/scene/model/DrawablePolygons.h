@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <osg/Vec2d>
 #include <osg/Vec3d>
 #include <osg/Vec4>
 
@@ -18,6 +19,7 @@ struct PolygonCorner {
     osg::Vec3d position;
     osg::Vec3d normal; ///< (0, 0, 0) where the file has none
     osg::Vec4 colour{1, 1, 1, 1};
+    osg::Vec2d onTexture;    ///< of the first texture; (0, 0) where the drawable has no such places
     unsigned int vertex = 0; ///< its place in the drawable's arrays
 };
 

@@ -128,7 +128,7 @@ class Materials {
 
 FaceMesh::FaceMesh(osg::Node& graph, const std::vector<CodeRule>& rules, const std::string& name) {
     SurfaceMesh none;
-    GeometryCollector collector(none, osg::Matrixd(), name, false);
+    GeometryCollector collector(none, osg::Matrixd(), name, {});
     Materials materials;
     bool isNew = false;
     Face face;

@@ -84,12 +84,13 @@ bool mirrors(const osg::Matrixd& m) {
 }
 
 GeometryCollector::GeometryCollector(SurfaceMesh& mesh, const osg::Matrixd& toModel,
-                                     const std::string& name, bool forceTwoSided)
+                                     const std::string& name, const ModelOptions& options)
     : osg::NodeVisitor(TRAVERSE_ACTIVE_CHILDREN),
       mesh_(mesh),
       matrix_(toModel),
       name_(name),
-      forceTwoSided_(forceTwoSided) {
+      forceTwoSided_(options.forceTwoSided),
+      cuts_(options.cutsTextureAlpha) {
     setNodeMaskOverride(~0u);
 }
 
@@ -130,6 +131,7 @@ void GeometryCollector::update(const osg::StateSet* state) {
     if (const auto* offset = dynamic_cast<const osg::PolygonOffset*>(
             state->getAttribute(osg::StateAttribute::POLYGONOFFSET)))
         state_.layer = std::clamp(static_cast<int>(std::lround(-offset->getFactor())), 0, 256);
+    state_.texture.update(*state);
 }
 
 void GeometryCollector::apply(osg::Node& node) {
@@ -264,8 +266,24 @@ void GeometryCollector::addPolygon(const osg::Drawable& drawable,
     const SurfaceMesh::Key key{state_.layer, codes, state_.culling && !forceTwoSided_};
     if (each_)
         each_({key, corners, drawable, path, turned, std::exchange(first_, false)});
-    else
+    else if (const AlphaMask* covering = cuts_ ? mask() : nullptr) {
+        ++cutPolygons_;
+        cutAway_ += cutOut(*covering, corners, name_,
+                           [&](std::vector<PolygonCorner>& part) { mesh_.add(key, part); }) == 0;
+    } else {
         mesh_.add(key, corners);
+    }
+}
+
+const AlphaMask* GeometryCollector::mask() {
+    if (!state_.texture.isOn())
+        return nullptr;
+    const auto [known, isNew] = masks_.try_emplace(state_.texture);
+    if (isNew) {
+        known->second = AlphaMask::of(state_.texture);
+        unreadable_ += state_.texture.isUnreadable();
+    }
+    return known->second.get();
 }
 
 std::vector<std::string> GeometryCollector::remarks() const {
@@ -280,6 +298,9 @@ std::vector<std::string> GeometryCollector::remarks() const {
     say(hidden_, "hidden polygons stay hidden");
     say(total_ - drawn_ - hidden_ - leftOutPolygons_ - nowhere_, "polygons are switched off");
     say(nowhere_, "polygons are culled on both sides");
+    say(cutPolygons_, "polygons are cut along the alpha of their texture, of which " +
+                          std::to_string(cutAway_) + " vanish");
+    say(unreadable_, "textures are compressed: their alpha is not read and cuts nothing");
     say(withoutArea_, "lines and points have no area and are left out");
     say(billboards_, "billboards do not turn towards the sensor");
     say(sequences_, "animations show their first frame");

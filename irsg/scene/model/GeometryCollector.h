@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -9,6 +11,7 @@
 #include <osg/NodeVisitor>
 
 #include "irsg/scene/model/SurfaceMesh.h"
+#include "irsg/scene/model/TextureCut.h"
 
 namespace irsg {
 
@@ -32,10 +35,11 @@ struct DrawnPolygon {
 class GeometryCollector : public osg::NodeVisitor {
   public:
     /// `toModel` leads from the axes of the file to those of the model. `name` is used in messages.
+    /// Of `options` the placing is left alone.
     GeometryCollector(SurfaceMesh& mesh, const osg::Matrixd& toModel, const std::string& name,
-                      bool forceTwoSided);
+                      const ModelOptions& options);
     using Each = std::function<void(const DrawnPolygon&)>;
-    /// Has the polygons go here, not into the mesh.
+    /// Has the polygons go here, not into the mesh; whole, with what a texture cuts out of them.
     void giveTo(Each each) { each_ = std::move(each); }
     /// Throws InputError as forEachPolygon does.
     void collect(osg::Node& graph);
@@ -55,6 +59,7 @@ class GeometryCollector : public osg::NodeVisitor {
     struct State {
         bool culling = false, front = false, both = false, clockwise = false;
         int layer = 0; ///< subface level, from the polygon offset the plug-in gives it
+        TextureState texture;
     };
     /// Hidden nodes are counted and left; otherwise the node's state counts while `visit` runs.
     template <typename Visit>
@@ -64,18 +69,22 @@ class GeometryCollector : public osg::NodeVisitor {
     bool startsWhereAnotherEnds(const osg::LOD& lod) const;
     void addPolygon(const osg::Drawable& drawable, const std::vector<osg::Node*>& path,
                     const IrCodes& codes, std::vector<PolygonCorner>& corners);
+    /// Of the texture that is on; null where it cuts nothing.
+    const AlphaMask* mask();
 
     SurfaceMesh& mesh_;
     Each each_;
     osg::Matrixd matrix_;
     std::string name_;
-    bool forceTwoSided_;
+    bool forceTwoSided_, cuts_;
     State state_;
     bool first_ = false; ///< no polygon of the drawable was given yet
     std::set<const osg::LOD*> coarser_;
     std::vector<std::pair<double, double>> ranges_; ///< of all LODs in the graph
     std::set<const osg::LOD*> lods_, leftOut_;
     long total_ = 0, drawn_ = 0, hidden_ = 0, leftOutPolygons_ = 0, nowhere_ = 0;
+    std::map<TextureState, std::shared_ptr<const AlphaMask>> masks_; ///< null: nothing is cut
+    long cutPolygons_ = 0, cutAway_ = 0, unreadable_ = 0;
     long withoutArea_ = 0, billboards_ = 0, sequences_ = 0, others_ = 0;
 };
 

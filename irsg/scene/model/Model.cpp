@@ -12,6 +12,7 @@
 #include "irsg/scene/model/GeometryCollector.h"
 #include "irsg/scene/model/ModelLoader.h"
 #include "irsg/scene/model/ModelPlacing.h"
+#include "irsg/scene/model/SharedPlanes.h"
 #include "irsg/scene/model/SurfaceMesh.h"
 
 namespace irsg {
@@ -43,6 +44,7 @@ struct Model::Impl {
     std::map<IrCodes, BoundingBox> boxes;
     BoundingBox bounds = BoundingBox::nowhere();
     std::vector<std::string> remarks, notes;
+    std::vector<SharedPlane> sharedPlanes;
     ModelPlacing placing;
     osg::Matrixd fromFile;
     std::shared_ptr<const ModelCodes> beside = std::make_shared<ModelCodes>();
@@ -74,6 +76,9 @@ struct Model::Impl {
             mesh = collected(loaded, said, options);
         }
         remarks.insert(remarks.end(), notes.begin(), notes.end());
+        sharedPlanes = settleSharedPlanes(mesh);
+        for (const SharedPlane& shared : sharedPlanes)
+            remarks.push_back(toText(shared));
 
         for (const auto& [key, count] : faces)
             codes[key].faces = count;
@@ -97,7 +102,7 @@ struct Model::Impl {
     /// What is there, in model axes as they are now, its bounds and what there is to say of it.
     SurfaceMesh collected(osg::Node& loaded, const std::string& said, const ModelOptions& options) {
         SurfaceMesh mesh;
-        GeometryCollector collector(mesh, fromFile, said, options.forceTwoSided);
+        GeometryCollector collector(mesh, fromFile, said, options);
         collector.collect(loaded);
         notes = collector.remarks();
         bounds = BoundingBox::nowhere();
@@ -124,7 +129,7 @@ Model::Model(std::unique_ptr<Impl> parts) : impl_(std::move(parts)) {}
 Model::~Model() = default;
 
 std::shared_ptr<Model> Model::load(const std::filesystem::path& file, const ModelOptions& options) {
-    return ofGraph(loadGraphAsIs(file, LoadPurpose::infrared), readModelCodes(file), file, options);
+    return ofGraph(loadGraphAsIs(file, purposeOf(options)), readModelCodes(file), file, options);
 }
 
 std::shared_ptr<Model> Model::ofGraph(const LoadedGraph& asIs, const ModelCodes& codes,
@@ -170,6 +175,10 @@ const BoundingBox& Model::bounds() const {
 }
 const std::vector<std::string>& Model::remarks() const {
     return impl_->remarks;
+}
+
+const std::vector<SharedPlane>& Model::sharedPlanes() const {
+    return impl_->sharedPlanes;
 }
 
 const ModelPlacing& Model::placing() const {

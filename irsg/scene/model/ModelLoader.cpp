@@ -180,6 +180,10 @@ std::mutex& osgRegistryMutex() {
     return mutex;
 }
 
+LoadPurpose purposeOf(const ModelOptions& options) {
+    return options.cutsTextureAlpha ? LoadPurpose::visible : LoadPurpose::infrared;
+}
+
 LoadedGraph loadGraphAsIs(const fs::path& file, LoadPurpose purpose) {
     const auto refusal = refusalOf(file.string(), FileKind::model);
     std::error_code ignored;

@@ -27,6 +27,8 @@ struct LoadedGraph {
 /// What the graph is for: the infrared picture needs geometry, normals and codes; the visible
 /// display needs textures and materials, too.
 enum class LoadPurpose { infrared, visible };
+/// What a model with these options is read for: textures are needed where they cut.
+LoadPurpose purposeOf(const ModelOptions& options);
 
 /// To be held while a plug-in of OpenSceneGraph reads: the registry of plug-ins and their caches
 /// belong to the whole process.

@@ -253,7 +253,7 @@ osg::Matrixd turnAndScale(const ModelPlacing& completed) {
 
 PlacingGuess guessPlacing(osg::Node& graph, const FileAxes& axes, const std::string& file) {
     SurfaceMesh mesh;
-    GeometryCollector(mesh, osg::Matrixd::identity(), file, true).collect(graph);
+    GeometryCollector(mesh, osg::Matrixd::identity(), file, {.forceTwoSided = true}).collect(graph);
     return guessOf(mesh, axes, file);
 }
 
@@ -265,7 +265,8 @@ PlacingGuess placingGuess(const std::filesystem::path& file) {
 ModelShape shapeOf(const std::filesystem::path& file) {
     const LoadedGraph loaded = loadGraph(file, LoadPurpose::infrared);
     SurfaceMesh mesh;
-    GeometryCollector(mesh, osg::Matrixd::identity(), file.string(), true).collect(*loaded.node);
+    GeometryCollector(mesh, osg::Matrixd::identity(), file.string(), {.forceTwoSided = true})
+        .collect(*loaded.node);
     ModelShape shape;
     shape.axes = loaded.axes;
     shape.guess = guessOf(mesh, loaded.axes, file.string());

@@ -13,6 +13,8 @@ ModelUse useOf(const Model& model) {
     for (const std::string& remark : model.remarks())
         if (remark.find("LOD") != std::string::npos)
             use.levelsOfDetail.push_back(remark);
+    for (const SharedPlane& shared : model.sharedPlanes())
+        use.sharedPlanes.push_back(toText(shared));
     return use;
 }
 

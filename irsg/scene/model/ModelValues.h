@@ -57,9 +57,23 @@ struct CodeUse {
     bool operator==(const CodeUse&) const = default;
 };
 
+/// Faces of different codes that lie in one plane and cover each other there. Those that come first
+/// in the file are drawn.
+struct SharedPlane {
+    IrCodes drawn;  ///< of those that come first
+    IrCodes hidden; ///< of the others
+    int faces = 0;  ///< hidden ones, whole or in part
+    double area_m2 = 0.0;
+    bool operator==(const SharedPlane&) const = default;
+};
+/// A sentence about it.
+std::string toText(const SharedPlane& shared);
+
 struct ModelOptions {
     ModelPlacing placing = {};
     bool forceTwoSided = false; ///< ignore draw type 0 (backface culling)
+    /// What the alpha of a face's texture leaves out is no part of the face (TextureCut.h).
+    bool cutsTextureAlpha = false;
     auto operator<=>(const ModelOptions&) const = default;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 #include <osg/CullFace>
 #include <osg/PolygonOffset>
@@ -115,9 +116,40 @@ void SurfaceMesh::add(const Key& key, std::vector<PolygonCorner>& corners) {
     VertexTable& table = tables_[key];
     ++part.polygons;
     part.area_m2 += cut.area;
-    for (const auto& triangle : cut.triangles)
+    for (const auto& triangle : cut.triangles) {
+        part.polygonOf.push_back(polygons_);
         for (const auto corner : triangle)
             part.triangles.push_back(table.index(part, corners[corner]));
+    }
+    ++polygons_;
+}
+
+void SurfaceMesh::setLayers(const std::vector<int>& layers) {
+    const std::map<Key, Part> before = std::exchange(parts_, {});
+    tables_.clear();
+    for (const auto& [key, part] : before) {
+        unsigned int last = polygons_;
+        for (std::size_t i = 0; i < part.polygonOf.size(); ++i) {
+            const unsigned int polygon = part.polygonOf[i];
+            Key to = key;
+            if (layers[polygon] >= 0)
+                to.layer = layers[polygon];
+            Part& into = parts_[to];
+            VertexTable& table = tables_[to];
+            into.polygonOf.push_back(polygon);
+            std::array<osg::Vec3d, 3> places;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::size_t vertex = part.triangles[3 * i + k];
+                PolygonCorner corner;
+                corner.position = places[k] = part.vertices[vertex];
+                corner.normal = part.normals[vertex];
+                corner.colour = part.colours[vertex];
+                into.triangles.push_back(table.index(into, corner));
+            }
+            into.area_m2 += 0.5 * ((places[1] - places[0]) ^ (places[2] - places[0])).length();
+            into.polygons += polygon != std::exchange(last, polygon);
+        }
+    }
 }
 
 osg::ref_ptr<osg::Geometry> SurfaceMesh::drawable(const Key& key, const Part& part) {

@@ -26,6 +26,7 @@ class SurfaceMesh {
         std::vector<osg::Vec3> vertices, normals;
         std::vector<osg::Vec4> colours;
         std::vector<unsigned int> triangles;
+        std::vector<unsigned int> polygonOf; ///< of each triangle, its number in the file's order
         long polygons = 0;
         double area_m2 = 0.0;
         BoundingBox bounds = BoundingBox::nowhere();
@@ -37,6 +38,10 @@ class SurfaceMesh {
     void add(const Key& key, std::vector<PolygonCorner>& corners);
 
     const std::map<Key, Part>& parts() const { return parts_; }
+    /// How many polygons have a number, which is how many were added.
+    unsigned int polygons() const { return polygons_; }
+    /// Gives polygons another layer, by their numbers; -1 leaves one where it is.
+    void setLayers(const std::vector<int>& layers);
     long degenerate() const { return degenerate_; }
     long normalsMade() const { return normalsMade_; }
     long normalsTurned() const { return normalsTurned_; }
@@ -60,6 +65,7 @@ class SurfaceMesh {
     };
     std::map<Key, Part> parts_;
     std::map<Key, VertexTable> tables_;
+    unsigned int polygons_ = 0;
     long degenerate_ = 0, normalsMade_ = 0, normalsTurned_ = 0, folded_ = 0;
 };
 

@@ -66,12 +66,23 @@ double mostChange(const SpectralSampling& sampling, const std::vector<double>& a
            std::max({greyDepth / grey, warmDepth / warm, arrives > 0.0 ? fromPath / arrives : 0.0});
 }
 
+/// How dense the air at the target is in terms of the mean of the path, if it thins out as water
+/// vapour does.
+double densityAtTarget(const AtmosphericPath& path) {
+    constexpr double scaleHeight_m = 2000.0;
+    const double rise_m = path.sensorAltitude_m - path.targetAltitude_m;
+    if (std::abs(rise_m) < 1.0)
+        return 1.0;
+    const double mean = scaleHeight_m * -std::expm1(-rise_m / scaleHeight_m) / rise_m;
+    return std::clamp(1.0 / mean, 1.0 / densest, densest);
+}
+
 } // namespace
 
 void planSlicesOf(AtmosphericQueryCache& air, const std::vector<SampledBand>& bands,
                   std::size_t number, const RenderSettings& settings, ObjectGeometry& geometry) {
     geometry.slices_m.clear();
-    geometry.airError = 0.0;
+    geometry.airError = geometry.likelyAirError = 0.0;
     const double extent_m = geometry.farthest_m - geometry.nearest_m;
     if (!(extent_m > 0.0) || !(geometry.path.range_m > 0.0))
         return;
@@ -115,23 +126,26 @@ void planSlicesOf(AtmosphericQueryCache& air, const std::vector<SampledBand>& ba
         most = std::max(
             {most, change(near.grey, far.grey), change(near.ambient, far.ambient), ofPath});
     }
+    const double likely = 0.5 * estimate / densest * densityAtTarget(geometry.path);
     if (estimate < settings.airSliceFrom) {
         geometry.airError = 0.5 * estimate;
+        geometry.likelyAirError = std::min(likely, geometry.airError);
         return;
     }
     if (!isKnown) {
         geometry.airError = 0.5 * std::min(estimate, largestChange);
+        geometry.likelyAirError = std::min(likely, geometry.airError);
         return;
     }
     if (most < settings.airSliceFrom) {
-        geometry.airError = 0.5 * most;
+        geometry.airError = geometry.likelyAirError = 0.5 * most;
         return;
     }
     const int slices = std::min(static_cast<int>(std::ceil(most / changeOfSlice)), mostSlices);
     for (int i = 0; i <= slices; ++i)
         geometry.slices_m.push_back(geometry.nearest_m + extent_m * i / slices);
     const double ofOne = most / slices;
-    geometry.airError = ofOne * ofOne / 8.0;
+    geometry.airError = geometry.likelyAirError = ofOne * ofOne / 8.0;
 }
 
 } // namespace irsg

@@ -9,7 +9,9 @@ namespace irsg {
 
 /// Decides whether the air of an entity (by its number) is that of its reference point, or is taken
 /// at several ranges over its extent (RenderSettings::airSliceFrom), and fills in
-/// `geometry.slices_m` and `geometry.airError`. `bands`: of the scene with one slice each.
+/// `geometry.slices_m`, `geometry.airError` and `geometry.likelyAirError`, for which the air next
+/// to the object is as dense as altitude makes it, where the bound allows for eight times the mean.
+/// `bands`: of the scene with one slice each.
 ///
 /// With T(d) the in-band transmittance for grey light and for that of a body of 300 K, and L(d) the
 /// path radiance, the change over the extent is the larger of |ln T(near) / T(far)| and of

@@ -56,27 +56,100 @@ std::vector<double> componentFactors(const SurfaceInput& surface) {
     return factors;
 }
 
+DirectionalSpectra directionalSpectra(const SurfaceInput& surface, const SpectrumSampler& sample) {
+    const Material& material = *surface.material;
+    DirectionalSpectra result;
+    result.model = SurfaceModel::of(material);
+    if (!result.model)
+        return result;
+    const SurfaceModel& model = *result.model;
+    const std::vector<double> transmissivity = sample(material.transmissivity);
+    std::vector<std::vector<double>> inputs;
+    for (const Spectrum* spectrum : model.inputs(material))
+        inputs.push_back(sample(*spectrum));
+    constexpr double step = 1e-4;
+    std::vector<double> own(inputs.size());
+    for (std::size_t i = 0; i < transmissivity.size(); ++i) {
+        const double limit = 1.0 - transmissivity[i];
+        for (std::size_t input = 0; input < own.size(); ++input)
+            own[input] = inputs[input][i];
+        const SurfaceModel::Amounts nominal = model.amounts(own, 1.0),
+                                    less = model.amounts(own, 1.0 - step);
+        result.amounts.push_back(model.amounts(own, surface.emissivityScale));
+        SurfaceModel::Amounts& slope = result.perScale.emplace_back();
+        for (std::size_t c = 0; c < model.components(); ++c)
+            slope[c] = std::max(less[c] - nominal[c], 0.0) / step;
+        double left = limit;
+        for (std::size_t c = 0; c < model.components(); ++c)
+            left -= result.amounts.back()[c] * model.meanAlbedo(c);
+        result.emissivity.push_back(std::clamp(left, 0.0, limit));
+    }
+    return result;
+}
+
+SurfaceSpectra lobeSpectra(const SurfaceSpectra& whole, const DirectionalSpectra& directional,
+                           std::size_t component, const std::vector<double>& wavelengths_um,
+                           SharedValues light) {
+    const std::size_t count = wavelengths_um.size();
+    SurfaceSpectra lobe;
+    lobe.emissionPassesAir = whole.emissionPassesAir;
+    lobe.temperature_K = whole.temperature_K;
+    lobe.opacity.assign(count, 0.0);
+    lobe.reflectance.assign(count, 0.0);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double amount = directional.amounts[i][component];
+        lobe.emissivity.push_back(directional.perScale[i][component]);
+        lobe.reflectsAtMost.push_back(amount + lobe.emissivity.back());
+        lobe.emitsAlways.push_back(light ? 0.0 : -lobe.reflectsAtMost.back());
+        if (light)
+            lobe.mirrored.push_back(amount * (*light)[i]);
+        else
+            lobe.reflectance[i] = amount / pi;
+    }
+    if (!light && whole.temperature_K > 0.0) {
+        std::vector<double> emission(count);
+        planckRadiances_W_m2_sr_um(wavelengths_um, whole.temperature_K, emission);
+        for (std::size_t i = 0; i < count; ++i)
+            emission[i] *= -directional.amounts[i][component];
+        lobe.emission.push_back({1.0, std::move(emission)});
+    }
+    lobe.lobeLight = std::move(light);
+    return lobe;
+}
+
 SurfaceSpectra surfaceSpectra(const SurfaceInput& surface,
                               const std::vector<double>& wavelengths_um,
-                              const SpectrumSampler& sample) {
+                              const SpectrumSampler& sample,
+                              const DirectionalSpectra& directional) {
     const std::size_t count = wavelengths_um.size();
     const bool usesSpectrum = surface.temperature->mode == EmissionMode::userSpectrum;
     if (usesSpectrum && !surface.userSpectrum)
         throw LogicError("a surface in spectrum mode came without its spectrum");
 
     SurfaceSpectra result;
-    result.nAngleFactor = surface.material->nAngleFactor;
+    result.nAngleFactor = directional.model ? 0.0 : surface.material->nAngleFactor;
     result.transmissivity = sample(surface.material->transmissivity);
 
     // A scaled emissivity stays within what transmission leaves; reflectivity takes the rest.
-    result.emissivity = sample(surface.material->emissivity);
+    const SurfaceModel* model = directional.model.get();
+    result.emissivity = model ? directional.emissivity : sample(surface.material->emissivity);
     std::vector<double> emissivity = result.emissivity;
     result.reflectance.resize(count);
     result.opacity.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         result.opacity[i] = 1.0 - result.transmissivity[i];
-        emissivity[i] = std::clamp(emissivity[i] * surface.emissivityScale, 0.0, result.opacity[i]);
+        emissivity[i] =
+            model ? directional.emissivity[i]
+                  : std::clamp(emissivity[i] * surface.emissivityScale, 0.0, result.opacity[i]);
         result.reflectance[i] = (result.opacity[i] - emissivity[i]) / pi;
+        if (!model)
+            continue;
+        double perScale = 0.0;
+        for (std::size_t k = 0; k < model->components(); ++k)
+            perScale += directional.perScale[i][k] * model->meanAlbedo(k);
+        result.emissivity[i] = perScale;
+        result.reflectsAtMost.push_back(pi * result.reflectance[i] + perScale);
+        result.emitsAlways.push_back(result.opacity[i] - result.reflectsAtMost[i]);
     }
 
     // Emission: of a body at the temperature of eq. 7, or as measured.
@@ -101,6 +174,8 @@ const std::vector<double>& SurfaceSpectra::quantity(SurfaceQuantity quantity) co
         return reflectance;
     case SurfaceQuantity::opacity:
         return opacity;
+    case SurfaceQuantity::mirrored:
+        return mirrored;
     case SurfaceQuantity::emission:
         break;
     }
@@ -110,7 +185,8 @@ const std::vector<double>& SurfaceSpectra::quantity(SurfaceQuantity quantity) co
 std::vector<double> apparentTerm(const SurfaceSpectra& surface, const RadianceTerms& terms,
                                  std::size_t number, const AirSamples& air) {
     const RadianceTerm& term = terms.terms[number];
-    if (term.light && !air.light[number])
+    if ((term.light && !air.light[number]) ||
+        (term.surface == SurfaceQuantity::mirrored && surface.mirrored.empty()))
         return {};
     std::vector<double> sent;
     if (term.surface == SurfaceQuantity::emission) {

@@ -10,6 +10,7 @@
 #include "irsg/scene/radiance/SharedValues.h"
 #include "irsg/signature/EntityState.h"
 #include "irsg/signature/SignatureDatabase.h"
+#include "irsg/signature/SurfaceModel.h"
 
 namespace irsg {
 
@@ -54,18 +55,38 @@ struct SurfaceSpectra {
         std::vector<double> radiance; ///< W m-2 sr-1 um-1 at a factor of 1
     };
     std::vector<Emission> emission;
+    /// What lobes reflect of the air's radiance, where the surface is such a one; W m-2 sr-1 um-1.
+    std::vector<double> mirrored;
+    SharedValues lobeLight;        ///< that radiance; null for others
     bool emissionPassesAir = true; ///< false: measured from farther away, with all its air
     std::vector<double> reflectance, opacity;
     std::vector<double> transmissivity;
     std::vector<double> emissivity; ///< of the material, before any scaling
+    /// Of directional surfaces and their lobes, how both depend on a scale e of the emissivity:
+    /// reflectivity is `reflectsAtMost` - e times `emissivity`, and what is emitted beside that
+    /// emissivity, whatever the scale, is `emitsAlways`, which may be negative. Empty for others,
+    /// which reflect 1 - t at most and emit nothing else.
+    std::vector<double> reflectsAtMost, emitsAlways;
     double nAngleFactor = 0.0;
     double temperature_K = 0.0; ///< of the surface; 0 for a user-defined spectrum
 
+    double absorbsAtMost(std::size_t node) const {
+        return reflectsAtMost.empty() ? 1.0 - transmissivity[node] : reflectsAtMost[node];
+    }
     bool isTransparent() const {
         return std::ranges::any_of(transmissivity, [](double t) { return t > 0.0; });
     }
     /// The reflectance or the opacity; LogicError for emission, which has parts.
     const std::vector<double>& quantity(SurfaceQuantity quantity) const;
+};
+
+/// How a directional surface reflects on the nodes of a sampling: the amounts of its components
+/// with the scale of its emissivity, and what another scale of 1 would take off them.
+struct DirectionalSpectra {
+    std::shared_ptr<const SurfaceModel> model; ///< null for a Lambertian surface: no more is known
+    std::vector<SurfaceModel::Amounts> amounts, perScale;
+    /// 1 - t less what is reflected over the hemisphere.
+    std::vector<double> emissivity;
 };
 
 /// Temperature of the surface, K, with its scaling.
@@ -75,11 +96,21 @@ double surfaceTemperature_K(const SurfaceInput& surface);
 /// over what each of them stands for.
 using SpectrumSampler = std::function<std::vector<double>(const Spectrum&)>;
 
-/// All vectors as long as `wavelengths_um`. The temperature must be positive (LogicError: the scene
-/// check names the entry).
+DirectionalSpectra directionalSpectra(const SurfaceInput& surface, const SpectrumSampler& sample);
+
+/// All vectors as long as `wavelengths_um`. A directional surface is the Lambertian one of equal
+/// hemispherical reflectance; the rest are its lobes. The temperature must be positive (LogicError:
+/// the scene check names the entry).
 SurfaceSpectra surfaceSpectra(const SurfaceInput& surface,
                               const std::vector<double>& wavelengths_um,
-                              const SpectrumSampler& sample);
+                              const SpectrumSampler& sample,
+                              const DirectionalSpectra& directional = {});
+
+/// One component of a directional surface beside the Lambertian one: it reflects its amount, and
+/// emits less by that. With `light`, W m-2 sr-1 um-1, it reflects that instead, and does not emit.
+SurfaceSpectra lobeSpectra(const SurfaceSpectra& whole, const DirectionalSpectra& directional,
+                           std::size_t component, const std::vector<double>& wavelengths_um,
+                           SharedValues light);
 
 /// c_j of eq. 6 times the calibration, by component of a user-defined spectrum.
 std::vector<double> componentFactors(const SurfaceInput& surface);

@@ -68,10 +68,10 @@ class FactorField {
                   std::span<const Real>(&values_[static_cast<std::size_t>(i) * width_], width_));
     }
 
-    /// Adds a field of equal width, entry by entry in its order. `cellOf(cell)` is the cell here of
-    /// one there, `frontOf(front)` likewise.
+    /// Adds a field of equal width times a scale, entry by entry in its order. `cellOf(cell)` is
+    /// the cell here of one there, `frontOf(front)` likewise.
     template <typename Other, typename CellOf, typename FrontOf>
-    void add(const FactorField<Other>& other, CellOf cellOf, FrontOf frontOf) {
+    void add(const FactorField<Other>& other, CellOf cellOf, FrontOf frontOf, Real scale = 1) {
         std::vector<int> kinds;
         for (const FactorKind& kind : other.kinds())
             kinds.push_back(kindOf({frontOf(kind.front), kind.row}));
@@ -79,7 +79,7 @@ class FactorField {
             other.forEach(cell, [&](std::size_t kind, std::span<const Other> numbers) {
                 Real* sums = at(cellOf(cell), kinds[kind]);
                 for (std::size_t i = 0; i < width_; ++i)
-                    sums[i] += static_cast<Real>(numbers[i]);
+                    sums[i] += scale * static_cast<Real>(numbers[i]);
             });
     }
 

@@ -83,7 +83,8 @@ std::vector<KindRadiances::Strand> KindRadiances::strandsOf(int drawn) const {
     };
     for (std::size_t k = 0; k < radiometry_.terms().terms.size(); ++k) {
         const RadianceTerm& term = radiometry_.terms().terms[k];
-        if (term.light && !air.light[k])
+        if ((term.light && !air.light[k]) ||
+            (term.surface == SurfaceQuantity::mirrored && surface.mirrored.empty()))
             continue;
         const bool isEmission = term.surface == SurfaceQuantity::emission;
         Strand strand;

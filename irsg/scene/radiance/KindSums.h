@@ -43,6 +43,14 @@ class ViewKindSums {
             behind_W_m2_sr_[k] = varying_[k]->at(x, y);
     }
 
+    /// The same as others, times a factor.
+    void goTo(const ViewKindSums& others, double factor) {
+        part_ = factor * others.part_;
+        omega_sr_ = factor * others.omega_sr_;
+        projected_sr_ = factor * others.projected_sr_;
+        behind_W_m2_sr_ = others.behind_W_m2_sr_;
+    }
+
     void add(int front, const SurfaceRows::Between& between, const FactorSamples::Layer& layer) {
         const std::size_t place =
             static_cast<std::size_t>(front) * rows_ + static_cast<std::size_t>(between.row);
@@ -62,52 +70,67 @@ class ViewKindSums {
                   std::make_index_sequence<Factors>());
     }
 
-    /// Factors of what is covered already.
-    void addLight(int front, const SurfaceRows::Between& between, const float* factors) {
+    /// Factors of what is covered already, and what lobes have for coverage.
+    void addLight(int front, const SurfaceRows::Between& between,
+                  const FactorSamples::Layer& layer) {
         const std::size_t place =
             static_cast<std::size_t>(front) * rows_ + static_cast<std::size_t>(between.row);
         if (place >= places_)
             grow(front);
-        const auto addTo = [&](Sums& sums, double weight) {
+        const auto coverage = static_cast<double>(layer.coverage);
+        const auto addTo = [&](std::size_t to, double weight) {
+            Sums& sums = sums_[to];
+            sums.plain[0] += weight * omega_sr_ * coverage;
+            sums.cosine[0] += weight * projected_sr_ * coverage;
             for (std::size_t f = 0; f < Factors; ++f) {
-                sums.plain[1 + f] += weight * omega_sr_ * static_cast<double>(factors[f]);
-                sums.cosine[1 + f] += weight * projected_sr_ * static_cast<double>(factors[f]);
+                const auto factor = static_cast<double>(layer.factors[f]);
+                sums.plain[1 + f] += weight * omega_sr_ * factor;
+                sums.cosine[1 + f] += weight * projected_sr_ * factor;
             }
+            if (layer.place && layer.place->triangle != FactorSamples::Place::none)
+                addReceivers(to, between.row, weight * coverage, *layer.place);
         };
-        addTo(sums_[place], 1.0 - static_cast<double>(between.next));
+        addTo(place, 1.0 - static_cast<double>(between.next));
         if (between.next > 0.0f)
-            addTo(sums_[place + 1], static_cast<double>(between.next));
+            addTo(place + 1, static_cast<double>(between.next));
     }
 
     /// What was seen of receivers of light.
     LightSums lightSums() const {
         LightSums sums;
-        for (std::size_t place = 0; place < receivers_.size(); ++place)
-            if (!receivers_[place].empty())
-                sums[{static_cast<int>(place / rows_), static_cast<int>(place % rows_)}] =
-                    receivers_[place];
+        for (std::size_t place = 0; place < receivers_.size(); ++place) {
+            if (receivers_[place].empty())
+                continue;
+            const auto row = static_cast<int>(place % rows_);
+            std::vector<double>& own = sums[{static_cast<int>(place / rows_), row}];
+            own = receivers_[place];
+            addRun(runs_[place], own);
+        }
         return sums;
     }
 
-    /// What was seen, of one cell.
-    FactorField<double> field(const ViewLayout& layout) const {
-        FactorField<double> field(1, layout.width());
+    /// Adds what was seen times a sign to the one cell of a field. `frontOf(front)` is the number
+    /// there of one here.
+    template <typename FrontOf>
+    void addTo(FactorField<double>& field, const ViewLayout& layout, FrontOf frontOf,
+               double sign) const {
         for (std::size_t place = 0; place < sums_.size(); ++place) {
             const Sums& sums = sums_[place];
             if (std::ranges::all_of(sums.plain, [](double sum) { return sum == 0.0; }))
                 continue;
-            double* numbers = field.at(0, field.kindOf({static_cast<int>(place / rows_),
+            double* numbers = field.at(0, field.kindOf({frontOf(static_cast<int>(place / rows_)),
                                                         static_cast<int>(place % rows_)}));
-            std::ranges::copy(sums.plain, numbers);
-            std::ranges::copy(sums.cosine, numbers + layout.withCosine(0));
-            numbers[layout.pixels()] = sums.pixels;
+            for (std::size_t i = 0; i <= Factors; ++i) {
+                numbers[i] += sign * sums.plain[i];
+                numbers[layout.withCosine(i)] += sign * sums.cosine[i];
+            }
+            numbers[layout.pixels()] += sign * sums.pixels;
             for (std::size_t k = 0; k < varying_.size(); ++k) {
                 const double* behind_W_m2 = &behind_W_m2_[2 * (place * varying_.size() + k)];
-                numbers[layout.background(k)] = behind_W_m2[0];
-                numbers[layout.backgroundCosine(k)] = behind_W_m2[1];
+                numbers[layout.background(k)] += sign * behind_W_m2[0];
+                numbers[layout.backgroundCosine(k)] += sign * behind_W_m2[1];
             }
         }
-        return field;
     }
 
   private:
@@ -137,17 +160,41 @@ class ViewKindSums {
         }
     }
 
+    /// Samples that follow each other in one triangle, by the weights of its corners.
+    struct Run {
+        std::uint32_t triangle = FactorSamples::Place::none;
+        std::array<double, 3> plain{}, cosine{};
+    };
     void addReceivers(std::size_t place, int row, double weight, const FactorSamples::Place& at) {
-        if (place >= receivers_.size())
+        if (place >= receivers_.size()) {
             receivers_.resize(places_);
-        std::vector<double>& sums = receivers_[place];
-        if (sums.empty())
-            sums.resize(2 * exchange_->ofRow(surfaces_.drawnOf(row)).size());
+            runs_.resize(places_);
+        }
+        Run& run = runs_[place];
+        if (run.triangle != at.triangle) {
+            std::vector<double>& sums = receivers_[place];
+            if (sums.empty())
+                sums.resize(2 *
+                            exchange_->ofRow(surfaces_.surfaceOf(surfaces_.drawnOf(row))).size());
+            addRun(run, sums);
+            run = {};
+            run.triangle = at.triangle;
+        }
+        const auto u = static_cast<double>(at.u), v = static_cast<double>(at.v);
+        const std::array<double, 3> parts{1.0 - u - v, u, v};
+        for (std::size_t c = 0; c < 3; ++c) {
+            run.plain[c] += weight * omega_sr_ * parts[c];
+            run.cosine[c] += weight * projected_sr_ * parts[c];
+        }
+    }
+    void addRun(const Run& run, std::vector<double>& sums) const {
+        if (run.triangle == FactorSamples::Place::none)
+            return;
         exchange_->forEachReceiver(
-            at.triangle, at.u, at.v, [&](std::uint32_t receiver, float part) {
+            run.triangle, [&](std::uint32_t receiver, std::size_t corner, float part) {
                 const std::size_t own = 2 * static_cast<std::size_t>(exchange_->localOf(receiver));
-                sums[own] += weight * omega_sr_ * static_cast<double>(part);
-                sums[own + 1] += weight * projected_sr_ * static_cast<double>(part);
+                sums[own] += run.plain[corner] * static_cast<double>(part);
+                sums[own + 1] += run.cosine[corner] * static_cast<double>(part);
             });
     }
 
@@ -163,6 +210,7 @@ class ViewKindSums {
     const std::vector<const FrameBackground*>& varying_;
     const LightExchange* exchange_;
     std::vector<std::vector<double>> receivers_; // by front and row
+    std::vector<Run> runs_;                      // likewise
     double share_;
     double part_ = 0.0, omega_sr_ = 0.0, projected_sr_ = 0.0; // of a sample in its pixel
     std::vector<double> behind_W_m2_sr_;                      // by varying background
@@ -204,11 +252,18 @@ class PixelKindSums {
             addReceivers({front, between.row + 1}, next, *layer.place);
     }
 
-    void addLight(int front, const SurfaceRows::Between& between, const float* factors) {
+    void addLight(int front, const SurfaceRows::Between& between,
+                  const FactorSamples::Layer& layer) {
         const auto next = static_cast<double>(between.next);
-        addTo({front, between.row}, 1.0 - next, factors, 0.0);
+        const auto coverage = static_cast<double>(layer.coverage);
+        const auto addTo = [&](int row, double weight) {
+            this->addTo({front, row}, weight, layer.factors.data(), coverage);
+            if (layer.place && layer.place->triangle != FactorSamples::Place::none)
+                addReceivers({front, row}, weight * coverage, *layer.place);
+        };
+        addTo(between.row, 1.0 - next);
         if (next > 0.0)
-            addTo({front, between.row + 1}, next, factors, 0.0);
+            addTo(between.row + 1, next);
     }
 
     const FactorField<double>& field() const { return field_; }

@@ -23,18 +23,33 @@ class LayerWalk {
 
     /// Calls visit(front, between, layer) for every layer of a sample, front to back. Light that a
     /// layer gets through something comes after it, as if that stood before the layer, too, and
-    /// with no coverage: what materials let through is multiplied, wherever they stand.
+    /// with no coverage: what materials let through is multiplied, wherever they stand. Lobes of
+    /// directional surfaces come after their layer in the same way.
     template <typename Visit>
     void forEachPlace(const FactorSamples& samples, std::size_t sample, Visit visit) {
         int front = 0;
-        LightThrough light(samples, sample);
+        OfLayers<FactorSamples::Through> light(samples.through, sample, lightFrom_);
+        OfLayers<FactorSamples::Lobe> lobes(samples.lobes, sample, lobesFrom_);
         samples.forEachLayer(sample, [&](const FactorSamples::Layer& layer) {
             const SurfaceRows::Between between = rows_.at(layer.row, layer.distance_m);
             visit(front, between, layer);
-            light.ofNextLayer([&](const FactorSamples::Through& one) {
-                visit(behindSet(front, samples.throughSets[one.set]), between,
-                      lightAlone(layer, one));
+            const auto throughOf = [&](const FactorSamples::Layer& of,
+                                       const SurfaceRows::Between& at, double scale) {
+                light.ofThisLayer([&](const FactorSamples::Through& one) {
+                    visit(behindSet(front, samples.throughSets[one.set]), at,
+                          lightAlone(of, one, static_cast<float>(scale)));
+                });
+            };
+            throughOf(layer, between, 1.0);
+            lobes.ofThisLayer([&](const FactorSamples::Lobe& one) {
+                const FactorSamples::Layer lobe = lobeOf(samples, layer, one);
+                const SurfaceRows::Between at = rows_.at(lobe.row, lobe.distance_m);
+                visit(front, at, lobe);
+                if (one.sun != 0.0f)
+                    throughOf(lobe, at, static_cast<double>(one.sun));
             });
+            light.goOn();
+            lobes.goOn();
             if (rows_.isTransparent(layer.row))
                 front = behind(front, layer.row);
         });
@@ -43,56 +58,80 @@ class LayerWalk {
     /// between two nodes of its entity's slices.
     template <typename Visit>
     void forEachLayer(const FactorSamples& samples, std::size_t sample, Visit visit) {
-        int front = 0;
-        LightThrough light(samples, sample);
-        samples.forEachLayer(sample, [&](const FactorSamples::Layer& layer) {
-            rows_.forEachRow(layer.row, layer.distance_m, [&](int row, float weight) {
-                visit(FactorKind{front, row}, weight, layer);
+        forEachPlace(
+            samples, sample,
+            [&](int front, const SurfaceRows::Between& between, const FactorSamples::Layer& layer) {
+                visit(FactorKind{front, between.row}, 1.0f - between.next, layer);
+                if (rows_.isSliced(layer.row))
+                    visit(FactorKind{front, between.row + 1}, between.next, layer);
             });
-            light.ofNextLayer([&](const FactorSamples::Through& one) {
-                const int through = behindSet(front, samples.throughSets[one.set]);
-                const FactorSamples::Layer alone = lightAlone(layer, one);
-                rows_.forEachRow(layer.row, layer.distance_m, [&](int row, float weight) {
-                    visit(FactorKind{through, row}, weight, alone);
-                });
-            });
-            if (rows_.isTransparent(layer.row))
-                front = behind(front, layer.row);
-        });
     }
 
   private:
-    /// The light through something of a sample's layers, one layer after the other.
-    class LightThrough {
+    /// What a list has of a sample's layers, one layer after the other.
+    template <typename One>
+    class OfLayers {
       public:
-        LightThrough(const FactorSamples& samples, std::size_t sample) {
-            if (samples.through.empty())
+        /// `from`: where those of the sample before it ended, as a rule; where its own end from now
+        /// on.
+        OfLayers(const std::vector<One>& all, std::size_t sample, std::size_t& from) {
+            if (all.empty())
                 return;
-            end_ = samples.through.data() + samples.through.size();
-            next_ = std::lower_bound(samples.through.data(), end_, sample,
-                                     [](const FactorSamples::Through& one, std::size_t number) {
-                                         return one.sample < number;
-                                     });
+            end_ = all.data() + all.size();
             sample_ = sample;
+            const auto isBefore = [](const One& one, std::size_t number) {
+                return one.sample < number;
+            };
+            const bool isThere = from <= all.size() &&
+                                 (from == 0 || isBefore(all[from - 1], sample)) &&
+                                 (from == all.size() || !isBefore(all[from], sample));
+            next_ =
+                isThere ? all.data() + from : std::lower_bound(all.data(), end_, sample, isBefore);
+            const One* last = next_;
+            while (last != end_ && last->sample == sample_)
+                ++last;
+            from = static_cast<std::size_t>(last - all.data());
         }
         template <typename Visit>
-        void ofNextLayer(Visit visit) {
-            for (; next_ != end_ && next_->sample == sample_ && next_->layer == layer_; ++next_)
-                visit(*next_);
+        void ofThisLayer(Visit visit) const {
+            for (const One* one = next_;
+                 one != end_ && one->sample == sample_ && one->layer == layer_; ++one)
+                visit(*one);
+        }
+        void goOn() {
+            while (next_ != end_ && next_->sample == sample_ && next_->layer == layer_)
+                ++next_;
             ++layer_;
         }
 
       private:
-        const FactorSamples::Through *next_ = nullptr, *end_ = nullptr;
+        const One *next_ = nullptr, *end_ = nullptr;
         std::size_t sample_ = 0;
         std::uint32_t layer_ = 0;
     };
 
     FactorSamples::Layer lightAlone(const FactorSamples::Layer& layer,
-                                    const FactorSamples::Through& light) {
+                                    const FactorSamples::Through& light, float scale) {
         light_.fill(0.0f);
-        light_[light.factor] = light.value;
-        return {layer.row, layer.distance_m, {light_.data(), layer.factors.size()}, 0.0f, nullptr};
+        light_[light.factor] = scale * light.value;
+        return {layer.row, layer.distance_m, {light_.data(), layer.factors.size()},
+                0.0f,      nullptr,          layer.isLobe};
+    }
+    FactorSamples::Layer lobeOf(const FactorSamples& samples, const FactorSamples::Layer& layer,
+                                const FactorSamples::Lobe& lobe) {
+        for (std::size_t f = 0; f < layer.factors.size(); ++f) {
+            const LobeRole role = samples.lobeRoles[f];
+            lobe_[f] = layer.factors[f] * (role == LobeRole::emission ? lobe.emission
+                                           : role == LobeRole::sun    ? lobe.sun
+                                                                      : lobe.flux);
+        }
+        // What lobes reflect of the air is nothing of other surfaces.
+        return {lobe.row,
+                layer.distance_m,
+                {lobe_.data(), layer.factors.size()},
+                lobe.flux,
+                rows_.lobe(lobe.row).light < 0 ? layer.place : nullptr,
+                true};
     }
     int behindSet(int front, const std::vector<FrontMaterial>& set) {
         for (const FrontMaterial& material : set)
@@ -112,7 +151,8 @@ class LayerWalk {
     std::size_t drawn_; // rows of the drawing
     Fronts fronts_;
     std::vector<int> next_; // by front and drawn row
-    std::array<float, mostFactors> light_{};
+    std::array<float, mostFactors> light_{}, lobe_{};
+    std::size_t lightFrom_ = 0, lobesFrom_ = 0;
 };
 
 } // namespace irsg

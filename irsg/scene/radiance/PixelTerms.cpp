@@ -44,30 +44,39 @@ template <typename Drawn>
 void PixelTerms::addKind(const FactorKind& kind, Sums& sums, double coverage, const Drawn& drawn) {
     const KnownKind& known = knownOf(kind);
     const std::vector<RadianceTerm>& list = radiometry_.terms().terms;
+    const bool isLobe = radiometry_.rows().isLobe(radiometry_.rows().drawnOf(kind.row));
     for (std::size_t k = 0; k < list.size(); ++k) {
         const TermFactor& factor = list[k].factor;
         double of = factor.drawn >= 0 ? drawn(static_cast<std::size_t>(factor.drawn)) : coverage;
         if (factor.complement)
             of = coverage - of;
-        sums.drawn[k] += of;
         sums.radiance_W_m2_sr[k] += of * known.terms[k];
+        if (isLobe)
+            continue;
+        sums.drawn[k] += of;
         sums.atOne_W_m2_sr[k] += coverage * known.terms[k];
     }
+    if (isLobe)
+        return;
     sums.coverage += coverage;
     sums.hidden_W_m2_sr += coverage * known.opacity * background_W_m2_sr_;
 }
 
 void PixelTerms::add(const FactorSamples& samples, std::size_t sample, double share) {
     const SurfaceRows& rows = radiometry_.rows();
-    int number = 0;
+    int number = 0, ofLayer = 0;
     walk_.forEachPlace(
         samples, sample,
         [&](int front, const SurfaceRows::Between& between, const FactorSamples::Layer& layer) {
-            const bool isLightAlone = layer.coverage == 0.0f;
-            if (!isLightAlone)
+            // A lobe belongs to its surface.
+            const bool isLightAlone = layer.isLobe ? front != ofLayer : layer.coverage == 0.0f;
+            if (!isLightAlone && !layer.isLobe) {
                 ++number;
+                ofLayer = front;
+            }
             const int shared = fronts_.numberOf(walk_.fronts().materials(front));
-            Sums& sums = sumsOf({number, isLightAlone, layer.row, shared}, between.row);
+            Sums& sums = sumsOf({number, isLightAlone, rows.surfaceOf(layer.row), shared},
+                                layer.isLobe ? rows.first(rows.surfaceOf(layer.row)) : between.row);
             const auto addRow = [&](int row, double part) {
                 const FactorKind kind{shared, row};
                 addKind(kind, sums, part * static_cast<double>(layer.coverage), [&](std::size_t f) {
@@ -78,15 +87,17 @@ void PixelTerms::add(const FactorSamples& samples, std::size_t sample, double sh
                     return;
                 const SceneLight::AtReceiver at =
                     lightAt(light_->exchange(), *known.light, *layer.place);
+                const double lit = part * static_cast<double>(layer.coverage);
                 const auto give = [&](int term, double radiance) {
                     if (term >= 0)
-                        sums.radiance_W_m2_sr[static_cast<std::size_t>(term)] += part * radiance;
+                        sums.radiance_W_m2_sr[static_cast<std::size_t>(term)] += lit * radiance;
                 };
                 give(light_->skyTerm(), at[0]);
                 give(light_->groundTerm(), at[1]);
-                sums.between_W_m2_sr += part * at[2];
+                sums.between_W_m2_sr += lit * at[2];
             };
-            sums.range_m += share * static_cast<double>(layer.distance_m);
+            if (!layer.isLobe)
+                sums.range_m += share * static_cast<double>(layer.distance_m);
             const auto next = static_cast<double>(between.next);
             addRow(between.row, share * (1.0 - next));
             if (between.row + 1 < rows.first(layer.row + 1))
@@ -100,10 +111,14 @@ void PixelTerms::addPoint(const PointFactors& atUnitDistance, double scale, doub
         const FactorKind& drawn = field.kinds()[number];
         const FactorKind kind{drawn.front, radiometry_.rows().first(drawn.row)};
         const int layer = 1 + static_cast<int>(fronts_.materials(drawn.front).size());
-        Sums& sums = sumsOf({layer, numbers[0] == 0.0, drawn.row, drawn.front}, kind.row);
+        const bool isLobe = radiometry_.rows().isLobe(drawn.row);
+        const int surface = radiometry_.rows().surfaceOf(drawn.row);
+        Sums& sums = sumsOf({layer, !isLobe && numbers[0] == 0.0, surface, drawn.front},
+                            radiometry_.rows().first(surface));
         const double coverage = scale * numbers[0];
         addKind(kind, sums, coverage, [&](std::size_t f) { return scale * numbers[1 + f]; });
-        sums.range_m += coverage * range_m;
+        if (!isLobe)
+            sums.range_m += coverage * range_m;
     });
 }
 
@@ -156,12 +171,23 @@ ExplainedSurface PixelTerms::explained(const Key& key, const Sums& sums,
     surface.range_m = sums.coverage > 0.0 ? sums.range_m / sums.coverage : 0.0;
     const std::vector<RadianceTerm>& list = radiometry_.terms().terms;
     for (std::size_t k = 0; k < list.size(); ++k) {
+        if (list[k].surface == SurfaceQuantity::mirrored && radiometry_.rows().firstLobe(drawn) < 0)
+            continue;
         ExplainedTerm& term = surface.terms.emplace_back();
         term.name = list[k].name;
         term.radiance_W_m2_sr = sums.radiance_W_m2_sr[k];
         if (sums.coverage > 0.0) {
             term.factor = sums.drawn[k] / sums.coverage;
             term.atFactorOne_W_m2_sr = sums.atOne_W_m2_sr[k] / sums.coverage;
+        }
+        // Lobes are in its radiance, and so in what its factor comes to.
+        if (sums.coverage > 0.0 && radiometry_.rows().firstLobe(drawn) >= 0) {
+            const double own = term.radiance_W_m2_sr / sums.coverage;
+            const bool isMirror = list[k].surface == SurfaceQuantity::mirrored;
+            if (isMirror)
+                term.atFactorOne_W_m2_sr = own;
+            if (term.atFactorOne_W_m2_sr != 0.0)
+                term.factor = own / term.atFactorOne_W_m2_sr;
         }
         if (list[k].light && air.light[k])
             term.light = radiometry_.integrate(*air.light[k]);

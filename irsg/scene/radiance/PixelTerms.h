@@ -47,6 +47,7 @@ class PixelTerms {
     const KnownKind& knownOf(const FactorKind& kind);
     Sums& sumsOf(const Key& key, int row);
     /// Adds factors of a kind: what `drawn(f)` of each factor f is.
+    /// Of a lobe, `coverage` is what stands for it, and counts for radiances alone.
     template <typename Drawn>
     void addKind(const FactorKind& kind, Sums& sums, double coverage, const Drawn& drawn);
     ExplainedSurface explained(const Key& key, const Sums& sums,

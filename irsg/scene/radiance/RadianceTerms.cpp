@@ -91,6 +91,10 @@ bool withFluxes(const RenderSettings& settings) {
     return settings.fluxes != ReflectionMode::off;
 }
 
+bool withMirror(const RenderSettings& settings) {
+    return settings.fluxes == ReflectionMode::smart;
+}
+
 RadianceTerms makeStandard() {
     RadianceTerms list;
     list.directions = {{"zenithEye",
@@ -117,6 +121,7 @@ RadianceTerms makeStandard() {
          LightOrigin::ground},
         {"down", {sky}, reflectance, downwardFlux, passesAir, withFluxes, LightOrigin::sky},
         {"path", {}, opacity, pathRadiance, false, always},
+        {"mirror", {}, mirrored, std::nullopt, passesAir, withMirror},
     };
     return list;
 }
@@ -128,13 +133,17 @@ const RadianceTerms& RadianceTerms::standard() {
     return list;
 }
 
-std::string RadianceTerms::glsl(const RenderSettings& settings) const {
-    std::string lines = "#define FACTOR_COUNT " + std::to_string(factors.size()) + "\n";
+std::string RadianceTerms::glsl(const RenderSettings& settings, bool withNormals) const {
+    const std::size_t count = factors.size() + (withNormals ? normalFactors : 0);
+    std::string lines = "#define FACTOR_COUNT " + std::to_string(count) + "\n";
     for (const FrameDirection& direction : directions)
         lines += "uniform vec3 " + direction.name + "; // unit, eye space\n";
     lines += "#define FILL_FACTORS(f)";
     for (std::size_t i = 0; i < factors.size(); ++i)
         lines += " f[" + std::to_string(i) + "] = " + factors[i].glsl(settings) + ";";
+    for (std::size_t i = factors.size(); i < count; ++i)
+        lines +=
+            " f[" + std::to_string(i) + "] = normal[" + std::to_string(i - factors.size()) + "];";
     return lines + "\n";
 }
 
@@ -145,12 +154,32 @@ std::vector<int> RadianceTerms::shadowedFrom(const RenderSettings& settings) con
     return all;
 }
 
-std::vector<FactorFunction> RadianceTerms::functions(const RenderSettings& settings) const {
+std::vector<LobeRole> RadianceTerms::lobeRoles() const {
+    std::vector<LobeRole> roles(factors.size(), LobeRole::flux);
+    for (const RadianceTerm& term : terms) {
+        if (term.factor.drawn < 0)
+            continue;
+        LobeRole& role = roles[static_cast<std::size_t>(term.factor.drawn)];
+        if (term.surface == SurfaceQuantity::emission)
+            role = LobeRole::emission;
+        else if (term.origin == LightOrigin::sun)
+            role = LobeRole::sun;
+    }
+    return roles;
+}
+
+std::vector<FactorFunction> RadianceTerms::functions(const RenderSettings& settings,
+                                                     bool withNormals) const {
     std::vector<FactorFunction> all;
     for (const DrawnFactor& factor : factors) {
         if (!factor.function)
             throw LogicError("the factor '" + factor.name + "' is known to OpenGL alone");
         all.push_back(factor.function(settings));
+    }
+    if (withNormals) {
+        all.emplace_back([](const SampleGeometry& sample) { return sample.normal.x; });
+        all.emplace_back([](const SampleGeometry& sample) { return sample.normal.y; });
+        all.emplace_back([](const SampleGeometry& sample) { return sample.normal.z; });
     }
     return all;
 }

@@ -7,6 +7,7 @@
 
 #include "irsg/atmosphere/Atmosphere.h"
 #include "irsg/scene/sampling/SampleGeometry.h"
+#include "irsg/scene/sampling/Samples.h"
 #include "irsg/scene/values/RenderSettings.h"
 #include "irsg/scene/view/Vec3.h"
 
@@ -16,7 +17,8 @@ namespace irsg {
 enum class SurfaceQuantity {
     emission,    ///< epsilon L_bb(T) or a measured spectrum, W m-2 sr-1 um-1
     reflectance, ///< rho / pi of a Lambertian surface, sr-1
-    opacity      ///< 1 - t
+    opacity,     ///< 1 - t
+    mirrored     ///< what lobes reflect of the air's radiance in a direction, W m-2 sr-1 um-1
 };
 
 /// A direction of the world that a frame has: a uniform of the shader, in eye space there.
@@ -78,11 +80,15 @@ class RadianceTerms {
 
     std::size_t factorCount() const { return factors.size(); }
     /// Lines of GLSL that declare the directions and FILL_FACTORS(f), which sets f[0], f[1], ...
-    std::string glsl(const RenderSettings& settings) const;
+    /// `withNormals`: then the components of the normal in eye space, for LobeSamples.
+    std::string glsl(const RenderSettings& settings, bool withNormals = false) const;
     /// By factor, the number of the direction from which its light is taken away; -1: none.
     std::vector<int> shadowedFrom(const RenderSettings& settings) const;
     /// The factors on the CPU; LogicError names one that has no function.
-    std::vector<FactorFunction> functions(const RenderSettings& settings) const;
+    std::vector<FactorFunction> functions(const RenderSettings& settings,
+                                          bool withNormals = false) const;
+    /// What lobes make of each factor.
+    std::vector<LobeRole> lobeRoles() const;
 };
 
 } // namespace irsg

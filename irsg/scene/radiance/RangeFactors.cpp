@@ -19,13 +19,38 @@ void addParabola(double nearness, std::size_t first, double share,
     }
 }
 
+/// The node that an interval between two of them begins with.
+std::size_t intervalOf(double nearness) {
+    const auto& nodes = RangeFactors::nodes;
+    const auto above = std::ranges::upper_bound(nodes, nearness);
+    return std::clamp<std::size_t>(static_cast<std::size_t>(above - nodes.begin()), 1,
+                                   nodes.size() - 1) -
+           1;
+}
+
 } // namespace
+
+std::vector<RangeFactors::Weight> RangeFactors::errorWeightsAt(double nearness) {
+    constexpr std::size_t last = nodes.size() - 1;
+    const std::size_t first = std::clamp<std::size_t>(intervalOf(nearness), 1, last - 2) - 1;
+    std::vector<Weight> result;
+    std::array<double, nodes.size()> mean{};
+    for (const Weight& one : weightsAt(nearness))
+        mean[one.node] = one.weight;
+    for (std::size_t i = first; i < first + 4; ++i) {
+        double cubic = 1.0;
+        for (std::size_t j = first; j < first + 4; ++j)
+            if (j != i)
+                cubic *= (nearness - nodes[j]) / (nodes[i] - nodes[j]);
+        if (cubic != mean[i])
+            result.push_back({i, cubic - mean[i]});
+    }
+    return result;
+}
 
 std::vector<RangeFactors::Weight> RangeFactors::weightsAt(double nearness) {
     constexpr std::size_t last = nodes.size() - 1;
-    const auto above = std::ranges::upper_bound(nodes, nearness);
-    const std::size_t begin =
-        std::clamp<std::size_t>(static_cast<std::size_t>(above - nodes.begin()), 1, last) - 1;
+    const std::size_t begin = intervalOf(nearness);
     const double part =
         std::clamp((nearness - nodes[begin]) / (nodes[begin + 1] - nodes[begin]), 0.0, 1.0);
 
@@ -63,8 +88,7 @@ void addAtRange(const ViewFactors& atUnitDistance, double weight, const SurfaceR
     // The rows of the view that one of the drawing is, and their parts of it.
     const auto forEachRowOf = [&](int drawnRow, const auto& visit) {
         const int surface = drawn.drawnOf(drawnRow);
-        const auto entity =
-            static_cast<std::size_t>(drawn.keys()[static_cast<std::size_t>(surface)].first);
+        const auto entity = static_cast<std::size_t>(drawn.keyOf(surface).first);
         const SliceNodes& slices_m = drawn.slices()[entity];
         const double before_m =
             slices_m.empty() ? 0.0
@@ -86,6 +110,10 @@ void addAtRange(const ViewFactors& atUnitDistance, double weight, const SurfaceR
                 share * source[layout.pixels()] / (place.pixel_rad * place.pixel_rad);
         });
     });
+    for (std::size_t k = 0; k < std::min(view.contrasts.size(), atUnitDistance.contrasts.size());
+         ++k)
+        addAtRange(atUnitDistance.contrasts[k], weight, drawn, drawn_m, rows, place,
+                   view.contrasts[k]);
 }
 
 } // namespace irsg

@@ -44,6 +44,10 @@ class RangeFactors {
     /// to 1.
     static std::vector<Weight> weightsAt(double nearness);
 
+    /// Weights of what the mean of the parabolas is likely to leave wrong: the cubic through four
+    /// nodes less that mean. They take one node more beyond the first and the last but one.
+    static std::vector<Weight> errorWeightsAt(double nearness);
+
     /// Factors of an entity at a node, kept for its aspect, as they are at unit distance: coverage
     /// and factors in sr m2, pixels in those of pixels 1 m wide at 1 m.
     const ViewFactors& at(int entity, const PointAspect& aspect, std::size_t node,

@@ -29,17 +29,10 @@ double dotProduct(std::span<const double> a, std::span<const double> b) {
     return sum;
 }
 
-std::vector<FactorKind> kindsOf(const LightSums& sums) {
-    std::vector<FactorKind> kinds;
-    for (const auto& [kind, numbers] : sums)
-        kinds.push_back({kind.first, kind.second});
-    return kinds;
-}
-
 /// Adds the light between surfaces to the sums over objects.
 void addLightBetween(const LightSums& sums, SceneLight& light, const SurfaceRows& rows,
                      const std::vector<double>& ranges_m, std::vector<ObjectSums>& result) {
-    const std::vector<FactorKind> kinds = kindsOf(sums);
+    const std::vector<FactorKind> kinds = light.inOrder(sums);
     light.prepare(kinds);
     std::vector<std::array<std::vector<double>, 2>> all(kinds.size());
     parallelFor(kinds.size(), [&](std::size_t k) {
@@ -48,8 +41,7 @@ void addLightBetween(const LightSums& sums, SceneLight& light, const SurfaceRows
             all[k][withCosine ? 1 : 0] = light.contracted(kinds[k].row, own, withCosine);
     });
     for (std::size_t k = 0; k < kinds.size(); ++k) {
-        const auto entity = static_cast<std::size_t>(
-            rows.keys()[static_cast<std::size_t>(rows.drawnOf(kinds[k].row))].first);
+        const auto entity = static_cast<std::size_t>(rows.keyOf(rows.drawnOf(kinds[k].row)).first);
         const double square_m2 = ranges_m[entity] * ranges_m[entity];
         for (std::size_t output = 0; output < result.size(); ++output) {
             const std::span<const double> integrals = light.integrals(kinds[k], output);
@@ -64,11 +56,13 @@ void addLightBetween(const LightSums& sums, SceneLight& light, const SurfaceRows
 
 } // namespace
 
-std::vector<ObjectSums> objectSums(const ViewFactors& view, KindRadiances& radiances,
-                                   SceneLight* light, const SurfaceRows& rows,
-                                   const std::vector<double>& ranges_m,
-                                   const std::vector<int>& varying) {
-    radiances.prepare(view.field.kinds());
+namespace {
+
+/// Of factors whose kinds are prepared.
+std::vector<ObjectSums> sumsOf(const ViewFactors& view, const KindRadiances& radiances,
+                               SceneLight* light, const SurfaceRows& rows,
+                               const std::vector<double>& ranges_m,
+                               const std::vector<int>& varying) {
     const ViewLayout& layout = view.layout;
     struct Seen {
         std::size_t entity;
@@ -79,9 +73,8 @@ std::vector<ObjectSums> objectSums(const ViewFactors& view, KindRadiances& radia
     view.field.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
         const FactorKind& kind = view.field.kinds()[number];
         const int drawn = rows.drawnOf(kind.row);
-        seen.push_back(
-            {static_cast<std::size_t>(rows.keys()[static_cast<std::size_t>(drawn)].first),
-             numbers.data(), radiances.inOutputs(kind)});
+        seen.push_back({static_cast<std::size_t>(rows.keyOf(drawn).first), numbers.data(),
+                        radiances.inOutputs(kind)});
     });
     std::vector<ObjectSums> result(radiances.outputs());
     for (ObjectSums& sums : result)
@@ -128,6 +121,34 @@ std::vector<ObjectSums> objectSums(const ViewFactors& view, KindRadiances& radia
             sums.all.solidAngle_sr += object.solidAngle_sr;
         }
     return result;
+}
+
+} // namespace
+
+std::vector<ObjectSums> objectSums(const ViewFactors& view, KindRadiances& radiances,
+                                   SceneLight* light, const SurfaceRows& rows,
+                                   const std::vector<double>& ranges_m,
+                                   const std::vector<int>& varying) {
+    radiances.prepare(view.field.kinds());
+    return sumsOf(view, radiances, light, rows, ranges_m, varying);
+}
+
+std::vector<std::vector<ObjectSums>> contrastSums(const ViewFactors& view, KindRadiances& radiances,
+                                                  SceneLight* light, const SurfaceRows& rows,
+                                                  const std::vector<double>& ranges_m,
+                                                  const std::vector<int>& varying) {
+    for (const ViewFactors& contrast : view.contrasts)
+        radiances.prepare(contrast.field.kinds());
+    std::vector<std::vector<ObjectSums>> all(view.contrasts.size());
+    const auto sum = [&](std::size_t k) {
+        all[k] = sumsOf(view.contrasts[k], radiances, light, rows, ranges_m, varying);
+    };
+    // Light between surfaces is prepared as it is asked for.
+    if (light == nullptr)
+        parallelFor(all.size(), sum);
+    for (std::size_t k = 0; light != nullptr && k < all.size(); ++k)
+        sum(k);
+    return all;
 }
 
 SampleRadiances::SampleRadiances(const SurfaceRows& rows, Fronts& fronts, KindRadiances& radiances,
@@ -193,7 +214,7 @@ void SampleRadiances::evaluate(const FactorSamples& samples, RadianceSamples& re
                     if (light_ && part.light[number] && layer.place)
                         for (const double of :
                              lightAt(light_->exchange(), *part.light[number], *layer.place))
-                            own += of;
+                            own += coverage * of;
                     for (std::size_t f = 0; f < layer.factors.size(); ++f)
                         own += radiance.perFactor[f] * static_cast<double>(layer.factors[f]);
                     sent += static_cast<double>(weight) * own;

@@ -29,6 +29,12 @@ std::vector<ObjectSums> objectSums(const ViewFactors& view, KindRadiances& radia
                                    const std::vector<double>& ranges_m,
                                    const std::vector<int>& varying);
 
+/// The same of each contrast of a view.
+std::vector<std::vector<ObjectSums>> contrastSums(const ViewFactors& view, KindRadiances& radiances,
+                                                  SceneLight* light, const SurfaceRows& rows,
+                                                  const std::vector<double>& ranges_m,
+                                                  const std::vector<int>& varying);
+
 /// Samples as premultiplied radiance and opacity: what lies in front of a surface lets its light
 /// through node by node.
 class SampleRadiances {

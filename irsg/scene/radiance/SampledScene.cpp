@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "irsg/atmosphere/NearestRun.h"
 #include "irsg/radiometry/NewLines.h"
 #include "irsg/scene/radiance/AirSlices.h"
 #include "irsg/scene/radiance/SceneRadiometry.h"
@@ -25,7 +26,8 @@ std::size_t sizeOf(const SampledScene& scene) {
 } // namespace
 
 SampledScenes::Key SampledScenes::keyOf(const AtmosphericQueryCache& answers, const AirScene& scene,
-                                        const std::vector<Band>& bands, bool withSources) {
+                                        const std::vector<Band>& bands, bool withSources,
+                                        const std::vector<SliceNodes>& slices) {
     const Environment& environment = answers.environment();
     const RenderSettings& settings = scene.settings;
     Key key{AirIdentity(environment),
@@ -38,7 +40,8 @@ SampledScenes::Key SampledScenes::keyOf(const AtmosphericQueryCache& answers, co
              static_cast<double>(settings.referenceAir)},
             bands,
             withSources,
-            {}};
+            {},
+            slices};
     for (const RadianceTerm& term : scene.terms.terms)
         key.numbers.push_back(term.isOn(settings) ? 1.0 : 0.0);
     for (const ObjectGeometry& object : scene.geometry)
@@ -55,7 +58,8 @@ SampledScenes::Key SampledScenes::keyOf(const AtmosphericQueryCache& answers, co
 std::shared_ptr<const SampledScene> SampledScenes::make(AtmosphericQueryCache& answers,
                                                         const AirScene& scene,
                                                         const std::vector<Band>& bands,
-                                                        bool withSources, const Sampler& sample) {
+                                                        bool withSources, const Sampler& sample,
+                                                        const std::vector<SliceNodes>& slices) {
     std::vector<ObjectGeometry> geometry = scene.geometry;
     for (ObjectGeometry& object : geometry)
         object.slices_m.clear();
@@ -65,15 +69,19 @@ std::shared_ptr<const SampledScene> SampledScenes::make(AtmosphericQueryCache& a
         made->bands.push_back(sample(own, band));
     bool isSliced = false;
     for (std::size_t e = 0; e < geometry.size(); ++e) {
-        planSlicesOf(answers, made->bands, e, scene.settings, geometry[e]);
+        if (slices.empty())
+            planSlicesOf(answers, made->bands, e, scene.settings, geometry[e]);
+        else
+            geometry[e].slices_m = slices[e];
         isSliced = isSliced || geometry[e].slices_m.size() > 1;
         made->slices_m.push_back(geometry[e].slices_m);
         made->airError.push_back(geometry[e].airError);
+        made->likelyAirError.push_back(geometry[e].likelyAirError);
     }
     for (SampledBand& band : made->bands) {
         if (isSliced)
             SceneSampling::takeAir(answers, own, band);
-        addNew(made->answeredBy, band.air.answeredBy);
+        addAnswer(made->answeredBy, band.air.answeredBy);
         addNew(made->warnings, band.air.warnings);
     }
     for (std::size_t k = 0; withSources && k < bands.size(); ++k)
@@ -85,12 +93,13 @@ std::shared_ptr<const SampledScene> SampledScenes::make(AtmosphericQueryCache& a
 std::shared_ptr<const SampledScene> SampledScenes::of(AtmosphericQueryCache& answers,
                                                       const AirScene& scene,
                                                       const std::vector<Band>& bands,
-                                                      bool withSources, const Sampler& sample) {
+                                                      bool withSources, const Sampler& sample,
+                                                      const std::vector<SliceNodes>& slices) {
     kept_.letGo([](const Kept& kept) { return kept.key.atmospheres.isGone(); });
-    Key key = keyOf(answers, scene, bands, withSources);
+    Key key = keyOf(answers, scene, bands, withSources, slices);
     if (const Kept* known = kept_.find([&](const Kept& kept) { return kept.key == key; }))
         return known->scene;
-    auto made = make(answers, scene, bands, withSources, sample);
+    auto made = make(answers, scene, bands, withSources, sample, slices);
     const std::size_t size = sizeOf(*made);
     const Kept& latest = kept_.add({std::move(key), std::move(made), size});
     std::size_t numbers = 0;

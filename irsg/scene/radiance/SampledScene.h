@@ -18,7 +18,7 @@ struct SampledScene {
     std::vector<SampledBand> bands; ///< then their sources, where these are asked for
     // By entity: see ObjectGeometry.
     std::vector<SliceNodes> slices_m;
-    std::vector<double> airError;
+    std::vector<double> airError, likelyAirError;
     SharedValues background; ///< see backgroundOf
     std::vector<std::string> answeredBy, warnings;
 };
@@ -31,10 +31,11 @@ class SampledScenes {
     /// Samples a band of a scene whose objects have one slice each.
     using Sampler = std::function<SampledBand(const AirScene&, const Band&)>;
 
-    /// `scene.geometry` may hold any slices: they come out.
+    /// `scene.geometry` may hold any slices: they come out. With `slices`, by entity, it has these.
     std::shared_ptr<const SampledScene> of(AtmosphericQueryCache& answers, const AirScene& scene,
                                            const std::vector<Band>& bands, bool withSources,
-                                           const Sampler& sample);
+                                           const Sampler& sample,
+                                           const std::vector<SliceNodes>& slices = {});
 
   private:
     struct Key {
@@ -47,6 +48,7 @@ class SampledScenes {
         std::vector<Band> bands;
         bool withSources = false;
         std::vector<EntityKey> entities;
+        std::vector<SliceNodes> slices;
         bool operator==(const Key&) const = default;
     };
     struct Kept {
@@ -59,11 +61,11 @@ class SampledScenes {
     static constexpr std::size_t mostKept = 16, mostNumbers = std::size_t{1} << 20;
 
     static Key keyOf(const AtmosphericQueryCache& answers, const AirScene& scene,
-                     const std::vector<Band>& bands, bool withSources);
-    static std::shared_ptr<const SampledScene> make(AtmosphericQueryCache& answers,
-                                                    const AirScene& scene,
-                                                    const std::vector<Band>& bands,
-                                                    bool withSources, const Sampler& sample);
+                     const std::vector<Band>& bands, bool withSources,
+                     const std::vector<SliceNodes>& slices);
+    static std::shared_ptr<const SampledScene>
+    make(AtmosphericQueryCache& answers, const AirScene& scene, const std::vector<Band>& bands,
+         bool withSources, const Sampler& sample, const std::vector<SliceNodes>& slices);
 
     RecentlyUsed<Kept> kept_{mostKept};
 };

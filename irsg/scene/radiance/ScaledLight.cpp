@@ -1,6 +1,7 @@
 #include "irsg/scene/radiance/ScaledLight.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "irsg/radiometry/Planck.h"
@@ -43,12 +44,15 @@ ScaledLight::ScaledLight(const ViewFactors& view, const SceneRadiometry& radiome
                          const KindRadiances& radiances, SceneLight& light,
                          const std::vector<ScaledRow>& rows, const std::vector<double>& ranges_m,
                          std::pair<std::size_t, std::size_t> nodes, std::size_t inputs,
-                         bool isSpectrum)
+                         bool isSpectrum, std::optional<int> only)
     : isSpectrum_(isSpectrum) {
     Making making{radiometry, radiances, light, rows, ranges_m, nodes};
     makeBins(making);
-    for (const auto& [kind, sums] : view.light)
-        gather(making, kind.first, kind.second, sums);
+    for (const FactorKind& kind : light.inOrder(view.light)) {
+        const int drawn = radiometry.rows().drawnOf(kind.row);
+        if (!only || radiometry.rows().keyOf(drawn).first == *only)
+            gather(making, kind.front, kind.row, view.light.at({kind.front, kind.row}));
+    }
     close(making);
     evaluate(std::vector<double>(inputs, 1.0), atOne_);
 }
@@ -65,12 +69,14 @@ void ScaledLight::makeBins(Making& making) {
     bins_ = bins.count;
     binOf_ = std::move(bins.of);
 
-    std::map<int, std::size_t> byInput; // receivers
+    std::map<std::pair<int, int>, std::size_t> byInput; // receivers; lobes by themselves
     std::map<int, std::size_t> reflectorOf;
     const std::size_t lit = making.light.exchange().rows();
     for (std::size_t drawn = 0; drawn < making.rows.size(); ++drawn) {
         const ScaledRow& inputs = making.rows[drawn];
-        const auto [group, isNew] = byInput.try_emplace(inputs.emissivityInput, receivers_.size());
+        const bool isLobe = making.radiometry.rows().isLobe(static_cast<int>(drawn));
+        const std::pair key{inputs.emissivityInput, isLobe ? static_cast<int>(drawn) : -1};
+        const auto [group, isNew] = byInput.try_emplace(key, receivers_.size());
         if (isNew) {
             Receivers& made = receivers_.emplace_back();
             made.input = inputs.emissivityInput;
@@ -112,8 +118,8 @@ void ScaledLight::gather(Making& making, int front, int row, std::span<const dou
         return;
     const std::size_t first = making.nodes.first, group = making.receiversOf[drawn];
     Receivers& receivers = receivers_[group];
-    const double range_m =
-        making.ranges_m[static_cast<std::size_t>(making.radiometry.rows().keys()[drawn].first)];
+    const double range_m = making.ranges_m[static_cast<std::size_t>(
+        making.radiometry.rows().keyOf(static_cast<int>(drawn)).first)];
     const SurfaceSpectra& own = making.surface(drawn);
     const std::vector<double>& through = *making.radiometry.air(row).transmittance;
     std::vector<double> unit = making.radiances.passed(front, making.nodes);
@@ -173,22 +179,24 @@ void ScaledLight::gather(Making& making, int front, int row, std::span<const dou
             for (std::size_t i = 0; i < unit.size(); ++i) {
                 const std::size_t bin = binOf_[i];
                 const double given = scale * unit[i] * reflectivity[i];
-                const double ofEmission = emitted.empty() ? 0.0 : given * emitted[i];
-                const double weight = ofEmission + (reflected.empty() ? 0.0 : given * reflected[i]);
+                // Lobes take away as well as they give; means over a bin do not mind.
+                const double ofEmission = emitted.empty() ? 0.0 : std::abs(given * emitted[i]);
+                const double weight =
+                    ofEmission + (reflected.empty() ? 0.0 : std::abs(given * reflected[i]));
                 weights[bin] += weight;
                 weights[bins_ + bin] += ofEmission;
                 sender.emissivity[bin] += weight * spectra.emissivity[first + i];
-                sender.absorbedAtMost[bin] += weight * (1.0 - spectra.transmissivity[first + i]);
+                sender.absorbedAtMost[bin] += weight * spectra.absorbsAtMost(first + i);
                 sender.wavelength_um[bin] +=
                     ofEmission * making.radiometry.wavelengths_um()[first + i];
             }
         }
         for (std::size_t i = 0; i < all.size() && receivers.input >= 0 && !withCosine; ++i) {
             const std::size_t bin = binOf_[i];
-            const double weight = scale * unit[i] * all[i];
+            const double weight = std::abs(scale * unit[i] * all[i]);
             making.receiverWeights[group][bin] += weight;
             receivers.emissivity[bin] += weight * own.emissivity[first + i];
-            receivers.absorbedAtMost[bin] += weight * (1.0 - own.transmissivity[first + i]);
+            receivers.absorbedAtMost[bin] += weight * own.absorbsAtMost(first + i);
         }
         if (making.response == nullptr)
             continue;
@@ -210,7 +218,7 @@ void ScaledLight::close(Making& making) {
             if (making.senderWeights[s][bin] > 0.0)
                 continue;
             senders_[s].emissivity[bin] += spectra.emissivity[node] / plain[bin];
-            senders_[s].absorbedAtMost[bin] += (1.0 - spectra.transmissivity[node]) / plain[bin];
+            senders_[s].absorbedAtMost[bin] += spectra.absorbsAtMost(node) / plain[bin];
         }
     }
     const auto divide = [](double& sum, double weight) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -29,11 +30,13 @@ struct ScaledRow {
 /// change. The nodes of a spectrum stand alone.
 class ScaledLight {
   public:
-    /// Of nodes `first` to before `last`; `rows` by drawn row, `ranges_m` by entity.
+    /// Of nodes `first` to before `last`; `rows` by drawn row, `ranges_m` by entity. With `only`
+    /// what falls on that entity alone is counted.
     ScaledLight(const ViewFactors& view, const SceneRadiometry& radiometry,
                 const KindRadiances& radiances, SceneLight& light,
                 const std::vector<ScaledRow>& rows, const std::vector<double>& ranges_m,
-                std::pair<std::size_t, std::size_t> nodes, std::size_t inputs, bool isSpectrum);
+                std::pair<std::size_t, std::size_t> nodes, std::size_t inputs, bool isSpectrum,
+                std::optional<int> only = {});
 
     /// What the scales add to values at scales of 1.
     void addTo(std::span<const double> scales, ScaledValues& values) const;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "irsg/atmosphere/NearestRun.h"
 #include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/NewLines.h"
 
 namespace irsg {
 
@@ -50,6 +50,20 @@ AtmosphericQuery passedByMeasured(const AtmosphericPath& path, double reference_
                                                : nearTarget(path, reference_m));
 }
 
+/// The radiance onto an object from a place of its grid; none without diffuse light.
+std::vector<AtmosphericQuery> mirrorQuestions(const ObjectGeometry& object,
+                                              const RenderSettings& settings,
+                                              const SunPosition& sun) {
+    std::vector<AtmosphericQuery> questions;
+    if (settings.fluxes == ReflectionMode::smart)
+        for (const MirrorGrid::Direction& place : object.mirror.places())
+            questions.push_back(AtmosphericQuery::backgroundRadiance(
+                {object.path.targetAltitude_m, place.elevation_rad,
+                 sun.azimuth_rad + place.fromSun_rad},
+                sun));
+    return questions;
+}
+
 /// Node by node; 0, for "nothing arrives", where both are 0.
 SharedValues ratio(const std::vector<double>& whole, const std::vector<double>& part) {
     auto made = std::make_shared<std::vector<double>>(whole);
@@ -69,7 +83,10 @@ bool areEqual(const std::map<std::string, SharedValues>& a,
 
 bool ObjectAir::operator==(const ObjectAir& other) const {
     return ambient_K == other.ambient_K && insideReference == other.insideReference &&
-           nodes == other.nodes && areEqual(toReference, other.toReference);
+           nodes == other.nodes && areEqual(toReference, other.toReference) &&
+           std::ranges::equal(
+               mirrored, other.mirrored,
+               [](const SharedValues& a, const SharedValues& b) { return irsg::areEqual(a, b); });
 }
 
 AtmosphericPath steadied(const AtmosphericPath& path) {
@@ -114,6 +131,8 @@ std::vector<AtmosphericQueryKey> airQuestions(const Environment& environment,
         for (const RadianceTerm& term : terms.terms)
             if (isOn(term, settings))
                 add(questionOf(*term.light, object.path, environment.sun));
+        for (const AtmosphericQuery& question : mirrorQuestions(object, settings, environment.sun))
+            add(question);
     }
     if (settings.background == BackgroundMode::environment)
         add(AtmosphericQuery::backgroundRadiance(centre, environment.sun));
@@ -134,7 +153,7 @@ SceneAir sceneAir(AtmosphericQueryCache& answers, const RadianceTerms& terms,
         std::string line = quantity;
         line += ": ";
         line += who;
-        addNew(scene.answeredBy, std::move(line));
+        addAnswer(scene.answeredBy, std::move(line));
     };
     const auto take = [&](const AtmosphericQuery& question, const char* quantity) {
         const auto& answer = answers.at(question, sampling);
@@ -165,6 +184,8 @@ SceneAir sceneAir(AtmosphericQueryCache& answers, const RadianceTerms& terms,
                     take(questionOf(*term.light, ofPath ? toNode : path, sun), name(*term.light));
             }
         }
+        for (const AtmosphericQuery& question : mirrorQuestions(geometry[e], settings, sun))
+            air.mirrored.push_back(take(question, "reflected sky and ground"));
         const Answer<double> ambient = ambientOf(answers, geometry[e]);
         note("ambient temperature", ambient.answeredBy);
         air.ambient_K = ambient.value;

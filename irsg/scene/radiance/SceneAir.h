@@ -8,6 +8,7 @@
 
 #include "irsg/scene/radiance/ApparentRadiance.h"
 #include "irsg/scene/radiance/AtmosphericQueryCache.h"
+#include "irsg/scene/radiance/MirrorGrid.h"
 #include "irsg/scene/radiance/RadianceTerms.h"
 #include "irsg/scene/radiance/SurfaceRows.h"
 #include "irsg/scene/values/Entity.h"
@@ -23,8 +24,11 @@ struct ObjectGeometry {
     /// object, m.
     double nearest_m = 0.0, farthest_m = 0.0;
     SliceNodes slices_m; ///< of less than two nodes: the air is that of the reference point
-    /// Bound of what the air's change over the extent leaves wrong, as a part of what arrives.
-    double airError = 0.0;
+    /// Directions of the air's radiance that its lobes reflect; empty where it has none.
+    MirrorGrid mirror;
+    /// Bound of what the air's change over the extent leaves wrong, as a part of what arrives, and
+    /// what it is likely to be.
+    double airError = 0.0, likelyAirError = 0.0;
 };
 
 /// The same but for digits that differ by rounding alone, so that the path which many views share
@@ -42,6 +46,7 @@ struct ObjectAir {
     /// Transmittance to the reference distance of a user-defined spectrum, by its name.
     std::map<std::string, SharedValues> toReference;
     std::set<std::string> insideReference; ///< names of spectra measured from farther away
+    std::vector<SharedValues> mirrored;    ///< radiance onto it, by place of its MirrorGrid
     bool operator==(const ObjectAir& other) const;
 };
 

@@ -107,6 +107,9 @@ SceneLight::SceneLight(std::shared_ptr<const LightExchange> exchange,
 }
 
 bool SceneLight::matters(int drawn) const {
+    const SurfaceRows& rows = radiometry_.rows();
+    if (rows.isLobe(drawn))
+        return rows.lobe(drawn).light < 0 && matters(rows.surfaceOf(drawn));
     return static_cast<std::size_t>(drawn) < exchange_->rows() && exchange_->seesAnything(drawn) &&
            std::ranges::any_of(radiometry_.surfaces()[static_cast<std::size_t>(drawn)].reflectance,
                                [](double value) { return value > leastReflectance_per_sr; });
@@ -199,6 +202,11 @@ void SceneLight::findKnots(const RenderSettings& settings) {
     }
 }
 
+const std::vector<std::uint32_t>& SceneLight::receiversOf(int row) const {
+    const SurfaceRows& rows = radiometry_.rows();
+    return exchange_->ofRow(rows.surfaceOf(rows.drawnOf(row)));
+}
+
 const std::vector<double>& SceneLight::lightOn(int drawn, int term) const {
     return *radiometry_.air(radiometry_.rows().first(drawn)).light[static_cast<std::size_t>(term)];
 }
@@ -272,6 +280,17 @@ std::vector<double> SceneLight::integralsOf(const FactorKind& kind, std::size_t 
     return sums;
 }
 
+std::vector<FactorKind> SceneLight::inOrder(const LightSums& sums) const {
+    std::vector<FactorKind> kinds;
+    for (const auto& [kind, numbers] : sums)
+        kinds.push_back({kind.first, kind.second});
+    std::ranges::sort(kinds, [&](const FactorKind& a, const FactorKind& b) {
+        const auto &before = fronts_.materials(a.front), &after = fronts_.materials(b.front);
+        return before == after ? a.row < b.row : before < after;
+    });
+    return kinds;
+}
+
 void SceneLight::prepare(const std::vector<FactorKind>& kinds) {
     const std::size_t outputs = radiometry_.outputs().size();
     if (outputs > mostOutputsKept)
@@ -303,7 +322,7 @@ std::span<const double> SceneLight::integrals(const FactorKind& kind, std::size_
 std::vector<double> SceneLight::contracted(int row, std::span<const double> sums,
                                            bool withCosine) const {
     std::vector<double> all(width(), 0.0);
-    const std::vector<std::uint32_t>& receivers = exchange_->ofRow(radiometry_.rows().drawnOf(row));
+    const std::vector<std::uint32_t>& receivers = receiversOf(row);
     for (std::size_t n = 0; n < receivers.size(); ++n) {
         const double weight = sums[2 * n + (withCosine ? 1 : 0)];
         if (weight == 0.0)
@@ -324,8 +343,7 @@ const std::vector<SceneLight::AtReceiver>& SceneLight::atReceivers(const FactorK
         return place->second;
     prepare({kind});
     const std::span<const double> sums = integrals(kind, 0);
-    const std::vector<std::uint32_t>& receivers =
-        exchange_->ofRow(radiometry_.rows().drawnOf(kind.row));
+    const std::vector<std::uint32_t>& receivers = receiversOf(kind.row);
     std::vector<AtReceiver>& all = place->second;
     all.resize(receivers.size());
     for (std::size_t n = 0; n < receivers.size(); ++n) {
@@ -342,7 +360,7 @@ const std::vector<SceneLight::AtReceiver>& SceneLight::atReceivers(const FactorK
 ReceiverRows::ReceiverRows(const SurfaceRows& rows, const LightExchange& exchange) {
     first_.push_back(0);
     for (int row = 0; row < rows.size(); ++row) {
-        const int drawn = rows.drawnOf(row);
+        const int drawn = rows.surfaceOf(rows.drawnOf(row));
         const std::size_t own =
             static_cast<std::size_t>(drawn) < exchange.rows() ? exchange.ofRow(drawn).size() : 0;
         first_.push_back(first_.back() + static_cast<int>(own));

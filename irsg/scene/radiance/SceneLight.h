@@ -46,6 +46,9 @@ class SceneLight {
     /// taken away, and what each column gives, knot by knot.
     std::span<const double> integrals(const FactorKind& kind, std::size_t output);
     void prepare(const std::vector<FactorKind>& kinds);
+    /// Kinds by what lies before them, not by the numbers that this got: sums that go by it are the
+    /// same to the last digit whatever was seen before.
+    std::vector<FactorKind> inOrder(const LightSums& sums) const;
 
     /// What sums of a kind make of the same numbers: of losses, and of columns.
     std::vector<double> contracted(int row, std::span<const double> sums, bool withCosine) const;
@@ -92,6 +95,8 @@ class SceneLight {
     void findKnots(const RenderSettings& settings);
     void fillSources();
     std::vector<double> integralsOf(const FactorKind& kind, std::size_t output) const;
+    /// Of the surface that a row is of.
+    const std::vector<std::uint32_t>& receiversOf(int row) const;
     std::size_t width() const { return 2 + columns_.size() * knots_.size(); }
     /// By node.
     const std::vector<double>& lightOn(int drawn, int term) const;

@@ -57,15 +57,32 @@ SceneRadiometry::SceneRadiometry(const RadianceTerms& terms, const std::vector<E
         if (place->second.empty())
             place->second = sampled(material->transmissivity, bands);
         transparent.push_back(std::ranges::any_of(place->second, [](double t) { return t > 0.0; }));
+        models_.push_back(SurfaceModel::of(*material));
     }
-    rows_ = SurfaceRows(std::move(keys), std::move(transparent), std::move(slices));
+    std::vector<LobeRow> lobes;
+    for (std::size_t drawn = 0; drawn < keys.size(); ++drawn) {
+        const SurfaceModel* model = models_[drawn].get();
+        const auto entity = static_cast<std::size_t>(keys[drawn].first);
+        const std::size_t lights =
+            model ? bands.front().air.objects[entity].mirrored.size() : std::size_t{0};
+        const auto add = [&](std::size_t component, int light) {
+            lobes.push_back({static_cast<int>(drawn), static_cast<int>(component), light});
+        };
+        for (std::size_t k = 0; model && k < model->components(); ++k)
+            add(k, -1);
+        for (std::size_t k = 0; model && k < model->components() && model->hasLobe(k); ++k)
+            for (std::size_t light = 0; light < lights; ++light)
+                add(k, static_cast<int>(light));
+    }
+    rows_ =
+        SurfaceRows(std::move(keys), std::move(transparent), std::move(slices), std::move(lobes));
 
-    surfaces_.resize(rows_.keys().size());
+    surfaces_.resize(rows_.drawnCount());
     thermal_W_m2_sr_.resize(surfaces_.size());
-    parallelFor(surfaces_.size(), [&](std::size_t drawn) {
+    parallelFor(rows_.keys().size(), [&](std::size_t drawn) {
         fillSurface(static_cast<int>(drawn), entities, geometry, bands);
-        fillThermal(static_cast<int>(drawn));
     });
+    parallelFor(surfaces_.size(), [&](std::size_t drawn) { fillThermal(static_cast<int>(drawn)); });
     samples_.clear();
 }
 
@@ -115,8 +132,33 @@ void SceneRadiometry::fillSurface(int drawn, const std::vector<Entity>& entities
             input.insideReference = object.insideReference.contains(name);
         }
     }
-    surfaces_[static_cast<std::size_t>(drawn)] = surfaceSpectra(
-        input, wavelengths_um_, [&](const Spectrum& spectrum) { return sampled(spectrum, bands); });
+    const SpectrumSampler sample = [&](const Spectrum& spectrum) {
+        return sampled(spectrum, bands);
+    };
+    const DirectionalSpectra directional = directionalSpectra(input, sample);
+    surfaces_[static_cast<std::size_t>(drawn)] =
+        surfaceSpectra(input, wavelengths_um_, sample, directional);
+    if (directional.model)
+        fillLobes(drawn, directional, bands);
+}
+
+void SceneRadiometry::fillLobes(int drawn, const DirectionalSpectra& directional,
+                                const std::vector<SampledBand>& bands) {
+    const auto entity = static_cast<std::size_t>(rows_.keyOf(drawn).first);
+    const SurfaceSpectra& whole = surfaces_[static_cast<std::size_t>(drawn)];
+    for (auto lobe = static_cast<std::size_t>(rows_.firstLobe(drawn)); lobe < surfaces_.size();
+         ++lobe) {
+        const LobeRow& row = rows_.lobe(static_cast<int>(lobe));
+        if (row.surface != drawn)
+            break;
+        SharedValues light;
+        if (row.light >= 0)
+            light = joined(bands, [&](const SampledBand& band) {
+                return band.air.objects[entity].mirrored[static_cast<std::size_t>(row.light)];
+            });
+        surfaces_[lobe] = lobeSpectra(whole, directional, static_cast<std::size_t>(row.component),
+                                      wavelengths_um_, std::move(light));
+    }
 }
 
 void SceneRadiometry::fillThermal(int drawn) {
@@ -143,7 +185,7 @@ void SceneRadiometry::fillThermal(int drawn) {
 std::vector<int> SceneRadiometry::turn(const std::vector<Entity>& entities,
                                        const std::vector<ObjectGeometry>& geometry) {
     std::vector<int> turned;
-    for (int drawn = 0; drawn < static_cast<int>(surfaces_.size()); ++drawn) {
+    for (int drawn = 0; drawn < static_cast<int>(rows_.keys().size()); ++drawn) {
         const auto& [e, codes] = rows_.keys()[static_cast<std::size_t>(drawn)];
         const TemperatureEntry* entry =
             temperatureEntry(entities[static_cast<std::size_t>(e)], codes.temperature);
@@ -178,9 +220,7 @@ std::vector<double> SceneRadiometry::sampled(const Spectrum& spectrum,
 }
 
 const AirSamples& SceneRadiometry::air(int row) const {
-    const int drawn = rows_.drawnOf(row);
-    const auto entity =
-        static_cast<std::size_t>(rows_.keys()[static_cast<std::size_t>(drawn)].first);
+    const auto entity = static_cast<std::size_t>(rows_.keyOf(rows_.drawnOf(row)).first);
     return air_[entity][static_cast<std::size_t>(rows_.nodeOf(row))];
 }
 

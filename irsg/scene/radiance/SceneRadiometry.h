@@ -31,8 +31,10 @@ class SceneRadiometry {
 
     const RadianceTerms& terms() const { return *terms_; }
     const SurfaceRows& rows() const { return rows_; }
-    /// By drawn row.
+    /// By drawn row, those of lobes behind.
     const std::vector<SurfaceSpectra>& surfaces() const { return surfaces_; }
+    /// By surface that is drawn: its model, null for a Lambertian one.
+    const std::vector<std::shared_ptr<const SurfaceModel>>& models() const { return models_; }
     const SurfaceSpectra& surface(int row) const {
         return surfaces_[static_cast<std::size_t>(rows_.drawnOf(row))];
     }
@@ -58,6 +60,9 @@ class SceneRadiometry {
     void fillSurface(int drawn, const std::vector<Entity>& entities,
                      const std::vector<ObjectGeometry>& geometry,
                      const std::vector<SampledBand>& bands);
+    /// The lobes of a surface.
+    void fillLobes(int drawn, const DirectionalSpectra& directional,
+                   const std::vector<SampledBand>& bands);
     void fillThermal(int drawn);
     SurfaceInput inputOf(int drawn, const std::vector<Entity>& entities,
                          const std::vector<ObjectGeometry>& geometry) const;
@@ -69,6 +74,7 @@ class SceneRadiometry {
     std::vector<double> wavelengths_um_, weights_um_;
     std::vector<std::pair<std::size_t, std::size_t>> outputs_;
     std::vector<SurfaceSpectra> surfaces_;
+    std::vector<std::shared_ptr<const SurfaceModel>> models_;
     std::vector<std::vector<AirSamples>> air_; // by entity and node
     std::vector<double> ambient_K_;            // by entity
     /// By drawn row: in-band emission of every part at a factor of 1, output by output.

@@ -6,6 +6,7 @@
 #include "irsg/atmosphere/AirNodes.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Quadrature.h"
+#include "irsg/signature/SurfaceModel.h"
 
 namespace irsg {
 
@@ -28,6 +29,9 @@ void addSurfaceSpectra(const std::vector<Entity>& entities, std::vector<const Sp
         if (const Material* material = materialEntry(entity, codes.material)) {
             spectra.push_back(&material->emissivity);
             spectra.push_back(&material->transmissivity);
+            if (const auto model = SurfaceModel::of(*material))
+                for (const Spectrum* input : model->inputs(*material))
+                    spectra.push_back(input);
         }
         if (const TemperatureEntry* entry = temperatureEntry(entity, codes.temperature))
             if (const UserSpectrum* user = userSpectrumOf(entity, *entry))

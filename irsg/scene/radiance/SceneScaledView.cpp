@@ -16,20 +16,22 @@ SceneScaledView::SceneScaledView(const ViewFactors& view, const SceneRadiometry&
                                  PlanckTable& planck, const std::vector<double>& ranges_m,
                                  std::pair<std::size_t, std::size_t> nodes,
                                  const std::vector<ScalingInput>& inputs, bool isSpectrum,
-                                 ScaledValues nominal)
+                                 ScaledValues nominal, std::optional<int> only)
     : nodes_(nodes), isSpectrum_(isSpectrum), base_(std::move(nominal)) {
     const auto& all_um = radiometry.wavelengths_um();
     wavelengths_um_.assign(all_um.begin() + static_cast<std::ptrdiff_t>(nodes.first),
                            all_um.begin() + static_cast<std::ptrdiff_t>(nodes.second));
     std::vector<Surface> surfaces;
-    for (std::size_t drawn = 0; drawn < radiometry.rows().keys().size(); ++drawn) {
-        const auto& [entity, codes] = radiometry.rows().keys()[drawn];
+    for (std::size_t drawn = 0; drawn < radiometry.rows().drawnCount(); ++drawn) {
+        const auto& [entity, codes] = radiometry.rows().keyOf(static_cast<int>(drawn));
         Surface surface = surfaceOf(radiometry, static_cast<int>(drawn));
+        // Lobes that reflect the air do not emit.
+        const bool emits = radiometry.surfaces()[drawn].lobeLight == nullptr;
         for (std::size_t i = 0; i < inputs.size(); ++i) {
             if (inputs[i].entity != entity)
                 continue;
             if (inputs[i].kind == ScalingKind::temperature) {
-                if (inputs[i].index == codes.temperature && surface.temperature_K > 0.0)
+                if (emits && inputs[i].index == codes.temperature && surface.temperature_K > 0.0)
                     surface.inputs.temperatureInput = static_cast<int>(i);
             } else if (inputs[i].index == codes.material) {
                 surface.inputs.emissivityInput = static_cast<int>(i);
@@ -43,14 +45,40 @@ SceneScaledView::SceneScaledView(const ViewFactors& view, const SceneRadiometry&
         for (const Surface& surface : surfaces)
             rows.push_back(surface.inputs);
         light_.emplace(view, radiometry, radiances, *light, rows, ranges_m, nodes, inputs.size(),
-                       isSpectrum);
+                       isSpectrum, only);
     }
 
+    // What belongs to other objects is seen by nobody here.
+    for (std::size_t drawn = 0; only && drawn < surfaces.size(); ++drawn)
+        if (radiometry.rows().keyOf(static_cast<int>(drawn)).first != *only)
+            surfaces[drawn].emitted.intensity.clear();
     // What no input reaches, or nobody sees, stays in the base; the others leave it.
     ScaledValues atOne;
     for (std::vector<double>* column :
          {&atOne.intensity, &atOne.contrastIntensity, &atOne.irradiance})
         column->resize(base_.intensity.size());
+    // What directional surfaces and their lobes emit whatever the scale of the emissivity is.
+    for (std::size_t drawn = 0, last = surfaces.size(); drawn < last; ++drawn) {
+        const SurfaceSpectra& spectra = radiometry.surfaces()[drawn];
+        const Surface& own = surfaces[drawn];
+        if (spectra.emitsAlways.empty() || own.temperature_K <= 0.0 || spectra.lobeLight ||
+            own.emitted.intensity.empty())
+            continue;
+        Surface always;
+        always.inputs.temperatureInput = own.inputs.temperatureInput;
+        always.temperature_K = own.temperature_K;
+        always.emitted = own.emitted;
+        const std::size_t count = wavelengths_um_.size();
+        always.emissivity.assign(count, 1.0);
+        always.absorbedAtMost = always.emissivity;
+        always.reflected.intensity.assign(count, 0.0);
+        always.reflected.irradiance = always.reflected.intensity;
+        for (std::size_t i = 0; i < count; ++i) {
+            always.emitted.intensity[i] *= spectra.emitsAlways[nodes_.first + i];
+            always.emitted.irradiance[i] *= spectra.emitsAlways[nodes_.first + i];
+        }
+        surfaces.push_back(std::move(always));
+    }
     for (Surface& surface : surfaces) {
         const bool isSeen = !surface.emitted.intensity.empty();
         if (!isSeen || (surface.inputs.temperatureInput < 0 && surface.inputs.emissivityInput < 0))
@@ -74,7 +102,7 @@ SceneScaledView::Surface SceneScaledView::surfaceOf(const SceneRadiometry& radio
     surface.temperature_K = spectra.temperature_K;
     for (std::size_t i = nodes_.first; i < nodes_.second; ++i) {
         surface.emissivity.push_back(spectra.emissivity[i]);
-        surface.absorbedAtMost.push_back(1.0 - spectra.transmissivity[i]);
+        surface.absorbedAtMost.push_back(spectra.absorbsAtMost(i));
     }
     return surface;
 }
@@ -91,8 +119,8 @@ void SceneScaledView::gather(const ViewFactors& view, const SceneRadiometry& rad
         Surface& surface = surfaces[static_cast<std::size_t>(drawn)];
         const SurfaceSpectra& spectra = radiometry.surfaces()[static_cast<std::size_t>(drawn)];
         const AirSamples& air = radiometry.air(kind.row);
-        const double range_m = ranges_m[static_cast<std::size_t>(
-            radiometry.rows().keys()[static_cast<std::size_t>(drawn)].first)];
+        const double range_m =
+            ranges_m[static_cast<std::size_t>(radiometry.rows().keyOf(drawn).first)];
         const double square_m2 = range_m * range_m;
         const auto [front, isNew] = passed.try_emplace(kind.front);
         if (isNew)
@@ -105,7 +133,9 @@ void SceneScaledView::gather(const ViewFactors& view, const SceneRadiometry& rad
         for (std::size_t k = 0; k < terms.size(); ++k) {
             const RadianceTerm& term = terms[k];
             const bool isEmission = term.surface == SurfaceQuantity::emission;
-            if (term.surface == SurfaceQuantity::opacity || (term.light && !air.light[k]))
+            const bool isMirror = term.surface == SurfaceQuantity::mirrored;
+            if (term.surface == SurfaceQuantity::opacity || (term.light && !air.light[k]) ||
+                isMirror != (spectra.lobeLight != nullptr))
                 continue;
             // Coverage, a factor, or what is left of the coverage beside it.
             const auto sumOf = [&](std::size_t coverage) {
@@ -140,7 +170,9 @@ std::vector<double> SceneScaledView::unitOf(const SurfaceSpectra& surface, const
         multiply(*air.light[number]);
     if (term.passesAir || (isEmission && surface.emissionPassesAir))
         multiply(*air.transmittance);
-    if (!isEmission)
+    if (term.surface == SurfaceQuantity::mirrored)
+        multiply(*surface.lobeLight);
+    else if (!isEmission)
         for (double& value : passed)
             value /= pi;
     if (isEmission && !(surface.temperature_K > 0.0))

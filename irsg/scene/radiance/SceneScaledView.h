@@ -26,11 +26,13 @@ class SceneScaledView : public ScaledView {
   public:
     /// Of nodes `first` to before `last` of the radiances' sampling: a band, or a spectrum, of
     /// which every node is an output. `nominal` holds the values at scales of 1, which is what the
-    /// radiometry must have been made at; `ranges_m` by entity.
+    /// radiometry must have been made at; `ranges_m` by entity. With `only` of what that entity
+    /// sends alone, and `nominal` is its own.
     SceneScaledView(const ViewFactors& view, const SceneRadiometry& radiometry,
                     const KindRadiances& radiances, SceneLight* light, PlanckTable& planck,
                     const std::vector<double>& ranges_m, std::pair<std::size_t, std::size_t> nodes,
-                    const std::vector<ScalingInput>& inputs, bool isSpectrum, ScaledValues nominal);
+                    const std::vector<ScalingInput>& inputs, bool isSpectrum, ScaledValues nominal,
+                    std::optional<int> only = {});
 
     std::size_t size() const override {
         return order_.empty() ? base_.intensity.size() : order_.size();

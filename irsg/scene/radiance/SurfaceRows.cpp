@@ -5,14 +5,15 @@
 namespace irsg {
 
 SurfaceRows::SurfaceRows(std::vector<SurfaceKey> keys, const std::vector<bool>& transparent,
-                         std::vector<SliceNodes> slices)
-    : keys_(std::move(keys)), slices_(std::move(slices)) {
+                         std::vector<SliceNodes> slices, std::vector<LobeRow> lobes)
+    : keys_(std::move(keys)), lobes_(std::move(lobes)), slices_(std::move(slices)) {
     isSliced_ =
         std::ranges::any_of(slices_, [](const SliceNodes& nodes) { return nodes.size() > 1; });
-    for (std::size_t drawn = 0; drawn < keys_.size(); ++drawn) {
-        const SliceNodes& nodes_m = slices_[static_cast<std::size_t>(keys_[drawn].first)];
+    for (std::size_t drawn = 0; drawn < keys_.size() + lobes_.size(); ++drawn) {
+        const int number = static_cast<int>(drawn);
+        const SliceNodes& nodes_m = slices_[static_cast<std::size_t>(keyOf(number).first)];
         Drawn& own = drawn_.emplace_back();
-        own.isTransparent = transparent[drawn];
+        own.isTransparent = !isLobe(number) && transparent[drawn];
         own.first = size();
         if (nodes_m.size() > 1) {
             own.lastSlice = static_cast<int>(nodes_m.size()) - 2;
@@ -22,6 +23,10 @@ SurfaceRows::SurfaceRows(std::vector<SurfaceKey> keys, const std::vector<bool>& 
         }
         drawnOf_.insert(drawnOf_.end(), std::max<std::size_t>(nodes_m.size(), 1),
                         static_cast<int>(drawn));
+        if (!isLobe(number))
+            continue;
+        int& first = drawn_[static_cast<std::size_t>(lobe(number).surface)].firstLobe;
+        first = first < 0 ? number : first;
     }
 }
 

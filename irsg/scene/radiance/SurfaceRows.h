@@ -16,6 +16,15 @@ using SurfaceKey = std::pair<int, IrCodes>;
 /// spaced. Less than two: the air is that of the reference point wherever a sample lies.
 using SliceNodes = std::vector<double>;
 
+/// What a directional surface sends beside a Lambertian one: of a component of its model, or of
+/// what that reflects in a lobe of the air's radiance at a place of a MirrorGrid.
+struct LobeRow {
+    int surface = 0; ///< drawn row
+    int component = 0;
+    int light = -1; ///< place of the grid; none
+    bool operator==(const LobeRow&) const = default;
+};
+
 /// The rows of a drawing and what the radiometry makes of each: one row, or one for every node of
 /// its entity's range slices, next to each other.
 class SurfaceRows {
@@ -23,14 +32,33 @@ class SurfaceRows {
     SurfaceRows() = default;
     /// `transparent`: by key. `slices`: by entity.
     SurfaceRows(std::vector<SurfaceKey> keys, const std::vector<bool>& transparent,
-                std::vector<SliceNodes> slices);
+                std::vector<SliceNodes> slices, std::vector<LobeRow> lobes = {});
 
+    /// Of the surfaces that are drawn.
     const std::vector<SurfaceKey>& keys() const { return keys_; }
+    /// Rows of lobes stand behind those of surfaces, those of a surface next to each other.
+    const std::vector<LobeRow>& lobes() const { return lobes_; }
+    bool isLobe(int drawn) const { return static_cast<std::size_t>(drawn) >= keys_.size(); }
+    const LobeRow& lobe(int drawn) const {
+        return lobes_[static_cast<std::size_t>(drawn) - keys_.size()];
+    }
+    /// The first of the lobes of a surface; -1 for none.
+    int firstLobe(int drawn) const { return drawn_[static_cast<std::size_t>(drawn)].firstLobe; }
+    /// The surface that a row or a lobe is of.
+    int surfaceOf(int drawn) const { return isLobe(drawn) ? lobe(drawn).surface : drawn; }
+    const SurfaceKey& keyOf(int drawn) const {
+        return keys_[static_cast<std::size_t>(surfaceOf(drawn))];
+    }
+    /// Of surfaces and lobes.
+    std::size_t drawnCount() const { return drawn_.size(); }
+    bool isSliced(int drawn) const {
+        return drawn_[static_cast<std::size_t>(drawn)].lastSlice >= 0;
+    }
     bool isTransparent(int drawn) const {
         return drawn_[static_cast<std::size_t>(drawn)].isTransparent;
     }
     FrontMaterial material(int drawn) const {
-        const auto& [entity, codes] = keys_[static_cast<std::size_t>(drawn)];
+        const auto& [entity, codes] = keyOf(drawn);
         return {entity, codes.material};
     }
     /// The first of a drawn row's rows; of the one behind the last the number of all.
@@ -74,6 +102,7 @@ class SurfaceRows {
 
   private:
     std::vector<SurfaceKey> keys_;
+    std::vector<LobeRow> lobes_;
     std::vector<SliceNodes> slices_;
     std::vector<int> drawnOf_; // by row
     bool isSliced_ = false;
@@ -81,11 +110,12 @@ class SurfaceRows {
     struct Drawn {
         bool isTransparent = false;
         int first = 0;      // of its rows
+        int firstLobe = -1; // drawn row
         int lastSlice = -1; // -1: not sliced
         double nearest_m = 0.0, slicesPerMetre = 0.0;
         bool operator==(const Drawn&) const = default;
     };
-    std::vector<Drawn> drawn_; // by key
+    std::vector<Drawn> drawn_; // by key, then by lobe
 };
 
 } // namespace irsg

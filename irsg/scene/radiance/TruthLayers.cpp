@@ -31,8 +31,13 @@ TruthLayers::TruthLayers(const SceneRadiometry& radiometry, KindRadiances& radia
     for (const char* index : {"temperature_index", "material_index"})
         std::ranges::fill(image_.channel(index).values, none);
     std::ranges::fill(image_.channel("range", "m").values, none);
-    for (const RadianceTerm& term : radiometry.terms().terms)
-        image_.channel(term.name, radianceUnit);
+    const std::vector<RadianceTerm>& list = radiometry.terms().terms;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+        if (list[k].surface == SurfaceQuantity::mirrored && radiometry.rows().lobes().empty())
+            continue;
+        shown_.push_back(k);
+        image_.channel(list[k].name, radianceUnit);
+    }
     if (light_)
         image_.channel(interReflectionChannel, radianceUnit);
     std::vector<float>& behind = image_.channel(backgroundChannel, radianceUnit).values;
@@ -65,8 +70,11 @@ void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) 
     std::vector<float>& materialIndex = image_.channel("material_index").values;
     std::vector<float>& range = image_.channel("range").values;
     std::vector<std::vector<float>*> planes; // of the terms, then of the background
-    for (const RadianceTerm& term : list)
-        planes.push_back(&image_.channel(term.name).values);
+    std::vector<float> unseen(shown_.size() < list.size() ? temperatureIndex.size() : 0);
+    for (std::size_t k = 0; k < list.size(); ++k)
+        planes.push_back(std::ranges::find(shown_, k) == shown_.end()
+                             ? &unseen
+                             : &image_.channel(list[k].name).values);
     const std::size_t ofOthers = planes.size();
     if (light_)
         planes.push_back(&image_.channel(interReflectionChannel).values);
@@ -108,13 +116,13 @@ void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) 
                     if (known.light && layer.place) {
                         const SceneLight::AtReceiver at =
                             lightAt(light_->exchange(), *known.light, *layer.place);
+                        const double of =
+                            static_cast<double>(part) * static_cast<double>(layer.coverage);
                         if (light_->skyTerm() >= 0)
-                            sums[static_cast<std::size_t>(light_->skyTerm())] +=
-                                static_cast<double>(part) * at[0];
+                            sums[static_cast<std::size_t>(light_->skyTerm())] += of * at[0];
                         if (light_->groundTerm() >= 0)
-                            sums[static_cast<std::size_t>(light_->groundTerm())] +=
-                                static_cast<double>(part) * at[1];
-                        sums[ofOthers] += static_cast<double>(part) * at[2];
+                            sums[static_cast<std::size_t>(light_->groundTerm())] += of * at[1];
+                        sums[ofOthers] += of * at[2];
                     }
                     sums.back() -= static_cast<double>(part * layer.coverage) * known.opacity *
                                    background_.at(x, y);

@@ -16,8 +16,9 @@ namespace irsg {
 ///   temperature_index, material_index, range [m]  of the nearest surface at the sample closest to
 ///                                                 the pixel's middle among those that hit one,
 ///                                                 NaN where none does;
-///   a channel for each RadianceTerm, inter_reflection (where surfaces light each other),
-///   background                                    terms of the pixel's radiance [W m-2 sr-1],
+///   a channel for each RadianceTerm (mirror where surfaces have lobes), inter_reflection (where
+///   surfaces light each other), background                                    terms of the pixel's
+///   radiance [W m-2 sr-1],
 ///                                                 averaged over its samples; their sum is the
 ///                                                 pixel;
 ///   sun_visibility, sky_visibility                part of the sun, and of the hemisphere, that the
@@ -50,6 +51,7 @@ class TruthLayers {
     LayerWalk walk_;
     FactorField<double> kinds_;       // for its numbers of the walk's kinds alone
     std::vector<KindTerms> terms_;    // by number
+    std::vector<std::size_t> shown_;  // terms that have a channel
     std::vector<float> offMiddle_px_; // of the sample whose surface is named, by pixel
 };
 

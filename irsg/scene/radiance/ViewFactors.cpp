@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "irsg/radiometry/ParallelFor.h"
+#include "irsg/scene/radiance/ContrastSums.h"
 #include "irsg/scene/radiance/KindSums.h"
 #include "irsg/scene/radiance/LayerWalk.h"
 
@@ -16,6 +17,9 @@ namespace {
 
 /// Pieces that the rows of a window are divided into, whatever the number of cores.
 constexpr std::size_t lightParts = 8;
+/// Parts whose contrasts are kept apart: what edges far from each other do is not lost between
+/// them.
+constexpr std::size_t contrastBands = 4;
 
 /// Adds the samples of some rows of a window, counted from the top, to sums of theirs.
 template <typename Sums>
@@ -29,16 +33,18 @@ void addRows(const SampleWindow& window, const FactorSamples& samples, std::size
                           if (first == last)
                               return;
                           sums.goTo(x, y, weight);
-                          for (std::size_t i = first; i < last; ++i)
+                          for (std::size_t i = first; i < last; ++i) {
+                              if constexpr (requires { sums.at(i); })
+                                  sums.at(i);
                               walk.forEachPlace(samples, i,
                                                 [&](int front, const SurfaceRows::Between& between,
                                                     const FactorSamples::Layer& layer) {
-                                                    if (layer.coverage > 0.0f)
+                                                    if (layer.coverage > 0.0f && !layer.isLobe)
                                                         sums.add(front, between, layer);
                                                     else
-                                                        sums.addLight(front, between,
-                                                                      layer.factors.data());
+                                                        sums.addLight(front, between, layer);
                                                 });
+                          }
                       });
 }
 
@@ -65,7 +71,7 @@ std::vector<int> numbersOf(const Fronts& own, Fronts& common) {
 
 FactorSums::FactorSums(const Sensor& sensor, const SurfaceRows& rows, Fronts& fronts,
                        std::size_t factorCount, std::vector<const FrameBackground*> varying,
-                       std::shared_ptr<const LightExchange> exchange)
+                       std::shared_ptr<const LightExchange> exchange, bool withContrasts)
     : width_px_(sensor.width_px),
       height_px_(sensor.height_px),
       grid_(sensor),
@@ -73,10 +79,15 @@ FactorSums::FactorSums(const Sensor& sensor, const SurfaceRows& rows, Fronts& fr
       fronts_(fronts),
       layout_{factorCount, varying.size()},
       varying_(std::move(varying)),
-      exchange_(std::move(exchange)) {}
+      exchange_(std::move(exchange)),
+      withContrasts_(withContrasts) {}
 
 ViewFactors FactorSums::emptyView() const {
-    return {layout_, FactorField<double>(1, layout_.width()), {}, 0};
+    const ViewFactors empty{layout_, FactorField<double>(1, layout_.width()), {}, 0, {}};
+    ViewFactors view = empty;
+    if (withContrasts_)
+        view.contrasts.assign(contrastBands * contrastKinds + 1, empty);
+    return view;
 }
 
 PixelFactors FactorSums::emptyPixels() const {
@@ -92,24 +103,39 @@ void FactorSums::addFactorsToView(const SampleWindow& window, const FactorSample
                                   ViewFactors& view) {
     const auto rows = static_cast<std::size_t>(window.height());
     std::vector<LayerWalk> walks(lightParts, LayerWalk(rows_));
-    std::array<FactorField<double>, lightParts> fields;
-    std::array<LightSums, lightParts> lights;
+    const ViewKindSums<Factors> none(rows_, grid_, varying_, exchange_.get(), window.share());
+    std::array<std::optional<ViewKindSums<Factors>>, lightParts> sums;
+    std::array<std::optional<ContrastSums<Factors>>, lightParts> contrasts;
     parallelFor(lightParts, [&](std::size_t p) {
-        ViewKindSums<Factors> sums(rows_, grid_, varying_, exchange_.get(), window.share());
-        addRows(window, samples, beginOfPart(p, lightParts, rows),
-                beginOfPart(p + 1, lightParts, rows), walks[p], sums);
-        fields[p] = sums.field(layout_);
-        lights[p] = sums.lightSums();
+        const std::size_t begin = beginOfPart(p, lightParts, rows),
+                          end = beginOfPart(p + 1, lightParts, rows);
+        if (withContrasts_)
+            addRows(window, samples, begin, end, walks[p],
+                    contrasts[p].emplace(window, begin, end, none));
+        else
+            addRows(window, samples, begin, end, walks[p], sums[p].emplace(none));
     });
     for (std::size_t p = 0; p < lightParts; ++p) {
         const std::vector<int> fronts = numbersOf(walks[p].fronts(), fronts_);
-        view.field.add(
-            fields[p], [](std::size_t) { return std::size_t{0}; },
-            [&](int front) { return fronts[static_cast<std::size_t>(front)]; });
-        LightSums own;
-        for (auto& [kind, sums] : lights[p])
-            own[{fronts[static_cast<std::size_t>(kind.first)], kind.second}] = std::move(sums);
-        addLight(own, 1.0, view.light);
+        const auto addTo = [&](ViewFactors& to) {
+            return [&](const ViewKindSums<Factors>& own, double sign) {
+                own.addTo(
+                    to.field, layout_,
+                    [&](int front) { return fronts[static_cast<std::size_t>(front)]; }, sign);
+                LightSums light;
+                for (auto& [kind, numbers] : own.lightSums())
+                    light[{fronts[static_cast<std::size_t>(kind.first)], kind.second}] = numbers;
+                addLight(light, sign, to.light);
+            };
+        };
+        if (!withContrasts_) {
+            addTo(view)(*sums[p], 1.0);
+            continue;
+        }
+        contrasts[p]->forEachOfSum(addTo(view));
+        for (std::size_t k = 0; k < contrastKinds; ++k)
+            contrasts[p]->forEachOf(static_cast<Contrast>(k),
+                                    addTo(view.contrasts[contrastKinds * (p % contrastBands) + k]));
     }
 }
 
@@ -198,6 +224,9 @@ void addPointToView(const PointFactors& atUnitDistance, const SurfaceRows& rows,
             sums[layout.backgroundCosine(k)] += behind_W_m2 * place.cosOffAxis;
         }
     });
+    for (std::size_t k = 0; k < std::min(view.contrasts.size(), atUnitDistance.contrasts.size());
+         ++k)
+        addPointToView(atUnitDistance.contrasts[k], rows, place, varying, view.contrasts[k]);
 }
 
 } // namespace irsg

@@ -39,6 +39,10 @@ struct ViewFactors {
     FactorField<double> field; ///< of one cell
     LightSums light;           ///< of receivers of light, where surfaces light each other
     int layersLeftOver = 0;
+    /// The same sums with signs, by which interleaved lattices of the samples differ
+    /// (ContrastSums): what the error of the sums follows from; the last is what interpolation
+    /// between distances is likely to leave wrong (RangeFactors). None where nobody asked for it.
+    std::vector<ViewFactors> contrasts = {};
 };
 
 /// The factors of each pixel: coverage and each drawn factor, as parts of a pixel, and the
@@ -56,7 +60,7 @@ class FactorSums {
     /// `varying`: backgrounds that are not uniform. All must live as long.
     FactorSums(const Sensor& sensor, const SurfaceRows& rows, Fronts& fronts,
                std::size_t factorCount, std::vector<const FrameBackground*> varying = {},
-               std::shared_ptr<const LightExchange> exchange = nullptr);
+               std::shared_ptr<const LightExchange> exchange = nullptr, bool withContrasts = false);
 
     /// To the sums of the view.
     void addToView(const SampleWindow& window, const FactorSamples& samples, ViewFactors& view);
@@ -79,6 +83,7 @@ class FactorSums {
     ViewLayout layout_;
     std::vector<const FrameBackground*> varying_;
     std::shared_ptr<const LightExchange> exchange_;
+    bool withContrasts_;
 };
 
 /// Adds sums of receivers times a scale.
@@ -95,6 +100,7 @@ struct PointPlace {
 struct PointFactors {
     FactorField<double> sums_sr_m2;
     LightSums light_sr_m2;
+    std::vector<PointFactors> contrasts = {}; ///< see ViewFactors
 };
 
 /// Such a source, seen from farther away in the middle of one pixel, added to a view.

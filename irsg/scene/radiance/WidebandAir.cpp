@@ -1,14 +1,20 @@
 #include "irsg/scene/radiance/WidebandAir.h"
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 namespace irsg {
 
-bool hasWidebandAir(const Environment& environment, const Band& band) {
+bool hasWidebandAir(const Environment& environment, const Band& band,
+                    const RenderSettings& settings) {
     using enum AtmosphereProperty;
-    constexpr std::array asked = {transmittance,   pathRadiance, backgroundRadiance,
-                                  solarIrradiance, upwardFlux,   downwardFlux};
+    std::vector<AtmosphereProperty> asked = {transmittance, pathRadiance};
+    if (settings.background == BackgroundMode::environment)
+        asked.push_back(backgroundRadiance);
+    if (settings.sun != ReflectionMode::off || settings.sunDisc)
+        asked.push_back(solarIrradiance);
+    if (settings.fluxes != ReflectionMode::off)
+        asked.insert(asked.end(), {upwardFlux, downwardFlux});
     const Atmosphere* air = environment.findWideband(band.range());
     return air != nullptr && std::ranges::all_of(asked, [&](AtmosphereProperty property) {
                return environment.find(band.range(), property) == air;

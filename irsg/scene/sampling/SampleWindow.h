@@ -96,20 +96,24 @@ struct SampleWindow {
     template <typename Visit>
     void forEachRun(int firstRow, int lastRow, Visit visit) const;
 
-  private:
-    /// Weights of the samples of a row, counted from the top, tile by tile; empty where all are 1.
+    /// Whether all of its samples count fully.
+    bool isWhole() const { return leftOut.empty() && !only; }
+    /// Weights of the samples of a row, counted from the top, tile by tile.
     std::vector<double> weightsOf(int row) const;
+    /// Where the first sample of a row, counted from the top, stands in that row of its drawing.
+    int firstColumn(int row) const { return static_cast<int>(std::ceil(shift(row) - 0.5)); }
+
+  private:
     int columnsOfShear() const { return shearRows ? (height() - 1) / shearRows + 1 : 0; }
 };
 
 template <typename Visit>
 void SampleWindow::forEachRun(int firstRow, int lastRow, Visit visit) const {
     for (int row = firstRow; row < lastRow; ++row) {
-        const std::vector<double> weights =
-            leftOut.empty() && !only ? std::vector<double>{} : weightsOf(row);
+        const std::vector<double> weights = isWhole() ? std::vector<double>{} : weightsOf(row);
         const int y = static_cast<int>((tileY + row / samplesDown) >> level);
         std::size_t first = firstSample + static_cast<std::size_t>(height() - 1 - row) * stride() +
-                            static_cast<std::size_t>(std::ceil(shift(row) - 0.5));
+                            static_cast<std::size_t>(firstColumn(row));
         for (int tile = 0; tile < tilesWide;
              ++tile, first += static_cast<std::size_t>(samplesAcross)) {
             const int x = static_cast<int>((tileX + tile) >> level);

@@ -12,6 +12,11 @@ namespace irsg {
 
 /// Drawn factors that a shader has room for.
 inline constexpr std::size_t mostFactors = 7;
+/// Of them, components of a normal, behind all others.
+inline constexpr std::size_t normalFactors = 3;
+
+/// Which of the numbers of a lobe a layer's factor is multiplied with.
+enum class LobeRole { emission, flux, sun };
 
 /// One window of samples, bottom row first.
 struct RadianceSamples {
@@ -73,9 +78,22 @@ struct FactorSamples {
     std::vector<Place> opaquePlaces;   ///< by sample, or empty
     std::vector<Place> fragmentPlaces; ///< by fragment, or empty
 
-    /// Nothing is known of shadows and of light between surfaces.
+    /// What a layer of a directional surface sends beside what a Lambertian one of equal
+    /// hemispherical reflectance would, in one row of SurfaceRows that is drawn nowhere: its
+    /// factors are the layer's times these numbers, which may be negative (LobeSamples).
+    struct Lobe {
+        std::uint32_t sample = 0;
+        std::uint32_t layer = 0; ///< number among those of the sample, front to back
+        int row = 0;
+        float emission = 0.0f, flux = 0.0f, sun = 0.0f;
+    };
+    std::vector<Lobe> lobes;         ///< by sample and layer, ascending
+    std::vector<LobeRole> lobeRoles; ///< by factor
+
+    /// Nothing is known of shadows, of light between surfaces and of lobes.
     void forgetLight() {
         through.clear();
+        lobes.clear();
         sunVisibility.clear();
         skyVisibility.clear();
         opaquePlaces.clear();
@@ -103,6 +121,8 @@ struct FactorSamples {
         /// 0 for light alone, which a layer that was visited already gets through something.
         float coverage = 1.0f;
         const Place* place = nullptr; ///< null where light between surfaces is no matter
+        /// Coverage is then what the layer makes of diffuse light, and its row sends no more.
+        bool isLobe = false;
     };
     /// Calls visit(layer) for the layers of a sample, front to back and the opaque one last.
     template <typename Visit>
@@ -120,7 +140,8 @@ struct FactorSamples {
                     distances_m.empty() ? 0.0f : distances_m[sample],
                     {first + 1, factorCount},
                     1.0f,
-                    opaquePlaces.empty() ? nullptr : &opaquePlaces[sample]};
+                    opaquePlaces.empty() ? nullptr : &opaquePlaces[sample],
+                    false};
         if (factorCount <= 3)
             return visit(layer);
         std::array<float, mostFactors> all{first[1], first[2], first[3]};
@@ -136,7 +157,8 @@ struct FactorSamples {
                 w[3],
                 {w + 4, factorCount},
                 1.0f,
-                fragmentPlaces.empty() ? nullptr : &fragmentPlaces[number]};
+                fragmentPlaces.empty() ? nullptr : &fragmentPlaces[number],
+                false};
     }
 };
 

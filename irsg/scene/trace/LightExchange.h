@@ -75,11 +75,18 @@ class LightExchange {
     /// to 1; a receiver may come more than once.
     template <typename Visit>
     void forEachReceiver(std::uint32_t triangle, float u, float v, Visit visit) const {
-        const std::array<std::uint32_t, 3>& corners = corners_[triangle / 2];
         const std::array<float, 3> parts{1.0f - u - v, u, v};
+        forEachReceiver(triangle, [&](std::uint32_t receiver, std::size_t corner, float part) {
+            visit(receiver, parts[corner] * part);
+        });
+    }
+    /// Calls visit(receiver, corner, part) for those of its corners, whose parts add up to 1 each.
+    template <typename Visit>
+    void forEachReceiver(std::uint32_t triangle, Visit visit) const {
+        const std::array<std::uint32_t, 3>& corners = corners_[triangle / 2];
         for (std::size_t c = 0; c < 3; ++c)
             for (std::uint32_t i = firstShare_[corners[c]]; i < firstShare_[corners[c] + 1]; ++i)
-                visit(2 * shares_[i].node + triangle % 2, parts[c] * shares_[i].part);
+                visit(2 * shares_[i].node + triangle % 2, c, shares_[i].part);
     }
     /// Parts of the hemispheres over the corners of a place in which nothing stands.
     std::array<float, 3> openAt(std::uint32_t triangle) const;

@@ -1,7 +1,7 @@
 #include "irsg/scene/trace/LightPairs.h"
 
 #include <algorithm>
-#include <tuple>
+#include <array>
 
 #include "irsg/radiometry/ParallelFor.h"
 
@@ -21,11 +21,36 @@ std::size_t merge(Entry* list, std::size_t count, IsEqual isEqual) {
     return kept;
 }
 
+/// Sorts by a key of 64 bits, what is equal in the order in which it came: digit by digit from the
+/// last one, without those that are equal everywhere, as most are. Lists are thousands long and
+/// their keys a few thousand numbers.
+template <typename Entry, typename KeyOf>
+void sortByDigits(Entry* list, std::size_t count, KeyOf keyOf) {
+    constexpr unsigned bits = 8, digits = 1u << bits;
+    std::uint64_t differing = 0;
+    for (std::size_t i = 1; i < count; ++i)
+        differing |= keyOf(list[i]) ^ keyOf(list[0]);
+    std::vector<Entry> room(differing != 0 ? count : 0);
+    for (unsigned shift = 0; shift < 64; shift += bits) {
+        const auto digitOf = [&](const Entry& entry) { return (keyOf(entry) >> shift) % digits; };
+        if ((differing >> shift) % digits == 0)
+            continue;
+        std::array<std::size_t, digits + 1> next{};
+        for (std::size_t i = 0; i < count; ++i)
+            ++next[digitOf(list[i]) + 1];
+        for (std::size_t digit = 0; digit < digits; ++digit)
+            next[digit + 1] += next[digit];
+        for (std::size_t i = 0; i < count; ++i)
+            room[next[digitOf(list[i])]++] = list[i];
+        std::copy_n(room.data(), count, list);
+    }
+}
+
 } // namespace
 
 void mergeParts(std::vector<LightPart>& parts) {
-    std::ranges::stable_sort(parts, [](const LightPart& a, const LightPart& b) {
-        return std::tie(a.receiver, a.sender) < std::tie(b.receiver, b.sender);
+    sortByDigits(parts.data(), parts.size(), [](const LightPart& part) {
+        return std::uint64_t{part.receiver} << 32 | part.sender;
     });
     parts.resize(merge(parts.data(), parts.size(), [](const LightPart& a, const LightPart& b) {
         return a.receiver == b.receiver && a.sender == b.sender;
@@ -50,9 +75,7 @@ LightPairs::LightPairs(std::size_t receivers, std::vector<std::vector<LightPart>
     parallelForSmall(receivers, [&](std::uint32_t r) {
         LightPair* own = all.data() + begin[r];
         const std::size_t count = begin[r + 1] - begin[r];
-        std::stable_sort(own, own + count, [](const LightPair& a, const LightPair& b) {
-            return a.sender < b.sender;
-        });
+        sortByDigits(own, count, [](const LightPair& pair) { return std::uint64_t{pair.sender}; });
         kept[r] = merge(own, count, [](const LightPair& a, const LightPair& b) {
             return a.sender == b.sender;
         });

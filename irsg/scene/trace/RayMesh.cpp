@@ -9,6 +9,7 @@
 #include <osg/TriangleIndexFunctor>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/scene/trace/RayVectors.h"
 
 namespace irsg {
 
@@ -151,17 +152,17 @@ RayHit RayMesh::Impl::refined(const Ray& ray, const Candidate& candidate) const 
     const Vec3 a = piece.corners->vertex(corner[0]);
     const Vec3 ab = piece.corners->vertex(corner[1]) - a;
     const Vec3 ac = piece.corners->vertex(corner[2]) - a;
-    const Vec3 p = cross(ray.direction, ac);
-    const double determinant = dot(ab, p);
+    const Vec3 p = crossed(ray.direction, ac);
+    const double determinant = product(ab, p);
     RayHit hit;
     hit.piece = static_cast<int>(candidate.piece);
     hit.facet = candidate.facet;
     hit.isFront = determinant > 0.0;
     const Vec3 s = ray.origin_m - a;
     const double per = determinant != 0.0 ? 1.0 / determinant : 0.0;
-    const Vec3 q = cross(s, ab);
-    const double u = dot(s, p) * per, v = dot(ray.direction, q) * per;
-    hit.distance_m = hit.order_m = dot(ac, q) * per;
+    const Vec3 q = crossed(s, ab);
+    const double u = product(s, p) * per, v = product(ray.direction, q) * per;
+    hit.distance_m = hit.order_m = product(ac, q) * per;
     hit.weights = {1.0 - u - v, u, v};
     return hit;
 }
@@ -231,10 +232,45 @@ Vec3 RayMesh::lifted(const RayHit& hit, const Ray& ray) const {
     Vec3 start = place + planeNormal(hit) * (side * 2.0 * impl_->rounding_m);
     for (std::size_t i = 0; i < 3 && !piece.corners->normals.empty(); ++i) {
         const Vec3 normal = piece.corners->normal(corner[i]) * side;
-        const double below_m = std::min(dot(place - piece.corners->vertex(corner[i]), normal), 0.0);
+        const double below_m =
+            std::min(product(place - piece.corners->vertex(corner[i]), normal), 0.0);
         start = start - normal * (std::clamp(hit.weights[i], 0.0, 1.0) * below_m);
     }
     return start;
+}
+
+bool RayMesh::again(const Ray& ray, int piece, unsigned facet, const PieceUse& use,
+                    double distance_m, double off_m, RayHit& hit) const {
+    hit = impl_->refined(ray, {static_cast<unsigned>(piece), facet});
+    return std::abs(hit.distance_m - distance_m) <= off_m && hit.weights[0] >= 0.0 &&
+           hit.weights[1] >= 0.0 && hit.weights[2] >= 0.0 &&
+           (hit.isFront || use.transparent || !use.cullsBackFaces);
+}
+
+double RayMesh::rounding_m() const {
+    return impl_->rounding_m;
+}
+
+double RayMesh::bulge_m(std::size_t piece, unsigned number, bool isFront) const {
+    const TracedPiece& traced = impl_->pieces[piece];
+    if (traced.corners->normals.empty())
+        return 0.0;
+    const unsigned* corner = &traced.triangles[3 * static_cast<std::size_t>(number)];
+    const double side = isFront ? 1.0 : -1.0;
+    const Vec3 plane = planeNormal({.piece = static_cast<int>(piece), .facet = number}) * side;
+    double most_m = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 normal = traced.corners->normal(corner[i]) * side;
+        double below_m = 0.0;
+        for (std::size_t k = 0; k < 3; ++k)
+            below_m = std::max(
+                below_m,
+                dot(traced.corners->vertex(corner[i]) - traced.corners->vertex(corner[k]), normal));
+        if (below_m > 0.0 && dot(normal, plane) < 0.0)
+            return -1.0;
+        most_m = std::max(most_m, below_m * length(normal));
+    }
+    return most_m;
 }
 
 Vec3 RayMesh::normal(const RayHit& hit) const {
@@ -252,9 +288,10 @@ Vec3 RayMesh::planeNormal(const RayHit& hit) const {
     const TracedPiece& piece = impl_->pieces[static_cast<std::size_t>(hit.piece)];
     const unsigned* corner = &piece.triangles[3 * static_cast<std::size_t>(hit.facet)];
     const Vec3 a = piece.corners->vertex(corner[0]);
-    const Vec3 across =
-        cross(piece.corners->vertex(corner[1]) - a, piece.corners->vertex(corner[2]) - a);
-    return across == Vec3{} ? Vec3{0, 0, 1} : normalized(across);
+    const Vec3 normal =
+        crossed(piece.corners->vertex(corner[1]) - a, piece.corners->vertex(corner[2]) - a);
+    const double size = plainLength(normal);
+    return size > 0.0 ? normal * (1.0 / size) : Vec3{0, 0, 1};
 }
 
 } // namespace irsg

@@ -115,12 +115,22 @@ class RayMesh {
     bool meet(const Ray& ray, const PieceUses& uses, double sampleWidth, RayHit& opaque,
               std::vector<RayHit>& through) const;
 
+    /// Of places on it in float, m.
+    double rounding_m() const;
+    /// How far `lifted` moves places on a side of a facet, beyond rounding, at most, m; below 0
+    /// where not to that side alone.
+    double bulge_m(std::size_t piece, unsigned number, bool isFront) const;
+
     /// Where another ray meets the plane of the facet that one has met, inside its corners or not.
     RayHit onPlaneOf(const RayHit& hit, const Ray& ray) const;
 
     /// The facet of those pieces that a ray meets nearest to a distance, at most `off_m` away.
     std::optional<RayHit> nearestTo(const Ray& ray, double distance_m, double off_m,
                                     const std::function<bool(int piece)>& isWanted) const;
+    /// A facet that was found nearby is it again: false, with any hit, where a ray does not meet
+    /// it, or farther than `off_m` from a distance, or on a back that is not there.
+    bool again(const Ray& ray, int piece, unsigned facet, const PieceUse& use, double distance_m,
+               double off_m, RayHit& hit) const;
     /// Whether light goes along a ray. What is transparent is told, piece by piece; of the opaque
     /// facets those count that are seen from where the light comes from. The facet that light falls
     /// on, `own`, and those that share a corner with it, one smooth surface, are not in its way.

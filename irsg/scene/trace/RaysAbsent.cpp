@@ -41,12 +41,21 @@ RayMesh::Facet RayMesh::facet(std::size_t, unsigned) const {
 bool RayMesh::meet(const Ray&, const PieceUses&, double, RayHit&, std::vector<RayHit>&) const {
     return false;
 }
+double RayMesh::rounding_m() const {
+    return 0.0;
+}
+double RayMesh::bulge_m(std::size_t, unsigned, bool) const {
+    return -1.0;
+}
 RayHit RayMesh::onPlaneOf(const RayHit& hit, const Ray&) const {
     return hit;
 }
 std::optional<RayHit> RayMesh::nearestTo(const Ray&, double, double,
                                          const std::function<bool(int)>&) const {
     return std::nullopt;
+}
+bool RayMesh::again(const Ray&, int, unsigned, const PieceUse&, double, double, RayHit&) const {
+    return false;
 }
 bool RayMesh::letsPass(const Ray&, const PieceUses&, const RayHit*, std::vector<int>&) const {
     return true;

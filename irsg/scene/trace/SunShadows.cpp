@@ -62,9 +62,11 @@ struct SunShadows::Source {
     const SurfaceScene* scene = nullptr;
     const SampleWindow* window = nullptr;
     Viewpoint eye;
+    EyeDirections directions;
     double sampleWidth = 0.0;
     std::vector<std::size_t> casters;  ///< by row of the drawing
     std::vector<Vec3> towards;         ///< world, by factor
+    std::vector<const Sunlit*> sunlit; ///< by factor, null where nothing is known
     std::vector<std::size_t> shadowed; ///< factors
 
     Vec3 worldOf(const Vec3& eyeDirection) const {
@@ -98,6 +100,7 @@ SunShadows::Source SunShadows::sourceOf(const SurfaceScene& scene,
     source.scene = &scene;
     source.window = &window;
     source.eye = scene.camera->viewpoint();
+    source.directions = {scene.camera->sensor(), window};
     source.sampleWidth = sampleWidthOf(scene.camera->sensor(), window);
     source.casters.resize(scene.rows.size());
     for (std::size_t c = 0; c < casters_.size(); ++c)
@@ -111,42 +114,100 @@ SunShadows::Source SunShadows::sourceOf(const SurfaceScene& scene,
                            scene.factors.directionsEye[static_cast<std::size_t>(from)].second));
         if (from >= 0)
             source.shadowed.push_back(f);
+        constexpr double rounding = 1e-12; // into eye space and back
+        const auto known = std::ranges::find_if(sunlit_, [&](const Sunlit& one) {
+            return length(one.towards - source.towards.back()) <= rounding;
+        });
+        source.sunlit.push_back(known != sunlit_.end() ? &*known : nullptr);
     }
     return source;
 }
 
+SunShadows::OpenPaths SunShadows::openPaths(const SurfaceScene& scene,
+                                            const SampleWindow& window) const {
+    OpenPaths paths;
+    paths.shadows_ = this;
+    paths.source_ = std::make_shared<const Source>(sourceOf(scene, window));
+    return paths;
+}
+
+bool SunShadows::OpenPaths::isOpen(const Vec3& eyeDirection, int row, double distance_m,
+                                   const Vec3& towardsEye, int column,
+                                   Neighbours& neighbours) const {
+    thread_local std::vector<std::pair<int, int>> through;
+    through.clear();
+    const Place place =
+        shadows_->placeOf(*source_, eyeDirection, row, distance_m, column, neighbours);
+    return shadows_->reaches(place, shadows_->startOf_m(place), source_->worldOf(towardsEye), false,
+                             through);
+}
+
 SunShadows::Place SunShadows::placeOf(const Source& source, const Vec3& eyeDirection, int row,
-                                      double distance_m) const {
+                                      double distance_m, int column, Neighbours& neighbours) const {
     const std::size_t number = source.casters[static_cast<std::size_t>(row)];
     const Caster& caster = casters_[number];
-    const Vec3 along = source.worldOf(eyeDirection);
+    const Rotation& toMesh = toMesh_[number];
     Place place;
     place.caster = number;
-    place.world_m = source.eye.position_m + along * distance_m;
-    const Rotation& toMesh = toMesh_[number];
-    const Ray ray{toMesh * (source.eye.position_m - caster.pose.position_m), toMesh * along};
+    place.distance_m = distance_m;
+    place.ray.origin_m = turned(toMesh, source.eye.position_m - caster.pose.position_m);
+    place.ray.direction = turned(toMesh, source.worldOf(eyeDirection));
     // Distances come in float, and OpenGL snaps corners to a part of a sample.
+    constexpr double snap = 1.0 / 64.0;
     const double off_m = distance_m * (4e-6 + 2.0 * source.sampleWidth);
-    const auto isOfRow = [&](int piece) {
-        return caster.rows[static_cast<std::size_t>(piece)] == row;
+    const double near_m = distance_m * (4e-7 + snap * source.sampleWidth);
+    const auto again = [&](const Neighbours::Known& nearby) {
+        if (nearby.row != row)
+            return false;
+        const PieceUse& use = caster.uses[static_cast<std::size_t>(nearby.piece)];
+        place.isFound = caster.mesh->again(place.ray, nearby.piece, nearby.facet, use, distance_m,
+                                           near_m, place.hit);
+        return place.isFound;
     };
-    if (const auto hit = caster.mesh->nearestTo(ray, distance_m, off_m, isOfRow)) {
-        place.hit = *hit;
-        place.isFound = true;
-        const Vec3 start = caster.mesh->lifted(*hit, ray);
-        place.world_m = caster.pose.position_m + toWorld_[number] * start;
+    if (neighbours.last_.empty()) {
+        neighbours.last_.resize(source.casters.size());
+        neighbours.above_.resize(static_cast<std::size_t>(source.window->width()));
     }
+    Neighbours::Known& last = neighbours.last_[static_cast<std::size_t>(row)];
+    Neighbours::Known& above = neighbours.above_[static_cast<std::size_t>(column)];
+    if (!again(last) && !again(above)) {
+        const auto isOfRow = [&](int piece) {
+            return caster.rows[static_cast<std::size_t>(piece)] == row;
+        };
+        if (const auto hit = caster.mesh->nearestTo(place.ray, distance_m, off_m, isOfRow)) {
+            place.hit = *hit;
+            place.isFound = true;
+        }
+    }
+    if (place.isFound)
+        last = above = {row, place.hit.piece, place.hit.facet};
     return place;
 }
 
-bool SunShadows::reaches(const Place& place, const Vec3& towards,
+bool SunShadows::isAllLit(const Place& place, const Sunlit* known) const {
+    if (known == nullptr || !place.isFound)
+        return false;
+    const SunlitFacets* const facets = known->facets[place.caster].get();
+    return facets != nullptr && facets->isLit(place.hit);
+}
+
+Vec3 SunShadows::startOf_m(const Place& place) const {
+    const Caster& caster = casters_[place.caster];
+    const Vec3 start = place.isFound ? caster.mesh->lifted(place.hit, place.ray)
+                                     : place.ray.origin_m + place.ray.direction * place.distance_m;
+    return caster.pose.position_m + turned(toWorld_[place.caster], start);
+}
+
+bool SunShadows::reaches(const Place& place, const Vec3& start_m, const Vec3& towards, bool isLit,
                          std::vector<std::pair<int, int>>& through) const {
     thread_local std::vector<int> pieces;
     for (std::size_t c = 0; c < casters_.size(); ++c) {
+        const bool isOwn = place.isFound && c == place.caster;
+        if (isOwn && isLit)
+            continue;
         const Caster& caster = casters_[c];
         const Rotation& toMesh = toMesh_[c];
-        const Ray ray{toMesh * (place.world_m - caster.pose.position_m), toMesh * towards};
-        const bool isOwn = place.isFound && c == place.caster;
+        const Ray ray{turned(toMesh, start_m - caster.pose.position_m), turned(toMesh, towards)};
         pieces.clear();
         if (!caster.mesh->letsPass(ray, caster.uses, isOwn ? &place.hit : nullptr, pieces))
             return false;
@@ -157,7 +218,7 @@ bool SunShadows::reaches(const Place& place, const Vec3& towards,
     return true;
 }
 
-SunShadows::Shaded SunShadows::lightAt(const Place& place, const Vec3& towardsSun,
+SunShadows::Shaded SunShadows::lightAt(const Place& place, const Vec3& towardsSun, bool isLit,
                                        std::size_t turn) const {
     Shaded light;
     const std::size_t rays = isDisc_ ? raysOfDisc : 1;
@@ -168,6 +229,7 @@ SunShadows::Shaded SunShadows::lightAt(const Place& place, const Vec3& towardsSu
         std::tie(right, up) = acrossTo(towardsSun);
         radius = std::tan(discRadius_rad);
     }
+    const Vec3 start_m = startOf_m(place);
     MaterialSet through;
     for (std::size_t i = 0; i < rays; ++i) {
         Vec3 towards = towardsSun;
@@ -176,7 +238,7 @@ SunShadows::Shaded SunShadows::lightAt(const Place& place, const Vec3& towardsSu
             towards = normalized(towardsSun + right * (x * radius) + up * (y * radius));
         }
         through.clear();
-        if (!reaches(place, towards, through))
+        if (!reaches(place, start_m, towards, isLit, through))
             continue;
         if (through.empty())
             light.free += part;
@@ -199,12 +261,12 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility, FactorSampl
     for (std::size_t w = 0; w < sheet.scenes.size(); ++w)
         sources.push_back(sourceOf(sheet.scenes[w], sheet.sheet.windows[w]));
 
-    const auto shade = [&](const Source& source, Passages& passages, int row, int column) {
+    const auto shade = [&](const Source& source, Passages& passages, Neighbours& neighbours,
+                           int row, int column) {
         const std::size_t sample = indexOf(*source.window, column, row);
         if (samples.isEmpty(sample))
             return;
-        const Vec3 eyeDirection =
-            eyeDirectionOf(source.scene->camera->sensor(), *source.window, column, row);
+        const Vec3 eyeDirection = source.directions.at(column, row);
         std::uint32_t number = 0;
         const std::size_t firstFragment =
             samples.isListed(sample) ? samples.ends[sample - samples.lowest] : 0;
@@ -226,8 +288,8 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility, FactorSampl
             if (withVisibility && withPlaces && own == 0)
                 samples.skyVisibility[sample] = 1.0f;
             if (withPlaces && places_.matters[drawnRow]) {
-                place =
-                    placeOf(source, eyeDirection, layer.row, static_cast<double>(layer.distance_m));
+                place = placeOf(source, eyeDirection, layer.row,
+                                static_cast<double>(layer.distance_m), column, neighbours);
                 if (place->isFound) {
                     FactorSamples::Place& told =
                         fragment ? samples.fragmentPlaces[*fragment] : samples.opaquePlaces[sample];
@@ -246,8 +308,14 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility, FactorSampl
                     continue;
                 if (!place)
                     place = placeOf(source, eyeDirection, layer.row,
-                                    static_cast<double>(layer.distance_m));
-                const Shaded light = lightAt(*place, source.towards[f], sample);
+                                    static_cast<double>(layer.distance_m), column, neighbours);
+                const bool isLit = isAllLit(*place, source.sunlit[f]);
+                if (isLit && casters_.size() == 1) {
+                    if (withVisibility && own == 0)
+                        samples.sunVisibility[sample] = 1.0f;
+                    continue;
+                }
+                const Shaded light = lightAt(*place, source.towards[f], isLit, sample);
                 const auto whole = static_cast<double>(*factor);
                 *factor = static_cast<float>(whole * light.free);
                 for (const auto& [set, part] : light.through)
@@ -263,9 +331,10 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility, FactorSampl
     std::vector<Passages> found(pieces.size());
     parallelFor(pieces.size(), [&](std::size_t i) {
         const Source& source = sources[pieces[i].window];
+        Neighbours neighbours;
         for (int row = pieces[i].first; row < pieces[i].last; ++row)
             for (int column = 0; column < source.window->width(); ++column)
-                shade(source, found[i], row, column);
+                shade(source, found[i], neighbours, row, column);
     });
 
     std::map<MaterialSet, std::uint32_t> numbers;

@@ -11,6 +11,7 @@
 #include "irsg/scene/sampling/SurfaceScene.h"
 #include "irsg/scene/trace/LightMesh.h"
 #include "irsg/scene/trace/RayMesh.h"
+#include "irsg/scene/trace/SunlitFacets.h"
 #include "irsg/scene/view/Pose.h"
 
 namespace irsg {
@@ -43,14 +44,56 @@ class SunShadows {
     /// Half the angle of the sun's disc, rad.
     static constexpr double discRadius_rad = 0.265 * pi / 180.0;
 
+    struct Source;
+
     /// `reflects`: by row of the drawing; light on others is left as it is. None: all do.
     SunShadows(std::vector<Caster> casters, std::vector<bool> reflects, bool isDisc);
 
     /// Where samples lie is told from now on.
     void setPlaces(LightPlaces places) { places_ = std::move(places); }
 
+    /// What is known without rays of the light from a direction in the world: by caster, null where
+    /// nothing is.
+    struct Sunlit {
+        Vec3 towards;
+        std::vector<std::shared_ptr<const SunlitFacets>> facets;
+    };
+    void setSunlit(std::vector<Sunlit> sunlit) { sunlit_ = std::move(sunlit); }
+    double radius_rad() const { return isDisc_ ? discRadius_rad : 0.0; }
+
     const std::vector<bool>& reflects() const { return reflects_; }
     const std::vector<Caster>& casters() const { return casters_; }
+
+    /// The facets on which samples were found that are neighbours of the next, most of which lie on
+    /// the same. One for each thread, begun anew with each piece of a drawing.
+    class Neighbours {
+      public:
+        Neighbours() = default;
+
+      private:
+        friend class SunShadows;
+        struct Known {
+            int row = -1, piece = 0;
+            unsigned facet = 0;
+        };
+        std::vector<Known> above_; // by column, of the line before or of this one
+        std::vector<Known> last_;  // by row of the drawing
+    };
+
+    /// What is seen from the samples of a window, which must live as long as this.
+    class OpenPaths {
+      public:
+        /// Whether nothing opaque is met on the way from the surface of a row that a ray from the
+        /// eye meets at a distance. Directions in eye space.
+        bool isOpen(const Vec3& eyeDirection, int row, double distance_m, const Vec3& towardsEye,
+                    int column, Neighbours& neighbours) const;
+
+      private:
+        friend class SunShadows;
+        const SunShadows* shadows_ = nullptr;
+        std::shared_ptr<const Source> source_;
+    };
+    OpenPaths openPaths(const SurfaceScene& scene, const SampleWindow& window) const;
 
     /// Takes the light away from the sorted layers of a drawing that has distances. Fills in the
     /// visibility of the sun where it is wanted. The result does not depend on the number of
@@ -58,20 +101,25 @@ class SunShadows {
     void apply(const SheetScene& sheet, bool withVisibility, FactorSamples& samples) const;
 
   private:
-    struct Source;
     struct Shaded;
-    /// A place on a surface in the world, and where it lies.
+    /// A place on a surface, and the ray that it was found by, in the axes of its mesh.
     struct Place {
-        Vec3 world_m;
         std::size_t caster = 0;
+        Ray ray;
+        double distance_m = 0.0;
         RayHit hit;
         bool isFound = false;
     };
     Source sourceOf(const SurfaceScene& scene, const SampleWindow& window) const;
-    Place placeOf(const Source& source, const Vec3& eyeDirection, int row, double distance_m) const;
+    Place placeOf(const Source& source, const Vec3& eyeDirection, int row, double distance_m,
+                  int column, Neighbours& neighbours) const;
+    bool isAllLit(const Place& place, const Sunlit* known) const;
+    /// In the world, where rays from there begin.
+    Vec3 startOf_m(const Place& place) const;
     /// Parts of the light that arrive: through nothing, and through sets of materials.
-    Shaded lightAt(const Place& place, const Vec3& towardsSun, std::size_t turn) const;
-    bool reaches(const Place& place, const Vec3& towards,
+    Shaded lightAt(const Place& place, const Vec3& towardsSun, bool isLit, std::size_t turn) const;
+    /// `isLit`: nothing of the mesh of the place itself is in the way.
+    bool reaches(const Place& place, const Vec3& start_m, const Vec3& towards, bool isLit,
                  std::vector<std::pair<int, int>>& through) const;
 
     std::vector<Caster> casters_;
@@ -79,6 +127,7 @@ class SunShadows {
     std::vector<bool> reflects_;
     bool isDisc_;
     LightPlaces places_;
+    std::vector<Sunlit> sunlit_;
 };
 
 } // namespace irsg

@@ -26,7 +26,7 @@ PieceUses opaqueUses(std::size_t pieces) {
 } // namespace
 
 Vec3 WindowRays::Body::toMesh(const Vec3& eyeDirection) const {
-    return {dot(x, eyeDirection), dot(y, eyeDirection), dot(z, eyeDirection)};
+    return {product(x, eyeDirection), product(y, eyeDirection), product(z, eyeDirection)};
 }
 Vec3 WindowRays::Body::toEye(const Vec3& meshDirection) const {
     return x * meshDirection.x + y * meshDirection.y + z * meshDirection.z;
@@ -48,7 +48,10 @@ WindowRays::Body WindowRays::bodyOf(const SurfaceBody& body, PieceUses uses,
 }
 
 WindowRays::WindowRays(const SurfaceScene& scene, const SampleWindow& window)
-    : scene_(scene), window_(window) {
+    : scene_(scene),
+      window_(window),
+      directions_(scene.camera->sensor(), window),
+      sampleWidth_(sampleWidthOf(scene.camera->sensor(), window)) {
     for (const SurfaceBody& body : scene.bodies) {
         PieceUses uses(body.mesh->pieces());
         std::vector<int> rows(body.mesh->pieces(), -1);
@@ -87,14 +90,13 @@ void WindowRays::fillFactors(const Met& met, const Vec3& eyeDirection, float* fa
 
 WindowRays::Met WindowRays::meet(const Vec3& eyeDirection, std::vector<Met>& layers) const {
     thread_local std::vector<RayHit> through;
-    const double width = sampleWidthOf(scene_.camera->sensor(), window_);
     const double from_m = scene_.depth.near_m / -eyeDirection.z;
     Met opaque;
     layers.clear();
     for (const Body& body : bodies_) {
         RayHit hit;
-        const bool isMet =
-            body.mesh->meet(rayTo(body, eyeDirection, from_m), body.uses, width, hit, through);
+        const bool isMet = body.mesh->meet(rayTo(body, eyeDirection, from_m), body.uses,
+                                           sampleWidth_, hit, through);
         if (isMet && (!opaque.body || hit.order_m < opaque.hit.order_m))
             opaque = {&body, hit};
         for (const RayHit& layer : through)
@@ -116,7 +118,7 @@ WindowRays::Met WindowRays::meet(const Vec3& eyeDirection, std::vector<Met>& lay
 }
 
 std::vector<WindowRays::Facet> WindowRays::facetsAt(int column, int row) const {
-    const Vec3 eyeDirection = eyeDirectionOf(scene_.camera->sensor(), window_, column, row);
+    const Vec3 eyeDirection = directions_.at(column, row);
     std::vector<Met> met;
     Met last = meet(eyeDirection, met);
     std::ranges::stable_sort(met, {}, [](const Met& layer) { return layer.hit.order_m; });
@@ -136,11 +138,10 @@ std::vector<WindowRays::Facet> WindowRays::facetsAt(int column, int row) const {
 
 void WindowRays::traceRow(int row, int firstColumn, int lastColumn, FactorSamples& samples,
                           std::vector<float>& fragments) const {
-    const Sensor& sensor = scene_.camera->sensor();
     thread_local std::vector<Met> layers;
     std::array<float, mostFactors + 1> factors{};
     for (int column = firstColumn; column < lastColumn; ++column) {
-        const Vec3 eyeDirection = eyeDirectionOf(sensor, window_, column, row);
+        const Vec3 eyeDirection = directions_.at(column, row);
         const Met opaque = meet(eyeDirection, layers);
         const std::size_t sample = indexOf(window_, column, row);
         const auto rowOf = [](const Met& met) {

@@ -4,6 +4,7 @@
 
 #include "irsg/scene/sampling/SurfaceScene.h"
 #include "irsg/scene/trace/RayMesh.h"
+#include "irsg/scene/trace/WindowSamples.h"
 
 namespace irsg {
 
@@ -59,6 +60,8 @@ class WindowRays {
 
     const SurfaceScene& scene_;
     const SampleWindow& window_;
+    EyeDirections directions_;
+    double sampleWidth_ = 0.0;
     std::vector<Body> bodies_;
     std::vector<Body> occluders_; // none or the terrain
 };

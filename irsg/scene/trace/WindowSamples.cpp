@@ -13,12 +13,17 @@ std::vector<WindowRows> rowsOf(const SampleSheet& sheet) {
     return pieces;
 }
 
-Vec3 eyeDirectionOf(const Sensor& sensor, const SampleWindow& window, int column, int row) {
-    const auto [right_px, below_px] = window.placeOf(column, row);
-    const double pitch = sensor.pixelPitch();
-    return normalized({(right_px - 0.5 * sensor.width_px) * pitch,
-                       (0.5 * sensor.height_px - below_px) * pitch, -1.0});
-}
+EyeDirections::EyeDirections(const Sensor& sensor, const SampleWindow& window)
+    : fall_(window.fall),
+      width_(window.width()),
+      shearRows_(window.shearRows),
+      left_(window.rectangle().left),
+      top_(window.rectangle().top),
+      cellWidth_(window.cellWidth_px()),
+      cellHeight_(window.cellHeight_px()),
+      middleX_(0.5 * sensor.width_px),
+      middleY_(0.5 * sensor.height_px),
+      pitch_(sensor.pixelPitch()) {}
 
 double sampleWidthOf(const Sensor& sensor, const SampleWindow& window) {
     return sensor.pixelPitch() * std::max(window.cellWidth_px(), window.cellHeight_px());

@@ -5,6 +5,7 @@
 
 #include "irsg/scene/sampling/SampleWindow.h"
 #include "irsg/scene/sampling/SurfaceScene.h"
+#include "irsg/scene/trace/RayVectors.h"
 #include "irsg/scene/view/Sensor.h"
 #include "irsg/scene/view/Vec3.h"
 
@@ -25,8 +26,25 @@ inline std::size_t indexOf(const SampleWindow& window, int column, int row) {
            static_cast<std::size_t>(column);
 }
 
-/// Unit vector from the eye through a sample, in eye space.
-Vec3 eyeDirectionOf(const Sensor& sensor, const SampleWindow& window, int column, int row);
+/// Unit vectors from the eye through the samples of a window, in eye space.
+class EyeDirections {
+  public:
+    EyeDirections() = default;
+    EyeDirections(const Sensor& sensor, const SampleWindow& window);
+
+    Vec3 at(int column, int row) const {
+        // As SampleWindow::placeOf has it.
+        const double down = row + fall_ * ((column + 0.5) / width_ - 0.5);
+        const double right = column - (shearRows_ != 0.0 ? down / shearRows_ : 0.0);
+        const Vec3 along{(left_ + (right + 0.5) * cellWidth_ - middleX_) * pitch_,
+                         (middleY_ - (top_ + (down + 0.5) * cellHeight_)) * pitch_, -1.0};
+        return along * (1.0 / plainLength(along));
+    }
+
+  private:
+    double fall_ = 0.0, width_ = 1.0, shearRows_ = 0.0, left_ = 0.0, top_ = 0.0, cellWidth_ = 1.0,
+           cellHeight_ = 1.0, middleX_ = 0.0, middleY_ = 0.0, pitch_ = 1.0;
+};
 
 /// Angle between neighbouring samples in the middle of the frame, rad.
 double sampleWidthOf(const Sensor& sensor, const SampleWindow& window);

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "irsg/image/RadianceImage.h"
 #include "irsg/image/SampledWindows.h"
+#include "irsg/scene/values/RadiometryError.h"
 
 namespace irsg {
 
@@ -20,6 +22,7 @@ struct ObjectRadiometry {
     /// Bound of what the air's change over the object's extent leaves wrong, as a part of what
     /// arrives from it.
     double airError = 0.0;
+    std::optional<RadiometryErrors> errors; ///< where they were asked for (Wanted::errors)
 };
 
 struct RenderReport {

@@ -11,7 +11,8 @@ namespace smat {
 
 namespace key {
 constexpr TextKey polarType{"polar.type"};
-constexpr RealKey polarStep{"polar.step"};
+constexpr OptionalRealKey polarStep{"polar.step"};
+constexpr TextKey polarSteps{"polar.steps"};
 constexpr RealKey polarFrom{"polar.from"};
 constexpr RealKey polarTo{"polar.to"};
 constexpr RealKey polarOffset{"polar.offset"};
@@ -31,8 +32,10 @@ std::vector<SettingInfo> settings() {
                      "plane (front, belly, tail, top), or the target itself "
                      "(counter-clockwise, level, the camera stays)."),
               {"camera azimuth", "camera elevation", "model yaw"}),
-        number(key::polarStep, "--step", "Step", "deg", 0.001, 180, "5",
-               "Angle between two cases. The sweep covers one turn from 0."),
+        choiceOrNumber(key::polarStep, "--step", "Step", "deg", {"auto"}, 0.001, 180, "auto",
+                       "Angle between two cases, of adaptive steps the first ones. The sweep "
+                       "covers one turn from 0. auto: 5 deg, and adaptive steps."),
+        stepsOfPlot(key::polarSteps, key::polarStep, "down to 1/32 of the step"),
         number(key::polarFrom, "--from", "From", "deg", 0, 360, "0", "First angle, of a sector."),
         number(key::polarTo, "--to", "To", "deg", 0, 360, "360",
                "Last angle of a sector; from 0 to 360 it is a whole turn, whose end is its "
@@ -88,10 +91,13 @@ void placeModelYaw(AnalysisCase& one, double angle_deg, const Settings& settings
     one.shownYaw_deg = wholeTurn_deg(facing_deg + angle_deg);
 }
 
+double step_deg(const Settings& settings) {
+    return settings[key::polarStep].value_or(5.0);
+}
+
 /// The angles of one turn or sector.
-std::vector<double> angles_deg(const Settings& settings) {
+std::vector<double> angles_deg(const Settings& settings, double step_deg) {
     const double from_deg = settings[key::polarFrom], to_deg = settings[key::polarTo];
-    const double step_deg = settings[key::polarStep];
     const bool isTurn = to_deg - from_deg >= 360.0;
     std::vector<double> angles;
     // The end of a turn is its beginning; that of a sector belongs to it.
@@ -144,18 +150,31 @@ void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
                     irsg::Quantity::yaw};
     if (!diagnostics.empty())
         return;
-    for (const double offset_deg : offsets_deg(settings))
-        for (const double angle_deg : angles_deg(settings)) {
-            AnalysisCase one = standingCase(settings);
-            one.coordinate = angle_deg;
-            if (type == "camera-azimuth")
-                placeCameraAzimuth(one, angle_deg, offset_deg);
-            else if (type == "camera-elevation")
-                placeCameraElevation(one, angle_deg);
-            else
-                placeModelYaw(one, angle_deg, settings);
-            plan.cases.push_back(one);
-        }
+    const double first_deg = step_deg(settings);
+    const bool isTurn = settings[key::polarTo] - settings[key::polarFrom] >= 360.0;
+    const RefinedAxis axis{irsg::Quantity::angle, angles_deg(settings, first_deg), isTurn,
+                           first_deg / 32.0};
+    const auto casesAt = [settings, type](const std::vector<RefinedAxis>& axes) {
+        std::vector<AnalysisCase> cases;
+        for (const double offset_deg : offsets_deg(settings))
+            for (const double angle_deg : axes.front().places) {
+                AnalysisCase one = standingCase(settings);
+                one.coordinate = angle_deg;
+                if (type == "camera-azimuth")
+                    placeCameraAzimuth(one, angle_deg, offset_deg);
+                else if (type == "camera-elevation")
+                    placeCameraElevation(one, angle_deg);
+                else
+                    placeModelYaw(one, angle_deg, settings);
+                cases.push_back(one);
+            }
+        return cases;
+    };
+    plan.cases = casesAt({axis});
+    if (isAdaptivePlot(AnalysisKind::polar, settings)) {
+        plan.refined = {axis};
+        plan.casesAt = casesAt;
+    }
 }
 
 std::vector<std::string> ignored(const Settings& settings) {
@@ -172,6 +191,7 @@ extern constinit const AnalysisDefinition polarAnalysis{
     .title = "Polar plot",
     .help = "Intensity over one turn of camera or target",
     .icon = "polar",
+    .step = key::polarStep.name,
     .settings = settings,
     .plan = plan,
     .ignored = ignored};

@@ -10,8 +10,9 @@ namespace smat {
 namespace key {
 constexpr RealKey rangeFrom{"range.from"};
 constexpr RealKey rangeTo{"range.to"};
-constexpr IntegerKey rangePoints{"range.points"};
+constexpr OptionalRealKey rangePoints{"range.points"};
 constexpr BooleanKey rangeLog{"range.log"};
+constexpr TextKey rangeSteps{"range.steps"};
 } // namespace key
 
 namespace {
@@ -21,9 +22,11 @@ std::vector<SettingInfo> settings() {
     return {
         number(key::rangeFrom, "--from", "From", "m", 0, 1e8, "500", "First range."),
         number(key::rangeTo, "--to", "To", "m", 0, 1e8, "10000", "Last range."),
-        integer(key::rangePoints, "--points", "Points", "", 2, 100000, "100",
-                "Number of ranges, both ends included."),
+        choiceOrNumber(key::rangePoints, "--points", "Points", "", {"auto"}, 2, 100000, "auto",
+                       "Number of ranges, both ends included, of adaptive steps the first ones. "
+                       "auto: 50 of adaptive steps, 100 of fixed ones."),
         flag(key::rangeLog, "--log", "Logarithmic", false, "Spaces the ranges by equal ratios."),
+        stepsOfPlot(key::rangeSteps, key::rangePoints, "down to 1/1024 of the mean step"),
     };
 }
 
@@ -31,7 +34,8 @@ void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
           std::vector<irsg::Diagnostic>& diagnostics) {
     const double from_m = settings[key::rangeFrom];
     const double to_m = settings[key::rangeTo];
-    const int points = settings[key::rangePoints];
+    const bool isRefined = isAdaptivePlot(AnalysisKind::range, settings);
+    const double points = settings[key::rangePoints].value_or(isRefined ? 50.0 : 100.0);
     const bool logarithmic = settings[key::rangeLog];
     plan.coordinate = irsg::Quantity::range;
     plan.isAlongRange = true;
@@ -48,17 +52,34 @@ void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
                                .value = settings.text(key::rangeFrom),
                                .expected = "a number above 0 m, because range.log is true"});
     }
+    if (points != std::floor(points)) {
+        diagnostics.push_back({.file = "",
+                               .position = key::rangePoints,
+                               .value = settings.text(key::rangePoints),
+                               .expected = "auto, or a whole number"});
+    }
     if (!diagnostics.empty())
         return;
-    for (int i = 0; i < points; ++i) {
-        const double share = static_cast<double>(i) / (points - 1);
-        AnalysisCase one = standingCase(settings);
-        one.range_m = logarithmic ? from_m * std::pow(to_m / from_m, share)
-                                  : from_m + (to_m - from_m) * share;
-        if (i == points - 1)
-            one.range_m = to_m;
-        one.coordinate = one.range_m;
-        plan.cases.push_back(one);
+    const double intervals = points - 1.0;
+    RefinedAxis axis{irsg::Quantity::range, {}, false, (to_m - from_m) / intervals / 1024.0};
+    for (int i = 0; i < static_cast<int>(points); ++i) {
+        const double share = i / intervals;
+        axis.places.push_back(share == 1.0  ? to_m
+                              : logarithmic ? from_m * std::pow(to_m / from_m, share)
+                                            : from_m + (to_m - from_m) * share);
+    }
+    const auto casesAt = [settings](const std::vector<RefinedAxis>& axes) {
+        std::vector<AnalysisCase> cases;
+        for (const double range_m : axes.front().places) {
+            AnalysisCase& one = cases.emplace_back(standingCase(settings));
+            one.coordinate = one.range_m = range_m;
+        }
+        return cases;
+    };
+    plan.cases = casesAt({axis});
+    if (isRefined) {
+        plan.refined = {axis};
+        plan.casesAt = casesAt;
     }
 }
 
@@ -73,6 +94,7 @@ extern constinit const AnalysisDefinition rangeAnalysis{
     .title = "Range plot",
     .help = "Contrast intensity and irradiance over range",
     .icon = "range",
+    .step = key::rangePoints.name,
     .settings = settings,
     .plan = plan,
     .ignored = ignored};

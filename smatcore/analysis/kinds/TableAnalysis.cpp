@@ -17,6 +17,7 @@ namespace smat {
 
 namespace key {
 constexpr TextKey tableSampling{"table.sampling"};
+constexpr TextKey tableSteps{"table.steps"};
 constexpr RealKey tableAzimuthStep{"table.azimuthStep"};
 constexpr RealKey tableElevationStep{"table.elevationStep"};
 constexpr OptionalRealKey tableElevationFrom{"table.elevationFrom"};
@@ -48,6 +49,9 @@ std::vector<SettingInfo> settings() {
                      "elevations, or the corners of an icosphere, which lie alike everywhere and "
                      "waste none at the poles."),
               {"azimuth × elevation", "icosphere"}),
+        adaptiveSteps(key::tableSteps,
+                      "of azimuth and elevation of a grid, whole rows and columns, down to 1/16 of "
+                      "the step"),
         number(key::tableAzimuthStep, "--azimuth-step", "Azimuth step", "deg", 0.01, 180, "5",
                "Of a grid: angle between two azimuths, from 0 once around."),
         number(key::tableElevationStep, "--elevation-step", "Elevation step", "deg", 0.01, 180, "5",
@@ -122,17 +126,34 @@ std::vector<double> anglesBetween_deg(double from_deg, double to_deg, double ste
     return angles;
 }
 
-std::vector<Direction> grid(const Settings& settings) {
+std::vector<RefinedAxis> gridAxes(const Settings& settings) {
+    const double azimuthStep_deg = settings[key::tableAzimuthStep];
+    const double elevationStep_deg = settings[key::tableElevationStep];
     const auto count = static_cast<std::size_t>(
-        std::ceil(360.0 / settings[key::tableAzimuthStep] - 1e-9)); // the end is the beginning
+        std::ceil(360.0 / azimuthStep_deg - 1e-9)); // the end is the beginning
+    constexpr double least = 1.0 / 16.0;            // of the step
+    RefinedAxis azimuth{Quantity::azimuth, {}, true, least * azimuthStep_deg};
+    for (std::size_t i = 0; i < count; ++i)
+        azimuth.places.push_back(stepped(0.0, i, azimuthStep_deg));
+    return {
+        azimuth,
+        {Quantity::elevation,
+         anglesBetween_deg(from_deg(settings), settings[key::tableElevationTo], elevationStep_deg),
+         false, least * elevationStep_deg}};
+}
+
+std::vector<Direction> grid(const std::vector<RefinedAxis>& axes) {
     std::vector<Direction> directions;
-    for (const double elevation_deg :
-         anglesBetween_deg(from_deg(settings), settings[key::tableElevationTo],
-                           settings[key::tableElevationStep]))
-        for (std::size_t i = 0; i < count; ++i)
-            directions.push_back({stepped(0.0, i, settings[key::tableAzimuthStep]), elevation_deg});
+    for (const double elevation_deg : axes[1].places)
+        for (const double azimuth_deg : axes[0].places)
+            directions.push_back({azimuth_deg, elevation_deg});
     return directions;
 }
+
+/// The cases of a table over these directions: outside what moves target or camera; inside what
+/// leaves the drawing as it is.
+std::vector<AnalysisCase> casesOver(const std::vector<Direction>& directions,
+                                    const Settings& settings);
 
 /// The corners of an icosahedron, with the middles of the edges `subdivisions` times over.
 std::vector<irsg::Vec3> icosphere(int subdivisions) {
@@ -247,7 +268,13 @@ void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
                fmt::format("at most {:.0f} cases, not {:.0f}", mostCases, most * states));
         return;
     }
-    const std::vector<Direction> directions = isGrid ? grid(settings) : icosphere(settings);
+    const bool isAdaptive = settings.text(key::tableSteps) == "adaptive";
+    if (isAdaptive && !isGrid) {
+        refuse(key::tableSteps, "fixed: corners of an icosphere are not refined, only a grid is");
+        return;
+    }
+    const std::vector<RefinedAxis> gridPlaces = gridAxes(settings);
+    const std::vector<Direction> directions = isGrid ? grid(gridPlaces) : icosphere(settings);
     if (directions.empty()) {
         refuse(key::tableElevationFrom, "elevations that hold a corner of the icosphere");
         return;
@@ -261,7 +288,18 @@ void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
         if (valuesOf(axis, settings).size() > 1)
             plan.axes.push_back(axis.quantity);
     plan.isAlongRange = valuesOf(axes[0], settings).size() > 1;
-    // Outside what moves target or camera; inside what leaves the drawing as it is.
+    plan.cases = casesOver(directions, settings);
+    if (isAdaptive) {
+        plan.refined = gridPlaces;
+        plan.casesAt = [settings](const std::vector<RefinedAxis>& places) {
+            return casesOver(grid(places), settings);
+        };
+    }
+}
+
+std::vector<AnalysisCase> casesOver(const std::vector<Direction>& directions,
+                                    const Settings& settings) {
+    std::vector<AnalysisCase> cases;
     for (const double altitude_m : valuesOf(axes[4], settings))
         for (const Direction& from : directions)
             for (const double range_m : valuesOf(axes[0], settings))
@@ -279,8 +317,9 @@ void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
                             one.power = power;
                             one.mach = mach;
                             one.altitude_m = altitude_m;
-                            plan.cases.push_back(one);
+                            cases.push_back(one);
                         }
+    return cases;
 }
 
 std::vector<std::string> ignored(const Settings& settings) {
@@ -300,6 +339,7 @@ extern constinit const AnalysisDefinition tableAnalysis{
     .icon = "table",
     .settings = settings,
     .plan = plan,
-    .ignored = ignored};
+    .ignored = ignored,
+    .isOverDirections = true};
 
 } // namespace smat

@@ -34,6 +34,13 @@ extern constinit const AnalysisDefinition simulationTool{
     .icon = "time",
     .form = AnalysisForm::table};
 
+extern constinit const AnalysisDefinition frontierTool{
+    .name = "frontier",
+    .title = "Time against error",
+    .help = "One view in every mode of antialiasing, air, background and light: time against error",
+    .icon = "frontier",
+    .form = AnalysisForm::table};
+
 extern constinit const AnalysisDefinition otherTable{.name = "other",
                                                      .title = "Table",
                                                      .help =

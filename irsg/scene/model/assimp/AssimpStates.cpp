@@ -103,8 +103,10 @@ osg::ref_ptr<osg::StateSet> AssimpStates::make(const aiMaterial& material) {
     const bool stated = material.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == aiReturn_SUCCESS;
     const std::string_view alphaMode = mode.C_Str();
     float alpha = stated ? base.a : opaque ? base.a : opacity;
-    if (stated && alphaMode == "OPAQUE")
+    if (stated && alphaMode == "OPAQUE") {
         alpha = 1.0f;
+        state->setMode(GL_ALPHA_TEST, off);
+    }
     base.a = std::isfinite(alpha) ? std::clamp(alpha, 0.0f, 1.0f) : 1.0f;
     if (stated && alphaMode == "MASK") {
         float cut = 0.5f;

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "smatcore/analysis/CaseFile.h"
+
+namespace smat::batch {
+
+/// Several processes that draw the cases of one sweep together, each whenever it has nothing else
+/// to do. One of them leads: it has the file of the cases, to which the others send theirs.
+class CaseTeam {
+  public:
+    virtual ~CaseTeam() = default;
+    virtual bool isLeader() const = 0;
+    virtual std::size_t size() const = 0;
+    /// Of the leader: its share, and a beginning of listening to the others. `file` outlives it.
+    virtual std::unique_ptr<CaseStore> lead(CaseFile& file) = 0;
+    /// Of any other, which knows by these inputs that it draws of the same sweep.
+    virtual std::unique_ptr<CaseStore> follow(std::map<std::string, std::string> inputs) = 0;
+    /// Of the leader: waits until all cases are in the file and tells how many are, now and then.
+    /// Throws InputError where a process draws of another sweep.
+    virtual void finish(const std::function<void(std::size_t done)>& progress) = 0;
+};
+
+/// Hands out the cases that are not done yet, in ascending runs, since cases that follow each other
+/// share drawings and air: long runs first, single cases at the end, so that nobody waits for the
+/// last one.
+class CaseDispenser {
+  public:
+    CaseDispenser(std::vector<std::size_t> open, std::size_t takers)
+        : open_(std::move(open)), takers_(takers) {}
+    /// Ascending, after all that were handed out before; empty where none is left.
+    std::vector<std::size_t> next();
+
+  private:
+    std::vector<std::size_t> open_;
+    std::size_t takers_, given_ = 0;
+};
+
+} // namespace smat::batch

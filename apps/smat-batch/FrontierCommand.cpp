@@ -1,0 +1,122 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "apps/smat-batch/Command.h"
+#include "apps/smat-batch/NumberOptions.h"
+#include "apps/smat-batch/Output.h"
+#include "apps/smat-batch/ProjectInput.h"
+#include "apps/smat-batch/SettingOptions.h"
+#include "apps/smat-batch/StopSignal.h"
+#include "smatcore/analysis/Frontier.h"
+#include "smatcore/project/SceneBuilder.h"
+#include "smatcore/support/Log.h"
+
+namespace smat::batch {
+
+namespace {
+
+constexpr const char* repeatsOption = "--repeats";
+constexpr const char* waysOption = "--ways";
+
+/// `smat-batch frontier PROJECT [options of the view] --out FILE`.
+class FrontierCommand {
+  public:
+    explicit FrontierCommand(CLI::App& command)
+        : project_(command),
+          settings_(command, Frontier::kind()),
+          numbers_(command),
+          files_(command) {
+        command
+            .add_option(waysOption, ways_,
+                        "all, or likely: each choice alone, then those that may be on the front by "
+                        "what these showed and a model of costs")
+            ->type_name("WHICH");
+        command.add_flag("--dry-run", countsOnly_, "Tells how many ways there are and stops");
+        numbers_.add(repeatsOption, "N", "Each time is the least of so many cases, 2 by default");
+        command.footer("Columns: the true error of each way, the least time of those with no more, "
+                       "its own time, and what it is; smat plot draws them. --target-error says "
+                       "which way is chosen.");
+    }
+
+    int run(Context& context) const {
+        if (!countsOnly_)
+            files_.check("frontier.csv");
+        numbers_.check();
+        if (ways_ != "all" && ways_ != "likely")
+            throw refusal(waysOption, ways_, "all or likely");
+        const double repeats = numbers_.value(repeatsOption).value_or(2.0);
+        if (repeats < 1.0 || repeats > 1000.0 || repeats != std::floor(repeats))
+            throw refusal(repeatsOption, fmt::format("{}", repeats),
+                          "a whole number from 1 to 1000");
+        AnalysisData data;
+        {
+            const StageTimer::Scope scope(&context.timer, "load");
+            const Settings given = settings_.values();
+            data.project = project_.load();
+            settings_.place(data.project);
+            data.kind = Frontier::kind();
+            data.name = name(data.kind);
+            data.settings = data.project.settings.with(given);
+            data.commandLine = context.commandLine;
+        }
+        const Frontier::Options options{static_cast<std::size_t>(repeats), ways_ == "likely"};
+        const Frontier::Size size = Frontier::sizeOf(data.project, data.settings, options);
+        const std::string words =
+            options.likely
+                ? fmt::format("{} ways, {} of which are measured first and then the likely ones: "
+                              "about {:.0f} to {:.0f} s",
+                              size.all, size.alone, size.least_s, size.most_s)
+                : fmt::format("{} ways: about {:.0f} s", size.all, size.most_s);
+        if (countsOnly_) {
+            fmt::print("frontier: {}, where drawing is done in software\n", words);
+            return done;
+        }
+        logInfo("frontier: " + words);
+        catchStopSignal();
+        SceneBuilder builder;
+        const auto source = makeIrsgImageSource();
+        std::stop_source stop;
+        {
+            ProgressLine line;
+            const StageTimer::Scope scope(&context.timer, "measure");
+            Frontier::run(
+                data, *source,
+                [&](const Project& project, const Settings& settings) {
+                    return builder.build(project, settings);
+                },
+                options,
+                [&](const Progress& progress) {
+                    line.show(progress);
+                    if (stopWasAsked())
+                        stop.request_stop();
+                },
+                stop.get_token());
+        }
+        for (const std::string& warning : data.warnings)
+            warn(warning);
+        const StageTimer::Scope scope(&context.timer, "save");
+        files_.write(data.name, data.table, data.summary, {}, context.json);
+        for (const std::string& sentence : data.answeredBy)
+            if (!context.json &&
+                (sentence.starts_with("ways: ") || sentence.starts_with("target error")))
+                fmt::print("{}\n", sentence);
+        return stopWasAsked() ? warned : done;
+    }
+
+  private:
+    ProjectInput project_;
+    SettingOptions settings_;
+    NumberOptions numbers_;
+    TableFiles files_;
+    std::string ways_ = "all";
+    bool countsOnly_ = false;
+};
+
+} // namespace
+
+void addFrontierCommand(CLI::App& app, Context& context) {
+    addCommand<FrontierCommand>(app, context, Frontier::kind());
+}
+
+} // namespace smat::batch

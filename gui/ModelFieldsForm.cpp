@@ -1,0 +1,93 @@
+#include "gui/ModelFieldsForm.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+
+#include "gui/settings/SettingForm.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Theme.h"
+#include "gui/widgets/ThemeColors.h"
+#include "gui/workbench/Workbench.h"
+
+namespace smat::gui {
+
+ModelFieldsForm::ModelFieldsForm(Workbench& workbench, QWidget* parent)
+    : QWidget(parent), workbench_(workbench) {
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(6);
+    grid->setColumnStretch(1, 1);
+    for (const ModelField& field : modelFields())
+        if (field.key != "yaw") // the heading says it
+            addRow(grid, field);
+}
+
+void ModelFieldsForm::addRow(QGridLayout* grid, const ModelField& field) {
+    auto* edit = new QLineEdit(this);
+    edit->setObjectName(textOf(field.info.key));
+    edit->setAlignment(Qt::AlignRight);
+    edit->setToolTip(SettingForm::helpText(field.info));
+    if (field.info.kind == SettingKind::choiceOrReal)
+        edit->setPlaceholderText(tr("as the target"));
+    auto* caption = new QLabel(textOf(field.info.label), this);
+    caption->setBuddy(edit);
+    caption->setToolTip(edit->toolTip());
+    auto* unit = new QLabel(readableUnit(field.info.unit), this);
+    unit->setForegroundRole(QPalette::PlaceholderText);
+    const int line = grid->rowCount();
+    grid->addWidget(caption, line, 0);
+    grid->addWidget(edit, line, 1);
+    grid->addWidget(unit, line, 2);
+    fields_[field.key] = edit;
+    connect(edit, &QLineEdit::textEdited, this, [this, &field] { onText(field); });
+    connect(edit, &QLineEdit::editingFinished, this, [this, edit] {
+        // A text that is no value is replaced by the one in effect.
+        workbench_.closeStep();
+        edit->clear();
+        refresh();
+    });
+}
+
+std::string ModelFieldsForm::valueOf(const ModelField& field) const {
+    const std::string text = fields_.at(field.key)->text().trimmed().toStdString();
+    const bool hasChoice = field.info.kind == SettingKind::choiceOrReal;
+    return canonicalText(field.info, hasChoice && text.empty() ? asTheTarget : text).value_or("");
+}
+
+void ModelFieldsForm::onText(const ModelField& field) {
+    const std::string text = valueOf(field);
+    QPalette colours; // of the theme, but for a mark
+    if (text.empty())
+        colours.setColor(QPalette::Base, colors::wrongField(palette()));
+    fields_.at(field.key)->setPalette(colours);
+    if (!text.empty() && workbench_.chosenModel() == shown_)
+        workbench_.setField(shown_, field, text);
+}
+
+void ModelFieldsForm::refresh() {
+    const std::size_t model = workbench_.chosenModel();
+    const bool isOther = model != shown_;
+    shown_ = model;
+    if (!workbench_.hasProject() || model == 0 || model >= workbench_.project().models.size())
+        return;
+    for (const ModelField& field : modelFields()) {
+        const auto found = fields_.find(field.key);
+        if (found == fields_.end())
+            continue;
+        // A field that is being typed into holds the same value already and keeps its text.
+        const std::string text = smat::textOf(workbench_.project(), model, field);
+        // -90 degrees of heading are 270, too.
+        ProjectModel typed = workbench_.project().models[model];
+        const std::string value = valueOf(field);
+        if (!value.empty())
+            field.set(typed, value);
+        if (isOther || value.empty() || field.text(typed) != text) {
+            found->second->setText(text == asTheTarget ? QString() : QString::fromStdString(text));
+            found->second->setPalette(QPalette());
+        }
+    }
+}
+
+} // namespace smat::gui

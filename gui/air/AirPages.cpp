@@ -1,0 +1,123 @@
+#include "gui/air/AirPages.h"
+
+#include "gui/air/AirPage.h"
+#include "gui/air/AirRecovery.h"
+#include "gui/air/ImportAirDialog.h"
+#include "gui/air/ProjectAirPage.h"
+#include "gui/widgets/Readable.h"
+#include "gui/widgets/Sentences.h"
+#include "gui/widgets/Theme.h"
+#include "gui/workbench/PageTabs.h"
+#include "gui/workbench/Workbench.h"
+#include "irsg/radiometry/Errors.h"
+#include "smatcore/project/AtmosphereInput.h"
+#include "smatcore/settings/SettingKeys.h"
+
+namespace smat::gui {
+
+AirPages::AirPages(Workbench& workbench, Dialogs& dialogs, PageTabs& tabs)
+    : QObject(&tabs), workbench_(workbench), dialogs_(dialogs), tabs_(tabs) {
+    // Once the project is there: what asks would stop its opening halfway.
+    connect(&workbench_, &Workbench::projectOpened, this, &AirPages::offerCopiesOfProject,
+            Qt::QueuedConnection);
+}
+
+void AirPages::makeNew() {
+    AirPage& page = addPage(std::make_unique<AirDocument>(workbench_.undoStack()));
+    offerCopies({}, [&page]() -> AirPage& { return page; });
+}
+
+void AirPages::showProjectAir() {
+    for (int i = 0; i < tabs_.count(); ++i)
+        if (qobject_cast<ProjectAirPage*>(tabs_.widget(i)) != nullptr)
+            return tabs_.setCurrentIndex(i);
+    tabs_.addPage(new ProjectAirPage(workbench_, dialogs_, *this), icon("air"),
+                  tr("Air of the project"));
+    offerCopiesOfProject();
+    offerCopies({}, [this]() -> AirPage& {
+        return addPage(std::make_unique<AirDocument>(workbench_.undoStack()));
+    });
+}
+
+void AirPages::importTables() {
+    ImportAirDialog dialog(workbench_, dialogs_, tabs_.window());
+    dialogs_.run(dialog);
+}
+
+bool AirPages::open(const std::filesystem::path& file) {
+    if (AirPage* page = pageOf(file)) {
+        tabs_.setCurrentWidget(page);
+        return true;
+    }
+    try {
+        if (!AirDocument::isAir(file))
+            throw irsg::InputError(
+                {file.string(), "", "another kind of file", "parameters of an AtmosphereSmart"});
+        AirPage& page = addPage(std::make_unique<AirDocument>(file, workbench_.undoStack()));
+        offerCopies(page.document().file(), [&page]() -> AirPage& { return page; });
+        rememberFile(file);
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(tabs_.window(), tr("This air cannot be opened"), sentencesOf(error));
+    }
+    return true;
+}
+
+AirPage& AirPages::addPage(std::unique_ptr<AirDocument> document) {
+    auto* page = new AirPage(std::move(document), workbench_, dialogs_);
+    connect(page, &AirPage::titleChanged, &tabs_,
+            [this, page](const QString& title) { tabs_.retitle(page, title); });
+    connect(page, &AirPage::said, &tabs_, &PageTabs::said);
+    tabs_.addPage(page, icon("air"), page->title());
+    return *page;
+}
+
+void AirPages::offerCopiesOfProject() {
+    if (!workbench_.hasProject())
+        return;
+    for (const auto& listed : workbench_.settings()[key::environmentAtmospheres]) {
+        if (isNoAir(listed))
+            continue;
+        const auto file =
+            std::filesystem::absolute(workbench_.project().resolve(listed)).lexically_normal();
+        if (pageOf(file) == nullptr)
+            offerCopies(file, [this, &file]() -> AirPage& {
+                return addPage(std::make_unique<AirDocument>(file, workbench_.undoStack()));
+            });
+    }
+}
+
+void AirPages::offerCopies(const std::filesystem::path& file,
+                           const std::function<AirPage&()>& page) {
+    for (const auto& copy : AirRecovery::leftBehind(file)) {
+        const QString question =
+            file.empty() ? tr("Air that was never saved was not closed properly. Its changes of %1 "
+                              "were kept.")
+                               .arg(whenWritten(copy))
+                         : tr("%1 was not closed properly. Its unsaved changes of %2 were kept.")
+                               .arg(textOf(file.filename()), whenWritten(copy));
+        const int answer = dialogs_.ask(tabs_.window(), tr("Recover unsaved changes"), question,
+                                        {tr("&Recover them"), tr("&Discard them")});
+        if (answer == 1)
+            RecoverySlot::remove(copy);
+        if (answer != 0)
+            continue;
+        try {
+            return page().recovery().takeOver(copy);
+        } catch (const irsg::InputError& error) {
+            dialogs_.tell(tabs_.window(),
+                          tr("The recovery copy cannot be read; it is left where it is"),
+                          sentencesOf(error));
+        }
+    }
+}
+
+AirPage* AirPages::pageOf(const std::filesystem::path& file) const {
+    const auto wanted = std::filesystem::absolute(file).lexically_normal();
+    for (int i = 0; i < tabs_.count(); ++i)
+        if (auto* page = qobject_cast<AirPage*>(tabs_.widget(i));
+            page != nullptr && page->document().file() == wanted)
+            return page;
+    return nullptr;
+}
+
+} // namespace smat::gui

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "irsg/atmosphere/engine/RadiativeTransfer.h"
+#include "irsg/radiometry/Band.h"
+#include "irsg/radiometry/GaussLegendre.h"
+
+namespace irsg {
+
+/// The nodes of an air's spectral mode over a band, and what each weighs in an integral with the
+/// response: the candidates for wideband terms. A spectrum of that mode is linear between the means
+/// at the centres of bins, so a bin's share of an integral is that of the hat function over its
+/// centre and its neighbours' centres.
+class CkNodes {
+  public:
+    /// Computed air: several nodes a bin.
+    CkNodes(const RadiativeTransfer& transfer, const Band& band);
+    /// Air that is known at ascending wavelengths, between which it is linear: a node each,
+    /// numbered from `first` on. They surround the band.
+    CkNodes(const std::vector<double>& wavelengths_um, std::size_t first, const Band& band);
+    std::size_t size() const { return set.nodes.size(); }
+
+    /// Per node the integral over its bin's hat of R times a function of wavelength, times the
+    /// node's weight.
+    template <typename Function>
+    std::vector<double> factor(Function f) const {
+        std::vector<double> perBin(centres_um_.size());
+        integrate([&](double at_um) { return f(at_um) * band_.responseAt(at_um); }, perBin);
+        std::vector<double> perNode(size());
+        for (std::size_t i = 0; i < size(); ++i)
+            perNode[i] = weight_[i] * perBin[binOf_[i]];
+        return perNode;
+    }
+    /// Per node the mean of a function over its bin's hat, as SensorCkData::sampled gives it.
+    template <typename Function>
+    std::vector<double> mean(Function f) const {
+        std::vector<double> sums(centres_um_.size()), weights(centres_um_.size());
+        integrate(f, sums);
+        integrate([](double) { return 1.0; }, weights);
+        std::vector<double> perNode(size());
+        for (std::size_t i = 0; i < size(); ++i)
+            perNode[i] = weights[binOf_[i]] > 0.0 ? sums[binOf_[i]] / weights[binOf_[i]] : 0.0;
+        return perNode;
+    }
+    /// The hat over a node's bin, cut to the band: linear to 0 at the neighbours' centres.
+    Spectrum hat(std::size_t node) const;
+    /// 0 for the first node of a bin.
+    std::size_t placeInBin(std::size_t node) const {
+        std::size_t first = node;
+        while (first > 0 && binOf_[first - 1] == binOf_[node])
+            --first;
+        return node - first;
+    }
+    const std::vector<double>& ones() const { return ones_; }
+    double wavelength_um(std::size_t i) const { return 1e4 / set.wavenumbers_per_cm[i]; }
+
+    NodeSet set;
+
+  private:
+    /// Adds the integral of f times every bin's hat over the band.
+    template <typename Function>
+    void integrate(Function f, std::vector<double>& perBin) const {
+        const GaussRule& rule = gaussLegendre(32);
+        for (std::size_t b = 0; b + 1 < centres_um_.size(); ++b) { // wavelengths fall
+            const double lower_um = std::max(centres_um_[b + 1], band_.range().min_um);
+            const double upper_um = std::min(centres_um_[b], band_.range().max_um);
+            if (!(lower_um < upper_um))
+                continue;
+            for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+                const double at_um = lower_um + (upper_um - lower_um) * rule.nodes[i];
+                const double value = f(at_um) * (upper_um - lower_um) * rule.weights[i];
+                const double part =
+                    (at_um - centres_um_[b + 1]) / (centres_um_[b] - centres_um_[b + 1]);
+                perBin[b] += part * value;
+                perBin[b + 1] += (1.0 - part) * value;
+            }
+        }
+    }
+
+    Band band_;
+    std::vector<std::size_t> binOf_; ///< of every node
+    std::vector<double> centres_um_; ///< of every bin, falling
+    std::vector<double> weight_, ones_;
+};
+
+} // namespace irsg

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "irsg/atmosphere/ck/CkNodes.h"
+#include "irsg/atmosphere/ck/SparseWeights.h"
+
+namespace irsg {
+
+class Atmosphere;
+class SensorCkData;
+struct CkRequest;
+
+/// What wideband terms are trained on: one air at the nodes of its spectral mode over a band, and
+/// where it is asked.
+struct CkAir {
+    CkNodes nodes;
+    /// At every node, in their order; empty where the air does not know: it lacks the quantity, or
+    /// its tables do not reach there.
+    std::function<std::vector<double>(const AtmosphericQuery&)> values;
+    double ambient_K = 288.15;              ///< of the ground's air, the scale of what is faint
+    std::vector<AtmosphericPath> paths;     ///< of the training
+    std::vector<LineOfSight> sights;        ///< the same
+    std::vector<AtmosphericPath> heldOut{}; ///< between them
+};
+
+/// Computed air, with paths of all kinds between the ground and its top. Refers to `transfer`.
+CkAir ckAirOf(const RadiativeTransfer& transfer, const Band& band);
+
+/// How far terms are off, relative to each in-band quantity.
+struct CkErrors {
+    double largest = 0.0, rms = 0.0;
+};
+
+/// The terms that serve the request along the paths and lines of sight of an air. InputError where
+/// the band has no node or the air answers nothing there.
+SparseWeights trainedTerms(const CkAir& air, const CkRequest& request);
+/// Along its held-out paths, against the sums over its nodes.
+CkErrors heldOutErrors(const CkAir& air, const CkRequest& request, const SparseWeights& chosen);
+/// The same for any air, against its spectral mode with a quadrature of its own for every path:
+/// bodies of several temperatures, grey, sloped and of the scene, path radiance and reflected
+/// light.
+CkErrors heldOutErrors(const Atmosphere& air, const SensorCkData& terms, const CkRequest& request,
+                       const std::vector<AtmosphericPath>& paths);
+
+} // namespace irsg

@@ -1,0 +1,224 @@
+#include "irsg/signature/SurfaceModel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <mutex>
+
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Units.h"
+#include "irsg/signature/FacetModel.h"
+#include "irsg/signature/SandfordRobertson.h"
+#include "irsg/signature/ShellTarget.h"
+#include "irsg/signature/TabulatedModel.h"
+
+namespace irsg {
+
+namespace {
+
+/// Facets that stand for all; one for surfaces that are smoother than that.
+constexpr int samplesOfLobe = 24;
+constexpr double smooth = 0.02;
+/// Of what is kept of models.
+constexpr std::size_t mostModels = 64;
+
+/// A model by its name: what its components follow from, and how it is made.
+struct Kind {
+    const char* name;
+    std::vector<double> (*keyOf)(const Material& material);
+    std::shared_ptr<const SurfaceModel> (*make)(const Material& material);
+    std::vector<std::string> fields;
+};
+
+template <typename Model>
+std::shared_ptr<const SurfaceModel> made(const Material& material) {
+    return std::make_shared<const Model>(material);
+}
+
+const std::vector<Kind>& kinds() {
+    static const std::vector<Kind> all = {
+        {"ggx",
+         FacetModel::keyOf,
+         made<FacetModel>,
+         {"roughness", "refractiveIndex", "extinction"}},
+        {"beckmann",
+         FacetModel::keyOf,
+         made<FacetModel>,
+         {"roughness", "refractiveIndex", "extinction"}},
+        {"sandfordRobertson",
+         SandfordRobertson::keyOf,
+         made<SandfordRobertson>,
+         {"roughness", "grazingFactor", "diffuseReflectivity"}},
+        {"shellTarget",
+         ShellTarget::keyOf,
+         made<ShellTarget>,
+         {"roughness", "refractiveIndex", "extinction", "diffuseReflectivity", "volumeReflectivity",
+          "shadowTau_deg", "shadowOmega_deg"}},
+        {"tabulated", TabulatedModel::keyOf, made<TabulatedModel>, {"reflectanceTable"}}};
+    return all;
+}
+
+} // namespace
+
+const std::vector<std::string>& SurfaceModel::names() {
+    static const std::vector<std::string> all = [] {
+        std::vector<std::string> list;
+        for (const Kind& kind : kinds())
+            list.emplace_back(kind.name);
+        return list;
+    }();
+    return all;
+}
+
+const std::vector<std::string>& SurfaceModel::fieldsOf(const std::string& name) {
+    static const std::vector<std::string> none;
+    const auto kind =
+        std::ranges::find(kinds(), name, [](const Kind& one) { return std::string(one.name); });
+    return kind == kinds().end() ? none : kind->fields;
+}
+
+bool SurfaceModel::isKnown(const std::string& name) {
+    return name.empty() || std::ranges::find(names(), name) != names().end();
+}
+
+std::shared_ptr<const SurfaceModel> SurfaceModel::of(const Material& material) {
+    if (material.surfaceModel.empty())
+        return nullptr;
+    const auto kind = std::ranges::find(kinds(), material.surfaceModel,
+                                        [](const Kind& one) { return std::string(one.name); });
+    if (kind == kinds().end()) {
+        std::string expected;
+        for (const std::string& name : names())
+            expected += "'" + name + "', ";
+        throw InputError(Diagnostic{material.name, "surfaceModel",
+                                    "'" + material.surfaceModel + "'", expected + "or nothing"});
+    }
+    if (!(material.roughness >= leastRoughness && material.roughness <= 1.0))
+        throw InputError(Diagnostic{material.name, "roughness", numberText(material.roughness),
+                                    "a number from 0.001 to 1"});
+    const std::vector<double> key = kind->keyOf(material);
+    static std::mutex access;
+    static std::map<std::vector<double>, std::shared_ptr<const SurfaceModel>> kept;
+    const std::lock_guard lock(access);
+    const auto found = kept.find(key);
+    if (found != kept.end())
+        return found->second;
+    if (kept.size() >= mostModels)
+        kept.clear();
+    return kept[key] = kind->make(material);
+}
+
+SurfaceModel::SurfaceModel(Microfacets facets, std::size_t lobes, std::size_t components,
+                           std::vector<double> key)
+    : facets_(facets), lobes_(lobes), components_(components), key_(std::move(key)) {
+    const int count = roughness() < smooth ? 1 : samplesOfLobe;
+    const double golden = pi * (3.0 - std::sqrt(5.0));
+    for (int i = 0; i < count; ++i) {
+        const double cosine = count == 1 ? 1.0 : facets_.cosineOfShare((i + 0.5) / count);
+        const double sine = std::sqrt(1.0 - cosine * cosine);
+        samples_.push_back({sine * std::cos(golden * i), sine * std::sin(golden * i), cosine});
+    }
+}
+
+void SurfaceModel::setAlbedos(std::size_t k, std::vector<double> albedos) {
+    albedos_[k] = std::move(albedos);
+    meanAlbedos_[k] = 0.0;
+    // Of what is linear in the root between nodes, times twice the cosine.
+    for (std::size_t node = 0; node < albedoIntervals; ++node) {
+        const double low = static_cast<double>(node) / albedoIntervals,
+                     high = low + 1.0 / albedoIntervals;
+        const double slope = (albedos_[k][node + 1] - albedos_[k][node]) * albedoIntervals;
+        const double atZero = albedos_[k][node] - slope * low;
+        meanAlbedos_[k] += atZero * (std::pow(high, 4) - std::pow(low, 4)) +
+                           0.8 * slope * (std::pow(high, 5) - std::pow(low, 5));
+    }
+}
+
+void SurfaceModel::setExcess(std::vector<double> factors) {
+    excess_ = std::move(factors);
+}
+
+double SurfaceModel::at(const std::vector<double>& values, double cosine) {
+    const double place = std::sqrt(std::clamp(cosine, 0.0, 1.0)) * albedoIntervals;
+    const auto node = std::min(static_cast<std::size_t>(place), albedoIntervals - 1);
+    const double part = place - static_cast<double>(node);
+    return (1.0 - part) * values[node] + part * values[node + 1];
+}
+
+double SurfaceModel::albedo(std::size_t k, double cosine) const {
+    return at(albedos_[k], cosine);
+}
+
+double SurfaceModel::reflected(const Amounts& amounts, double cosine) const {
+    const double excess = excess_.empty() ? 1.0 : at(excess_, cosine);
+    double sum = 0.0;
+    for (std::size_t k = 0; k < components_; ++k)
+        sum += amounts[k] * albedo(k, cosine) * (hasLobe(k) ? excess : 1.0);
+    return sum;
+}
+
+double SurfaceModel::facetWeight(std::size_t k, const SurfaceDirection& to,
+                                 const SurfaceDirection& facet) const {
+    const double cosine = dot(to, facet);
+    const SurfaceDirection from = mirrored(to, facet);
+    if (!(cosine > 0.0) || !(from.z > 0.0) || !(to.z > 0.0))
+        return 0.0;
+    return brdf_per_sr(k, to, from) * from.z * 4.0 * cosine /
+           (facets_.density_per_sr(facet, SlopeSpread::of(roughness())) * facet.z);
+}
+
+SurfaceModel::Amounts SurfaceModel::facetWeights(const SurfaceDirection& to,
+                                                 const SurfaceDirection& facet) const {
+    Amounts all{};
+    for (std::size_t k = 0; k < lobes_; ++k)
+        all[k] = facetWeight(k, to, facet);
+    return all;
+}
+
+SurfaceModel::Amounts SurfaceModel::scaledReflection(const Amounts& amounts, double limit,
+                                                     double scale) const {
+    double reflected = 0.0;
+    for (std::size_t k = 0; k < components_; ++k)
+        reflected += amounts[k] * meanAlbedos_[k];
+    Amounts all = amounts;
+    if (scale == 1.0 || !(reflected > 0.0))
+        return all;
+    const double factor = std::max(limit - scale * (limit - reflected), 0.0) / reflected;
+    for (double& amount : all)
+        amount *= factor;
+    return all;
+}
+
+SurfaceModel::Amounts SurfaceModel::amountsAt(const Material& material,
+                                              double wavelength_um) const {
+    std::vector<double> values;
+    for (const Spectrum* spectrum : inputs(material))
+        values.push_back(spectrum->at(wavelength_um));
+    return amounts(values, 1.0);
+}
+
+double reflectanceOverAngle(const Material& material, double cosine, double wavelength_um) {
+    const auto model = SurfaceModel::of(material);
+    if (!model)
+        return material.reflectivityAt(wavelength_um);
+    const SurfaceModel::Amounts amounts = model->amountsAt(material, wavelength_um);
+    double sum = 0.0;
+    for (std::size_t k = 0; k < model->components(); ++k)
+        sum += amounts[k] * model->albedo(k, cosine);
+    return sum;
+}
+
+double brdf_per_sr(const Material& material, const SurfaceDirection& to,
+                   const SurfaceDirection& from, double wavelength_um) {
+    const auto model = SurfaceModel::of(material);
+    if (!model)
+        return material.reflectivityAt(wavelength_um) / pi;
+    const SurfaceModel::Amounts amounts = model->amountsAt(material, wavelength_um);
+    double sum = 0.0;
+    for (std::size_t k = 0; k < model->components(); ++k)
+        sum += amounts[k] * model->brdf_per_sr(k, to, from);
+    return sum;
+}
+
+} // namespace irsg

@@ -1,0 +1,168 @@
+#include "smatcore/analysis/CalculationWays.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "irsg/radiometry/Errors.h"
+
+namespace smat {
+
+namespace {
+
+irsg::Environment withBins(const irsg::Environment& environment, int bins_per_cm) {
+    irsg::Environment made;
+    for (const auto& atmosphere : environment.atmospheres()) {
+        const auto other = atmosphere->withBins(bins_per_cm);
+        made.add(other ? other : atmosphere);
+    }
+    made.sun = environment.sun;
+    made.defaultBackground = environment.defaultBackground;
+    made.defaultAmbient_K = environment.defaultAmbient_K;
+    return made;
+}
+
+/// A difference as a part of a number; all of it where there is no number.
+double partOf(double difference, double number) {
+    if (difference == 0.0)
+        return 0.0;
+    return number == 0.0 ? 1.0 : std::abs(difference / number);
+}
+
+} // namespace
+
+SceneDescription CalculationWay::applied(const SceneDescription& scene) const {
+    SceneDescription made = scene;
+    made.render = render;
+    if (bins_per_cm > 0)
+        made.environment = withBins(scene.environment, bins_per_cm);
+    return made;
+}
+
+std::string CalculationWay::words(const SceneDescription& scene) const {
+    std::string text = render.zoomWindow > 0
+                           ? fmt::format("windows of {} samples a side", render.zoomWindow)
+                           : fmt::format("{} samples per axis of a pixel", render.samplesPerAxis);
+    if (render.mode == irsg::CalculationMode::wideband)
+        text += ", wideband-ck";
+    else if (bins_per_cm > 0 && hasBins(scene))
+        text += fmt::format(", spectral in bins of {} cm-1", bins_per_cm);
+    if (render.background == irsg::BackgroundMode::environment)
+        text += render.backgroundRows == 0
+                    ? std::string(", background of as many rows as half a percent needs")
+                    : fmt::format(", background of {} row{}", render.backgroundRows,
+                                  render.backgroundRows == 1 ? "" : "s");
+    return text;
+}
+
+double modelledCost_s(double samples, const CalculationWay& way, const SceneDescription& scene,
+                      double linesPerCase) {
+    const double drawing_s = 2e-3 + 6e-8 * samples;
+    double lines = 1.0;
+    if (scene.render.background == irsg::BackgroundMode::environment)
+        lines += 0.3 * (way.render.backgroundRows == 0 ? 16 : way.render.backgroundRows);
+    const double ofBins = way.render.mode == irsg::CalculationMode::wideband ? 3e-3
+                          : way.bins_per_cm == 0                             ? 8e-3
+                                                 : 8e-3 * 5.0 / way.bins_per_cm;
+    return drawing_s + ofBins * lines * linesPerCase;
+}
+
+bool hasBins(const SceneDescription& scene) {
+    const std::vector<irsg::Band> bands = scene.allBands();
+    const irsg::Environment narrow = withBins(scene.environment, 1),
+                            wide = withBins(scene.environment, 15);
+    return std::ranges::all_of(bands, [&](const irsg::Band& band) {
+        const auto one = narrow.nodesOf(band), other = wide.nodesOf(band);
+        return one && other && one->size() != other->size();
+    });
+}
+
+ProbedViews::ProbedViews(ImageSource& source, const SceneDescription& scene, std::size_t views,
+                         bool alongRange, std::function<void(std::size_t)> show)
+    : source_(source),
+      scene_(scene),
+      views_(views),
+      alongRange_(alongRange),
+      show_(std::move(show)) {}
+
+std::vector<ProbedViews::Reports> ProbedViews::measured(const CalculationWay& way, bool errors) {
+    return measured(std::vector<CalculationWay>{way}, errors).front();
+}
+
+std::vector<std::vector<ProbedViews::Reports>>
+ProbedViews::measured(const std::vector<CalculationWay>& ways, bool errors) {
+    std::vector<std::vector<Reports>> all(ways.size());
+    std::vector<SceneDescription> scenes;
+    for (const CalculationWay& way : ways)
+        scenes.push_back(way.applied(scene_));
+    for (std::size_t view = 0; view < views_; ++view)
+        for (std::size_t i = 0; i < ways.size(); ++i) {
+            source_.setView(scenes[i]);
+            show_(view);
+            all[i].push_back(
+                source_.beginMeasure({scene_.allBands(), alongRange_, false, errors})());
+        }
+    return all;
+}
+
+std::vector<double> ProbedViews::leastContrasts_W_sr(const std::vector<Reports>& numbers) {
+    constexpr double ofLargest = 0.1;
+    std::vector<double> least(numbers.front().size(), 0.0);
+    for (const Reports& view : numbers)
+        for (std::size_t band = 0; band < view.size(); ++band)
+            least[band] =
+                std::max(least[band], ofLargest * std::abs(view[band].all.contrastIntensity_W_sr));
+    return least;
+}
+
+double ProbedViews::difference(const std::vector<Reports>& one, const std::vector<Reports>& other,
+                               const std::vector<Reports>& of) {
+    const std::vector<double> least = leastContrasts_W_sr(of);
+    double largest = 0.0;
+    for (std::size_t view = 0; view < of.size(); ++view)
+        for (std::size_t band = 0; band < of[view].size(); ++band) {
+            const irsg::ObjectRadiometry &a = one[view][band].all, &b = other[view][band].all,
+                                         &whole = of[view][band].all;
+            largest = std::max(
+                {largest, partOf(a.intensity_W_sr - b.intensity_W_sr, whole.intensity_W_sr),
+                 partOf(a.contrastIntensity_W_sr - b.contrastIntensity_W_sr,
+                        std::max(std::abs(whole.contrastIntensity_W_sr), least[band]))});
+        }
+    return largest;
+}
+
+StatedErrors ProbedViews::stated(const Reports& numbers,
+                                 const std::vector<double>& leastContrasts) {
+    StatedErrors largest;
+    for (std::size_t band = 0; band < numbers.size(); ++band) {
+        const irsg::ObjectRadiometry& all = numbers[band].all;
+        if (!all.errors)
+            throw irsg::LogicError("a source that does not know its errors has no target of them");
+        const auto take = [&](const irsg::ErrorParts& error, double number) {
+            largest.sampling = std::max(largest.sampling, partOf(error.sampling, number));
+            largest.air = std::max(largest.air, partOf(error.air, number));
+            largest.background = std::max(largest.background, partOf(error.background, number));
+            largest.sum = std::max(largest.sum, partOf(error.sum(), number));
+        };
+        take(all.errors->intensity_W_sr, all.intensity_W_sr);
+        take(all.errors->contrastIntensity_W_sr,
+             std::max(std::abs(all.contrastIntensity_W_sr), leastContrasts.at(band)));
+    }
+    return largest;
+}
+
+StatedErrors ProbedViews::stated(const std::vector<Reports>& numbers) {
+    const std::vector<double> least = leastContrasts_W_sr(numbers);
+    StatedErrors largest;
+    for (const Reports& view : numbers) {
+        const StatedErrors own = stated(view, least);
+        largest.sampling = std::max(largest.sampling, own.sampling);
+        largest.air = std::max(largest.air, own.air);
+        largest.background = std::max(largest.background, own.background);
+        largest.sum = std::max(largest.sum, own.sum);
+    }
+    return largest;
+}
+
+} // namespace smat

@@ -1,0 +1,406 @@
+#include "smatcore/analysis/Frontier.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "irsg/atmosphere/NearestRun.h"
+#include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/NewLines.h"
+#include "irsg/radiometry/Wording.h"
+#include "irsg/scene/radiance/WidebandAir.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
+#include "smatcore/analysis/AnalysisPlan.h"
+#include "smatcore/analysis/AnalysisProvenance.h"
+#include "smatcore/project/SceneBuilder.h"
+#include "smatcore/settings/SettingKeys.h"
+
+namespace smat {
+
+extern const AnalysisDefinition frontierTool; // Tools.cpp
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds(Clock::duration time) {
+    return std::chrono::duration<double, std::milli>(time).count();
+}
+
+/// What a way came to.
+struct Found {
+    const Frontier::Way* way;
+    double trueError, statedError, time_ms, first_ms;
+    bool isOnFront = false;
+};
+
+/// The light of a scene, less and less.
+std::vector<std::pair<Frontier::Light, irsg::RenderSettings>>
+lightsOf(const irsg::RenderSettings& own) {
+    std::vector<std::pair<Frontier::Light, irsg::RenderSettings>> lights{{Frontier::allLight, own}};
+    irsg::RenderSettings less = own;
+    const auto add = [&](Frontier::Light light) {
+        if (less != lights.back().second)
+            lights.emplace_back(light, less);
+    };
+    less.bounces = 0;
+    add(Frontier::withShadows);
+    less.sunShadows = irsg::SunShadowMode::off;
+    add(Frontier::sunAndSky);
+    less.sun = less.fluxes = irsg::ReflectionMode::off;
+    add(Frontier::noLight);
+    return lights;
+}
+
+std::string lightWords(Frontier::Light light) {
+    switch (light) {
+    case Frontier::noLight:
+        return ", no light of sun and sky";
+    case Frontier::sunAndSky:
+        return ", no shadows and no light between surfaces";
+    case Frontier::withShadows:
+        return ", no light between surfaces";
+    case Frontier::allLight:
+        break;
+    }
+    return "";
+}
+
+using Ways = std::vector<Frontier::Way>;
+
+/// What has most to lose of the errors of a view: all light, the finest antialiasing, the narrowest
+/// bins, as many rows as are needed.
+Frontier::Way baseOf(const Ways& ways) {
+    Frontier::Way base = ways.front();
+    for (const Frontier::Way& one : ways) {
+        base.antialiasing = std::max(base.antialiasing, one.antialiasing);
+        if (one.way.bins_per_cm == 1)
+            base.way.bins_per_cm = 1;
+        if (one.way.render.backgroundRows == 0)
+            base.way.render.backgroundRows = 0;
+    }
+    return base;
+}
+
+/// What is chosen of a way: light, antialiasing, air and rows of the background.
+std::array<int, 4> choicesOf(const Frontier::Way& one) {
+    return {one.light, one.antialiasing,
+            one.way.render.mode == irsg::CalculationMode::wideband ? -1 : one.way.bins_per_cm,
+            one.way.render.backgroundRows};
+}
+
+/// In how many choices it is other than the base, and in which last.
+std::pair<int, std::size_t> changesFrom(const Frontier::Way& base, const Frontier::Way& one) {
+    const auto own = choicesOf(one), usual = choicesOf(base);
+    std::pair<int, std::size_t> changes{0, own.size()};
+    for (std::size_t i = 0; i < own.size(); ++i)
+        if (own[i] != usual[i])
+            changes = {changes.first + 1, i};
+    return changes;
+}
+
+/// Seconds a case of a machine that draws in software, by an order, not a promise: samples of the
+/// object, lines of sight and bins (docs/errors.md), and rays to the sun and between surfaces.
+double wayCost_s(const Frontier::Way& one, const SceneDescription& scene) {
+    constexpr std::array light_s = {0.0, 1e-3, 5e-2, 6e-2};
+    constexpr double usualExtent_px = 64.0;
+    const double side = one.way.render.zoomWindow > 0
+                            ? one.way.render.zoomWindow
+                            : usualExtent_px * one.way.render.samplesPerAxis;
+    return modelledCost_s(side * side, one.way, scene) +
+           light_s.at(static_cast<std::size_t>(one.light));
+}
+
+/// The ways that may be on the front: those that no way is both cheaper than and twice as right,
+/// as the error of a way is at least that of each of its choices alone.
+std::vector<std::size_t> likelyOf(const Ways& ways, const SceneDescription& scene,
+                                  const std::map<std::size_t, double>& aloneErrors) {
+    const Frontier::Way base = baseOf(ways);
+    std::array<std::map<int, double>, 4> errorOf;
+    double least = 0.0;
+    for (const auto& [i, error] : aloneErrors) {
+        const auto [count, which] = changesFrom(base, ways[i]);
+        if (count == 0)
+            least = error;
+        else
+            errorOf.at(which)[choicesOf(ways[i]).at(which)] = error;
+    }
+    std::vector<std::pair<double, double>> known; // cost and error
+    for (const Frontier::Way& one : ways) {
+        double error = least;
+        const auto choices = choicesOf(one);
+        for (std::size_t k = 0; k < choices.size(); ++k)
+            if (const auto found = errorOf[k].find(choices[k]); found != errorOf[k].end())
+                error = std::max(error, found->second);
+        known.emplace_back(wayCost_s(one, scene), error);
+    }
+    constexpr double margin = 2.0;
+    std::vector<std::size_t> likely;
+    for (std::size_t i = 0; i < ways.size(); ++i)
+        if (!aloneErrors.contains(i) && std::ranges::none_of(known, [&](const auto& other) {
+                return other.first <= known[i].first && margin * other.second < known[i].second;
+            }))
+            likely.push_back(i);
+    return likely;
+}
+
+/// By ascending error; marks those than which none is both quicker and less wrong.
+void sortAndMark(std::vector<Found>& found) {
+    std::ranges::stable_sort(found, [](const Found& a, const Found& b) {
+        return std::pair(a.trueError, a.time_ms) < std::pair(b.trueError, b.time_ms);
+    });
+    double least_ms = std::numeric_limits<double>::infinity();
+    for (Found& one : found) {
+        one.isOnFront = one.time_ms < least_ms;
+        least_ms = std::min(least_ms, one.time_ms);
+    }
+}
+
+void fill(ResultTable& table, const std::vector<Found>& found, const Found* chosen) {
+    table = {};
+    for (const auto& [key, unit] :
+         std::initializer_list<std::pair<const char*, const char*>>{{"true_error", "%"},
+                                                                    {"least_time", "ms"},
+                                                                    {"time", "ms"},
+                                                                    {"first_time", "ms"},
+                                                                    {"stated_error", "%"},
+                                                                    {"antialiasing", ""},
+                                                                    {"bins", "cm-1"},
+                                                                    {"wideband", ""},
+                                                                    {"background_rows", ""},
+                                                                    {"light", ""},
+                                                                    {"on_front", ""},
+                                                                    {"chosen", ""}})
+        table.add(key, unit);
+    double least_ms = std::numeric_limits<double>::infinity();
+    for (const Found& one : found) {
+        least_ms = std::min(least_ms, one.time_ms);
+        const CalculationWay& way = one.way->way;
+        const bool isWideband = way.render.mode == irsg::CalculationMode::wideband;
+        table.addRow({100.0 * one.trueError, least_ms, one.time_ms, one.first_ms,
+                      100.0 * one.statedError, static_cast<double>(one.way->antialiasing),
+                      static_cast<double>(way.bins_per_cm), isWideband ? 1.0 : 0.0,
+                      static_cast<double>(way.render.backgroundRows),
+                      static_cast<double>(one.way->light), one.isOnFront ? 1.0 : 0.0,
+                      &one == chosen ? 1.0 : 0.0});
+    }
+}
+
+} // namespace
+
+AnalysisKind Frontier::kind() {
+    return AnalysisKind(frontierTool);
+}
+
+std::vector<Frontier::Way> Frontier::waysOf(const SceneDescription& scene, bool wideband) {
+    std::vector<std::pair<irsg::CalculationMode, int>> airs = {{scene.render.mode, 0}};
+    if (hasBins(scene) && scene.render.mode == irsg::CalculationMode::spectral)
+        airs = {{irsg::CalculationMode::spectral, 15},
+                {irsg::CalculationMode::spectral, 5},
+                {irsg::CalculationMode::spectral, 1}};
+    const std::vector<irsg::Band> bands = scene.allBands();
+    if (wideband && std::ranges::all_of(bands, [&](const irsg::Band& band) {
+            return irsg::hasWidebandAir(scene.environment, band, scene.render);
+        }))
+        airs.emplace_back(irsg::CalculationMode::wideband, 0);
+    std::vector<int> rows = {scene.render.backgroundRows};
+    if (scene.render.background == irsg::BackgroundMode::environment)
+        rows = {1, 0};
+    std::vector<Way> ways;
+    for (const auto& [light, render] : lightsOf(scene.render))
+        for (int antialiasing = 0; antialiasing <= 5; ++antialiasing)
+            for (const auto& [mode, bins_per_cm] : airs)
+                for (const int row : rows) {
+                    CalculationWay way{render, bins_per_cm};
+                    way.render.zoomStrategy = irsg::ZoomStrategy::aligned;
+                    way.render.zoomWindow = antialiasing > 2 ? 128 << (antialiasing - 3) : 0;
+                    way.render.samplesPerAxis = antialiasing > 2 ? 1 : 1 << antialiasing;
+                    way.render.mode = mode;
+                    way.render.backgroundRows = row;
+                    ways.push_back({way, antialiasing, light});
+                }
+    return ways;
+}
+
+std::string Frontier::optionWords(const Options& options) {
+    std::string words;
+    if (options.repeats != Options().repeats)
+        words += fmt::format(" --repeats {}", options.repeats);
+    return words + (options.likely ? " --ways likely" : "");
+}
+
+Frontier::Size Frontier::sizeOf(const Project& project, const Settings& settings,
+                                const Options& options) {
+    SceneDescription scene;
+    scene.render = renderSettingsOf(settings);
+    scene.environment = environmentOf(project, settings);
+    scene.sensor = sensorOf(project, settings);
+    scene.bands = bandsOf(project, settings);
+    const std::vector<Way> ways = waysOf(scene, settings[key::sensorMode] == "auto");
+    const Way base = baseOf(ways);
+    Size size{ways.size(), 0, 0.0, 0.0};
+    const double cases = static_cast<double>(options.repeats) + 1.0;
+    const double truth_s = wayCost_s({finest(scene), 5, allLight}, scene);
+    size.least_s = size.most_s = truth_s;
+    for (const Way& one : ways) {
+        const bool isAlone = changesFrom(base, one).first < 2;
+        size.alone += isAlone ? 1 : 0;
+        size.most_s += cases * wayCost_s(one, scene);
+        size.least_s += isAlone ? cases * wayCost_s(one, scene) : 0.0;
+    }
+    return size;
+}
+
+Settings Frontier::settingsOf(const ResultTable& table, std::size_t row) {
+    const auto cell = [&](const char* key) {
+        const ResultColumn* column = table.find(key);
+        if (column == nullptr || row >= column->values.size())
+            throw irsg::LogicError(std::string("no way of a frontier: ") + key);
+        return static_cast<int>(column->values[row]);
+    };
+    Settings way;
+    way.set(key::renderTargetError, "none");
+    way.set(key::renderZoom, "aligned");
+    way.set(key::renderAntialiasing, cell("antialiasing"));
+    way.set(key::sensorMode, cell("wideband") != 0 ? "ck" : "spectral");
+    way.set(key::environmentBins, cell("bins") == 0 ? "own" : std::to_string(cell("bins")));
+    way.set(key::renderBackgroundRows, cell("background_rows"));
+    const int light = cell("light");
+    if (light < allLight)
+        way.set(key::renderBounces, "0");
+    if (light < withShadows)
+        way.set(key::renderShadows, "off");
+    if (light < sunAndSky) {
+        way.set(key::renderSun, "off");
+        way.set(key::renderFluxes, "off");
+    }
+    return way;
+}
+
+CalculationWay Frontier::finest(const SceneDescription& scene) {
+    CalculationWay way = CalculationWay::of(scene);
+    way.render.zoomStrategy = irsg::ZoomStrategy::aligned;
+    way.render.zoomWindow = 2048;
+    way.render.mode = irsg::CalculationMode::spectral;
+    way.bins_per_cm = hasBins(scene) ? 1 : 0;
+    if (scene.render.background == irsg::BackgroundMode::environment)
+        way.render.backgroundRows = 128;
+    return way;
+}
+
+void Frontier::run(AnalysisData& data, ImageSource& source, const SceneFactory& scenes,
+                   const Options& options, const ProgressCallback& progress, std::stop_token stop) {
+    const auto start = Clock::now();
+    const SceneDescription scene = scenes(data.project, data.settings);
+    source.configure(scene);
+    for (const irsg::Entity& entity : scene.entities)
+        data.databases.push_back(entity.database);
+    data.renderer = source.rendererDescription();
+    irsg::addNew(data.warnings, scene.remarks);
+    const irsg::Vec3 reference =
+        scene.entities.front().pose.toWorld(source.referencePointInModel(0));
+    // Neither drawing nor line of sight is shared, and all else is alike.
+    const auto show = [&](std::size_t moved) {
+        constexpr double step = 1e-4;
+        AnalysisCase one = standingCase(data.settings);
+        one.azimuth_rad += step * static_cast<double>(moved % 100);
+        one.range_m *= 1.0 + step * static_cast<double>(moved % 100);
+        for (std::size_t i = 0; i < scene.entities.size(); ++i) {
+            source.setPose(i, scene.entities[i].pose);
+            source.setState(i, scene.entities[i].state);
+        }
+        source.setViewpoint(one.viewpoint(reference));
+    };
+    const std::vector<Way> ways = waysOf(scene, data.settings[key::sensorMode] == "auto");
+    std::size_t moved = 0;
+    // Which are measured, in this order: of likely ones at first each choice alone.
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < ways.size(); ++i)
+        if (!options.likely || changesFrom(baseOf(ways), ways[i]).first < 2)
+            order.push_back(i);
+    const std::size_t alone = order.size();
+    const auto tell = [&](std::size_t done, const std::string& what) {
+        if (progress)
+            progress({done, order.size() + 1, 1e-3 * milliseconds(Clock::now() - start),
+                      "frontier: " + what});
+    };
+    const auto measured = [&](const CalculationWay& way, std::size_t view) {
+        ProbedViews one(source, scene, 1, false, [&](std::size_t) { show(view); });
+        return one.measured(way, true);
+    };
+    tell(0, "what all are held against");
+    const auto truth = measured(finest(scene), 0);
+    for (const irsg::RenderReport& report : truth.front())
+        irsg::addAnswer(data.answeredBy, report.answeredBy);
+
+    std::vector<Found> found;
+    std::map<std::size_t, double> aloneErrors;
+    for (std::size_t k = 0; k < order.size() && !stop.stop_requested(); ++k) {
+        const std::size_t i = order[k];
+        const CalculationWay& way = ways[i].way;
+        tell(k + 1, way.words(scene));
+        const auto begin = Clock::now();
+        const auto own = measured(way, 0);
+        Found one{&ways[i], ProbedViews::difference(own, truth, truth),
+                  ProbedViews::stated(own).sum, std::numeric_limits<double>::infinity(),
+                  milliseconds(Clock::now() - begin)};
+        const SceneDescription asCalculated = way.applied(scene);
+        source.setView(asCalculated);
+        for (std::size_t repeat = 0; repeat < options.repeats; ++repeat) {
+            show(++moved);
+            const auto began = Clock::now();
+            (void)source.beginMeasure({scene.allBands(), false, false, false})();
+            one.time_ms = std::min(one.time_ms, milliseconds(Clock::now() - began));
+        }
+        found.push_back(one);
+        aloneErrors[i] = one.trueError;
+        if (options.likely && order.size() == alone && found.size() == alone) {
+            const std::vector<std::size_t> more = likelyOf(ways, scene, aloneErrors);
+            order.insert(order.end(), more.begin(), more.end());
+        }
+    }
+    if (found.size() == order.size() && order.size() < ways.size())
+        data.answeredBy.push_back(fmt::format(
+            "ways: {} of {}, each choice alone and those that may be on the front; a model of "
+            "costs has one that is cheaper and twice as right for each of the others",
+            order.size(), ways.size()));
+    sortAndMark(found);
+    constexpr double usual_percent = 1.0;
+    const double target = 0.01 * data.settings[key::renderTargetError].value_or(usual_percent);
+    const Found* chosen = nullptr;
+    for (const Found& one : found)
+        if (one.trueError <= target && (chosen == nullptr || one.time_ms < chosen->time_ms))
+            chosen = &one;
+    fill(data.table, found, chosen);
+    const std::string prefix =
+        fmt::format("target error {} %: ", irsg::roundedText(100.0 * target, 4));
+    if (chosen != nullptr)
+        data.answeredBy.push_back(
+            prefix + chosen->way->way.words(scene) + lightWords(chosen->way->light) +
+            fmt::format(", the quickest of {} ways that meet it: {} ms a case, truly {} % wrong",
+                        found.size(), irsg::roundedText(chosen->time_ms, 3),
+                        irsg::roundedText(100.0 * chosen->trueError, 2)));
+    else
+        data.answeredBy.push_back(prefix + "no way meets it");
+    for (const Found& one : found)
+        if (one.isOnFront)
+            data.summary.push_back(
+                {fmt::format("mode {}, {}{}, {} ms", one.way->antialiasing,
+                             one.way->way.words(scene), lightWords(one.way->light),
+                             irsg::roundedText(one.time_ms, 3)),
+                 100.0 * one.trueError, "%"});
+    data.state = found.size() == order.size() ? AnalysisState::complete : AnalysisState::partial;
+    if (found.size() < order.size())
+        data.warnings.push_back(
+            fmt::format("stopped after {} of {} ways", found.size(), order.size()));
+    tell(order.size() + 1, "done");
+    data.elapsed_s = 1e-3 * milliseconds(Clock::now() - start);
+    writeProvenance(data, scene);
+}
+
+} // namespace smat

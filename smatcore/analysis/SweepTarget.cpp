@@ -1,0 +1,50 @@
+#include "smatcore/analysis/SweepTarget.h"
+
+#include <fmt/format.h>
+
+#include "irsg/radiometry/Wording.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
+#include "smatcore/analysis/CalculationChoice.h"
+#include "smatcore/settings/SettingKeys.h"
+
+namespace smat {
+
+std::optional<SweepTarget>
+SweepTarget::choose(ImageSource& source, SceneDescription& scene, const AnalysisPlan& plan,
+                    const Settings& settings,
+                    const std::function<void(const AnalysisCase&)>& show) {
+    const std::optional<double> target_percent = settings[key::renderTargetError];
+    if (!target_percent || plan.kind->form == AnalysisForm::spectrum)
+        return std::nullopt;
+    TargetUse use{plan.cases.size(), linesOfSight(plan), false, true};
+    const std::string& mode = settings[key::sensorMode];
+    if (mode == "auto") {
+        use.mayTrain = plan.kind->form == AnalysisForm::sweep &&
+                       chooseCalculation(scene, plan).mode == irsg::CalculationMode::wideband;
+        scene.render.mode = irsg::CalculationMode::spectral;
+    }
+    const std::vector<std::size_t> probed = probedCases(plan.cases.size());
+    ProbedViews views(source, scene, probed.size(), plan.isAlongRange,
+                      [&](std::size_t i) { show(plan.cases[probed[i]]); });
+    SweepTarget made;
+    made.target_ = 0.01 * *target_percent;
+    made.choice_ = chooseForTarget(views, made.target_, use);
+    scene = made.choice_.way.applied(scene);
+    source.setView(scene);
+    return made;
+}
+
+void SweepTarget::check(const ImageSource::Reports& reports, CaseWarnings& warnings) const {
+    const auto bands = static_cast<std::ptrdiff_t>(choice_.leastContrasts_W_sr.size());
+    const double error =
+        choice_.skipped +
+        ProbedViews::stated({reports.begin(), reports.begin() + bands}, choice_.leastContrasts_W_sr)
+            .sum;
+    if (error > target_)
+        warnings.addWorst("target error", error,
+                          fmt::format("errors of up to {} %, where the target is {} %",
+                                      irsg::roundedText(100.0 * error, 2),
+                                      irsg::roundedText(100.0 * target_, 4)));
+}
+
+} // namespace smat

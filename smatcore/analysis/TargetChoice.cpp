@@ -1,0 +1,309 @@
+#include "smatcore/analysis/TargetChoice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "irsg/radiometry/Wording.h"
+
+namespace smat {
+
+namespace {
+
+using irsg::BackgroundMode;
+using irsg::CalculationMode;
+using irsg::ReflectionMode;
+using irsg::RenderSettings;
+using irsg::SunShadowMode;
+using Reports = ProbedViews::Reports;
+
+constexpr int firstWindow = 128, leastWindow = 64, largestWindow = 2048;
+/// Of view factors between surfaces, where it is asked whether they matter.
+constexpr double coarseLight = 0.1;
+constexpr double ofSkipped = 1.0 / 3.0; ///< of the target, for all that is left out
+
+std::string percent(double part) {
+    return irsg::roundedText(100.0 * part, 2) + " %";
+}
+
+/// A kind of light that may be left out.
+struct Skippable {
+    std::string name, reason;
+    double bound;
+    void (*leaveOut)(RenderSettings&);
+};
+
+/// Facets that mirror send more in some directions than light from everywhere alike tells.
+bool hasMirrors(const SceneDescription& scene) {
+    return std::ranges::any_of(scene.entities, [](const irsg::Entity& entity) {
+        return entity.database && std::ranges::any_of(entity.database->materials, [](auto& one) {
+                   return !one.second.surfaceModel.empty();
+               });
+    });
+}
+
+/// Bounds of all that may be left out, from the probed views; what the scene lacks is left out.
+std::vector<Skippable> boundsOfLight(ProbedViews& views, const CalculationWay& start) {
+    const RenderSettings& own = start.render;
+    const auto with = [&](auto&& change) {
+        CalculationWay way = start;
+        way.render.lightError = std::max(way.render.lightError, coarseLight);
+        change(way.render);
+        return way;
+    };
+    const auto alone = [&](auto&& change) { // no light between surfaces, no shadows
+        return with([&](RenderSettings& render) {
+            render.bounces = 0;
+            render.sunShadows = SunShadowMode::off;
+            change(render);
+        });
+    };
+    const bool mirrors = hasMirrors(views.scene());
+    const bool asksSun = own.sun == ReflectionMode::smart && !mirrors;
+    const bool asksFluxes = own.fluxes == ReflectionMode::smart && !mirrors;
+    const bool asksLight = own.bounces != 0;
+    enum { all, single, noSun, anySun, noFluxes, anyFluxes, lightNoSun, lightNoFluxes };
+    const std::vector<CalculationWay> ways = {
+        with([](RenderSettings&) {}),
+        alone([](RenderSettings&) {}),
+        alone([](RenderSettings& render) { render.sun = ReflectionMode::off; }),
+        alone([](RenderSettings& render) { render.sun = ReflectionMode::approx; }),
+        alone([](RenderSettings& render) { render.fluxes = ReflectionMode::off; }),
+        alone([](RenderSettings& render) { render.fluxes = ReflectionMode::approx; }),
+        with([](RenderSettings& render) { render.sun = ReflectionMode::off; }),
+        with([](RenderSettings& render) { render.fluxes = ReflectionMode::off; })};
+    std::vector<int> asked = {all, single};
+    if (asksSun)
+        asked.insert(asked.end(), {noSun, anySun});
+    if (asksFluxes)
+        asked.insert(asked.end(), {noFluxes, anyFluxes});
+    if (asksLight && asksSun)
+        asked.push_back(lightNoSun);
+    if (asksLight && asksFluxes)
+        asked.push_back(lightNoFluxes);
+    std::vector<CalculationWay> distinct;
+    for (const int one : asked)
+        distinct.push_back(ways[static_cast<std::size_t>(one)]);
+    const auto numbers = views.measured(distinct, false);
+    std::map<int, const std::vector<Reports>*> of;
+    for (std::size_t i = 0; i < asked.size(); ++i)
+        of[asked[i]] = &numbers[i];
+    const auto difference = [&](int one, int other) {
+        return ProbedViews::difference(*of.at(one), *of.at(other), *of.at(all));
+    };
+
+    std::vector<Skippable> found;
+    // What is reflected twice is looked at, not bounded: twice what the views show.
+    constexpr double ofLooked = 2.0;
+    if (asksSun) {
+        // `approx` gives every surface a quarter of what one that faces the sun has.
+        const double bound = std::max(4.0 * difference(anySun, noSun),
+                                      asksLight ? ofLooked * difference(all, lightNoSun) : 0.0);
+        const bool shades = own.sunShadows != SunShadowMode::off;
+        found.push_back({shades ? "sun and its shadows" : "sun", "as if all faced it", bound,
+                         [](RenderSettings& render) {
+                             render.sun = ReflectionMode::off;
+                             render.sunShadows = SunShadowMode::off;
+                         }});
+        if (shades) // take no more than there is
+            found.push_back(
+                {"shadows of the sun", "as if all were shaded", difference(single, noSun),
+                 [](RenderSettings& render) { render.sunShadows = SunShadowMode::off; }});
+    }
+    if (asksFluxes)
+        // And of sky and ground a half each, of which no surface sees more than all.
+        found.push_back({"light of sky and ground", "as if all saw the brighter one alone",
+                         std::max(2.0 * difference(anyFluxes, noFluxes),
+                                  asksLight ? ofLooked * difference(all, lightNoFluxes) : 0.0),
+                         [](RenderSettings& render) { render.fluxes = ReflectionMode::off; }});
+    if (asksLight) {
+        const CalculationWay shaded = with([](RenderSettings& render) { render.bounces = 0; });
+        const double seen =
+            ProbedViews::difference(*of.at(all), views.measured(shaded, false), *of.at(all));
+        found.push_back({"light between surfaces", "twice what view factors to a tenth show",
+                         ofLooked * seen, [](RenderSettings& render) { render.bounces = 0; }});
+    }
+    std::ranges::stable_sort(found, {}, &Skippable::bound);
+    return found;
+}
+
+/// Errors by cause as far as they are known, and what is expected of ways that were not tried.
+class Expected {
+  public:
+    void learn(const CalculationWay& way, const StatedErrors& errors) {
+        sampling_[way.render.zoomWindow] = errors.sampling;
+        air_[airOf(way)] = errors.air;
+        background_[way.render.backgroundRows] = errors.background;
+        sums_.emplace_back(way, errors.sum);
+    }
+    /// What was measured, where it was.
+    std::optional<double> measured(const CalculationWay& way) const {
+        for (const auto& [known, sum] : sums_)
+            if (known == way)
+                return sum;
+        return std::nullopt;
+    }
+    /// Of what was not tried a hopeful guess, so that it is tried.
+    double sum(const CalculationWay& way) const {
+        if (const auto known = measured(way))
+            return *known;
+        return std::hypot(sampling(way.render.zoomWindow), air(airOf(way)),
+                          background(way.render.backgroundRows));
+    }
+
+  private:
+    using Air = std::pair<CalculationMode, int>;
+    static Air airOf(const CalculationWay& way) { return {way.render.mode, way.bins_per_cm}; }
+
+    double sampling(int window) const {
+        const auto above = sampling_.lower_bound(window);
+        if (above != sampling_.end() && above->first == window)
+            return above->second;
+        // Outlines have 1.5, wires and specks 1; see docs/errors.md. Hopeful in both directions.
+        const bool isSmaller = above == sampling_.begin();
+        const auto& [known, error] = isSmaller ? *above : *std::prev(above);
+        return error * std::pow(static_cast<double>(known) / window, isSmaller ? 1.0 : 1.6);
+    }
+    double air(const Air& air) const {
+        const auto known = air_.find(air);
+        if (known != air_.end())
+            return known->second;
+        double least = air_.begin()->second;
+        for (const auto& [of, error] : air_)
+            least = std::min(least, error);
+        constexpr double hoped = 0.3;
+        return hoped * least;
+    }
+    double background(int rows) const {
+        const auto known = background_.find(rows);
+        if (known != background_.end())
+            return known->second;
+        double least = background_.begin()->second;
+        for (const auto& [of, error] : background_)
+            least = std::min(least, error);
+        constexpr double hoped = 0.3;
+        return hoped * least;
+    }
+
+    std::map<int, double> sampling_, background_;
+    std::map<Air, double> air_;
+    std::vector<std::pair<CalculationWay, double>> sums_;
+};
+
+double cost_s(const CalculationWay& way, const SceneDescription& scene, const TargetUse& use) {
+    const double samples = static_cast<double>(way.render.zoomWindow) * way.render.zoomWindow;
+    return modelledCost_s(samples, way, scene,
+                          static_cast<double>(use.linesOfSight) / static_cast<double>(use.cases));
+}
+
+/// All ways that may be chosen, cheapest first.
+std::vector<CalculationWay> waysFrom(const CalculationWay& start, const SceneDescription& scene,
+                                     const TargetUse& use) {
+    std::vector<std::pair<CalculationMode, int>> airs = {{start.render.mode, start.bins_per_cm}};
+    if (use.mayUseBins && hasBins(scene) && start.render.mode == CalculationMode::spectral)
+        airs = {{CalculationMode::spectral, 15},
+                {CalculationMode::spectral, 5},
+                {CalculationMode::spectral, 1}};
+    if (use.mayTrain)
+        airs.emplace_back(CalculationMode::wideband, 0);
+    std::vector<int> rows = {start.render.backgroundRows};
+    if (start.render.background == BackgroundMode::environment)
+        rows = {1, 0, 128};
+    std::vector<CalculationWay> ways;
+    for (int window = leastWindow; window <= largestWindow; window *= 2)
+        for (const auto& [mode, bins_per_cm] : airs)
+            for (const int row : rows) {
+                CalculationWay way = start;
+                way.render.zoomWindow = window;
+                way.render.mode = mode;
+                way.bins_per_cm = bins_per_cm;
+                way.render.backgroundRows = row;
+                ways.push_back(way);
+            }
+    std::ranges::stable_sort(ways, {},
+                             [&](const CalculationWay& way) { return cost_s(way, scene, use); });
+    return ways;
+}
+
+} // namespace
+
+std::vector<std::size_t> probedCases(std::size_t count) {
+    const std::size_t most = count < 100 ? 4 : 6;
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < std::min(count, most); ++i)
+        chosen.push_back(count <= most ? i : i * (count - 1) / (most - 1));
+    return chosen;
+}
+
+TargetChoice chooseForTarget(ProbedViews& views, double target, const TargetUse& use) {
+    const SceneDescription& scene = views.scene();
+    CalculationWay start = CalculationWay::of(scene);
+    start.render.zoomWindow = firstWindow;
+    start.render.zoomStrategy = irsg::ZoomStrategy::aligned;
+    if (use.mayUseBins && hasBins(scene) && start.render.mode == CalculationMode::spectral)
+        start.bins_per_cm = 15;
+    if (start.render.background == BackgroundMode::environment)
+        start.render.backgroundRows = 1;
+
+    TargetChoice choice;
+    std::vector<std::string> lightSentences;
+    for (const Skippable& light : boundsOfLight(views, start)) {
+        const bool fits = choice.skipped + light.bound <= ofSkipped * target;
+        if (fits && light.name == "shadows of the sun" && start.render.sun == ReflectionMode::off)
+            continue; // with the sun
+        if (fits) {
+            light.leaveOut(start.render);
+            choice.skipped += light.bound;
+        }
+        lightSentences.push_back(fmt::format("{} {}: at most {} ({})", fits ? "skipped" : "kept",
+                                             light.name, percent(light.bound), light.reason));
+    }
+
+    Expected expected;
+    // Views that were not looked at may be somewhat worse.
+    const double ofOthers = use.cases > views.count() ? 0.85 : 1.0;
+    const double allowed = ofOthers * target - choice.skipped;
+    const std::vector<CalculationWay> ways = waysFrom(start, scene, use);
+    // Where none is good enough, no effort that hardly helps.
+    const auto least = [&] {
+        constexpr double hardly = 1.25;
+        double sum = std::numeric_limits<double>::infinity();
+        for (const CalculationWay& way : ways)
+            sum = std::min(sum, expected.sum(way));
+        return *std::ranges::find_if(
+            ways, [&](const CalculationWay& way) { return expected.sum(way) <= hardly * sum; });
+    };
+    const auto measure = [&](const CalculationWay& way) {
+        const std::vector<Reports> numbers = views.measured(way, true);
+        choice.leastContrasts_W_sr = ProbedViews::leastContrasts_W_sr(numbers);
+        expected.learn(way, ProbedViews::stated(numbers));
+    };
+    measure(start);
+    for (;;) {
+        const auto fit = std::ranges::find_if(
+            ways, [&](const CalculationWay& way) { return expected.sum(way) <= allowed; });
+        choice.isMet = fit != ways.end();
+        choice.way = choice.isMet ? *fit : least();
+        if (expected.measured(choice.way))
+            break;
+        measure(choice.way);
+    }
+    choice.reached = *expected.measured(choice.way) + choice.skipped;
+    const std::string prefix = "target error " + percent(target) + ": ";
+    const std::string looked =
+        views.count() == 1 ? "in its view" : fmt::format("in {} views", views.count());
+    choice.sentences.push_back(prefix + choice.way.words(scene) +
+                               (choice.isMet ? ", the cheapest with errors of at most "
+                                             : "; no way meets it, this one has errors of up to ") +
+                               percent(choice.reached) + " " + looked);
+    for (const std::string& sentence : lightSentences)
+        choice.sentences.push_back(prefix + sentence);
+    return choice;
+}
+
+} // namespace smat

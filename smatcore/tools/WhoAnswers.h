@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "irsg/atmosphere/Environment.h"
+
+namespace smat {
+
+/// Which of the atmospheres of an environment answers for a quantity.
+struct AnswerSource {
+    std::string quantity;   ///< "path radiance", or "wideband-ck"
+    std::string answeredBy; ///< name of the atmosphere, "default ..."; empty where none answers
+    /// Those that were asked before it, each with why it does not answer; of all where none does.
+    std::vector<std::string> refusals;
+};
+
+struct BandAnswers {
+    irsg::SpectralRange band;
+    std::vector<AnswerSource> sources; ///< each quantity, then wideband-ck
+};
+
+/// For each band the first atmosphere that has a quantity over the whole of it, as every analysis
+/// takes it. The ambient temperature has no band.
+std::vector<BandAnswers> whoAnswers(const irsg::Environment& environment,
+                                    std::span<const irsg::SpectralRange> bands);
+
+} // namespace smat

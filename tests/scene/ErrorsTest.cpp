@@ -1,0 +1,227 @@
+// The errors that sums come with: contrasts of interleaved lattices, and what they say of scenes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "irsg/radiometry/Units.h"
+#include "irsg/scene/model/ModelLoader.h"
+#include "irsg/scene/radiance/RangeFactors.h"
+#include "irsg/scene/radiance/ViewFactors.h"
+#include "irsg/signature/SignatureFile.h"
+#include "tests/support/RandomScenes.h"
+#include "tests/support/SceneFixtures.h"
+#include "tests/support/WidebandScenes.h"
+
+using namespace irsg;
+using namespace irsg::test;
+
+namespace {
+
+/// Samples of a window of one surface, which is seen where `isSeen` says of row and column.
+FactorSamples samplesOf(const SampleWindow& window, const std::function<bool(int, int)>& isSeen) {
+    FactorSamples samples;
+    samples.width = window.width();
+    samples.height = window.height();
+    samples.factorCount = 3;
+    for (int row = samples.height - 1; row >= 0; --row) {
+        for (int column = 0; column < samples.width; ++column) {
+            const float code = isSeen(row, column) ? 1.0F : 0.0F;
+            samples.opaque.insert(samples.opaque.end(), {code, 0.5F * code, 0.0F, 0.0F});
+        }
+    }
+    return samples;
+}
+
+SampleWindow windowOf(int shearRows) {
+    SampleWindow window;
+    window.tileX = window.tileY = 4;
+    window.tilesWide = window.tilesHigh = 8;
+    window.samplesAcross = 7;
+    window.samplesDown = 6;
+    window.shearRows = shearRows;
+    window.entities = {0};
+    return window;
+}
+
+ViewFactors sumsOf(const SampleWindow& window, const FactorSamples& samples, bool withContrasts) {
+    const Sensor sensor = sensorOf(16, 16, 0.01);
+    const SurfaceRows rows({{0, {1, 1}}}, {false}, {{}});
+    Fronts fronts;
+    FactorSums sums(sensor, rows, fronts, 3, {}, nullptr, withContrasts);
+    ViewFactors view = sums.emptyView();
+    sums.addToView(window, samples, view);
+    return view;
+}
+
+/// In samples.
+double coverageOf(const ViewFactors& view, const SampleWindow& window) {
+    double pixels = 0.0;
+    view.field.forEach(0, [&](std::size_t, std::span<const double> numbers) {
+        pixels += numbers[view.layout.pixels()];
+    });
+    return pixels / window.share();
+}
+
+double contrastOf(const ViewFactors& view, const SampleWindow& window) {
+    double sum = 0.0;
+    for (const ViewFactors& contrast : view.contrasts) {
+        sum += std::pow(coverageOf(contrast, window), 2);
+    }
+    return std::sqrt(sum);
+}
+
+RenderReport measured(Irsg& irsg, bool errors, bool alongRange = false) {
+    return irsg.finishMeasure(irsg.beginMeasure({}, alongRange, false, errors)).front();
+}
+
+} // namespace
+
+TEST(Contrasts, AreNothingWhereAllSamplesSeeTheSame) {
+    for (const int shearRows : {0, 5, 16}) {
+        SampleWindow window = windowOf(shearRows);
+        const FactorSamples samples = samplesOf(window, [](int, int) { return true; });
+        EXPECT_LT(contrastOf(sumsOf(window, samples, true), window), 1e-9) << shearRows;
+        // Parts left to finer windows, of odd numbers of cells.
+        const double side = window.cellWidth_px(), high = window.cellHeight_px();
+        window.leftOut = {{6.0, 6.0, 6.0 + 5 * side, 6.0 + 7 * high},
+                          {9.0, 9.0, 9.0 + 6 * side, 9.0 + 2 * high}};
+        EXPECT_LT(contrastOf(sumsOf(window, samples, true), window), 1e-9) << shearRows;
+        window.only = ImageRectangle{4.3, 4.4, 11.7, 11.2};
+        EXPECT_LT(contrastOf(sumsOf(window, samples, true), window), 1e-9) << shearRows;
+    }
+}
+
+TEST(Contrasts, OfALevelEdgeAreHalfARowWhateverItsPhase) {
+    const SampleWindow window = windowOf(0);
+    for (int edge = 13; edge < 29; ++edge) {
+        const FactorSamples samples = samplesOf(window, [&](int row, int) { return row >= edge; });
+        const double rows = contrastOf(sumsOf(window, samples, true), window) / window.width();
+        // At a border of two parts it is of neither, or of both.
+        EXPECT_TRUE((rows > 0.49 && rows < 0.75) || edge % 6 == 0) << edge << ": " << rows;
+    }
+}
+
+TEST(Contrasts, LeaveTheSumsAsTheyAre) {
+    SampleWindow window = windowOf(16);
+    window.leftOut = {{6.0, 6.0, 7.0, 7.0}};
+    const FactorSamples samples =
+        samplesOf(window, [](int row, int column) { return row + 2 * column > 40 && column < 44; });
+    const double plain = coverageOf(sumsOf(window, samples, false), window);
+    EXPECT_GT(plain, 500.0);
+    EXPECT_NEAR(coverageOf(sumsOf(window, samples, true), window), plain, 1e-9 * plain);
+    EXPECT_TRUE(sumsOf(window, samples, false).contrasts.empty());
+}
+
+TEST(RangeFactors, KnowThatParabolasAreInterpolatedExactlyAndCubicsAreNot) {
+    for (const double nearness : {1e-4, 0.01, 0.02, 0.04, 0.06}) {
+        double sum = 0.0, square = 0.0, cube = 0.0, mean = 0.0;
+        for (const auto& [node, weight] : RangeFactors::errorWeightsAt(nearness)) {
+            const double at = RangeFactors::nodes[node];
+            sum += weight, square += weight * at * at, cube += weight * at * at * at;
+        }
+        for (const auto& [node, weight] : RangeFactors::weightsAt(nearness)) {
+            mean += weight * std::pow(RangeFactors::nodes[node], 3);
+        }
+        EXPECT_NEAR(sum, 0.0, 1e-12) << nearness;
+        EXPECT_NEAR(square, 0.0, 1e-14) << nearness;
+        EXPECT_NEAR(cube, std::pow(nearness, 3) - mean, 1e-15) << nearness;
+    }
+}
+
+TEST(ErrorsOfScenes, CoverWhatIsWrong) {
+    // bench_errors has 200 of them.
+    Renderer renderer;
+    int covered = 0, count = 0;
+    std::vector<double> ratios;
+    for (unsigned number = 400; number < 412; ++number) {
+        const RandomScene scene =
+            randomScene(number, number % 4 == 3 ? RandomAir::spectral : RandomAir::none);
+        for (const JudgedNumber& one : judged(renderer, scene)) {
+            ++count;
+            covered += one.isCovered() ? 1 : 0;
+            ratios.push_back(one.error.sum() / std::max(one.wrong(), 1e-300));
+            EXPECT_GT(one.error.sampling, 0.0) << scene.name;
+            EXPECT_LT(one.wrong(), 4.0 * one.error.sum()) << scene.name;
+        }
+    }
+    EXPECT_GE(covered, count - 2);
+    std::ranges::nth_element(ratios, ratios.begin() + 12);
+    EXPECT_LT(ratios[12], 8.0);
+    EXPECT_GT(ratios[12], 1.5);
+}
+
+TEST(ErrorsOfScenes, AreThoseOfTheScatterOfARangeCurve) {
+    const std::filesystem::path folder =
+        std::filesystem::path(SMAT_SOURCE_DIR) / "samples" / "turboprop4";
+    Entity entity = entityOf(Model::load(folder / "turboprop4.flt"),
+                             loadSignatureFile(folder / "turboprop4.sigdb").database);
+    entity.state.power = 0.7;
+    Irsg irsg;
+    irsg.setEnvironment(Environment::vacuum());
+    irsg.setEntities({entity});
+    for (const bool alongRange : {true, false}) {
+        double sum = 0.0, squares = 0.0, errors = 0.0;
+        constexpr int count = 15;
+        for (int i = 0; i < count; ++i) {
+            look(irsg, {.range_m = 3000.0 + 500.0 * i,
+                        .azimuth_rad = radians(60.0),
+                        .width_px = 320,
+                        .height_px = 256,
+                        .fieldOfView_rad = radians(2.0)});
+            const ObjectRadiometry all = measured(irsg, true, alongRange).all;
+            sum += all.intensity_W_sr;
+            squares += all.intensity_W_sr * all.intensity_W_sr;
+            errors += all.errors->intensity_W_sr.sum();
+        }
+        const double mean = sum / count;
+        const double scatter = std::sqrt(std::max(squares / count - mean * mean, 0.0));
+        EXPECT_LT(scatter, errors / count) << alongRange;
+        EXPECT_LT(errors / count, 0.02 * mean) << alongRange;
+    }
+}
+
+TEST(ErrorsOfScenes, AreOfferedOnRequestAndChangeNoNumber) {
+    const RandomScene scene = randomScene(403, RandomAir::none);
+    Renderer renderer;
+    const auto reportOf = [&](bool image, bool errors) {
+        return renderer
+            .render(scene.scene, scene.view, {.image = image, .reports = true, .errors = errors})
+            .reports.front();
+    };
+    for (const bool image : {false, true}) {
+        const RenderReport plain = reportOf(image, false), with = reportOf(image, true);
+        EXPECT_FALSE(plain.all.errors);
+        ASSERT_TRUE(with.all.errors);
+        ASSERT_TRUE(with.objects.front().errors);
+        EXPECT_NEAR(with.all.intensity_W_sr, plain.all.intensity_W_sr,
+                    1e-12 * plain.all.intensity_W_sr);
+        EXPECT_GT(with.all.errors->intensity_W_sr.sampling, 0.0);
+        // Of one object the sum is its own.
+        EXPECT_NEAR(with.objects.front().errors->irradiance_W_m2.sum(),
+                    with.all.errors->irradiance_W_m2.sum(),
+                    1e-12 * with.all.errors->irradiance_W_m2.sum());
+    }
+}
+
+TEST(ErrorsOfScenes, OfTheBackgroundAreThoseOfAHorizonBehindTheObject) {
+    // Seen level from its own height, with the horizon behind its lower part.
+    Irsg irsg;
+    irsg.setEnvironment(environmentOf(smartAir(6)));
+    irsg.setEntities(
+        {entityOf(modelOf(sphereMesh(5.0, 24, 48, {1, 1})), greyDatabase(0.9, 290.0))});
+    look(irsg, {.range_m = 300.0, .fieldOfView_rad = 0.06});
+    const ObjectRadiometry rough = measured(irsg, true).all;
+    RenderSettings settings = irsg.settings();
+    settings.backgroundRows = 65;
+    irsg.setSettings(settings);
+    const ObjectRadiometry fine = measured(irsg, true).all;
+    const double wrong = std::abs(rough.contrastIntensity_W_sr - fine.contrastIntensity_W_sr);
+    EXPECT_GT(wrong, 0.0);
+    EXPECT_GE(rough.errors->contrastIntensity_W_sr.sum(), wrong);
+    EXPECT_LT(fine.errors->contrastIntensity_W_sr.background,
+              0.5 * rough.errors->contrastIntensity_W_sr.background);
+}
