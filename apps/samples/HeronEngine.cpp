@@ -1,7 +1,8 @@
 // An engine of the sample aircraft: nacelle, intake, propeller, nozzle with an inside, plume.
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "apps/samples/HeronParts.h"
 #include "apps/samples/HeronSurfaces.h"
@@ -27,6 +28,24 @@ const Curve top{{0.0, 0.38}, {0.4, 0.46}, {1.3, 0.56}, {2.8, 0.66},
                 {4.6, 0.60}, {6.0, 0.34}, {6.9, 0.215}};
 const Curve bottom{{0.0, -0.38}, {0.4, -0.50}, {1.3, -0.68}, {2.8, -0.80},
                    {4.6, -0.72}, {6.0, -0.54}, {6.9, -0.455}};
+
+/// Where the cowls get warmer in steps, and where they do so again before the nozzle.
+constexpr double warmFrom_m = 2.4, warmStep_m = 0.4, hotFrom_m = 5.55, hotStep_m = 0.3;
+constexpr double lipFrom_m = 6.45;
+
+const FlightSurface* cowlAt(double station) {
+    if (station > lipFrom_m)
+        return &lip;
+    const auto stepOf = [&](double from_m, double step_m) {
+        return static_cast<std::size_t>((station - from_m) / step_m);
+    };
+    if (station > hotFrom_m)
+        return &endCowl[std::min(stepOf(hotFrom_m, hotStep_m), endCowl.size() - 1)];
+    if (station < warmFrom_m)
+        return &cowl;
+    const std::size_t step = stepOf(warmFrom_m, warmStep_m);
+    return step < middleCowl.size() ? &middleCowl[step] : &rearCowl;
+}
 
 class Engine {
   public:
@@ -65,13 +84,15 @@ class Engine {
     }
 
     void addNacelle() {
-        const std::array marks{4.0, 6.45};
+        std::vector<double> marks{lipFrom_m};
+        for (std::size_t i = 0; i <= middleCowl.size(); ++i)
+            marks.push_back(warmFrom_m + warmStep_m * static_cast<double>(i));
+        for (std::size_t i = 0; i < endCowl.size(); ++i)
+            marks.push_back(hotFrom_m + hotStep_m * static_cast<double>(i));
         addPatch(
             writer_, [&](double u, double v) { return nacelle(u, v); },
             edges(0.0, length_m, 0.3, marks), edges(0.0, 2.0 * pi, 2.0 * pi / 32),
-            [](double station, double) {
-                return station < 4.0 ? &cowl : station < 6.45 ? &rearCowl : &lip;
-            });
+            [](double station, double) { return cowlAt(station); });
         // The wall behind the spinner.
         revolve([](double) { return 0.0; }, [](double u) { return u; }, 0.0,
                 edges(0.30, 0.38, 0.04), cowl);
@@ -141,24 +162,18 @@ class Engine {
                 edges(0.0, 1.0, 0.125), turbine, 24);
     }
 
-    /// A shell closed but for its end in the nozzle.
+    /// A shell closed but for its end in the nozzle, with a point at the other: where it ends its
+    /// wall is still seen from the side.
     void addShell(double length, double widest, const FlightSurface& of) {
         const Curve radius{{0.0, nozzleRadius_m * 0.98},
                            {0.06, nozzleRadius_m + 0.2 * (widest - nozzleRadius_m)},
-                           {0.45, widest},
-                           {0.75, 0.86 * widest},
+                           {0.4, widest},
+                           {0.65, 0.9 * widest},
+                           {0.85, 0.5 * widest},
                            {1.0, 0.0}};
-        // Rounded where it ends.
-        const auto along = [](double u) { return std::sin(0.5 * pi * u); };
-        revolve([=](double u) { return length_m + 0.08 + length * along(u); },
-                [=](double u) {
-                    const double t = along(u);
-                    return t < 0.75
-                               ? radius(t)
-                               : radius(0.75) * std::sqrt(std::max(
-                                                    0.0, 1.0 - (t - 0.75) * (t - 0.75) / 0.0625));
-                },
-                nozzleDrop_m, edges(0.0, 1.0, 1.0 / 18), of, 24);
+        revolve([=](double u) { return length_m + 0.08 + length * u; },
+                [&](double u) { return radius(u); }, nozzleDrop_m, edges(0.0, 1.0, 1.0 / 20), of,
+                24);
     }
     void addPlume() {
         addShell(3.2, 0.31, plumeCore);

@@ -52,6 +52,9 @@ constexpr double firstWindow = 5.2, windowPitch = 0.92, windowLength = 0.36;
 constexpr int windows = 12;
 constexpr Pane windowRow{0.0, 0.0, 63.0, 77.0};
 
+/// Where the upper side becomes the lower one, in steps.
+constexpr double flankFrom_deg = 100.0, flankStep_deg = 6.0;
+
 bool isPane(double station, double fromTop) {
     for (const Pane& each : panes)
         if (station > each.first && station < each.last && fromTop > each.from && fromTop < each.to)
@@ -74,7 +77,10 @@ const FlightSurface* bodySurface(double station, double angle) {
         return &window;
     if (station < 0.95)
         return &radome;
-    return fromTop > 118.0 ? &belly : &skin;
+    if (fromTop < flankFrom_deg)
+        return &skin;
+    const auto step = static_cast<std::size_t>((fromTop - flankFrom_deg) / flankStep_deg);
+    return step < flank.size() ? &flank[step] : &belly;
 }
 
 void addBody(FlightWriter& writer) {
@@ -87,7 +93,9 @@ void addBody(FlightWriter& writer) {
         const double first = firstWindow + windowPitch * i;
         stations.insert(stations.end(), {first, first + windowLength});
     }
-    angles.insert(angles.end(), {windowRow.from, windowRow.to, 118.0});
+    angles.insert(angles.end(), {windowRow.from, windowRow.to});
+    for (std::size_t i = 0; i <= flank.size(); ++i)
+        angles.push_back(flankFrom_deg + flankStep_deg * static_cast<double>(i));
     std::vector<double> around;
     for (const double degrees : angles) {
         const double angle = degrees * pi / 180.0;

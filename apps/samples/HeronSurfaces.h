@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "apps/samples/FlightWriter.h"
 
 /// What the parts of the aircraft are made of: samples/heron/README.md has the list.
@@ -13,6 +15,16 @@ inline const FlightSurface skin{"skin", {1, 1}, false, grey};
 inline const FlightSurface boot{"boot", {2, 10}, false, black};
 inline const FlightSurface pane{"pane", {3, 2}, false, glassy};
 inline const FlightSurface cowl{"cowl", {4, 1}, false, grey};
+/// From the front cowls to the rear ones, and from those to the nozzle.
+inline const std::array<FlightSurface, 6> middleCowl{{{"cowl1", {22, 1}, false, grey},
+                                                      {"cowl2", {23, 1}, false, grey},
+                                                      {"cowl3", {24, 1}, false, grey},
+                                                      {"cowl4", {25, 1}, false, grey},
+                                                      {"cowl5", {26, 12}, false, darkGrey},
+                                                      {"cowl6", {27, 12}, false, darkGrey}}};
+inline const std::array<FlightSurface, 3> endCowl{{{"cowlA", {33, 12}, false, darkGrey},
+                                                   {"cowlB", {34, 12}, false, darkGrey},
+                                                   {"cowlC", {35, 12}, false, darkGrey}}};
 inline const FlightSurface pipe{"pipe", {5, 4}, true, burnt};
 inline const FlightSurface plumeCore{"core", {6, 5}, false, gas};
 inline const FlightSurface plumeMiddle{"middle", {7, 6}, false, gas};
@@ -22,7 +34,13 @@ inline const FlightSurface turbine{"turbine", {10, 4}, true, burnt};
 inline const FlightSurface lip{"lip", {11, 4}, true, burnt};
 inline const FlightSurface rearCowl{"rearcwl", {12, 12}, false, darkGrey};
 inline const FlightSurface belly{"belly", {13, 1}, false, pale};
+/// From the upper side of the body to the lower one.
+inline const std::array<FlightSurface, 4> flank{{{"side1", {28, 1}, false, grey},
+                                                 {"side2", {29, 1}, false, grey},
+                                                 {"side3", {30, 1}, false, pale},
+                                                 {"side4", {31, 1}, false, pale}}};
 inline const FlightSurface tank{"tank", {14, 1}, false, grey};
+inline const FlightSurface tankTop{"tanktop", {32, 1}, false, grey};
 inline const FlightSurface spinner{"spinner", {15, 3}, false, metal};
 inline const FlightSurface intake{"intake", {15, 1}, true, darkGrey};
 inline const FlightSurface radome{"radome", {17, 11}, false, pale};

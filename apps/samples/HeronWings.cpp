@@ -185,8 +185,8 @@ const FlightSurface* wingSurface(double span, double chord, bool above) {
     const bool behindEngine = std::abs(span - engine_m) < 0.55;
     if (chord < 0.055 && !behindEngine)
         return &boot;
-    if (span > 5.0 && span < 10.0 && chord > 0.16 && chord < 0.62 && !above)
-        return &tank;
+    if (span > 5.0 && span < 10.0 && chord > 0.16 && chord < 0.62)
+        return above ? &tankTop : &tank;
     return above ? &skin : &belly;
 }
 

@@ -1,39 +1,20 @@
 #include "apps/samples/SampleCorvette.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
-#include "apps/samples/Patch.h"
+#include "apps/samples/CorvetteParts.h"
 
-namespace smat {
-namespace {
+namespace smat::corvette {
 
 using irsg::Vec3;
 
-constexpr double pi = std::numbers::pi;
+namespace {
 
-/// A grey with a little blue.
-constexpr Look shade(int red) {
-    return {static_cast<std::uint8_t>(red), static_cast<std::uint8_t>(red + 4),
-            static_cast<std::uint8_t>(red + 10)};
-}
-const FlightSurface hull{"hull", {1, 7}, false, shade(128)};
-const FlightSurface strip{"strip", {2, 8}, false, shade(70)};
-const FlightSurface engineRoom{"machine", {3, 7}, false, shade(128)};
-const FlightSurface deck{"deck", {4, 9}, false, shade(84)};
-const FlightSurface house{"house", {5, 1}, false, shade(150)};
-const FlightSurface roof{"roof", {6, 1}, false, shade(150)};
-const FlightSurface glass{"window", {7, 2}, false, shade(40)};
-const FlightSurface plume{"plume", {8, 5}, false, {200, 200, 200, 0.6}};
-const FlightSurface casing{"casing", {9, 1}, false, shade(140)};
-const FlightSurface uptake{"uptake", {10, 4}, true, shade(60)};
-const FlightSurface mast{"mast", {11, 1}, false, shade(120)};
-const FlightSurface dome{"dome", {12, 11}, false, shade(220)};
-const FlightSurface gun{"gun", {13, 1}, false, shade(120)};
-const FlightSurface soot{"soot", {14, 12}, false, shade(50)};
-const FlightSurface door{"door", {15, 1}, false, shade(160)};
-const FlightSurface raft{"raft", {12, 11}, false, shade(230)};
+constexpr double pi = std::numbers::pi;
 
 /// Half the breadth at the water and at the deck, and the deck's height, by distance from the bow.
 const Curve atWater{{0.0, 0.05}, {6.0, 1.0},  {16.0, 3.3}, {28.0, 4.9},
@@ -41,13 +22,14 @@ const Curve atWater{{0.0, 0.05}, {6.0, 1.0},  {16.0, 3.3}, {28.0, 4.9},
 const Curve atDeck{{0.0, 0.10}, {4.0, 2.1},  {12.0, 4.5}, {24.0, 5.8},
                    {42.0, 6.0}, {60.0, 5.9}, {72.0, 5.5}};
 const Curve deckHeight{{0.0, 6.6}, {14.0, 5.4}, {28.0, 4.6}, {46.0, 4.2}, {72.0, 4.2}};
-constexpr double bow_m = 36.0, length_m = 72.0, draught_m = 0.4, stemRake_m = 4.2;
+constexpr double draught_m = 0.4, stemRake_m = 4.2;
+
+} // namespace
 
 double deckAt(double y) {
     return deckHeight(bow_m - y);
 }
 
-/// `side` +1 starboard; `up` from 0 below the water to 1 at the deck.
 Vec3 hullAt(double station, double up, double side) {
     const double z = -draught_m + (deckHeight(station) + draught_m) * up;
     // The stem leans forward, less and less towards midships.
@@ -57,13 +39,31 @@ Vec3 hullAt(double station, double up, double side) {
     return {side * breadth, bow_m - stemRake_m - station * (1.0 - stemRake_m / length_m) + lean, z};
 }
 
+namespace {
+
+/// The engine rooms, and how far it is from one step of the plates' warmth to the next.
+constexpr std::array rooms_m{34.0, 56.0};
+constexpr double warmStep_m = 1.2;
+
+const FlightSurface* plateAt(double station) {
+    const double within = std::min(station - rooms_m[0], rooms_m[1] - station);
+    if (within < 0.0)
+        return &hull;
+    const auto step = static_cast<std::size_t>(within / warmStep_m);
+    return step < warmHull.size() ? &warmHull[step] : &engineRoom;
+}
+
 void addHull(FlightWriter& writer) {
-    const std::array rooms{36.0, 54.0};
+    std::vector<double> rooms;
+    for (std::size_t i = 0; i <= warmHull.size(); ++i) {
+        const double within = warmStep_m * static_cast<double>(i);
+        rooms.insert(rooms.end(), {rooms_m[0] + within, rooms_m[1] - within});
+    }
     const auto stations = edges(0.0, length_m, 1.5, rooms);
     const std::array waterline{0.14};
     const auto heights = edges(0.0, 1.0, 0.1, waterline);
     const auto kind = [](double station, double up) {
-        return up < 0.14 ? &strip : station > 36.0 && station < 54.0 ? &engineRoom : &hull;
+        return up < 0.14 ? &strip : plateAt(station);
     };
     // Starboard: outwards is up cross aft; on the port side the other way round.
     addPatch(
@@ -88,18 +88,7 @@ void addHull(FlightWriter& writer) {
         heights, across, [&](double up, double) { return up < 0.14 ? &strip : &hull; });
 }
 
-/// A block with sloped sides on a rectangle.
-struct Block {
-    double front, back;             ///< y of its foot
-    double halfWidth;               ///< of its foot
-    double foot, top;               ///< z
-    double inFront, inBack, inSide; ///< how far its top is drawn in
-    double x = 0.0;                 ///< of its middle
-};
-
-struct Faces {
-    const FlightSurface *front, *back, *side, *top; ///< null where there is none
-};
+} // namespace
 
 void addQuad(FlightWriter& writer, const FlightSurface* of, const std::array<Vec3, 4>& corners) {
     if (of == nullptr)
@@ -111,8 +100,6 @@ void addQuad(FlightWriter& writer, const FlightSurface* of, const std::array<Vec
     writer.addFace(*of, vertices);
 }
 
-/// The corners of a block at a height from 0 (foot) to 1 (top): starboard front, port front, port
-/// back, starboard back.
 std::array<Vec3, 4> cornersAt(const Block& block, double up) {
     const double front = block.front - block.inFront * up, back = block.back + block.inBack * up;
     const double half = block.halfWidth - block.inSide * up;
@@ -122,6 +109,8 @@ std::array<Vec3, 4> cornersAt(const Block& block, double up) {
              {block.x - half, back, z},
              {block.x + half, back, z}}};
 }
+
+namespace {
 
 /// The walls of a block between two heights, from outside.
 void addWalls(FlightWriter& writer, const Block& block, double from, double to,
@@ -138,15 +127,16 @@ void addTop(FlightWriter& writer, const Block& block, const FlightSurface& of) {
     addQuad(writer, &of, top);
 }
 
+} // namespace
+
 void addBlock(FlightWriter& writer, const Block& block, const Faces& faces) {
     addWalls(writer, block, 0.0, 1.0, faces);
     if (faces.top != nullptr)
         addTop(writer, block, *faces.top);
 }
 
-/// A surface of revolution about an axis from `from` to `to`, by its radius from 0 to 1 along it.
 void addTurned(FlightWriter& writer, const Vec3& from, const Vec3& to, const Curve& radius,
-               const FlightSurface& of, int around = 16, int along = 6) {
+               const FlightSurface& of, int around, int along) {
     const Vec3 axis = normalized(to - from);
     const Vec3 across =
         normalized(cross(axis, std::abs(axis.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{0, 1, 0}));
@@ -170,17 +160,14 @@ void addBall(FlightWriter& writer, const Vec3& centre, const Vec3& radii, const 
         edges(0.0, 2.0 * pi, pi / 10), edges(0.0, pi, pi / 10), of);
 }
 
+namespace {
+
 void addHouses(FlightWriter& writer) {
     const Faces walls{&house, &house, &house, &roof};
-    addBlock(writer, {14.0, -9.5, 5.0, 4.1, 7.2, 1.6, 0.2, 0.5}, walls);
-    // The bridge with its band of windows.
-    const Block bridge{12.6, 2.0, 4.6, 7.2, 10.2, 0.9, 0.5, 0.6};
-    addWalls(writer, bridge, 0.0, 0.46, walls);
-    addWalls(writer, bridge, 0.46, 0.76, {&glass, &house, &glass, nullptr});
-    addWalls(writer, bridge, 0.76, 1.0, walls);
-    addTop(writer, bridge, roof);
+    addBlock(writer, mainHouse, walls);
+    addBlock(writer, bridge, walls);
     addBlock(writer, {8.4, 2.6, 2.4, 10.2, 14.4, 1.6, 1.2, 1.5}, walls);
-    addBlock(writer, {-9.5, -18.5, 4.9, 4.1, 9.2, 0.3, 0.0, 0.45}, {&house, &house, &house, &roof});
+    addBlock(writer, hangar, walls);
     // The door of the hangar, a hand before its wall.
     addQuad(writer, &door,
             {{{3.1, -18.55, 4.4}, {3.0, -18.55, 8.6}, {-3.0, -18.55, 8.6}, {-3.1, -18.55, 4.4}}});
@@ -222,8 +209,16 @@ void addGun(FlightWriter& writer) {
 /// A funnel: its casing, a dark rim, and the uptake inside, which is open.
 void addFunnel(FlightWriter& writer, double side) {
     const Block outside{-3.2, -8.2, 1.25, 7.2, 12.2, 1.1, 0.5, 0.35, 2.7 * side};
-    addWalls(writer, outside, 0.0, 0.78, {&casing, &casing, &casing, nullptr});
-    addWalls(writer, outside, 0.78, 1.0, {&soot, &soot, &soot, nullptr});
+    constexpr double warmFrom = 0.3, topFrom = 0.86;
+    const auto walls = [&](double from, double to, const FlightSurface& of) {
+        addWalls(writer, outside, from, to, {&of, &of, &of, nullptr});
+    };
+    walls(0.0, warmFrom, casing);
+    const double step = (topFrom - warmFrom) / static_cast<double>(warmCasing.size());
+    for (std::size_t i = 0; i < warmCasing.size(); ++i)
+        walls(warmFrom + step * static_cast<double>(i),
+              warmFrom + step * static_cast<double>(i + 1), warmCasing[i]);
+    walls(topFrom, 1.0, soot);
     const auto rim = cornersAt(outside, 1.0);
     constexpr double wall = 0.16;
     std::array<Vec3, 4> edge = rim, floor = rim;
@@ -259,13 +254,18 @@ void addPlume(FlightWriter& writer, double side) {
 }
 
 } // namespace
+} // namespace smat::corvette
+
+namespace smat {
 
 FlightWriter corvetteModel() {
+    using namespace corvette;
     FlightWriter writer("corvet");
     addHull(writer);
     addHouses(writer);
     addMast(writer);
     addGun(writer);
+    addFittings(writer);
     for (const double side : {1.0, -1.0}) {
         addFunnel(writer, side);
         addPlume(writer, side);

@@ -1,6 +1,6 @@
 // smat-samples [FOLDER] writes what this project makes of formulas: the models of sphere, box,
-// heron, corvette and helicopter and the sky and the terrain of the valley into FOLDER/samples, the
-// plate of the tests into FOLDER/tests/data/models. FOLDER is the present one.
+// heron, corvette and helicopter, the sea, and the sky and the terrain of the valley into
+// FOLDER/samples, the plate of the tests into FOLDER/tests/data/models. FOLDER is the present one.
 
 #include <iostream>
 
@@ -8,6 +8,7 @@
 #include "apps/samples/SampleHelicopter.h"
 #include "apps/samples/SampleHeron.h"
 #include "apps/samples/SampleModels.h"
+#include "apps/samples/SampleSea.h"
 #include "apps/samples/SampleValley.h"
 #include "irsg/radiometry/Errors.h"
 
@@ -33,6 +34,9 @@ int main(int argc, char** argv) {
         write(smat::boxModel(), folder / "samples/box/box.flt");
         write(smat::heronModel(), folder / "samples/heron/heron.flt");
         write(smat::corvetteModel(), folder / "samples/corvette/corvette.flt");
+        const std::filesystem::path sea = folder / "samples/corvette";
+        std::cout << "writes " << (sea / "sea.osgb").string() << std::endl;
+        smat::writeSea(sea);
         const std::filesystem::path helicopter = folder / "samples/helicopter/helicopter.gltf";
         std::cout << "writes " << helicopter.string() << std::endl;
         std::filesystem::create_directories(helicopter.parent_path());

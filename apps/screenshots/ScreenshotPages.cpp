@@ -48,7 +48,7 @@ void ScreenshotTaker::fill(QWidget* page) {
     if (const auto* air = dynamic_cast<AirPage*>(page))
         waitWhile([air] { return air->isBusy(); });
     if (auto* monteCarlo = dynamic_cast<MonteCarloPage*>(page)) {
-        keep(window_, current_ + "-empty");
+        keepPage(current_ + "-empty");
         page->findChild<QSpinBox*>("samples")->setValue(draws);
         page->findChild<QSpinBox*>("pairs")->setValue(rankedPairs);
         page->findChild<QSpinBox*>("phases")->setValue(drawingsOfACase);
@@ -56,7 +56,7 @@ void ScreenshotTaker::fill(QWidget* page) {
         waitWhile([monteCarlo] { return monteCarlo->isRunning(); });
     }
     if (current_ == "compareImages" && images_.size() == 2) {
-        keep(window_, current_ + "-empty");
+        keepPage(current_ + "-empty");
         auto* comparison = window_.compareImages(images_);
         waitWhile([comparison] { return comparison->isBusy(); });
     }
@@ -72,7 +72,7 @@ void ScreenshotTaker::keepComparison() {
     for (const auto mode : irsg::allDifferenceModes) {
         comparison->setDifferenceMode(mode);
         settle();
-        keep(window_, "comparison-mode-" + QString::number(modes->currentIndex() + 1));
+        keepPage("comparison-mode-" + QString::number(modes->currentIndex() + 1));
     }
     comparison->setDifferenceMode(irsg::allDifferenceModes[0]);
     comparison->findChild<QCheckBox*>("markPixels")->setChecked(true);
@@ -80,16 +80,16 @@ void ScreenshotTaker::keepComparison() {
     for (int i = 1; i < sides->count(); ++i) {
         sides->setCurrentIndex(i);
         settle();
-        keep(window_, QString("comparison-tab-%1").arg(i + 1));
+        keepPage(QString("comparison-tab-%1").arg(i + 1));
     }
     sides->setCurrentIndex(0);
     comparison->goToWorstPixel();
     settle();
-    keep(window_, "comparison-worst-pixel");
+    keepPage("comparison-worst-pixel");
     comparison->panes()->fit();
     comparison->panes()->setWipe(true);
     settle();
-    keep(window_, "comparison-wipe");
+    keepPage("comparison-wipe");
     delete tabs->currentWidget();
 }
 
@@ -97,15 +97,23 @@ void ScreenshotTaker::keepProjectAnalyses() {
     accept_ = true;
     for (QAction* action : window_.findChild<QMenu*>("projectAnalyses")->actions()) {
         current_ = "analysis-" + QString(action->text()).remove(QChar(0x2026)).replace(' ', '-');
-        // Another run than the one there is, for overlays and differences.
-        const bool again = current_ == "analysis-polar";
-        if (again)
-            workbench_.set(key::statePower, "0.2");
+        // Two runs that differ, for overlays and differences.
+        const bool twice = current_ == "analysis-polar";
+        if (!isWanted(current_) && !(twice && isWanted("plot-")))
+            continue;
         action->trigger();
         settle();
+        raiseResults();
         keep(window_, current_ + "-page");
-        if (again)
+        if (twice) {
+            workbench_.set(key::statePower, "0.2");
+            action->trigger();
+            settle();
             workbench_.undoStack().undo();
+        }
+        auto* tabs = window_.findChild<QTabWidget*>("tabs");
+        if (tabs->currentIndex() > 0)
+            emit tabs->tabCloseRequested(tabs->currentIndex());
     }
 }
 
@@ -235,7 +243,9 @@ void ScreenshotTaker::keepMessages() {
     desktop.tell(&window_, "The analysis cannot be run",
                  {"ship.flt: no such file; a model that exists is expected"});
     keepNext("question");
-    desktop.ask(&window_, "Unsaved changes", "turboprop4.smat has changes that are not saved.",
+    desktop.ask(&window_, "Unsaved changes",
+                QString("%1 has changes that are not saved.")
+                    .arg(QString::fromStdString(project_.filename().string())),
                 {"&Save", "&Discard"});
 }
 

@@ -75,6 +75,40 @@ void ScreenshotTaker::keepRefusals() {
     settle();
 }
 
+QStringList ScreenshotTaker::takeFirstSteps() {
+    std::filesystem::create_directories(folder_);
+    window_.resize(1360, 840);
+    window_.show();
+    if (!window_.open(project_))
+        return told_;
+    settle();
+    keep(window_, "first-window");
+    auto* infrared = window_.findChild<QAction*>("infraredDisplay");
+    infrared->trigger();
+    settle();
+    keep(window_, "first-infrared");
+    auto* database = window_.findChild<QDockWidget*>("databaseDock");
+    database->show();
+    database->raise();
+    settle();
+    keep(window_, "first-database");
+    raiseResults();
+    infrared->trigger();
+    accept_ = true;
+    current_ = "first-polar-dialog";
+    window_.findChild<QAction*>("new-polar")->trigger();
+    settle();
+    keep(window_, "first-polar");
+    // Its sample has scaling files.
+    current_ = "first-monteCarlo";
+    window_.findChild<QAction*>("monteCarlo")->trigger();
+    settle();
+    fill(window_.findChild<QTabWidget*>("tabs")->currentWidget());
+    keepPage("monteCarlo-page");
+    window_.close();
+    return told_;
+}
+
 QStringList ScreenshotTaker::takeWithoutGl() {
     std::filesystem::create_directories(folder_);
     window_.resize(1360, 840);

@@ -1,5 +1,7 @@
 #include "apps/screenshots/ScreenshotTaker.h"
 
+#include <algorithm>
+
 #include <QAction>
 #include <QApplication>
 #include <QDialog>
@@ -28,18 +30,20 @@ void wait_ms(int duration) {
 /// Actions that end the program, need a file of the person's own, or only do again what another
 /// picture shows.
 bool isLeftOut(const QAction& action) {
-    static const QStringList names = {"quit",        "recentFiles", "exportShown", "closeResult",
-                                      "openProject", "undo",        "redo",        "saveProject"};
+    static const QStringList names = {"quit",        "recentFiles", "exportShown",
+                                      "closeResult", "openProject", "undo",
+                                      "redo",        "saveProject", "renameModel"};
     return action.isSeparator() || !action.isEnabled() || names.contains(action.objectName());
 }
 
 } // namespace
 
 ScreenshotTaker::ScreenshotTaker(std::filesystem::path folder, std::filesystem::path project,
-                                 QStringList images)
+                                 QStringList images, QStringList wanted)
     : folder_(std::move(folder)),
       project_(std::move(project)),
       images_(std::move(images)),
+      wanted_(std::move(wanted)),
       window_(workbench_, dialogs()) {}
 
 Dialogs ScreenshotTaker::dialogs() {
@@ -52,7 +56,8 @@ Dialogs ScreenshotTaker::dialogs() {
         if (wanted.contains("exr") && !images_.isEmpty())
             return images_[nextImage_++ % images_.size()];
         if (wanted.contains("sigdb"))
-            return beside("turboprop4.sigdb");
+            return QString::fromStdString(
+                std::filesystem::path(project_).replace_extension("sigdb").string());
         return wanted.contains("*.csv *.txt") ? beside("plume core.csv") : QString();
     };
     answers.saveFile = [](QWidget*, const QString&, const QStringList&, const QString&) {
@@ -88,14 +93,26 @@ QStringList ScreenshotTaker::takeAll() {
             goThrough(*action->menu());
     keepProjectAnalyses();
     keepResults();
-    keepCrosshair();
-    keepComparison();
-    keepRunning();
-    keepRefusals();
-    keepDatabaseDialogs();
-    keepMessages();
+    if (isWanted("plot-crosshair"))
+        keepCrosshair();
+    if (isWanted("comparison"))
+        keepComparison();
+    if (isWanted("window-"))
+        keepRunning();
+    if (isWanted("infraredDisplay-refused"))
+        keepRefusals();
+    if (isWanted("dialog"))
+        keepDatabaseDialogs();
+    if (isWanted("message"))
+        keepMessages();
     window_.close(); // what the looking around has changed is discarded
     return told_;
+}
+
+bool ScreenshotTaker::isWanted(const QString& beginning) const {
+    return wanted_.isEmpty() || std::ranges::any_of(wanted_, [&beginning](const QString& name) {
+               return name.startsWith(beginning);
+           });
 }
 
 void ScreenshotTaker::goThrough(QMenu& menu) {
@@ -126,12 +143,14 @@ void ScreenshotTaker::trigger(QAction& action) {
     if (action.objectName().isEmpty())
         return;
     current_ = action.objectName();
+    if (!isWanted(current_))
+        return;
     accept_ = current_.startsWith("new-");
     if (action.isCheckable())
         return showAs(action);
 
     auto* tabs = window_.findChild<QTabWidget*>("tabs");
-    const int before = tabs->count();
+    const int before = tabs->count(), step = workbench_.undoStack().index();
     const QWidget* shown = tabs->currentWidget();
     action.trigger();
     settle();
@@ -141,13 +160,15 @@ void ScreenshotTaker::trigger(QAction& action) {
         settle();
     }
     // What came to the front, or is being typed into, is not what the next pictures are about.
-    if (auto* results = window_.findChild<QDockWidget*>("resultsDock"))
-        results->raise();
+    raiseResults();
     window_.setFocus();
     settle();
     if (tabs->count() != before || tabs->currentWidget() != shown) {
         fill(tabs->currentWidget());
-        keep(window_, current_ + "-page");
+        keepPage(current_ + "-page");
+        // Its tab is gone before the next one opens, so that those of a picture can be read.
+        if (tabs->count() > before)
+            emit tabs->tabCloseRequested(tabs->currentIndex());
     }
     for (QWidget* other : QApplication::topLevelWidgets())
         if (other != &window_ && other->isWindow() && other->isVisible() &&
@@ -155,6 +176,37 @@ void ScreenshotTaker::trigger(QAction& action) {
             keep(*other, current_ + "-window");
             other->close();
         }
+    // What the sensor was moved to is not what the next pictures are of.
+    while (workbench_.undoStack().index() > step)
+        workbench_.undoStack().undo();
+}
+
+void ScreenshotTaker::raiseResults() {
+    if (auto* results = window_.findChild<QDockWidget*>("resultsDock")) {
+        results->raise();
+        settle();
+        window_.resizeDocks({results}, {results->minimumSizeHint().width()}, Qt::Horizontal);
+    }
+}
+
+void ScreenshotTaker::keepPage(const QString& name) {
+    // As one would look at what has fields, plots and tables beside each other.
+    static const QStringList wide = {"compareImages", "comparison",         "monteCarlo",
+                                     "radiative",     "temperatureProfile", "newAir",
+                                     "projectAir",    "frontier",           "new-table"};
+    const bool isWide = std::ranges::any_of(
+        wide, [&name](const QString& beginning) { return name.startsWith(beginning); });
+    auto* collapse = window_.findChild<QAction*>("collapseDocks");
+    if (isWide) {
+        collapse->trigger();
+        settle();
+    }
+    keep(window_, name);
+    if (isWide) {
+        collapse->trigger();
+        settle();
+        raiseResults();
+    }
 }
 
 void ScreenshotTaker::keepDatabase() {
@@ -190,11 +242,7 @@ void ScreenshotTaker::keepDatabase() {
     keep(*dock, "database-floating");
     dock->setFloating(false);
     dock->raise();
-    if (auto* results = window_.findChild<QDockWidget*>("resultsDock")) {
-        results->raise();
-        settle();
-        window_.resizeDocks({results}, {280}, Qt::Horizontal);
-    }
+    raiseResults();
 }
 
 void ScreenshotTaker::showAs(QAction& action) {

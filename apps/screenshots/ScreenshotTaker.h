@@ -15,18 +15,28 @@ namespace smat::gui {
 /// dialog that appears: NAME.png in a folder, named after the action that showed it.
 class ScreenshotTaker {
   public:
-    /// `images`: two files that a comparison opens.
-    ScreenshotTaker(std::filesystem::path folder, std::filesystem::path project,
-                    QStringList images);
+    /// `images`: two files that a comparison opens. `wanted`: names of the pictures that are
+    /// wanted, which leaves out what leads to others alone; none is all.
+    ScreenshotTaker(std::filesystem::path folder, std::filesystem::path project, QStringList images,
+                    QStringList wanted);
 
     /// Takes all pictures. Returns what went wrong on the way, one sentence each.
     QStringList takeAll();
+    /// Those of the guide's first chapter: the window, the infrared display, the database, a polar
+    /// plot. Returns the same.
+    QStringList takeFirstSteps();
     /// The main window alone, where the display has no OpenGL. Returns the same.
     QStringList takeWithoutGl();
 
   private:
     Dialogs dialogs();
     void keep(QWidget& widget, const QString& name);
+    /// Whether a picture is wanted whose name begins so.
+    bool isWanted(const QString& beginning) const;
+    /// The window with a page in front, which has all of the window where it is a wide one.
+    void keepPage(const QString& name);
+    /// The dock of results in front, no wider than it needs to be.
+    void raiseResults();
     /// A dialog, and once more for each of its tabs.
     void keepDialog(QDialog& dialog);
     /// Triggers every action of the menus that shows something.
@@ -57,7 +67,7 @@ class ScreenshotTaker {
     void settle();
 
     std::filesystem::path folder_, project_;
-    QStringList images_, told_;
+    QStringList images_, wanted_, told_;
     qsizetype nextImage_ = 0;
     QString current_; ///< name of the action that is being triggered
     bool accept_ = false;

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+
+namespace smat {
+
+/// A sea with waves, 12 km a side about the origin, flat: sea.osgb with its picture waves.png,
+/// which repeats every 256 m and shows the slope of the waves along the wind: 0.5 is level water, 1
+/// the steepest slope.
+void writeSea(const std::filesystem::path& folder);
+
+} // namespace smat
