@@ -39,13 +39,15 @@ void AngleCurve::showFactor(double factor) {
 
 void AngleCurve::show(const Value& value, const std::vector<Value>& toCompare) {
     shown_ = tabulated(value);
+    why_.clear();
     compared_.clear();
     for (const Value& each : toCompare)
         compared_.push_back(tabulated(each));
     update();
 }
 
-void AngleCurve::clear() {
+void AngleCurve::clear(const QString& why) {
+    why_ = why;
     shown_.clear();
     compared_.clear();
     update();
@@ -80,6 +82,11 @@ void AngleCurve::paintEvent(QPaintEvent*) {
     painter.drawText(QRectF(-area.height() / 2.0, -8.0, area.height(), 16.0), Qt::AlignCenter,
                      quantity_);
     painter.restore();
+
+    painter.setPen(style.text);
+    constexpr double margin = 8.0;
+    painter.drawText(area.adjusted(margin, margin, -margin, -margin),
+                     Qt::AlignCenter | Qt::TextWordWrap, why_);
 
     const auto curve = [&](const Values& values) {
         QPainterPath path;

@@ -21,7 +21,9 @@ class AngleCurve : public QWidget {
     /// cos^N, between those of N = 0, 0.25, 1 and 3 (report figure 47).
     void showFactor(double factor);
     void show(const Value& value, const std::vector<Value>& toCompare = {});
-    void clear();
+    /// No curve, and why there is none.
+    void clear(const QString& why = {});
+    const QString& whyEmpty() const { return why_; }
     QSize sizeHint() const override { return {240, 150}; }
 
   protected:
@@ -31,7 +33,7 @@ class AngleCurve : public QWidget {
     using Values = std::vector<double>; // one a degree
     static Values tabulated(const Value& value);
 
-    QString quantity_;
+    QString quantity_, why_;
     Values shown_;
     std::vector<Values> compared_;
 };

@@ -35,7 +35,8 @@ void LitBallView::show(const irsg::Material& material, const irsg::SpectralRange
     try {
         ball = irsg::litBall(material, band, size_px);
     } catch (const irsg::InputError&) {
-        setToolTip(tr("This model lacks something: see the findings"));
+        caption_ = tr("no ball yet");
+        setToolTip(tr("This model lacks something, which the plot beside it says"));
         return;
     }
     std::vector<double> values;
@@ -79,6 +80,10 @@ void LitBallView::paintEvent(QPaintEvent*) {
         brush.setTransform(QTransform::fromTranslate(square.left(), square.top()));
         painter.setBrush(brush);
         painter.setPen(QPen(style.grid, 1.0));
+        painter.drawEllipse(square.adjusted(2, 2, -2, -2));
+    } else {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(style.faintText, 1.0, Qt::DashLine));
         painter.drawEllipse(square.adjusted(2, 2, -2, -2));
     }
     QFont small = font();

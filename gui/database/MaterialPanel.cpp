@@ -92,6 +92,25 @@ QWidget* MaterialPanel::makeSurface() {
     });
     connect(surface_, &SurfacePage::numberEdited, this,
             [this](const Row& row, double value) { setNumber(row, value); });
+    connect(surface_, &SurfacePage::spectrumEdited, this,
+            [this](const Row& row, const irsg::Spectrum& value, const QString& what) {
+                edit(tr("Set %1 of material %2 %3")
+                         .arg(tr(row.word))
+                         .arg(key_ ? key_->index : 0)
+                         .arg(what),
+                     row.key, [&](irsg::SignatureDatabase& database) {
+                         database.materials.at(key_->index).*row.as<irsg::Spectrum>() = value;
+                     });
+            });
+    connect(surface_, &SurfacePage::tableEdited, this,
+            [this](const irsg::ReflectanceTable& table, const QString& what) {
+                edit(tr("Set table of reflectance of material %1 %2")
+                         .arg(key_ ? key_->index : 0)
+                         .arg(what),
+                     "reflectanceTable", [&](irsg::SignatureDatabase& database) {
+                         database.materials.at(key_->index).reflectanceTable = table;
+                     });
+            });
     connect(surface_, &SurfacePage::gestureEnded, this, [this] { endGesture(); });
     connect(surface_, &SurfacePage::importWanted, this, [this] {
         if (key_)

@@ -11,6 +11,7 @@
 #include "gui/database/NodeEditor.h"
 #include "gui/database/NodePlot.h"
 #include "gui/database/NumberField.h"
+#include "gui/database/SpectrumField.h"
 #include "gui/plot/PlotData.h"
 
 namespace smat::gui {
@@ -121,14 +122,11 @@ void SpectralProperty::chooseForm(int form) {
     if (toGrey == value_.isConstant())
         return;
     if (toGrey) {
-        const irsg::Spectrum* factors[] = {&value_};
-        const double mean = irsg::integrateProduct(factors, band_) / band_.width_um();
-        const double rounded = QString::number(mean, 'f', 4).toDouble();
-        value_ = irsg::Spectrum::constant(std::min(rounded, 1.0 - other_.maximum()));
+        const double mean = greyMeanOf(value_, band_).maximum();
+        value_ = irsg::Spectrum::constant(std::min(mean, 1.0 - other_.maximum()));
         emit edited(value_, tr("to its mean in the band"));
     } else {
-        const double level = value_.maximum();
-        value_ = {{band_.min_um, band_.centre_um(), band_.max_um}, {level, level, level}};
+        value_ = evenNodesOf(value_, band_);
         emit edited(value_, tr("to nodes over wavelength"));
     }
     emit gestureEnded();

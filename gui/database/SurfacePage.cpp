@@ -12,6 +12,11 @@
 
 #include "gui/database/AngleCurve.h"
 #include "gui/database/LitBallView.h"
+#include "gui/database/NodeEditor.h"
+#include "gui/database/NodePlot.h"
+#include "gui/database/ReflectanceEditor.h"
+#include "gui/database/SpectrumField.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/LitBall.h"
 #include "irsg/signature/SurfaceModel.h"
@@ -19,8 +24,6 @@
 namespace smat::gui {
 
 namespace {
-
-using Row = irsg::EntryField<irsg::Material>;
 
 struct ModelWords {
     const char* name;
@@ -62,32 +65,16 @@ bool takes(const irsg::Material& material, const char* key) {
     return std::ranges::find(fields, std::string(key)) != fields.end();
 }
 
-QString rangeOf(const irsg::Spectrum& spectrum) {
-    const double least = spectrum.minimum(), most = spectrum.maximum();
-    return least == most ? QString::number(most, 'g', 4)
-                         : SurfacePage::tr("%1 to %2")
-                               .arg(QString::number(least, 'g', 4), QString::number(most, 'g', 4));
-}
-
-/// "Refractive index 1.4, Extinction 0.1 to 2", and what lacks.
-QString spectraOf(const irsg::Material& material) {
-    QStringList words;
-    irsg::forEachField<irsg::Spectrum>(irsg::materialFields(), [&](const Row& row, auto member) {
-        if (takes(material, row.key) && material.*member != irsg::Spectrum())
-            words << SurfacePage::tr(row.label) + " " + rangeOf(material.*member);
-    });
-    if (takes(material, "reflectanceTable")) {
-        const irsg::ReflectanceTable& table = material.reflectanceTable;
-        words << (table.empty() ? SurfacePage::tr("No table yet")
-                                : SurfacePage::tr("%1 of %2 directions at %3 wavelengths")
-                                      .arg(table.isBrdf() ? SurfacePage::tr("BRDF")
-                                                          : SurfacePage::tr("Reflectance"))
-                                      .arg(table.rows().size())
-                                      .arg(table.wavelengths_um().size()));
-    }
-    if (words.isEmpty() && takes(material, "refractiveIndex"))
-        words << SurfacePage::tr("n and k not known");
-    return words.join(", ");
+/// What a model lacks, as its error names it.
+QString lackOf(const irsg::InputError& error) {
+    const std::string& key = error.diagnostics().front().position;
+    if (key == "refractiveIndex")
+        return SurfacePage::tr("Shell's model needs a refractive index n above 0 at every "
+                               "wavelength, and k of what absorbs. Type them above, or import "
+                               "them.");
+    if (key == "reflectanceTable")
+        return SurfacePage::tr("There is no table yet. Import one, or start from the emissivity.");
+    return sentencesOf(error).join("; ");
 }
 
 } // namespace
@@ -116,12 +103,36 @@ SurfacePage::SurfacePage(QWidget* parent) : QWidget(parent) {
     auto* form = new QGridLayout;
     numbers_->addTo(*form, 2);
 
-    spectra_ = new QLabel(this);
-    spectra_->setObjectName("surfaceSpectra");
-    spectra_->setWordWrap(true);
-    spectra_->setForegroundRole(QPalette::PlaceholderText);
-    constexpr int lines = 3;
-    spectra_->setMinimumHeight(lines * spectra_->fontMetrics().lineSpacing());
+    auto* spectra = new QGridLayout;
+    spectra->setColumnStretch(1, 1);
+    spectra->setVerticalSpacing(3);
+    irsg::forEachField<irsg::Spectrum>(irsg::materialFields(), [&](const Row& row, auto) {
+        if (std::string_view(row.page) != "surface")
+            return;
+        auto* field = new SpectrumField(row, this);
+        connect(field, &SpectrumField::edited, this,
+                [this, &row](const irsg::Spectrum& value, const QString& what) {
+                    emit spectrumEdited(row, value, what);
+                });
+        connect(field, &SpectrumField::gestureEnded, this, &SurfacePage::gestureEnded);
+        connect(field, &SpectrumField::opened, this, [this, &row](bool open) {
+            nodesOf_ = open ? &row : nullptr;
+            showNodes();
+        });
+        const int line = static_cast<int>(spectra_.size());
+        spectra_.push_back({makeFieldLabel(row.label, this), field});
+        spectra->addWidget(spectra_.back().label, line, 0);
+        spectra->addWidget(field, line, 1);
+    });
+    nodes_ = new NodeEditor(this);
+    nodes_->setObjectName("surfaceNodes");
+    connect(nodes_, &NodeEditor::edited, this, [this](const Nodes& nodes, const QString& what) {
+        emit spectrumEdited(*nodesOf_, spectrumOf(nodes, irsg::Spectrum::Outside::hold), what);
+    });
+    connect(nodes_, &NodeEditor::gestureEnded, this, &SurfacePage::gestureEnded);
+    table_ = new ReflectanceEditor(this);
+    connect(table_, &ReflectanceEditor::edited, this, &SurfacePage::tableEdited);
+    connect(table_, &ReflectanceEditor::gestureEnded, this, &SurfacePage::gestureEnded);
     auto* import = new QPushButton(tr("Import…"), this);
     import->setObjectName("importSurface");
     import->setToolTip(tr("n and k, diffuse and volume reflectivity from a CSV of this material's "
@@ -129,7 +140,7 @@ SurfacePage::SurfacePage(QWidget* parent) : QWidget(parent) {
     connect(import, &QPushButton::clicked, this, &SurfacePage::importWanted);
     top->addWidget(import, 0, 4);
 
-    curve_ = new AngleCurve(tr("reflectance in the band"), this);
+    curve_ = new AngleCurve(tr("reflectance"), this);
     curve_->setObjectName("reflectanceOverAngle");
     curve_->setToolTip(tr("Directional-hemispherical reflectance against the angle from the "
                           "normal, mean over the band; dotted: emissivity"));
@@ -139,22 +150,58 @@ SurfacePage::SurfacePage(QWidget* parent) : QWidget(parent) {
     pictures->addWidget(ball_, 2);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 10, 0, 0);
-    column->setSpacing(8);
+    column->setSpacing(5);
     column->addLayout(top);
     column->addLayout(form);
-    column->addWidget(spectra_);
+    column->addLayout(spectra);
+    column->addWidget(nodes_, 1);
+    column->addWidget(table_, 1);
     column->addLayout(pictures, 1);
 }
 
+void SurfacePage::showNodes() {
+    for (const SpectrumLine& line : spectra_)
+        line.field->setOpen(&line.field->row() == nodesOf_);
+    nodes_->setVisible(nodesOf_ != nullptr);
+    // Beside open nodes there is room for what they make of the curve and the ball alone.
+    for (const SpectrumLine& line : spectra_) {
+        const Row& row = line.field->row();
+        const bool isSeen = takes(material_, row.key) && (nodesOf_ == nullptr || nodesOf_ == &row);
+        line.field->setVisible(isSeen);
+        line.label->setVisible(isSeen);
+    }
+    numbers_->showOnly(
+        [&](const Row& row) { return nodesOf_ == nullptr && takes(material_, row.key); });
+    if (nodesOf_ == nullptr)
+        return;
+    const auto line = std::ranges::find(
+        spectra_, nodesOf_, [](const SpectrumLine& each) { return &each.field->row(); });
+    nodes_->setRules(line->field->rules());
+    nodes_->plot()->setLeastView(
+        Interval{std::max(0.2, band_.min_um - 0.5), band_.max_um + 0.5},
+        Interval{0.0, std::max(1.0, (material_.*nodesOf_->as<irsg::Spectrum>()).maximum())});
+    nodes_->setNodes(gui::nodesOf(material_.*nodesOf_->as<irsg::Spectrum>()));
+}
+
 void SurfacePage::show(const irsg::Material& material, const irsg::SpectralRange& band) {
+    material_ = material;
+    band_ = band;
+    for (const SpectrumLine& line : spectra_) {
+        const Row& row = line.field->row();
+        const irsg::Spectrum& value = material.*row.as<irsg::Spectrum>();
+        line.field->show(value, band);
+        if (&row == nodesOf_ && (!takes(material, row.key) || value.isConstant()))
+            nodesOf_ = nullptr;
+    }
+    showNodes();
+    table_->show(material, band);
+    table_->setVisible(takes(material, "reflectanceTable"));
     numbers_->show(material);
-    numbers_->showOnly([&](const Row& row) { return takes(material, row.key); });
     model_->setCurrentIndex(
         std::max(0, model_->findData(QString::fromStdString(material.surfaceModel))));
     model_->setToolTip(tr("With a model the sun glints, sky and ground are mirrored, emissivity "
                           "follows the angle, and N has no effect. %1")
                            .arg(helpOf(material.surfaceModel)));
-    spectra_->setText(spectraOf(material));
     ball_->show(material, band);
     const irsg::Spectrum* through[] = {&material.transmissivity};
     const double t = irsg::integrateProduct(through, band) / band.width_um();
@@ -164,8 +211,8 @@ void SurfacePage::show(const irsg::Material& material, const irsg::SpectralRange
             return irsg::bandReflectance(material, cosine, band);
         };
         curve_->show(reflectance, {[&](double cosine) { return 1.0 - t - reflectance(cosine); }});
-    } catch (const irsg::InputError&) {
-        curve_->clear();
+    } catch (const irsg::InputError& error) {
+        curve_->clear(lackOf(error));
     }
 }
 
