@@ -79,6 +79,14 @@ class ContrastSums {
                 sums.addLight(front, between, layer);
     }
 
+    /// No sample comes after it.
+    void finishLight() {
+        for (ViewKindSums<Factors>& sums : classes_)
+            sums.finishLight();
+        for (ViewKindSums<Factors>& sums : corrections_)
+            sums.finishLight();
+    }
+
     /// Calls visit(sums, sign) for what the sum of all is made of.
     template <typename Visit>
     void forEachOfSum(Visit visit) const {

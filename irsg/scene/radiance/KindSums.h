@@ -95,18 +95,20 @@ class ViewKindSums {
             addTo(place + 1, static_cast<double>(between.next));
     }
 
-    /// What was seen of receivers of light.
-    LightSums lightSums() const {
-        LightSums sums;
-        for (std::size_t place = 0; place < receivers_.size(); ++place) {
-            if (receivers_[place].empty())
-                continue;
-            const auto row = static_cast<int>(place % rows_);
-            std::vector<double>& own = sums[{static_cast<int>(place / rows_), row}];
-            own = receivers_[place];
-            addRun(runs_[place], own);
-        }
-        return sums;
+    /// Ends the runs of receivers; no sample comes after it.
+    void finishLight() {
+        for (std::size_t place = 0; place < receivers_.size(); ++place)
+            if (!receivers_[place].empty())
+                addRun(std::exchange(runs_[place], {}), receivers_[place]);
+    }
+    /// Adds what was seen of receivers of light, finished, times a sign; see addTo.
+    template <typename FrontOf>
+    void addLightTo(LightSums& light, FrontOf frontOf, double sign) const {
+        for (std::size_t place = 0; place < receivers_.size(); ++place)
+            if (!receivers_[place].empty())
+                addScaled(receivers_[place], sign,
+                          light[{frontOf(static_cast<int>(place / rows_)),
+                                 static_cast<int>(place % rows_)}]);
     }
 
     /// Adds what was seen times a sign to the one cell of a field. `frontOf(front)` is the number

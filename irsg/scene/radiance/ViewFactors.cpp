@@ -109,23 +109,24 @@ void FactorSums::addFactorsToView(const SampleWindow& window, const FactorSample
     parallelFor(lightParts, [&](std::size_t p) {
         const std::size_t begin = beginOfPart(p, lightParts, rows),
                           end = beginOfPart(p + 1, lightParts, rows);
+        const auto addTo = [&](auto& own) {
+            addRows(window, samples, begin, end, walks[p], own);
+            own.finishLight();
+        };
         if (withContrasts_)
-            addRows(window, samples, begin, end, walks[p],
-                    contrasts[p].emplace(window, begin, end, none));
+            addTo(contrasts[p].emplace(window, begin, end, none));
         else
-            addRows(window, samples, begin, end, walks[p], sums[p].emplace(none));
+            addTo(sums[p].emplace(none));
     });
     for (std::size_t p = 0; p < lightParts; ++p) {
         const std::vector<int> fronts = numbersOf(walks[p].fronts(), fronts_);
         const auto addTo = [&](ViewFactors& to) {
             return [&](const ViewKindSums<Factors>& own, double sign) {
-                own.addTo(
-                    to.field, layout_,
-                    [&](int front) { return fronts[static_cast<std::size_t>(front)]; }, sign);
-                LightSums light;
-                for (auto& [kind, numbers] : own.lightSums())
-                    light[{fronts[static_cast<std::size_t>(kind.first)], kind.second}] = numbers;
-                addLight(light, sign, to.light);
+                const auto frontOf = [&](int front) {
+                    return fronts[static_cast<std::size_t>(front)];
+                };
+                own.addTo(to.field, layout_, frontOf, sign);
+                own.addLightTo(to.light, frontOf, sign);
             };
         };
         if (!withContrasts_) {
@@ -139,13 +140,15 @@ void FactorSums::addFactorsToView(const SampleWindow& window, const FactorSample
     }
 }
 
+void addScaled(const std::vector<double>& sums, double scale, std::vector<double>& to) {
+    to.resize(sums.size());
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        to[i] += scale * sums[i];
+}
+
 void addLight(const LightSums& light, double scale, LightSums& to) {
-    for (const auto& [kind, sums] : light) {
-        std::vector<double>& own = to[kind];
-        own.resize(sums.size());
-        for (std::size_t i = 0; i < sums.size(); ++i)
-            own[i] += scale * sums[i];
-    }
+    for (const auto& [kind, sums] : light)
+        addScaled(sums, scale, to[kind]);
 }
 
 void FactorSums::addToView(const SampleWindow& window, const FactorSamples& samples,

@@ -87,6 +87,7 @@ class FactorSums {
 };
 
 /// Adds sums of receivers times a scale.
+void addScaled(const std::vector<double>& sums, double scale, std::vector<double>& to);
 void addLight(const LightSums& light, double scale, LightSums& to);
 
 /// The pixel of a point source and what it is to it.
