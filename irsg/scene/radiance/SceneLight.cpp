@@ -7,13 +7,14 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/ParallelFor.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/scene/radiance/NodeBlocks.h"
 
 namespace irsg {
 
 namespace {
 
-/// Bands in which integrals are kept; a spectrum has too many outputs.
-constexpr std::size_t mostOutputsKept = 16;
+/// Bands in which integrals are kept, some kB a kind and band; a spectrum has too many outputs.
+constexpr std::size_t mostOutputsKept = 128;
 /// What reflects less, sr-1, is black.
 constexpr double leastReflectance_per_sr = 1e-9;
 
@@ -262,19 +263,23 @@ std::vector<double> SceneLight::integralsOf(const FactorKind& kind, std::size_t 
         for (std::size_t i = 0; i < base.size(); ++i)
             sums[static_cast<std::size_t>(place)] -= base[i] * light[i];
     }
+    // Nodes that follow each other between the same knots share their sums.
+    std::vector<double> above;
+    for (std::size_t i = 0; i < base.size(); ++i)
+        above.push_back(between_[first + i].part * base[i]);
     const std::size_t columns = columns_.size();
-    for (std::size_t c = 0; c < columns; ++c) {
-        const double* source = sources_W_m2_um_[c].data() + first;
-        if (knots_.size() == 1) {
-            for (std::size_t i = 0; i < base.size(); ++i)
-                sums[2 + c] += base[i] * source[i];
-            continue;
-        }
-        for (std::size_t i = 0; i < base.size(); ++i) {
-            const Between& at = between_[first + i];
-            const double sent = base[i] * source[i];
-            sums[2 + at.low * columns + c] += (1.0 - at.part) * sent;
-            sums[2 + at.high * columns + c] += at.part * sent;
+    for (std::size_t begin = 0, end = 0; begin < base.size(); begin = end) {
+        const Between& at = between_[first + begin];
+        while (end < base.size() && between_[first + end].low == at.low &&
+               between_[first + end].high == at.high)
+            ++end;
+        for (std::size_t c = 0; c < columns; ++c) {
+            const double* source = sources_W_m2_um_[c].data() + first + begin;
+            const double all = sumOfProducts(&base[begin], source, end - begin);
+            const double high =
+                at.high == at.low ? 0.0 : sumOfProducts(&above[begin], source, end - begin);
+            sums[2 + at.low * columns + c] += all - high;
+            sums[2 + at.high * columns + c] += high;
         }
     }
     return sums;
