@@ -81,11 +81,14 @@ class OpenFile {
 
     /// At most `most` bytes, fewer at the end of the file.
     std::string read(std::size_t most) const {
+        constexpr std::size_t piece = 4096;
+        const std::size_t wanted = std::min<std::size_t>(most, size());
         std::string bytes;
-        for (std::size_t wanted = std::min<std::size_t>(most, size()); bytes.size() < most;) {
+        bytes.reserve(wanted + piece); // so that looking for the end does not double it
+        while (bytes.size() < most) {
             const std::size_t before = bytes.size();
             // A file that grows while it is read, or lies about its size, is read in pieces.
-            bytes.resize(before + std::max<std::size_t>(wanted - std::min(wanted, before), 4096));
+            bytes.resize(before + std::max(wanted - std::min(wanted, before), piece));
             const ssize_t count =
                 ::read(descriptor_, bytes.data() + before, std::min(bytes.size(), most) - before);
             if (count < 0 && errno != EINTR)
