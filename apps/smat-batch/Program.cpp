@@ -7,6 +7,10 @@
 #include <exception>
 #include <filesystem>
 #include <optional>
+#include <sstream>
+#include <string>
+
+#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -33,6 +37,31 @@ std::string commandLineOf(const char* program, int argc, char** argv) {
     for (int i = 1; i < argc; ++i)
         line += " " + shellQuoted(argv[i]);
     return line;
+}
+
+/// Wall time since the system began to make this process, s, to a tick of its clock (10 ms, as a
+/// rule); where it does not say, the processor time so far.
+double secondsSinceStart() {
+    const double processor_s = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    const auto ticks = static_cast<double>(sysconf(_SC_CLK_TCK));
+    timespec now{};
+    if (!(ticks > 0.0) || clock_gettime(CLOCK_BOOTTIME, &now) != 0)
+        return processor_s;
+    try {
+        // Behind the name, which may hold anything, the start is the twentieth word.
+        const std::string text = irsg::readFile("/proc/self/stat");
+        std::istringstream words(text.substr(text.find_last_of(')') + 1));
+        std::string word;
+        for (int i = 0; i < 20; ++i)
+            words >> word;
+        const double now_s =
+            static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+        if (const std::optional<double> start = irsg::parseNumber(word))
+            return std::max(processor_s, now_s - (*start + 0.5) / ticks);
+    } catch (const irsg::InputError&) {
+        // Another system.
+    }
+    return processor_s;
 }
 
 /// The version with the renderer that would draw, or why there is none.
@@ -111,9 +140,10 @@ int parseAndWork(CLI::App& app, Context& context, int argc, char** argv) {
 int runProgram(const Program& program, int argc, char** argv, Context& context) {
     openStreams();
     keepFreedMemory();
+    // Before inputs are noted: it reads what is none.
+    context.timer.addBefore("start program",
+                            std::max(secondsSinceStart() - context.timer.wall_s(), 0.0));
     irsg::protectInputs();
-    // Libraries are loaded by one thread that waits for nothing.
-    context.timer.addBefore("start program", static_cast<double>(std::clock()) / CLOCKS_PER_SEC);
     context.commandLine = commandLineOf(program.name, argc, argv);
     CLI::App app(program.help, program.name);
     addCommonOptions(app, context);
@@ -141,8 +171,14 @@ int runProgram(const Program& program, int argc, char** argv, Context& context) 
              "), expected room for what is printed\n");
         exitCode = refused;
     }
-    if (context.timing)
+    if (context.timing) {
+        {
+            // What the end of the process would take of the time beside the table.
+            const StageTimer::Scope scope(&context.timer, "end program");
+            giveBackFreedMemory();
+        }
         tell(context.timer.toText());
+    }
     return exitCode;
 }
 

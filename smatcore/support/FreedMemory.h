@@ -8,4 +8,7 @@ namespace smat {
 /// Called once by a program's main; does nothing where the C library has no such choice.
 void keepFreedMemory();
 
+/// Hands back what was kept, as the end of the process would.
+void giveBackFreedMemory();
+
 } // namespace smat

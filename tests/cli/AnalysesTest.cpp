@@ -325,6 +325,8 @@ TEST(SmatBatchTiming, StagesAddUpToTheSumThatIsPrinted) {
     const Ran ran = smatBatch({"image", sphere, "--out", folder / "a.exr", "--timing"});
     EXPECT_EQ(ran.exitCode, 0);
     EXPECT_THAT(ran.err, HasSubstr("stage"));
+    EXPECT_THAT(ran.err, HasSubstr("start program"));
+    EXPECT_THAT(ran.err, HasSubstr("end program"));
     EXPECT_THAT(ran.err, HasSubstr("analyse"));
     EXPECT_THAT(ran.err, HasSubstr("other"));
     EXPECT_THAT(ran.err, HasSubstr("sum"));
