@@ -25,6 +25,9 @@ class CaseTeam {
     /// Of the leader: waits until all cases are in the file and tells how many are, now and then.
     /// Throws InputError where a process draws of another sweep.
     virtual void finish(const std::function<void(std::size_t done)>& progress) = 0;
+    /// Of all: waits until every process is here, so that a sweep after this one begins with none
+    /// still at work on it.
+    virtual void meet() = 0;
 };
 
 /// Hands out the cases that are not done yet, in ascending runs, since cases that follow each other

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "apps/smat-batch/CaseTeam.h"
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/NumberOptions.h"
 #include "apps/smat-batch/Output.h"
@@ -85,13 +86,14 @@ class SimulateCommand {
         }
         const FrameFiles files(loaded, folder_, extensions(), context.commandLine);
         files.checkExtensions();
-        checkFilmGiven();
+        checkFilmGiven(context);
         const CaseShare share = parts_.share();
         for (const std::size_t sensor : plan.sensors)
             for (const std::string& warning : loaded.sensors[sensor].warnings)
                 warn(loaded.scenario.sensors[sensor].name + ": " + warning);
         if (dryRun_) {
-            describe(loaded, plan, files, context);
+            if (context.team == nullptr || context.team->isLeader())
+                describe(loaded, plan, files, context);
             return done;
         }
         return simulate(loaded, plan, files, share, context);
@@ -105,9 +107,11 @@ class SimulateCommand {
         return list.empty() ? std::vector<std::string>{".exr"} : list;
     }
 
-    void checkFilmGiven() const {
+    void checkFilmGiven(const Context& context) const {
         if (film_.empty())
             return;
+        if (context.team != nullptr)
+            throw refusal("--film", film_, "no film where several processes draw the frames");
         parts_.refuse("all frames in one run for a film");
         checkFilm(film_);
         const std::vector<std::string> forms = extensions();
@@ -143,34 +147,61 @@ class SimulateCommand {
     }
 
     /// A file of steps beside the table of each sensor, where the run has parts.
-    std::vector<std::unique_ptr<CaseFile>>
-    stepFiles(const SimulationPlan& plan, const FrameFiles& files, const CaseShare& share) const {
+    std::vector<std::unique_ptr<CaseFile>> stepFiles(const SimulationPlan& plan,
+                                                     const FrameFiles& files,
+                                                     const CaseShare& share, bool isDrawn) const {
         std::vector<std::unique_ptr<CaseFile>> steps;
-        if (!parts_.isGiven())
+        if (!parts_.isGiven() && !isDrawn)
             return steps;
         const auto inputs = inputHashes();
         for (const std::size_t sensor : plan.sensors)
             steps.push_back(std::make_unique<CaseFile>(
                 CaseFile::besides(files.tableFile(sensor), share),
-                CaseFile::Options{share, parts_.resumes(), inputs, 0.0}));
+                CaseFile::Options{share, parts_.resumes() || isDrawn, inputs, 0.0}));
         return steps;
+    }
+
+    /// Draws with all processes of a team, sensor by sensor. True in the leader.
+    bool areDrawnByTeam(const LoadedScenario& loaded, const SimulationPlan& plan,
+                        const FrameFiles& files, ImageSource& source, CaseTeam& team) const {
+        const auto inputs = inputHashes();
+        for (const std::size_t sensor : plan.sensors) {
+            SimulationPlan ofSensor = plan;
+            ofSensor.sensors = {sensor};
+            drawnByTeam(
+                {files.tableFile(sensor), parts_.share(), parts_.resumes(), inputs}, team,
+                [&](CaseStore& store, const ProgressCallback& progress, std::stop_token stop) {
+                    const SimulationParts parts{{&store}, true};
+                    SimulationResult result;
+                    writeSimulation(loaded, ofSensor, files, source, result, progress,
+                                    std::move(stop), nullptr, {}, &parts);
+                });
+            team.meet();
+        }
+        return team.isLeader();
     }
 
     int simulate(const LoadedScenario& loaded, const SimulationPlan& plan, const FrameFiles& files,
                  const CaseShare& share, Context& context) const {
         catchStopSignal();
         for (const std::string& sentence : files.makeFolders(plan.sensors))
-            if (!parts_.isGiven())
+            if (!parts_.isGiven() && context.team == nullptr)
                 warn(sentence);
-        const std::vector<std::unique_ptr<CaseFile>> steps = stepFiles(plan, files, share);
-        SimulationParts parts{{}, !share.isAll()};
-        for (const std::unique_ptr<CaseFile>& file : steps)
-            parts.stores.push_back(file.get());
         std::unique_ptr<ImageSource> source;
         {
             const StageTimer::Scope scope(&context.timer, "start renderer");
             source = makeIrsgImageSource();
         }
+        if (context.team != nullptr) {
+            const StageTimer::Scope scope(&context.timer, "frames of all processes");
+            if (!areDrawnByTeam(loaded, plan, files, *source, *context.team))
+                return done;
+        }
+        const std::vector<std::unique_ptr<CaseFile>> steps =
+            stepFiles(plan, files, share, context.team != nullptr);
+        SimulationParts parts{{}, !share.isAll()};
+        for (const std::unique_ptr<CaseFile>& file : steps)
+            parts.stores.push_back(file.get());
         SimulationResult result;
         FilmRecorder recorder(loaded, files);
         FrameSink heed;

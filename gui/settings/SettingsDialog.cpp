@@ -23,7 +23,7 @@ namespace smat::gui {
 std::vector<SettingsPage> SettingsDialog::pages() {
     return {{tr("Band and mode"),
              "spectrum",
-             {key::sensorBand, key::sensorResponse, key::sensorMode},
+             {key::sensorBand, key::sensorResponse, key::sensorMode, key::renderWidebandError},
              {key::sensorMode}},
             {tr("Sensor"), "sensor", {key::sensorWidth, key::sensorHeight, key::sensorFov}},
             {tr("Camera and model"),

@@ -45,8 +45,11 @@ std::vector<RenderReport> Irsg::measureAlongRange(const std::vector<Band>& bands
         .reports;
 }
 
-IntensitySpectrum Irsg::measureSpectrum(const std::vector<double>& wavenumbers_per_cm) {
-    return renderer_->render(scene_, view_, {.wavenumbers_per_cm = wavenumbers_per_cm}).spectrum;
+IntensitySpectrum Irsg::measureSpectrum(const std::vector<double>& wavenumbers_per_cm,
+                                        bool errors) {
+    return renderer_
+        ->render(scene_, view_, {.errors = errors, .wavenumbers_per_cm = wavenumbers_per_cm})
+        .spectrum;
 }
 
 std::unique_ptr<const ScaledView> Irsg::scaledView(const std::vector<ScalingInput>& inputs) {

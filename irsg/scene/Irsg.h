@@ -75,7 +75,9 @@ class Irsg {
         return renderer_->finish(begun);
     }
     /// The same, per wavelength; computed in the spectral mode, whichever is set.
-    IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_per_cm);
+    /// `errors`: with those of its numbers.
+    IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_per_cm,
+                                      bool errors = false);
     /// What measure() would say of all objects together, as a function of scales. The entities'
     /// own scales must be empty (LogicError).
     std::unique_ptr<const ScaledView> scaledView(const std::vector<ScalingInput>& inputs);

@@ -29,33 +29,6 @@ void requireNoScales(const std::vector<Entity>& entities) {
             throw LogicError("a view as a function of scales was asked of a scaled scene");
 }
 
-std::vector<double> rangesOf(const std::vector<ObjectGeometry>& geometry) {
-    std::vector<double> ranges_m;
-    for (const ObjectGeometry& object : geometry)
-        ranges_m.push_back(object.path.range_m);
-    return ranges_m;
-}
-
-/// Each wavelength once, ascending, and which of them each wavenumber is.
-struct Wavelengths {
-    std::vector<double> ascending_um;
-    std::vector<std::size_t> order;
-
-    explicit Wavelengths(const std::vector<double>& wavenumbers_per_cm) {
-        for (const double wavenumber_per_cm : wavenumbers_per_cm) {
-            if (!(wavenumber_per_cm > 0.0))
-                throw LogicError("a wavenumber that is not positive was asked for");
-            ascending_um.push_back(wavelengthFromWavenumber_um(wavenumber_per_cm));
-        }
-        const std::vector<double> asked_um = ascending_um;
-        std::ranges::sort(ascending_um);
-        ascending_um.erase(std::ranges::unique(ascending_um).begin(), ascending_um.end());
-        for (const double wavelength_um : asked_um)
-            order.push_back(static_cast<std::size_t>(
-                std::ranges::lower_bound(ascending_um, wavelength_um) - ascending_um.begin()));
-    }
-};
-
 ScaledValues valuesOf(const ObjectRadiometry& sum) {
     return {{sum.intensity_W_sr}, {sum.contrastIntensity_W_sr}, {sum.irradiance_W_m2}};
 }
@@ -93,8 +66,8 @@ Rendered Renderer::render(const Scene& scene, const SensorView& view, const Want
                                      std::optional<int> only) {
                     result.scaled.push_back(std::make_unique<const SceneScaledView>(
                         factors, radiometry, frame.evaluated->radiances, frame.light.get(),
-                        frame.evaluated->planck, rangesOf(frame.geometry),
-                        radiometry.outputs()[band], wanted.scalings, false, valuesOf(sum), only));
+                        frame.evaluated->planck, frame.ranges_m(), radiometry.outputs()[band],
+                        wanted.scalings, false, valuesOf(sum), only));
                 };
                 for (std::size_t k = 0; k < frame.bands.size(); ++k) {
                     add(k, nominal[k].all, {});
@@ -186,7 +159,7 @@ std::vector<RenderReport> Renderer::Impl::reports(const Frame& frame, const View
         int number = 0;
         for (const FrameBackground& background : frame.backgrounds)
             varying.push_back(background.isUniform() ? -1 : number++);
-        const std::vector<double> ranges_m = rangesOf(frame.geometry);
+        const std::vector<double> ranges_m = frame.ranges_m();
         std::vector<ObjectSums> sums =
             objectSums(factors, frame.evaluated->radiances, frame.light.get(), frame.surfaceRows(),
                        ranges_m, varying);
@@ -211,67 +184,6 @@ std::vector<RenderReport> Renderer::Impl::reports(const Frame& frame, const View
         if (frame.withErrors)
             addErrors(frame, factors, varying, all);
         return all;
-    });
-}
-
-IntensitySpectrum Renderer::Impl::spectrum(const Frame& frame, const Wanted& wanted,
-                                           Rendered& result) {
-    const ViewFactors& factors = factorsOf(frame);
-    return timed("evaluation", [&] {
-        const Wavelengths wavelengths(wanted.wavenumbers_per_cm);
-        const AirScene scene{terms, frame.scene.entities, frame.geometry, frame.scene.settings,
-                             frame.centre};
-        const std::vector<SampledBand> bands{
-            SceneSampling::wavelengths(air, scene, wavelengths.ascending_um)};
-        EvaluatedScene evaluated(terms, frame.scene.entities, frame.geometry, bands, fronts);
-        evaluated.radiances.setBackground(backgroundOf(bands, frame.scene.settings));
-        evaluated.light = lightOf(frame, evaluated.radiometry);
-        const std::vector<double> ranges_m = rangesOf(frame.geometry);
-        const std::vector<ObjectSums> sums = objectSums(
-            factors, evaluated.radiances, evaluated.light.get(), evaluated.radiometry.rows(),
-            ranges_m, std::vector<int>(wavelengths.ascending_um.size(), -1));
-
-        IntensitySpectrum spectrum;
-        spectrum.warnings = evaluated.radiometry.warnings();
-        ScaledValues nominal;
-        for (const ObjectSums& one : sums) {
-            nominal.intensity.push_back(one.all.intensity_W_sr);
-            nominal.contrastIntensity.push_back(one.all.contrastIntensity_W_sr);
-            nominal.irradiance.push_back(one.all.irradiance_W_m2);
-        }
-        for (std::size_t k = 0; k < wavelengths.order.size(); ++k) {
-            const std::size_t i = wavelengths.order[k];
-            spectrum.wavenumbers_per_cm.push_back(wanted.wavenumbers_per_cm[k]);
-            spectrum.wavelengths_um.push_back(wavelengths.ascending_um[i]);
-            spectrum.intensity_W_sr_um.push_back(nominal.intensity[i]);
-            spectrum.contrastIntensity_W_sr_um.push_back(nominal.contrastIntensity[i]);
-            spectrum.irradiance_W_m2_um.push_back(nominal.irradiance[i]);
-        }
-        for (std::size_t e = 0; ranges_m.size() > 1 && e < ranges_m.size(); ++e) {
-            ObjectSpectrum& object = spectrum.objects.emplace_back();
-            object.name = frame.scene.entities[e].name;
-            for (const std::size_t i : wavelengths.order) {
-                object.intensity_W_sr_um.push_back(sums[i].objects[e].intensity_W_sr);
-                object.contrastIntensity_W_sr_um.push_back(
-                    sums[i].objects[e].contrastIntensity_W_sr);
-                object.irradiance_W_m2_um.push_back(sums[i].objects[e].irradiance_W_m2);
-            }
-        }
-        // What is seen of objects, by whatever it is covered: the nearest layer of every sample.
-        factors.field.forEach(0, [&](std::size_t kind, std::span<const double> numbers) {
-            if (factors.field.kinds()[kind].front == 0)
-                spectrum.coveredPixels += numbers[factors.layout.pixels()];
-        });
-        if (!wanted.scalings.empty()) {
-            auto view = std::make_unique<SceneScaledView>(
-                factors, evaluated.radiometry, evaluated.radiances, evaluated.light.get(),
-                evaluated.planck, ranges_m,
-                std::pair<std::size_t, std::size_t>{0, wavelengths.ascending_um.size()},
-                wanted.scalings, true, std::move(nominal));
-            view->reorder(wavelengths.order);
-            result.scaled.push_back(std::move(view));
-        }
-        return spectrum;
     });
 }
 

@@ -20,13 +20,6 @@ constexpr double ofNarrower = 1.5;
 /// Standard deviations that an error is.
 constexpr double deviations = 2.0;
 
-std::vector<double> distancesOf(const std::vector<ObjectGeometry>& geometry) {
-    std::vector<double> ranges_m;
-    for (const ObjectGeometry& object : geometry)
-        ranges_m.push_back(object.path.range_m);
-    return ranges_m;
-}
-
 /// Squares of contrasts.
 struct Squares {
     double intensity = 0.0, contrast = 0.0, irradiance = 0.0;
@@ -47,25 +40,37 @@ struct Squares {
 
 } // namespace
 
-void Renderer::Impl::addSamplingErrors(const Frame& frame, const ViewFactors& factors,
-                                       const std::vector<int>& varying,
-                                       std::vector<RenderReport>& reports) {
-    const std::vector<double> ranges_m = distancesOf(frame.geometry);
-    std::vector<std::vector<Squares>> squares(reports.size(),
+std::vector<std::vector<RadiometryErrors>>
+Renderer::Impl::samplingErrors(const Frame& frame, const ViewFactors& factors,
+                               KindRadiances& radiances, SceneLight* light, const SurfaceRows& rows,
+                               const std::vector<int>& varying) {
+    const std::vector<double> ranges_m = frame.ranges_m();
+    std::vector<std::vector<Squares>> squares(varying.size(),
                                               std::vector<Squares>(frame.geometry.size() + 1));
     for (const std::vector<ObjectSums>& sums :
-         contrastSums(factors, frame.evaluated->radiances, frame.light.get(), frame.surfaceRows(),
-                      ranges_m, varying)) {
+         contrastSums(factors, radiances, light, rows, ranges_m, varying)) {
         for (std::size_t output = 0; output < sums.size(); ++output) {
             for (std::size_t e = 0; e < ranges_m.size(); ++e)
                 squares[output][e].add(sums[output].objects[e]);
             squares[output].back().add(sums[output].all);
         }
     }
+    std::vector<std::vector<RadiometryErrors>> errors(varying.size());
+    for (std::size_t output = 0; output < errors.size(); ++output)
+        for (const Squares& one : squares[output])
+            errors[output].push_back(one.errors());
+    return errors;
+}
+
+void Renderer::Impl::addSamplingErrors(const Frame& frame, const ViewFactors& factors,
+                                       const std::vector<int>& varying,
+                                       std::vector<RenderReport>& reports) {
+    const auto errors = samplingErrors(frame, factors, frame.evaluated->radiances,
+                                       frame.light.get(), frame.surfaceRows(), varying);
     for (std::size_t output = 0; output < reports.size(); ++output) {
-        for (std::size_t e = 0; e < ranges_m.size(); ++e)
-            reports[output].objects[e].errors = squares[output][e].errors();
-        reports[output].all.errors = squares[output].back().errors();
+        for (std::size_t e = 0; e < frame.geometry.size(); ++e)
+            reports[output].objects[e].errors = errors[output][e];
+        reports[output].all.errors = errors[output].back();
     }
 }
 
@@ -87,8 +92,24 @@ std::vector<ObjectSums> Renderer::Impl::sumsElsewhere(const Frame& frame,
     evaluated->radiances.setBackground(sampled->background);
     // Backgrounds as in the middle of the field, and no light between surfaces.
     const std::vector<int> uniform(evaluated->radiances.outputs(), -1);
-    return objectSums(factors, evaluated->radiances, nullptr, frame.surfaceRows(),
-                      distancesOf(frame.geometry), uniform);
+    return objectSums(factors, evaluated->radiances, nullptr, frame.surfaceRows(), frame.ranges_m(),
+                      uniform);
+}
+
+std::optional<std::vector<ObjectGeometry>> Renderer::Impl::seenPlaces(const Frame& frame) {
+    // What is seen of an object lies before its reference point.
+    constexpr double before = 0.6; // of how far it reaches
+    std::vector<ObjectGeometry> nearer = frame.geometry;
+    bool isMoved = false;
+    for (ObjectGeometry& object : nearer)
+        if (object.slices_m.size() < 2 && object.likelyAirError > 0.0) {
+            object.path.range_m = std::max(
+                object.path.range_m - before * 0.5 * (object.farthest_m - object.nearest_m), 0.0);
+            isMoved = true;
+        }
+    if (!isMoved)
+        return std::nullopt;
+    return nearer;
 }
 
 void Renderer::Impl::addAirErrors(const Frame& frame, const ViewFactors& factors,
@@ -130,17 +151,8 @@ void Renderer::Impl::addAirErrors(const Frame& frame, const ViewFactors& factors
     };
     addLikely(true); // slices are thin, and radiance nearly linear over each
 
-    // What is seen of an object lies before its reference point.
-    constexpr double before = 0.6; // of how far it reaches
-    std::vector<ObjectGeometry> nearer = frame.geometry;
-    bool isMoved = false;
-    for (ObjectGeometry& object : nearer)
-        if (object.slices_m.size() < 2 && object.likelyAirError > 0.0) {
-            object.path.range_m = std::max(
-                object.path.range_m - before * 0.5 * (object.farthest_m - object.nearest_m), 0.0);
-            isMoved = true;
-        }
-    if (hasBins || isMoved) {
+    const std::optional<std::vector<ObjectGeometry>> nearer = seenPlaces(frame);
+    if (hasBins || nearer) {
         const std::vector<ObjectSums> there = sumsElsewhere(frame, factors, frame.geometry);
         if (hasBins) {
             const std::vector<int> uniform(reports.size(), -1);
@@ -148,12 +160,12 @@ void Renderer::Impl::addAirErrors(const Frame& frame, const ViewFactors& factors
             const auto others = other.nodesOf(frame.bands.front());
             const bool isNarrower = nodes && others && others->size() > nodes->size();
             addDifference(objectSums(factors, frame.evaluated->radiances, nullptr,
-                                     frame.surfaceRows(), distancesOf(frame.geometry), uniform),
+                                     frame.surfaceRows(), frame.ranges_m(), uniform),
                           there, isNarrower ? ofNarrower : 1.0);
         }
         try {
-            if (isMoved)
-                addDifference(sumsElsewhere(frame, factors, nearer), there);
+            if (nearer)
+                addDifference(sumsElsewhere(frame, factors, *nearer), there);
         } catch (const InputError&) {
             addLikely(false); // some air answers for the path to the reference point alone
         }
@@ -181,34 +193,23 @@ void Renderer::Impl::addAirErrors(const Frame& frame, const ViewFactors& factors
     }
 }
 
-double Renderer::Impl::backgroundError_W_m2_sr(const Frame& frame, std::size_t entity,
-                                               std::size_t band) {
-    const bool isGrid =
-        frame.scene.settings.backgroundRows * frame.scene.settings.backgroundColumns != 1;
+std::vector<double>
+Renderer::Impl::backgroundErrors(const Frame& frame, std::size_t entity, const SeenAlong& seenAlong,
+                                 const std::function<double(double x, double y)>& grid) {
     std::optional<ImageRectangle> extent;
     for (const auto* objects : {&frame.seen, &frame.alongRange})
         for (const ZoomEntityInfo& object : *objects)
             if (object.entity == static_cast<int>(entity))
                 extent = object.extent;
+    const std::vector<double> centre = seenAlong(frame.centre);
+    std::vector<double> mean(centre.size(), 0.0), least, most;
     if (!extent)
-        return 0.0;
+        return mean;
 
     // Down through the middle of the object: its mean as over a disc.
     constexpr std::array heights = {-0.7071, 0.0, 0.7071}; // of half the extent
     constexpr std::array weights = {0.25, 0.5, 0.25};
-    const Environment& environment = otherAir.answers.environment();
-    const auto sampling = otherAirNodes(frame, frame.bands[band]);
-    const auto seenAlong = [&](const LineOfSight& sight) {
-        return sampling->integrate(
-            *otherAir.answers
-                 .at(AtmosphericQuery::backgroundRadiance(steadied(sight), environment.sun),
-                     sampling)
-                 .value);
-    };
-    const Sensor& sensor = frame.view.sensor;
-    const FieldRays rays(sensor, frame.view.viewpoint);
-    const double centre = seenAlong(frame.centre);
-    const double own = frame.evaluated->radiances.background_W_m2_sr(band);
+    const FieldRays rays(frame.view.sensor, frame.view.viewpoint);
     const double middle = 0.5 * (extent->left + extent->right);
     // By steps of a small part of what the object takes up, so that cases share lines of sight; of
     // a grid, whose errors are smaller than a step makes, where they are.
@@ -218,32 +219,66 @@ double Renderer::Impl::backgroundError_W_m2_sr(const Frame& frame, std::size_t e
                  elevationOf_rad(rays.at(rays.u(middle), rays.v(extent->bottom))));
     const double step_rad = std::exp2(std::floor(
         std::log2(std::max(extent_rad / stepsOfExtent, std::numeric_limits<double>::min()))));
-    double mean = 0.0, least = 0.0, most = 0.0;
     for (std::size_t i = 0; i < heights.size(); ++i) {
         const double y = 0.5 * (extent->top + extent->bottom + heights[i] * extent->height());
         const Vec3 direction = rays.at(rays.u(middle), rays.v(y));
-        const auto pixel = [](double place, int size) {
-            return static_cast<int>(std::clamp(place, 0.0, size - 1.0));
-        };
-        // What is used there, in the bins of what it is compared with.
-        double used = centre;
-        if (isGrid && own > 0.0)
-            used *= frame.backgrounds[band].at(pixel(middle, sensor.width_px),
-                                               pixel(y, sensor.height_px)) /
-                    own;
+        const double used = grid ? grid(middle, y) : 1.0;
         const double exact_rad = elevationOf_rad(direction);
-        const double elevation_rad =
-            isGrid ? exact_rad : step_rad * std::round(exact_rad / step_rad);
-        const double difference =
-            seenAlong({frame.centre.sensorAltitude_m, elevation_rad, azimuthOf_rad(direction)}) -
-            used;
-        mean += weights[i] * difference;
-        least = i == 0 ? difference : std::min(least, difference);
-        most = i == 0 ? difference : std::max(most, difference);
+        const double elevation_rad = grid ? exact_rad : step_rad * std::round(exact_rad / step_rad);
+        std::vector<double> difference =
+            seenAlong({frame.centre.sensorAltitude_m, elevation_rad, azimuthOf_rad(direction)});
+        for (std::size_t k = 0; k < difference.size(); ++k) {
+            difference[k] -= used * centre[k];
+            mean[k] += weights[i] * difference[k];
+            if (i > 0) {
+                least[k] = std::min(least[k], difference[k]);
+                most[k] = std::max(most[k], difference[k]);
+            }
+        }
+        if (i == 0)
+            least = most = difference;
     }
     // Objects are no discs: more of one may be seen before the brighter part.
     constexpr double ofShape = 0.12;
-    return std::abs(mean) + ofShape * (most - least);
+    for (std::size_t k = 0; k < mean.size(); ++k)
+        mean[k] = std::abs(mean[k]) + ofShape * (most[k] - least[k]);
+    return mean;
+}
+
+double Renderer::Impl::backgroundError_W_m2_sr(const Frame& frame, std::size_t entity,
+                                               std::size_t band) {
+    const Environment& environment = otherAir.answers.environment();
+    const auto sampling = otherAirNodes(frame, frame.bands[band]);
+    const auto seenAlong = [&](const LineOfSight& sight) {
+        return std::vector<double>{sampling->integrate(
+            *otherAir.answers
+                 .at(AtmosphericQuery::backgroundRadiance(steadied(sight), environment.sun),
+                     sampling)
+                 .value)};
+    };
+    // What is used there, in the bins of what it is compared with.
+    const Sensor& sensor = frame.view.sensor;
+    const double own = frame.evaluated->radiances.background_W_m2_sr(band);
+    const auto pixel = [](double place, int size) {
+        return static_cast<int>(std::clamp(place, 0.0, size - 1.0));
+    };
+    std::function<double(double, double)> grid;
+    if (frame.scene.settings.backgroundRows * frame.scene.settings.backgroundColumns != 1)
+        grid = [&](double x, double y) {
+            return own > 0.0 ? frame.backgrounds[band].at(pixel(x, sensor.width_px),
+                                                          pixel(y, sensor.height_px)) /
+                                   own
+                             : 1.0;
+        };
+    return backgroundErrors(frame, entity, seenAlong, grid).front();
+}
+
+bool Renderer::Impl::knowsBackgroundError(const Frame& frame) const {
+    const RenderSettings& settings = frame.scene.settings;
+    const bool isGrid = settings.backgroundRows * settings.backgroundColumns != 1;
+    // Of a grid below pictures it is not known apart.
+    return settings.background == BackgroundMode::environment &&
+           !(isGrid && (frame.scene.skybox || frame.scene.terrain));
 }
 
 std::shared_ptr<const SpectralSampling> Renderer::Impl::otherAirNodes(const Frame& frame,
@@ -258,11 +293,7 @@ std::shared_ptr<const SpectralSampling> Renderer::Impl::otherAirNodes(const Fram
 }
 
 void Renderer::Impl::addBackgroundErrors(const Frame& frame, std::vector<RenderReport>& reports) {
-    const RenderSettings& settings = frame.scene.settings;
-    const bool isGrid = settings.backgroundRows * settings.backgroundColumns != 1;
-    // Of a grid below pictures it is not known apart.
-    if (settings.background != BackgroundMode::environment ||
-        (isGrid && (frame.scene.skybox || frame.scene.terrain)))
+    if (!knowsBackgroundError(frame))
         return;
     for (std::size_t o = 0; o < frame.bands.size(); ++o) {
         RadiometryErrors& all = *reports[o].all.errors;

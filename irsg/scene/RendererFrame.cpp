@@ -62,7 +62,7 @@ Renderer::Impl::Frame Renderer::Impl::frame(const Scene& scene, const SensorView
         wanted.bands.empty() ? std::vector<Band>{view.sensor.band} : wanted.bands;
     Frame result(scene, view, bands);
     result.withSources = wanted.source && !wanted.image;
-    result.withErrors = wanted.errors && wanted.reports;
+    result.withErrors = wanted.errors && (wanted.reports || !wanted.wavenumbers_per_cm.empty());
     result.centre = centreOf(view.viewpoint);
     result.geometry = geometry(scene, view);
     checkScene(scene.entities, result.geometry, scene.environment, view.sensor, bands,
@@ -117,13 +117,14 @@ std::shared_ptr<const SampledScene> Renderer::Impl::sample(const Frame& frame) {
 std::shared_ptr<const WidebandPoints> Renderer::Impl::wideband(const Scene& scene,
                                                                const Band& band) {
     WidebandSpectra spectra = widebandSpectraOf(scene.entities);
+    const double error = scene.settings.widebandError;
     widebandTerms.letGo([](const auto& kept) { return kept->isGone(); });
     return widebandTerms.of(
-        [&](const auto& kept) { return kept->areOf(scene.environment, band, spectra); },
+        [&](const auto& kept) { return kept->areOf(scene.environment, band, spectra, error); },
         [&] {
             return timed("wideband terms", [&] {
                 return std::make_shared<const WidebandPoints>(scene.environment, band,
-                                                              std::move(spectra));
+                                                              std::move(spectra), error);
             });
         });
 }

@@ -151,6 +151,13 @@ struct Renderer::Impl {
         std::vector<ZoomEntityInfo> alongRange;
 
         const Entity& entity(int e) const { return scene.entities[static_cast<std::size_t>(e)]; }
+        /// By entity, sensor to reference point.
+        std::vector<double> ranges_m() const {
+            std::vector<double> ranges_m;
+            for (const ObjectGeometry& object : geometry)
+                ranges_m.push_back(object.path.range_m);
+            return ranges_m;
+        }
         const SurfaceRows& surfaceRows() const { return evaluated->radiometry.rows(); }
         bool isTransparent() const;
     };
@@ -307,6 +314,10 @@ struct Renderer::Impl {
     /// Gives reports, by output, their errors. `varying`: see objectSums.
     void addErrors(const Frame& frame, const ViewFactors& factors, const std::vector<int>& varying,
                    std::vector<RenderReport>& reports);
+    /// Of samples alone: by output of some radiances those of each entity, then those of all.
+    std::vector<std::vector<RadiometryErrors>>
+    samplingErrors(const Frame& frame, const ViewFactors& factors, KindRadiances& radiances,
+                   SceneLight* light, const SurfaceRows& rows, const std::vector<int>& varying);
     void addSamplingErrors(const Frame& frame, const ViewFactors& factors,
                            const std::vector<int>& varying, std::vector<RenderReport>& reports);
     void addAirErrors(const Frame& frame, const ViewFactors& factors,
@@ -317,8 +328,26 @@ struct Renderer::Impl {
     /// Those that the other air has of itself; else those of the frame.
     std::shared_ptr<const SpectralSampling> otherAirNodes(const Frame& frame, const Band& band);
     void addBackgroundErrors(const Frame& frame, std::vector<RenderReport>& reports);
-    /// Of the background behind an object in a band, W m-2 sr-1.
+    /// What is seen along a line of sight, in as many numbers as there are bands or wavelengths.
+    using SeenAlong = std::function<std::vector<double>(const LineOfSight&)>;
+    /// Of the background behind an object, in the unit of what is seen. `grid`: what is used of the
+    /// background in places, as a part of what is used in the middle; none: the same everywhere.
+    std::vector<double> backgroundErrors(const Frame& frame, std::size_t entity,
+                                         const SeenAlong& seenAlong,
+                                         const std::function<double(double x, double y)>& grid);
+    /// In a band, W m-2 sr-1.
     double backgroundError_W_m2_sr(const Frame& frame, std::size_t entity, std::size_t band);
+    bool knowsBackgroundError(const Frame& frame) const;
+    /// The nearer half of what an object reaches, where the air of its reference point stands for
+    /// all of it; none where that is so of none.
+    static std::optional<std::vector<ObjectGeometry>> seenPlaces(const Frame& frame);
+
+    // RendererSpectrum.cpp.
+    /// Gives a spectrum of ascending wavelengths, whose sums these are, its errors by wavelength:
+    /// those of each entity, then those of all.
+    std::vector<std::vector<RadiometryErrors>>
+    spectrumErrors(const Frame& frame, const ViewFactors& factors, EvaluatedScene& evaluated,
+                   const SampledBand& wavelengths, const std::vector<ObjectSums>& sums);
 
     // RendererScattering.cpp
     /// Tells of objects that are partly or wholly outside the frame, and near enough for their

@@ -58,7 +58,7 @@ struct Wanted {
     /// spectrum is taken as it was measured, at its reference distance. Without effect on
     /// images.
     bool source = false;
-    /// The sums of the reports come with their errors (ErrorParts). Not of spectra and scales.
+    /// The sums of the reports, and spectra, come with their errors (ErrorParts). Not scales.
     bool errors = false;
     /// In-band quantities are asked for in these, from the same drawings; none: in the sensor's.
     std::vector<Band> bands = {};

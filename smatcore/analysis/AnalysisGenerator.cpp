@@ -51,13 +51,18 @@ void drawImage(AnalysisData& data, const SceneDescription& scene, ImageSource& s
         warnings.add(sentence);
 }
 
-void measureSpectrum(AnalysisData& data, ImageSource& source, const AnalysisPlan& plan,
-                     SweepTable& table, CaseWarnings& warnings) {
+void measureSpectrum(AnalysisData& data, const SceneDescription& scene, ImageSource& source,
+                     const AnalysisPlan& plan, SweepTable& table, CaseWarnings& warnings) {
     // The sums of the same view say who answered for the air.
-    const irsg::RenderReport report = source.measure();
+    const bool errors = plan.errors != ErrorColumns::none;
+    const irsg::RenderReport report =
+        errors ? source.beginMeasure({{scene.sensor.band}, false, false, true})().front()
+               : source.measure();
     irsg::addAnswer(data.answeredBy, report.answeredBy);
     warnings.addReport(report, data.settings[key::renderLayers]);
-    const irsg::IntensitySpectrum spectrum = source.measureSpectrum(plan.wavenumbers_per_cm);
+    const irsg::IntensitySpectrum spectrum =
+        errors ? source.measureSpectrumWithErrors(plan.wavenumbers_per_cm)
+               : source.measureSpectrum(plan.wavenumbers_per_cm);
     for (const std::string& sentence : spectrum.warnings)
         warnings.add(sentence);
     table.addSpectrum(spectrum);
@@ -233,7 +238,7 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
             if (data.kind->form == AnalysisForm::image)
                 drawImage(data, scene, source_, cases, target, table, warnings);
             else
-                measureSpectrum(data, source_, cases, table, warnings);
+                measureSpectrum(data, scene, source_, cases, table, warnings);
             tellWarnings();
             ++done;
         };

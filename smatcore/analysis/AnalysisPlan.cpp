@@ -184,11 +184,11 @@ AnalysisPlan planAnalysis(AnalysisKind kind, const Project& project, const Setti
             diagnostic.file = project.displayName();
         throw irsg::InputError(diagnostics);
     }
-    if (kind->form != AnalysisForm::spectrum) {
-        plan.errors = errorColumnsOf(settings);
-        if (plan.errors == ErrorColumns::none && settings[key::renderTargetError])
-            plan.errors = ErrorColumns::sum;
-    }
+    plan.errors = errorColumnsOf(settings);
+    // A target chooses nothing for a spectrum.
+    if (kind->form != AnalysisForm::spectrum && plan.errors == ErrorColumns::none &&
+        settings[key::renderTargetError])
+        plan.errors = ErrorColumns::sum;
     if (!plan.refined.empty()) {
         const bool isAsked = settings.text(name(kind) + ".steps") == "adaptive";
         plan.largestBend = 0.01 * settings[key::renderTargetError].value_or(isAsked ? 1.0 : 2.0);

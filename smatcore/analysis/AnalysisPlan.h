@@ -71,9 +71,9 @@ struct AnalysisPlan {
     std::vector<AnalysisCase> cases;
     /// Many cases differ in nothing but the range, so that few drawings serve them all.
     bool isAlongRange = false;
-    bool withSource = false;                  ///< asks for the intensity without air, too
-    ErrorColumns errors = ErrorColumns::none; ///< never of a spectrum
-    std::vector<double> wavenumbers_per_cm;   ///< of a spectrum, ascending
+    bool withSource = false; ///< asks for the intensity without air, too
+    ErrorColumns errors = ErrorColumns::none;
+    std::vector<double> wavenumbers_per_cm; ///< of a spectrum, ascending
     /// Of an adaptive sweep: what is refined, and the cases at all places of these axes, in the
     /// order of the result; empty of one with fixed steps.
     std::vector<RefinedAxis> refined;

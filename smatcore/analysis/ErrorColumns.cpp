@@ -41,10 +41,10 @@ void appendError(std::vector<double>& row, const irsg::ErrorParts& error, ErrorC
         row.insert(row.end(), {error.sampling, error.air, error.background});
 }
 
-void appendErrors(std::vector<double>& row, const irsg::ObjectRadiometry& object,
+void appendErrors(std::vector<double>& row, const std::optional<irsg::RadiometryErrors>& errors,
                   ErrorColumns columns) {
     const irsg::ErrorParts none = unknownError();
-    const auto own = object.errors.value_or(irsg::RadiometryErrors{none, none, none});
+    const auto own = errors.value_or(irsg::RadiometryErrors{none, none, none});
     for (const irsg::ErrorParts& error :
          {own.intensity_W_sr, own.contrastIntensity_W_sr, own.irradiance_W_m2})
         appendError(row, error, columns);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "irsg/image/RadianceImage.h"
@@ -19,8 +20,8 @@ std::vector<const char*> errorPrefixes(ErrorColumns columns);
 
 /// The numbers of these columns, in the same order.
 void appendError(std::vector<double>& row, const irsg::ErrorParts& error, ErrorColumns columns);
-/// Of intensity, contrast and irradiance of an object; not a number where nobody knows them.
-void appendErrors(std::vector<double>& row, const irsg::ObjectRadiometry& object,
+/// Of intensity, contrast and irradiance; not a number where nobody knows them.
+void appendErrors(std::vector<double>& row, const std::optional<irsg::RadiometryErrors>& errors,
                   ErrorColumns columns);
 /// Errors that nobody knows.
 irsg::ErrorParts unknownError();

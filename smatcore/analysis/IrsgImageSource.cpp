@@ -59,6 +59,10 @@ class IrsgImageSource : public ImageSource {
     measureSpectrum(const std::vector<double>& wavenumbers_per_cm) override {
         return irsg_.measureSpectrum(wavenumbers_per_cm);
     }
+    irsg::IntensitySpectrum
+    measureSpectrumWithErrors(const std::vector<double>& wavenumbers_per_cm) override {
+        return irsg_.measureSpectrum(wavenumbers_per_cm, true);
+    }
 
     std::unique_ptr<const irsg::ScaledView>
     scaledView(const std::vector<irsg::ScalingInput>& inputs,

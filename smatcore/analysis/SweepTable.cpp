@@ -1,5 +1,7 @@
 #include "smatcore/analysis/SweepTable.h"
 
+#include <optional>
+
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/data/ColumnName.h"
 #include "smatcore/project/SceneBuilder.h"
@@ -7,6 +9,16 @@
 namespace smat {
 
 using irsg::Quantity;
+
+namespace {
+
+/// Of a wavenumber of a spectrum; nothing where its source knows none.
+std::optional<irsg::RadiometryErrors> errorsAt(const std::vector<irsg::RadiometryErrors>& errors,
+                                               std::size_t i) {
+    return errors.empty() ? std::nullopt : std::optional(errors.at(i));
+}
+
+} // namespace
 
 SweepTable::SweepTable(const AnalysisPlan& plan, const SceneDescription& scene, ResultTable& table)
     : form_(plan.kind->form),
@@ -34,11 +46,12 @@ SweepTable::SweepTable(const AnalysisPlan& plan, const SceneDescription& scene, 
 
 void SweepTable::addColumns(const std::string& object) {
     if (form_ == AnalysisForm::spectrum) {
-        for (const Quantity quantity :
-             {Quantity::spectralIntensity, Quantity::spectralContrastIntensity,
-              Quantity::spectralIrradiance}) {
+        const std::vector<Quantity> quantities = {Quantity::spectralIntensity,
+                                                  Quantity::spectralContrastIntensity,
+                                                  Quantity::spectralIrradiance};
+        for (const Quantity quantity : quantities)
             addColumn(quantity, object, "");
-        }
+        addErrorColumns(quantities, object, "");
         return;
     }
     for (const std::string& band : bands_) {
@@ -51,16 +64,16 @@ void SweepTable::addColumns(const std::string& object) {
         if (form_ == AnalysisForm::image && object.empty())
             addColumn(Quantity::totalIrradiance, object, band);
         addColumn(Quantity::pixels, object, band);
-        if (errors_ != ErrorColumns::none)
-            addErrorColumns(object, band);
+        std::vector<Quantity> quantities = {Quantity::intensity, Quantity::contrastIntensity,
+                                            Quantity::irradiance};
+        if (withSource_)
+            quantities.push_back(Quantity::sourceIntensity);
+        addErrorColumns(quantities, object, band);
     }
 }
 
-void SweepTable::addErrorColumns(const std::string& object, const std::string& band) {
-    std::vector<Quantity> quantities = {Quantity::intensity, Quantity::contrastIntensity,
-                                        Quantity::irradiance};
-    if (withSource_)
-        quantities.push_back(Quantity::sourceIntensity);
+void SweepTable::addErrorColumns(const std::vector<Quantity>& quantities, const std::string& object,
+                                 const std::string& band) {
     for (const Quantity quantity : quantities)
         for (const char* prefix : errorPrefixes(errors_)) {
             const irsg::QuantityInfo& info = irsg::info(quantity);
@@ -71,7 +84,7 @@ void SweepTable::addErrorColumns(const std::string& object, const std::string& b
 
 void SweepTable::addErrors(std::vector<double>& row, const irsg::ObjectRadiometry& sums,
                            const irsg::ObjectRadiometry* source) const {
-    appendErrors(row, sums, errors_);
+    appendErrors(row, sums.errors, errors_);
     if (source != nullptr)
         appendError(row, source->errors ? source->errors->intensity_W_sr : unknownError(), errors_);
 }
@@ -128,10 +141,12 @@ void SweepTable::addSpectrum(const irsg::IntensitySpectrum& spectrum) {
                                    spectrum.intensity_W_sr_um[i],
                                    spectrum.contrastIntensity_W_sr_um[i],
                                    spectrum.irradiance_W_m2_um[i]};
+        appendErrors(row, errorsAt(spectrum.errors, i), errors_);
         for (std::size_t e = 0; e < objects_.size(); ++e) {
             const irsg::ObjectSpectrum& object = spectrum.objects.at(e);
             row.insert(row.end(), {object.intensity_W_sr_um[i], object.contrastIntensity_W_sr_um[i],
                                    object.irradiance_W_m2_um[i]});
+            appendErrors(row, errorsAt(object.errors, i), errors_);
         }
         table_.addRow(row);
     }

@@ -30,7 +30,8 @@ class SweepTable {
 
   private:
     void addColumns(const std::string& object);
-    void addErrorColumns(const std::string& object, const std::string& band);
+    void addErrorColumns(const std::vector<irsg::Quantity>& quantities, const std::string& object,
+                         const std::string& band);
     void addErrors(std::vector<double>& row, const irsg::ObjectRadiometry& sums,
                    const irsg::ObjectRadiometry* source) const;
     void addColumn(irsg::Quantity quantity, const std::string& object, const std::string& band);

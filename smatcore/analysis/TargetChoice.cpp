@@ -1,6 +1,7 @@
 #include "smatcore/analysis/TargetChoice.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -25,6 +26,8 @@ using Reports = ProbedViews::Reports;
 constexpr int firstWindow = 128, leastWindow = 64, largestWindow = 2048;
 /// Of view factors between surfaces, where it is asked whether they matter.
 constexpr double coarseLight = 0.1;
+/// That the terms of wideband-ck are trained to.
+constexpr std::array widebandErrors = {0.01, 0.003, 0.001};
 constexpr double ofSkipped = 1.0 / 3.0; ///< of the target, for all that is left out
 
 std::string percent(double part) {
@@ -157,8 +160,12 @@ class Expected {
     }
 
   private:
-    using Air = std::pair<CalculationMode, int>;
-    static Air airOf(const CalculationWay& way) { return {way.render.mode, way.bins_per_cm}; }
+    /// Mode, bins, and what the terms of wideband-ck are trained to.
+    using Air = std::tuple<CalculationMode, int, double>;
+    static Air airOf(const CalculationWay& way) {
+        const bool hasTerms = way.render.mode == CalculationMode::wideband;
+        return {way.render.mode, way.bins_per_cm, hasTerms ? way.render.widebandError : 0.0};
+    }
 
     double sampling(int window) const {
         const auto above = sampling_.lower_bound(window);
@@ -174,8 +181,13 @@ class Expected {
         if (known != air_.end())
             return known->second;
         double least = air_.begin()->second;
-        for (const auto& [of, error] : air_)
+        for (const auto& [of, error] : air_) {
+            // Of other terms as what both are trained to, which is hopeful for fewer ones.
+            const double wanted = std::get<double>(air), own = std::get<double>(of);
+            if (wanted > 0.0 && own > 0.0)
+                return error * (wanted < own ? wanted / own : 0.5 * wanted / own);
             least = std::min(least, error);
+        }
         constexpr double hoped = 0.3;
         return hoped * least;
     }
@@ -204,24 +216,34 @@ double cost_s(const CalculationWay& way, const SceneDescription& scene, const Ta
 /// All ways that may be chosen, cheapest first.
 std::vector<CalculationWay> waysFrom(const CalculationWay& start, const SceneDescription& scene,
                                      const TargetUse& use) {
-    std::vector<std::pair<CalculationMode, int>> airs = {{start.render.mode, start.bins_per_cm}};
-    if (use.mayUseBins && hasBins(scene) && start.render.mode == CalculationMode::spectral)
-        airs = {{CalculationMode::spectral, 15},
-                {CalculationMode::spectral, 5},
-                {CalculationMode::spectral, 1}};
-    if (use.mayTrain)
-        airs.emplace_back(CalculationMode::wideband, 0);
+    struct Air {
+        CalculationMode mode;
+        int bins_per_cm;
+        double widebandError;
+    };
+    const double own = start.render.widebandError;
+    const bool isWideband = start.render.mode == CalculationMode::wideband;
+    std::vector<Air> airs;
+    if (use.mayUseBins && hasBins(scene) && !isWideband)
+        for (const int bins_per_cm : {15, 5, 1})
+            airs.push_back({CalculationMode::spectral, bins_per_cm, own});
+    else if (!isWideband)
+        airs.push_back({start.render.mode, start.bins_per_cm, own});
+    if (use.mayTrain || isWideband)
+        for (const double error : widebandErrors)
+            airs.push_back({CalculationMode::wideband, 0, error});
     std::vector<int> rows = {start.render.backgroundRows};
     if (start.render.background == BackgroundMode::environment)
         rows = {1, 0, 128};
     std::vector<CalculationWay> ways;
     for (int window = leastWindow; window <= largestWindow; window *= 2)
-        for (const auto& [mode, bins_per_cm] : airs)
+        for (const Air& air : airs)
             for (const int row : rows) {
                 CalculationWay way = start;
                 way.render.zoomWindow = window;
-                way.render.mode = mode;
-                way.bins_per_cm = bins_per_cm;
+                way.render.mode = air.mode;
+                way.bins_per_cm = air.bins_per_cm;
+                way.render.widebandError = air.widebandError;
                 way.render.backgroundRows = row;
                 ways.push_back(way);
             }
@@ -247,6 +269,8 @@ TargetChoice chooseForTarget(ProbedViews& views, double target, const TargetUse&
     start.render.zoomStrategy = irsg::ZoomStrategy::aligned;
     if (use.mayUseBins && hasBins(scene) && start.render.mode == CalculationMode::spectral)
         start.bins_per_cm = 15;
+    if (start.render.mode == CalculationMode::wideband)
+        start.render.widebandError = widebandErrors.front();
     if (start.render.background == BackgroundMode::environment)
         start.render.backgroundRows = 1;
 

@@ -95,6 +95,11 @@ class ImageSource {
     virtual bool drawsBeside() const { return false; }
     virtual irsg::IntensitySpectrum
     measureSpectrum(const std::vector<double>& wavenumbers_per_cm) = 0;
+    /// The same with the errors of its numbers, where the source knows them.
+    virtual irsg::IntensitySpectrum
+    measureSpectrumWithErrors(const std::vector<double>& wavenumbers_per_cm) {
+        return measureSpectrum(wavenumbers_per_cm);
+    }
 
     /// The view as a function of scales: in the sensor's band, or, with wavenumbers, per
     /// wavenumber.

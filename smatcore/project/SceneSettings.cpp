@@ -166,6 +166,7 @@ irsg::RenderSettings renderSettingsOf(const Settings& settings) {
                                 "a whole number of reflections, or converged"});
     render.bounces = bounces ? static_cast<int>(*bounces) : irsg::convergedBounces;
     render.lightError = settings[key::renderLightError];
+    render.widebandError = settings[key::renderWidebandError];
     render.fluxes = reflection(key::renderFluxes);
     render.mode = settings.text(key::sensorMode) == "ck" ? irsg::CalculationMode::wideband
                                                          : irsg::CalculationMode::spectral;

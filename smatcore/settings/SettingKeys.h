@@ -89,6 +89,7 @@ inline constexpr TextKey renderEngine{"render.engine"};
 inline constexpr TextKey renderShadows{"render.shadows"};
 inline constexpr OptionalRealKey renderBounces{"render.bounces"};
 inline constexpr RealKey renderLightError{"render.lightError"};
+inline constexpr RealKey renderWidebandError{"render.widebandError"};
 inline constexpr TextKey renderErrors{"render.errors"};
 inline constexpr OptionalRealKey renderTargetError{"render.targetError"};
 

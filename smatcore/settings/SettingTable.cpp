@@ -226,6 +226,12 @@ void addRendering(std::vector<SettingInfo>& table) {
                            "Error of the view factors between surfaces, as a part of the "
                            "hemisphere: rays are sent until their two halves agree so well.",
                            SettingAudience::expert));
+    table.push_back(number(key::renderWidebandError, "--wideband-error", "Error of wideband-ck", "",
+                           5e-4, 0.05, "0.003",
+                           "Largest error of an in-band quantity on the cases that the terms of "
+                           "wideband-ck are trained on, relative: less takes more terms and longer "
+                           "training. A target error chooses it.",
+                           SettingAudience::expert));
     table.push_back(
         named(choice(key::renderFluxes, "--fluxes", "Flux reflection", reflections, "smart",
                      "Reflected sky and ground: off, approx (independent of geometry: a half "
@@ -278,7 +284,8 @@ void addRendering(std::vector<SettingInfo>& table) {
                          SettingAudience::expert));
     table.push_back(named(
         choice(key::renderErrors, "--errors", "Errors of results", {"off", "sum", "causes"}, "off",
-               "Errors beside the intensities, contrast and irradiance of sweeps and images, which "
+               "Errors beside the intensities, contrast and irradiance of sweeps, spectra and "
+               "images, which "
                "the truth lies within 19 times out of 20: their sum, or by their causes, too "
                "(samples, air, background). Takes up to twice the time."),
         {"off", "sum of all causes", "by cause"}));

@@ -102,7 +102,7 @@ std::vector<double> rowOf(const SimulationPlan::Step& step, const StepSums& sums
             if (const auto& object = ofBand[entity]) {
                 row.insert(row.end(), {object->intensity_W_sr, object->contrastIntensity_W_sr,
                                        object->irradiance_W_m2, object->coveredPixels});
-                appendErrors(row, *object, errors);
+                appendErrors(row, object->errors, errors);
             } else {
                 row.insert(row.end(),
                            std::size(entityQuantities) +

@@ -97,6 +97,39 @@ TEST_F(SmatBatchMpi, RanksShareTheCasesOfMonteCarlo) {
         0);
 }
 
+TEST_F(SmatBatchMpi, RanksShareTheFramesOfAScenario) {
+    const Words run = {"simulate",      sample("flyby/flyby.json"),
+                       "--to",          "1.5",
+                       "--threads",     "1",
+                       "--width",       "64",
+                       "--height",      "48",
+                       "--light-error", "0.05"};
+    const Ran one = smatBatch(run + Words{"--out", folder / "one"});
+    ASSERT_EQ(one.exitCode, 0) << one.err;
+    const Ran ran = ranks("3", run + Words{"--out", folder / "three"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_EQ(ran.err.find("rank 1"), std::string::npos) << ran.err;
+    int frames = 0, tables = 0;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(folder / "one")) {
+        const auto name = std::filesystem::relative(file.path(), folder / "one");
+        const std::filesystem::path other = folder / "three" / name;
+        ASSERT_TRUE(std::filesystem::exists(other)) << name;
+        frames += name.extension() == ".exr" ? 1 : 0;
+        if (name.extension() == ".csv") {
+            ++tables;
+            EXPECT_EQ(result(("three" / name).c_str()), result(("one" / name).c_str()));
+        }
+    }
+    EXPECT_GE(frames, 4);
+    EXPECT_GE(tables, 1);
+    for (const auto& file : std::filesystem::recursive_directory_iterator(folder / "three")) {
+        EXPECT_NE(file.path().extension(), ".cases") << file.path();
+    }
+    const Ran film = ranks("2", run + Words{"--out", folder / "four", "--film", folder / "f.png"});
+    EXPECT_NE(film.exitCode, 0);
+    EXPECT_THAT(film.err, HasSubstr("no film where several processes draw"));
+}
+
 TEST_F(SmatBatchMpi, WhatWasEndedGoesOnWithAnotherNumberOfRanks) {
     ASSERT_EQ(smatBatch(sweep("one.csv")).exitCode, 0);
     // Ended wherever it is by then: what follows holds of any place.

@@ -61,6 +61,10 @@ class Lawful : public test::AnalyticSource {
         if (hasBackground) {
             error.background = render.backgroundRows == 1 ? 0.01 : 0.001;
         }
+        if (render.mode == irsg::CalculationMode::wideband) {
+            error.air = 0.8 * render.widebandError;
+            trained.insert(render.widebandError);
+        }
         irsg::RadiometryErrors errors;
         errors.intensity_W_sr = error.times(report.all.intensity_W_sr);
         errors.contrastIntensity_W_sr = error.times(report.all.contrastIntensity_W_sr);
@@ -68,7 +72,8 @@ class Lawful : public test::AnalyticSource {
         report.all.errors = errors;
         return report;
     }
-    int largest = 0; ///< window that was ever drawn
+    int largest = 0;          ///< window that was ever drawn
+    std::set<double> trained; ///< what terms of wideband-ck were ever trained to
 };
 
 TargetChoice chosen(Lawful& source, double target, irsg::RenderSettings render = {}) {
@@ -99,6 +104,29 @@ TEST(TargetChoice, TakesTheSmallestWindowWhoseErrorIsBelow) {
         EXPECT_NEAR(choice.reached, 0.02 * std::pow(128.0 / row.window, 1.5), 1e-12);
         EXPECT_LE(source.largest, std::max(row.window, 128)) << "nothing dearer was drawn";
     }
+}
+
+TEST(TargetChoice, TrainsTermsOfWidebandNoFinerThanNeeded) {
+    struct Row {
+        double target, trained;
+    };
+    for (const Row& row : {Row{0.02, 0.01}, Row{0.005, 0.003}, Row{0.0015, 0.001}}) {
+        Lawful source;
+        irsg::RenderSettings wideband;
+        wideband.mode = irsg::CalculationMode::wideband;
+        const TargetChoice choice = chosen(source, row.target, wideband);
+        EXPECT_TRUE(choice.isMet) << row.target;
+        EXPECT_EQ(choice.way.render.widebandError, row.trained) << row.target;
+        EXPECT_GE(*source.trained.begin(), row.trained) << "nothing dearer was trained";
+        EXPECT_LE(choice.reached, row.target);
+    }
+    Lawful source;
+    irsg::RenderSettings wideband;
+    wideband.mode = irsg::CalculationMode::wideband;
+    const TargetChoice none = chosen(source, 5e-4, wideband);
+    EXPECT_FALSE(none.isMet);
+    EXPECT_EQ(none.way.render.widebandError, 0.001);
+    EXPECT_THAT(none.sentences.front(), HasSubstr("wideband-ck trained to 0.1 %"));
 }
 
 TEST(TargetChoice, SaysWhereNoWayMeetsIt) {

@@ -207,6 +207,48 @@ TEST(ErrorsOfScenes, AreOfferedOnRequestAndChangeNoNumber) {
     }
 }
 
+TEST(ErrorsOfScenes, OfASpectrumAreThoseOfItsBand) {
+    Irsg irsg;
+    irsg.setEnvironment(Environment::vacuum());
+    irsg.setEntities(
+        {entityOf(modelOf(sphereMesh(5.0, 24, 48, {1, 1})), greyDatabase(0.9, 290.0))});
+    look(irsg, {.range_m = 3000.0, .fieldOfView_rad = 0.06});
+    const std::vector<double> wavenumbers_per_cm = {3000.0, 2000.0, 2500.0};
+    EXPECT_TRUE(irsg.measureSpectrum(wavenumbers_per_cm).errors.empty());
+    const IntensitySpectrum grey = irsg.measureSpectrum(wavenumbers_per_cm, true);
+    const ObjectRadiometry band = measured(irsg, true).all;
+    ASSERT_EQ(grey.errors.size(), 3U);
+    const double part = band.errors->intensity_W_sr.sampling / band.intensity_W_sr;
+    EXPECT_GT(part, 1e-5);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(grey.errors[i].intensity_W_sr.sampling, part * grey.intensity_W_sr_um[i],
+                    1e-9 * grey.intensity_W_sr_um[i]);
+        EXPECT_EQ(grey.errors[i].intensity_W_sr.air, 0.0);
+    }
+    // Of air and what lies behind: what the wavenumbers of a band have adds to that of the band.
+    irsg.setEnvironment(environmentOf(smartAir(6)));
+    look(irsg, {.range_m = 300.0, .fieldOfView_rad = 0.06});
+    const RenderReport report = measured(irsg, true);
+    std::vector<double> fine_per_cm;
+    constexpr double step_um = 0.005;
+    for (double wavelength_um = 3.0 + 0.5 * step_um; wavelength_um < 5.0;
+         wavelength_um += step_um) {
+        fine_per_cm.push_back(1e4 / wavelength_um);
+    }
+    const IntensitySpectrum spectrum = irsg.measureSpectrum(fine_per_cm, true);
+    double sampling = 0.0, background = 0.0, intensity = 0.0;
+    for (std::size_t i = 0; i < fine_per_cm.size(); ++i) {
+        intensity += step_um * spectrum.intensity_W_sr_um[i];
+        sampling += step_um * spectrum.errors[i].intensity_W_sr.sampling;
+        background += step_um * spectrum.errors[i].contrastIntensity_W_sr.background;
+    }
+    const RadiometryErrors& errors = *report.all.errors;
+    EXPECT_NEAR(intensity, report.all.intensity_W_sr, 0.01 * report.all.intensity_W_sr);
+    EXPECT_NEAR(sampling, errors.intensity_W_sr.sampling, 0.02 * sampling);
+    EXPECT_GT(background, 0.9 * errors.contrastIntensity_W_sr.background);
+    EXPECT_LT(background, 1.5 * errors.contrastIntensity_W_sr.background);
+}
+
 TEST(ErrorsOfScenes, OfTheBackgroundAreThoseOfAHorizonBehindTheObject) {
     // Seen level from its own height, with the horizon behind its lower part.
     Irsg irsg;

@@ -231,4 +231,14 @@ void MpiTeam::finish(const std::function<void(std::size_t done)>& progress) {
     listening_.join();
 }
 
+void MpiTeam::meet() {
+    MPI_Request request{};
+    MPI_Ibarrier(MPI_COMM_WORLD, &request);
+    for (int isThere = 0; isThere == 0;) {
+        MPI_Test(&request, &isThere, MPI_STATUS_IGNORE);
+        if (isThere == 0)
+            std::this_thread::sleep_for(pause);
+    }
+}
+
 } // namespace smat::batch

@@ -32,6 +32,7 @@ class MpiTeam : public CaseTeam {
     std::unique_ptr<CaseStore> lead(CaseFile& file) override;
     std::unique_ptr<CaseStore> follow(std::map<std::string, std::string> inputs) override;
     void finish(const std::function<void(std::size_t done)>& progress) override;
+    void meet() override;
 
   private:
     class Leading;

@@ -1,5 +1,5 @@
-// smat-batch-mpi: the sweeps of smat-batch and Monte Carlo over them, drawn by all ranks of an MPI
-// job.
+// smat-batch-mpi: the sweeps of smat-batch, Monte Carlo over them and the frames of scenarios,
+// drawn by all ranks of an MPI job.
 #include <fmt/format.h>
 #include <mpi.h>
 
@@ -12,6 +12,7 @@ namespace {
 void addCommands(CLI::App& app, smat::batch::Context& context) {
     smat::batch::addSweepCommands(app, context);
     smat::batch::addMonteCarloCommand(app, context);
+    smat::batch::addSimulateCommand(app, context);
 }
 
 int run(int argc, char** argv, smat::batch::MpiTeam& team) {

@@ -37,7 +37,7 @@ SampledScenes::Key SampledScenes::keyOf(const AtmosphericQueryCache& answers, co
             {environment.sun.azimuth_rad, environment.sun.elevation_rad,
              environment.sun.distance_au, settings.airSliceFrom, settings.background_W_m2_sr,
              static_cast<double>(settings.background), static_cast<double>(settings.mode),
-             static_cast<double>(settings.referenceAir)},
+             settings.widebandError, static_cast<double>(settings.referenceAir)},
             bands,
             withSources,
             {},

@@ -19,8 +19,9 @@ const std::vector<double>* samplesOf(const Spectrum& spectrum, const std::vector
 
 /// What terms are prepared for; `spectra` need to live as long.
 CkRequest requestOf(const Environment& environment, const Band& band,
-                    const WidebandSpectra& spectra) {
+                    const WidebandSpectra& spectra, double largestError) {
     CkRequest request;
+    request.largestError = largestError;
     request.band = band;
     request.sun = environment.sun;
     for (const Spectrum& material : spectra.materials)
@@ -53,9 +54,12 @@ WidebandSpectra widebandSpectraOf(const std::vector<Entity>& entities) {
 }
 
 WidebandPoints::WidebandPoints(const Environment& environment, const Band& band,
-                               WidebandSpectra spectra)
-    : atmospheres_(environment), sun_(environment.sun), spectra_(std::move(spectra)) {
-    auto answer = environment.prepareCk(requestOf(environment, band, spectra_));
+                               WidebandSpectra spectra, double largestError)
+    : atmospheres_(environment),
+      sun_(environment.sun),
+      spectra_(std::move(spectra)),
+      largestError_(largestError) {
+    auto answer = environment.prepareCk(requestOf(environment, band, spectra_, largestError));
     data_ = std::move(answer.value);
     answeredBy_ = std::move(answer.answeredBy);
     for (const Spectrum& material : spectra_.materials)
@@ -65,9 +69,9 @@ WidebandPoints::WidebandPoints(const Environment& environment, const Band& band,
 }
 
 bool WidebandPoints::areOf(const Environment& environment, const Band& band,
-                           const WidebandSpectra& spectra) const {
+                           const WidebandSpectra& spectra, double largestError) const {
     return atmospheres_.isOf(environment) && sun_ == environment.sun && data_->band() == band &&
-           spectra_ == spectra;
+           largestError_ == largestError && spectra_ == spectra;
 }
 
 std::shared_ptr<const SpectralSampling> WidebandPoints::sampling() const {

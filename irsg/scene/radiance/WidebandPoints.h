@@ -25,12 +25,14 @@ WidebandSpectra widebandSpectraOf(const std::vector<Entity>& entities);
 /// them: what takes a second to make and does not depend on geometry, temperatures or time.
 class WidebandPoints {
   public:
-    /// Trains the terms. Throws InputError where no atmosphere has a wideband mode for the band.
-    WidebandPoints(const Environment& environment, const Band& band, WidebandSpectra spectra);
+    /// Trains the terms to an error of `largestError` (CkRequest). Throws InputError where no
+    /// atmosphere has a wideband mode for the band.
+    WidebandPoints(const Environment& environment, const Band& band, WidebandSpectra spectra,
+                   double largestError = RenderSettings{}.widebandError);
 
     /// True where these terms are those of other arguments, too.
-    bool areOf(const Environment& environment, const Band& band,
-               const WidebandSpectra& spectra) const;
+    bool areOf(const Environment& environment, const Band& band, const WidebandSpectra& spectra,
+               double largestError) const;
 
     /// That no environment will ever have the air of these terms again.
     bool isGone() const { return atmospheres_.isGone(); }
@@ -47,6 +49,7 @@ class WidebandPoints {
     AirIdentity atmospheres_;
     SunPosition sun_;
     WidebandSpectra spectra_;
+    double largestError_;
     std::shared_ptr<const SensorCkData> data_;
     std::string answeredBy_;
     std::vector<std::vector<double>> materialSamples_, radianceSamples_; ///< of spectra_

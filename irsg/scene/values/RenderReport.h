@@ -51,6 +51,7 @@ struct ObjectSpectrum {
     std::vector<double> intensity_W_sr_um;
     std::vector<double> contrastIntensity_W_sr_um;
     std::vector<double> irradiance_W_m2_um;
+    std::vector<RadiometryErrors> errors; ///< as those of IntensitySpectrum
 };
 
 /// Spectral quantities as they arrive at the sensor, through the air but without the sensor's
@@ -61,7 +62,10 @@ struct IntensitySpectrum {
     std::vector<double> intensity_W_sr_um;
     std::vector<double> contrastIntensity_W_sr_um;
     std::vector<double> irradiance_W_m2_um; ///< of the contrast
-    std::vector<ObjectSpectrum> objects;    ///< where there are several
+    /// A wavenumber each, per um, where they were asked for (Wanted::errors). What of the air they
+    /// hold is its change over the objects' extent: its bins are the resolution of a spectrum.
+    std::vector<RadiometryErrors> errors;
+    std::vector<ObjectSpectrum> objects; ///< where there are several
     double coveredPixels = 0.0;
     std::vector<std::string> warnings;
 };

@@ -59,6 +59,9 @@ inline constexpr int largestBackgroundGrid = 1024;
 struct RenderSettings {
     EngineChoice engine = EngineChoice::opengl;
     CalculationMode mode = CalculationMode::spectral;
+    /// Of in-band quantities on the cases that wideband-ck's terms are trained on, relative: 5e-4
+    /// to 0.05. Less takes more terms. See CkRequest.
+    double widebandError = 0.003;
     /// Zoom antialiasing: side of the windows that objects are drawn into, samples; 128, 256 or 512
     /// for modes 3 to 5 of the report, any from 8 to 2048. 0: every pixel is sampled alike.
     int zoomWindow = 256;
