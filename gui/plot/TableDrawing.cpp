@@ -209,7 +209,7 @@ QImage TableDrawing::ballPicture(int side, const QColor& around) const {
     return picture;
 }
 
-TableDrawing::Parts TableDrawing::partsOf(const QRectF& area, double letter) const {
+TableDrawing::Areas TableDrawing::areasOf(const QRectF& area, double letter) const {
     const double head = (conditions.isEmpty() ? 2.0 : 3.4) * letter;
     const double foot = negative_ > 0 ? 1.6 * letter : 0.4 * letter;
     QRectF inner = area.adjusted(letter, head + 0.6 * letter, -letter, -foot - 0.4 * letter);
@@ -246,7 +246,7 @@ QRectF TableDrawing::ballIn(const QRectF& area, double letter) const {
 }
 
 int TableDrawing::directionAt(const QPointF& point, const QRectF& area, double letter) const {
-    const Parts parts = partsOf(area, letter);
+    const Areas parts = areasOf(area, letter);
     if (parts.map.contains(point))
         return lookup_.nearest((point.x() - parts.map.left()) * 360.0 / parts.map.width() - 180.0,
                                90.0 - (point.y() - parts.map.top()) * 180.0 / parts.map.height());
@@ -263,7 +263,7 @@ void TableDrawing::paint(QPainter& painter, const QRectF& area, const PlotStyle&
     QFont font = plotFont();
     painter.setFont(font);
     const double letter = QFontMetricsF(font, painter.device()).height();
-    const Parts parts = partsOf(area, letter);
+    const Areas parts = areasOf(area, letter);
 
     QFont bold = plotFont(1.15, true);
     painter.setFont(bold);

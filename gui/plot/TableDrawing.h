@@ -64,10 +64,10 @@ class TableDrawing {
     QString csv() const;
 
   private:
-    struct Parts {
+    struct Areas {
         QRectF map, ball, bar;
     };
-    Parts partsOf(const QRectF& area, double letter) const;
+    Areas areasOf(const QRectF& area, double letter) const;
     void findLimits();
     irsg::Rgb colorOf(int direction) const;
     QImage mapPicture(int width, int height) const;

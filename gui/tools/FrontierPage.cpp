@@ -12,9 +12,9 @@
 #include <QVBoxLayout>
 
 #include "gui/analysis/FrontierPanel.h"
+#include "gui/tools/RunFoot.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
-#include "gui/widgets/VerticalScrollArea.h"
 #include "gui/workbench/UnsavedNote.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/radiometry/Errors.h"
@@ -90,46 +90,15 @@ QWidget* FrontierPage::makeForm() {
     column->addWidget(note);
     column->addStretch();
 
-    auto* foot = new QWidget(this);
-    auto* below = new QVBoxLayout(foot);
-    below->setContentsMargins(10, 4, 10, 10);
-    problem_ = new QLabel(foot);
-    problem_->setObjectName("problem");
-    problem_->setWordWrap(true);
-    below->addWidget(problem_);
-    auto* buttons = new QHBoxLayout;
-    run_ = new QPushButton(tr("Run"), foot);
-    run_->setObjectName("run");
-    run_->setDefault(true);
-    cancel_ = new QPushButton(tr("Cancel"), foot);
-    cancel_->setObjectName("cancel");
-    cancel_->setToolTip(tr("Stops and keeps the ways there are"));
-    buttons->addWidget(run_, 1);
-    buttons->addWidget(cancel_, 1);
-    below->addLayout(buttons);
-    progress_ = new QProgressBar(foot);
-    progress_->setObjectName("progress");
-    progress_->setRange(0, 1000);
-    progress_->setFormat(QString());
-    below->addWidget(progress_);
-    below->addWidget(new QLabel(tr("The same from a terminal:"), foot));
-    command_ = new QLineEdit(foot);
-    command_->setObjectName("command");
-    command_->setReadOnly(true);
-    below->addWidget(command_);
-    unsaved_ = new QLabel(foot);
-    unsaved_->setObjectName("unsavedNote");
-    unsaved_->setWordWrap(true);
-    below->addWidget(unsaved_);
-
-    auto* side = new QWidget(this);
-    side->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
-    auto* all = new QVBoxLayout(side);
-    all->setContentsMargins(0, 0, 0, 0);
-    all->setSpacing(0);
-    all->addWidget(new VerticalScrollArea(panel, side), 1);
-    all->addWidget(foot);
-    return side;
+    auto* foot = new RunFoot(tr("Stops and keeps the ways there are"), this);
+    foot->progress->setFormat(QString());
+    problem_ = foot->problem;
+    run_ = foot->run;
+    cancel_ = foot->cancel;
+    progress_ = foot->progress;
+    command_ = foot->command;
+    unsaved_ = foot->unsaved;
+    return RunFoot::below(panel, foot, this);
 }
 
 Frontier::Options FrontierPage::options() const {

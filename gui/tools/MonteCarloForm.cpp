@@ -12,7 +12,7 @@
 #include <QVBoxLayout>
 
 #include "gui/tools/MonteCarloPage.h"
-#include "gui/widgets/VerticalScrollArea.h"
+#include "gui/tools/RunFoot.h"
 #include "gui/workbench/Workbench.h"
 
 namespace smat::gui {
@@ -81,51 +81,15 @@ QWidget* MonteCarloPage::makeForm() {
     scalesColumn->addStretch();
     column->addWidget(scalesBox, 1);
 
-    auto* side = new QWidget(this);
-    side->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
-    auto* all = new QVBoxLayout(side);
-    all->setContentsMargins(0, 0, 0, 0);
-    all->setSpacing(0);
-    all->addWidget(new VerticalScrollArea(panel, side), 1);
-    all->addWidget(makeFoot());
-    return side;
-}
-
-QWidget* MonteCarloPage::makeFoot() {
-    auto* panel = new QWidget(this);
-    auto* column = new QVBoxLayout(panel);
-    column->setContentsMargins(10, 4, 10, 10);
-    problem_ = new QLabel(panel);
-    problem_->setObjectName("problem");
-    problem_->setWordWrap(true);
-    problem_->hide();
-    column->addWidget(problem_);
-    auto* buttons = new QHBoxLayout;
-    run_ = new QPushButton(tr("Run"), panel);
-    run_->setObjectName("run");
-    run_->setDefault(true);
-    cancel_ = new QPushButton(tr("Cancel"), panel);
-    cancel_->setObjectName("cancel");
-    cancel_->setToolTip(tr("Stops and keeps the draws there are"));
-    buttons->addWidget(run_, 1);
-    buttons->addWidget(cancel_, 1);
-    column->addLayout(buttons);
-    progress_ = new QProgressBar(panel);
-    progress_->setObjectName("progress");
-    progress_->setRange(0, 1000);
-    progress_->setTextVisible(true);
-    column->addWidget(progress_);
-    column->addWidget(new QLabel(tr("The same from a terminal:"), panel));
-    command_ = new QLineEdit(panel);
-    command_->setObjectName("command");
-    command_->setReadOnly(true);
-    column->addWidget(command_);
-    unsaved_ = new QLabel(panel);
-    unsaved_->setObjectName("unsavedNote");
-    unsaved_->setWordWrap(true);
-    unsaved_->hide();
-    column->addWidget(unsaved_);
-    return panel;
+    auto* foot = new RunFoot(tr("Stops and keeps the draws there are"), this);
+    foot->progress->setTextVisible(true);
+    problem_ = foot->problem;
+    run_ = foot->run;
+    cancel_ = foot->cancel;
+    progress_ = foot->progress;
+    command_ = foot->command;
+    unsaved_ = foot->unsaved;
+    return RunFoot::below(panel, foot, this);
 }
 
 void MonteCarloPage::addWhat(QFormLayout* form) {

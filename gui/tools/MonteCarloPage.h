@@ -56,7 +56,6 @@ class MonteCarloPage : public QWidget, public Exportable {
 
   private:
     QWidget* makeForm();
-    QWidget* makeFoot();
     void addWhat(QFormLayout* form);
     void addDraws(QFormLayout* form);
     void fillAnalyses();

@@ -52,6 +52,15 @@ void Environment::add(std::shared_ptr<const Atmosphere> atmosphere) {
     atmospheres_.push_back(std::move(atmosphere));
 }
 
+Environment Environment::with(
+    const std::function<std::shared_ptr<const Atmosphere>(const Atmosphere&)>& other) const {
+    Environment made = *this;
+    for (auto& atmosphere : made.atmospheres_)
+        if (auto changed = other(*atmosphere))
+            atmosphere = std::move(changed);
+    return made;
+}
+
 const Atmosphere* Environment::find(const SpectralRange& range, AtmosphereProperty property) const {
     for (const auto& atmosphere : atmospheres_)
         if (atmosphere->accept(range, property))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,6 +31,10 @@ class Environment {
     const std::vector<std::shared_ptr<const Atmosphere>>& atmospheres() const {
         return atmospheres_;
     }
+
+    /// The same with what `other` makes of each atmosphere, which stays where that is nothing.
+    Environment
+    with(const std::function<std::shared_ptr<const Atmosphere>(const Atmosphere&)>& other) const;
 
     SunPosition sun;
     std::optional<Spectrum> defaultBackground; ///< W m-2 sr-1 um-1

@@ -121,14 +121,14 @@ void Renderer::Impl::addAirErrors(const Frame& frame, const ViewFactors& factors
     const std::size_t entities = frame.geometry.size();
 
     // As parts of the intensity: its error, and that of the contrast.
-    struct Parts {
+    struct AirParts {
         double intensity = 0.0, contrast = 0.0;
         void add(double ofIntensity, double ofContrast) {
             intensity = std::hypot(intensity, ofIntensity);
             contrast = std::hypot(contrast, ofContrast);
         }
     };
-    std::vector<std::vector<Parts>> parts(reports.size(), std::vector<Parts>(entities));
+    std::vector<std::vector<AirParts>> parts(reports.size(), std::vector<AirParts>(entities));
     const auto addDifference = [&](const std::vector<ObjectSums>& a,
                                    const std::vector<ObjectSums>& b, double times = 1.0) {
         for (std::size_t o = 0; o < parts.size(); ++o)
@@ -172,7 +172,7 @@ void Renderer::Impl::addAirErrors(const Frame& frame, const ViewFactors& factors
     }
     for (std::size_t o = 0; isWideband && o < reports.size(); ++o)
         if (const auto* terms = SensorCkData::of(*frame.sampled->bands[o].sampling))
-            for (Parts& one : parts[o])
+            for (AirParts& one : parts[o])
                 one.add(deviations * terms->heldOutRms(), deviations * terms->heldOutRms());
 
     for (std::size_t o = 0; o < reports.size(); ++o) {

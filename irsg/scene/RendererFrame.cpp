@@ -173,13 +173,28 @@ void Renderer::Impl::fillRows(Frame& frame) {
     }
 }
 
+std::vector<bool> Renderer::Impl::hotRows(const Frame& frame) {
+    std::vector<bool> hot = hotSurfaces(frame.evaluated->radiometry, frame.scene.entities);
+    std::vector<Entity> entities = frame.scene.entities;
+    const std::size_t states = entities.empty() ? 0 : entities.front().otherStates.size();
+    for (std::size_t i = 0; i < states; ++i) {
+        for (Entity& entity : entities)
+            entity.state = entity.otherStates.at(i);
+        const auto other = radiometry.of(terms, entities, frame.geometry, frame.sampled, fronts);
+        const std::vector<bool> there = hotSurfaces(other->radiometry, entities);
+        for (std::size_t row = 0; row < hot.size(); ++row)
+            hot[row] = hot[row] || there.at(row);
+    }
+    return hot;
+}
+
 void Renderer::Impl::fillItems(Frame& frame) {
     const RenderSettings& settings = frame.scene.settings;
     const SurfaceRows& rows = frame.surfaceRows();
     frame.hot.assign(rows.keys().size(), false);
     if (settings.hotParts && settings.zoomWindow > 0 &&
         settings.zoomStrategy == ZoomStrategy::aligned)
-        frame.hot = hotSurfaces(frame.evaluated->radiometry, frame.scene.entities);
+        frame.hot = hotRows(frame);
     for (int e = 0; e < static_cast<int>(frame.scene.entities.size()); ++e) {
         const Entity& entity = frame.entity(e);
         const PreparedModel& model = prepared.of(entity);

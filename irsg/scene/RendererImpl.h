@@ -192,6 +192,8 @@ struct Renderer::Impl {
     std::shared_ptr<const WidebandPoints> wideband(const Scene& scene, const Band& band);
     void drawBackgrounds(Frame& frame, const std::vector<SampledBand>& bands);
     void fillRows(Frame& frame);
+    /// By drawn row, in the scene's states and the others of its sweep.
+    std::vector<bool> hotRows(const Frame& frame);
     void fillItems(Frame& frame);
     void planPoints(Frame& frame) const;
     /// True where all of an object is inside the frame, and no other object in its part of it.

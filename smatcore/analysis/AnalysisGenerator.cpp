@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "irsg/atmosphere/EnvironmentVariants.h"
 #include "irsg/atmosphere/NearestRun.h"
-#include "irsg/atmosphere/OnTheFly.h"
 #include "irsg/radiometry/NewLines.h"
 #include "irsg/radiometry/Quantity.h"
 #include "irsg/radiometry/Wording.h"
@@ -126,6 +126,26 @@ CaseSetUp setUp(ImageSource& source, const SceneDescription& scene, const Analys
     return set;
 }
 
+/// Lets drawings serve all states of a sweep where these are few: those of a table.
+void shareDrawings(const AnalysisPlan& plan, SceneDescription& scene) {
+    constexpr std::size_t most = 8;
+    std::vector<const AnalysisCase*> states;
+    for (const AnalysisCase& one : plan.cases) {
+        const auto isLike = [&](const AnalysisCase* known) {
+            return known->time_s == one.time_s && known->power == one.power &&
+                   known->mach == one.mach;
+        };
+        if (std::ranges::none_of(states, isLike))
+            states.push_back(&one);
+        if (states.size() > most)
+            return;
+    }
+    for (std::size_t i = 0; states.size() > 1 && i < scene.entities.size(); ++i)
+        for (const AnalysisCase* one : states)
+            scene.entities[i].otherStates.push_back(
+                one->state(scene.entities[i].state, scene.ownOf(i)));
+}
+
 void addSetUp(const SceneDescription& scene, AnalysisKind kind, const std::string& place,
               const CaseSetUp& set, CaseWarnings& warnings) {
     warnings.beginCase(place);
@@ -177,6 +197,8 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
             if (!choice.reason.empty() && !data.settings[key::renderTargetError])
                 data.answeredBy.push_back(std::move(choice.reason));
         }
+        if (data.kind->form == AnalysisForm::sweep)
+            shareDrawings(cases, scene);
         source_.configure(scene);
         for (std::size_t i = 0; i < scene.entities.size(); ++i) {
             data.databases.push_back(scene.entities[i].database);

@@ -5,24 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "irsg/atmosphere/EnvironmentVariants.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Wording.h"
 
 namespace smat {
 
 namespace {
-
-irsg::Environment withBins(const irsg::Environment& environment, int bins_per_cm) {
-    irsg::Environment made;
-    for (const auto& atmosphere : environment.atmospheres()) {
-        const auto other = atmosphere->withBins(bins_per_cm);
-        made.add(other ? other : atmosphere);
-    }
-    made.sun = environment.sun;
-    made.defaultBackground = environment.defaultBackground;
-    made.defaultAmbient_K = environment.defaultAmbient_K;
-    return made;
-}
 
 /// A difference as a part of a number; all of it where there is no number.
 double partOf(double difference, double number) {
@@ -37,7 +26,7 @@ SceneDescription CalculationWay::applied(const SceneDescription& scene) const {
     SceneDescription made = scene;
     made.render = render;
     if (bins_per_cm > 0)
-        made.environment = withBins(scene.environment, bins_per_cm);
+        made.environment = irsg::withBins(scene.environment, bins_per_cm);
     return made;
 }
 
@@ -74,8 +63,8 @@ double modelledCost_s(double samples, const CalculationWay& way, const SceneDesc
 
 bool hasBins(const SceneDescription& scene) {
     const std::vector<irsg::Band> bands = scene.allBands();
-    const irsg::Environment narrow = withBins(scene.environment, 1),
-                            wide = withBins(scene.environment, 15);
+    const irsg::Environment narrow = irsg::withBins(scene.environment, 1),
+                            wide = irsg::withBins(scene.environment, 15);
     return std::ranges::all_of(bands, [&](const irsg::Band& band) {
         const auto one = narrow.nodesOf(band), other = wide.nodesOf(band);
         return one && other && one->size() != other->size();

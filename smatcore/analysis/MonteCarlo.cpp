@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "irsg/atmosphere/EnvironmentVariants.h"
 #include "irsg/atmosphere/NearestRun.h"
-#include "irsg/atmosphere/OnTheFly.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/NewLines.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
@@ -23,13 +23,6 @@ namespace smat {
 
 namespace {
 
-irsg::InputError refusal(std::string position, std::string value, std::string expected) {
-    return irsg::InputError({.file = "montecarlo",
-                             .position = std::move(position),
-                             .value = std::move(value),
-                             .expected = std::move(expected)});
-}
-
 /// One run, from the plan to the table.
 class Run {
   public:
@@ -41,8 +34,8 @@ class Run {
         data_.options.check();
         AnalysisData& analysis = data_.analysis;
         if (analysis.kind->form == AnalysisForm::image) {
-            throw refusal("analysis", analysis.name + ", an image",
-                          "a spectrum, polar, time or range analysis");
+            throw monteCarloRefusal("analysis", analysis.name + ", an image",
+                                    "a spectrum, polar, time or range analysis");
         }
         analysis.settings.set(key::scalingUse, "false");
         // Draws are of the cases that there are before any is drawn.
@@ -125,13 +118,14 @@ class Run {
     void refuseWhatIsOfAll() const {
         const MonteCarloOptions& options = data_.options;
         if (options.ranking)
-            throw refusal("ranking", "a ranking", "none in parts: it follows from all cases");
+            throw monteCarloRefusal("ranking", "a ranking",
+                                    "none in parts: it follows from all cases");
         if (options.standardError)
-            throw refusal("standard error", "draws that end by it",
-                          "a number of draws alone in parts: it follows from all cases");
+            throw monteCarloRefusal("standard error", "draws that end by it",
+                                    "a number of draws alone in parts: it follows from all cases");
         if (data_.analysis.kind->form == AnalysisForm::spectrum)
-            throw refusal("analysis", data_.analysis.name + ", a spectrum",
-                          "a sweep: a spectrum is one view, which has no parts");
+            throw monteCarloRefusal("analysis", data_.analysis.name + ", a spectrum",
+                                    "a sweep: a spectrum is one view, which has no parts");
     }
 
     /// Case by case into the table.
@@ -241,6 +235,13 @@ class Run {
 };
 
 } // namespace
+
+irsg::InputError monteCarloRefusal(std::string position, std::string value, std::string expected) {
+    return irsg::InputError({.file = "montecarlo",
+                             .position = std::move(position),
+                             .value = std::move(value),
+                             .expected = std::move(expected)});
+}
 
 MonteCarlo::MonteCarlo(ImageSource& source, SceneFactory scenes)
     : source_(source), scenes_(std::move(scenes)) {}

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
 #include "smatcore/analysis/CaseStore.h"
 #include "smatcore/analysis/ErrorColumns.h"
@@ -42,6 +43,9 @@ struct MonteCarloOptions {
     /// Throws InputError naming every option that cannot be.
     void check() const;
 };
+
+/// What cannot be asked of Monte Carlo, told by those that run it.
+irsg::InputError monteCarloRefusal(std::string position, std::string value, std::string expected);
 
 /// "contrast_intensity": the word of files and commands.
 std::string name(MonteCarloOptions::Quantity quantity);

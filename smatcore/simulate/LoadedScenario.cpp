@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "irsg/atmosphere/OnTheFly.h"
+#include "irsg/atmosphere/EnvironmentVariants.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/ScalingXml.h"
 #include "smatcore/simulate/ImagingSensorXml.h"

@@ -27,13 +27,6 @@ double asked(const irsg::ScaledValues& values, MonteCarloOptions::Quantity quant
                : values.irradiance.front();
 }
 
-irsg::InputError refusal(std::string position, std::string value, std::string expected) {
-    return irsg::InputError({.file = "montecarlo",
-                             .position = std::move(position),
-                             .value = std::move(value),
-                             .expected = std::move(expected)});
-}
-
 /// One run, from the scales to the tables.
 class Run {
   public:
@@ -48,10 +41,10 @@ class Run {
     void prepare() {
         run_.options.check();
         if (run_.options.ranking)
-            throw refusal("ranking", "asked for", "none: a scenario has no ranking");
+            throw monteCarloRefusal("ranking", "asked for", "none: a scenario has no ranking");
         if (run_.options.phases != 1)
-            throw refusal("phases", std::to_string(run_.options.phases),
-                          "1: every step of a scenario is at a place of its own");
+            throw monteCarloRefusal("phases", std::to_string(run_.options.phases),
+                                    "1: every step of a scenario is at a place of its own");
         generator_.check(run_.plan.sensors, run_.plan.times_s());
         run_.parts.clear();
         run_.warnings.clear();
@@ -105,7 +98,8 @@ class Run {
             series.push_back(&one);
         }
         if (parts.empty())
-            throw refusal("steps", "none at which a sensor sees an entity", "at least one");
+            throw monteCarloRefusal("steps", "none at which a sensor sees an entity",
+                                    "at least one");
         DrawLoop loop(parts, *draws_, [&](const std::vector<double>& scales) {
             std::vector<double> values;
             irsg::ScaledValues at;

@@ -151,6 +151,53 @@ TEST(HotSpots, KeepTheirIntensityHoweverManyTheyAre) {
     }
 }
 
+TEST(HotSpots, OfSeveralStatesAreDrawnOnceForAll) {
+    // Cold at no power, hot at full power.
+    Spots spots(3);
+    Entity wall = hotAndCold(spots.mesh);
+    SignatureDatabase database = *wall.database;
+    database.temperatures[2].terms.base_K = skin_K;
+    database.temperatures[2].terms.power = LookupTable({0.0, 1.0}, {0.0, hot_K - skin_K});
+    wall.database = std::make_shared<const SignatureDatabase>(database);
+    const auto measured = [&](const std::vector<double>& powers, bool areShared, long& drawings) {
+        Irsg irsg;
+        irsg.setEnvironment(environmentOf(ConstantAir{}));
+        irsg.setSettings(settingsOf(128));
+        Entity entity = wall;
+        for (const double power : powers) {
+            EntityState state;
+            state.power = power;
+            if (areShared) {
+                entity.otherStates.push_back(state);
+            }
+        }
+        irsg.setEntities({entity});
+        look(irsg, 0.0, 0.0, 8000.0, 2);
+        std::vector<double> intensities_W_sr;
+        for (const double power : powers) {
+            EntityState state;
+            state.power = power;
+            irsg.setState(0, state);
+            intensities_W_sr.push_back(irsg.measure().all.intensity_W_sr);
+        }
+        drawings = 0;
+        for (const StageTimes::Stage& stage : irsg.stageTimes().stages) {
+            drawings += stage.name == "factor sums" ? stage.calls : 0;
+        }
+        return intensities_W_sr;
+    };
+    long shared = 0, apart = 0, reversed = 0;
+    const std::vector<double> together = measured({0.0, 1.0}, true, shared);
+    const std::vector<double> alone = measured({0.0, 1.0}, false, apart);
+    EXPECT_EQ(shared, 1);
+    EXPECT_EQ(apart, 2);
+    const std::vector<double> backwards = measured({1.0, 0.0}, true, reversed);
+    EXPECT_EQ(together[0], backwards[1]) << "whichever was first";
+    EXPECT_EQ(together[1], backwards[0]);
+    EXPECT_NEAR(together[0], alone[0], 2e-3 * alone[0]);
+    EXPECT_EQ(together[1], alone[1]) << "whose hot parts are those of both";
+}
+
 TEST(HotSpots, ThatAreHiddenCostNothingAndChangeNothing) {
     // From behind, a screen hides them all.
     Irsg& irsg = generator();

@@ -60,10 +60,9 @@ class Model {
     /// What the loader had to do or could not keep: LODs overridden, normals made, files missing.
     const std::vector<std::string>& remarks() const;
 
-    /// As the model was read, up, nose and unit set; the origin where it was asked for.
     /// Where the order of its file decides what is drawn; the largest first.
     const std::vector<SharedPlane>& sharedPlanes() const;
-
+    /// As the model was read, up, nose and unit set; the origin where it was asked for.
     const ModelPlacing& placing() const;
     /// Leads from the axes and the unit of the file to model axes, p' = p M.
     const osg::Matrixd& fromFile() const;

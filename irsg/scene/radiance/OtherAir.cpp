@@ -1,6 +1,6 @@
 #include "irsg/scene/radiance/OtherAir.h"
 
-#include "irsg/atmosphere/OnTheFly.h"
+#include "irsg/atmosphere/EnvironmentVariants.h"
 
 namespace irsg {
 
@@ -9,15 +9,6 @@ namespace {
 std::size_t nodesOf(const Environment& environment, const Band& band) {
     const auto nodes = environment.nodesOf(band);
     return nodes ? nodes->size() : 0;
-}
-
-Environment withBins(const Environment& environment, int resolution_per_cm) {
-    Environment made;
-    for (const auto& atmosphere : environment.atmospheres()) {
-        const auto other = atmosphere->withBins(resolution_per_cm);
-        made.add(other ? other : atmosphere);
-    }
-    return onTheFly(made);
 }
 
 } // namespace
@@ -41,9 +32,9 @@ const Environment& OtherAir::of(const Environment& environment, const Band& band
     return kept(others_, environment, [&] {
         constexpr int wide_per_cm = 15, usual_per_cm = 5;
         // The next wider, or the next narrower of the widest.
-        Environment made = withBins(environment, usual_per_cm);
+        Environment made = onTheFly(withBins(environment, usual_per_cm));
         if (nodesOf(made, band) == nodesOf(environment, band))
-            made = withBins(environment, wide_per_cm);
+            made = onTheFly(withBins(environment, wide_per_cm));
         return made;
     });
 }

@@ -53,7 +53,7 @@ class RadiometryCache {
         std::shared_ptr<EvaluatedScene> scene;
     };
     /// Of each state of the entities two: a table goes through its states at each aspect.
-    static constexpr std::size_t mostKept = 8, mostOfState = 2;
+    static constexpr std::size_t mostKept = 16, mostOfState = 2;
 
     /// Lets go of scenes of other models or databases than the latest, and of old ones of its
     /// state.

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "irsg/scene/model/Model.h"
 #include "irsg/scene/view/Pose.h"
@@ -20,6 +21,9 @@ struct Entity {
     Pose pose;
     /// Altitude, ambient temperature and aspect angle are filled in by Irsg.
     EntityState state;
+    /// Other states of the same sweep, of each entity as many: drawings serve all of them, as hot
+    /// parts are those of any (HotSurfaces).
+    std::vector<EntityState> otherStates;
     /// In model axes; the centre of the bounding box of the opaque geometry where it is not set.
     std::optional<Vec3> referencePoint_m;
     /// Entries that stand in for codes without one; otherwise such a face is an InputError.
