@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <memory>
+#include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -24,6 +26,7 @@ namespace smat::batch {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using Hashes = std::map<std::string, std::string>; ///< of inputs, by name
 
 /// "3-5 um, 8-12 um".
 std::string bandsText(const SceneDescription& scene) {
@@ -149,11 +152,11 @@ class SimulateCommand {
     /// A file of steps beside the table of each sensor, where the run has parts.
     std::vector<std::unique_ptr<CaseFile>> stepFiles(const SimulationPlan& plan,
                                                      const FrameFiles& files,
-                                                     const CaseShare& share, bool isDrawn) const {
+                                                     const CaseShare& share, const Hashes& inputs,
+                                                     bool isDrawn) const {
         std::vector<std::unique_ptr<CaseFile>> steps;
         if (!parts_.isGiven() && !isDrawn)
             return steps;
-        const auto inputs = inputHashes();
         for (const std::size_t sensor : plan.sensors)
             steps.push_back(std::make_unique<CaseFile>(
                 CaseFile::besides(files.tableFile(sensor), share),
@@ -163,8 +166,8 @@ class SimulateCommand {
 
     /// Draws with all processes of a team, sensor by sensor. True in the leader.
     bool areDrawnByTeam(const LoadedScenario& loaded, const SimulationPlan& plan,
-                        const FrameFiles& files, ImageSource& source, CaseTeam& team) const {
-        const auto inputs = inputHashes();
+                        const FrameFiles& files, const Hashes& inputs, ImageSource& source,
+                        CaseTeam& team) const {
         for (const std::size_t sensor : plan.sensors) {
             SimulationPlan ofSensor = plan;
             ofSensor.sensors = {sensor};
@@ -187,6 +190,7 @@ class SimulateCommand {
         for (const std::string& sentence : files.makeFolders(plan.sensors))
             if (!parts_.isGiven() && context.team == nullptr)
                 warn(sentence);
+        const Hashes inputs = inputHashes(); // before frames read more
         std::unique_ptr<ImageSource> source;
         {
             const StageTimer::Scope scope(&context.timer, "start renderer");
@@ -194,11 +198,11 @@ class SimulateCommand {
         }
         if (context.team != nullptr) {
             const StageTimer::Scope scope(&context.timer, "frames of all processes");
-            if (!areDrawnByTeam(loaded, plan, files, *source, *context.team))
+            if (!areDrawnByTeam(loaded, plan, files, inputs, *source, *context.team))
                 return done;
         }
         const std::vector<std::unique_ptr<CaseFile>> steps =
-            stepFiles(plan, files, share, context.team != nullptr);
+            stepFiles(plan, files, share, inputs, context.team != nullptr);
         SimulationParts parts{{}, !share.isAll()};
         for (const std::unique_ptr<CaseFile>& file : steps)
             parts.stores.push_back(file.get());

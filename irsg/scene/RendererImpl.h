@@ -349,7 +349,8 @@ struct Renderer::Impl {
     /// those of each entity, then those of all.
     std::vector<std::vector<RadiometryErrors>>
     spectrumErrors(const Frame& frame, const ViewFactors& factors, EvaluatedScene& evaluated,
-                   const SampledBand& wavelengths, const std::vector<ObjectSums>& sums);
+                   const std::shared_ptr<const SpectralSampling>& nodes,
+                   const std::vector<double>& wavelengths_um, const std::vector<ObjectSums>& sums);
 
     // RendererScattering.cpp
     /// Tells of objects that are partly or wholly outside the frame, and near enough for their

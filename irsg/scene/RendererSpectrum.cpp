@@ -53,7 +53,8 @@ IntensitySpectrum Renderer::Impl::spectrum(const Frame& frame, const Wanted& wan
         spectrum.warnings = evaluated.radiometry.warnings();
         std::vector<std::vector<RadiometryErrors>> errors;
         if (frame.withErrors)
-            errors = spectrumErrors(frame, factors, evaluated, bands.front(), sums);
+            errors = spectrumErrors(frame, factors, evaluated, bands.front().sampling,
+                                    wavelengths.ascending_um, sums);
         ScaledValues nominal;
         for (const ObjectSums& one : sums) {
             nominal.intensity.push_back(one.all.intensity_W_sr);
@@ -100,10 +101,10 @@ IntensitySpectrum Renderer::Impl::spectrum(const Frame& frame, const Wanted& wan
     });
 }
 
-std::vector<std::vector<RadiometryErrors>>
-Renderer::Impl::spectrumErrors(const Frame& frame, const ViewFactors& factors,
-                               EvaluatedScene& evaluated, const SampledBand& wavelengths,
-                               const std::vector<ObjectSums>& sums) {
+std::vector<std::vector<RadiometryErrors>> Renderer::Impl::spectrumErrors(
+    const Frame& frame, const ViewFactors& factors, EvaluatedScene& evaluated,
+    const std::shared_ptr<const SpectralSampling>& nodes, const std::vector<double>& wavelengths_um,
+    const std::vector<ObjectSums>& sums) {
     const std::size_t entities = frame.geometry.size();
     const std::vector<double> ranges_m = frame.ranges_m();
     const std::vector<int> uniform(sums.size(), -1);
@@ -116,7 +117,7 @@ Renderer::Impl::spectrumErrors(const Frame& frame, const ViewFactors& factors,
         const AirScene scene{terms, frame.scene.entities, geometry, frame.scene.settings,
                              frame.centre};
         const std::vector<SampledBand> bands{
-            SceneSampling::wavelengths(air, scene, wavelengths.sampling->wavelengths_um())};
+            SceneSampling::wavelengths(air, scene, wavelengths_um)};
         EvaluatedScene there(terms, frame.scene.entities, geometry, bands, fronts);
         there.radiances.setBackground(backgroundOf(bands, frame.scene.settings));
         return objectSums(factors, there.radiances, nullptr, there.radiometry.rows(), ranges_m,
@@ -144,11 +145,15 @@ Renderer::Impl::spectrumErrors(const Frame& frame, const ViewFactors& factors,
                          share * std::abs(b.contrastIntensity_W_sr - a.contrastIntensity_W_sr));
     };
     const auto seenAlong = [&](const LineOfSight& sight) {
-        const auto& values = *air.at(AtmosphericQuery::backgroundRadiance(
-                                         steadied(sight), frame.scene.environment.sun),
-                                     wavelengths.sampling)
-                                  .value;
-        return std::vector<double>(values.begin(), values.end());
+        const std::vector<double>& values =
+            *air.at(AtmosphericQuery::backgroundRadiance(steadied(sight),
+                                                         frame.scene.environment.sun),
+                    nodes)
+                 .value;
+        std::vector<double> seen;
+        for (std::size_t k = 0; k < wavelengths_um.size(); ++k)
+            seen.push_back(evaluated.radiometry.integrate(values, k));
+        return seen;
     };
     for (std::size_t e = 0; e < entities; ++e) {
         std::vector<double> behind(sums.size(), 0.0);
