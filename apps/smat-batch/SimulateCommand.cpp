@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -164,10 +165,11 @@ class SimulateCommand {
         return steps;
     }
 
-    /// Draws with all processes of a team, sensor by sensor. True in the leader.
-    bool areDrawnByTeam(const LoadedScenario& loaded, const SimulationPlan& plan,
+    /// Draws with all processes of a team, sensor by sensor; gives the seconds that it took.
+    double drawnByAll_s(const LoadedScenario& loaded, const SimulationPlan& plan,
                         const FrameFiles& files, const Hashes& inputs, ImageSource& source,
                         CaseTeam& team) const {
+        const auto start = std::chrono::steady_clock::now();
         for (const std::size_t sensor : plan.sensors) {
             SimulationPlan ofSensor = plan;
             ofSensor.sensors = {sensor};
@@ -181,7 +183,7 @@ class SimulateCommand {
                 });
             team.meet();
         }
-        return team.isLeader();
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 
     int simulate(const LoadedScenario& loaded, const SimulationPlan& plan, const FrameFiles& files,
@@ -196,9 +198,11 @@ class SimulateCommand {
             const StageTimer::Scope scope(&context.timer, "start renderer");
             source = makeIrsgImageSource();
         }
+        double ofTeam_s = 0.0;
         if (context.team != nullptr) {
             const StageTimer::Scope scope(&context.timer, "frames of all processes");
-            if (!areDrawnByTeam(loaded, plan, files, inputs, *source, *context.team))
+            ofTeam_s = drawnByAll_s(loaded, plan, files, inputs, *source, *context.team);
+            if (!context.team->isLeader())
                 return done;
         }
         const std::vector<std::unique_ptr<CaseFile>> steps =
@@ -223,6 +227,7 @@ class SimulateCommand {
                 },
                 stop.get_token(), &context.timer, heed, steps.empty() ? nullptr : &parts);
         }
+        result.elapsed_s += ofTeam_s;
         for (const std::unique_ptr<CaseFile>& file : steps) {
             file->flush();
             if (file->keptOld())

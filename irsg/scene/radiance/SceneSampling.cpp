@@ -149,24 +149,47 @@ void SceneSampling::takeAir(AtmosphericQueryCache& answers, const AirScene& scen
         band.air.answeredBy.insert(band.air.answeredBy.begin(), band.description);
 }
 
-std::shared_ptr<const SpectralSampling> SceneSampling::nodes(const Environment& environment,
-                                                             const Band& band) {
+std::vector<double> SampledSpectra::of(const Spectrum& spectrum) {
+    if (spectrum.isConstant())
+        return sampling_->sampled(spectrum);
+    const std::scoped_lock lock(mutex_);
+    return kept_
+        .of([&](const Kept& kept) { return kept.spectrum == spectrum; },
+            [&] {
+                return Kept{spectrum, sampling_->sampled(spectrum)};
+            })
+        .values;
+}
+
+const SceneSampling::KeptNodes* SceneSampling::nodesKept(const Environment& environment,
+                                                         const Band& band) {
     keptNodes_.letGo([](const KeptNodes& kept) { return kept.atmospheres.isGone(); });
     const KeptNodes* const known = keptNodes_.find([&](const KeptNodes& kept) {
         return kept.band == band && kept.atmospheres.isOf(environment);
     });
     if (known != nullptr)
-        return known->sampling;
+        return known;
     auto made = environment.nodesOf(band);
-    if (made)
-        keptNodes_.add({band, AirIdentity(environment), made});
-    return made;
+    if (!made)
+        return nullptr;
+    auto spectra = std::make_shared<SampledSpectra>(made);
+    return &keptNodes_.add({band, AirIdentity(environment), std::move(made), std::move(spectra)});
+}
+
+std::shared_ptr<const SpectralSampling> SceneSampling::nodes(const Environment& environment,
+                                                             const Band& band) {
+    const KeptNodes* const kept = nodesKept(environment, band);
+    return kept == nullptr ? nullptr : kept->sampling;
 }
 
 SampledBand SceneSampling::spectral(AtmosphericQueryCache& answers, const AirScene& scene,
                                     const Band& band) {
-    auto sampling = nodes(answers.environment(), band);
-    SampledBand made = sampledBand(sampling ? sampling : quadrature(answers, scene, band));
+    const KeptNodes* const kept = nodesKept(answers.environment(), band);
+    SampledBand made = sampledBand(kept ? kept->sampling : quadrature(answers, scene, band));
+    if (kept)
+        made.sample = [spectra = kept->spectra](const Spectrum& spectrum) {
+            return spectra->of(spectrum);
+        };
     made.area_um = band.area_um();
     takeAir(answers, scene, made);
     return made;

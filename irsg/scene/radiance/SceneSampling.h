@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,6 +44,27 @@ struct AirScene {
 /// Of the surfaces with a temperature, in steps, K: it decides how fine a quadrature must be.
 double coldestOf_K(const AtmosphericQueryCache& answers, const AirScene& scene);
 
+/// Spectra brought to the nodes of a sampling, kept for the next scene that has them: each view of
+/// a sweep is evaluated anew in its own air, with the surfaces of all others. May be asked by
+/// several threads at once.
+class SampledSpectra {
+  public:
+    explicit SampledSpectra(std::shared_ptr<const SpectralSampling> sampling)
+        : sampling_(std::move(sampling)) {}
+    /// SpectralSampling::sampled.
+    std::vector<double> of(const Spectrum& spectrum);
+
+  private:
+    static constexpr std::size_t mostKept = 64;
+    struct Kept {
+        Spectrum spectrum;
+        std::vector<double> values;
+    };
+    std::shared_ptr<const SpectralSampling> sampling_;
+    std::mutex mutex_; ///< of what follows
+    RecentlyUsed<Kept> kept_{mostKept};
+};
+
 /// The samplings of bands, kept while their spectra stay what they are.
 class SceneSampling {
   public:
@@ -82,7 +104,10 @@ class SceneSampling {
         Band band;
         AirIdentity atmospheres;
         std::shared_ptr<const SpectralSampling> sampling;
+        std::shared_ptr<SampledSpectra> spectra;
     };
+    /// Null where the air has none of itself.
+    const KeptNodes* nodesKept(const Environment& environment, const Band& band);
     RecentlyUsed<KeptNodes> keptNodes_{mostNodesKept};
 };
 
