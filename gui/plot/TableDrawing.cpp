@@ -242,7 +242,7 @@ TableDrawing::Areas TableDrawing::areasOf(const QRectF& area, double letter) con
 }
 
 QRectF TableDrawing::ballIn(const QRectF& area, double letter) const {
-    return partsOf(area, letter).ball;
+    return areasOf(area, letter).ball;
 }
 
 int TableDrawing::directionAt(const QPointF& point, const QRectF& area, double letter) const {
