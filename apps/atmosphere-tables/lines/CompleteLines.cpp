@@ -5,7 +5,9 @@
 
 #include "apps/atmosphere-tables/lines/CarbonDioxideLines.h"
 #include "apps/atmosphere-tables/lines/LineListFile.h"
+#include "apps/atmosphere-tables/lines/MethaneLines.h"
 #include "apps/atmosphere-tables/lines/NitrousOxideLines.h"
+#include "apps/atmosphere-tables/lines/OzoneLines.h"
 #include "apps/atmosphere-tables/lines/PseudoLines.h"
 #include "apps/atmosphere-tables/lines/PublishedRun.h"
 #include "apps/atmosphere-tables/lines/StrengthScaling.h"
@@ -28,10 +30,9 @@ std::vector<Gap> gapsOf(Gas gas) {
     case Gas::H2O:
         return {{250.0, 500.0}, {5405.4, 6000.0}, {6400.0, 17860.0}};
     case Gas::O3:
-        return {
-            {250.0, 650.0}, {750.0, 800.0}, {983.0, 1275.0}, {1630.0, 2295.0}, {2670.0, 3260.0}};
+        return {{250.0, 650.0}, {750.0, 800.0}, {2670.0, 3260.0}};
     case Gas::CH4:
-        return {{1200.0, 1775.0}, {4100.0, 4690.0}, {5865.0, 6135.0}};
+        return {{4100.0, 4690.0}, {5865.0, 6135.0}};
     default:
         return {};
     }
@@ -58,18 +59,15 @@ void addPseudoLines(LineList& list, const std::filesystem::path& dataFolder) {
         "1988, AFGL-TR-88-0177); to 0.06 in transmittance, no detail finer than 20 cm-1");
 }
 
-/// Pseudo-lines whose LOWTRAN parameters are farther from MODTRAN than 0.06, brought nearer.
+/// Pseudo-lines of water whose LOWTRAN parameters are farther from MODTRAN than 0.06, brought
+/// nearer.
 void scalePseudoLines(LineList& list, const std::filesystem::path& dataFolder) {
-    const bool isWater = list.gas == Gas::H2O;
-    if (!isWater && list.gas != Gas::CH4)
+    if (list.gas != Gas::H2O)
         return;
     const PublishedRun run = PublishedRun::read(dataFolder);
-    // The windows of methane begin where their lines do not reach into the 8 to 12 um band.
-    const ScalingWindows windows =
-        isWater ? ScalingWindows{8000.0, 11000.0, 100.0} : ScalingWindows{1275.0, 1400.0, 25.0};
+    const ScalingWindows windows{8000.0, 11000.0, 100.0};
     scaleStrengths(list,
-                   {PublishedRun::air(), PublishedRun::length_cm, run.wavenumber_per_cm,
-                    isWater ? run.water : run.methane},
+                   {PublishedRun::air(), PublishedRun::length_cm, run.wavenumber_per_cm, run.water},
                    windows);
     list.origins.push_back(
         std::string(gasNames[static_cast<std::size_t>(list.gas)]) + " at " +
@@ -78,8 +76,29 @@ void scalePseudoLines(LineList& list, const std::filesystem::path& dataFolder) {
         numberText(windows.width_per_cm) +
         " cm-1 to the column of this gas in a published MODTRAN run of 5 km of tropical air "
         "(horizon5kmtropical.fl7 of pyradi, C. J. Willers et al., MIT licence), from which LOWTRAN "
-        "7 itself is " +
-        (isWater ? "0.08" : "0.06") + " RMS away; to 0.06 in transmittance");
+        "7 itself is 0.08 RMS away; to 0.06 in transmittance");
+}
+
+/// nu4 and nu2 of methane, where the list ends at 1200 cm-1 and begins again at 2000.
+void addMethaneDyad(LineList& list) {
+    const std::vector<Line> dyad = methaneDyadLines(list.lines);
+    list.lines.insert(list.lines.end(), dyad.begin(), dyad.end());
+    list.origins.push_back(
+        "CH4 at 1200-1775 cm-1: nu4 and nu2 generated from an effective Hamiltonian of the dyad, "
+        "fitted to the energies that HITRAN's hot bands and P branch hold (0.012 cm-1 rms up to J "
+        "= 16), and a dipole fitted to the P branch at 850-1200 cm-1; strengths to a few percent; "
+        "13CH4 moved, without CH3D and hot bands");
+}
+
+/// The bands of ozone at 9.6, 4.75 and around 5.7 um, whose lines the list lacks.
+void addOzone(LineList& list, const std::filesystem::path& file) {
+    const std::vector<Line> bands = ozoneLines(readTextLines(file));
+    list.lines.insert(list.lines.end(), bands.begin(), bands.end());
+    list.origins.push_back(
+        "O3 at 983-1275 and 1630-2295 cm-1: generated from Watson's Hamiltonians of interacting "
+        "states, fitted to the energies that HITRAN's hot bands and P branches hold (0.001 to 0.01 "
+        "cm-1 rms), and dipoles fitted to its P branch below 983 cm-1 and to cross sections "
+        "computed from it; strengths to 2 percent in nu3 and nu1 + nu3, 15 percent beside them");
 }
 
 // Where the list has all that is known of the main isotopologue of methane.
@@ -188,8 +207,12 @@ LineList completeLineList(Gas gas, const std::filesystem::path& dataFolder) {
     LineList list = readLineList(
         gas, folder / (std::string(gasNames[static_cast<std::size_t>(gas)]) + ".par.gz"));
     list.origins.push_back(hitranOrigin(gas));
-    if (gas == Gas::CH4)
+    if (gas == Gas::CH4) {
+        addMethaneDyad(list);
         addBareMethane(list, folder);
+    }
+    if (gas == Gas::O3)
+        addOzone(list, folder / "O3.par.gz");
     if (gas == Gas::N2O)
         addRareNitrousOxide(list, folder / "N2O.par.gz");
     addPseudoLines(list, dataFolder);
