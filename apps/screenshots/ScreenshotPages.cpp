@@ -63,7 +63,15 @@ void ScreenshotTaker::fill(QWidget* page) {
     settle();
 }
 
+void ScreenshotTaker::closeTabs() {
+    auto* tabs = window_.findChild<QTabWidget*>("tabs");
+    for (int i = tabs->count() - 1; i > 0; --i)
+        emit tabs->tabCloseRequested(i);
+    settle();
+}
+
 void ScreenshotTaker::keepComparison() {
+    closeTabs();
     auto* tabs = window_.findChild<QTabWidget*>("tabs");
     auto* comparison = window_.compareImages(images_);
     waitWhile([comparison] { return comparison->isBusy(); });
@@ -83,6 +91,7 @@ void ScreenshotTaker::keepComparison() {
         keepPage(QString("comparison-tab-%1").arg(i + 1));
     }
     sides->setCurrentIndex(0);
+    comparison->findChild<QCheckBox*>("markPixels")->setChecked(false);
     comparison->goToWorstPixel();
     settle();
     keepPage("comparison-worst-pixel");
@@ -173,6 +182,7 @@ void ScreenshotTaker::keepResults() {
     current_ = "result-edit";
     accept_ = false;
     act("editResult");
+    closeTabs();
     choose(AnalysisKind::image, 1);
     act("showResult");
     if (auto* histogram = shown<QToolButton>(*tabs->currentWidget(), "showHistogram"))

@@ -48,6 +48,8 @@ class ScreenshotTaker {
     /// Every tab of the editor of signature databases.
     void keepDatabase();
     // ScreenshotPages.cpp
+    /// All but the view's.
+    void closeTabs();
     void keepDatabaseDialogs();
     void keepProjectAnalyses();
     /// Plots and images in all their ways, and what is known of a result.

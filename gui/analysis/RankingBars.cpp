@@ -15,7 +15,7 @@ namespace smat::gui {
 
 namespace {
 
-constexpr int margin = 12, titleHeight = 26, axisHeight = 40;
+constexpr int margin = 12, titleHeight = 26, captionHeight = 36, axisHeight = 22 + captionHeight;
 
 QString percent(const Estimate& estimate) {
     return QString::number(100.0 * estimate.value, 'f', 1);
@@ -109,8 +109,8 @@ void RankingBars::paintEvent(QPaintEvent*) {
         painter.setPen(QPen(style.text, 1.0));
         painter.drawLine(QPointF(xOf(0.0), top), QPointF(xOf(0.0), bottom));
     }
-    painter.drawText(QRectF(margin, bottom + 18, width() - 2.0 * margin, 18), Qt::AlignCenter,
-                     caption());
+    painter.drawText(QRectF(margin, bottom + 20, width() - 2.0 * margin, captionHeight),
+                     Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, caption());
 
     for (int i = 0; i < rows; ++i) {
         const RankingBar& bar = bars_[static_cast<std::size_t>(i)];

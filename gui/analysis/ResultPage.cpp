@@ -100,6 +100,7 @@ void ResultPage::showImage(Dialogs dialogs) {
     const Settings& settings = entry.data->settings;
     image_->setColorScale(irsg::colorScaleNamed(settings.text(key::displayScale)),
                           settings[key::displayMarkOutside]);
+    image_->setLimits(settings[key::displayMinimum], settings[key::displayMaximum]);
     layout()->addWidget(image_);
     setBackgroundRole(QPalette::Window); // so that fields stand out in the dark, too
 }

@@ -176,6 +176,14 @@ void ImageView::useLimits(const FoundLimits& found) {
     inspector_->setLimits(found.limits);
 }
 
+void ImageView::setLimits(std::optional<double> low, std::optional<double> high) {
+    irsg::DisplayLimits limits = colorBar_->limits();
+    limits.low = low.value_or(limits.low);
+    limits.high = high.value_or(limits.high);
+    if ((low || high) && limits.low < limits.high)
+        colorBar_->edit(limits);
+}
+
 void ImageView::setColorMap(const std::string& name) {
     map_ = &irsg::ColorMap::named(name);
     colors_->setCurrentText(QString::fromStdString(name));

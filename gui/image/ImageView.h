@@ -66,6 +66,9 @@ class ImageView : public QWidget, public Exportable {
     /// Name of the plane that is shown; of a picture in its own colours that of its luminance.
     const std::string& shownChannel() const { return plane().name; }
     void setColorMap(const std::string& name);
+    /// The values that have the first and the last colour, as if they were typed into the bar; what
+    /// is not given stays, and nothing changes where they do not ascend.
+    void setLimits(std::optional<double> low, std::optional<double> high);
     void setShownPlane(int index);
     /// "x 12  y 7   Radiance 1.234 W·m⁻²·sr⁻¹   Apparent temperature 301.2 K".
     QString readoutAt(int x, int y) const;

@@ -271,14 +271,7 @@ void ScenarioPage::useDisplay(const Settings& settings) {
     image_->setColorMap(settings.text(key::displayColorMap));
     image_->setColorScale(irsg::colorScaleNamed(settings.text(key::displayScale)),
                           settings[key::displayMarkOutside]);
-    const auto low = settings[key::displayMinimum], high = settings[key::displayMaximum];
-    ColorBar& bar = *image_->colorBar();
-    if (low && high && *low < *high) {
-        irsg::DisplayLimits limits = bar.limits();
-        limits.low = *low;
-        limits.high = *high;
-        bar.edit(limits);
-    }
+    image_->setLimits(settings[key::displayMinimum], settings[key::displayMaximum]);
 }
 
 void ScenarioPage::refreshBands(const ScenarioPicture& picture) {

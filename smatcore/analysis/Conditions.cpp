@@ -92,8 +92,21 @@ Settings settingsOf(const ResultTable& table) {
 }
 
 std::vector<Condition> conditionsOf(const ResultTable& table) {
-    if (table.provenance.value("analysis").empty())
+    const std::string analysis = table.provenance.value("analysis");
+    if (analysis.empty())
         return {};
+    // A tool asks the air alone: of a project's sensor, aspect and time it knows nothing.
+    if (analysis == name(AnalysisKind::radiative) ||
+        analysis == name(AnalysisKind::temperatureProfile)) {
+        std::string air = table.provenance.value("atmosphere");
+        constexpr std::string_view before = "ambient temperature: ";
+        if (const std::string answer = table.provenance.value("answered by");
+            air.empty() && answer.starts_with(before))
+            air = answer.substr(before.size());
+        if (air.empty())
+            return {};
+        return {{key::environmentAtmospheres, air}};
+    }
     return conditions(settingsOf(table), &table);
 }
 

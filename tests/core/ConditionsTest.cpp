@@ -54,6 +54,18 @@ TEST(ConditionsTest, OfAResultLeaveOutWhatItVaries) {
     EXPECT_TRUE(conditionsOf(ResultTable()).empty()) << "nothing is known of it";
 }
 
+TEST(ConditionsTest, OfAToolThatAsksTheAirAloneAreThatAir) {
+    ResultTable profile;
+    profile.provenance.add("analysis", name(AnalysisKind::temperatureProfile));
+    EXPECT_TRUE(conditionsOf(profile).empty()) << "no range, no band and no vacuum";
+    profile.provenance.add("answered by", "ambient temperature: AtmosphereSmart (sea.xml)");
+    EXPECT_EQ(lineOf(conditionsOf(profile)), "AtmosphereSmart (sea.xml)");
+    ResultTable radiative;
+    radiative.provenance.add("analysis", name(AnalysisKind::radiative));
+    radiative.provenance.add("atmosphere", "AtmosphereSmart (sea.xml)");
+    EXPECT_EQ(lineOf(conditionsOf(radiative)), "AtmosphereSmart (sea.xml)");
+}
+
 TEST(ConditionsTest, OfSeveralResultsAreThoseTheyShare) {
     const ResultTable a = polar({{"sensor.band", "8-12 um"}}),
                       b = polar({{"sensor.band", "3-5 um"}});

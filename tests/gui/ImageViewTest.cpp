@@ -105,6 +105,15 @@ TEST_F(ImageViewTest, ALargeImageIsColouredInAnotherThreadWhileTheOldPictureStay
     const QColor before = middle();
     EXPECT_EQ(before, view.canvas()->picture().pixelColor(350, 300));
 
+    // What a project says of the limits counts as if it were typed, one of them or both.
+    view.setLimits(std::nullopt, 50.0);
+    EXPECT_EQ(view.colorBar()->limits().low, limits.low);
+    EXPECT_EQ(view.colorBar()->limits().high, 50.0);
+    view.setLimits(60.0, 50.0);
+    EXPECT_EQ(view.colorBar()->limits().high, 50.0) << "limits that do not ascend change nothing";
+    EXPECT_EQ(view.colorBar()->limits().low, limits.low);
+    view.colorBar()->edit(limits);
+
     // Locked limits count at once in the bar, the picture follows.
     view.colorBar()->edit({200.0, 300.0});
     EXPECT_EQ(middle(), before);
