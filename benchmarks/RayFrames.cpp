@@ -3,7 +3,7 @@
 // light between surfaces, and with surfaces that reflect by direction; a polar of 360 aspects of
 // the latter; and what the view factors between the surfaces of models cost.
 //
-//     bench_rays [factors] [light] [frames] [--aspects=360]    all of it without a word
+//     bench_rays [factors] [light] [frames] [engines] [--aspects=360]    all of it without a word
 //
 // Times are those of all processors together, which what else the machine does hardly changes.
 #include <algorithm>
@@ -153,6 +153,53 @@ void measureFactors(const char* name, const Entity& entity) {
     }
 }
 
+/// What the rule of `render.engine` auto is made of (EngineCost): frames of spheres with so many
+/// facets in pictures of so many samples, by both engines, with shells of glass about them, shadows
+/// and lobes.
+void measureEngines() {
+    std::printf("%-10s %9s %8s", "facets", "samples", "shells");
+    for (const char* what : {"plain", "shadows", "lobes"})
+        std::printf(" %9s %9s", what, "rays");
+    std::printf("\n");
+    for (const double facets : {1e3, 1e4, 1e5, 1e6})
+        for (const int side_px : {64, 256, 640})
+            for (const int shells : {0, 2}) {
+                if (shells > 0 && (facets != 1e4 || side_px == 64))
+                    continue;
+                const int latitudes = static_cast<int>(std::sqrt(facets / 4.0));
+                reference::Mesh mesh = test::sphereMesh(1.0, latitudes, 2 * latitudes, {1, 1});
+                for (int shell = 0; shell < shells; ++shell)
+                    mesh = test::joined(mesh, test::sphereMesh(1.1 + 0.1 * shell, 16, 32, {2, 2}));
+                SignatureDatabase database = test::greyDatabase(0.4, 300.0);
+                database.temperatures[2] = test::fixedTemperature(300.0);
+                database.materials[2] = test::greyMaterial(0.1, 0.8);
+                Entity sphere = test::entityOf(test::modelOf(mesh), database);
+                sphere.pose.position_m.z = test::standingAltitude_m;
+                std::printf("%-10.0f %9d %8d", facets, side_px * side_px, shells);
+                for (int what = 0; what < 3; ++what)
+                    for (const EngineChoice engine : {EngineChoice::opengl, EngineChoice::rays}) {
+                        Irsg irsg;
+                        RenderSettings settings;
+                        settings.engine = engine;
+                        settings.sunShadows = what == 1 ? SunShadowMode::point : SunShadowMode::off;
+                        settings.zoomWindow = 0;
+                        settings.samplesPerAxis = 1;
+                        irsg.setSettings(settings);
+                        irsg.setEnvironment(test::brightAir());
+                        irsg.setEntities({what == 2 ? glossy(sphere) : sphere});
+                        test::look(irsg, {.range_m = 50.0,
+                                          .azimuth_rad = radians(60.0),
+                                          .elevation_rad = radians(15.0),
+                                          .width_px = side_px,
+                                          .height_px = side_px,
+                                          .fieldOfView_rad = 0.06});
+                        std::printf(" %9.2f", frame_ms(irsg));
+                        std::fflush(stdout);
+                    }
+                std::printf("\n");
+            }
+}
+
 void measure(const char* name, const Entity& entity) {
     std::printf("%-24s", name);
     for (const SunShadowMode shadows :
@@ -195,6 +242,8 @@ int main(int argc, char** argv) {
     const auto isAsked = [&](const char* word) {
         return words.empty() || std::ranges::find(words, word) != words.end();
     };
+    if (isAsked("engines"))
+        measureEngines();
     Entity aircraft = sampleOf("turboprop4");
     if (isAsked("factors")) {
         std::printf("%-12s %8s %9s %9s %9s %9s %9s %9s\n", "factors", "asked", "cold, s", "error",

@@ -268,7 +268,9 @@ Vec3 Renderer::referencePoint(const Entity& entity) {
 }
 std::string Renderer::rendererDescription(const Scene& scene) {
     impl_->prepared.keep(scene.entities);
-    return impl_->descriptionOf(impl_->chosenEngine(scene));
+    if (scene.settings.engine == EngineChoice::automatic && !impl_->lastChosen.empty())
+        return impl_->lastChosen;
+    return impl_->descriptionOf(impl_->chosenEngine(scene, nullptr));
 }
 std::size_t Renderer::graphicsMemory_bytes() const {
     return impl_->opengl ? impl_->opengl->bytes() : 0;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/RendererImpl.h"
@@ -11,9 +12,11 @@ namespace irsg {
 
 namespace {
 
-/// Facets from which rays are quicker than OpenGL drawn by the processor
-/// (docs/accuracy-sampling.md).
-constexpr std::size_t manyFacets = 200'000;
+/// Part of the square about an object's bounding sphere in which the object is seen: that of a
+/// sphere in the sphere about its box.
+constexpr double coveredPart = 0.25;
+/// Surfaces of a closed shell that a ray meets.
+constexpr double wallsOfShell = 2.0;
 
 /// Mesa's renderers that have no graphics card.
 bool isSoftware(const std::string& renderer) {
@@ -38,7 +41,48 @@ SampleEngine& Renderer::Impl::engineOf(EngineChoice engine) {
     return *opengl;
 }
 
-Renderer::Impl::ChosenEngine Renderer::Impl::chosenEngine(const Scene& scene) {
+EngineWork Renderer::Impl::workOf(const Scene& scene, const Frame* frame) {
+    const RenderSettings& settings = scene.settings;
+    const Sensor sensor = frame != nullptr ? frame->camera.sensor() : Sensor();
+    const double width_px = sensor.width_px, height_px = sensor.height_px;
+    const double perAxis =
+        settings.samplesInAll ? std::sqrt(settings.samplesPerAxis) : settings.samplesPerAxis;
+    EngineWork work;
+    double transparentFacets = 0.0;
+    for (std::size_t e = 0; e < scene.entities.size(); ++e) {
+        const Entity& entity = scene.entities[e];
+        const PreparedModel& model = prepared.of(entity);
+        work.facets += static_cast<double>(model.facets());
+        for (const DrawItem& item : model.items) {
+            const Material* material = materialEntry(entity, item.codes.material);
+            if (material == nullptr)
+                continue;
+            if (!material->isOpaque())
+                for (const auto& primitives : item.geometry->getPrimitiveSetList())
+                    transparentFacets += primitives->getNumIndices() / 3.0;
+        }
+        double across_px = std::min(width_px, height_px);
+        if (frame != nullptr)
+            across_px = entity.model->bounds().diagonal_m() /
+                        (std::max(frame->geometry[e].path.range_m, 1e-3) * sensor.pixelPitch());
+        // Windows are as fine as an object needs, and the frame is no larger.
+        const double square = settings.zoomWindow > 0
+                                  ? std::pow(std::max<double>(settings.zoomWindow, across_px), 2)
+                                  : std::pow(across_px * perAxis, 2);
+        const double most = width_px * height_px * perAxis * perAxis;
+        if (settings.zoomWindow > 0)
+            work.samples += std::min(square, std::max(most, std::pow(settings.zoomWindow, 2)));
+        work.covered += coveredPart * std::min(square, most / coveredPart);
+    }
+    if (settings.zoomWindow == 0)
+        work.samples = width_px * height_px * perAxis * perAxis;
+    work.covered = std::min(work.covered, work.samples);
+    if (work.facets > 0.0)
+        work.layers = wallsOfShell * transparentFacets / work.facets;
+    return work;
+}
+
+Renderer::Impl::ChosenEngine Renderer::Impl::chosenEngine(const Scene& scene, const Frame* frame) {
     if (scene.settings.engine != EngineChoice::automatic)
         return {scene.settings.engine, ""};
     if (!areRaysBuilt())
@@ -49,11 +93,8 @@ Renderer::Impl::ChosenEngine Renderer::Impl::chosenEngine(const Scene& scene) {
     } catch (const InputError&) {
         return {EngineChoice::rays, "this machine has no OpenGL"};
     }
-    std::size_t facets = 0;
-    for (const Entity& entity : scene.entities)
-        facets += prepared.of(entity).facets();
-    return {facets < manyFacets ? EngineChoice::opengl : EngineChoice::rays,
-            std::to_string(facets) + " facets and no graphics card"};
+    const EngineWork work = workOf(scene, frame);
+    return {quickerEngine(work), wordsOf(work)};
 }
 
 std::string Renderer::Impl::descriptionOf(const ChosenEngine& chosen) {
@@ -70,9 +111,11 @@ TerrainPainter& Renderer::Impl::terrainPainter(const Frame& frame) {
 }
 
 void Renderer::Impl::takeEngine(Frame& frame) {
-    const ChosenEngine chosen = chosenEngine(frame.scene);
+    const ChosenEngine chosen = chosenEngine(frame.scene, &frame);
     frame.engine = &engineOf(chosen.engine);
     frame.renderer = descriptionOf(chosen);
+    if (frame.scene.settings.engine == EngineChoice::automatic)
+        lastChosen = frame.renderer;
     if (!usesRays(frame))
         return;
     timed("ray trees", [&] {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "irsg/radiometry/RecentlyUsed.h"
+#include "irsg/scene/EngineCost.h"
 #include "irsg/scene/PreparedEntities.h"
 #include "irsg/scene/Renderer.h"
 #include "irsg/scene/SceneCheck.h"
@@ -77,6 +78,8 @@ struct Renderer::Impl {
         std::shared_ptr<const LightExchange> exchange;
     };
     RecentlyUsed<KnownExchange> exchanges{4};
+    std::string lastChosen; ///< of automatic choices
+    std::shared_ptr<LobeTables> lobeTables = std::make_shared<LobeTables>();
     LightSolutions lightSolutions;
     SceneScattering scattering;
     OtherAir otherAir;
@@ -214,7 +217,9 @@ struct Renderer::Impl {
         std::string why; ///< of an automatic choice
     };
     SampleEngine& engineOf(EngineChoice engine);
-    ChosenEngine chosenEngine(const Scene& scene);
+    /// `frame`: the one that is to be drawn, or null where only the scene is known.
+    ChosenEngine chosenEngine(const Scene& scene, const Frame* frame);
+    EngineWork workOf(const Scene& scene, const Frame* frame);
     std::string descriptionOf(const ChosenEngine& chosen);
     bool usesRays(const Frame& frame) const { return frame.engine == rays.get(); }
     TerrainPainter& terrainPainter(const Frame& frame);

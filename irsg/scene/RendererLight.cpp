@@ -151,6 +151,7 @@ void Renderer::Impl::takeLobes(Frame& frame) {
     for (const ObjectGeometry& object : frame.geometry)
         making.grids.push_back(object.mirror);
     making.roles = terms.lobeRoles();
+    making.tables = lobeTables;
     making.isSunSmart = frame.scene.settings.sun == ReflectionMode::smart;
     for (std::size_t i = 0; i < terms.directions.size(); ++i) {
         if (terms.directions[i].name == "zenithEye")

@@ -86,6 +86,19 @@ class ContrastSums {
         for (ViewKindSums<Factors>& sums : corrections_)
             sums.finishLight();
     }
+    void addMirror(int front, const FactorSamples& samples, const FactorSamples::Layer& layer,
+                   const FactorSamples::Mirror& mirror) {
+        now_->addMirror(front, samples, layer, mirror);
+        if (isCorrected_)
+            for (ViewKindSums<Factors>& sums : corrections_)
+                sums.addMirror(front, samples, layer, mirror);
+    }
+    void finish() {
+        for (ViewKindSums<Factors>& sums : classes_)
+            sums.finish();
+        for (ViewKindSums<Factors>& sums : corrections_)
+            sums.finish();
+    }
 
     /// Calls visit(sums, sign) for what the sum of all is made of.
     template <typename Visit>

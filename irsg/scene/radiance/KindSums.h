@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "irsg/scene/radiance/FactorField.h"
+#include "irsg/scene/radiance/LayerWalk.h"
 #include "irsg/scene/radiance/SceneLight.h"
 #include "irsg/scene/radiance/SurfaceRows.h"
 #include "irsg/scene/radiance/ViewFactors.h"
@@ -93,6 +98,63 @@ class ViewKindSums {
         addTo(place, 1.0 - static_cast<double>(between.next));
         if (between.next > 0.0f)
             addTo(place + 1, static_cast<double>(between.next));
+    }
+
+    /// What lobes mirror of the air, which is divided among its places once all is added.
+    void addMirror(int front, const FactorSamples& samples, const FactorSamples::Layer& layer,
+                   const FactorSamples::Mirror& mirror) {
+        const SurfaceRows::Between between = surfaces_.at(mirror.row, layer.distance_m);
+        const MirrorTable& table = *samples.mirrorTables[mirror.table];
+        const float* scales = &samples.mirrorScales[mirror.scales];
+        const auto addTo = [&](int row, double weight) {
+            std::vector<double>& sums = mirrorsOf(front, row, samples, mirror);
+            for (std::size_t n = 0; n < mirror.nodes.size(); ++n) {
+                const std::size_t first = 2 * table.components * mirror.nodes[n];
+                if (first + 2 * table.components > sums.size())
+                    sums.resize(first + 2 * table.components);
+                const double ofNode = weight * static_cast<double>(mirror.weights[n]);
+                for (std::size_t k = 0; k < table.components; ++k) {
+                    const double own = ofNode * static_cast<double>(scales[k]);
+                    sums[first + 2 * k] += own * omega_sr_;
+                    sums[first + 2 * k + 1] += own * projected_sr_;
+                }
+            }
+        };
+        addTo(between.row, 1.0 - static_cast<double>(between.next));
+        if (between.next > 0.0f)
+            addTo(between.row + 1, static_cast<double>(between.next));
+    }
+    /// Divides it; nothing is added afterwards.
+    void finish() {
+        for (const auto& [key, mirrors] : mirrors_) {
+            const auto& [front, row, number] = key;
+            const std::shared_ptr<const MirrorTable>& table = mirrors.table;
+            // In an order that what was seen before does not change.
+            std::vector<std::size_t> nodes(mirrors.sums.size() / (2 * table->components));
+            std::iota(nodes.begin(), nodes.end(), std::size_t{0});
+            std::ranges::sort(nodes, {}, [&](std::size_t node) { return table->keys[node]; });
+            const auto last = static_cast<std::size_t>(
+                row + static_cast<int>(table->valuesOfNode() - 1) * mirrors.rowsOfPlace);
+            const std::size_t first = static_cast<std::size_t>(front) * rows_;
+            if (first + last >= places_)
+                grow(front);
+            for (const std::size_t node : nodes)
+                for (std::size_t k = 0; k < table->components; ++k) {
+                    const double* seen = &mirrors.sums[2 * (node * table->components + k)];
+                    if (seen[0] == 0.0)
+                        continue;
+                    const float* shares = table->of(static_cast<std::uint32_t>(node));
+                    for (std::size_t i = k * table->places; i < (k + 1) * table->places; ++i) {
+                        Sums& sums =
+                            sums_[first + static_cast<std::size_t>(row + static_cast<int>(i) *
+                                                                             mirrors.rowsOfPlace)];
+                        sums.plain[0] += static_cast<double>(shares[i]) * seen[0];
+                        sums.cosine[0] += static_cast<double>(shares[i]) * seen[1];
+                    }
+                }
+        }
+        mirrors_.clear();
+        lastMirrors_ = nullptr;
     }
 
     /// Ends the runs of receivers; no sample comes after it.
@@ -200,6 +262,26 @@ class ViewKindSums {
             });
     }
 
+    /// By node, component, and without and with cosine.
+    struct Mirrors {
+        std::shared_ptr<const MirrorTable> table;
+        int rowsOfPlace = 1;
+        std::vector<double> sums;
+    };
+    using MirrorKey = std::tuple<int, int, std::uint32_t>; // front, row of the first place, table
+    std::vector<double>& mirrorsOf(int front, int row, const FactorSamples& samples,
+                                   const FactorSamples::Mirror& mirror) {
+        const MirrorKey key{front, row, mirror.table};
+        if (lastMirrors_ == nullptr || key != lastKey_) {
+            lastKey_ = key;
+            lastMirrors_ = &mirrors_[key];
+            lastMirrors_->table = samples.mirrorTables[mirror.table];
+            lastMirrors_->rowsOfPlace =
+                surfaces_.first(mirror.row + 1) - surfaces_.first(mirror.row);
+        }
+        return lastMirrors_->sums;
+    }
+
     void grow(int front) {
         places_ = (static_cast<std::size_t>(front) + 1) * rows_;
         sums_.resize(places_);
@@ -217,6 +299,9 @@ class ViewKindSums {
     double part_ = 0.0, omega_sr_ = 0.0, projected_sr_ = 0.0; // of a sample in its pixel
     std::vector<double> behind_W_m2_sr_;                      // by varying background
     std::vector<Sums> sums_;                                  // by front and row
+    std::map<MirrorKey, Mirrors> mirrors_;
+    MirrorKey lastKey_{};
+    Mirrors* lastMirrors_ = nullptr;
     std::vector<double> behind_W_m2_; // by front, row and background: without and with cosine
 };
 
@@ -227,6 +312,7 @@ class PixelKindSums {
     PixelKindSums(const SurfaceRows& rows, const PixelWindow& pixels, std::size_t factorCount,
                   const LightExchange* exchange, const ReceiverRows& receivers, double share)
         : rows_(static_cast<std::size_t>(rows.size())),
+          surfaces_(rows),
           pixels_(pixels),
           factorCount_(factorCount),
           exchange_(exchange),
@@ -268,6 +354,20 @@ class PixelKindSums {
             addTo(between.row + 1, next);
     }
 
+    void addMirror(int front, const FactorSamples& samples, const FactorSamples::Layer& layer,
+                   const FactorSamples::Mirror& mirror) {
+        static constexpr std::array<float, mostFactors> none{};
+        LayerWalk::forEachShare(samples, mirror, [&](std::size_t place, float coverage) {
+            const SurfaceRows::Between between =
+                surfaces_.at(mirror.row + static_cast<int>(place), layer.distance_m);
+            const auto next = static_cast<double>(between.next);
+            addTo({front, between.row}, 1.0 - next, none.data(), static_cast<double>(coverage));
+            if (next > 0.0)
+                addTo({front, between.row + 1}, next, none.data(), static_cast<double>(coverage));
+        });
+    }
+    void finish() {}
+
     const FactorField<double>& field() const { return field_; }
     /// Of receivers of light, whose kinds are numbered by ReceiverRows.
     const FactorField<double>& light() const { return light_; }
@@ -301,6 +401,7 @@ class PixelKindSums {
     }
 
     std::size_t rows_;
+    const SurfaceRows& surfaces_;
     PixelWindow pixels_;
     std::size_t factorCount_;
     const LightExchange* exchange_;

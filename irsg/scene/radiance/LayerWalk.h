@@ -24,12 +24,33 @@ class LayerWalk {
     /// Calls visit(front, between, layer) for every layer of a sample, front to back. Light that a
     /// layer gets through something comes after it, as if that stood before the layer, too, and
     /// with no coverage: what materials let through is multiplied, wherever they stand. Lobes of
-    /// directional surfaces come after their layer in the same way.
+    /// directional surfaces come after their layer in the same way, place by place of what they
+    /// mirror.
     template <typename Visit>
     void forEachPlace(const FactorSamples& samples, std::size_t sample, Visit visit) {
+        forEachPlace(
+            samples, sample, visit,
+            [&](int front, const FactorSamples::Layer& layer, const FactorSamples::Mirror& mirror) {
+                forEachShare(samples, mirror, [&](std::size_t place, float coverage) {
+                    const int row = mirror.row + static_cast<int>(place);
+                    visit(front, rows_.at(row, layer.distance_m),
+                          FactorSamples::Layer{row,
+                                               layer.distance_m,
+                                               {noFactors.data(), layer.factors.size()},
+                                               coverage,
+                                               nullptr,
+                                               true});
+                });
+            });
+    }
+    /// The same, with visitMirror(front, layer, mirror) for what lobes mirror.
+    template <typename Visit, typename VisitMirror>
+    void forEachPlace(const FactorSamples& samples, std::size_t sample, Visit visit,
+                      VisitMirror visitMirror) {
         int front = 0;
         OfLayers<FactorSamples::Through> light(samples.through, sample, lightFrom_);
         OfLayers<FactorSamples::Lobe> lobes(samples.lobes, sample, lobesFrom_);
+        OfLayers<FactorSamples::Mirror> mirrors(samples.mirrors, sample, mirrorsFrom_);
         samples.forEachLayer(sample, [&](const FactorSamples::Layer& layer) {
             const SurfaceRows::Between between = rows_.at(layer.row, layer.distance_m);
             visit(front, between, layer);
@@ -48,8 +69,11 @@ class LayerWalk {
                 if (one.sun != 0.0f)
                     throughOf(lobe, at, static_cast<double>(one.sun));
             });
+            mirrors.ofThisLayer(
+                [&](const FactorSamples::Mirror& one) { visitMirror(front, layer, one); });
             light.goOn();
             lobes.goOn();
+            mirrors.goOn();
             if (rows_.isTransparent(layer.row))
                 front = behind(front, layer.row);
         });
@@ -58,16 +82,45 @@ class LayerWalk {
     /// between two nodes of its entity's slices.
     template <typename Visit>
     void forEachLayer(const FactorSamples& samples, std::size_t sample, Visit visit) {
-        forEachPlace(
-            samples, sample,
-            [&](int front, const SurfaceRows::Between& between, const FactorSamples::Layer& layer) {
-                visit(FactorKind{front, between.row}, 1.0f - between.next, layer);
-                if (rows_.isSliced(layer.row))
-                    visit(FactorKind{front, between.row + 1}, between.next, layer);
-            });
+        forEachPlace(samples, sample, byRows(visit));
+    }
+    /// The same, with visitMirror(front, layer, mirror) for what lobes mirror.
+    template <typename Visit, typename VisitMirror>
+    void forEachLayer(const FactorSamples& samples, std::size_t sample, Visit visit,
+                      VisitMirror visitMirror) {
+        forEachPlace(samples, sample, byRows(visit), visitMirror);
+    }
+
+    /// Calls visit(place, coverage) for the places of what a lobe mirrors, by component.
+    template <typename Visit>
+    static void forEachShare(const FactorSamples& samples, const FactorSamples::Mirror& mirror,
+                             Visit visit) {
+        const MirrorTable& table = *samples.mirrorTables[mirror.table];
+        const float* const nodes[] = {table.of(mirror.nodes[0]), table.of(mirror.nodes[1]),
+                                      table.of(mirror.nodes[2])};
+        for (std::size_t k = 0; k < table.components; ++k)
+            for (std::size_t i = k * table.places; i < (k + 1) * table.places; ++i) {
+                const float share = mirror.weights[0] * nodes[0][i] +
+                                    mirror.weights[1] * nodes[1][i] +
+                                    mirror.weights[2] * nodes[2][i];
+                if (share != 0.0f)
+                    visit(i, samples.mirrorScales[mirror.scales + k] * share);
+            }
     }
 
   private:
+    static constexpr std::array<float, mostFactors> noFactors{};
+
+    template <typename Visit>
+    auto byRows(Visit& visit) const {
+        return [this, &visit](int front, const SurfaceRows::Between& between,
+                              const FactorSamples::Layer& layer) {
+            visit(FactorKind{front, between.row}, 1.0f - between.next, layer);
+            if (rows_.isSliced(layer.row))
+                visit(FactorKind{front, between.row + 1}, between.next, layer);
+        };
+    }
+
     /// What a list has of a sample's layers, one layer after the other.
     template <typename One>
     class OfLayers {
@@ -152,7 +205,7 @@ class LayerWalk {
     Fronts fronts_;
     std::vector<int> next_; // by front and drawn row
     std::array<float, mostFactors> light_{}, lobe_{};
-    std::size_t lightFrom_ = 0, lobesFrom_ = 0;
+    std::size_t lightFrom_ = 0, lobesFrom_ = 0, mirrorsFrom_ = 0;
 };
 
 } // namespace irsg

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
+#include "irsg/scene/radiance/LobeTables.h"
 #include "irsg/scene/radiance/MirrorGrid.h"
 #include "irsg/scene/radiance/SurfaceRows.h"
 #include "irsg/scene/sampling/Samples.h"
@@ -24,6 +26,9 @@ namespace irsg {
 /// that lies there. What meets another surface is taken to see what the place itself sees on the
 /// whole, so that all of it closes: in a room of one temperature every surface is black.
 ///
+/// Which places a lobe has is known from tables over its mirror direction (LobeTable), or for
+/// nearly smooth surfaces from its facets.
+///
 /// Lobes are as wide as the sun's disc and as what normals differ by between samples, so that no
 /// glint falls between these.
 class LobeSamples {
@@ -35,6 +40,7 @@ class LobeSamples {
         /// Numbers of the frame's directions; none.
         int zenith = -1, sun = -1;
         bool isSunSmart = true;
+        std::shared_ptr<LobeTables> tables; ///< which are for one thread at a time
     };
     /// `rows` must live as long.
     LobeSamples(const SurfaceRows& rows, Making making);
@@ -45,12 +51,14 @@ class LobeSamples {
 
   private:
     struct Window;
+    struct Found;
+    class TableUse;
     void addLobes(const Window& window, int row, int column, const FactorSamples& samples,
-                  SunShadows::Neighbours& neighbours,
-                  std::vector<FactorSamples::Lobe>& lobes) const;
+                  SunShadows::Neighbours& neighbours, Found& found) const;
 
     const SurfaceRows& rows_;
     Making making_;
+    std::vector<std::uint32_t> divisions_; // of tables, by row of the drawing; 0: facet by facet
 };
 
 } // namespace irsg

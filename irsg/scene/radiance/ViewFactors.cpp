@@ -36,16 +36,22 @@ void addRows(const SampleWindow& window, const FactorSamples& samples, std::size
                           for (std::size_t i = first; i < last; ++i) {
                               if constexpr (requires { sums.at(i); })
                                   sums.at(i);
-                              walk.forEachPlace(samples, i,
-                                                [&](int front, const SurfaceRows::Between& between,
-                                                    const FactorSamples::Layer& layer) {
-                                                    if (layer.coverage > 0.0f && !layer.isLobe)
-                                                        sums.add(front, between, layer);
-                                                    else
-                                                        sums.addLight(front, between, layer);
-                                                });
+                              walk.forEachPlace(
+                                  samples, i,
+                                  [&](int front, const SurfaceRows::Between& between,
+                                      const FactorSamples::Layer& layer) {
+                                      if (layer.coverage > 0.0f && !layer.isLobe)
+                                          sums.add(front, between, layer);
+                                      else
+                                          sums.addLight(front, between, layer);
+                                  },
+                                  [&](int front, const FactorSamples::Layer& layer,
+                                      const FactorSamples::Mirror& mirror) {
+                                      sums.addMirror(front, samples, layer, mirror);
+                                  });
                           }
                       });
+    sums.finish();
 }
 
 /// Samples of a window, which may share the drawing, that have more layers than are kept.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -17,6 +18,18 @@ inline constexpr std::size_t normalFactors = 3;
 
 /// Which of the numbers of a lobe a layer's factor is multiplied with.
 enum class LobeRole { emission, flux, sun };
+
+/// Which part of a lobe lies at which place of a MirrorGrid, at nodes between which it is linear
+/// (LobeTable). It grows while samples refer to it.
+class MirrorTable {
+  public:
+    std::size_t components = 0, places = 0;
+    std::vector<float> shares;       ///< by node, component and place; a component's add up to 1
+    std::vector<std::uint32_t> keys; ///< of nodes, whose order is that in which they were asked for
+
+    std::size_t valuesOfNode() const { return components * places; }
+    const float* of(std::uint32_t node) const { return &shares[node * valuesOfNode()]; }
+};
 
 /// One window of samples, bottom row first.
 struct RadianceSamples {
@@ -90,10 +103,29 @@ struct FactorSamples {
     std::vector<Lobe> lobes;         ///< by sample and layer, ascending
     std::vector<LobeRole> lobeRoles; ///< by factor
 
+    /// What lobes of a layer mirror of the air: each component's scale times the mean of three
+    /// nodes of a table is the coverage of a row of SurfaceRows for each place, behind each other
+    /// from `row` on, first by component.
+    struct Mirror {
+        std::uint32_t sample = 0;
+        std::uint32_t layer = 0; ///< number among those of the sample, front to back
+        int row = 0;
+        std::uint32_t table = 0;  ///< of `mirrorTables`
+        std::uint32_t scales = 0; ///< the first of them in `mirrorScales`
+        std::array<std::uint32_t, 3> nodes{};
+        std::array<float, 3> weights{};
+    };
+    std::vector<Mirror> mirrors; ///< by sample and layer, ascending
+    std::vector<float> mirrorScales;
+    std::vector<std::shared_ptr<const MirrorTable>> mirrorTables;
+
     /// Nothing is known of shadows, of light between surfaces and of lobes.
     void forgetLight() {
         through.clear();
         lobes.clear();
+        mirrors.clear();
+        mirrorScales.clear();
+        mirrorTables.clear();
         sunVisibility.clear();
         skyVisibility.clear();
         opaquePlaces.clear();
