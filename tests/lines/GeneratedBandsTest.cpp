@@ -205,8 +205,10 @@ TEST(OzoneLines, HaveTheLevelsOfTheList) {
     }
 }
 
-// Integrals of the cross section of 16O3 at 279.1 K and 1013.95 hPa, cm-1 cm2, that S. Zhang's
-// NNLBL (github.com/satpyscene/NNLBL_test) computed from HITRAN2020 with HAPI, over 10 cm-1 each.
+// Integrals of the cross section of 16O3 at 279.1 K and 1013.95 hPa, cm-1 cm2, that
+// others computed from HITRAN with HAPI (github.com/satpyscene/NNLBL_test, an HDF5 file named after
+// them), over 10 cm-1 each. Our dipoles were fitted to the same file: of shape, this is a check, of
+// strength, none; that is the comparison with MODTRAN in docs/atmosphere-accuracy.md.
 TEST(OzoneLines, AbsorbAsCrossSectionsComputedFromHITRAN) {
     constexpr std::array<std::pair<double, double>, 6> integrals = {{{1000.0, 7.401e-19},
                                                                      {1010.0, 1.627e-18},

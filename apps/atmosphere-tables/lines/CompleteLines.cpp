@@ -98,7 +98,8 @@ void addOzone(LineList& list, const std::filesystem::path& file) {
         "O3 at 983-1275 and 1630-2295 cm-1: generated from Watson's Hamiltonians of interacting "
         "states, fitted to the energies that HITRAN's hot bands and P branches hold (0.001 to 0.01 "
         "cm-1 rms), and dipoles fitted to its P branch below 983 cm-1 and to cross sections "
-        "computed from it; strengths to 2 percent in nu3 and nu1 + nu3, 15 percent beside them");
+        "computed from it; strengths to 2 percent in nu3, 8 percent in nu1 + nu3 (16 at "
+        "2060-2080 cm-1), 15 percent beside them");
 }
 
 // Where the list has all that is known of the main isotopologue of methane.

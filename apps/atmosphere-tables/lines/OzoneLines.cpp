@@ -51,7 +51,7 @@ TopMoment between(std::size_t lower, std::size_t upper, TopMoment moment, double
 }
 
 // Dipoles of combinations and overtones, D, fitted to the same cross sections at 1904 to 2300 cm-1;
-// those of nu1 + nu2 and nu2 + nu3 are of their band strengths (Flaud et al. 1990).
+// those of nu1 + nu2 and nu2 + nu3 are set to the order of these weak bands and not held to print.
 const TopMoment nu1nu3{0, 1, Axis::a, 0.03992, -5.194e-4, -7.114e-6};
 const TopMoment twiceNu1{0, 0, Axis::b, -1.0317e-3, 0.0, 0.0};
 const TopMoment twiceNu3{0, 2, Axis::b, 5.625e-3, 0.02024, 0.0};
