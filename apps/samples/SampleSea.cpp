@@ -7,14 +7,9 @@
 #include <random>
 #include <vector>
 
-#include <osg/Geode>
-#include <osg/Geometry>
-#include <osg/Image>
-#include <osg/Texture2D>
-#include <osgDB/WriteFile>
-
 #include <png.h>
 
+#include "apps/samples/TexturedGround.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat {
@@ -96,46 +91,14 @@ void writeSea(const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder);
     writeWaves(folder / "waves.png");
 
-    const osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array(osg::Array::BIND_PER_VERTEX);
-    const osg::ref_ptr<osg::Vec2Array> places = new osg::Vec2Array(osg::Array::BIND_PER_VERTEX);
-    const osg::ref_ptr<osg::DrawElementsUShort> triangles =
-        new osg::DrawElementsUShort(GL_TRIANGLES);
-    for (int j = 0; j <= cells; ++j)
-        for (int i = 0; i <= cells; ++i) {
+    writeTexturedGround(
+        folder / "sea.osgb", "waves.png", osg::Texture::REPEAT, cells, [](int i, int j) {
             const double x_m = (2.0 * i / cells - 1.0) * halfSide_m;
             const double y_m = (2.0 * j / cells - 1.0) * halfSide_m;
-            vertices->push_back(osg::Vec3(static_cast<float>(x_m), static_cast<float>(y_m), 0.0F));
-            places->push_back(
-                osg::Vec2(static_cast<float>(x_m / tile_m), static_cast<float>(y_m / tile_m)));
-        }
-    const auto vertex = [](int i, int j) {
-        return static_cast<unsigned short>(j * (cells + 1) + i);
-    };
-    for (int j = 0; j < cells; ++j)
-        for (int i = 0; i < cells; ++i)
-            for (const unsigned short index :
-                 {vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j),
-                  vertex(i + 1, j + 1), vertex(i, j + 1)})
-                triangles->push_back(index);
-
-    const osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
-    geometry->setVertexArray(vertices);
-    geometry->setTexCoordArray(0, places);
-    geometry->addPrimitiveSet(triangles);
-    const osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->setFileName("waves.png");
-    const osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
-    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::REPEAT);
-    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::REPEAT);
-    const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
-    geode->addDrawable(geometry);
-    geode->getOrCreateStateSet()->setTextureAttributeAndModes(0, texture);
-    const osg::ref_ptr<osgDB::Options> options =
-        new osgDB::Options("WriteImageHint=UseExternal Compressor=zlib");
-    const std::filesystem::path file = folder / "sea.osgb";
-    if (!osgDB::writeNodeFile(*geode, file.string(), options))
-        throw irsg::InputError({file.string(), "", "cannot be written",
-                                "a folder that can be written and the plug-in of .osgb"});
+            return GroundCorner{
+                osg::Vec3(static_cast<float>(x_m), static_cast<float>(y_m), 0.0F),
+                osg::Vec2(static_cast<float>(x_m / tile_m), static_cast<float>(y_m / tile_m))};
+        });
 }
 
 } // namespace smat

@@ -7,15 +7,10 @@
 #include <string>
 #include <vector>
 
-#include <osg/Geode>
-#include <osg/Geometry>
-#include <osg/Image>
-#include <osg/Texture2D>
-#include <osgDB/WriteFile>
-
 #include <png.h>
 
 #include "apps/samples/Noise.h"
+#include "apps/samples/TexturedGround.h"
 #include "irsg/radiometry/Errors.h"
 
 namespace smat {
@@ -138,47 +133,16 @@ void writeValleyTerrain(const std::filesystem::path& folder) {
     const std::filesystem::path picture = folder / "ground.png";
     writeGrey(picture, groundSide, texels);
 
-    const osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array(osg::Array::BIND_PER_VERTEX);
-    const osg::ref_ptr<osg::Vec2Array> places = new osg::Vec2Array(osg::Array::BIND_PER_VERTEX);
-    const osg::ref_ptr<osg::DrawElementsUShort> triangles =
-        new osg::DrawElementsUShort(GL_TRIANGLES);
-    for (int j = 0; j <= gridSide; ++j)
-        for (int i = 0; i <= gridSide; ++i) {
+    writeTexturedGround(
+        folder / "valley.osgb", "ground.png", osg::Texture::CLAMP_TO_EDGE, gridSide,
+        [](int i, int j) {
             const double u = static_cast<double>(i) / gridSide;
             const double v = static_cast<double>(j) / gridSide;
             const double x_m = (u - 0.5) * terrainSide_m, y_m = (v - 0.5) * terrainSide_m;
-            vertices->push_back(osg::Vec3(static_cast<float>(x_m), static_cast<float>(y_m),
-                                          static_cast<float>(std::round(height_m(x_m, y_m)))));
-            places->push_back(osg::Vec2(static_cast<float>(u), static_cast<float>(v)));
-        }
-    const auto vertex = [](int i, int j) {
-        return static_cast<unsigned short>(j * (gridSide + 1) + i);
-    };
-    for (int j = 0; j < gridSide; ++j)
-        for (int i = 0; i < gridSide; ++i)
-            for (const unsigned short index :
-                 {vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j),
-                  vertex(i + 1, j + 1), vertex(i, j + 1)})
-                triangles->push_back(index);
-
-    const osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
-    geometry->setVertexArray(vertices);
-    geometry->setTexCoordArray(0, places);
-    geometry->addPrimitiveSet(triangles);
-    const osg::ref_ptr<osg::Image> image = new osg::Image;
-    image->setFileName("ground.png");
-    const osg::ref_ptr<osg::Texture2D> texture = new osg::Texture2D(image);
-    texture->setWrap(osg::Texture::WRAP_S, osg::Texture::CLAMP_TO_EDGE);
-    texture->setWrap(osg::Texture::WRAP_T, osg::Texture::CLAMP_TO_EDGE);
-    const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
-    geode->addDrawable(geometry);
-    geode->getOrCreateStateSet()->setTextureAttributeAndModes(0, texture);
-    const osg::ref_ptr<osgDB::Options> options =
-        new osgDB::Options("WriteImageHint=UseExternal Compressor=zlib");
-    const std::filesystem::path file = folder / "valley.osgb";
-    if (!osgDB::writeNodeFile(*geode, file.string(), options))
-        throw irsg::InputError({file.string(), "", "cannot be written",
-                                "a folder that can be written and the plug-in of .osgb"});
+            return GroundCorner{osg::Vec3(static_cast<float>(x_m), static_cast<float>(y_m),
+                                          static_cast<float>(std::round(height_m(x_m, y_m)))),
+                                osg::Vec2(static_cast<float>(u), static_cast<float>(v))};
+        });
 }
 
 } // namespace smat
