@@ -173,9 +173,7 @@ TEST(WhiteFurnace, EveryModelSendsAllThatFallsOnItAndTheSameEitherWay) {
         std::printf("  %-34s furnace %.1e, as scenes take it %.1e; either way %.1e\n",
                     surface.name.c_str(), worstSum, worstAlbedo, worstPair);
         if (surface.isWhite) {
-            // Albedos of narrow lobes with long tails are known a little less exactly.
-            const double most = surface.material.roughness < 0.1 ? 1.5e-3 : 1e-3;
-            EXPECT_LE(worstSum, most) << surface.name;
+            EXPECT_LE(worstSum, 1e-3) << surface.name;
             EXPECT_LE(worstAlbedo, 1e-3) << surface.name;
         }
         if (surface.isReciprocal) {
