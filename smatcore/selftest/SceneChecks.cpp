@@ -1,6 +1,7 @@
 // Whole objects: what becomes of their samples.
 #include <cmath>
 #include <numeric>
+#include <vector>
 
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
@@ -129,6 +130,27 @@ SelfTestValue hotPartInPicture(SelfTestBench& bench) {
                 0.9 * irsg::bandRadiance_W_m2_sr(band, 1200.0) * side_m * side_m};
 }
 
+/// Small plates have finer windows, cut out of the one around them along its cells: samples at the
+/// border count with what of their own cells lies inside.
+SelfTestValue evenPicture(SelfTestBench& bench) {
+    Irsg& irsg = bench.irsg();
+    const irsg::SignatureDatabase black = greyDatabase(1.0, 320.0);
+    std::vector<irsg::Entity> entities{
+        entityOf(modelOf(plateMesh({0, 0, 0}, {-3, 0, 0}, {0, 0, 3}, one)), black)};
+    constexpr double places_m[][2] = {{0.31, 0.47}, {-0.83, 0.12}, {1.17, -0.71}, {-0.4, -1.3}};
+    for (const auto& place : places_m)
+        entities.push_back(entityOf(
+            modelOf(plateMesh({place[0], 0.5, place[1]}, {-0.083, 0, 0}, {0, 0, 0.061}, one)),
+            black));
+    irsg.setEntities(entities);
+    look(irsg, {});
+    Farthest farthest;
+    const irsg::RadianceImage image = irsg.picture();
+    for (const float value : image.primary().values)
+        farthest.add(static_cast<double>(value), grey_W_m2_sr() / 0.9);
+    return farthest.found();
+}
+
 SelfTestValue twoBands(SelfTestBench& bench) {
     Irsg& irsg = withBall(bench);
     const std::vector<irsg::Band> bands{irsg::Band::topHat(3.4, 4.1),
@@ -203,6 +225,12 @@ std::vector<SelfTestCheck> sceneChecks() {
          .unit = "W sr-1",
          .bound = 3e-3,
          .measure = [](auto& bench) { return hotPartInPicture(bench); }},
+        {.name = "scene.even-picture",
+         .says = "A picture of black plates of one temperature, small ones before a large one that "
+                 "fills it: the farthest pixel from that black body",
+         .unit = "W m-2 sr-1",
+         .bound = 1e-5,
+         .measure = [](auto& bench) { return evenPicture(bench); }},
         {.name = "scene.wide-field",
          .says = "The ball 35 degrees off the axis of a wide field, against its solid angle",
          .unit = "W sr-1",
