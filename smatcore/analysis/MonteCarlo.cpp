@@ -41,6 +41,10 @@ class Run {
         // Draws are of the cases that there are before any is drawn.
         analysis.settings = withFixedSteps(analysis.kind, analysis.settings);
         plan_ = planAnalysis(analysis.kind, analysis.project, analysis.settings);
+        if (!plan_.refined.empty())
+            throw monteCarloRefusal(name(analysis.kind) + ".steps", "adaptive",
+                                    "fixed, or auto: draws are of the cases that there are before "
+                                    "any is drawn");
         if (analysis.kind->form != AnalysisForm::spectrum)
             data_.errors = errorColumnsOf(analysis.settings);
         scene_ = scenes(analysis.project, analysis.settings);

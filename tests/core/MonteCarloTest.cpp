@@ -411,6 +411,7 @@ TEST_F(MonteCarloTest, RefusesWhatCannotBe) {
     expect("from 256 to 1e6", [&] { data.options.rankingPairs = 3; });
     expect("an image",
            [&] { data.analysis = AnalysisData::of(data.analysis.project, AnalysisKind::image); });
+    expect("fixed, or auto", [&] { data.analysis.settings.set("polar.steps", "adaptive"); });
     expect("at most 50000000 values in all", [&] {
         data.analysis.settings.set("polar.step", "0.01");
         data.options.samples = 10000;
