@@ -48,6 +48,22 @@ std::optional<Interval> logarithmicRange(const std::vector<Curve>& curves) {
     return range;
 }
 
+/// Whether a sample stands by itself, and so is drawn as a dot, where x begins or ends.
+bool hasDotAt(const Interval& range, const std::vector<Curve>& curves) {
+    const auto isDotOf = [&](const Curve& curve) {
+        const auto isThere = [&](int i) {
+            const auto k = static_cast<std::size_t>(i);
+            return std::isfinite(curve.x[k]) && std::isfinite(curve.y[k]);
+        };
+        return std::ranges::any_of(
+            runsOf(static_cast<int>(curve.x.size()), isThere), [&](const SampleRun& run) {
+                const double x = curve.x[static_cast<std::size_t>(run.first)];
+                return run.first == run.last && (x == range.minimum || x == range.maximum);
+            });
+    };
+    return range.minimum < range.maximum && std::ranges::any_of(curves, isDotOf);
+}
+
 /// What an axis can show: its ends are finite and can be told apart.
 bool isUsable(const Interval& range) {
     return std::isfinite(range.minimum) && std::isfinite(range.maximum) &&
@@ -169,7 +185,7 @@ CartesianPlot::View CartesianPlot::fullView() const {
     const bool yLog = data_.yLogarithmic;
     View view{{xLog ? 1.0 : 0.0, xLog ? 10.0 : 1.0}, {yLog ? 1.0 : 0.0, yLog ? 10.0 : 1.0}};
     if (const auto range = rangeOf(data_.curves, &Curve::x, xLog))
-        view.x = padded(*range, xLog, 0.0);
+        view.x = padded(*range, xLog, hasDotAt(*range, data_.curves) ? 0.02 : 0.0);
     if (const auto range = yLog ? logarithmicRange(drawn_) : rangeWithErrors(drawn_, false))
         view.y = padded(*range, yLog, 0.06);
     return view;

@@ -210,6 +210,22 @@ TEST_F(CartesianPlotTest, ZoomingForEverStopsInsteadOfLosingTheAxis) {
     EXPECT_TRUE(std::isfinite(plot.view().x.maximum));
 }
 
+TEST_F(CartesianPlotTest, LeavesRoomForDotsWhereXBeginsAndEnds) {
+    const double gap = std::numeric_limits<double>::quiet_NaN();
+    PlotData data;
+    data.curves = {{"a way", {1.0, 1.0, 10.0, 10.0, 100.0, 100.0}, {2.0, gap, 3.0, gap, 1.0, gap}}};
+    const auto widthOf = [&](double x) { return plot.transform(QwtPlot::xBottom, x); };
+    for (const bool logarithmic : {false, true}) {
+        data.xLogarithmic = logarithmic;
+        plot.setData(data);
+        EXPECT_GE(widthOf(1.0), 4.0) << logarithmic;
+        EXPECT_LE(widthOf(100.0), plot.canvas()->width() - 4.0) << logarithmic;
+    }
+    data.curves = {{"a line", {1.0, 10.0, 100.0}, {2.0, 3.0, 1.0}}};
+    plot.setData(data);
+    EXPECT_EQ(plot.view().x, (Interval{1.0, 100.0}));
+}
+
 TEST_F(CartesianPlotTest, RefusesACurveWithMissingOrdinates) {
     PlotData data;
     data.curves = {{"a", {1.0, 2.0}, {1.0}}};
