@@ -94,6 +94,7 @@ Found measured(const std::filesystem::path& file, int pixels, int side, unsigned
     Settings settings;
     settings.set(key::sensorWidth, side);
     settings.set(key::sensorHeight, side);
+    settings.set(key::renderScattering, false); // haze of droplets is not explained, and said
     AnalysisData asked = AnalysisData::of(project, AnalysisKind::image, settings);
     asked.settings = eachBand(asked.settings).front();
     const auto explainer = std::make_shared<PixelExplainer>(asked);
@@ -114,7 +115,7 @@ Found measured(const std::filesystem::path& file, int pixels, int side, unsigned
     bool isAnswered = false;
     QObject::connect(&panel, &gui::PixelPanel::answered, [&] { isAnswered = true; });
     panel.resize(460, 700);
-    panel.show();
+    panel.setVisible(true);
     panel.prepare();
     while (panel.isBusy())
         QApplication::processEvents(QEventLoop::WaitForMoreEvents);

@@ -5,7 +5,7 @@
         one table of 4 bands and 3 power settings against one run a band and state
     benchmarks/parts.py SMAT_BATCH PROJECT shards [AZIMUTH_STEP ELEVATION_STEP]
         two and four shards against one run, each with one thread; two of them side by side, in turns with it
-    benchmarks/parts.py SMAT_BATCH PROJECT kills [COUNT]
+    benchmarks/parts.py SMAT_BATCH PROJECT kills [COUNT] [SEED]
         kills a table at random moments, goes on with it and compares the bytes
 
 Seconds of the processor do not depend on what else a machine does, seconds of the clock do: the load is told, too.
@@ -96,7 +96,7 @@ def kills(folder):
     small = ["--azimuth-step=15", "--elevation-step=15", "--width=64", "--height=64", "--errors=sum"]
     whole = Run(table(folder / "one.csv", *small)).end()
     count = int(numbers[0]) if numbers else 100
-    dice = random.Random(1)
+    dice = random.Random(int(numbers[1]) if len(numbers) > 1 else 1)
     done = same = gone = finished = 0
     while done < count:
         out = folder / "k.csv"
