@@ -286,7 +286,7 @@ void MainMenus::makeToolsMenu(QMenu* menu) {
 }
 
 void MainMenus::makeHelpMenu(QMenu* menu) {
-    add(menu, "openGuide", "info", tr("User &guide"), QKeySequence(Qt::SHIFT | Qt::Key_F1),
+    add(menu, "openGuide", "question", tr("User &guide"), QKeySequence(Qt::SHIFT | Qt::Key_F1),
         [this] { with_.ask.showGuide(); });
     auto* keys = add(menu, "showShortcuts", "keyboard", tr("&Keys and mouse"), {}, [this] {
         ShortcutsDialog dialog(*with_.window.menuBar(), with_.results.commands(), &with_.window);

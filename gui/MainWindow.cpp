@@ -253,6 +253,10 @@ void MainWindow::connectResults() {
     connect(results_, &ResultsDock::showRequested, pages, &ResultPages::show);
     connect(results_, &ResultsDock::comparisonRequested, images_, &ImagePages::compareResults);
     connect(pages, &ResultPages::said, this, [this](const QString& sentence) { say(sentence); });
+    connect(pages, &ResultPages::passed, this, [this](const QString& sentence) {
+        if (statusBar()->currentMessage() == sentence)
+            statusBar()->clearMessage();
+    });
 }
 
 void MainWindow::makeStartPage() {

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "apps/samples/FlightWriter.h"
 #include "apps/samples/Patch.h"
@@ -28,13 +31,20 @@ inline const FlightSurface roof{"roof", {6, 1}, false, shade(150)};
 inline const FlightSurface glass{"window", {7, 2}, false, shade(40)};
 inline const FlightSurface plume{"plume", {8, 5}, false, {200, 200, 200, 0.6}};
 inline const FlightSurface casing{"casing", {9, 1}, false, shade(140)};
-/// Between casing and top of a funnel, upwards.
-inline const std::array<FlightSurface, 6> warmCasing{{{"fun1", {20, 1}, false, shade(140)},
-                                                      {"fun2", {21, 1}, false, shade(140)},
-                                                      {"fun3", {22, 1}, false, shade(140)},
-                                                      {"fun4", {23, 12}, false, shade(90)},
-                                                      {"fun5", {24, 12}, false, shade(70)},
-                                                      {"fun6", {25, 12}, false, shade(60)}}};
+/// Between casing and top of a funnel, upwards; the upper half is sooted.
+inline const std::vector<FlightSurface> warmCasing = [] {
+    constexpr int count = 18;
+    constexpr std::int32_t first = 41;
+    std::vector<FlightSurface> all;
+    for (int i = 0; i < count; ++i) {
+        const bool clean = 2 * i < count;
+        all.push_back({"fun" + std::to_string(i + 1),
+                       {first + i, clean ? 1 : 12},
+                       false,
+                       clean ? shade(140) : shade(90 - 3 * (i - count / 2))});
+    }
+    return all;
+}();
 inline const FlightSurface uptake{"uptake", {10, 4}, true, shade(60)};
 inline const FlightSurface mast{"mast", {11, 1}, false, shade(120)};
 inline const FlightSurface dome{"dome", {12, 11}, false, shade(220)};

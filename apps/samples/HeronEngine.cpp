@@ -30,8 +30,9 @@ const Curve bottom{{0.0, -0.38}, {0.4, -0.50}, {1.3, -0.68}, {2.8, -0.80},
                    {4.6, -0.72}, {6.0, -0.54}, {6.9, -0.455}};
 
 /// Where the cowls get warmer in steps, and where they do so again before the nozzle.
-constexpr double warmFrom_m = 2.4, warmStep_m = 0.4, hotFrom_m = 5.55, hotStep_m = 0.3;
-constexpr double lipFrom_m = 6.45;
+constexpr double warmFrom_m = 2.4, warmTo_m = 4.8, hotFrom_m = 5.55, lipFrom_m = 6.45;
+const double warmStep_m = (warmTo_m - warmFrom_m) / static_cast<double>(middleCowl.size());
+const double hotStep_m = (lipFrom_m - hotFrom_m) / static_cast<double>(endCowl.size());
 
 const FlightSurface* cowlAt(double station) {
     if (station > lipFrom_m)

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "apps/samples/FlightWriter.h"
 
@@ -15,16 +18,22 @@ inline const FlightSurface skin{"skin", {1, 1}, false, grey};
 inline const FlightSurface boot{"boot", {2, 10}, false, black};
 inline const FlightSurface pane{"pane", {3, 2}, false, glassy};
 inline const FlightSurface cowl{"cowl", {4, 1}, false, grey};
+/// Steps of the cowls' warmth, with temperatures from `first` on; the last `sooted` are sooted.
+inline std::vector<FlightSurface> cowlSteps(const std::string& name, int count, std::int32_t first,
+                                            int sooted) {
+    std::vector<FlightSurface> all;
+    for (int i = 0; i < count; ++i) {
+        const bool clean = i < count - sooted;
+        all.push_back({name + std::to_string(i + 1),
+                       {first + i, clean ? 1 : 12},
+                       false,
+                       clean ? grey : darkGrey});
+    }
+    return all;
+}
 /// From the front cowls to the rear ones, and from those to the nozzle.
-inline const std::array<FlightSurface, 6> middleCowl{{{"cowl1", {22, 1}, false, grey},
-                                                      {"cowl2", {23, 1}, false, grey},
-                                                      {"cowl3", {24, 1}, false, grey},
-                                                      {"cowl4", {25, 1}, false, grey},
-                                                      {"cowl5", {26, 12}, false, darkGrey},
-                                                      {"cowl6", {27, 12}, false, darkGrey}}};
-inline const std::array<FlightSurface, 3> endCowl{{{"cowlA", {33, 12}, false, darkGrey},
-                                                   {"cowlB", {34, 12}, false, darkGrey},
-                                                   {"cowlC", {35, 12}, false, darkGrey}}};
+inline const std::vector<FlightSurface> middleCowl = cowlSteps("cowl", 18, 41, 6);
+inline const std::vector<FlightSurface> endCowl = cowlSteps("end", 9, 61, 9);
 inline const FlightSurface pipe{"pipe", {5, 4}, true, burnt};
 inline const FlightSurface plumeCore{"core", {6, 5}, false, gas};
 inline const FlightSurface plumeMiddle{"middle", {7, 6}, false, gas};

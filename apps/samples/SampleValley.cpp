@@ -133,16 +133,16 @@ void writeValleyTerrain(const std::filesystem::path& folder) {
     const std::filesystem::path picture = folder / "ground.png";
     writeGrey(picture, groundSide, texels);
 
-    writeTexturedGround(
-        folder / "valley.osgb", "ground.png", osg::Texture::CLAMP_TO_EDGE, gridSide,
-        [](int i, int j) {
+    const GroundSheet sheet{
+        "ground.png", osg::Texture::CLAMP_TO_EDGE, gridSide, [](int i, int j) {
             const double u = static_cast<double>(i) / gridSide;
             const double v = static_cast<double>(j) / gridSide;
             const double x_m = (u - 0.5) * terrainSide_m, y_m = (v - 0.5) * terrainSide_m;
             return GroundCorner{osg::Vec3(static_cast<float>(x_m), static_cast<float>(y_m),
                                           static_cast<float>(std::round(height_m(x_m, y_m)))),
                                 osg::Vec2(static_cast<float>(u), static_cast<float>(v))};
-        });
+        }};
+    writeTexturedGround(folder / "valley.osgb", {&sheet, 1});
 }
 
 } // namespace smat

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 
 #include <osg/Texture>
@@ -16,11 +17,18 @@ struct GroundCorner {
     osg::Vec2 inPicture;
 };
 
-/// Writes a ground of `cells` x `cells` squares, each of two triangles, with a picture that lies
-/// beside the file, as .osgb. `corner` gives that in column i and row j, from 0 to `cells`. Throws
-/// InputError where the file cannot be written.
-void writeTexturedGround(const std::filesystem::path& file, const std::string& picture,
-                         osg::Texture::WrapMode wrap, int cells,
-                         const std::function<GroundCorner(int i, int j)>& corner);
+/// Squares of two triangles each, `cells` a side, with a picture that lies beside the file.
+struct GroundSheet {
+    std::string picture;
+    osg::Texture::WrapMode wrap = osg::Texture::CLAMP_TO_EDGE;
+    int cells = 1;
+    /// That in column i and row j, from 0 to `cells`.
+    std::function<GroundCorner(int i, int j)> corner;
+    /// Whether the square between this corner and the next is there; without one, all are.
+    std::function<bool(int i, int j)> isThere = {};
+};
+
+/// Writes a ground as .osgb. Throws InputError where the file cannot be written.
+void writeTexturedGround(const std::filesystem::path& file, std::span<const GroundSheet> sheets);
 
 } // namespace smat

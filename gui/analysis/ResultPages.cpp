@@ -1,5 +1,7 @@
 #include "gui/analysis/ResultPages.h"
 
+#include <utility>
+
 #include <QTabWidget>
 
 #include "gui/analysis/FloatingPages.h"
@@ -23,6 +25,7 @@ ResultPages::ResultPages(Workbench& workbench, Dialogs dialogs, QTabWidget* tabs
     connect(&store, &ResultStore::added, this, [this](int id) { show({id}); });
     connect(&store, &ResultStore::renamed, this, &ResultPages::onRenamed);
     connect(&store, &ResultStore::removed, this, &ResultPages::onRemoved);
+    connect(tabs_, &QTabWidget::currentChanged, this, &ResultPages::sayOfShown);
 }
 
 std::vector<ResultPage*> ResultPages::pages() const {
@@ -61,21 +64,28 @@ void ResultPages::show(const QList<int>& ids) {
         const QString title =
             entries.size() > 1 ? tr("Overlay of %1").arg(entries.size()) : entries.front().title;
         tabs_->setCurrentIndex(tabs_->addTab(page, icon(entries.front().icon()), title));
-        say(entries.back().id);
     } catch (const irsg::InputError& error) {
         dialogs_.tell(tabs_, tr("These results cannot be shown"), sentencesOf(error));
     }
 }
 
-void ResultPages::say(int id) {
-    const ResultEntry* entry = workbench_.result(id);
+void ResultPages::sayOfShown() {
+    const auto* page = qobject_cast<ResultPage*>(tabs_->currentWidget());
+    const auto* entry = page != nullptr ? workbench_.result(page->resultIds().last()) : nullptr;
+    const QString before = std::exchange(said_, {});
+    if (entry == nullptr) {
+        if (!before.isEmpty())
+            emit passed(before);
+        return;
+    }
     QStringList notes;
     for (const auto& warning : entry->data->warnings)
         notes << QString::fromStdString(warning);
     if (notes.isEmpty())
         notes << (entry->canRunAgain() ? tr("Done in %1").arg(durationText(entry->data->elapsed_s))
                                        : entry->title + ": " + stateOf(*entry));
-    emit said(notes.join("   "));
+    said_ = notes.join("   ");
+    emit said(said_);
 }
 
 void ResultPages::onRenamed(int id) {

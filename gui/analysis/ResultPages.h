@@ -24,12 +24,15 @@ class ResultPages : public QObject {
     FloatingPages& floating() { return *floating_; }
 
   signals:
-    /// What is worth saying of a result that is shown: notes, or how long it took.
+    /// What is worth saying of the result whose page comes to the front: notes, or how long it
+    /// took.
     void said(const QString& sentence);
+    /// That no page of a result is in front of which this was said.
+    void passed(const QString& sentence);
 
   private:
     std::vector<ResultPage*> pages() const;
-    void say(int id);
+    void sayOfShown();
     void onRenamed(int id);
     void onRemoved(int id);
 
@@ -37,6 +40,7 @@ class ResultPages : public QObject {
     Dialogs dialogs_;
     QTabWidget* tabs_;
     FloatingPages* floating_;
+    QString said_; ///< of the page in front
 };
 
 } // namespace smat::gui

@@ -158,7 +158,8 @@ QWidget* StartPage::makeOwn() {
     auto* model = plainButton(tr("Open a model…"), "startModel", "model", part);
     auto* project = plainButton(tr("New project…"), "startProject", "new", part);
     auto* open = plainButton(tr("Open a project, result or image…"), "startOpen", "open", part);
-    auto* guide = plainButton(tr("The guide: your first signature"), "startGuide", "info", part);
+    auto* guide =
+        plainButton(tr("The guide: your first signature"), "startGuide", "question", part);
     connect(model, &QToolButton::clicked, this, &StartPage::modelWanted);
     connect(project, &QToolButton::clicked, this, &StartPage::projectWanted);
     connect(open, &QToolButton::clicked, this, &StartPage::openWanted);

@@ -252,7 +252,7 @@ void ModelPage::showHandles(bool on) {
 }
 
 void ModelPage::makeCameraActions() {
-    inspection_ = new QAction(icon("find"), tr("Inspectio&n camera"), this);
+    inspection_ = new QAction(icon("eye"), tr("Inspectio&n camera"), this);
     inspection_->setObjectName("inspectionCamera");
     inspection_->setCheckable(true);
     inspection_->setShortcut(Qt::Key_F7);

@@ -1,5 +1,8 @@
 #include "gui/widgets/Theme.h"
 
+#include <map>
+#include <set>
+
 #include <QAbstractButton>
 #include <QApplication>
 #include <QListWidget>
@@ -9,6 +12,7 @@
 #include <QToolBar>
 
 #include "gui/image/ComparisonWindow.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 #include "tests/gui/WindowFixture.h"
 
 namespace smat::gui {
@@ -92,6 +96,43 @@ std::map<QString, QIcon> iconsOf(QWidget& window) {
         keep("action " + action->objectName() + " " + action->text(), action->icon());
     }
     return icons;
+}
+
+TEST_F(ThemeTest, CommandsThatLookAlikeDoAlike) {
+    const std::set<QStringList> alike{
+        {"addModel", "openModel"},
+        {"convertModel", "importAir", "menuImportMaterial", "menuImportSpectrum"},
+        {"copyFromDatabase", "openDatabase"},
+        {"exportShown", "saveResultAction"},
+        {"firstSignature", "menuLibrary"}, // materials by name
+        {"fitModel", "showWholeModel"},
+        {"menuNewDatabase", "newProject"},
+        {"menuOpenDatabase", "openProject", "openResultAction"},
+        {"menuSaveDatabaseAs", "saveProject"},
+        {"newAir", "projectAir"}};
+    std::map<QByteArray, QStringList> looks;
+    for (const auto* action : window->findChildren<QAction*>()) {
+        if (action->icon().isNull() || action->objectName().isEmpty() ||
+            action->objectName().startsWith("_q_")) { // Qt's own
+            continue;
+        }
+        const QImage drawn =
+            action->icon().pixmap(32).toImage().convertToFormat(QImage::Format_ARGB32);
+        const QByteArray pixels(reinterpret_cast<const char*>(drawn.constBits()),
+                                drawn.sizeInBytes());
+        looks[pixels] << action->objectName();
+    }
+    EXPECT_GT(looks.size(), 25U);
+    for (auto& [pixels, names] : looks) {
+        names.sort();
+        EXPECT_TRUE(names.size() == 1 || alike.contains(names)) << names.join(", ").toStdString();
+    }
+    // Every kind of analysis has one of its own, which its results have as well.
+    std::map<std::string, std::string> kinds;
+    for (const AnalysisKind kind : allAnalysisKinds()) {
+        const auto [place, isNew] = kinds.emplace(kind->icon, name(kind));
+        EXPECT_TRUE(isNew) << name(kind) << " looks as " << place->second;
+    }
 }
 
 TEST_F(ThemeTest, EveryIconTurnsWithTheTheme) {

@@ -1,13 +1,16 @@
 #include <fstream>
 
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QStatusBar>
+#include <QTabWidget>
 #include <QToolButton>
 #include <QTreeWidget>
 
+#include "gui/analysis/AnalysisGeneratorDialog.h"
 #include "gui/analysis/RankingBars.h"
 #include "gui/plot/ResultPlot.h"
 #include "smatcore/project/ProjectFile.h"
@@ -85,6 +88,69 @@ TEST_F(WindowDefectsTest, LoadingOfAModelCanBeCancelled) {
     // The project is open, and another one is shown as ever.
     openSample();
     EXPECT_FALSE(window->isLoadingModel());
+}
+
+TEST_F(WindowDefectsTest, WhatIsSaidOfAResultGoesWithItsPage) {
+    openSample();
+    workbench.set("sensor.fov", "0.5");
+    runAnalysis("polar");
+    const auto says = [&] { return window->statusBar()->currentMessage(); };
+    EXPECT_TRUE(says().contains("beyond the frame")) << says().toStdString();
+    auto* tabs = window->findChild<QTabWidget*>("tabs");
+    const int page = tabs->currentIndex();
+    ASSERT_GT(page, 0);
+    tabs->setCurrentIndex(0);
+    EXPECT_FALSE(says().contains("beyond the frame")) << says().toStdString();
+    workbench.set("sensor.fov", "40");
+    runAnalysis("polar");
+    EXPECT_FALSE(says().contains("beyond the frame")) << says().toStdString();
+    tabs->setCurrentIndex(page);
+    EXPECT_TRUE(says().contains("beyond the frame")) << says().toStdString();
+    // What came after it stays.
+    window->statusBar()->showMessage("something else");
+    tabs->setCurrentIndex(0);
+    EXPECT_EQ(says(), "something else");
+    emit tabs->tabCloseRequested(page);
+    EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+}
+
+TEST_F(WindowDefectsTest, TheReadOutCallsSurfacesByTheirNames) {
+    openSample();
+    const auto& database = workbench.database().value();
+    SceneView& view = *window->sceneView();
+    int faces = 0;
+    for (int x = 20; x < view.width(); x += 40) {
+        const QPointF at(x, view.height() / 2);
+        const auto hits = view.facesAt(at);
+        if (hits.empty()) {
+            continue;
+        }
+        ++faces;
+        const QString said = view.readoutAt(at);
+        for (const std::string& name :
+             {database.temperatures.at(hits.front().codes.temperature).name,
+              database.materials.at(hits.front().codes.material).name}) {
+            EXPECT_FALSE(name.empty());
+            EXPECT_TRUE(said.contains("(" + QString::fromStdString(name) + ")"))
+                << said.toStdString() << ", where the surface is " << name;
+        }
+    }
+    EXPECT_GT(faces, 2);
+}
+
+TEST_F(WindowDefectsTest, AnAzimuthSweepSaysThatTheElevationOfTheViewIsNotUsed) {
+    openSample();
+    AnalysisGeneratorDialog dialog(workbench.project(), workbench.settings(), AnalysisKind::polar,
+                                   [](const QString&, const QString&) { return QString(); });
+    const auto* ignored = dialog.findChild<QLabel*>("ignored");
+    ASSERT_NE(ignored, nullptr);
+    EXPECT_FALSE(ignored->isHidden());
+    EXPECT_TRUE(ignored->text().contains("elevation 15")) << ignored->text().toStdString();
+    auto* type = dialog.findChild<QComboBox*>("polar.type");
+    ASSERT_NE(type, nullptr);
+    dialog.show();
+    QTest::keyClick(type, Qt::Key_End); // model yaw, before a camera that stays
+    EXPECT_FALSE(ignored->text().contains("elevation 15")) << ignored->text().toStdString();
 }
 
 TEST(TemperatureProfilePlot, HasItsAltitudeUpward) {
