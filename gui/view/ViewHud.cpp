@@ -35,8 +35,7 @@ constexpr double aroundLabel_px = 18.0;
 bool fits(const QPainter& painter, const QRectF& area, const QString& text) {
     return QFontMetricsF(painter.font()).horizontalAdvance(text) + aroundLabel_px <= area.width();
 }
-void drawLabel(QPainter& painter, const QRectF& area, Corner corner, const QString& text,
-               bool dark) {
+QRectF labelBox(const QPainter& painter, const QRectF& area, Corner corner, const QString& text) {
     const QFontMetricsF metrics(painter.font());
     QRectF box(0, 0, std::min(metrics.horizontalAdvance(text) + aroundLabel_px, area.width()),
                metrics.height() + 8.0);
@@ -46,10 +45,16 @@ void drawLabel(QPainter& painter, const QRectF& area, Corner corner, const QStri
         box.moveTopRight(area.topRight());
     else
         box.moveBottomRight(area.bottomRight());
+    return box;
+}
+void drawLabel(QPainter& painter, const QRectF& area, Corner corner, const QString& text,
+               bool dark) {
+    const QRectF box = labelBox(painter, area, corner, text);
     drawPlate(painter, box, dark);
     painter.setPen(colors::overlayInk(dark));
-    painter.drawText(box.adjusted(9, 0, -9, 0), Qt::AlignVCenter | Qt::AlignLeft,
-                     metrics.elidedText(text, Qt::ElideRight, box.width() - 17.0));
+    painter.drawText(
+        box.adjusted(9, 0, -9, 0), Qt::AlignVCenter | Qt::AlignLeft,
+        QFontMetricsF(painter.font()).elidedText(text, Qt::ElideRight, box.width() - 17.0));
 }
 
 } // namespace
@@ -228,8 +233,14 @@ void ViewHud::paintWords(QPainter& painter) const {
     drawLabel(painter, left, Corner::topLeft, words, dark);
     if (!inset.isNull())
         area.setTop(std::max(area.top(), inset.bottom() + 6.0));
-    if (!busy.isEmpty())
-        drawLabel(painter, area, Corner::topRight, busy, dark);
+    if (!busy.isEmpty()) {
+        // Below the camera where there is no room beside it.
+        const QRectF camera = labelBox(painter, left, Corner::topLeft, words);
+        QRectF right = area;
+        if (labelBox(painter, right, Corner::topRight, busy).intersects(camera))
+            right.setTop(camera.bottom() + 4.0);
+        drawLabel(painter, right, Corner::topRight, busy, dark);
+    }
     if (!readout.isEmpty())
         drawLabel(painter, area, Corner::bottomRight, readout, dark);
 }

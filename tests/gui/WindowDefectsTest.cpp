@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPainter>
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QToolButton>
@@ -13,6 +14,7 @@
 #include "gui/analysis/AnalysisGeneratorDialog.h"
 #include "gui/analysis/RankingBars.h"
 #include "gui/plot/ResultPlot.h"
+#include "gui/view/ViewHud.h"
 #include "smatcore/project/ProjectFile.h"
 #include "tests/gui/WindowFixture.h"
 
@@ -151,6 +153,39 @@ TEST_F(WindowDefectsTest, AnAzimuthSweepSaysThatTheElevationOfTheViewIsNotUsed) 
     dialog.show();
     QTest::keyClick(type, Qt::Key_End); // model yaw, before a camera that stays
     EXPECT_FALSE(ignored->text().contains("elevation 15")) << ignored->text().toStdString();
+}
+
+TEST(ViewHud, WhatIsWaitedForLeavesTheCameraLegible) {
+    for (const int width : {420, 530, 700, 1100}) {
+        ViewHud hud;
+        hud.hasProject = hud.hasModel = true;
+        hud.viewAxes = false;
+        hud.frame = {0.26, width, 300};
+        hud.projection.window = QSizeF(width, 300);
+        hud.camera = {52.0, 14.0, 120.0};
+        const auto drawn = [&] {
+            QImage image(width, 300, QImage::Format_RGB32);
+            image.fill(Qt::blue);
+            QPainter painter(&image);
+            hud.paint(painter);
+            painter.end();
+            return image;
+        };
+        const QImage camera = drawn();
+        hud.busy = "infrared: light between surfaces follows… 23.9 s";
+        const QImage both = drawn();
+        EXPECT_NE(both, camera);
+        int changed = 0, words = 0;
+        for (int y = 0; y < 60; ++y) {
+            for (int x = 0; x < width / 2; ++x) {
+                const bool isWord = camera.pixel(x, y) != QColor(Qt::blue).rgb();
+                words += isWord ? 1 : 0;
+                changed += isWord && both.pixel(x, y) != camera.pixel(x, y) ? 1 : 0;
+            }
+        }
+        EXPECT_GT(words, 500) << width;
+        EXPECT_EQ(changed, 0) << width;
+    }
 }
 
 TEST(TemperatureProfilePlot, HasItsAltitudeUpward) {
