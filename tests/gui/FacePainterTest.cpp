@@ -532,7 +532,7 @@ TEST_F(FacePainterTest, AHelicopterOfAnotherProgramIsPaintedInColours) {
     showCodes(CodesShown::temperature);
     painter().choose(irsg::partOf(*painter().mesh(), 0));
     QTest::qWait(100);
-    test::keepScreenshot(*window, "paint-codes");
+    test::keepScreenshot(*window, "own-aircraft-paint");
     const auto counted = counts();
     trigger("saveProject");
     ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
