@@ -94,7 +94,7 @@ Found measured(const std::filesystem::path& file, int pixels, int side, unsigned
     Settings settings;
     settings.set(key::sensorWidth, side);
     settings.set(key::sensorHeight, side);
-    settings.set(key::renderScattering, false); // haze of droplets is not explained, and said
+    settings.set(key::renderScattering, "false"); // haze of droplets is not explained, and said
     AnalysisData asked = AnalysisData::of(project, AnalysisKind::image, settings);
     asked.settings = eachBand(asked.settings).front();
     const auto explainer = std::make_shared<PixelExplainer>(asked);

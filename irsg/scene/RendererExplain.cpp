@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "irsg/radiometry/Errors.h"
@@ -38,6 +39,27 @@ std::vector<SampleRun> runsOf(const SampleWindow& window, int x, int y) {
                             static_cast<int>(drawn % window.stride()), count, weight});
         });
     return runs;
+}
+
+/// Those samples with all beside them in a drawing, whose normals say how wide lobes are: one run a
+/// row.
+std::vector<SampleRun> withNeighbours(const std::vector<SampleRun>& runs,
+                                      const SampleWindow& window) {
+    std::map<int, std::pair<int, int>> columns; // by row: the first, and that after the last
+    for (const SampleRun& run : runs)
+        for (int row = std::max(run.row - 1, 0); row < std::min(run.row + 2, window.height());
+             ++row) {
+            const int first = std::max(run.firstColumn - 1, 0);
+            const int end = std::min(run.firstColumn + run.count + 1, window.width());
+            const auto [known, isNew] = columns.try_emplace(row, first, end);
+            if (!isNew)
+                known->second = {std::min(known->second.first, first),
+                                 std::max(known->second.second, end)};
+        }
+    std::vector<SampleRun> all;
+    for (const auto& [row, range] : columns)
+        all.push_back({row, range.first, range.second - range.first, 1.0});
+    return all;
 }
 
 } // namespace
@@ -135,11 +157,8 @@ PixelExplanation Renderer::explain(Explainer& explainer, int x, int y) {
             if (!drawn)
                 drawn = p.scenesOf(frame, frame.camera, sheet);
             FactorSamples& samples = explainer.samples;
-            // Lobes are as wide as normals around differ.
-            if (frame.lobes)
-                frame.engine->drawFactors(*drawn, true, samples);
-            else
-                RayEngine::traceRuns(*drawn, w, runs, samples);
+            RayEngine::traceRuns(*drawn, w, frame.lobes ? withNeighbours(runs, window) : runs,
+                                 samples);
             p.sortAndShade(frame, *drawn, samples);
             const WindowRays rays(drawn->scenes[w], window);
             for (const SampleRun& run : runs)
