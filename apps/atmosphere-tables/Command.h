@@ -13,6 +13,8 @@ struct Folders {
     /// Of the gases: parts of the spectrum to compute anew, the rest is that of the table that is
     /// in `out` already; none: all of it.
     std::vector<std::pair<double, double>> renew_per_cm = {};
+    /// Of the gases: parts of the table in `out` whose errors are computed anew, no more.
+    std::vector<std::pair<double, double>> measure_per_cm = {};
 };
 
 /// Each writes one kind of table, says on standard output from what and how, and throws

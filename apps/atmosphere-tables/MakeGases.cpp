@@ -133,14 +133,16 @@ TrainedNodes keptPiece(const GasTable& table, const Piece& piece) {
     return kept;
 }
 
-/// What the header of a table says of its errors.
-std::string errorsIn(const std::string& header) {
-    const std::size_t at = header.find("transmittance against line by line");
-    return at == std::string::npos ? "" : header.substr(at);
+/// The line of a header that begins so, with its end; nothing where there is none.
+std::string lineOf(const std::string& header, const std::string& begin) {
+    const std::size_t at = header.find("\n" + begin);
+    return at == std::string::npos ? "" : header.substr(at + 1, header.find('\n', at + 1) - at);
 }
 
-/// RMS and largest error of training over ranges that users know.
-std::string errorTable(const std::vector<Piece>& work, const std::vector<TrainedNodes>& trained) {
+/// RMS and largest error of training over ranges that users know; that of `before`, the header of
+/// the table that is there, for ranges of which not all pieces were trained or measured.
+std::string errorTable(const std::vector<Piece>& work, const std::vector<TrainedNodes>& trained,
+                       const std::string& before) {
     struct Range {
         double lower_per_cm, upper_per_cm;
     };
@@ -157,8 +159,18 @@ std::string errorTable(const std::vector<Piece>& work, const std::vector<Trained
             "5, 15 "
             "cm-1; nodes a bin\n";
     for (const Range& range : ranges) {
-        text << std::defaultfloat << std::setprecision(6) << range.lower_per_cm << "-"
-             << range.upper_per_cm << " cm-1:";
+        std::ostringstream name;
+        name << range.lower_per_cm << "-" << range.upper_per_cm << " cm-1:";
+        bool isKnown = true;
+        for (std::size_t i = 0; i < work.size(); ++i)
+            if (work[i].lower_per_cm >= range.lower_per_cm &&
+                work[i].upper_per_cm <= range.upper_per_cm)
+                isKnown = isKnown && trained[i].cases[0] > 0;
+        if (!isKnown) {
+            text << lineOf(before, name.str());
+            continue;
+        }
+        text << name.str();
         for (std::size_t r = 0; r < 3; ++r) {
             double squares = 0.0, largest = 0.0;
             std::size_t cases = 0, nodes = 0, bins = 0;
@@ -195,9 +207,11 @@ void makeGases(const Folders& folders) {
 
     const std::vector<Piece> work = pieces();
     const std::shared_ptr<const GasTable> table =
-        folders.renew_per_cm.empty() ? nullptr : GasTable::read(folders.out / "gases.gastable");
-    const auto isRenewed = [&](const Piece& piece) {
-        return std::ranges::any_of(folders.renew_per_cm, [&](const auto& range) {
+        folders.renew_per_cm.empty() && folders.measure_per_cm.empty()
+            ? nullptr
+            : GasTable::read(folders.out / "gases.gastable");
+    const auto isIn = [](const Piece& piece, const auto& ranges_per_cm) {
+        return std::ranges::any_of(ranges_per_cm, [&](const auto& range) {
             return range.first < piece.upper_per_cm && range.second > piece.lower_per_cm;
         });
     };
@@ -207,13 +221,18 @@ void makeGases(const Folders& folders) {
     auto run = [&] {
         for (std::size_t i = next++; i < work.size(); i = next++) {
             const Piece& piece = work[i];
-            if (table && !isRenewed(piece)) {
+            const bool isKept = table && !isIn(piece, folders.renew_per_cm);
+            if (isKept) {
                 trained[i] = keptPiece(*table, piece);
-                continue;
+                if (!isIn(piece, folders.measure_per_cm))
+                    continue;
             }
             const FineCrossSections fine = fineCrossSections(gases, partition, grid, piece);
-            trained[i] = trainNodes(fine, grid, training, piece.lower_per_cm, piece.upper_per_cm,
-                                    piece.width_per_cm, goals);
+            if (isKept)
+                measureNodes(trained[i], fine, grid, training);
+            else
+                trained[i] = trainNodes(fine, grid, training, piece.lower_per_cm,
+                                        piece.upper_per_cm, piece.width_per_cm, goals);
             const std::lock_guard lock(output);
             std::cout << piece.lower_per_cm << "-" << piece.upper_per_cm
                       << " cm-1: " << trained[i].wavenumbers_per_cm.size() << " nodes" << std::endl;
@@ -235,7 +254,7 @@ void makeGases(const Folders& folders) {
     for (const LineList& gas : gases)
         for (const std::string& origin : gas.origins)
             header << origin << "\n";
-    header << (table ? errorsIn(table->header()) : errorTable(work, trained));
+    header << errorTable(work, trained, table ? table->header() : "");
 
     Assembly assembly;
     for (TrainedNodes& piece : trained)

@@ -34,6 +34,9 @@ int main(int argc, char** argv) {
         "--renew", folders.renew_per_cm,
         "of gases, FROM TO in cm-1, as often as needed: compute the pieces of 60 cm-1 that "
         "touch this range and keep the others of the table in the folder");
+    app.add_option("--measure", folders.measure_per_cm,
+                   "of gases, FROM TO in cm-1, as often as needed: compute the errors of the "
+                   "pieces that touch this range, which its header tells, and keep the pieces");
     CLI11_PARSE(app, argc, argv);
 
     try {

@@ -11,7 +11,8 @@
 namespace irsg {
 
 /// The report's 27 parameters of AtmosphereSmart (F15, annex A) in the report's units, and some of
-/// our own. Defaults are the report's. Codes are described in smartParameters().
+/// our own. Defaults are the report's but for IrradianceMode. Codes are described in
+/// smartParameters().
 struct AtmosphereSmartParameters {
     int aerosolModel = 0;
     int airMass = 3;
@@ -26,7 +27,8 @@ struct AtmosphereSmartParameters {
     int cloudModel = 0;
     double cloudThickness_m = 0.0; ///< 0 or less: the cloud model's own
     double groundTemperature_C = 20.0;
-    int irradianceMode = 1;
+    int irradianceMode =
+        2; ///< of the report 1, tables, which are no quicker at ever other altitudes
     double measurementHeight_m = 5.0;
     int meteoModel = 1;
     std::string modelType = "SMART_ATMOSPHERIC_MODEL";

@@ -14,9 +14,9 @@ namespace smat {
 
 namespace {
 
-/// Lines of sight that pay for training. The terms of computed air follow from a hundred paths at
-/// all nodes of a band; spectra of gases make training twice as dear, and each line in the spectral
-/// mode six times.
+/// Lines of sight that pay for training. The terms of computed air follow from seventy paths
+/// at all nodes of a band; spectra of gases make training twice as dear, and each line in the
+/// spectral mode six times.
 std::size_t fewestToTrain(const SceneDescription& scene) {
     const auto isComputed = [&](const irsg::Band& band) {
         return dynamic_cast<const irsg::AtmosphereSmart*>(
@@ -24,7 +24,7 @@ std::size_t fewestToTrain(const SceneDescription& scene) {
     };
     if (std::ranges::none_of(scene.allBands(), isComputed))
         return 3;
-    return irsg::widebandSpectraOf(scene.entities).radiances.empty() ? 200 : 100;
+    return irsg::widebandSpectraOf(scene.entities).radiances.empty() ? 120 : 100;
 }
 
 } // namespace

@@ -14,11 +14,11 @@ struct CalculationChoice {
 };
 
 /// Cases that share their line of sight share what the air answers, so that it is lines of sight
-/// that pay for training wideband-ck. Processor times in 3-5 um: the sample aircraft, whose plumes
-/// are spectra of gas, trains 0.5 s and saves 5 ms a line (from 100 on), a grey box trains 0.23 s
-/// and saves 1.2 ms (from 200 on); air of a file trains some hundredths and saves 5 to 40 ms (from
-/// 3 on). The choice does not ask whether terms were kept on disk before: equal inputs have equal
-/// results.
+/// that pay for training wideband-ck. By processor times in 3-5 um
+/// the sample aircraft, whose plumes are spectra of gas, pays from 100 lines on and a grey box from
+/// 120 (docs/atmosphere-accuracy.md); air of a file trains some hundredths of a second and saves 5
+/// to 40 ms a line (from 3 on). The choice does not ask whether terms were kept on disk before:
+/// equal inputs have equal results.
 CalculationChoice chooseCalculation(const SceneDescription& scene, const AnalysisPlan& plan);
 
 /// How many different lines of sight the air is asked along.

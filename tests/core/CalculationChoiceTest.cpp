@@ -35,14 +35,14 @@ AnalysisPlan ranges(std::size_t count) {
 }
 
 TEST(CalculationChoices, AreSpectralUntilLinesOfSightPayForTraining) {
-    const CalculationChoice few = chooseCalculation(computedAir(), ranges(199));
+    const CalculationChoice few = chooseCalculation(computedAir(), ranges(119));
     EXPECT_EQ(few.mode, CalculationMode::spectral);
     EXPECT_EQ(few.reason,
-              "mode auto: spectral, as training wideband-ck pays from 200 different lines of "
-              "sight on, not for 199");
-    const CalculationChoice many = chooseCalculation(computedAir(), ranges(200));
+              "mode auto: spectral, as training wideband-ck pays from 120 different lines of "
+              "sight on, not for 119");
+    const CalculationChoice many = chooseCalculation(computedAir(), ranges(120));
     EXPECT_EQ(many.mode, CalculationMode::wideband);
-    EXPECT_THAT(many.reason, HasSubstr("200 different lines of sight pay"));
+    EXPECT_THAT(many.reason, HasSubstr("120 different lines of sight pay"));
 }
 
 TEST(CalculationChoices, CountALineOfSightOnceHoweverManyAspectsShareIt) {

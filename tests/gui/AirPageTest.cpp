@@ -33,7 +33,7 @@ const std::map<std::string, std::string> others = {
     {"CloudModel", "19"},
     {"CloudThickness", "250"},
     {"GroundTemperature", "-4.5"},
-    {"IrradianceMode", "2"},
+    {"IrradianceMode", "1"},
     {"MeasurementHeight", "12"},
     {"MeteoModel", "2"},
     {"PressureMH", "990"},

@@ -78,6 +78,29 @@ TEST(NodeTraining, SeesTheFaintAbsorptionThatOnlyALongPathThroughThinAirAddsUp) 
     }
 }
 
+TEST(NodeTraining, ErrorsOfNodesThatAreKeptAreThoseOfTheirTraining) {
+    const TrainingPaths training =
+        trainingPaths({Profile::model(ModelAtmosphere::subarcticWinter)});
+    const std::array<NodeGoals, 3> goals = {
+        {{0.0025, 0.03, 6}, {0.0015, 0.015, 12}, {0.0015, 0.015, 16}}};
+    for (const int width_per_cm : {1, 5}) {
+        const FineCrossSections fine = wavering(1e-21);
+        const TrainedNodes trained = trainNodes(fine, smallGrid(), training, lower_per_cm,
+                                                upper_per_cm, width_per_cm, goals);
+        TrainedNodes kept = trained;
+        kept.squaredError = kept.largestError = {};
+        kept.cases = {};
+        measureNodes(kept, fine, smallGrid(), training);
+        EXPECT_EQ(kept.cases, trained.cases);
+        for (std::size_t r = 0; r < 3; ++r) {
+            EXPECT_GT(trained.largestError[r], 0.0);
+            // Weights are kept in single precision.
+            EXPECT_NEAR(kept.largestError[r], trained.largestError[r], 1e-6) << width_per_cm;
+            EXPECT_NEAR(kept.squaredError[r] / trained.squaredError[r], 1.0, 1e-3) << width_per_cm;
+        }
+    }
+}
+
 TEST(NodeTraining, PathsAreLongWhereTheAirIsThin) {
     const TrainingPaths training = trainingPaths({Profile::model(ModelAtmosphere::tropical)});
     double longestAloft_m = 0.0, longestBelow_m = 0.0;

@@ -316,8 +316,10 @@ std::vector<Line> methaneDyadLines(const std::vector<Line>& listed, double from_
     // the P branch at 850 to 1200 cm-1 (ratios to them: 0.3 percent rms for lines above 1e-23).
     constexpr double moment_debye = 0.05782, perRotation = -0.002285;
     constexpr double perDebye2 = 4.16238e-19;
-    // 13CH4: nu4 at 1302.781 for 1310.761 cm-1 (HITRAN), its abundance to that of 12CH4.
-    constexpr double heavyMove_per_cm = 1302.781 - 1310.761, heavyRatio = 0.0111031 / 0.988274;
+    // 13CH4: nu4 at 1302.781 for 1310.761 cm-1 and nu2 at 1533.493 for 1533.332 (HITRAN), its
+    // abundance to that of 12CH4.
+    constexpr double heavyMoveNu4_per_cm = 1302.781 - 1310.761,
+                     heavyMoveNu2_per_cm = 1533.493 - 1533.332, heavyRatio = 0.0111031 / 0.988274;
     const double c2T = secondRadiationConstant_cm_K / referenceTemperature_K;
     const MethaneWidths widths(listed);
     std::vector<std::vector<TetrahedralLevel>> uppers;
@@ -362,7 +364,11 @@ std::vector<Line> methaneDyadLines(const std::vector<Line>& listed, double from_
                         continue;
                     widths.give(line, J);
                     lines.push_back(line);
-                    line.wavenumber_per_cm += heavyMove_per_cm;
+                    double nu2 = 0.0; // of the upper level
+                    for (std::size_t i = 3 * upperWidth; i < upper.amplitudes.size(); ++i)
+                        nu2 += upper.amplitudes[i] * upper.amplitudes[i];
+                    line.wavenumber_per_cm +=
+                        (1.0 - nu2) * heavyMoveNu4_per_cm + nu2 * heavyMoveNu2_per_cm;
                     line.intensity *= heavyRatio;
                     line.isotopologue = 2;
                     if (line.intensity >= weakest)

@@ -35,7 +35,8 @@ std::vector<TetrahedralLevel> methaneDyad(int J);
 /// Where the lines of methane are generated, cm-1.
 inline constexpr double methaneDyadFrom_per_cm = 1200.0, methaneDyadTo_per_cm = 1775.0;
 
-/// Lines of nu4 and nu2 in a range, of 12CH4 and, moved, of 13CH4. One dipole, that of nu4, with
+/// Lines of nu4 and nu2 in a range, of 12CH4 and, moved by the distance of their origins, of 13CH4.
+/// One dipole, that of nu4, with
 /// the factor of Herman and Wallis that its P branch below the range has; nu2 borrows from it.
 /// Widths are means over the lines of `listed` with the same lower J, which their lower energy
 /// tells.

@@ -275,4 +275,51 @@ TrainedNodes trainNodes(const FineCrossSections& fine, const CrossSectionGrid& g
     return trained;
 }
 
+void measureNodes(TrainedNodes& nodes, const FineCrossSections& fine, const CrossSectionGrid& grid,
+                  const TrainingPaths& training) {
+    const auto placeOf = [&](double edge_per_cm) {
+        return static_cast<std::size_t>(
+            std::lround((edge_per_cm - fine.grid.first_per_cm) / fine.grid.step_per_cm + 0.5));
+    };
+    std::vector<std::vector<float>> columns(nodes.wavenumbers_per_cm.size());
+    std::vector<std::vector<double>> means; // of the narrowest bins
+    for (const SpectralBin& bin : nodes.bins.front().bins) {
+        const std::size_t first = placeOf(bin.lower_per_cm);
+        const OpticalDepths depths(fine, grid, training, first, placeOf(bin.upper_per_cm) - first);
+        const BinTransmittance transmittance(depths, training);
+        means.push_back(transmittance.mean());
+        for (std::size_t node = 0; node < columns.size(); ++node) {
+            const double at_per_cm = nodes.wavenumbers_per_cm[node];
+            if (at_per_cm >= bin.lower_per_cm && at_per_cm < bin.upper_per_cm)
+                columns[node] = transmittance.at(
+                    static_cast<std::size_t>(
+                        std::lround((at_per_cm - fine.grid.first_per_cm) / fine.grid.step_per_cm)) -
+                    first);
+        }
+    }
+    for (std::size_t r = 0; r < nodes.bins.size(); ++r) {
+        const BinSet& set = nodes.bins[r];
+        nodes.squaredError[r] = nodes.largestError[r] = 0.0;
+        nodes.cases[r] = set.bins.size() * training.paths.size();
+        for (const SpectralBin& bin : set.bins)
+            for (std::size_t p = 0; p < training.paths.size(); ++p) {
+                double error = 0.0;
+                for (std::uint32_t i = bin.first; i < bin.first + bin.count; ++i)
+                    error += static_cast<double>(set.weights[i]) *
+                             static_cast<double>(columns[set.nodes[i]].at(p));
+                double mean = 0.0, inside = 0.0;
+                for (std::size_t b = 0; b < means.size(); ++b)
+                    if (const SpectralBin& narrow = nodes.bins.front().bins[b];
+                        narrow.lower_per_cm >= bin.lower_per_cm - 1e-6 &&
+                        narrow.upper_per_cm <= bin.upper_per_cm + 1e-6) {
+                        mean += means[b][p];
+                        inside += 1.0;
+                    }
+                error -= mean / inside;
+                nodes.squaredError[r] += error * error;
+                nodes.largestError[r] = std::max(nodes.largestError[r], std::abs(error));
+            }
+    }
+}
+
 } // namespace irsg::lbl

@@ -34,4 +34,9 @@ TrainedNodes trainNodes(const FineCrossSections& fine, const CrossSectionGrid& g
                         const TrainingPaths& training, double lower_per_cm, double upper_per_cm,
                         int baseWidth_per_cm, const std::array<NodeGoals, 3>& goals);
 
+/// Computes the errors of nodes and bins that were trained before, whose nodes are points of the
+/// fine grid.
+void measureNodes(TrainedNodes& nodes, const FineCrossSections& fine, const CrossSectionGrid& grid,
+                  const TrainingPaths& training);
+
 } // namespace irsg::lbl

@@ -53,6 +53,17 @@ IRSG_VECTOR_CLONES double sumOfProducts(const double* a, const double* b, std::s
     return sumOf(sums);
 }
 
+IRSG_VECTOR_CLONES double sumOfProducts(const double* a, const float* b, std::size_t n) {
+    std::array<double, lanes> sums{};
+    std::size_t k = 0;
+    for (; k + lanes <= n; k += lanes)
+        for (std::size_t i = 0; i < lanes; ++i)
+            sums[i] += a[k + i] * static_cast<double>(b[k + i]);
+    for (; k < n; ++k)
+        sums[0] += a[k] * static_cast<double>(b[k]);
+    return sumOf(sums);
+}
+
 IRSG_VECTOR_CLONES void subtract(double weight, const float* column, std::size_t n, double* rest) {
     for (std::size_t r = 0; r < n; ++r)
         rest[r] -= weight * static_cast<double>(column[r]);
@@ -61,6 +72,10 @@ IRSG_VECTOR_CLONES void subtract(double weight, const float* column, std::size_t
 } // namespace
 
 double product(const float* a, const float* b, std::size_t n) {
+    return sumOfProducts(a, b, n);
+}
+
+double product(const double* a, const float* b, std::size_t n) {
     return sumOfProducts(a, b, n);
 }
 

@@ -20,6 +20,7 @@ struct SomeRows {
 
 /// Sum of products in double, in single precision, and the largest magnitude.
 double product(const float* a, const float* b, std::size_t n);
+double product(const double* a, const float* b, std::size_t n);
 double coarseProduct(const float* a, const float* b, std::size_t n);
 double largest(const std::vector<double>& values);
 

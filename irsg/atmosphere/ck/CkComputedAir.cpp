@@ -17,8 +17,7 @@ std::vector<AtmosphericPath> spreadOfPaths(double top_m) {
          {Ends{5, 5}, Ends{5, 500}, Ends{5, 3000}, Ends{1500, 0}, Ends{1500, 1500},
           Ends{3000, 3000}, Ends{6000, 1000}, Ends{3000, 10000}, Ends{6000, 6000},
           Ends{10000, 10000}, Ends{12000, 0}, Ends{15000, 8000}, Ends{20000, 12000}})
-        for (const double range_m : {10.0, 30.0, 150.0, 600.0, 2e3, 3.5e3, 6e3, 9e3, 13e3, 20e3,
-                                     30e3, 45e3, 70e3, 150e3}) {
+        for (const double range_m : {10.0, 60.0, 500.0, 2e3, 6e3, 13e3, 30e3, 65e3, 150e3}) {
             const double climb_m = std::abs(ends.sensor_m - ends.target_m);
             const bool low = ends.sensor_m < 1000.0 && ends.target_m < 1000.0;
             if (range_m < 1.05 * climb_m || (low && range_m > 30e3) ||

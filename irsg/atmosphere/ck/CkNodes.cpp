@@ -11,7 +11,7 @@ CkNodes::CkNodes(const RadiativeTransfer& transfer, const Band& band)
             weight_.push_back(static_cast<double>(bins.weights[i]));
         centres_um_.push_back(1e4 / own.centre_per_cm());
     }
-    ones_ = factor([](double) { return 1.0; });
+    prepare();
 }
 
 CkNodes::CkNodes(const std::vector<double>& wavelengths_um, std::size_t first, const Band& band)
@@ -23,7 +23,19 @@ CkNodes::CkNodes(const std::vector<double>& wavelengths_um, std::size_t first, c
         weight_.push_back(1.0);
         centres_um_.push_back(wavelengths_um[i]);
     }
-    ones_ = factor([](double) { return 1.0; });
+    prepare();
+}
+
+void CkNodes::prepare() {
+    std::vector<double> withResponse(centres_um_.size());
+    widths_.assign(centres_um_.size(), 0.0);
+    integrate(
+        [&](double at_um) {
+            return std::pair{1.0, band_.responseAt(at_um)};
+        },
+        withResponse, widths_);
+    for (std::size_t i = 0; i < size(); ++i)
+        ones_.push_back(weight_[i] * withResponse[binOf_[i]]);
 }
 
 Spectrum CkNodes::hat(std::size_t node) const {

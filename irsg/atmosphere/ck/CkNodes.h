@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "irsg/atmosphere/engine/RadiativeTransfer.h"
@@ -22,27 +23,29 @@ class CkNodes {
     CkNodes(const std::vector<double>& wavelengths_um, std::size_t first, const Band& band);
     std::size_t size() const { return set.nodes.size(); }
 
-    /// Per node the integral over its bin's hat of R times a function of wavelength, times the
-    /// node's weight.
+    /// A function of wavelength in the two forms that training needs.
+    struct Shares {
+        /// Per node the integral over its bin's hat of R times the function, times the node's
+        /// weight.
+        std::vector<double> integrated;
+        /// Per node the mean over its bin's hat, as SensorCkData::sampled gives it.
+        std::vector<double> sampled;
+    };
     template <typename Function>
-    std::vector<double> factor(Function f) const {
-        std::vector<double> perBin(centres_um_.size());
-        integrate([&](double at_um) { return f(at_um) * band_.responseAt(at_um); }, perBin);
-        std::vector<double> perNode(size());
-        for (std::size_t i = 0; i < size(); ++i)
-            perNode[i] = weight_[i] * perBin[binOf_[i]];
-        return perNode;
-    }
-    /// Per node the mean of a function over its bin's hat, as SensorCkData::sampled gives it.
-    template <typename Function>
-    std::vector<double> mean(Function f) const {
-        std::vector<double> sums(centres_um_.size()), weights(centres_um_.size());
-        integrate(f, sums);
-        integrate([](double) { return 1.0; }, weights);
-        std::vector<double> perNode(size());
-        for (std::size_t i = 0; i < size(); ++i)
-            perNode[i] = weights[binOf_[i]] > 0.0 ? sums[binOf_[i]] / weights[binOf_[i]] : 0.0;
-        return perNode;
+    Shares shares(Function f) const {
+        std::vector<double> withResponse(centres_um_.size()), alone(centres_um_.size());
+        integrate(
+            [&](double at_um) {
+                return std::pair{f(at_um), band_.responseAt(at_um)};
+            },
+            withResponse, alone);
+        Shares of{std::vector<double>(size()), std::vector<double>(size())};
+        for (std::size_t i = 0; i < size(); ++i) {
+            const std::size_t bin = binOf_[i];
+            of.integrated[i] = weight_[i] * withResponse[bin];
+            of.sampled[i] = widths_[bin] > 0.0 ? alone[bin] / widths_[bin] : 0.0;
+        }
+        return of;
     }
     /// The hat over a node's bin, cut to the band: linear to 0 at the neighbours' centres.
     Spectrum hat(std::size_t node) const;
@@ -59,9 +62,11 @@ class CkNodes {
     NodeSet set;
 
   private:
-    /// Adds the integral of f times every bin's hat over the band.
+    /// Adds the integrals of f R and of f, which f gives with R, times every bin's hat over the
+    /// band.
     template <typename Function>
-    void integrate(Function f, std::vector<double>& perBin) const {
+    void integrate(Function f, std::vector<double>& withResponse,
+                   std::vector<double>& alone) const {
         const GaussRule& rule = gaussLegendre(32);
         for (std::size_t b = 0; b + 1 < centres_um_.size(); ++b) { // wavelengths fall
             const double lower_um = std::max(centres_um_[b + 1], band_.range().min_um);
@@ -70,18 +75,24 @@ class CkNodes {
                 continue;
             for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
                 const double at_um = lower_um + (upper_um - lower_um) * rule.nodes[i];
-                const double value = f(at_um) * (upper_um - lower_um) * rule.weights[i];
+                const auto [own, response] = f(at_um);
+                const double value = own * (upper_um - lower_um) * rule.weights[i];
                 const double part =
                     (at_um - centres_um_[b + 1]) / (centres_um_[b] - centres_um_[b + 1]);
-                perBin[b] += part * value;
-                perBin[b + 1] += (1.0 - part) * value;
+                withResponse[b] += part * value * response;
+                withResponse[b + 1] += (1.0 - part) * value * response;
+                alone[b] += part * value;
+                alone[b + 1] += (1.0 - part) * value;
             }
         }
     }
+    /// What is the same for all functions; the last step of constructors.
+    void prepare();
 
     Band band_;
     std::vector<std::size_t> binOf_; ///< of every node
     std::vector<double> centres_um_; ///< of every bin, falling
+    std::vector<double> widths_;     ///< of the hats within the band
     std::vector<double> weight_, ones_;
 };
 

@@ -1,13 +1,16 @@
 #include "irsg/atmosphere/ck/CkTraining.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <span>
 
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/ParallelFor.h"
 #include "irsg/radiometry/Planck.h"
 
 namespace irsg {
@@ -16,98 +19,88 @@ namespace {
 
 constexpr double opaque = 1e-3; ///< in-band transmittances below this need not be right relatively
 
-/// One spectral function in the two forms that training needs: its integral over every node's share
-/// of the band, and its mean over the node's bin.
-struct Source {
-    std::vector<double> integrated, sampled;
+/// One spectral function, and its integral over the band.
+struct Source : CkNodes::Shares {
+    double inBand;
 
     template <typename Function>
     Source(const CkNodes& nodes, Function f)
-        : integrated(nodes.factor(f)), sampled(nodes.mean(f)) {}
-    double inBand() const { return std::accumulate(integrated.begin(), integrated.end(), 0.0); }
+        : Shares(nodes.shares(f)),
+          inBand(std::accumulate(integrated.begin(), integrated.end(), 0.0)) {}
 };
 
-/// Rows of the training problem: in-band quantities, each relative to its own size.
-class Training {
-  public:
-    explicit Training(const CkNodes& nodes) : nodes_(nodes) {
-        problem_.columnCount = nodes.size();
-        shares_.assign(nodes.size(), 0.0f);
-    }
+/// Something that terms shall hold: the integral over the band of source times values, relative to
+/// itself or to `least`, whichever is more.
+struct Case {
+    const std::vector<double>& integrated; ///< the source's share of the integral, per node
+    const std::vector<double>* sampled;    ///< its value at a term; null: 1
+    const std::vector<double>& values;     ///< of the air
+    double least;
 
-    /// Integral of source times values, relative to it or to `least`, whichever is more.
-    void add(const Source& source, const std::vector<double>& values, double least = 0.0) {
-        add(source.integrated, source.sampled, values, least);
+    /// The integral; `scale` is what errors are relative to, false where it is nothing.
+    bool isAny(double& integral, double& scale) const {
+        integral = std::inner_product(values.begin(), values.end(), integrated.begin(), 0.0);
+        scale = std::max(integral, least);
+        return scale > 1e-30;
     }
-    /// Integral of values alone.
-    void add(const std::vector<double>& values, double least = 0.0) {
-        add(nodes_.ones(), {}, values, least);
+    double atTerm(std::size_t node) const {
+        return sampled != nullptr ? (*sampled)[node] * values[node] : values[node];
     }
-    std::size_t rows() const { return problem_.rows(); }
+};
 
-    /// The fewest terms that hold in every row. Nodes of a bin are much alike: every second of them
-    /// is a candidate, and each that has a hundredth of a row by itself.
-    SparseWeights solved(double largestError, std::size_t most) {
-        std::vector<std::size_t> candidates;
-        for (std::size_t i = 0; i < shares_.size(); ++i)
-            if (nodes_.placeInBin(i) % 2 == 0 || shares_[i] > 0.01f)
-                candidates.push_back(i);
-        SparseProblem some;
-        some.columnCount = candidates.size();
-        some.target = problem_.target;
-        some.matrix.reserve(some.columnCount * some.rows());
-        for (std::size_t r = 0; r < problem_.rows(); ++r)
-            for (const std::size_t i : candidates)
-                some.matrix.push_back(problem_.row(r)[i]);
-        SparseWeights chosen = sparseWeights(some, largestError, most);
-        for (std::size_t& column : chosen.columns)
-            column = candidates[column];
-        return chosen;
-    }
+/// Some rows of the training problem: in-band quantities, each relative to its own size.
+struct Rows {
+    std::vector<float> matrix; ///< row by row
+    std::vector<double> target;
+    std::vector<float> shares; ///< of every node, the largest part of a row
 
-    CkErrors errorsOf(const SparseWeights& chosen) const {
-        CkErrors errors;
-        for (std::size_t r = 0; r < problem_.rows(); ++r) {
-            double error = -problem_.target[r];
-            for (std::size_t c = 0; c < chosen.columns.size(); ++c)
-                error +=
-                    chosen.weights[c] * static_cast<double>(problem_.row(r)[chosen.columns[c]]);
-            errors.largest = std::max(errors.largest, std::abs(error));
-            errors.rms += error * error / static_cast<double>(problem_.rows());
-        }
-        errors.rms = std::sqrt(errors.rms);
-        return errors;
-    }
+    explicit Rows(std::size_t nodes) : shares(nodes, 0.0f) {}
 
-  private:
-    void add(const std::vector<double>& integrated, const std::vector<double>& sampled,
-             const std::vector<double>& values, double least) {
-        double sum = 0.0;
-        for (std::size_t i = 0; i < values.size(); ++i)
-            sum += integrated[i] * values[i];
-        const double scale = std::max(sum, least);
-        if (!(scale > 1e-30))
+    void add(const Case& one) {
+        double sum = 0.0, scale = 0.0;
+        if (!one.isAny(sum, scale))
             return;
-        const std::size_t from = problem_.matrix.size();
-        problem_.matrix.resize(from + values.size());
-        float* row = problem_.matrix.data() + from;
+        const std::size_t nodes = shares.size(), from = matrix.size();
+        matrix.resize(from + nodes);
+        float* row = matrix.data() + from;
         const double perScale = 1.0 / scale;
-        for (std::size_t i = 0; i < values.size(); ++i)
-            shares_[i] =
-                std::max(shares_[i], static_cast<float>(integrated[i] * values[i] * perScale));
-        if (sampled.empty())
-            for (std::size_t i = 0; i < values.size(); ++i)
-                row[i] = static_cast<float>(values[i] * perScale);
-        else
-            for (std::size_t i = 0; i < values.size(); ++i)
-                row[i] = static_cast<float>(sampled[i] * values[i] * perScale);
-        problem_.target.push_back(sum * perScale);
+        for (std::size_t i = 0; i < nodes; ++i) {
+            shares[i] = std::max(shares[i],
+                                 static_cast<float>(one.integrated[i] * one.values[i] * perScale));
+            row[i] = static_cast<float>(one.atTerm(i) * perScale);
+        }
+        target.push_back(sum * perScale);
     }
-
-    const CkNodes& nodes_;
-    SparseProblem problem_;
-    std::vector<float> shares_; ///< of every node, the largest part of a row
 };
+
+/// The fewest terms that hold in every row. Nodes of a bin are much alike: every second of them is
+/// a candidate, and each that has a hundredth of a row by itself.
+SparseWeights solved(const CkNodes& nodes, const std::vector<Rows>& parts, double largestError,
+                     std::size_t most) {
+    std::vector<float> shares(nodes.size(), 0.0f);
+    SparseProblem problem;
+    for (const Rows& part : parts) {
+        problem.target.insert(problem.target.end(), part.target.begin(), part.target.end());
+        std::ranges::transform(shares, part.shares, shares.begin(),
+                               [](float a, float b) { return std::max(a, b); });
+    }
+    if (problem.target.empty())
+        return {};
+    std::vector<std::size_t> candidates;
+    for (std::size_t i = 0; i < shares.size(); ++i)
+        if (nodes.placeInBin(i) % 2 == 0 || shares[i] > 0.01f)
+            candidates.push_back(i);
+    problem.columnCount = candidates.size();
+    problem.matrix.reserve(problem.columnCount * problem.rows());
+    for (const Rows& part : parts)
+        for (std::size_t r = 0; r < part.target.size(); ++r)
+            for (const std::size_t i : candidates)
+                problem.matrix.push_back(part.matrix[r * nodes.size() + i]);
+    SparseWeights chosen = sparseWeights(problem, largestError, most);
+    for (std::size_t& column : chosen.columns)
+        column = candidates[column];
+    return chosen;
+}
 
 /// 1 plus or minus a cosine of some half waves over a range.
 auto waveOver(SpectralRange range, int waves, double sign) {
@@ -175,90 +168,143 @@ double ambientInBand_W_m2_sr(const CkAir& air) {
                   [&](double wavelength_um) {
                       return planckRadiance_W_m2_sr_um(wavelength_um, air.ambient_K);
                   })
-        .inBand();
+        .inBand;
 }
 
-/// Light that falls on a target at an altitude: of the sun, the sky and the ground.
-class Lights {
+/// What is asked of terms along paths: sources, the air's own light and what surfaces reflect.
+class Cases {
   public:
-    Lights(const CkAir& air, const SunPosition& sun) : air_(air), sun_(sun) {}
-
-    const std::vector<std::vector<double>>& at(double altitude_m) {
-        auto [found, isNew] = known_.try_emplace(altitude_m);
-        if (isNew)
+    /// The light that falls on targets at the ends of the paths is computed here.
+    Cases(const CkAir& air, const CkRequest& request,
+          std::initializer_list<std::span<const AtmosphericPath>> paths)
+        : air_(air),
+          sun_(request.sun),
+          surfaces_(sources(air.nodes, request)),
+          own_(ownSources(air.nodes, request)),
+          ambient_W_m2_sr_(ambientInBand_W_m2_sr(air)) {
+        for (const auto& some : paths)
+            for (const AtmosphericPath& path : some)
+                lights_[path.targetAltitude_m];
+        std::vector<decltype(lights_)::value_type*> places;
+        for (auto& light : lights_)
+            places.push_back(&light);
+        parallelFor(places.size(), [&](std::size_t i) {
+            const double altitude_m = places[i]->first;
             for (const AtmosphericQuery& question :
                  {AtmosphericQuery::solarIrradiance(altitude_m, sun_),
                   AtmosphericQuery::downwardFlux(altitude_m, sun_),
                   AtmosphericQuery::upwardFlux(altitude_m, sun_)})
-                found->second.push_back(air_.values(question));
-        return found->second;
+                places[i]->second.push_back(air_.values(question));
+        });
+    }
+
+    std::size_t ownCount() const { return own_.size(); }
+    double ambient_W_m2_sr() const { return ambient_W_m2_sr_; }
+
+    /// Calls `take(Case)` for all along a path; with the spectra of the scene where `withOwn`.
+    template <typename Take>
+    void along(const AtmosphericPath& path, bool withOwn, Take take) const {
+        const std::vector<double> transmittance =
+            air_.values(AtmosphericQuery::transmittance(path));
+        if (transmittance.empty())
+            return;
+        const auto seen = [&](const std::vector<Source>& sources) {
+            for (const Source& source : sources)
+                take(Case{source.integrated, &source.sampled, transmittance,
+                          opaque * source.inBand});
+        };
+        seen(surfaces_);
+        if (withOwn)
+            seen(own_);
+        // Across the sun, where its light is scattered as much as on the average over azimuths.
+        AtmosphericPath across = path;
+        across.azimuth_rad = sun_.azimuth_rad + 0.5 * std::numbers::pi;
+        ofLight(air_.values(AtmosphericQuery::pathRadiance(across, sun_)),
+                opaque * ambient_W_m2_sr_, take);
+
+        // Light that a surface reflects has been through the air twice.
+        for (std::vector<double> light : lights_.at(path.targetAltitude_m)) {
+            const double all =
+                std::inner_product(light.begin(), light.end(), air_.nodes.ones().begin(), 0.0);
+            for (std::size_t i = 0; i < light.size(); ++i)
+                light[i] *= transmittance[i];
+            ofLight(light, opaque * all, take);
+        }
+    }
+    template <typename Take>
+    void ofSight(const LineOfSight& sight, Take take) const {
+        ofLight(air_.values(AtmosphericQuery::backgroundRadiance(sight, sun_)),
+                opaque * opaque * ambient_W_m2_sr_, take);
     }
 
   private:
+    template <typename Take>
+    void ofLight(const std::vector<double>& values, double least, Take take) const {
+        if (!values.empty()) // the air knows of it
+            take(Case{air_.nodes.ones(), nullptr, values, least});
+    }
+
     const CkAir& air_;
     SunPosition sun_;
-    std::map<double, std::vector<std::vector<double>>> known_;
+    std::vector<Source> surfaces_, own_;
+    double ambient_W_m2_sr_;
+    std::map<double, std::vector<std::vector<double>>> lights_; ///< by altitude
 };
 
-/// What is asked of the terms along paths; of the first `asked` with all spectra of the scene.
-Training casesAlong(const CkAir& air, const CkRequest& request,
-                    const std::vector<AtmosphericPath>& paths, std::size_t asked) {
-    const CkNodes& nodes = air.nodes;
-    Training training(nodes);
-    const std::vector<Source> surfaces = sources(nodes, request);
-    const std::vector<Source> own = ownSources(nodes, request);
-    const double ambient_W_m2_sr = ambientInBand_W_m2_sr(air);
-    Lights lights(air, request.sun);
-
-    for (const AtmosphericPath& path : paths) {
-        const std::vector<double> transmittance = air.values(AtmosphericQuery::transmittance(path));
-        if (transmittance.empty())
-            continue;
-        for (const Source& surface : surfaces)
-            training.add(surface, transmittance, opaque * surface.inBand());
-        // Where there are many spectra, their rows on every fourth path of the spread are enough.
-        const std::size_t number = static_cast<std::size_t>(&path - paths.data());
-        if (own.size() <= 8 || number < asked || number % 4 == 0)
-            for (const Source& surface : own)
-                training.add(surface, transmittance, opaque * surface.inBand());
-        // Across the sun, where its light is scattered as much as on the average over azimuths.
-        AtmosphericPath across = path;
-        across.azimuth_rad = request.sun.azimuth_rad + 0.5 * std::numbers::pi;
-        training.add(air.values(AtmosphericQuery::pathRadiance(across, request.sun)),
-                     opaque * ambient_W_m2_sr);
-
-        // Light that a surface reflects has been through the air twice.
-        for (std::vector<double> light : lights.at(path.targetAltitude_m)) {
-            const double all =
-                std::inner_product(light.begin(), light.end(), nodes.ones().begin(), 0.0);
-            for (std::size_t i = 0; i < light.size(); ++i)
-                light[i] *= transmittance[i];
-            training.add(light, opaque * all);
+/// Of terms along the held-out paths, against the sums over all nodes.
+CkErrors errorsHeldOut(const CkAir& air, const Cases& cases, const SparseWeights& chosen) {
+    std::vector<std::vector<double>> errors(air.heldOut.size());
+    parallelFor(errors.size(), [&](std::size_t i) {
+        const bool withOwn = cases.ownCount() <= 8 || i % 4 == 0;
+        cases.along(air.heldOut[i], withOwn, [&](const Case& one) {
+            double integral = 0.0, scale = 0.0;
+            if (!one.isAny(integral, scale))
+                return;
+            double found = 0.0;
+            for (std::size_t c = 0; c < chosen.columns.size(); ++c)
+                found += chosen.weights[c] * one.atTerm(chosen.columns[c]);
+            errors[i].push_back((found - integral) / scale);
+        });
+    });
+    CkErrors all;
+    std::size_t count = 0;
+    for (const std::vector<double>& some : errors)
+        for (const double error : some) {
+            all.largest = std::max(all.largest, std::abs(error));
+            all.rms += error * error;
+            ++count;
         }
-    }
-    return training;
+    all.rms = count > 0 ? std::sqrt(all.rms / static_cast<double>(count)) : 0.0;
+    return all;
 }
 
 } // namespace
 
-SparseWeights trainedTerms(const CkAir& air, const CkRequest& request) {
+SparseWeights trainedTerms(const CkAir& air, const CkRequest& request, CkErrors* heldOut) {
     if (air.nodes.size() == 0)
         throw InputError(Diagnostic{"band " + request.band.name(), "", "no spectral node",
                                     "a band within the atmosphere's table"});
     std::vector<AtmosphericPath> paths = request.paths;
     paths.insert(paths.end(), air.paths.begin(), air.paths.end());
-    Training training = casesAlong(air, request, paths, request.paths.size());
-    const double least = opaque * opaque * ambientInBand_W_m2_sr(air);
-    for (const LineOfSight& sight : air.sights)
-        training.add(air.values(AtmosphericQuery::backgroundRadiance(sight, request.sun)), least);
-    if (training.rows() == 0)
+    const Cases cases = heldOut != nullptr ? Cases(air, request, {paths, air.heldOut})
+                                           : Cases(air, request, {paths});
+    std::vector<Rows> parts(paths.size() + air.sights.size(), Rows(air.nodes.size()));
+    parallelFor(parts.size(), [&](std::size_t i) {
+        const auto take = [&](const Case& one) { parts[i].add(one); };
+        if (i >= paths.size()) {
+            cases.ofSight(air.sights[i - paths.size()], take);
+            return;
+        }
+        // Where there are many spectra, their rows on every fourth path of the spread are enough.
+        const bool withOwn = cases.ownCount() <= 8 || i < request.paths.size() || i % 4 == 0;
+        cases.along(paths[i], withOwn, take);
+    });
+    const SparseWeights chosen = solved(air.nodes, parts, request.largestError, request.mostTerms);
+    if (chosen.columns.empty())
         throw InputError(Diagnostic{"band " + request.band.name(), "", "no light in it",
                                     "a band with a response where the atmosphere answers"});
-    return training.solved(request.largestError, request.mostTerms);
+    if (heldOut != nullptr)
+        *heldOut = errorsHeldOut(air, cases, chosen);
+    return chosen;
 }
-
-CkErrors heldOutErrors(const CkAir& air, const CkRequest& request, const SparseWeights& chosen) {
-    return casesAlong(air, request, air.heldOut, 0).errorsOf(chosen);
-}
-
 } // namespace irsg

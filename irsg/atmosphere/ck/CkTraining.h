@@ -33,14 +33,13 @@ struct CkErrors {
     double largest = 0.0, rms = 0.0;
 };
 
-/// The terms that serve the request along the paths and lines of sight of an air. InputError where
-/// the band has no node or the air answers nothing there.
-SparseWeights trainedTerms(const CkAir& air, const CkRequest& request);
-/// Along its held-out paths, against the sums over its nodes.
-CkErrors heldOutErrors(const CkAir& air, const CkRequest& request, const SparseWeights& chosen);
-/// The same for any air, against its spectral mode with a quadrature of its own for every path:
-/// bodies of several temperatures, grey, sloped and of the scene, path radiance and reflected
-/// light.
+/// The terms that serve the request along the paths and lines of sight of an air, which is asked
+/// from all threads; with `heldOut` also how far they are off along its held-out paths, against the
+/// sums over its nodes. InputError where the band has no node or the air answers nothing there.
+SparseWeights trainedTerms(const CkAir& air, const CkRequest& request, CkErrors* heldOut = nullptr);
+/// How far terms of any air are off, against its spectral mode with a quadrature of its own for
+/// every path: bodies of several temperatures, grey, sloped and of the scene, path radiance and
+/// reflected light.
 CkErrors heldOutErrors(const Atmosphere& air, const SensorCkData& terms, const CkRequest& request,
                        const std::vector<AtmosphericPath>& paths);
 

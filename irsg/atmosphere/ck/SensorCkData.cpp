@@ -31,9 +31,9 @@ SensorCkData::SensorCkData(const CkNodes& nodes, const CkRequest& request,
 
 SensorCkData SensorCkData::prepare(const RadiativeTransfer& transfer, const CkRequest& request) {
     const CkAir air = ckAirOf(transfer, request.band);
-    const SparseWeights chosen = trainedTerms(air, request);
+    CkErrors heldOut;
+    const SparseWeights chosen = trainedTerms(air, request, &heldOut);
     SensorCkData data(air.nodes, request, chosen);
-    const CkErrors heldOut = heldOutErrors(air, request, chosen);
     data.heldOutError_ = heldOut.largest;
     data.heldOutRms_ = heldOut.rms;
     return data;

@@ -128,9 +128,40 @@ std::vector<double> restOf(const SparseProblem& problem, const ActiveSet& set) {
     return rest;
 }
 
+/// The columns of a set in every row of a problem, side by side: a few of thousands.
+class ColumnsOf {
+  public:
+    ColumnsOf(const SparseProblem& problem, const ActiveSet& set)
+        : target_(problem.target), columns_(set.columns()) {
+        values_.reserve(problem.rows() * columns_.size());
+        for (std::size_t r = 0; r < problem.rows(); ++r)
+            for (const std::size_t column : columns_)
+                values_.push_back(problem.row(r)[column]);
+    }
+    /// How far some of these columns are from the target in the row where they are farthest.
+    double largestRest(const ActiveSet& some) const {
+        std::vector<double> weights(columns_.size(), 0.0);
+        for (std::size_t i = 0; i < some.size(); ++i)
+            weights[static_cast<std::size_t>(std::ranges::find(columns_, some.columns()[i]) -
+                                             columns_.begin())] = some.weights()[i];
+        double most = 0.0;
+        for (std::size_t r = 0; r < target_.size(); ++r)
+            most = std::max(most, std::abs(target_[r] - product(weights.data(),
+                                                                values_.data() + r * weights.size(),
+                                                                weights.size())));
+        return most;
+    }
+
+  private:
+    const std::vector<double>& target_;
+    std::vector<std::size_t> columns_;
+    std::vector<float> values_; ///< row by row
+};
+
 /// Takes terms out as long as the error stays within the bound in every row of the problem.
 Fit pruned(const SparseProblem& problem, Fit fit, double largestError) {
     constexpr int passes = 3, attempts = 3;
+    const ColumnsOf columns(problem, fit.set);
     for (bool isFinished = false; !isFinished;) {
         isFinished = true;
         const std::vector<std::size_t> order = fit.set.dispensable();
@@ -150,8 +181,7 @@ Fit pruned(const SparseProblem& problem, Fit fit, double largestError) {
             if (!fewer.solve())
                 continue;
             Fit trial = levelled(std::move(fewer), passes, largestError);
-            if (trial.error <= largestError &&
-                largest(restOf(problem, trial.set)) <= largestError) {
+            if (trial.error <= largestError && columns.largestRest(trial.set) <= largestError) {
                 fit = std::move(trial);
                 isFinished = false;
             }
@@ -198,7 +228,7 @@ class WorkingRows {
 SparseWeights sparseWeights(const SparseProblem& problem, double largestError, std::size_t most) {
     if (problem.columnCount == 0 || problem.matrix.size() != problem.columnCount * problem.rows())
         throw LogicError("terms were asked for where there are no candidates");
-    constexpr std::size_t fewRows = 400, moreRows = 150;
+    constexpr std::size_t fewRows = 250, moreRows = 100;
     constexpr int rounds = 12;
     // Rows that are not looked at may be a little worse than those that are.
     const double bound = 0.9 * largestError;
