@@ -109,10 +109,8 @@ int runJobs(std::vector<Job> jobs, Context& context) {
         }
         for (const std::filesystem::path& file : job.files)
             irsg::refuseInputAsOutput(file);
-        if (!source) {
-            const StageTimer::Scope scope(&context.timer, "start renderer");
-            source = makeIrsgImageSource();
-        }
+        if (!source)
+            source = startedImageSource(context);
         AnalysisGenerator generator(*source, [&](const Project& project, const Settings& settings) {
             return builder.build(project, settings);
         });

@@ -75,7 +75,7 @@ class FrontierCommand {
         logInfo("frontier: " + words);
         catchStopSignal();
         SceneBuilder builder;
-        const auto source = makeIrsgImageSource();
+        const auto source = startedImageSource(context);
         std::stop_source stop;
         {
             ProgressLine line;

@@ -131,11 +131,7 @@ class MonteCarloCommand {
             sceneScalings(project, scene, remarks);
         }
         catchStopSignal();
-        std::unique_ptr<ImageSource> source;
-        {
-            const StageTimer::Scope scope(&context.timer, "start renderer");
-            source = makeIrsgImageSource();
-        }
+        const std::unique_ptr<ImageSource> source = startedImageSource(context);
         MonteCarlo monteCarlo(*source, [&](const Project& project, const Settings& settings) {
             return builder.build(project, settings);
         });
@@ -261,11 +257,7 @@ class MonteCarloCommand {
             }
         }
         catchStopSignal();
-        std::unique_ptr<ImageSource> source;
-        {
-            const StageTimer::Scope scope(&context.timer, "start renderer");
-            source = makeIrsgImageSource();
-        }
+        const std::unique_ptr<ImageSource> source = startedImageSource(context);
         std::stop_source stop;
         {
             ProgressLine line;

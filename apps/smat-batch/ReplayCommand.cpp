@@ -47,7 +47,7 @@ class ReplayCommand {
         const AnalysisData loaded = loadResult(file_);
         if (!out_.empty())
             checkResultFile(loaded.kind, out_);
-        const auto source = makeIrsgImageSource();
+        const auto source = startedImageSource(context);
         SceneBuilder builder;
         AnalysisGenerator generator(*source, [&](const Project& project, const Settings& settings) {
             return builder.build(project, settings);

@@ -193,11 +193,7 @@ class SimulateCommand {
             if (!parts_.isGiven() && context.team == nullptr)
                 warn(sentence);
         const Hashes inputs = inputHashes(); // before frames read more
-        std::unique_ptr<ImageSource> source;
-        {
-            const StageTimer::Scope scope(&context.timer, "start renderer");
-            source = makeIrsgImageSource();
-        }
+        const std::unique_ptr<ImageSource> source = startedImageSource(context);
         double ofTeam_s = 0.0;
         if (context.team != nullptr) {
             const StageTimer::Scope scope(&context.timer, "frames of all processes");

@@ -7,9 +7,9 @@
 #include <QLabel>
 
 #include "gui/database/NumberField.h"
+#include "gui/tools/TargetPoint.h"
 #include "gui/workbench/Workbench.h"
 #include "smatcore/project/EnvironmentInput.h"
-#include "smatcore/project/SceneBuilder.h"
 #include "smatcore/tools/ViewerGeometry.h"
 
 namespace smat::gui {
@@ -19,7 +19,8 @@ constexpr double usualRange_m = 1000.0, usualAltitude_m = 100.0;
 
 } // namespace
 
-AirSight::AirSight(Workbench& workbench, QWidget* parent) : QWidget(parent), workbench_(workbench) {
+AirSight::AirSight(Workbench& workbench, QWidget* parent)
+    : QWidget(parent), workbench_(workbench), targetPoint_(new TargetPoint(workbench, this)) {
     setObjectName("airSight");
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(12, 8, 12, 8);
@@ -36,11 +37,10 @@ AirSight::AirSight(Workbench& workbench, QWidget* parent) : QWidget(parent), wor
                        tr("Altitude of the target above the ground"));
     range_ = addField("sightRange", tr("over"), usualRange_m, tr("From sensor to target"));
     connect(ofProject_, &QCheckBox::toggled, this, &AirSight::refresh);
-    for (const auto signal : {&Workbench::projectOpened, &Workbench::projectChanged})
-        connect(&workbench_, signal, this, &AirSight::locate);
+    connect(targetPoint_, &TargetPoint::changed, this, &AirSight::refresh);
     connect(&workbench_, &Workbench::settingsChanged, this, &AirSight::refresh);
     grid->setColumnStretch(6, 1);
-    locate();
+    refresh();
 }
 
 NumberField* AirSight::addField(const char* name, const QString& label, double value_m,
@@ -67,23 +67,8 @@ bool AirSight::isOfProject() const {
     return workbench_.hasProject() && ofProject_->isChecked();
 }
 
-void AirSight::locate() {
-    if (!workbench_.hasProject())
-        return refresh();
-    const Project& project = workbench_.project();
-    if (project.models != located_) {
-        located_ = project.models;
-        locating_.run<irsg::Vec3>(
-            [project, models = workbench_.models()] {
-                SceneBuilder scenes(ModelStore::loader(models));
-                return targetReferencePoint(project, scenes);
-            },
-            [this](const irsg::Vec3& point_m) {
-                referencePoint_m_ = point_m;
-                refresh();
-            });
-    }
-    refresh();
+bool AirSight::isBusy() const {
+    return targetPoint_->isBusy();
 }
 
 void AirSight::refresh() {
@@ -109,7 +94,7 @@ PathGeometryInput AirSight::path() const {
     if (isOfProject())
         // Bands do not matter, but a view has one.
         return viewerGeometry(workbench_.project(), eachBand(workbench_.settings()).front(),
-                              referencePoint_m_);
+                              targetPoint_->point_m().value_or(irsg::Vec3{}));
     return {.sensorAltitude_m = sensor_->value(),
             .targetAltitude_m = target_->value(),
             .range_m = range_->value()};

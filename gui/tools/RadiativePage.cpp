@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "gui/settings/SettingForm.h"
+#include "gui/tools/TargetPoint.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/workbench/Workbench.h"
@@ -66,7 +67,8 @@ std::string commandFor(const Project& project, const Settings& asked,
 } // namespace
 
 RadiativePage::RadiativePage(Workbench& workbench, Dialogs dialogs, QWidget* parent)
-    : AirToolPage(workbench, std::move(dialogs), parent) {
+    : AirToolPage(workbench, std::move(dialogs), parent),
+      targetPoint_(new TargetPoint(workbench, this)) {
     setObjectName("radiativePage");
     form_ = new SettingForm(
         formKeys,
@@ -106,29 +108,9 @@ RadiativePage::RadiativePage(Workbench& workbench, Dialogs dialogs, QWidget* par
     connect(take, &QPushButton::clicked, this, &RadiativePage::takeFromProject);
     connect(form_, &SettingForm::edited, this, &RadiativePage::refresh);
     connect(form_, &SettingForm::validityChanged, this, &RadiativePage::refresh);
-    for (const auto signal : {&Workbench::projectOpened, &Workbench::projectChanged})
-        connect(&this->workbench(), signal, this, &RadiativePage::locate);
+    connect(targetPoint_, &TargetPoint::changed, this, &RadiativePage::refresh);
     connect(&this->workbench(), &Workbench::settingsChanged, this, &RadiativePage::refresh);
-    locate();
     takeFromProject();
-}
-
-void RadiativePage::locate() {
-    const Project& project = workbench().project();
-    if (project.models == located_)
-        return;
-    located_ = project.models;
-    referencePoint_m_.reset();
-    locating_.run<irsg::Vec3>(
-        [project, models = workbench().models()] {
-            SceneBuilder scenes(ModelStore::loader(models));
-            return targetReferencePoint(project, scenes);
-        },
-        [this](const irsg::Vec3& point_m) {
-            referencePoint_m_ = point_m;
-            refresh();
-        });
-    refresh();
 }
 
 void RadiativePage::takeFromProject() {
@@ -159,14 +141,14 @@ void RadiativePage::refresh() {
     setProblems(problems);
     if (!problems.isEmpty())
         return;
-    if (!referencePoint_m_) {
+    if (targetPoint_->isBusy() || !targetPoint_->point_m()) {
         setCommand(tr("reading the model…"));
         return;
     }
     const auto asked = settings();
     const Project& project = workbench().project();
-    setCommand(QString::fromStdString(
-        commandFor(project, asked, words(), viewerGeometry(project, asked, *referencePoint_m_))));
+    setCommand(QString::fromStdString(commandFor(
+        project, asked, words(), viewerGeometry(project, asked, *targetPoint_->point_m()))));
 }
 
 Calculation::Work RadiativePage::work() {
@@ -189,10 +171,7 @@ Calculation::Work RadiativePage::work() {
         const auto output = radiativeOutput(environment, request);
         return [this, output, point_m, models = project.models] {
             showTable(output.table, tr("Radiative output"), figuresOf(output));
-            if (models == located_) {
-                referencePoint_m_ = point_m;
-                refresh();
-            }
+            targetPoint_->take(models, point_m);
         };
     };
 }

@@ -1,12 +1,9 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "gui/tools/AirToolPage.h"
-#include "gui/widgets/LatestTask.h"
 #include "irsg/atmosphere/Atmosphere.h"
-#include "smatcore/project/Project.h"
 #include "smatcore/settings/Settings.h"
 
 class QCheckBox;
@@ -14,6 +11,7 @@ class QCheckBox;
 namespace smat::gui {
 
 class SettingForm;
+class TargetPoint;
 
 /// Radiative output (F51): spectra of the project's air between viewer and target for a place of
 /// the viewer, an altitude of the target and a distance. The answer can be made an input of the
@@ -32,17 +30,13 @@ class RadiativePage : public AirToolPage {
 
   private:
     void refresh();
-    /// Finds where the camera looks, off this thread.
-    void locate();
     Settings settings() const;
     std::vector<std::string> words() const;
     void useInProject();
 
     SettingForm* form_ = nullptr;
     std::vector<QCheckBox*> quantities_;
-    std::optional<irsg::Vec3> referencePoint_m_; ///< none while the model is being read
-    std::vector<ProjectModel> located_;          ///< whose reference point it is
-    LatestTask locating_;
+    TargetPoint* targetPoint_;
 };
 
 } // namespace smat::gui

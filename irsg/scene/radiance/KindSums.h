@@ -56,7 +56,8 @@ class ViewKindSums {
         behind_W_m2_sr_ = others.behind_W_m2_sr_;
     }
 
-    void add(int front, const SurfaceRows::Between& between, const FactorSamples::Layer& layer) {
+    [[gnu::always_inline]] void add(int front, const SurfaceRows::Between& between,
+                                    const FactorSamples::Layer& layer) {
         const std::size_t place =
             static_cast<std::size_t>(front) * rows_ + static_cast<std::size_t>(between.row);
         if (place >= places_)

@@ -27,7 +27,7 @@ class LayerWalk {
     /// directional surfaces come after their layer in the same way, place by place of what they
     /// mirror.
     template <typename Visit>
-    void forEachPlace(const FactorSamples& samples, std::size_t sample, Visit visit) {
+    void forEachPlace(const FactorSamples& samples, std::size_t sample, const Visit& visit) {
         forEachPlace(
             samples, sample, visit,
             [&](int front, const FactorSamples::Layer& layer, const FactorSamples::Mirror& mirror) {
@@ -45,8 +45,10 @@ class LayerWalk {
     }
     /// The same, with visitMirror(front, layer, mirror) for what lobes mirror.
     template <typename Visit, typename VisitMirror>
-    void forEachPlace(const FactorSamples& samples, std::size_t sample, Visit visit,
-                      VisitMirror visitMirror) {
+    void forEachPlace(const FactorSamples& samples, std::size_t sample, const Visit& visit,
+                      const VisitMirror& visitMirror) {
+        if (samples.through.empty() && samples.lobes.empty() && samples.mirrors.empty())
+            return forEachLayerAlone(samples, sample, visit);
         int front = 0;
         OfLayers<FactorSamples::Through> light(samples.through, sample, lightFrom_);
         OfLayers<FactorSamples::Lobe> lobes(samples.lobes, sample, lobesFrom_);
@@ -81,13 +83,13 @@ class LayerWalk {
     /// Calls visit(kind, weight, layer) for every layer of a sample, front to back; twice for one
     /// between two nodes of its entity's slices.
     template <typename Visit>
-    void forEachLayer(const FactorSamples& samples, std::size_t sample, Visit visit) {
+    void forEachLayer(const FactorSamples& samples, std::size_t sample, const Visit& visit) {
         forEachPlace(samples, sample, byRows(visit));
     }
     /// The same, with visitMirror(front, layer, mirror) for what lobes mirror.
     template <typename Visit, typename VisitMirror>
-    void forEachLayer(const FactorSamples& samples, std::size_t sample, Visit visit,
-                      VisitMirror visitMirror) {
+    void forEachLayer(const FactorSamples& samples, std::size_t sample, const Visit& visit,
+                      const VisitMirror& visitMirror) {
         forEachPlace(samples, sample, byRows(visit), visitMirror);
     }
 
@@ -111,8 +113,19 @@ class LayerWalk {
   private:
     static constexpr std::array<float, mostFactors> noFactors{};
 
+    /// Of samples that nothing of the light belongs to.
     template <typename Visit>
-    auto byRows(Visit& visit) const {
+    void forEachLayerAlone(const FactorSamples& samples, std::size_t sample, const Visit& visit) {
+        int front = 0;
+        samples.forEachLayer(sample, [&](const FactorSamples::Layer& layer) {
+            visit(front, rows_.at(layer.row, layer.distance_m), layer);
+            if (rows_.isTransparent(layer.row))
+                front = behind(front, layer.row);
+        });
+    }
+
+    template <typename Visit>
+    auto byRows(const Visit& visit) const {
         return [this, &visit](int front, const SurfaceRows::Between& between,
                               const FactorSamples::Layer& layer) {
             visit(FactorKind{front, between.row}, 1.0f - between.next, layer);
@@ -146,7 +159,7 @@ class LayerWalk {
             from = static_cast<std::size_t>(last - all.data());
         }
         template <typename Visit>
-        void ofThisLayer(Visit visit) const {
+        void ofThisLayer(const Visit& visit) const {
             for (const One* one = next_;
                  one != end_ && one->sample == sample_ && one->layer == layer_; ++one)
                 visit(*one);

@@ -89,12 +89,12 @@ struct SampleWindow {
     /// pixel (x, y): `count` samples from index `first` on, in the order of a drawing, bottom row
     /// first, each of which counts with `weight`, above 0 to 1.
     template <typename Visit>
-    void forEachRun(Visit visit) const {
+    void forEachRun(const Visit& visit) const {
         forEachRun(0, height(), visit);
     }
     /// The same of the rows from one on to before another, counted from the top.
     template <typename Visit>
-    void forEachRun(int firstRow, int lastRow, Visit visit) const;
+    void forEachRun(int firstRow, int lastRow, const Visit& visit) const;
 
     /// Whether all of its samples count fully.
     bool isWhole() const { return leftOut.empty() && !only; }
@@ -108,7 +108,7 @@ struct SampleWindow {
 };
 
 template <typename Visit>
-void SampleWindow::forEachRun(int firstRow, int lastRow, Visit visit) const {
+void SampleWindow::forEachRun(int firstRow, int lastRow, const Visit& visit) const {
     for (int row = firstRow; row < lastRow; ++row) {
         const std::vector<double> weights = isWhole() ? std::vector<double>{} : weightsOf(row);
         const int y = static_cast<int>((tileY + row / samplesDown) >> level);

@@ -158,7 +158,7 @@ struct FactorSamples {
     };
     /// Calls visit(layer) for the layers of a sample, front to back and the opaque one last.
     template <typename Visit>
-    void forEachLayer(std::size_t sample, Visit visit) const {
+    [[gnu::always_inline]] void forEachLayer(std::size_t sample, const Visit& visit) const {
         if (sample >= lowest && sample < highest) {
             const std::uint32_t begin = ends[sample - lowest];
             const std::uint32_t end = std::min(ends[sample - lowest + 1], begin + maximumLayers);
@@ -183,7 +183,7 @@ struct FactorSamples {
     }
 
   private:
-    Layer fragment(std::uint32_t number) const {
+    [[gnu::always_inline]] Layer fragment(std::uint32_t number) const {
         const float* w = &words[number * wordsPerFragment];
         return {static_cast<int>(w[2]) - 1,
                 w[3],
