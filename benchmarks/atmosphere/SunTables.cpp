@@ -27,7 +27,7 @@ void sunTables(const Output& output) {
     parameters.irradianceMode = 2;
     const AtmosphereSmart air(parameters);
     const Band band = Band::topHat(3.5, 4.1);
-    const auto nodes = air.nodesOf(band);
+    const auto nodes = air.nodesOf({band});
 
     Table table("The sun sets: true elevation of its middle on the horizon, and the largest change "
                 "of the direct sun of 3.5-4.1 µm over 2e-6 rad between -4 and 1 degrees, in terms "

@@ -36,33 +36,54 @@ SpectralRange around(const std::vector<double>& wavelengths_um) {
     return SpectralPoints(wavelengths_um).range();
 }
 
+SpectralRange around(const std::vector<Band>& bands) {
+    if (bands.empty())
+        throw LogicError("nodes of the air were asked for without a band");
+    return {bands.front().range().min_um, bands.back().range().max_um};
+}
+
 } // namespace
 
-AirNodes::AirNodes(std::shared_ptr<const RadiativeTransfer> transfer, const Band& band)
-    : transfer_(std::move(transfer)),
-      set_(transfer_->nodesOf(band.range())),
-      response_(band.response()) {
-    const std::span<const SpectralBin> bins = transfer_->binsOf(band.range());
+AirNodes::AirNodes(std::shared_ptr<const RadiativeTransfer> transfer,
+                   const std::vector<Band>& bands)
+    : transfer_(std::move(transfer)), set_(transfer_->nodesOf(around(bands))), bands_(bands) {
+    for (std::size_t number = 0; number < bands_.size(); ++number) {
+        const std::size_t first = ofSet_.size();
+        addBand(number);
+        outputs_.emplace_back(first, ofSet_.size());
+    }
+    finish(around(bands_));
+}
+
+void AirNodes::addBand(std::size_t number) {
+    const Band& band = bands_[number];
     const SpectralRange& range = band.range();
+    const std::span<const SpectralBin> bins = transfer_->binsOf(range);
     const Spectrum itself({range.min_um, range.max_um}, {range.min_um, range.max_um},
                           Spectrum::Outside::zero, "wavelength");
+    // Bins ascend in wavenumber, as the nodes of the set do: those below the band come first.
+    std::size_t firstOfSet = 0;
+    for (const SpectralBin& bin : transfer_->binsOf(around(bands_))) {
+        if (&bin == bins.data())
+            break;
+        firstOfSet += bin.count;
+    }
+    for (const SpectralBin& bin : bins)
+        firstOfSet += bin.count;
     // Wavelengths ascend where wavenumbers fall.
-    std::size_t firstOfSet = set_.nodes.size();
     for (std::size_t b = bins.size(); b-- > 0;) {
         firstOfSet -= bins[b].count;
         Group group;
-        const Spectrum hat = hatOver(bins, b, range);
-        group.area_um = integralOver(hat, Spectrum::constant(1.0), range);
+        group.hat = hatOver(bins, b, range);
+        group.band = number;
+        group.area_um = integralOver(group.hat, Spectrum::constant(1.0), band);
         if (!(group.area_um > 0.0))
             continue;
-        group.wavelength_um = integralOver(hat, itself, range) / group.area_um;
-        group.hat = hat;
+        group.wavelength_um = integralOver(group.hat, itself, band) / group.area_um;
         group.first = ofSet_.size();
         groups_.push_back(std::move(group));
         addNodes(bins[b], groups_.back().area_um, firstOfSet);
     }
-    finish(range);
-    outputs_ = {{0, size()}};
 }
 
 AirNodes::AirNodes(std::shared_ptr<const RadiativeTransfer> transfer,
@@ -95,13 +116,12 @@ const AirNodes* AirNodes::of(const SpectralSampling& sampling) {
     return dynamic_cast<const AirNodes*>(&sampling);
 }
 
-double AirNodes::integralOver(const Spectrum& hat, const Spectrum& other,
-                              const SpectralRange& range) const {
-    const SpectralRange held{std::max(range.min_um, hat.wavelengths_um().front()),
-                             std::min(range.max_um, hat.wavelengths_um().back())};
+double AirNodes::integralOver(const Spectrum& hat, const Spectrum& other, const Band& band) {
+    const SpectralRange held{std::max(band.range().min_um, hat.wavelengths_um().front()),
+                             std::min(band.range().max_um, hat.wavelengths_um().back())};
     if (!(held.min_um < held.max_um))
         return 0.0;
-    const Spectrum* const factors[] = {&hat, &response_, &other};
+    const Spectrum* const factors[] = {&hat, &band.response(), &other};
     return integrateProduct(factors, held);
 }
 
@@ -139,9 +159,10 @@ std::vector<double> AirNodes::sampled(const Spectrum& spectrum) const {
     std::vector<double> values;
     values.reserve(size());
     for (const Group& group : groups_) {
-        const double value = group.area_um > 0.0
-                                 ? integralOver(group.hat, spectrum, range()) / group.area_um
-                                 : spectrum.at(group.wavelength_um);
+        const double value =
+            group.area_um > 0.0
+                ? integralOver(group.hat, spectrum, bands_[group.band]) / group.area_um
+                : spectrum.at(group.wavelength_um);
         values.insert(values.end(), group.count, value);
     }
     return values;

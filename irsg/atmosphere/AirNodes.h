@@ -23,8 +23,9 @@ namespace irsg {
 /// spectrum of the air.
 class AirNodes : public SpectralSampling {
   public:
-    /// Of a band. LogicError where the table of gases has no bin in it.
-    AirNodes(std::shared_ptr<const RadiativeTransfer> transfer, const Band& band);
+    /// Of bands, ascending and at most touching each other. LogicError where the table of gases has
+    /// no bin in one.
+    AirNodes(std::shared_ptr<const RadiativeTransfer> transfer, const std::vector<Band>& bands);
     /// At ascending wavelengths, each by the nodes of the bins on either side of it.
     AirNodes(std::shared_ptr<const RadiativeTransfer> transfer,
              const std::vector<double>& wavelengths_um);
@@ -40,7 +41,7 @@ class AirNodes : public SpectralSampling {
     /// Values of the set in the order of the sampling.
     std::vector<double> arranged(std::span<const double> ofSet) const;
     std::vector<double> sampled(const Spectrum& spectrum) const override;
-    /// Nodes that are summed together: all of a band, or those of each wavelength.
+    /// Nodes that are summed together: those of each band, or of each wavelength.
     const std::vector<std::pair<std::size_t, std::size_t>>& outputs() const { return outputs_; }
 
   private:
@@ -48,18 +49,19 @@ class AirNodes : public SpectralSampling {
     struct Group {
         double wavelength_um = 0.0;
         Spectrum hat = {};                ///< over the centre of the bin
+        std::size_t band = 0;             ///< of `bands_`
         double area_um = 0.0;             ///< of hat times response; 0 at a wavelength
         std::size_t first = 0, count = 0; ///< in the sampling
     };
-    /// Integral of a hat times the response times another function.
-    double integralOver(const Spectrum& hat, const Spectrum& other,
-                        const SpectralRange& range) const;
+    void addBand(std::size_t number);
+    /// Integral of a hat times the response of a band times another function.
+    static double integralOver(const Spectrum& hat, const Spectrum& other, const Band& band);
     void finish(const SpectralRange& range);
     void addNodes(const SpectralBin& bin, double weight, std::size_t firstOfSet);
 
     std::shared_ptr<const RadiativeTransfer> transfer_;
     NodeSet set_;
-    Spectrum response_ = Spectrum::constant(1.0);
+    std::vector<Band> bands_; ///< none at wavelengths
     std::vector<Group> groups_;
     std::vector<std::size_t> ofSet_; ///< of every node of the sampling, its place in the set
     std::vector<double> nodeWeights_;

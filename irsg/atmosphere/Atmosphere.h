@@ -90,10 +90,14 @@ class Atmosphere {
                           const SpectralRange& range) const;
     Spectrum scatteringOpticalDepth(const AtmosphericPath& path, const SpectralRange& range) const;
 
-    /// Where the native spectra are means over bins of a few nodes each: these nodes over a band
-    /// that the base holds, or for some ascending wavelengths. Products of this air's quantities
-    /// are right at them alone. Null where native spectra are all there is.
-    virtual std::shared_ptr<const SpectralSampling> nodesOf(const Band&) const { return nullptr; }
+    /// Where the native spectra are means over bins of a few nodes each: these nodes over bands
+    /// that the base holds, one behind the other, each from where the one before it ends or later;
+    /// or for some ascending wavelengths. Products of this air's quantities are right at them
+    /// alone. Null where native spectra are all there is.
+    virtual std::shared_ptr<const SpectralSampling>
+    nodesOf(const std::vector<Band>& /*bands*/) const {
+        return nullptr;
+    }
     virtual std::shared_ptr<const SpectralSampling>
     nodesAt(const std::vector<double>& /*wavelengths_um*/) const {
         return nullptr;

@@ -196,10 +196,12 @@ std::optional<std::vector<double>> AtmosphereSmart::valuesAtNodes(const Atmosphe
     return nodes.arranged(valuesAt(nodes.set(), question));
 }
 
-std::shared_ptr<const SpectralSampling> AtmosphereSmart::nodesOf(const Band& band) const {
-    checkRange(band.range());
+std::shared_ptr<const SpectralSampling>
+AtmosphereSmart::nodesOf(const std::vector<Band>& bands) const {
+    for (const Band& band : bands)
+        checkRange(band.range());
     (void)transfer();
-    return std::make_shared<const AirNodes>(transfer_, band);
+    return std::make_shared<const AirNodes>(transfer_, bands);
 }
 
 std::shared_ptr<const SpectralSampling>

@@ -69,7 +69,7 @@ class AtmosphereSmart : public Atmosphere {
     AtmosphereDescription describe() const override;
 
     /// See AirNodes.h.
-    std::shared_ptr<const SpectralSampling> nodesOf(const Band& band) const override;
+    std::shared_ptr<const SpectralSampling> nodesOf(const std::vector<Band>& bands) const override;
     std::shared_ptr<const SpectralSampling>
     nodesAt(const std::vector<double>& wavelengths_um) const override;
 

@@ -135,7 +135,16 @@ AtmosphericQueryKey Environment::keyOf(const AtmosphericQuery& question,
 
 std::shared_ptr<const SpectralSampling> Environment::nodesOf(const Band& band) const {
     const Atmosphere* air = find(band.range(), AtmosphereProperty::transmittance);
-    return air ? air->nodesOf(band) : nullptr;
+    return air ? air->nodesOf({band}) : nullptr;
+}
+
+std::shared_ptr<const SpectralSampling> Environment::nodesOf(const std::vector<Band>& bands) const {
+    const auto isMissing = [&](const Band& band) {
+        return find(band.range(), AtmosphereProperty::transmittance) == nullptr;
+    };
+    if (atmospheres().size() != 1 || std::ranges::any_of(bands, isMissing))
+        return nullptr;
+    return atmospheres().front()->nodesOf(bands);
 }
 
 std::shared_ptr<const SpectralSampling>

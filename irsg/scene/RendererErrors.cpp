@@ -79,14 +79,9 @@ std::vector<ObjectSums> Renderer::Impl::sumsElsewhere(const Frame& frame,
                                                       const std::vector<ObjectGeometry>& geometry) {
     const RenderSettings& settings = frame.scene.settings;
     const AirScene scene{terms, frame.scene.entities, geometry, settings, frame.centre};
-    const auto sampled = otherAir.sampled.of(
-        otherAir.answers, scene, frame.bands, frame.withSources,
-        [&](const AirScene& own, const Band& band) {
-            return settings.mode == CalculationMode::wideband
-                       ? SceneSampling::wideband(otherAir.answers, own, wideband(frame.scene, band))
-                       : sampling.spectral(otherAir.answers, own, band);
-        },
-        frame.sampled->slices_m);
+    const auto sampled =
+        otherAir.sampled.of(otherAir.answers, scene, frame.bands, frame.withSources,
+                            sampler(frame, otherAir.answers), frame.sampled->slices_m);
     const auto evaluated =
         otherAir.radiometry.of(terms, frame.scene.entities, geometry, sampled, fronts);
     evaluated->radiances.setBackground(sampled->background);
@@ -145,7 +140,8 @@ void Renderer::Impl::addAirErrors(const Frame& frame, const ViewFactors& factors
         for (std::size_t o = 0; o < parts.size(); ++o)
             for (std::size_t e = 0; e < entities; ++e) {
                 const ObjectGeometry& object = frame.geometry[e];
-                if ((object.slices_m.size() > 1) == ofSliced && !frame.sampled->bands[o].isSource)
+                if ((object.slices_m.size() > 1) == ofSliced &&
+                    !frame.sampled->ofOutput(o).isSource)
                     parts[o][e].add(object.likelyAirError, object.likelyAirError);
             }
     };
@@ -171,7 +167,7 @@ void Renderer::Impl::addAirErrors(const Frame& frame, const ViewFactors& factors
         }
     }
     for (std::size_t o = 0; isWideband && o < reports.size(); ++o)
-        if (const auto* terms = SensorCkData::of(*frame.sampled->bands[o].sampling))
+        if (const auto* terms = SensorCkData::of(*frame.sampled->ofOutput(o).sampling))
             for (AirParts& one : parts[o])
                 one.add(deviations * terms->heldOutRms(), deviations * terms->heldOutRms());
 
@@ -288,7 +284,7 @@ std::shared_ptr<const SpectralSampling> Renderer::Impl::otherAirNodes(const Fram
         nodes = sampling.nodes(otherAir.answers.environment(), band);
     for (std::size_t k = 0; !nodes && k < frame.bands.size(); ++k)
         if (frame.bands[k] == band)
-            return frame.sampled->bands[k].sampling;
+            return samplingOf(frame, k);
     return nodes;
 }
 

@@ -96,7 +96,7 @@ void Renderer::Impl::evaluate(Frame& frame) {
             radiometry.of(terms, frame.scene.entities, frame.geometry, sampled, fronts);
         frame.background = sampled->background;
         frame.evaluated->radiances.setBackground(frame.background);
-        drawBackgrounds(frame, sampled->bands);
+        drawBackgrounds(frame);
         fillRows(frame);
         fillItems(frame);
         planPoints(frame);
@@ -106,12 +106,25 @@ void Renderer::Impl::evaluate(Frame& frame) {
 std::shared_ptr<const SampledScene> Renderer::Impl::sample(const Frame& frame) {
     const AirScene scene{terms, frame.scene.entities, frame.geometry, frame.scene.settings,
                          frame.centre};
-    return sampledScenes.of(
-        air, scene, frame.bands, frame.withSources, [&](const AirScene& own, const Band& band) {
-            return own.settings.mode == CalculationMode::wideband
-                       ? SceneSampling::wideband(air, own, wideband(frame.scene, band))
-                       : sampling.spectral(air, own, band);
-        });
+    return sampledScenes.of(air, scene, frame.bands, frame.withSources, sampler(frame, air));
+}
+
+SampledScenes::Sampler Renderer::Impl::sampler(const Frame& frame, AtmosphericQueryCache& answers) {
+    return [&](const AirScene& scene, const std::vector<Band>& bands) {
+        if (scene.settings.mode != CalculationMode::wideband)
+            return sampling.spectral(answers, scene, bands);
+        std::vector<SampledBand> sampled;
+        for (const Band& band : bands)
+            sampled.push_back(SceneSampling::wideband(answers, scene, wideband(frame.scene, band)));
+        return sampled;
+    };
+}
+
+std::shared_ptr<const SpectralSampling> Renderer::Impl::samplingOf(const Frame& frame,
+                                                                   std::size_t band) {
+    const SampledBand& sampled = frame.sampled->ofOutput(band);
+    return sampled.outputs.size() == 1 ? sampled.sampling
+                                       : sampling.nodes(frame.scene.environment, frame.bands[band]);
 }
 
 std::shared_ptr<const WidebandPoints> Renderer::Impl::wideband(const Scene& scene,
@@ -129,14 +142,15 @@ std::shared_ptr<const WidebandPoints> Renderer::Impl::wideband(const Scene& scen
         });
 }
 
-void Renderer::Impl::drawBackgrounds(Frame& frame, const std::vector<SampledBand>& bands) {
+void Renderer::Impl::drawBackgrounds(Frame& frame) {
     const RenderSettings& settings = frame.scene.settings;
-    for (std::size_t k = 0; k < bands.size(); ++k) {
-        if (bands[k].isSource) {
+    for (std::size_t k = 0; k < frame.evaluated->radiances.outputs(); ++k) {
+        if (frame.sampled->ofOutput(k).isSource) {
             frame.backgrounds.emplace_back(0.0);
             continue;
         }
-        const BandSky sky(frame.scene.environment, *bands[k].sampling);
+        const std::shared_ptr<const SpectralSampling> nodes = samplingOf(frame, k);
+        const BandSky sky(frame.scene.environment, *nodes);
         BackgroundSettings wanted;
         wanted.asksEnvironment = settings.background == BackgroundMode::environment;
         wanted.uniform_W_m2_sr = frame.evaluated->radiances.background_W_m2_sr(k);

@@ -193,7 +193,11 @@ struct Renderer::Impl {
     std::shared_ptr<const SampledScene> sample(const Frame& frame);
     void evaluate(Frame& frame);
     std::shared_ptr<const WidebandPoints> wideband(const Scene& scene, const Band& band);
-    void drawBackgrounds(Frame& frame, const std::vector<SampledBand>& bands);
+    /// Samples bands with answers of the frame's air, or of other air; both must live as long.
+    SampledScenes::Sampler sampler(const Frame& frame, AtmosphericQueryCache& answers);
+    /// Of one band alone, also where it is sampled with others.
+    std::shared_ptr<const SpectralSampling> samplingOf(const Frame& frame, std::size_t band);
+    void drawBackgrounds(Frame& frame);
     void fillRows(Frame& frame);
     /// By drawn row, in the scene's states and the others of its sweep.
     std::vector<bool> hotRows(const Frame& frame);

@@ -39,7 +39,7 @@ TEST(AirNodes, AddUpASingleQuantityAsItsSpectrumDoes) {
         const Band triangle =
             Band::fromResponse(Spectrum({3.02, 3.1, 3.3}, {0.0, 1.0, 0.2}), "triangle");
         for (const Band& over : {band, triangle}) {
-            const auto nodes = air->nodesOf(over);
+            const auto nodes = air->nodesOf({over});
             EXPECT_NEAR(nodes->area_um(), over.area_um(), 2e-9); // weights are floats
             for (const AtmosphericQuery& question :
                  {AtmosphericQuery::transmittance(path), AtmosphericQuery::pathRadiance(path, sun),
@@ -58,7 +58,7 @@ TEST(AirNodes, MultiplyWhatMeetsTheSameLinesBeforeTheBinIsSummed) {
     // Through a path and back is a path of twice the depth: at a node its transmittance is the
     // square, of means of bins it is not.
     const auto air = airOf();
-    const auto nodes = air->nodesOf(band);
+    const auto nodes = air->nodesOf({band});
     const AtmosphericPath once{1000.0, 1000.0, 1500.0}, twice{1000.0, 1000.0, 3000.0};
     const std::vector<double> there = air->answer(AtmosphericQuery::transmittance(once), *nodes);
     const double expected =
@@ -71,7 +71,7 @@ TEST(AirNodes, MultiplyWhatMeetsTheSameLinesBeforeTheBinIsSummed) {
 
 TEST(AirNodes, TakeBlackBodiesAndSurfacesAsTheBandDoes) {
     const auto air = airOf();
-    const auto nodes = air->nodesOf(band);
+    const auto nodes = air->nodesOf({band});
     EXPECT_NEAR(nodes->integrate(nodes->planck(300.0)) / bandRadiance_W_m2_sr(band, 300.0), 1.0,
                 1e-4);
     const Spectrum slope({3.0, 3.1, 3.4}, {0.2, 0.9, 0.3});
@@ -104,9 +104,46 @@ TEST(AirNodes, AtWavelengthsAreTheSpectrum) {
     }
 }
 
+TEST(AirNodes, OfSeveralBandsAreThoseOfEachAlone) {
+    const auto air = airOf();
+    const Band triangle =
+        Band::fromResponse(Spectrum({3.2, 3.25, 3.3}, {0.0, 1.0, 0.2}), "triangle");
+    // Two that share a bin, one with a response behind a gap.
+    const std::vector<Band> bands{Band::topHat(3.01, 3.05), Band::topHat(3.05, 3.1), triangle};
+    const auto together = air->nodesOf(bands);
+    const auto& outputs = AirNodes::of(*together)->outputs();
+    ASSERT_EQ(outputs.size(), bands.size());
+    EXPECT_EQ(outputs.front().first, 0u);
+    EXPECT_EQ(outputs.back().second, together->size());
+    const Spectrum slope({3.0, 3.07, 3.4}, {0.2, 0.9, 0.3});
+    const auto part = [&](const std::vector<double>& values, std::size_t k) {
+        return std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(outputs[k].first),
+                                   values.begin() + static_cast<std::ptrdiff_t>(outputs[k].second));
+    };
+    for (std::size_t k = 0; k < bands.size(); ++k) {
+        const auto alone = air->nodesOf({bands[k]});
+        EXPECT_EQ(part(together->wavelengths_um(), k), alone->wavelengths_um()) << k;
+        EXPECT_EQ(part(together->weights_um(), k), alone->weights_um()) << k;
+        EXPECT_EQ(part(together->sampled(slope), k), alone->sampled(slope)) << k;
+        for (const AtmosphericQuery& question :
+             {AtmosphericQuery::transmittance(path), AtmosphericQuery::pathRadiance(path, sun),
+              AtmosphericQuery::backgroundRadiance({10.0, 0.3, 0.0}, sun)}) {
+            EXPECT_EQ(part(air->answer(question, *together), k), air->answer(question, *alone))
+                << k << " " << name(question.quantity);
+        }
+    }
+    Environment one, two;
+    one.add(air);
+    two.add(air);
+    two.add(airOf(15));
+    EXPECT_NE(one.nodesOf(bands), nullptr);
+    EXPECT_EQ(two.nodesOf(bands), nullptr) << "bands could be answered by either";
+    EXPECT_THROW((void)air->nodesOf(std::vector<Band>{}), LogicError);
+}
+
 TEST(AirNodes, OfOneAirAreAnsweredByAnotherWithItsSpectrum) {
     const auto air = airOf(), other = airOf(15);
-    const auto nodes = air->nodesOf(band);
+    const auto nodes = air->nodesOf({band});
     const AtmosphericQuery question = AtmosphericQuery::transmittance(path);
     EXPECT_EQ(other->answer(question, *nodes),
               nodes->sampled(other->transmittance(path, band.range())));
@@ -122,5 +159,5 @@ TEST(AirNodes, OfOneAirAreAnsweredByAnotherWithItsSpectrum) {
     EXPECT_EQ(smooth.answer(question, *nodes).value,
               nodes->sampled(smooth.atmospheres()[0]->transmittance(path, band.range())));
     EXPECT_THROW((void)AirNodes::of(*nodes)->arranged(std::vector<double>{1.0}), LogicError);
-    EXPECT_THROW((void)air->nodesOf(Band::topHat(8.0, 9.0)), LogicError);
+    EXPECT_THROW((void)air->nodesOf({Band::topHat(8.0, 9.0)}), LogicError);
 }

@@ -250,9 +250,9 @@ TEST(SampledScenes, AreFoundAgainOnlyWhereTheAirIsTheSame) {
                           base.scene.settings,
                           {1100.0, 0.0, azimuth_rad}},
                          {Band::topHat(3.0, 5.0)}, false,
-                         [&](const AirScene& scene, const Band& band) {
+                         [&](const AirScene& scene, const std::vector<Band>& bands) {
                              ++sampled;
-                             return sampling.spectral(answers, scene, band);
+                             return sampling.spectral(answers, scene, bands);
                          });
     };
     const auto one = at(150.0, 0.3);
@@ -272,6 +272,40 @@ TEST(SampledScenes, AreFoundAgainOnlyWhereTheAirIsTheSame) {
     EXPECT_EQ(again->bands[0].air.objects, one->bands[0].air.objects);
     EXPECT_EQ(again->slices_m, one->slices_m);
     EXPECT_EQ(*again->background, *one->background);
+}
+
+TEST(SampledScenes, AskTheAirOnceForBandsNextToEachOther) {
+    const Case base = first();
+    AtmosphericQueryCache answers;
+    SceneSampling sampling;
+    ObjectGeometry object;
+    object.path = {1100.0, 1000.0, 150.0, 0.3};
+    object.nearest_m = 148.0;
+    object.farthest_m = 152.0;
+    const std::vector<ObjectGeometry> geometry{object};
+    const AirScene scene{RadianceTerms::standard(),
+                         base.scene.entities,
+                         geometry,
+                         base.scene.settings,
+                         {1100.0, 0.0, 0.3}};
+    const auto outputsOf = [&](const Environment& environment) {
+        answers.setEnvironment(environment);
+        std::vector<std::size_t> outputs;
+        for (const SampledBand& band : sampling.spectral(
+                 answers, scene,
+                 {Band::topHat(3.0, 3.2), Band::topHat(3.2, 3.4), Band::topHat(3.5, 3.6),
+                  Band::topHat(3.1, 3.3), Band::topHat(4.4, 4.5), Band::topHat(8.0, 9.0)})) {
+            outputs.push_back(band.outputs.size());
+            EXPECT_EQ(band.areas_um.size(), band.outputs.size());
+        }
+        return outputs;
+    };
+    // Those that go back, and those that are far from the one before, begin anew.
+    AtmosphereSmartParameters parameters;
+    parameters.baseWavelengthMax_um = 10.0;
+    const auto air = std::make_shared<AtmosphereSmart>(parameters, "own");
+    EXPECT_EQ(outputsOf(environmentOf(air)), (std::vector<std::size_t>{3, 1, 1, 1}));
+    EXPECT_EQ(outputsOf(Environment::vacuum()), std::vector<std::size_t>(6, 1)) << "no nodes";
 }
 
 TEST(CachesOfASweep, LetAirGoThatNobodyHasAnyMore) {

@@ -27,10 +27,8 @@ inline SceneRadiometry inBand(const Environment& environment, const std::vector<
     air.setEnvironment(environment);
     const RadianceTerms& terms = RadianceTerms::standard();
     SceneSampling sampling;
-    return {terms,
-            entities,
-            geometry,
-            {sampling.spectral(air, {terms, entities, geometry, settings, centre}, band)}};
+    return {terms, entities, geometry,
+            sampling.spectral(air, {terms, entities, geometry, settings, centre}, {band})};
 }
 
 /// The same at wideband terms.

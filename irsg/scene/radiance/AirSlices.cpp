@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "irsg/radiometry/Errors.h"
 
@@ -24,11 +25,15 @@ struct InBand {
     double grey = 0.0, ambient = 0.0, path = 0.0;
 };
 
-InBand sumsOf(const SpectralSampling& sampling, const std::vector<double>& ambient,
-              const std::vector<double>& transmittance, const std::vector<double>& path) {
+/// Nodes that are summed together, first and behind the last.
+using Nodes = std::pair<std::size_t, std::size_t>;
+
+InBand sumsOf(const SpectralSampling& sampling, const Nodes& nodes,
+              const std::vector<double>& ambient, const std::vector<double>& transmittance,
+              const std::vector<double>& path) {
     InBand sums;
     const std::vector<double>& weights_um = sampling.weights_um();
-    for (std::size_t i = 0; i < weights_um.size(); ++i) {
+    for (std::size_t i = nodes.first; i < nodes.second; ++i) {
         sums.grey += weights_um[i] * transmittance[i];
         sums.ambient += weights_um[i] * ambient[i] * transmittance[i];
         sums.path += weights_um[i] * path[i];
@@ -45,12 +50,12 @@ double change(double a, double b) {
 
 /// At most what the air changes over a part of the path, if it is not more than `densest` times
 /// denser there.
-double mostChange(const SpectralSampling& sampling, const std::vector<double>& ambient,
-                  const std::vector<double>& transmittance, const std::vector<double>& path,
-                  double part) {
+double mostChange(const SpectralSampling& sampling, const Nodes& nodes,
+                  const std::vector<double>& ambient, const std::vector<double>& transmittance,
+                  const std::vector<double>& path, double part) {
     const std::vector<double>& weights_um = sampling.weights_um();
     double grey = 0.0, warm = 0.0, greyDepth = 0.0, warmDepth = 0.0, fromPath = 0.0;
-    for (std::size_t i = 0; i < weights_um.size(); ++i) {
+    for (std::size_t i = nodes.first; i < nodes.second; ++i) {
         const double t = transmittance[i];
         const double depth = t > 0.0 ? -t * std::log(t) : 0.0;
         grey += weights_um[i] * t;
@@ -101,30 +106,39 @@ void planSlicesOf(AtmosphericQueryCache& air, const std::vector<SampledBand>& ba
         };
         const AirSamples& middle = band.air.objects[number].nodes.front();
         const SharedValues path = pathAt(geometry.path.range_m);
-        const double bound = mostChange(sampling, ambient, *middle.transmittance, *path,
-                                        extent_m / geometry.path.range_m);
-        estimate = std::max(estimate, bound);
-        if (bound < settings.airSliceFrom)
+        std::vector<Nodes> changing; // outputs in which the air may change too much
+        for (const Nodes& nodes : band.outputs) {
+            const double bound = mostChange(sampling, nodes, ambient, *middle.transmittance, *path,
+                                            extent_m / geometry.path.range_m);
+            estimate = std::max(estimate, bound);
+            if (bound >= settings.airSliceFrom)
+                changing.push_back(nodes);
+        }
+        if (changing.empty())
             continue;
-        const auto at = [&](double range_m) {
-            const SharedValues transmittance =
-                air.at(AtmosphericQuery::transmittance(atRange(geometry.path, range_m)),
-                       band.sampling)
-                    .value;
-            return sumsOf(sampling, ambient, *transmittance, *pathAt(range_m));
+        const auto transmittanceAt = [&](double range_m) {
+            return air
+                .at(AtmosphericQuery::transmittance(atRange(geometry.path, range_m)), band.sampling)
+                .value;
         };
-        InBand near, far;
+        SharedValues passesNear, passesFar, pathNear, pathFar;
         try {
-            near = at(geometry.nearest_m);
-            far = at(geometry.farthest_m);
+            passesNear = transmittanceAt(geometry.nearest_m);
+            pathNear = pathAt(geometry.nearest_m);
+            passesFar = transmittanceAt(geometry.farthest_m);
+            pathFar = pathAt(geometry.farthest_m);
         } catch (const InputError&) {
             isKnown = false;
             continue;
         }
-        const double arrives = 0.5 * (near.ambient + near.path + far.ambient + far.path);
-        const double ofPath = arrives > 0.0 ? std::abs(far.path - near.path) / arrives : 0.0;
-        most = std::max(
-            {most, change(near.grey, far.grey), change(near.ambient, far.ambient), ofPath});
+        for (const Nodes& nodes : changing) {
+            const InBand near = sumsOf(sampling, nodes, ambient, *passesNear, *pathNear);
+            const InBand far = sumsOf(sampling, nodes, ambient, *passesFar, *pathFar);
+            const double arrives = 0.5 * (near.ambient + near.path + far.ambient + far.path);
+            const double ofPath = arrives > 0.0 ? std::abs(far.path - near.path) / arrives : 0.0;
+            most = std::max(
+                {most, change(near.grey, far.grey), change(near.ambient, far.ambient), ofPath});
+        }
     }
     const double likely = 0.5 * estimate / densest * densityAtTarget(geometry.path);
     if (estimate < settings.airSliceFrom) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "irsg/atmosphere/NearestRun.h"
+#include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/NewLines.h"
 #include "irsg/scene/radiance/AirSlices.h"
 #include "irsg/scene/radiance/SceneRadiometry.h"
@@ -24,6 +25,15 @@ std::size_t sizeOf(const SampledScene& scene) {
 }
 
 } // namespace
+
+const SampledBand& SampledScene::ofOutput(std::size_t output) const {
+    for (const SampledBand& band : bands) {
+        if (output < band.outputs.size())
+            return band;
+        output -= band.outputs.size();
+    }
+    throw LogicError("a scene was asked for an output that it has not");
+}
 
 SampledScenes::Key SampledScenes::keyOf(const AtmosphericQueryCache& answers, const AirScene& scene,
                                         const std::vector<Band>& bands, bool withSources,
@@ -65,8 +75,7 @@ std::shared_ptr<const SampledScene> SampledScenes::make(AtmosphericQueryCache& a
         object.slices_m.clear();
     const AirScene own{scene.terms, scene.entities, geometry, scene.settings, scene.centre};
     auto made = std::make_shared<SampledScene>();
-    for (const Band& band : bands)
-        made->bands.push_back(sample(own, band));
+    made->bands = sample(own, bands);
     bool isSliced = false;
     for (std::size_t e = 0; e < geometry.size(); ++e) {
         if (slices.empty())
@@ -84,7 +93,8 @@ std::shared_ptr<const SampledScene> SampledScenes::make(AtmosphericQueryCache& a
         addAnswer(made->answeredBy, band.air.answeredBy);
         addNew(made->warnings, band.air.warnings);
     }
-    for (std::size_t k = 0; withSources && k < bands.size(); ++k)
+    const std::size_t seen = made->bands.size();
+    for (std::size_t k = 0; withSources && k < seen; ++k)
         made->bands.push_back(made->bands[k].ofSource(scene.terms));
     made->background = backgroundOf(made->bands, scene.settings);
     return made;

@@ -15,12 +15,16 @@ namespace irsg {
 
 /// A scene's bands with their nodes and air, sliced where the air changes over an object.
 struct SampledScene {
-    std::vector<SampledBand> bands; ///< then their sources, where these are asked for
+    /// Several bands may be in one. Then their sources, where these are asked for.
+    std::vector<SampledBand> bands;
     // By entity: see ObjectGeometry.
     std::vector<SliceNodes> slices_m;
     std::vector<double> airError, likelyAirError;
     SharedValues background; ///< see backgroundOf
     std::vector<std::string> answeredBy, warnings;
+
+    /// That has an output, counted through all bands.
+    const SampledBand& ofOutput(std::size_t output) const;
 };
 
 /// Sampled scenes by what they follow from: few numbers, so that cases of a sweep that share their
@@ -28,8 +32,9 @@ struct SampledScene {
 /// answers by them.
 class SampledScenes {
   public:
-    /// Samples a band of a scene whose objects have one slice each.
-    using Sampler = std::function<SampledBand(const AirScene&, const Band&)>;
+    /// Samples the bands of a scene whose objects have one slice each, in their order.
+    using Sampler =
+        std::function<std::vector<SampledBand>(const AirScene&, const std::vector<Band>&)>;
 
     /// `scene.geometry` may hold any slices: they come out. With `slices`, by entity, it has these.
     std::shared_ptr<const SampledScene> of(AtmosphericQueryCache& answers, const AirScene& scene,

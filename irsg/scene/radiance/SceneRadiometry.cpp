@@ -251,8 +251,12 @@ SharedValues backgroundOf(const std::vector<SampledBand>& bands, const RenderSet
             return band.air.background;
         const bool isConstant = settings.background == BackgroundMode::constant && !band.isSource;
         const double uniform_W_m2_sr = isConstant ? settings.background_W_m2_sr : 0.0;
-        return std::make_shared<const std::vector<double>>(band.sampling->size(),
-                                                           uniform_W_m2_sr / band.area_um);
+        std::vector<double> values(band.sampling->size(), 0.0);
+        for (std::size_t k = 0; k < band.outputs.size(); ++k)
+            std::fill(values.begin() + static_cast<std::ptrdiff_t>(band.outputs[k].first),
+                      values.begin() + static_cast<std::ptrdiff_t>(band.outputs[k].second),
+                      uniform_W_m2_sr / band.areas_um[k]);
+        return std::make_shared<const std::vector<double>>(std::move(values));
     });
 }
 

@@ -40,9 +40,25 @@ void addSurfaceSpectra(const std::vector<Entity>& entities, std::vector<const Sp
     }
 }
 
+/// Bands from one on, to before another, that a sampling may have in one: they ascend, and what
+/// lies between them is not more than they are.
+std::size_t endOfRun(const std::vector<Band>& bands, std::size_t first) {
+    std::size_t end = first + 1;
+    double held_um = bands[first].range().width_um();
+    for (; end < bands.size(); ++end) {
+        const SpectralRange& next = bands[end].range();
+        held_um += next.width_um();
+        if (next.min_um < bands[end - 1].range().max_um ||
+            next.max_um - bands[first].range().min_um > 2.0 * held_um)
+            break;
+    }
+    return end;
+}
+
 SampledBand sampledBand(std::shared_ptr<const SpectralSampling> sampling) {
     SampledBand band;
     band.outputs = {{0, sampling->size()}};
+    band.areas_um = {sampling->area_um()};
     band.sample = [sampling](const Spectrum& spectrum) { return sampling->sampled(spectrum); };
     band.sampling = std::move(sampling);
     return band;
@@ -162,44 +178,60 @@ std::vector<double> SampledSpectra::of(const Spectrum& spectrum) {
 }
 
 const SceneSampling::KeptNodes* SceneSampling::nodesKept(const Environment& environment,
-                                                         const Band& band) {
+                                                         std::vector<Band> bands) {
     keptNodes_.letGo([](const KeptNodes& kept) { return kept.atmospheres.isGone(); });
     const KeptNodes* const known = keptNodes_.find([&](const KeptNodes& kept) {
-        return kept.band == band && kept.atmospheres.isOf(environment);
+        return kept.bands == bands && kept.atmospheres.isOf(environment);
     });
     if (known != nullptr)
         return known;
-    auto made = environment.nodesOf(band);
+    auto made = bands.size() == 1 ? environment.nodesOf(bands.front()) : environment.nodesOf(bands);
     if (!made)
         return nullptr;
     auto spectra = std::make_shared<SampledSpectra>(made);
-    return &keptNodes_.add({band, AirIdentity(environment), std::move(made), std::move(spectra)});
+    return &keptNodes_.add(
+        {std::move(bands), AirIdentity(environment), std::move(made), std::move(spectra)});
 }
 
 std::shared_ptr<const SpectralSampling> SceneSampling::nodes(const Environment& environment,
                                                              const Band& band) {
-    const KeptNodes* const kept = nodesKept(environment, band);
+    const KeptNodes* const kept = nodesKept(environment, {band});
     return kept == nullptr ? nullptr : kept->sampling;
 }
 
-SampledBand SceneSampling::spectral(AtmosphericQueryCache& answers, const AirScene& scene,
-                                    const Band& band) {
-    const KeptNodes* const kept = nodesKept(answers.environment(), band);
-    SampledBand made = sampledBand(kept ? kept->sampling : quadrature(answers, scene, band));
-    if (kept)
-        made.sample = [spectra = kept->spectra](const Spectrum& spectrum) {
-            return spectra->of(spectrum);
+std::vector<SampledBand> SceneSampling::spectral(AtmosphericQueryCache& answers,
+                                                 const AirScene& scene,
+                                                 const std::vector<Band>& bands) {
+    std::vector<SampledBand> all;
+    for (std::size_t first = 0; first < bands.size();) {
+        std::size_t end = endOfRun(bands, first);
+        const auto at = [&](std::size_t band) {
+            return bands.begin() + static_cast<std::ptrdiff_t>(band);
         };
-    made.area_um = band.area_um();
-    takeAir(answers, scene, made);
-    return made;
+        const KeptNodes* kept = nodesKept(answers.environment(), {at(first), at(end)});
+        if (!kept && end > first + 1)
+            kept = nodesKept(answers.environment(), {at(first), at(end = first + 1)});
+        SampledBand made =
+            sampledBand(kept ? kept->sampling : quadrature(answers, scene, bands[first]));
+        if (kept)
+            made.sample = [spectra = kept->spectra](const Spectrum& spectrum) {
+                return spectra->of(spectrum);
+            };
+        if (const AirNodes* nodes = AirNodes::of(*made.sampling))
+            made.outputs = nodes->outputs();
+        made.areas_um.clear();
+        for (; first < end; ++first)
+            made.areas_um.push_back(bands[first].area_um());
+        takeAir(answers, scene, made);
+        all.push_back(std::move(made));
+    }
+    return all;
 }
 
 SampledBand SceneSampling::wideband(AtmosphericQueryCache& answers, const AirScene& scene,
                                     const std::shared_ptr<const WidebandPoints>& terms) {
     SampledBand made = sampledBand(terms->sampling());
     made.sample = [terms](const Spectrum& spectrum) { return terms->sampled(spectrum); };
-    made.area_um = made.sampling->area_um();
     made.description = terms->description();
     takeAir(answers, scene, made);
     return made;
@@ -214,7 +246,6 @@ SampledBand SceneSampling::wavelengths(AtmosphericQueryCache& answers, const Air
     if (!sampling)
         sampling = std::make_shared<const SpectralPoints>(wavelengths_um);
     SampledBand made = sampledBand(sampling);
-    made.area_um = sampling->range().width_um();
     if (const AirNodes* nodes = AirNodes::of(*sampling)) {
         made.outputs = nodes->outputs();
     } else {
@@ -222,6 +253,7 @@ SampledBand SceneSampling::wavelengths(AtmosphericQueryCache& answers, const Air
         for (std::size_t i = 0; i < wavelengths_um.size(); ++i)
             made.outputs.emplace_back(i, i + 1);
     }
+    made.areas_um.assign(made.outputs.size(), sampling->range().width_um());
     takeAir(answers, scene, made);
     return made;
 }

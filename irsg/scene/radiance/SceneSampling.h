@@ -14,16 +14,16 @@
 
 namespace irsg {
 
-/// A band, or a set of wavelengths, with the nodes that its quantities are summed at and the air of
-/// a scene there.
+/// A band, several next to each other, or a set of wavelengths, with the nodes that their
+/// quantities are summed at and the air of a scene there.
 struct SampledBand {
     std::shared_ptr<const SpectralSampling> sampling;
     /// Nodes that are summed together, first and behind the last: all of a band, or one each.
     std::vector<std::pair<std::size_t, std::size_t>> outputs;
     /// Brings a surface's spectrum to the nodes.
     SpectrumSampler sample;
-    double area_um = 0.0;    ///< of the response, or of the interval of the wavelengths
-    std::string description; ///< what is to be told of the nodes, or nothing
+    std::vector<double> areas_um; ///< by output: of the response, or of all wavelengths' interval
+    std::string description;      ///< what is to be told of the nodes, or nothing
     SceneAir air;
     bool isSource = false; ///< see ofSource
 
@@ -75,7 +75,11 @@ class SceneSampling {
     std::shared_ptr<const SpectralSampling> quadrature(AtmosphericQueryCache& answers,
                                                        const AirScene& scene, const Band& band);
 
-    SampledBand spectral(AtmosphericQueryCache& answers, const AirScene& scene, const Band& band);
+    /// In the order of the bands. Air that has nodes of itself is asked once for all bands that
+    /// ascend and lie next to each other: many narrow bands then cost little more than one as wide
+    /// as all of them.
+    std::vector<SampledBand> spectral(AtmosphericQueryCache& answers, const AirScene& scene,
+                                      const std::vector<Band>& bands);
     /// In the wideband mode: a node is a term, and spectra are means over its bin.
     static SampledBand wideband(AtmosphericQueryCache& answers, const AirScene& scene,
                                 const std::shared_ptr<const WidebandPoints>& terms);
@@ -101,13 +105,13 @@ class SceneSampling {
     };
     RecentlyUsed<Kept> kept_{mostKept};
     struct KeptNodes {
-        Band band;
+        std::vector<Band> bands;
         AirIdentity atmospheres;
         std::shared_ptr<const SpectralSampling> sampling;
         std::shared_ptr<SampledSpectra> spectra;
     };
-    /// Null where the air has none of itself.
-    const KeptNodes* nodesKept(const Environment& environment, const Band& band);
+    /// Null where the air has none of itself, or has none for several bands in one.
+    const KeptNodes* nodesKept(const Environment& environment, std::vector<Band> bands);
     RecentlyUsed<KeptNodes> keptNodes_{mostNodesKept};
 };
 
