@@ -57,8 +57,9 @@ void addEditing(CLI::App& command, Context& context) {
         std::vector<std::string> assignments;
     };
     auto wanted = std::make_shared<Wanted>();
-    CLI::App* make = command.add_subcommand(
-        "new", "A file of AtmosphereSmart: the report's defaults but for what is given");
+    CLI::App* make =
+        command.add_subcommand("new", "A file of AtmosphereSmart: the report's defaults, with "
+                                      "IrradianceMode 2, but for what is given");
     CLI::App* change = command.add_subcommand(
         "set", "Other values in a file of AtmosphereSmart; what else stands in it is kept");
     change->add_option("FILE", wanted->file, "File of AtmosphereSmart")->required()->type_name("");

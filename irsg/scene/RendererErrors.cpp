@@ -15,6 +15,10 @@ namespace {
 /// Of the root of the summed squares of all contrasts: two standard deviations of the sum, see
 /// docs/errors.md.
 constexpr double errorPerContrast = 1.25;
+/// The same of objects with directional surfaces. Their lobes are drawn at least as wide as samples
+/// lie apart, on all lattices alike, which contrasts do not show, and a few samples have most of a
+/// glint; measured, see docs/errors.md.
+constexpr double errorPerContrastOfLobes = 2.5;
 /// Of the difference to bins that are the next narrower: those have an error, too.
 constexpr double ofNarrower = 1.5;
 /// Standard deviations that an error is.
@@ -29,14 +33,24 @@ struct Squares {
         contrast += sums.contrastIntensity_W_sr * sums.contrastIntensity_W_sr;
         irradiance += sums.irradiance_W_m2 * sums.irradiance_W_m2;
     }
-    RadiometryErrors errors() const {
+    RadiometryErrors errors(bool haveLobes) const {
+        const double scale = haveLobes ? errorPerContrastOfLobes : errorPerContrast;
         RadiometryErrors errors;
-        errors.intensity_W_sr.sampling = errorPerContrast * std::sqrt(intensity);
-        errors.contrastIntensity_W_sr.sampling = errorPerContrast * std::sqrt(contrast);
-        errors.irradiance_W_m2.sampling = errorPerContrast * std::sqrt(irradiance);
+        errors.intensity_W_sr.sampling = scale * std::sqrt(intensity);
+        errors.contrastIntensity_W_sr.sampling = scale * std::sqrt(contrast);
+        errors.irradiance_W_m2.sampling = scale * std::sqrt(irradiance);
         return errors;
     }
 };
+
+/// Which entities have directional surfaces, by entity, and whether any has.
+std::vector<bool> haveLobes(const SurfaceRows& rows, std::size_t entities) {
+    std::vector<bool> have(entities + 1, false);
+    for (std::size_t drawn = 0; drawn < rows.keys().size(); ++drawn)
+        if (rows.firstLobe(static_cast<int>(drawn)) >= 0)
+            have[static_cast<std::size_t>(rows.keys()[drawn].first)] = have.back() = true;
+    return have;
+}
 
 } // namespace
 
@@ -55,10 +69,11 @@ Renderer::Impl::samplingErrors(const Frame& frame, const ViewFactors& factors,
             squares[output].back().add(sums[output].all);
         }
     }
+    const std::vector<bool> lobes = haveLobes(rows, ranges_m.size());
     std::vector<std::vector<RadiometryErrors>> errors(varying.size());
     for (std::size_t output = 0; output < errors.size(); ++output)
-        for (const Squares& one : squares[output])
-            errors[output].push_back(one.errors());
+        for (std::size_t e = 0; e < squares[output].size(); ++e)
+            errors[output].push_back(squares[output][e].errors(lobes[e]));
     return errors;
 }
 
