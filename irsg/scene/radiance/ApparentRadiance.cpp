@@ -96,15 +96,20 @@ SurfaceSpectra lobeSpectra(const SurfaceSpectra& whole, const DirectionalSpectra
     lobe.temperature_K = whole.temperature_K;
     lobe.opacity.assign(count, 0.0);
     lobe.reflectance.assign(count, 0.0);
+    lobe.emissivity.resize(count);
+    lobe.reflectsAtMost.resize(count);
+    lobe.emitsAlways.assign(count, 0.0);
+    lobe.mirrored.resize(light ? count : 0);
     for (std::size_t i = 0; i < count; ++i) {
         const double amount = directional.amounts[i][component];
-        lobe.emissivity.push_back(directional.perScale[i][component]);
-        lobe.reflectsAtMost.push_back(amount + lobe.emissivity.back());
-        lobe.emitsAlways.push_back(light ? 0.0 : -lobe.reflectsAtMost.back());
-        if (light)
-            lobe.mirrored.push_back(amount * (*light)[i]);
-        else
+        lobe.emissivity[i] = directional.perScale[i][component];
+        lobe.reflectsAtMost[i] = amount + lobe.emissivity[i];
+        if (light) {
+            lobe.mirrored[i] = amount * (*light)[i];
+        } else {
+            lobe.emitsAlways[i] = -lobe.reflectsAtMost[i];
             lobe.reflectance[i] = amount / pi;
+        }
     }
     if (!light && whole.temperature_K > 0.0) {
         std::vector<double> emission(count);

@@ -264,9 +264,9 @@ std::vector<double> SceneLight::integralsOf(const FactorKind& kind, std::size_t 
             sums[static_cast<std::size_t>(place)] -= base[i] * light[i];
     }
     // Nodes that follow each other between the same knots share their sums.
-    std::vector<double> above;
+    std::vector<double> above(base.size());
     for (std::size_t i = 0; i < base.size(); ++i)
-        above.push_back(between_[first + i].part * base[i]);
+        above[i] = between_[first + i].part * base[i];
     const std::size_t columns = columns_.size();
     for (std::size_t begin = 0, end = 0; begin < base.size(); begin = end) {
         const Between& at = between_[first + begin];
