@@ -70,7 +70,7 @@ void compare(const Band& band, int answers) {
     std::printf("\n%s, %d further answers\n\n", band.name().c_str(), answers);
     std::printf("| way | further answers | first, ms | further, ms each | memory, MB |\n"
                 "|---|---|---|---|---|\n");
-    const auto nodes = [&band](const AtmosphereSmart& air) { return air.nodesOf(band); };
+    const auto nodes = [&band](const AtmosphereSmart& air) { return air.nodesOf({band}); };
     const auto terms = [&band](const AtmosphereSmart& air) {
         CkRequest request;
         request.band = band;
