@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <iostream>
 #include <mutex>
+#include <span>
 #include <sstream>
 #include <thread>
 
@@ -139,6 +140,29 @@ std::string lineOf(const std::string& header, const std::string& begin) {
     return at == std::string::npos ? "" : header.substr(at + 1, header.find('\n', at + 1) - at);
 }
 
+/// RMS and largest error of some pieces in transmittance, by resolution, and nodes a bin.
+std::string errorsOf(std::span<const TrainedNodes> pieces) {
+    std::ostringstream text;
+    for (std::size_t r = 0; r < std::size(GasTable::resolutions_per_cm); ++r) {
+        double squares = 0.0, largest = 0.0;
+        std::size_t cases = 0, nodes = 0, bins = 0;
+        for (const TrainedNodes& piece : pieces) {
+            squares += piece.squaredError[r];
+            largest = std::max(largest, piece.largestError[r]);
+            cases += piece.cases[r];
+            nodes += piece.bins[r].nodes.size();
+            bins += piece.bins[r].bins.size();
+        }
+        if (cases == 0)
+            continue;
+        text << std::fixed << std::setprecision(4) << (r ? "; " : " ")
+             << std::sqrt(squares / static_cast<double>(cases)) << " / " << std::setprecision(3)
+             << largest << std::setprecision(1) << " ("
+             << static_cast<double>(nodes) / static_cast<double>(bins) << ")";
+    }
+    return text.str();
+}
+
 /// RMS and largest error of training over ranges that users know; that of `before`, the header of
 /// the table that is there, for ranges of which not all pieces were trained or measured.
 std::string errorTable(const std::vector<Piece>& work, const std::vector<TrainedNodes>& trained,
@@ -161,35 +185,22 @@ std::string errorTable(const std::vector<Piece>& work, const std::vector<Trained
     for (const Range& range : ranges) {
         std::ostringstream name;
         name << range.lower_per_cm << "-" << range.upper_per_cm << " cm-1:";
-        bool isKnown = true;
-        for (std::size_t i = 0; i < work.size(); ++i)
-            if (work[i].lower_per_cm >= range.lower_per_cm &&
-                work[i].upper_per_cm <= range.upper_per_cm)
-                isKnown = isKnown && trained[i].cases[0] > 0;
-        if (!isKnown) {
+        // Pieces ascend.
+        const auto isBelow = [&](const Piece& piece) {
+            return piece.lower_per_cm < range.lower_per_cm;
+        };
+        const auto isWithin = [&](const Piece& piece) {
+            return piece.upper_per_cm <= range.upper_per_cm;
+        };
+        const auto first = std::ranges::partition_point(work, isBelow) - work.begin();
+        const auto last = std::ranges::partition_point(work, isWithin) - work.begin();
+        const std::span inside(trained.begin() + first, trained.begin() + last);
+        if (std::ranges::any_of(inside,
+                                [](const TrainedNodes& piece) { return piece.cases[0] == 0; })) {
             text << lineOf(before, name.str());
             continue;
         }
-        text << name.str();
-        for (std::size_t r = 0; r < 3; ++r) {
-            double squares = 0.0, largest = 0.0;
-            std::size_t cases = 0, nodes = 0, bins = 0;
-            for (std::size_t i = 0; i < work.size(); ++i)
-                if (work[i].lower_per_cm >= range.lower_per_cm &&
-                    work[i].upper_per_cm <= range.upper_per_cm) {
-                    squares += trained[i].squaredError[r];
-                    largest = std::max(largest, trained[i].largestError[r]);
-                    cases += trained[i].cases[r];
-                    nodes += trained[i].bins[r].nodes.size();
-                    bins += trained[i].bins[r].bins.size();
-                }
-            if (cases == 0)
-                continue;
-            text << std::fixed << std::setprecision(4) << (r ? "; " : " ")
-                 << std::sqrt(squares / static_cast<double>(cases)) << " / " << std::setprecision(3)
-                 << largest << std::setprecision(1) << " ("
-                 << static_cast<double>(nodes) / static_cast<double>(bins) << ")";
-        }
+        text << name.str() << errorsOf(inside);
         text << "\n";
     }
     return text.str();
@@ -235,7 +246,8 @@ void makeGases(const Folders& folders) {
                                         piece.upper_per_cm, piece.width_per_cm, goals);
             const std::lock_guard lock(output);
             std::cout << piece.lower_per_cm << "-" << piece.upper_per_cm
-                      << " cm-1: " << trained[i].wavenumbers_per_cm.size() << " nodes" << std::endl;
+                      << " cm-1: " << trained[i].wavenumbers_per_cm.size() << " nodes,"
+                      << errorsOf({&trained[i], 1}) << std::endl;
         }
     };
     std::vector<std::jthread> workers;

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "irsg/atmosphere/AtmosphereSmart.h"
+#include "irsg/radiometry/Units.h"
 #include "irsg/scene/radiance/WidebandAir.h"
 #include "irsg/scene/radiance/WidebandPoints.h"
 
@@ -14,17 +16,54 @@ namespace smat {
 
 namespace {
 
-/// Lines of sight that pay for training. The terms of computed air follow from seventy paths
-/// at all nodes of a band; spectra of gases make training twice as dear, and each line in the
-/// spectral mode six times.
-std::size_t fewestToTrain(const SceneDescription& scene) {
-    const auto isComputed = [&](const irsg::Band& band) {
+/// What the terms of wideband-ck save and what training them costs, in units of transmittance and
+/// radiance of a path at all nodes of the band. In processor time of computed air, whatever the
+/// band (docs/atmosphere-accuracy.md):
+constexpr double ofSky = 2.7,
+                 ofGases = 2.4; ///< a row of the background; a case with spectra of gas
+constexpr double training = 430.0, trainingWithGases = 1075.0;
+
+/// Terms of air of a file are trained in a few lines of sight.
+constexpr double fewestInAirOfAFile = 3.0;
+
+/// Rows of a background that is as fine as half a percent needs, about.
+constexpr int adaptiveRows = 16;
+
+bool hasComputedAir(const SceneDescription& scene) {
+    return std::ranges::any_of(scene.allBands(), [&](const irsg::Band& band) {
         return dynamic_cast<const irsg::AtmosphereSmart*>(
                    scene.environment.findWideband(band.range())) != nullptr;
-    };
-    if (std::ranges::none_of(scene.allBands(), isComputed))
-        return 3;
-    return irsg::widebandSpectraOf(scene.entities).radiances.empty() ? 120 : 100;
+    });
+}
+
+/// Skies that differ: by the camera's altitude and elevation, and by the range where rows of the
+/// background are spread over the picture.
+std::size_t skiesOf(const AnalysisPlan& plan, int rows) {
+    std::set<std::array<double, 4>> skies;
+    for (const AnalysisCase& one : plan.cases) {
+        const double climb_m = one.range_m * std::sin(irsg::radians(one.shownElevation_deg));
+        skies.insert({one.altitude_m.value_or(0.0), climb_m, one.shownElevation_deg,
+                      rows == 1 ? 0.0 : one.range_m});
+    }
+    return skies.size();
+}
+
+/// How many different lines of sight like those of a plan pay for training.
+std::size_t fewestToTrain(const SceneDescription& scene, const AnalysisPlan& plan) {
+    if (!hasComputedAir(scene))
+        return static_cast<std::size_t>(fewestInAirOfAFile);
+    const bool hasGases = !irsg::widebandSpectraOf(scene.entities).radiances.empty();
+    const auto lines = std::max(1.0, static_cast<double>(linesOfSight(plan)));
+    double saved = lines;
+    if (scene.render.background == irsg::BackgroundMode::environment) {
+        const int rows = scene.render.backgroundRows;
+        saved +=
+            ofSky * static_cast<double>(skiesOf(plan, rows)) * (rows == 0 ? adaptiveRows : rows);
+    }
+    if (hasGases)
+        saved += ofGases * static_cast<double>(plan.cases.size());
+    return static_cast<std::size_t>(
+        std::ceil((hasGases ? trainingWithGases : training) * lines / saved));
 }
 
 } // namespace
@@ -44,7 +83,7 @@ CalculationChoice chooseCalculation(const SceneDescription& scene, const Analysi
         })) {
         return {};
     }
-    const std::size_t lines = linesOfSight(plan), fewest = fewestToTrain(scene);
+    const std::size_t lines = linesOfSight(plan), fewest = fewestToTrain(scene, plan);
     if (lines < fewest) {
         return {CalculationMode::spectral,
                 fmt::format("mode auto: spectral, as training wideband-ck pays from {} different "

@@ -14,11 +14,12 @@ struct CalculationChoice {
 };
 
 /// Cases that share their line of sight share what the air answers, so that it is lines of sight
-/// that pay for training wideband-ck. By processor times in 3-5 um
-/// the sample aircraft, whose plumes are spectra of gas, pays from 100 lines on and a grey box from
-/// 120 (docs/atmosphere-accuracy.md); air of a file trains some hundredths of a second and saves 5
-/// to 40 ms a line (from 3 on). The choice does not ask whether terms were kept on disk before:
-/// equal inputs have equal results.
+/// that pay for training wideband-ck, and so many more or fewer of them as the air is asked less or
+/// more for each: a level line over ranges has one sky for all, a background of many rows many, and
+/// spectra of gas are summed case by case. By processor times (docs/atmosphere-accuracy.md)
+/// training costs as much as 430 paths do, 1075 with spectra of gas; air of a file pays from 3
+/// lines on. The choice does not ask whether terms were kept on disk before: equal inputs have
+/// equal results.
 CalculationChoice chooseCalculation(const SceneDescription& scene, const AnalysisPlan& plan);
 
 /// How many different lines of sight the air is asked along.

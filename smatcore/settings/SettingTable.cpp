@@ -32,9 +32,9 @@ void addSensor(std::vector<SettingInfo>& table) {
                "How the band is integrated. Spectral multiplies at every wavelength and "
                "integrates last; ck does so at a few terms that the air is asked for, trained to a "
                "few thousandths. Auto takes ck for sweeps over so many different lines of sight "
-               "that they pay for training, 3 in air of a file, 100 to 120 in computed air; "
-               "results say what it took and why. Images and frames are then spectral; spectra "
-               "always are.",
+               "that they pay for training, 3 in air of a file, 10 to 430 in computed air by how "
+               "much it is asked for each; results say what it took and why. Images and frames "
+               "are then spectral; spectra always are.",
                SettingAudience::expert),
         {"auto", "spectral", "wideband-ck"}));
 }

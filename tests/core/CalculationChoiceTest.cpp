@@ -26,23 +26,49 @@ SceneDescription computedAir(const irsg::AtmosphereSmartParameters& more = {}) {
     return scene;
 }
 
-AnalysisPlan ranges(std::size_t count) {
+AnalysisPlan ranges(std::size_t count, double elevation_deg = 12.0) {
     AnalysisPlan plan;
     for (std::size_t i = 0; i < count; ++i) {
-        plan.cases.emplace_back().range_m = 100.0 * static_cast<double>(i + 1);
+        AnalysisCase& one = plan.cases.emplace_back();
+        one.range_m = 100.0 * static_cast<double>(i + 1);
+        one.shownElevation_deg = elevation_deg;
     }
     return plan;
 }
 
+/// The fewest lines of sight over range that pay for training.
+std::size_t fewestOf(const SceneDescription& scene, double elevation_deg = 12.0) {
+    std::size_t count = 1;
+    while (chooseCalculation(scene, ranges(count, elevation_deg)).mode ==
+           CalculationMode::spectral) {
+        ++count;
+    }
+    return count;
+}
+
 TEST(CalculationChoices, AreSpectralUntilLinesOfSightPayForTraining) {
-    const CalculationChoice few = chooseCalculation(computedAir(), ranges(119));
+    const CalculationChoice few = chooseCalculation(computedAir(), ranges(116));
     EXPECT_EQ(few.mode, CalculationMode::spectral);
     EXPECT_EQ(few.reason,
-              "mode auto: spectral, as training wideband-ck pays from 120 different lines of "
-              "sight on, not for 119");
-    const CalculationChoice many = chooseCalculation(computedAir(), ranges(120));
+              "mode auto: spectral, as training wideband-ck pays from 117 different lines of "
+              "sight on, not for 116");
+    const CalculationChoice many = chooseCalculation(computedAir(), ranges(117));
     EXPECT_EQ(many.mode, CalculationMode::wideband);
-    EXPECT_THAT(many.reason, HasSubstr("120 different lines of sight pay"));
+    EXPECT_THAT(many.reason, HasSubstr("117 different lines of sight pay"));
+}
+
+/// Break-evens by processor time: a box before a background of one row at 112 to 125 lines, a
+/// corvette before 16 rows below 30.
+TEST(CalculationChoices, CountWhatTheAirIsAskedForALineOfSight) {
+    SceneDescription scene = computedAir();
+    EXPECT_EQ(fewestOf(scene, 0.0), 428u) << "one sky for all ranges";
+    scene.render.backgroundRows = 16;
+    EXPECT_EQ(fewestOf(scene), 10u);
+    EXPECT_EQ(fewestOf(scene, 0.0), 10u) << "rows spread over the picture, whose width changes";
+    scene.render.backgroundRows = 0;
+    EXPECT_EQ(fewestOf(scene), 10u) << "as many as needed";
+    scene.render.background = irsg::BackgroundMode::none;
+    EXPECT_EQ(fewestOf(scene), 430u) << "no sky";
 }
 
 TEST(CalculationChoices, CountALineOfSightOnceHoweverManyAspectsShareIt) {
@@ -65,7 +91,7 @@ TEST(CalculationChoices, DoNotDependOnWhatWasTrainedBefore) {
     request.band = scene.sensor.band;
     request.sun = scene.environment.sun;
     (void)scene.environment.prepareCk(request);
-    EXPECT_EQ(chooseCalculation(scene, ranges(20)).mode, CalculationMode::spectral);
+    EXPECT_EQ(chooseCalculation(scene, ranges(100)).mode, CalculationMode::spectral);
     setenv("SMAT_CACHE", "", 1);
 }
 
