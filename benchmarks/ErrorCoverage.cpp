@@ -2,9 +2,10 @@
 // is, and what it costs: random scenes against windows of 2048 samples and air of 1 cm-1. And how
 // often what is chosen for a target error meets it.
 //
-//     bench_errors [SCENES] [FIRST] [targets|ck]
+//     bench_errors [SCENES] [FIRST] [targets|ck|times]
 //
-// With ck all scenes have air by wideband-ck.
+// With ck all scenes have air by wideband-ck; with times nothing is judged, and only what errors
+// cost is told.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -170,6 +171,7 @@ int main(int argc, char** argv) {
         return 0;
     }
     const bool isWideband = argc > 3 && std::string(argv[3]) == "ck";
+    const bool isTimed = argc > 3 && std::string(argv[3]) == "times";
     Renderer renderer;
     const char* const names[] = {"no air", "computed air, spectral", "computed air, wideband-ck"};
     Tally all, of[3], intensity, contrast;
@@ -177,6 +179,10 @@ int main(int argc, char** argv) {
     for (int i = first; i < first + scenes; ++i) {
         const RandomAir air = isWideband ? RandomAir::wideband : airOf(i);
         const RandomScene random = randomScene(static_cast<unsigned>(i), air);
+        if (timed[static_cast<int>(air)].size() < 6)
+            timed[static_cast<int>(air)].push_back(random);
+        if (isTimed)
+            continue;
         const auto found = judged(renderer, random);
         for (const JudgedNumber& one : found) {
             all.add(one);
@@ -184,8 +190,6 @@ int main(int argc, char** argv) {
         }
         intensity.add(found[0]);
         contrast.add(found[1]);
-        if (timed[static_cast<int>(air)].size() < 6)
-            timed[static_cast<int>(air)].push_back(random);
         for (const JudgedNumber& one : found)
             std::fprintf(stderr, "%d,%d,%.6g,%.3g,%.3g,%.3g,%.3g,%s,%s\n", i, static_cast<int>(air),
                          one.truth, one.wrong() / std::abs(one.truth),

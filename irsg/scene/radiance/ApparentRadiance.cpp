@@ -88,38 +88,51 @@ DirectionalSpectra directionalSpectra(const SurfaceInput& surface, const Spectru
 }
 
 SurfaceSpectra lobeSpectra(const SurfaceSpectra& whole, const DirectionalSpectra& directional,
-                           std::size_t component, const std::vector<double>& wavelengths_um,
-                           SharedValues light) {
+                           std::size_t component, const std::vector<double>& wavelengths_um) {
     const std::size_t count = wavelengths_um.size();
     SurfaceSpectra lobe;
     lobe.emissionPassesAir = whole.emissionPassesAir;
     lobe.temperature_K = whole.temperature_K;
-    lobe.opacity.assign(count, 0.0);
-    lobe.reflectance.assign(count, 0.0);
+    lobe.reflectance.resize(count);
     lobe.emissivity.resize(count);
     lobe.reflectsAtMost.resize(count);
-    lobe.emitsAlways.assign(count, 0.0);
-    lobe.mirrored.resize(light ? count : 0);
+    lobe.emitsAlways.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         const double amount = directional.amounts[i][component];
         lobe.emissivity[i] = directional.perScale[i][component];
         lobe.reflectsAtMost[i] = amount + lobe.emissivity[i];
-        if (light) {
-            lobe.mirrored[i] = amount * (*light)[i];
-        } else {
-            lobe.emitsAlways[i] = -lobe.reflectsAtMost[i];
-            lobe.reflectance[i] = amount / pi;
-        }
+        lobe.emitsAlways[i] = -lobe.reflectsAtMost[i];
+        lobe.reflectance[i] = amount / pi;
     }
-    if (!light && whole.temperature_K > 0.0) {
+    if (whole.temperature_K > 0.0) {
         std::vector<double> emission(count);
         planckRadiances_W_m2_sr_um(wavelengths_um, whole.temperature_K, emission);
         for (std::size_t i = 0; i < count; ++i)
             emission[i] *= -directional.amounts[i][component];
         lobe.emission.push_back({1.0, std::move(emission)});
     }
+    return lobe;
+}
+
+SurfaceSpectra mirrorSpectra(const SurfaceSpectra& whole, SharedValues amount, SharedValues light) {
+    SurfaceSpectra lobe;
+    lobe.emissionPassesAir = whole.emissionPassesAir;
+    lobe.temperature_K = whole.temperature_K;
+    lobe.lobeAmount = std::move(amount);
     lobe.lobeLight = std::move(light);
     return lobe;
+}
+
+std::vector<SharedValues> lobeAmounts(const DirectionalSpectra& directional) {
+    std::vector<SharedValues> amounts;
+    for (std::size_t k = 0; directional.model && k < directional.model->components(); ++k) {
+        auto own = std::make_shared<std::vector<double>>();
+        own->reserve(directional.amounts.size());
+        for (const SurfaceModel::Amounts& all : directional.amounts)
+            own->push_back(all[k]);
+        amounts.push_back(std::move(own));
+    }
+    return amounts;
 }
 
 SurfaceSpectra surfaceSpectra(const SurfaceInput& surface,
@@ -173,6 +186,20 @@ SurfaceSpectra surfaceSpectra(const SurfaceInput& surface,
     return result;
 }
 
+bool SurfaceSpectra::isWithout(SurfaceQuantity quantity) const {
+    switch (quantity) {
+    case SurfaceQuantity::reflectance:
+        return reflectance.empty();
+    case SurfaceQuantity::opacity:
+        return opacity.empty();
+    case SurfaceQuantity::mirrored:
+        return !lobeLight;
+    case SurfaceQuantity::emission:
+        break;
+    }
+    return emission.empty();
+}
+
 const std::vector<double>& SurfaceSpectra::quantity(SurfaceQuantity quantity) const {
     switch (quantity) {
     case SurfaceQuantity::reflectance:
@@ -180,7 +207,7 @@ const std::vector<double>& SurfaceSpectra::quantity(SurfaceQuantity quantity) co
     case SurfaceQuantity::opacity:
         return opacity;
     case SurfaceQuantity::mirrored:
-        return mirrored;
+        return *lobeAmount;
     case SurfaceQuantity::emission:
         break;
     }
@@ -190,12 +217,11 @@ const std::vector<double>& SurfaceSpectra::quantity(SurfaceQuantity quantity) co
 std::vector<double> apparentTerm(const SurfaceSpectra& surface, const RadianceTerms& terms,
                                  std::size_t number, const AirSamples& air) {
     const RadianceTerm& term = terms.terms[number];
-    if ((term.light && !air.light[number]) ||
-        (term.surface == SurfaceQuantity::mirrored && surface.mirrored.empty()))
+    if ((term.light && !air.light[number]) || surface.isWithout(term.surface))
         return {};
     std::vector<double> sent;
     if (term.surface == SurfaceQuantity::emission) {
-        sent.assign(surface.opacity.size(), 0.0);
+        sent.assign(air.transmittance->size(), 0.0);
         for (const SurfaceSpectra::Emission& part : surface.emission)
             for (std::size_t i = 0; i < sent.size(); ++i)
                 sent[i] += part.factor * part.radiance[i];
@@ -203,6 +229,8 @@ std::vector<double> apparentTerm(const SurfaceSpectra& surface, const RadianceTe
             multiply(sent, *air.transmittance);
     } else {
         sent = surface.quantity(term.surface);
+        if (term.surface == SurfaceQuantity::mirrored)
+            multiply(sent, *surface.lobeLight);
     }
     if (term.light)
         multiply(sent, *air.light[number]);

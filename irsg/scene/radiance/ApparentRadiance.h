@@ -55,11 +55,11 @@ struct SurfaceSpectra {
         std::vector<double> radiance; ///< W m-2 sr-1 um-1 at a factor of 1
     };
     std::vector<Emission> emission;
-    /// What lobes reflect of the air's radiance, where the surface is such a one; W m-2 sr-1 um-1.
-    std::vector<double> mirrored;
-    SharedValues lobeLight;        ///< that radiance; null for others
+    /// The radiance of the air that a lobe reflects, W m-2 sr-1 um-1, and how much of it: one for
+    /// all places of the air. Null for others.
+    SharedValues lobeLight, lobeAmount;
     bool emissionPassesAir = true; ///< false: measured from farther away, with all its air
-    std::vector<double> reflectance, opacity;
+    std::vector<double> reflectance, opacity; ///< empty: 0
     std::vector<double> transmissivity;
     std::vector<double> emissivity; ///< of the material, before any scaling
     /// Of directional surfaces and their lobes, how both depend on a scale e of the emissivity:
@@ -76,7 +76,10 @@ struct SurfaceSpectra {
     bool isTransparent() const {
         return std::ranges::any_of(transmissivity, [](double t) { return t > 0.0; });
     }
-    /// The reflectance or the opacity; LogicError for emission, which has parts.
+    /// Nothing is sent in terms of that quantity.
+    bool isWithout(SurfaceQuantity quantity) const;
+    /// The reflectance, the opacity or the amount of a lobe, which the last multiplies its light
+    /// with; LogicError for emission, which has parts.
     const std::vector<double>& quantity(SurfaceQuantity quantity) const;
 };
 
@@ -107,16 +110,22 @@ SurfaceSpectra surfaceSpectra(const SurfaceInput& surface,
                               const DirectionalSpectra& directional = {});
 
 /// One component of a directional surface beside the Lambertian one: it reflects its amount, and
-/// emits less by that. With `light`, W m-2 sr-1 um-1, it reflects that instead, and does not emit.
+/// emits less by that.
 SurfaceSpectra lobeSpectra(const SurfaceSpectra& whole, const DirectionalSpectra& directional,
-                           std::size_t component, const std::vector<double>& wavelengths_um,
-                           SharedValues light);
+                           std::size_t component, const std::vector<double>& wavelengths_um);
+
+/// The same component as it reflects radiance of the air from one direction: it does not emit. Only
+/// `light`, W m-2 sr-1 um-1, differs between directions; how it scales is what the component itself
+/// says.
+SurfaceSpectra mirrorSpectra(const SurfaceSpectra& whole, SharedValues amount, SharedValues light);
+/// By component.
+std::vector<SharedValues> lobeAmounts(const DirectionalSpectra& directional);
 
 /// c_j of eq. 6 times the calibration, by component of a user-defined spectrum.
 std::vector<double> componentFactors(const SurfaceInput& surface);
 
 /// Apparent spectral radiance of a surface at the sensor in term `number` of a list at a geometric
-/// factor of 1, W m-2 sr-1 um-1; empty where the term is off.
+/// factor of 1, W m-2 sr-1 um-1; empty where the term is off or the surface sends nothing in it.
 std::vector<double> apparentTerm(const SurfaceSpectra& surface, const RadianceTerms& terms,
                                  std::size_t number, const AirSamples& air);
 

@@ -83,8 +83,7 @@ std::vector<KindRadiances::Strand> KindRadiances::strandsOf(int drawn) const {
     };
     for (std::size_t k = 0; k < radiometry_.terms().terms.size(); ++k) {
         const RadianceTerm& term = radiometry_.terms().terms[k];
-        if ((term.light && !air.light[k]) ||
-            (term.surface == SurfaceQuantity::mirrored && surface.mirrored.empty()))
+        if ((term.light && !air.light[k]) || surface.isWithout(term.surface))
             continue;
         const bool isEmission = term.surface == SurfaceQuantity::emission;
         Strand strand;
@@ -245,7 +244,10 @@ void KindRadiances::fillStrand(int drawn, const Strand& strand, const double* pa
                 .data() +
             begin;
         const double of = sign;
-        if (term.light && strand.pathLight < 0) {
+        if (term.surface == SurfaceQuantity::mirrored) {
+            const double* mirrored = surface.lobeLight->data() + begin;
+            add([=](std::size_t i) { return of * passed[i] * (own[i] * mirrored[i]); });
+        } else if (term.light && strand.pathLight < 0) {
             const double* light = air.light[k]->data() + begin;
             add([=](std::size_t i) { return of * passed[i] * own[i] * light[i]; });
         } else {
@@ -275,6 +277,10 @@ void KindRadiances::evaluateHidden(int drawn, const std::vector<double>& passed,
                                    double* into) const {
     const std::vector<double>& opacity =
         radiometry_.surfaces()[static_cast<std::size_t>(drawn)].opacity;
+    if (opacity.empty()) { // a lobe
+        std::fill_n(into, 2 * outputs_, 0.0);
+        return;
+    }
     for (std::size_t output = 0; output < outputs_; ++output) {
         const auto& [first, last] = radiometry_.outputs()[output];
         // As radiance, and as a part of the background, or of the response where there is none.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -58,10 +59,7 @@ class ViewKindSums {
 
     [[gnu::always_inline]] void add(int front, const SurfaceRows::Between& between,
                                     const FactorSamples::Layer& layer) {
-        const std::size_t place =
-            static_cast<std::size_t>(front) * rows_ + static_cast<std::size_t>(between.row);
-        if (place >= places_)
-            grow(front);
+        const std::size_t place = placeOf(front, between.row);
         const float* factors = layer.factors.data();
         if (layer.place && layer.place->triangle != FactorSamples::Place::none) {
             addReceivers(place, between.row, 1.0 - static_cast<double>(between.next), *layer.place);
@@ -79,13 +77,10 @@ class ViewKindSums {
     /// Factors of what is covered already, and what lobes have for coverage.
     void addLight(int front, const SurfaceRows::Between& between,
                   const FactorSamples::Layer& layer) {
-        const std::size_t place =
-            static_cast<std::size_t>(front) * rows_ + static_cast<std::size_t>(between.row);
-        if (place >= places_)
-            grow(front);
+        const std::size_t place = placeOf(front, between.row);
         const auto coverage = static_cast<double>(layer.coverage);
         const auto addTo = [&](std::size_t to, double weight) {
-            Sums& sums = sums_[to];
+            Sums& sums = sums_[slotOf(to)];
             sums.plain[0] += weight * omega_sr_ * coverage;
             sums.cosine[0] += weight * projected_sr_ * coverage;
             for (std::size_t f = 0; f < Factors; ++f) {
@@ -108,16 +103,14 @@ class ViewKindSums {
         const MirrorTable& table = *samples.mirrorTables[mirror.table];
         const float* scales = &samples.mirrorScales[mirror.scales];
         const auto addTo = [&](int row, double weight) {
-            std::vector<double>& sums = mirrorsOf(front, row, samples, mirror);
+            Mirrors& mirrors = mirrorsOf(front, row, samples, mirror);
             for (std::size_t n = 0; n < mirror.nodes.size(); ++n) {
-                const std::size_t first = 2 * table.components * mirror.nodes[n];
-                if (first + 2 * table.components > sums.size())
-                    sums.resize(first + 2 * table.components);
+                double* sums = mirrors.of(mirror.nodes[n], 2 * table.components);
                 const double ofNode = weight * static_cast<double>(mirror.weights[n]);
                 for (std::size_t k = 0; k < table.components; ++k) {
                     const double own = ofNode * static_cast<double>(scales[k]);
-                    sums[first + 2 * k] += own * omega_sr_;
-                    sums[first + 2 * k + 1] += own * projected_sr_;
+                    sums[2 * k] += own * omega_sr_;
+                    sums[2 * k + 1] += own * projected_sr_;
                 }
             }
         };
@@ -130,27 +123,21 @@ class ViewKindSums {
         for (const auto& [key, mirrors] : mirrors_) {
             const auto& [front, row, number] = key;
             const std::shared_ptr<const MirrorTable>& table = mirrors.table;
+            const std::size_t first = placeOf(front, row);
+            std::array<double, 2>* const sums = mirroredFrom(
+                first, table->valuesOfNode(), static_cast<std::size_t>(mirrors.rowsOfPlace));
             // In an order that what was seen before does not change.
-            std::vector<std::size_t> nodes(mirrors.sums.size() / (2 * table->components));
-            std::iota(nodes.begin(), nodes.end(), std::size_t{0});
-            std::ranges::sort(nodes, {}, [&](std::size_t node) { return table->keys[node]; });
-            const auto last = static_cast<std::size_t>(
-                row + static_cast<int>(table->valuesOfNode() - 1) * mirrors.rowsOfPlace);
-            const std::size_t first = static_cast<std::size_t>(front) * rows_;
-            if (first + last >= places_)
-                grow(front);
-            for (const std::size_t node : nodes)
+            std::vector<std::uint32_t> nodes = mirrors.nodes;
+            std::ranges::sort(nodes, {}, [&](std::uint32_t node) { return table->keys[node]; });
+            for (const std::uint32_t node : nodes)
                 for (std::size_t k = 0; k < table->components; ++k) {
-                    const double* seen = &mirrors.sums[2 * (node * table->components + k)];
+                    const double* seen = mirrors.sumsOf(node, 2 * table->components) + 2 * k;
                     if (seen[0] == 0.0)
                         continue;
-                    const float* shares = table->of(static_cast<std::uint32_t>(node));
+                    const float* shares = table->of(node);
                     for (std::size_t i = k * table->places; i < (k + 1) * table->places; ++i) {
-                        Sums& sums =
-                            sums_[first + static_cast<std::size_t>(row + static_cast<int>(i) *
-                                                                             mirrors.rowsOfPlace)];
-                        sums.plain[0] += static_cast<double>(shares[i]) * seen[0];
-                        sums.cosine[0] += static_cast<double>(shares[i]) * seen[1];
+                        sums[i][0] += static_cast<double>(shares[i]) * seen[0];
+                        sums[i][1] += static_cast<double>(shares[i]) * seen[1];
                     }
                 }
         }
@@ -160,18 +147,20 @@ class ViewKindSums {
 
     /// Ends the runs of receivers; no sample comes after it.
     void finishLight() {
-        for (std::size_t place = 0; place < receivers_.size(); ++place)
-            if (!receivers_[place].empty())
-                addRun(std::exchange(runs_[place], {}), receivers_[place]);
+        for (std::size_t slot = 0; slot < receivers_.size(); ++slot)
+            if (!receivers_[slot].empty())
+                addRun(std::exchange(runs_[slot], {}), receivers_[slot]);
     }
     /// Adds what was seen of receivers of light, finished, times a sign; see addTo.
     template <typename FrontOf>
     void addLightTo(LightSums& light, FrontOf frontOf, double sign) const {
-        for (std::size_t place = 0; place < receivers_.size(); ++place)
-            if (!receivers_[place].empty())
-                addScaled(receivers_[place], sign,
-                          light[{frontOf(static_cast<int>(place / rows_)),
-                                 static_cast<int>(place % rows_)}]);
+        for (std::size_t place = 0; place < slots_.size() && !receivers_.empty(); ++place) {
+            const auto slot = static_cast<std::size_t>(slots_[place]);
+            if (slots_[place] == none || slot >= receivers_.size() || receivers_[slot].empty())
+                continue;
+            const FactorKind kind = kindOf(place, frontOf);
+            addScaled(receivers_[slot], sign, light[{kind.front, kind.row}]);
+        }
     }
 
     /// Adds what was seen times a sign to the one cell of a field. `frontOf(front)` is the number
@@ -179,26 +168,23 @@ class ViewKindSums {
     template <typename FrontOf>
     void addTo(FactorField<double>& field, const ViewLayout& layout, FrontOf frontOf,
                double sign) const {
-        for (std::size_t place = 0; place < sums_.size(); ++place) {
-            const Sums& sums = sums_[place];
-            if (std::ranges::all_of(sums.plain, [](double sum) { return sum == 0.0; }))
+        for (std::size_t place = 0; place < slots_.size(); ++place) {
+            if (slots_[place] != none)
+                addSumsTo(field, layout, kindOf(place, frontOf),
+                          static_cast<std::size_t>(slots_[place]), sign);
+            if (place >= mirrorSlots_.size() || mirrorSlots_[place] == none)
                 continue;
-            double* numbers = field.at(0, field.kindOf({frontOf(static_cast<int>(place / rows_)),
-                                                        static_cast<int>(place % rows_)}));
-            for (std::size_t i = 0; i <= Factors; ++i) {
-                numbers[i] += sign * sums.plain[i];
-                numbers[layout.withCosine(i)] += sign * sums.cosine[i];
-            }
-            numbers[layout.pixels()] += sign * sums.pixels;
-            for (std::size_t k = 0; k < varying_.size(); ++k) {
-                const double* behind_W_m2 = &behind_W_m2_[2 * (place * varying_.size() + k)];
-                numbers[layout.background(k)] += sign * behind_W_m2[0];
-                numbers[layout.backgroundCosine(k)] += sign * behind_W_m2[1];
-            }
+            const auto& [plain, cosine] = mirrored_[static_cast<std::size_t>(mirrorSlots_[place])];
+            if (plain == 0.0)
+                continue;
+            double* numbers = field.at(0, field.kindOf(kindOf(place, frontOf)));
+            numbers[layout.coverage()] += sign * plain;
+            numbers[layout.withCosine(layout.coverage())] += sign * cosine;
         }
     }
 
   private:
+    static constexpr std::int32_t none = -1;
     using Numbers = std::array<double, Factors + 1>;
     /// Coverage and factors, times solid angle and times projected solid angle, sr.
     struct Sums {
@@ -206,11 +192,54 @@ class ViewKindSums {
         double pixels = 0.0;
     };
 
+    /// Of a front and a row, for which there is a place from now on, and for the rows behind it.
+    std::size_t placeOf(int front, int row) {
+        const std::size_t place =
+            static_cast<std::size_t>(front) * rows_ + static_cast<std::size_t>(row);
+        if (place >= slots_.size())
+            slots_.resize((static_cast<std::size_t>(front) + 1) * rows_, none);
+        return place;
+    }
+    template <typename FrontOf>
+    FactorKind kindOf(std::size_t place, FrontOf frontOf) const {
+        return {frontOf(static_cast<int>(place / rows_)), static_cast<int>(place % rows_)};
+    }
+    /// Where the sums of a place are: few of them are seen in a part of a view, of lobes above all.
+    std::size_t slotOf(std::size_t place) {
+        const std::int32_t slot = slots_[place];
+        return slot != none ? static_cast<std::size_t>(slot) : newSlotOf(place);
+    }
+    std::size_t newSlotOf(std::size_t place) {
+        slots_[place] = static_cast<std::int32_t>(sums_.size());
+        sums_.emplace_back();
+        behind_W_m2_.resize(2 * sums_.size() * varying_.size());
+        return sums_.size() - 1;
+    }
+
+    void addSumsTo(FactorField<double>& field, const ViewLayout& layout, const FactorKind& kind,
+                   std::size_t slot, double sign) const {
+        const Sums& sums = sums_[slot];
+        if (std::ranges::all_of(sums.plain, [](double sum) { return sum == 0.0; }))
+            return;
+        double* numbers = field.at(0, field.kindOf(kind));
+        for (std::size_t i = 0; i <= Factors; ++i) {
+            numbers[i] += sign * sums.plain[i];
+            numbers[layout.withCosine(i)] += sign * sums.cosine[i];
+        }
+        numbers[layout.pixels()] += sign * sums.pixels;
+        for (std::size_t k = 0; k < varying_.size(); ++k) {
+            const double* behind_W_m2 = &behind_W_m2_[2 * (slot * varying_.size() + k)];
+            numbers[layout.background(k)] += sign * behind_W_m2[0];
+            numbers[layout.backgroundCosine(k)] += sign * behind_W_m2[1];
+        }
+    }
+
     /// Each number in a register of its own: an array would go through memory twice, in pieces of
     /// different sizes, for which processors wait.
     template <std::size_t... I>
     void addTo(std::size_t place, double weight, const float* factors, std::index_sequence<I...>) {
-        Sums& sums = sums_[place];
+        const std::size_t slot = slotOf(place);
+        Sums& sums = sums_[slot];
         const double omega_sr = weight * omega_sr_, projected_sr = weight * projected_sr_;
         sums.plain[0] += omega_sr;
         sums.cosine[0] += projected_sr;
@@ -219,7 +248,7 @@ class ViewKindSums {
          ...);
         sums.pixels += weight * part_;
         for (std::size_t k = 0; k < behind_W_m2_sr_.size(); ++k) {
-            double* behind_W_m2 = &behind_W_m2_[2 * (place * behind_W_m2_sr_.size() + k)];
+            double* behind_W_m2 = &behind_W_m2_[2 * (slot * behind_W_m2_sr_.size() + k)];
             behind_W_m2[0] += omega_sr * behind_W_m2_sr_[k];
             behind_W_m2[1] += projected_sr * behind_W_m2_sr_[k];
         }
@@ -231,13 +260,14 @@ class ViewKindSums {
         std::array<double, 3> plain{}, cosine{};
     };
     void addReceivers(std::size_t place, int row, double weight, const FactorSamples::Place& at) {
-        if (place >= receivers_.size()) {
-            receivers_.resize(places_);
-            runs_.resize(places_);
+        const std::size_t slot = slotOf(place);
+        if (slot >= receivers_.size()) {
+            receivers_.resize(sums_.size());
+            runs_.resize(sums_.size());
         }
-        Run& run = runs_[place];
+        Run& run = runs_[slot];
         if (run.triangle != at.triangle) {
-            std::vector<double>& sums = receivers_[place];
+            std::vector<double>& sums = receivers_[slot];
             if (sums.empty())
                 sums.resize(2 *
                             exchange_->ofRow(surfaces_.surfaceOf(surfaces_.drawnOf(row))).size());
@@ -263,15 +293,33 @@ class ViewKindSums {
             });
     }
 
-    /// By node, component, and without and with cosine.
+    /// Of the nodes of a table that were seen, by component, and without and with cosine: a table
+    /// has those of all frames, of which a part of a view sees few.
     struct Mirrors {
         std::shared_ptr<const MirrorTable> table;
         int rowsOfPlace = 1;
-        std::vector<double> sums;
+        std::vector<std::uint32_t> nodes;
+        std::vector<std::int32_t> numbers; // by node: place in the list
+        std::vector<double> sums;          // by that
+
+        const double* sumsOf(std::uint32_t node, std::size_t width) const {
+            return &sums[static_cast<std::size_t>(numbers[node]) * width];
+        }
+        double* of(std::uint32_t node, std::size_t width) {
+            if (node >= numbers.size())
+                numbers.resize(std::max<std::size_t>(node + 1, table->keys.size()), none);
+            std::int32_t& number = numbers[node];
+            if (number == none) {
+                number = static_cast<std::int32_t>(nodes.size());
+                nodes.push_back(node);
+                sums.resize(sums.size() + width);
+            }
+            return &sums[static_cast<std::size_t>(number) * width];
+        }
     };
     using MirrorKey = std::tuple<int, int, std::uint32_t>; // front, row of the first place, table
-    std::vector<double>& mirrorsOf(int front, int row, const FactorSamples& samples,
-                                   const FactorSamples::Mirror& mirror) {
+    Mirrors& mirrorsOf(int front, int row, const FactorSamples& samples,
+                       const FactorSamples::Mirror& mirror) {
         const MirrorKey key{front, row, mirror.table};
         if (lastMirrors_ == nullptr || key != lastKey_) {
             lastKey_ = key;
@@ -280,30 +328,36 @@ class ViewKindSums {
             lastMirrors_->rowsOfPlace =
                 surfaces_.first(mirror.row + 1) - surfaces_.first(mirror.row);
         }
-        return lastMirrors_->sums;
+        return *lastMirrors_;
+    }
+    /// The sums of what is mirrored in so many places from one on, one behind the other.
+    std::array<double, 2>* mirroredFrom(std::size_t place, std::size_t count, std::size_t step) {
+        mirrorSlots_.resize(slots_.size(), none);
+        if (mirrorSlots_[place] == none)
+            for (std::size_t i = 0; i < count; ++i) {
+                mirrorSlots_[place + i * step] = static_cast<std::int32_t>(mirrored_.size());
+                mirrored_.emplace_back();
+            }
+        return &mirrored_[static_cast<std::size_t>(mirrorSlots_[place])];
     }
 
-    void grow(int front) {
-        places_ = (static_cast<std::size_t>(front) + 1) * rows_;
-        sums_.resize(places_);
-        behind_W_m2_.resize(2 * sums_.size() * varying_.size());
-    }
-
-    std::size_t rows_, places_ = 0;
+    std::size_t rows_;
     const SurfaceRows& surfaces_;
     const PixelGrid& grid_;
     const std::vector<const FrameBackground*>& varying_;
     const LightExchange* exchange_;
-    std::vector<std::vector<double>> receivers_; // by front and row
+    std::vector<std::vector<double>> receivers_; // by slot
     std::vector<Run> runs_;                      // likewise
     double share_;
     double part_ = 0.0, omega_sr_ = 0.0, projected_sr_ = 0.0; // of a sample in its pixel
     std::vector<double> behind_W_m2_sr_;                      // by varying background
-    std::vector<Sums> sums_;                                  // by front and row
+    std::vector<std::int32_t> slots_, mirrorSlots_;           // by place: front, then row
+    std::vector<Sums> sums_;                                  // by slot
+    std::vector<std::array<double, 2>> mirrored_; // by slot of a mirror: without and with cosine
     std::map<MirrorKey, Mirrors> mirrors_;
     MirrorKey lastKey_{};
     Mirrors* lastMirrors_ = nullptr;
-    std::vector<double> behind_W_m2_; // by front, row and background: without and with cosine
+    std::vector<double> behind_W_m2_; // by slot and background: without and with cosine
 };
 
 /// The same by pixel: coverage and factors as parts of a pixel.

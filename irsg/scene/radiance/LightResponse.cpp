@@ -78,7 +78,7 @@ LightResponse::LightResponse(const SceneLight& light, const SceneRadiometry& rad
             reflectivities.push_back(
                 pi / static_cast<double>(own.size()) *
                 std::accumulate(own.begin(), own.end(), 0.0, [&](double sum, std::size_t i) {
-                    return sum + surface.reflectance[i];
+                    return surface.reflectance.empty() ? 0.0 : sum + surface.reflectance[i];
                 }));
         // What a row reflects once more has one bounce less to go.
         const int bounces = light.bounces() > 0 ? light.bounces() - 1 : light.bounces();

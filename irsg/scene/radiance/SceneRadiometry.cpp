@@ -63,11 +63,11 @@ SceneRadiometry::SceneRadiometry(const RadianceTerms& terms, const std::vector<E
     for (std::size_t drawn = 0; drawn < keys.size(); ++drawn) {
         const SurfaceModel* model = models_[drawn].get();
         const auto entity = static_cast<std::size_t>(keys[drawn].first);
-        const std::size_t lights =
-            model ? bands.front().air.objects[entity].mirrored.size() : std::size_t{0};
+        const std::size_t lights = model ? mirrored_[entity].size() : std::size_t{0};
         const auto add = [&](std::size_t component, int light) {
             lobes.push_back({static_cast<int>(drawn), static_cast<int>(component), light});
         };
+        // Components first, by which `scaling` finds them.
         for (std::size_t k = 0; model && k < model->components(); ++k)
             add(k, -1);
         for (std::size_t k = 0; model && k < model->components() && model->hasLobe(k); ++k)
@@ -89,6 +89,10 @@ SceneRadiometry::SceneRadiometry(const RadianceTerms& terms, const std::vector<E
 void SceneRadiometry::joinAir(const std::vector<SampledBand>& bands) {
     for (std::size_t e = 0; e < air_.size(); ++e) {
         ambient_K_.push_back(bands.front().air.objects[e].ambient_K);
+        std::vector<SharedValues>& mirrored = mirrored_.emplace_back();
+        for (std::size_t k = 0; k < bands.front().air.objects[e].mirrored.size(); ++k)
+            mirrored.push_back(joined(
+                bands, [&](const SampledBand& band) { return band.air.objects[e].mirrored[k]; }));
         for (std::size_t node = 0; node < air_[e].size(); ++node) {
             const auto ofNode = [&](const SampledBand& band) -> const AirSamples& {
                 return band.air.objects[e].nodes[node];
@@ -139,25 +143,23 @@ void SceneRadiometry::fillSurface(int drawn, const std::vector<Entity>& entities
     surfaces_[static_cast<std::size_t>(drawn)] =
         surfaceSpectra(input, wavelengths_um_, sample, directional);
     if (directional.model)
-        fillLobes(drawn, directional, bands);
+        fillLobes(drawn, directional);
 }
 
-void SceneRadiometry::fillLobes(int drawn, const DirectionalSpectra& directional,
-                                const std::vector<SampledBand>& bands) {
+void SceneRadiometry::fillLobes(int drawn, const DirectionalSpectra& directional) {
     const auto entity = static_cast<std::size_t>(rows_.keyOf(drawn).first);
     const SurfaceSpectra& whole = surfaces_[static_cast<std::size_t>(drawn)];
+    const std::vector<SharedValues> amounts = lobeAmounts(directional);
     for (auto lobe = static_cast<std::size_t>(rows_.firstLobe(drawn)); lobe < surfaces_.size();
          ++lobe) {
         const LobeRow& row = rows_.lobe(static_cast<int>(lobe));
         if (row.surface != drawn)
             break;
-        SharedValues light;
-        if (row.light >= 0)
-            light = joined(bands, [&](const SampledBand& band) {
-                return band.air.objects[entity].mirrored[static_cast<std::size_t>(row.light)];
-            });
-        surfaces_[lobe] = lobeSpectra(whole, directional, static_cast<std::size_t>(row.component),
-                                      wavelengths_um_, std::move(light));
+        const auto component = static_cast<std::size_t>(row.component);
+        surfaces_[lobe] =
+            row.light < 0 ? lobeSpectra(whole, directional, component, wavelengths_um_)
+                          : mirrorSpectra(whole, amounts[component],
+                                          mirrored_[entity][static_cast<std::size_t>(row.light)]);
     }
 }
 
@@ -169,7 +171,6 @@ void SceneRadiometry::fillThermal(int drawn) {
         SurfaceSpectra alone;
         alone.emission.push_back({1.0, part.radiance});
         alone.emissionPassesAir = surface.emissionPassesAir;
-        alone.opacity.resize(part.radiance.size());
         std::vector<double> ofPart(outputs_.size(), 0.0);
         for (std::size_t k = 0; k < terms_->terms.size(); ++k) {
             if (terms_->terms[k].surface != SurfaceQuantity::emission)
@@ -222,6 +223,14 @@ std::vector<double> SceneRadiometry::sampled(const Spectrum& spectrum,
 const AirSamples& SceneRadiometry::air(int row) const {
     const auto entity = static_cast<std::size_t>(rows_.keyOf(rows_.drawnOf(row)).first);
     return air_[entity][static_cast<std::size_t>(rows_.nodeOf(row))];
+}
+
+const SurfaceSpectra& SceneRadiometry::scaling(int drawn) const {
+    if (rows_.isLobe(drawn) && rows_.lobe(drawn).light >= 0) {
+        const LobeRow& row = rows_.lobe(drawn);
+        drawn = rows_.firstLobe(row.surface) + row.component;
+    }
+    return surfaces_[static_cast<std::size_t>(drawn)];
 }
 
 const std::vector<double>& SceneRadiometry::transmissivity(int entity, int material) const {

@@ -39,6 +39,10 @@ class SceneRadiometry {
         return surfaces_[static_cast<std::size_t>(rows_.drawnOf(row))];
     }
 
+    /// What says how a drawn row depends on the scale of its emissivity: itself, or of what mirrors
+    /// the air the component.
+    const SurfaceSpectra& scaling(int drawn) const;
+
     const std::vector<double>& wavelengths_um() const { return wavelengths_um_; }
     const std::vector<double>& weights_um() const { return weights_um_; }
     /// Nodes that are summed together, first and behind the last: a band's, or one wavelength.
@@ -61,8 +65,7 @@ class SceneRadiometry {
                      const std::vector<ObjectGeometry>& geometry,
                      const std::vector<SampledBand>& bands);
     /// The lobes of a surface.
-    void fillLobes(int drawn, const DirectionalSpectra& directional,
-                   const std::vector<SampledBand>& bands);
+    void fillLobes(int drawn, const DirectionalSpectra& directional);
     void fillThermal(int drawn);
     SurfaceInput inputOf(int drawn, const std::vector<Entity>& entities,
                          const std::vector<ObjectGeometry>& geometry) const;
@@ -75,8 +78,9 @@ class SceneRadiometry {
     std::vector<std::pair<std::size_t, std::size_t>> outputs_;
     std::vector<SurfaceSpectra> surfaces_;
     std::vector<std::shared_ptr<const SurfaceModel>> models_;
-    std::vector<std::vector<AirSamples>> air_; // by entity and node
-    std::vector<double> ambient_K_;            // by entity
+    std::vector<std::vector<AirSamples>> air_;        // by entity and node
+    std::vector<std::vector<SharedValues>> mirrored_; // by entity and place of its MirrorGrid
+    std::vector<double> ambient_K_;                   // by entity
     /// By drawn row: in-band emission of every part at a factor of 1, output by output.
     std::vector<std::vector<double>> thermal_W_m2_sr_;
     std::map<std::pair<int, int>, std::vector<double>> transmissivities_;

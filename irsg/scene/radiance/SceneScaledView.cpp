@@ -97,7 +97,7 @@ SceneScaledView::SceneScaledView(const ViewFactors& view, const SceneRadiometry&
 
 SceneScaledView::Surface SceneScaledView::surfaceOf(const SceneRadiometry& radiometry,
                                                     int drawn) const {
-    const SurfaceSpectra& spectra = radiometry.surfaces()[static_cast<std::size_t>(drawn)];
+    const SurfaceSpectra& spectra = radiometry.scaling(drawn);
     Surface surface;
     surface.temperature_K = spectra.temperature_K;
     for (std::size_t i = nodes_.first; i < nodes_.second; ++i) {
