@@ -17,11 +17,10 @@ namespace smat {
 namespace {
 
 /// What the terms of wideband-ck save and what training them costs, in units of transmittance and
-/// radiance of a path at all nodes of the band. In processor time of computed air, whatever the
-/// band (docs/atmosphere-accuracy.md):
-constexpr double ofSky = 2.7,
-                 ofGases = 2.4; ///< a row of the background; a case with spectra of gas
-constexpr double training = 430.0, trainingWithGases = 1075.0;
+/// radiance of a path at all nodes of the band: a row of the background, and a case with spectra of
+/// gas, which make training dearer. In processor time of computed air
+/// (docs/atmosphere-accuracy.md).
+constexpr double ofSky = 2.7, ofGases = 2.4, dearerWithGases = 2.5;
 
 /// Terms of air of a file are trained in a few lines of sight.
 constexpr double fewestInAirOfAFile = 3.0;
@@ -29,11 +28,32 @@ constexpr double fewestInAirOfAFile = 3.0;
 /// Rows of a background that is as fine as half a percent needs, about.
 constexpr int adaptiveRows = 16;
 
-bool hasComputedAir(const SceneDescription& scene) {
-    return std::ranges::any_of(scene.allBands(), [&](const irsg::Band& band) {
-        return dynamic_cast<const irsg::AtmosphereSmart*>(
-                   scene.environment.findWideband(band.range())) != nullptr;
-    });
+/// Nodes of bins of 1 and of 15 cm-1, of those of 5 cm-1 over the same band.
+double nodesBeside5(int resolution_per_cm) {
+    return resolution_per_cm == 1 ? 2.55 : resolution_per_cm == 15 ? 0.37 : 1.0;
+}
+
+/// What training in computed air costs, nodes of all bands counted; 0 where no air is computed.
+/// Nodes that lie dense are of many lines of several gases, whose fit needs more terms: 350 to 370
+/// units at 1.1 to 1.3 nodes of bins of 5 cm-1 per cm-1, 430 at 1.5, 605 to 735 at 1.9.
+double training(const SceneDescription& scene) {
+    double cost = 0.0, all = 0.0;
+    for (const irsg::Band& band : scene.allBands()) {
+        const auto* air = dynamic_cast<const irsg::AtmosphereSmart*>(
+            scene.environment.findWideband(band.range()));
+        const auto sampling = air ? air->nodesOf({band}) : nullptr;
+        if (!sampling)
+            continue;
+        const int bin_per_cm = air->parameters().resolution_per_cm;
+        const double beside5 = nodesBeside5(bin_per_cm);
+        const auto nodes = static_cast<double>(sampling->size());
+        const double width_per_cm = 1e4 / band.range().min_um - 1e4 / band.range().max_um;
+        const double density = nodes / (width_per_cm + 2.0 * bin_per_cm) / beside5;
+        constexpr double ofAir = 260.0, ofFit = 86.0, ofDenseFit = 700.0, sparse = 1.4;
+        cost += nodes * (ofAir + (ofFit + ofDenseFit * std::max(0.0, density - sparse)) / beside5);
+        all += nodes;
+    }
+    return all > 0.0 ? cost / all : 0.0;
 }
 
 /// Skies that differ: by the camera's altitude and elevation, and by the range where rows of the
@@ -50,7 +70,8 @@ std::size_t skiesOf(const AnalysisPlan& plan, int rows) {
 
 /// How many different lines of sight like those of a plan pay for training.
 std::size_t fewestToTrain(const SceneDescription& scene, const AnalysisPlan& plan) {
-    if (!hasComputedAir(scene))
+    const double computed = training(scene);
+    if (computed == 0.0)
         return static_cast<std::size_t>(fewestInAirOfAFile);
     const bool hasGases = !irsg::widebandSpectraOf(scene.entities).radiances.empty();
     const auto lines = std::max(1.0, static_cast<double>(linesOfSight(plan)));
@@ -63,7 +84,7 @@ std::size_t fewestToTrain(const SceneDescription& scene, const AnalysisPlan& pla
     if (hasGases)
         saved += ofGases * static_cast<double>(plan.cases.size());
     return static_cast<std::size_t>(
-        std::ceil((hasGases ? trainingWithGases : training) * lines / saved));
+        std::ceil((hasGases ? dearerWithGases : 1.0) * computed * lines / saved));
 }
 
 } // namespace

@@ -47,28 +47,41 @@ std::size_t fewestOf(const SceneDescription& scene, double elevation_deg = 12.0)
 }
 
 TEST(CalculationChoices, AreSpectralUntilLinesOfSightPayForTraining) {
-    const CalculationChoice few = chooseCalculation(computedAir(), ranges(116));
+    const CalculationChoice few = chooseCalculation(computedAir(), ranges(125));
     EXPECT_EQ(few.mode, CalculationMode::spectral);
     EXPECT_EQ(few.reason,
-              "mode auto: spectral, as training wideband-ck pays from 117 different lines of "
-              "sight on, not for 116");
-    const CalculationChoice many = chooseCalculation(computedAir(), ranges(117));
+              "mode auto: spectral, as training wideband-ck pays from 126 different lines of "
+              "sight on, not for 125");
+    const CalculationChoice many = chooseCalculation(computedAir(), ranges(126));
     EXPECT_EQ(many.mode, CalculationMode::wideband);
-    EXPECT_THAT(many.reason, HasSubstr("117 different lines of sight pay"));
+    EXPECT_THAT(many.reason, HasSubstr("126 different lines of sight pay"));
 }
 
 /// Break-evens by processor time: a box before a background of one row at 112 to 125 lines, a
 /// corvette before 16 rows below 30.
 TEST(CalculationChoices, CountWhatTheAirIsAskedForALineOfSight) {
     SceneDescription scene = computedAir();
-    EXPECT_EQ(fewestOf(scene, 0.0), 428u) << "one sky for all ranges";
+    EXPECT_EQ(fewestOf(scene, 0.0), 460u) << "one sky for all ranges";
     scene.render.backgroundRows = 16;
-    EXPECT_EQ(fewestOf(scene), 10u);
-    EXPECT_EQ(fewestOf(scene, 0.0), 10u) << "rows spread over the picture, whose width changes";
+    EXPECT_EQ(fewestOf(scene), 11u);
+    EXPECT_EQ(fewestOf(scene, 0.0), 11u) << "rows spread over the picture, whose width changes";
     scene.render.backgroundRows = 0;
-    EXPECT_EQ(fewestOf(scene), 10u) << "as many as needed";
+    EXPECT_EQ(fewestOf(scene), 11u) << "as many as needed";
     scene.render.background = irsg::BackgroundMode::none;
-    EXPECT_EQ(fewestOf(scene), 430u) << "no sky";
+    EXPECT_EQ(fewestOf(scene), 463u) << "no sky";
+}
+
+/// By processor time training costs what 605 to 735 paths do at 4.4 to 5 um, 350 at 3.5 to 4.1 um.
+TEST(CalculationChoices, AreTrainedLaterWhereTheSpectrumHasManyLinesOfSeveralGases) {
+    irsg::AtmosphereSmartParameters parameters;
+    SceneDescription scene;
+    scene.environment.add(std::make_shared<irsg::AtmosphereSmart>(parameters));
+    scene.sensor.band = irsg::Band::topHat(4.5, 5.0);
+    const std::size_t dense = fewestOf(scene);
+    scene.sensor.band = irsg::Band::topHat(3.5, 4.1);
+    const std::size_t sparse = fewestOf(scene);
+    EXPECT_NEAR(static_cast<double>(dense), 184.0, 20.0);
+    EXPECT_NEAR(static_cast<double>(sparse), 94.0, 10.0);
 }
 
 TEST(CalculationChoices, CountALineOfSightOnceHoweverManyAspectsShareIt) {
