@@ -198,13 +198,16 @@ int main(int argc, char** argv) {
                          one.error.background / std::abs(one.truth),
                          one.isCovered() ? "covered" : "MISSED", random.name.c_str());
     }
-    std::printf("| numbers | count | within the error | error in terms of what is wrong, median |\n"
-                "|---|---|---|---|\n");
-    intensity.print("intensity");
-    contrast.print("contrast intensity");
-    for (int k = 0; k < 3; ++k)
-        of[k].print(names[k]);
-    all.print("all");
+    if (!isTimed) {
+        std::printf(
+            "| numbers | count | within the error | error in terms of what is wrong, median |\n"
+            "|---|---|---|---|\n");
+        intensity.print("intensity");
+        contrast.print("contrast intensity");
+        for (int k = 0; k < 3; ++k)
+            of[k].print(names[k]);
+        all.print("all");
+    }
     std::printf(
         "\n| turns of 12 aspects | without errors, s | with, s | ratio |\n|---|---|---|---|\n");
     for (int k = 0; k < 3; ++k) {

@@ -1,5 +1,7 @@
 #include "gui/image/PixelPanel.h"
 
+#include <utility>
+
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -26,7 +28,7 @@ QString pixelNumber(double number, int digits = 7) {
 
 /// A row that says one thing.
 QTreeWidgetItem* addPixelRow(QTreeWidgetItem* parent, const QString& name, const QString& text) {
-    auto* row = new QTreeWidgetItem(parent);
+    auto* row = parent ? new QTreeWidgetItem(parent) : new QTreeWidgetItem;
     row->setText(what, name);
     row->setText(value, text);
     row->setTextAlignment(value, Qt::AlignRight | Qt::AlignVCenter);
@@ -38,27 +40,30 @@ QTreeWidgetItem* addPixelRow(QTreeWidgetItem* parent, const QString& name, doubl
     return addPixelRow(parent, name, pixelNumber(number) + (unit.isEmpty() ? "" : " " + unit));
 }
 
-/// A row over others, in bold.
-QTreeWidgetItem* addPixelHead(QTreeWidget* tree, const QString& name, const QString& text) {
-    auto* head = addPixelRow(tree->invisibleRootItem(), name, text);
-    for (const PixelColumn column : {what, value}) {
-        QFont font = tree->font();
-        font.setBold(true);
-        head->setFont(column, font);
+/// Rows over others, in bold, that are in no tree yet: one that shows them would measure all of
+/// itself for each text.
+struct PixelHeads {
+    QFont bold;
+    QList<QTreeWidgetItem*> all;
+
+    QTreeWidgetItem* add(const QString& name, const QString& text) {
+        auto* head = addPixelRow(nullptr, name, text);
+        for (const PixelColumn column : {what, value})
+            head->setFont(column, bold);
+        all.append(head);
+        return head;
     }
-    return head;
-}
+};
 
 QString codeWords(int index, const std::string& name) {
     return name.empty() ? QString::number(index)
                         : QStringLiteral("%1 %2").arg(index).arg(QString::fromStdString(name));
 }
 
-void addPixelSurface(QTreeWidget* tree, const irsg::ExplainedSurface& surface) {
+void addPixelSurface(PixelHeads& heads, const irsg::ExplainedSurface& surface) {
     const auto tr = [](const char* text) { return PixelPanel::tr(text); };
     const QString name = QString::fromStdString(surface.object);
-    auto* head = addPixelHead(
-        tree,
+    auto* head = heads.add(
         (surface.lightAlone ? tr("Layer %1: %2, light through others") : tr("Layer %1: %2"))
             .arg(surface.layer)
             .arg(name),
@@ -101,14 +106,15 @@ void addPixelSurface(QTreeWidget* tree, const irsg::ExplainedSurface& surface) {
         addPixelRow(head, tr("background that it hides"), surface.hidden_W_m2_sr);
 }
 
-void fillPixelTree(QTreeWidget* tree, const ExplainedPixel& pixel) {
+QList<QTreeWidgetItem*> pixelHeads(QFont bold, const ExplainedPixel& pixel) {
+    bold.setBold(true);
+    PixelHeads heads{std::move(bold), {}};
     const auto tr = [](const char* text) { return PixelPanel::tr(text); };
     const irsg::PixelExplanation& of = pixel.computed;
     for (const irsg::ExplainedSurface& surface : of.surfaces)
-        addPixelSurface(tree, surface);
-    auto* background =
-        addPixelHead(tree, of.surfaces.empty() ? tr("Background alone") : tr("Background"),
-                     pixelNumber(of.backgroundLeft_W_m2_sr));
+        addPixelSurface(heads, surface);
+    auto* background = heads.add(of.surfaces.empty() ? tr("Background alone") : tr("Background"),
+                                 pixelNumber(of.backgroundLeft_W_m2_sr));
     const auto part = [&](const QString& name, const std::optional<double>& number) {
         if (number)
             addPixelRow(background, name, *number);
@@ -117,7 +123,7 @@ void fillPixelTree(QTreeWidget* tree, const ExplainedPixel& pixel) {
     part(tr("terrain"), of.terrain_W_m2_sr);
     part(tr("the environment's"), of.environment_W_m2_sr);
     addPixelRow(background, tr("behind the pixel"), of.background_W_m2_sr);
-    auto* sum = addPixelHead(tree, tr("Computed"), pixelNumber(of.radiance_W_m2_sr));
+    auto* sum = heads.add(tr("Computed"), pixelNumber(of.radiance_W_m2_sr));
     addPixelRow(sum, tr("drawn"), pixel.drawn_W_m2_sr);
     addPixelRow(sum, tr("difference"), pixel.difference_W_m2_sr());
     addPixelRow(sum, tr("difference of what was drawn"), pixel.relative());
@@ -127,6 +133,7 @@ void fillPixelTree(QTreeWidget* tree, const ExplainedPixel& pixel) {
     }
     addPixelRow(sum, tr("rays through the pixel"), QString::number(of.samples));
     addPixelRow(sum, tr("3 × 3 pixels hit the same facet"), of.isInterior ? tr("yes") : tr("no"));
+    return heads.all;
 }
 
 } // namespace
@@ -228,9 +235,11 @@ void PixelPanel::explain() {
 void PixelPanel::show(const ExplainedPixel& pixel) {
     answer_ = pixel;
     tree_->setUpdatesEnabled(false);
+    tree_->header()->setSectionResizeMode(QHeaderView::Fixed); // columns are measured once
     tree_->clear();
-    fillPixelTree(tree_, pixel);
+    tree_->addTopLevelItems(pixelHeads(tree_->font(), pixel));
     tree_->expandAll();
+    tree_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     tree_->setUpdatesEnabled(true);
     copy_->setEnabled(true);
     QStringList remarks;

@@ -160,6 +160,56 @@ TEST(SmatBatchTable, HasTheNumbersOfARunForEachStateAndBand) {
     }
 }
 
+TEST(SmatBatchTable, IsReadByGnuOctaveAsItIsWrittenAsCsv) {
+#ifndef SMAT_HAS_MATIO
+    GTEST_SKIP() << "built without matio, which writes MATLAB's layout";
+#endif
+    const std::string octave = "octave-cli";
+    if (runProgram({octave, "--version"}).exitCode != 0) {
+        GTEST_SKIP() << "GNU Octave (octave-cli) is not installed";
+    }
+    const TemporaryFolder folder;
+    const std::string mat = folder / "table.mat", csv = folder / "table.csv";
+    const Ran table = smatBatch({"table",
+                                 sample("turboprop4/turboprop4.smat"),
+                                 "--azimuth-step",
+                                 "45",
+                                 "--elevation-from",
+                                 "-20",
+                                 "--elevation-to",
+                                 "20",
+                                 "--elevation-step",
+                                 "20",
+                                 "--band",
+                                 "3-5,8-12",
+                                 "--width",
+                                 "64",
+                                 "--height",
+                                 "64",
+                                 "--out",
+                                 mat,
+                                 "--out",
+                                 csv});
+    ASSERT_EQ(table.exitCode, 0) << table.err;
+    const std::string script = std::string(SMAT_SOURCE_DIR) + "/benchmarks/read_table.m";
+    const auto read = [&](const std::string& other) {
+        return runProgram({octave, "--norc", script, mat, other});
+    };
+    const Ran same = read(csv);
+    EXPECT_EQ(same.exitCode, 0) << same.out << same.err;
+    EXPECT_THAT(same.out, HasSubstr("48 cells, largest relative difference"));
+
+    // Other numbers under the same name are told.
+    std::string text = contentOf(csv);
+    const auto rename = [&](const std::string& from, const std::string& to) {
+        text.replace(text.find(from), from.size(), to);
+    };
+    rename(",contrast_intensity@3-5um", ",other@3-5um");
+    rename(",source_intensity@3-5um", ",contrast_intensity@3-5um");
+    write(folder / "other.csv", text);
+    EXPECT_EQ(read(folder / "other.csv").exitCode, 1);
+}
+
 /// A result without the command that made it.
 std::string withoutCommand(const std::string& file) {
     std::string text = contentOf(file);
