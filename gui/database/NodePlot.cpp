@@ -30,6 +30,14 @@ QwtPlotCurve* attached(QwtPlot* plot, double z) {
     return curve;
 }
 
+/// Where a plot is low a name below the numbers would be cut; it heads the column of the table,
+/// too.
+void nameAxes(QwtPlot& plot, const NodeRules& rules, const PlotStyle& style) {
+    const bool isLow = plot.height() < 9 * plot.fontMetrics().height();
+    plot.setAxisTitle(QwtPlot::xBottom, isLow ? QwtText() : axisText(rules.xTitle(), style));
+    plot.setAxisTitle(QwtPlot::yLeft, axisText(rules.yTitle(), style));
+}
+
 } // namespace
 
 NodePlot::NodePlot(QWidget* parent) : QwtPlot(parent) {
@@ -69,6 +77,7 @@ void NodePlot::resizeEvent(QResizeEvent* event) {
     constexpr int number_px = 40, line_px = 26;
     setAxisMaxMajor(xBottom, std::clamp(canvas()->width() / number_px, 3, 8));
     setAxisMaxMajor(yLeft, std::clamp(canvas()->height() / line_px, 3, 8));
+    nameAxes(*this, rules_, PlotStyle::screen(QApplication::palette()));
     replot();
 }
 
@@ -79,8 +88,7 @@ void NodePlot::dress() {
     dressPlot(*this, style);
     setContentsMargins(4, 6, 10, 4);
     grid_->setMajorPen(style.grid, 1.0);
-    setAxisTitle(xBottom, axisText(rules_.xTitle(), style));
-    setAxisTitle(yLeft, axisText(rules_.yTitle(), style));
+    nameAxes(*this, rules_, style);
     if (!backdrop_.empty() && legend() == nullptr)
         insertLegend(new QwtLegend, QwtPlot::TopLegend);
     if (auto* texts = qobject_cast<QwtLegend*>(legend())) {

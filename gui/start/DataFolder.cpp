@@ -17,7 +17,7 @@ struct Named {
 };
 constexpr std::array known{
     Named{"heron", QT_TRANSLATE_NOOP("Samples", "Patrol aircraft"),
-          QT_TRANSLATE_NOOP("Samples", "Two turboprops low over the sea, 35,000 facets")},
+          QT_TRANSLATE_NOOP("Samples", "A twin turboprop low over the sea")},
     Named{"corvette", QT_TRANSLATE_NOOP("Samples", "Corvette"),
           QT_TRANSLATE_NOOP("Samples", "A warship with hot funnels and their plumes")},
     Named{"turboprop4", QT_TRANSLATE_NOOP("Samples", "Transport aircraft"),

@@ -19,6 +19,7 @@
 
 #include "gui/scenario/ScenarioPage.h"
 #include "tests/gui/WindowFixture.h"
+#include "tests/guide/GuideWalk.h"
 
 namespace smat::gui {
 namespace {
@@ -177,6 +178,38 @@ TEST_F(UserGuideTest, EveryQuotedMenuEntryIsThereUnderThatNameAndKey) {
         }
     }
     EXPECT_GT(paths, 15);
+}
+
+/// What a chapter says is done step by step by a test (tests/guide/GuideWalk.h).
+TEST(UserGuide, EverySectionOfEveryChapterIsWalkedByATest) {
+    QStringList walked;
+    const QDir tests(QString(SMAT_SOURCE_DIR) + "/tests/guide");
+    for (const QString& name : tests.entryList({"*Test.cpp"}, QDir::Files)) {
+        QFile file(tests.filePath(name));
+        ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+        const QString text = QString::fromUtf8(file.readAll());
+        const QRegularExpression walk(R"rx(GuideWalk walk\("([^"]+)"(?:, "([^"]*)")?\))rx");
+        for (auto it = walk.globalMatch(text); it.hasNext();) {
+            const auto match = it.next();
+            walked << (match.hasCaptured(2) ? match.captured(1) + ": " + match.captured(2)
+                                            : match.captured(1));
+        }
+    }
+    const QDir pages(QString(SMAT_SOURCE_DIR) + "/docs/user-guide");
+    int chapters = 0;
+    for (const QString& name : pages.entryList({"*.md"}, QDir::Files)) {
+        const QString chapter = name.chopped(3);
+        if (chapter == "README") {
+            continue; // the table of contents
+        }
+        ++chapters;
+        for (const QString& section : test::sectionsOf(pages.filePath(name))) {
+            EXPECT_TRUE(walked.contains(chapter) || walked.contains(chapter + ": " + section))
+                << "no test of tests/guide walks " << name.toStdString() << ", "
+                << section.toStdString();
+        }
+    }
+    EXPECT_EQ(chapters, 12);
 }
 
 TEST_F(UserGuideTest, KeysInTablesAreThoseOfTheEntriesTheyStandBeside) {
