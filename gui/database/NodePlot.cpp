@@ -33,7 +33,7 @@ QwtPlotCurve* attached(QwtPlot* plot, double z) {
 /// Where a plot is low a name below the numbers would be cut; it heads the column of the table,
 /// too.
 void nameAxes(QwtPlot& plot, const NodeRules& rules, const PlotStyle& style) {
-    const bool isLow = plot.height() < 9 * plot.fontMetrics().height();
+    const bool isLow = plot.height() < 11 * plot.fontMetrics().height();
     plot.setAxisTitle(QwtPlot::xBottom, isLow ? QwtText() : axisText(rules.xTitle(), style));
     plot.setAxisTitle(QwtPlot::yLeft, axisText(rules.yTitle(), style));
 }
@@ -44,7 +44,7 @@ NodePlot::NodePlot(QWidget* parent) : QwtPlot(parent) {
     setObjectName("nodePlot");
     setFocusPolicy(Qt::StrongFocus);
     setAutoReplot(false);
-    setMinimumSize(180, 130);
+    setMinimumSize(180, 100);
     auto* sheet = new QwtPlotCanvas(this);
     sheet->setFrameStyle(QFrame::NoFrame);
     setCanvas(sheet);

@@ -1,4 +1,5 @@
 #include <QApplication>
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QListWidget>
 #include <QToolButton>
@@ -136,6 +137,7 @@ TEST_P(FilmStripTest, FromTheStartPageToReopenedResults) {
     ASSERT_TRUE(test::waitUntil([&] { return later.results().size() == results; }));
     list = window->findChild<QListWidget*>("resultList");
     list->selectAll();
+    window->findChild<QDockWidget*>("resultsDock")->raise();
     keep("reopened");
     list->clearSelection();
     for (const int row : {0, 1}) {

@@ -6,6 +6,7 @@
 #include <QTabWidget>
 
 #include "gui/database/DatabaseDock.h"
+#include "gui/database/NodePlot.h"
 #include "gui/tools/AirToolPage.h"
 #include "tests/gui/WindowFixture.h"
 
@@ -126,6 +127,11 @@ TEST_F(WindowSizeTest, TheDatabaseEditorNeedsNoScrollingOnASmallScreen) {
         QTest::qWait(30);
         EXPECT_EQ(scroll->verticalScrollBar()->maximum(), 0) << page.toStdString();
         EXPECT_EQ(scroll->horizontalScrollBar()->maximum(), 0) << page.toStdString();
+        for (const auto* plot : editor.findChildren<NodePlot*>()) {
+            if (plot->isVisible()) {
+                EXPECT_EQ(plot->visibleRegion().boundingRect(), plot->rect()) << page.toStdString();
+            }
+        }
     };
     int pages = 0;
     for (int i = 0; i < editor.tabs()->count(); ++i) {
