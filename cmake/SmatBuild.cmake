@@ -29,10 +29,12 @@ option(SMAT_FUZZ "Build fuzz-readers for libFuzzer (needs clang)" OFF)
 option(SMAT_WARNINGS_AS_ERRORS "Treat warnings in our own code as errors" OFF)
 option(SMAT_PRECOMPILE "Precompile the Qt, OpenSceneGraph and GoogleTest headers" ON)
 
-# Files that are compiled together read the headers they share once, which halves the time of a whole
-# build; a build in which single files change is quicker without. What stands in an unnamed namespace
-# then meets that of other files: a name that is taken is an error of the compiler.
-option(SMAT_UNITY "Compile sixteen source files at a time" OFF)
+# Files that are compiled together read the headers they share once and make what templates they share
+# once, which takes a third of the time of a whole build; one in which single files change is quicker
+# without. What stands in an unnamed namespace then meets that of other files: a name that is taken is an
+# error of the compiler.
+option(SMAT_UNITY "Compile SMAT_UNITY_FILES source files at a time" OFF)
+set(SMAT_UNITY_FILES 64 CACHE STRING "Source files that are compiled together, at most")
 
 # Applies the house rules to one target of ours.
 function(smat_configure_target target)
@@ -40,7 +42,7 @@ function(smat_configure_target target)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion
                                              $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
     if(SMAT_UNITY)
-        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
+        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${SMAT_UNITY_FILES})
         # An Impl whose members have types of its file's unnamed namespace is of that file alone.
         target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
     endif()
@@ -63,9 +65,11 @@ endfunction()
 
 # smat_precompile(target gtest) precompiles the headers of one big library for a target that uses it:
 # qt, osg, gtest, cli (CLI11) or core (JSON and the larger standard headers). Best where a target has
-# four source files or more; a target may ask for several. SMAT_PRECOMPILE=OFF switches all of it off.
+# four compilations or more; a target may ask for several. Not where files are compiled together, which
+# read them too seldom. SMAT_PRECOMPILE=OFF switches all of it off.
 function(smat_precompile target kind)
-    if(NOT SMAT_PRECOMPILE)
+    get_target_property(unity ${target} UNITY_BUILD)
+    if(NOT SMAT_PRECOMPILE OR unity)
         return()
     endif()
     set(qt <QtWidgets>)

@@ -15,7 +15,7 @@ namespace smat::gui {
 
 namespace {
 
-constexpr int margin = 12, titleHeight = 26, captionHeight = 36, axisHeight = 22 + captionHeight;
+constexpr int barMargin = 12, titleHeight = 26, captionHeight = 36, axisHeight = 22 + captionHeight;
 
 QString percent(const Estimate& estimate) {
     return QString::number(100.0 * estimate.value, 'f', 1);
@@ -51,7 +51,7 @@ RankingBars::Axis RankingBars::axis() const {
 }
 
 int RankingBars::rowHeight() const {
-    const int room = height() - 2 * margin - titleHeight - axisHeight;
+    const int room = height() - 2 * barMargin - titleHeight - axisHeight;
     return std::clamp(room / std::max(static_cast<int>(bars_.size()), 1), fontMetrics().height(),
                       30);
 }
@@ -71,13 +71,14 @@ void RankingBars::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), style.background);
     painter.setFont(plotFont(1.0, true));
     painter.setPen(style.text);
-    painter.drawText(QRect(margin, margin, width() - 2 * margin, titleHeight), Qt::AlignCenter,
-                     tr("Share of the spread by scale"));
+    painter.drawText(QRect(barMargin, barMargin, width() - 2 * barMargin, titleHeight),
+                     Qt::AlignCenter, tr("Share of the spread by scale"));
     painter.setFont(plotFont());
     if (bars_.empty()) {
         painter.setPen(style.faintText);
-        painter.drawText(rect().adjusted(margin, margin + titleHeight, -margin, -margin),
-                         Qt::AlignCenter | Qt::TextWordWrap, hint_);
+        painter.drawText(
+            rect().adjusted(barMargin, barMargin + titleHeight, -barMargin, -barMargin),
+            Qt::AlignCenter | Qt::TextWordWrap, hint_);
         return;
     }
 
@@ -88,11 +89,11 @@ void RankingBars::paintEvent(QPaintEvent*) {
         names = std::max(names, metrics.horizontalAdvance(bar.name));
     names = std::min(names, width() / 2);
     const auto [least, most, step] = axis();
-    const int left = margin + names + 8, right = width() - margin - 44;
-    const int top = margin + titleHeight;
+    const int left = barMargin + names + 8, right = width() - barMargin - 44;
+    const int top = barMargin + titleHeight;
     const int row = rowHeight();
     const int rows =
-        std::min(static_cast<int>(bars_.size()), (height() - margin - axisHeight - top) / row);
+        std::min(static_cast<int>(bars_.size()), (height() - barMargin - axisHeight - top) / row);
     const int bottom = top + rows * row;
     const auto xOf = [&](double share) {
         return left + (right - left) * std::clamp((share - least) / (most - least), 0.0, 1.0);
@@ -109,14 +110,14 @@ void RankingBars::paintEvent(QPaintEvent*) {
         painter.setPen(QPen(style.text, 1.0));
         painter.drawLine(QPointF(xOf(0.0), top), QPointF(xOf(0.0), bottom));
     }
-    painter.drawText(QRectF(margin, bottom + 20, width() - 2.0 * margin, captionHeight),
+    painter.drawText(QRectF(barMargin, bottom + 20, width() - 2.0 * barMargin, captionHeight),
                      Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, caption());
 
     for (int i = 0; i < rows; ++i) {
         const RankingBar& bar = bars_[static_cast<std::size_t>(i)];
         const double y = top + i * row, middle = y + 0.5 * row, thickness = 0.62 * row;
         painter.setPen(style.text);
-        painter.drawText(QRectF(margin, y, names, row), Qt::AlignRight | Qt::AlignVCenter,
+        painter.drawText(QRectF(barMargin, y, names, row), Qt::AlignRight | Qt::AlignVCenter,
                          metrics.elidedText(bar.name, Qt::ElideMiddle, names));
         const auto rectTo = [&](double share) {
             return QRectF(xOf(0.0), middle - 0.5 * thickness, xOf(share) - xOf(0.0), thickness)
@@ -144,8 +145,8 @@ bool RankingBars::event(QEvent* event) {
     if (event->type() != QEvent::ToolTip)
         return QWidget::event(event);
     const auto* help = static_cast<QHelpEvent*>(event);
-    const int i = (help->pos().y() - margin - titleHeight) / rowHeight();
-    if (help->pos().y() < margin + titleHeight || i >= static_cast<int>(bars_.size())) {
+    const int i = (help->pos().y() - barMargin - titleHeight) / rowHeight();
+    if (help->pos().y() < barMargin + titleHeight || i >= static_cast<int>(bars_.size())) {
         QToolTip::hideText();
         return true;
     }

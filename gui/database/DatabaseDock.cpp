@@ -28,7 +28,7 @@ namespace {
 
 constexpr int findingsTab = 3;
 /// From here on the entry stands beside the list, not below it.
-constexpr int wide_px = 820;
+constexpr int sideBySide_px = 820;
 
 } // namespace
 
@@ -329,7 +329,7 @@ void DatabaseDock::exportSpectrum() {
 void DatabaseDock::resizeEvent(QResizeEvent* event) {
     QDockWidget::resizeEvent(event);
     for (const auto& page : pages_)
-        page.split->setOrientation(width() >= wide_px ? Qt::Horizontal : Qt::Vertical);
+        page.split->setOrientation(width() >= sideBySide_px ? Qt::Horizontal : Qt::Vertical);
 }
 
 } // namespace smat::gui

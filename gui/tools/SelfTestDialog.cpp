@@ -33,7 +33,7 @@ struct SelfTestDialog::Run {
 
 namespace {
 
-enum Column { checkColumn, valueColumn, expectedColumn, errorColumn, boundColumn, timeColumn };
+enum CheckColumn { checkColumn, valueColumn, expectedColumn, errorColumn, boundColumn, timeColumn };
 
 QString number(double value) {
     return QString::number(value, 'g', 8);
@@ -62,7 +62,7 @@ QTreeWidgetItem* rowOf(const SelfTestResult& result) {
         item->setText(valueColumn, QString::fromStdString(result.remark));
     }
     item->setText(timeColumn, QStringLiteral("%1 s").arg(result.time_s, 0, 'f', 3));
-    for (const Column column : {errorColumn, boundColumn, timeColumn})
+    for (const CheckColumn column : {errorColumn, boundColumn, timeColumn})
         item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     const QString says = QString::fromStdString(check.says);
     for (int column = 0; column <= timeColumn; ++column)

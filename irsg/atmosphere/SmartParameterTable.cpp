@@ -27,8 +27,6 @@ bool isResolution(double code) {
 bool isThickness(double value) {
     return within(value, -1e9, 0.0) || within(value, 1.0, 20e3);
 }
-// A full turn that was written with four decimals is still one.
-constexpr double fullTurn_rad = 6.2832;
 
 constexpr KarmaKind number = KarmaKind::number;
 
@@ -162,7 +160,7 @@ constexpr std::array report = {
                    "0 for the aerosol model's own, or 10 to 300000 m",
                    "Koschmieder visibility; 0: the aerosol model's own.", SmartGroup::aerosol},
     SmartParameter{"WindDirection", "rad", &S::windDirection_rad, number,
-                   [](double v) { return within(v, -fullTurn_rad, fullTurn_rad); },
+                   [](double v) { return within(v, -mostFullTurn_rad, mostFullTurn_rad); },
                    "-2 pi to 2 pi rad",
                    "Wind direction, East of North; the air is the same in all directions, so that "
                    "it has no effect.",

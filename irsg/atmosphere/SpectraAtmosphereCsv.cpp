@@ -26,7 +26,7 @@ constexpr std::pair<AtmosphereProperty, Quantity> columnsOfProperties[] = {
     {AtmosphereProperty::downwardFlux, Quantity::downwardFlux},
     {AtmosphereProperty::scatteringOpticalDepth, Quantity::scatteringOpticalDepth}};
 
-std::string knownHeaders() {
+std::string knownSpectra() {
     std::string text =
         "'" + columnHeader(Quantity::wavenumber) + "', '" + columnHeader(Quantity::wavelength);
     for (const auto& [property, quantity] : columnsOfProperties)
@@ -35,9 +35,9 @@ std::string knownHeaders() {
 }
 
 /// One file on its way from cells to parameters; gathers the diagnostics as it goes.
-class Reader {
+class SpectraReader {
   public:
-    explicit Reader(const std::filesystem::path& file) : table_(CsvTable::read(file)) {
+    explicit SpectraReader(const std::filesystem::path& file) : table_(CsvTable::read(file)) {
         const CsvComment* atmosphere = table_.comment("atmosphere");
         name_ =
             (atmosphere ? atmosphere->value + ", " : "") + "spectra of " + file.filename().string();
@@ -69,7 +69,7 @@ class Reader {
                                      return cell.text == columnHeader(entry.second);
                                  });
             if (!isKnown)
-                diagnostics_.push_back(table_.diagnostic(cell, "one of " + knownHeaders()));
+                diagnostics_.push_back(table_.diagnostic(cell, "one of " + knownSpectra()));
             else if (columns_.contains(cell.text))
                 diagnostics_.push_back(table_.diagnostic(cell, "each column once"));
             columns_[cell.text];
@@ -195,7 +195,7 @@ class Reader {
 } // namespace
 
 SpectraAtmosphere SpectraAtmosphere::fromCsv(const std::filesystem::path& file) {
-    return SpectraAtmosphere(Reader(file).read());
+    return SpectraAtmosphere(SpectraReader(file).read());
 }
 
 bool SpectraAtmosphere::isSpectraCsv(const std::filesystem::path& file) {

@@ -14,6 +14,9 @@ class xml_document;
 
 namespace irsg {
 
+/// Full and quarter turns that were written with four decimals are still such.
+inline constexpr double mostFullTurn_rad = 6.2832, mostQuarterTurn_rad = 1.5708;
+
 /// The value element of a parameter.
 enum class KarmaKind { number, vector, vector3, entityType, string };
 /// "double", "vector": the element's name.

@@ -18,7 +18,7 @@ static_assert(std::endian::native == std::endian::little, "tables are read as th
 
 namespace {
 
-constexpr char magic[8] = {'S', 'M', 'A', 'T', 'G', 'A', 'S', '1'};
+constexpr char gasTableMagic[8] = {'S', 'M', 'A', 'T', 'G', 'A', 'S', '1'};
 
 std::uint32_t checksum(const std::string& bytes, std::size_t count) {
     return static_cast<std::uint32_t>(
@@ -27,7 +27,7 @@ std::uint32_t checksum(const std::string& bytes, std::size_t count) {
 
 class Writer {
   public:
-    Writer() : bytes_(magic, sizeof magic) {}
+    Writer() : bytes_(gasTableMagic, sizeof gasTableMagic) {}
 
     template <typename Number>
     void number(Number value) {
@@ -48,16 +48,18 @@ class Writer {
     std::string bytes_;
 };
 
-class Reader {
+class GasTableReader {
   public:
-    Reader(const std::string& bytes, std::string file) : bytes_(bytes), file_(std::move(file)) {
-        if (bytes.size() < sizeof magic + 4 || std::memcmp(bytes.data(), magic, sizeof magic) != 0)
+    GasTableReader(const std::string& bytes, std::string file)
+        : bytes_(bytes), file_(std::move(file)) {
+        if (bytes.size() < sizeof gasTableMagic + 4 ||
+            std::memcmp(bytes.data(), gasTableMagic, sizeof gasTableMagic) != 0)
             refuse("another kind of file", "a table of gases, version 1");
         std::uint32_t stored = 0;
         std::memcpy(&stored, bytes.data() + bytes.size() - sizeof stored, sizeof stored);
         if (stored != checksum(bytes, bytes.size() - sizeof stored))
             refuse("a checksum that does not fit", "a file that was not changed or cut");
-        at_ = sizeof magic;
+        at_ = sizeof gasTableMagic;
     }
     template <typename Number>
     Number number() {
@@ -118,7 +120,7 @@ void GasTable::write(const std::filesystem::path& file) const {
 
 std::shared_ptr<const GasTable> GasTable::read(const std::filesystem::path& file) {
     const std::string bytes = readFile(file);
-    Reader reader(bytes, file.string());
+    GasTableReader reader(bytes, file.string());
     auto table = std::shared_ptr<GasTable>(new GasTable);
     reader.array(table->header_);
     reader.array(table->grid_.pressures_hPa);

@@ -18,10 +18,6 @@ constexpr const char* wavelengthsName = "BackgroundRadianceWavelengths";
 constexpr const char* valuesName = "BackgroundRadianceValues";
 constexpr std::array known = {azimuthName, elevationName, wavelengthsName, valuesName};
 
-// Full and quarter turns that were written with four decimals are still such.
-constexpr double fullTurn_rad = 6.2832;
-constexpr double quarterTurn_rad = 1.5708;
-
 class EnvironmentReader {
   public:
     explicit EnvironmentReader(const KarmaXml& document) : document_(document) {}
@@ -31,8 +27,8 @@ class EnvironmentReader {
             throw InputError(document_.diagnostic("type", "'" + document_.type() + "'",
                                                   "a type that ends in /Environment"));
         SunPosition& sun = reading_.parameters.sun;
-        readAngle(azimuthName, sun.azimuth_rad, 0.0, fullTurn_rad, "0 to 2 pi rad");
-        readAngle(elevationName, sun.elevation_rad, -quarterTurn_rad, quarterTurn_rad,
+        readAngle(azimuthName, sun.azimuth_rad, 0.0, mostFullTurn_rad, "0 to 2 pi rad");
+        readAngle(elevationName, sun.elevation_rad, -mostQuarterTurn_rad, mostQuarterTurn_rad,
                   "-pi/2 to pi/2 rad");
         readBackground();
         readComposition();

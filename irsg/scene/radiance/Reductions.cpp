@@ -15,7 +15,7 @@ namespace irsg {
 namespace {
 
 /// Pieces that samples are divided into, whatever the number of cores.
-constexpr std::size_t parts = 16;
+constexpr std::size_t reductionParts = 16;
 
 /// Sum of what factors make of a kind; `numbers` begin with the coverage.
 template <typename Real>
@@ -107,9 +107,9 @@ std::vector<ObjectSums> sumsOf(const ViewFactors& view, const KindRadiances& rad
         object.solidAngle_sr += radiance.opacity * *plain;
     };
     // Outputs do not meet, so that some can be summed on a core of their own.
-    parallelFor(parts, [&](std::size_t part) {
-        const std::size_t first = beginOfPart(part, parts, result.size());
-        const std::size_t last = beginOfPart(part + 1, parts, result.size());
+    parallelFor(reductionParts, [&](std::size_t part) {
+        const std::size_t first = beginOfPart(part, reductionParts, result.size());
+        const std::size_t last = beginOfPart(part + 1, reductionParts, result.size());
         for (const Seen& one : seen)
             for (std::size_t output = first; output < last; ++output)
                 add(one, output);
@@ -271,10 +271,10 @@ void SampleRadiances::evaluate(const FactorSamples& samples, RadianceSamples& re
         std::vector<KindRadiance> radiances;
         std::vector<const std::vector<SceneLight::AtReceiver>*> light; // null where it is no matter
     };
-    std::vector<Part> all(parts, Part(rows_));
-    parallelFor(parts, [&](std::size_t p) {
-        for (std::size_t i = beginOfPart(p, parts, count); i < beginOfPart(p + 1, parts, count);
-             ++i)
+    std::vector<Part> all(reductionParts, Part(rows_));
+    parallelFor(reductionParts, [&](std::size_t p) {
+        for (std::size_t i = beginOfPart(p, reductionParts, count);
+             i < beginOfPart(p + 1, reductionParts, count); ++i)
             all[p].walk.forEachLayer(
                 samples, i,
                 [&](const FactorKind& kind, float, const FactorSamples::Layer&) {
@@ -306,10 +306,10 @@ void SampleRadiances::evaluate(const FactorSamples& samples, RadianceSamples& re
                                          : nullptr);
     }
 
-    parallelFor(parts, [&](std::size_t p) {
+    parallelFor(reductionParts, [&](std::size_t p) {
         Part& part = all[p];
-        for (std::size_t i = beginOfPart(p, parts, count); i < beginOfPart(p + 1, parts, count);
-             ++i) {
+        for (std::size_t i = beginOfPart(p, reductionParts, count);
+             i < beginOfPart(p + 1, reductionParts, count); ++i) {
             double sent = 0.0, opacity = 0.0;
             part.walk.forEachLayer(
                 samples, i,

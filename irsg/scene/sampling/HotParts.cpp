@@ -35,7 +35,7 @@ class UnionFind {
     std::vector<std::size_t> parent_;
 };
 
-struct Triangles {
+struct TriangleCollector {
     std::vector<std::array<unsigned, 3>> corners;
     void operator()(unsigned a, unsigned b, unsigned c) { corners.push_back({a, b, c}); }
 };
@@ -100,7 +100,7 @@ std::vector<BoundingBox> connectedPieces(const std::vector<DrawItem>& items, con
         const auto* vertices = dynamic_cast<const osg::Vec3Array*>(item.geometry->getVertexArray());
         if (item.codes != codes || !vertices)
             continue;
-        osg::TriangleIndexFunctor<Triangles> triangles;
+        osg::TriangleIndexFunctor<TriangleCollector> triangles;
         item.geometry->accept(triangles);
         const auto vertex = [&](unsigned index) {
             const osg::Vec3d p = osg::Vec3d((*vertices)[index]) * item.modelFromLocal;
