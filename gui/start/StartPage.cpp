@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <QDir>
 #include <QEvent>
 #include <QFileInfo>
 #include <QGridLayout>
@@ -186,10 +187,19 @@ void StartPage::setRecentFiles(const QStringList& files) {
         delete item->widget();
         delete item;
     }
-    for (const QString& file : files) {
-        if (!QFileInfo::exists(file) || recent_->count() == mostRecent)
-            continue;
-        auto* button = plainButton(QFileInfo(file).fileName(), "recentFile", "recent", this);
+    QStringList shown, names;
+    for (const QString& file : files)
+        if (QFileInfo::exists(file) && shown.size() < mostRecent) {
+            shown.append(file);
+            names.append(QFileInfo(file).fileName());
+        }
+    for (const QString& file : shown) {
+        // Files of one name are told apart by their folders.
+        const QFileInfo info(file);
+        const QString name = names.count(info.fileName()) > 1
+                                 ? tr("%1 in %2").arg(info.fileName(), info.dir().dirName())
+                                 : info.fileName();
+        auto* button = plainButton(name, "recentFile", "recent", this);
         button->setToolTip(file);
         connect(button, &QToolButton::clicked, this, [this, file] { emit fileChosen(file); });
         recent_->addWidget(button);

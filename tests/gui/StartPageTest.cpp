@@ -2,11 +2,15 @@
 
 #include <fstream>
 
+#include <QDir>
 #include <QDockWidget>
 #include <QElapsedTimer>
+#include <QFile>
+#include <QFileInfo>
 #include <QMenu>
 #include <QSettings>
 #include <QTabWidget>
+#include <QTemporaryDir>
 #include <QToolButton>
 
 #include "gui/WindowLayout.h"
@@ -56,6 +60,24 @@ TEST_F(StartPageTest, ShowsWhatWasOpenLastTime) {
     auto* recent = start().findChild<QToolButton*>("recentFile");
     ASSERT_NE(recent, nullptr);
     EXPECT_EQ(recent->text(), "ship.smat");
+}
+
+TEST_F(StartPageTest, TellsFilesOfOneNameApartByTheirFolders) {
+    makeWindow();
+    QTemporaryDir folder;
+    QStringList files;
+    for (const char* name : {"first/heron.smat", "second/heron.smat", "second/ship.smat"}) {
+        files.append(folder.filePath(name));
+        QDir().mkpath(QFileInfo(files.back()).path());
+        QFile file(files.back());
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    }
+    start().setRecentFiles(files);
+    QStringList texts;
+    for (const QToolButton* button : start().findChildren<QToolButton*>("recentFile")) {
+        texts.append(button->text());
+    }
+    EXPECT_EQ(texts, (QStringList{"heron.smat in first", "heron.smat in second", "ship.smat"}));
 }
 
 TEST_F(StartPageTest, EveryEntryLeadsSomewhere) {
