@@ -39,8 +39,11 @@ TimeLine::TimeLine(QWidget* parent) : QWidget(parent) {
         setStep(static_cast<std::size_t>(value));
     });
     connect(time_, &NumberField::finished, this, [this] {
-        pause();
-        setStep(stepAt(time_->value()));
+        // A field that is left as it was does not stop what plays.
+        if (const std::size_t step = stepAt(time_->value()); step != step_) {
+            pause();
+            setStep(step);
+        }
         refresh(); // a time between two steps is that of the nearer one
     });
     refresh();

@@ -1,5 +1,7 @@
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFocusEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -94,6 +96,9 @@ TEST_F(ScenarioPageTest, KeysStepAndPlayTheLineOfTime) {
     QObject::connect(&line, &TimeLine::stepChanged, page, [&] { seen.push_back(line.step()); });
     press(*page, Qt::Key_Space);
     EXPECT_TRUE(line.isPlaying());
+    QFocusEvent left(QEvent::FocusOut);
+    QApplication::sendEvent(page->findChild<QLineEdit*>("time"), &left);
+    EXPECT_TRUE(line.isPlaying()) << "nobody wrote into the field of time";
     ASSERT_TRUE(test::waitUntil([&] { return !line.isPlaying(); }));
     EXPECT_EQ(seen, (std::vector<std::size_t>{1, 2, 3, 4, 5, 6, 7, 8}));
     EXPECT_EQ(page->picture().moment.step, 8U);
