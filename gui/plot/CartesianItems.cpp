@@ -10,6 +10,36 @@
 
 namespace smat::gui {
 
+namespace {
+
+constexpr double dotRadius_px = 3.0;
+
+/// Whether every sample of a curve stands alone.
+bool isDots(const Curve& curve) {
+    const auto isThere = [&](int i) {
+        const auto at = static_cast<std::size_t>(i);
+        return std::isfinite(curve.x[at]) && std::isfinite(curve.y[at]);
+    };
+    const auto runs = runsOf(static_cast<int>(curve.x.size()), isThere);
+    return !runs.empty() &&
+           std::ranges::all_of(runs, [](const SampleRun& run) { return run.first == run.last; });
+}
+
+} // namespace
+
+QwtGraphic SampledCurve::legendIcon(int index, const QSizeF& size) const {
+    if (!isDots(curve_))
+        return QwtPlotCurve::legendIcon(index, size);
+    QwtGraphic icon;
+    icon.setDefaultSize(size);
+    QPainter painter(&icon);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(pen().color());
+    painter.drawEllipse(QRectF(QPointF(), size).center(), dotRadius_px, dotRadius_px);
+    return icon;
+}
+
 SampledCurve::SampledCurve(const Curve& curve) : CurveItemOf(curve.name), curve_(curve) {
     setRenderHint(QwtPlotItem::RenderAntialiased);
     setLegendAttribute(QwtPlotCurve::LegendShowLine);
@@ -48,7 +78,7 @@ void SampledCurve::drawSeries(QPainter* painter, const QwtScaleMap& xMap, const 
             painter->setPen(Qt::NoPen);
             painter->setBrush(pen().color());
             if (area.contains(line.front()))
-                painter->drawEllipse(line.front(), 3.0, 3.0);
+                painter->drawEllipse(line.front(), dotRadius_px, dotRadius_px);
             continue;
         }
         painter->setPen(pen());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QwtGraphic>
 #include <QwtPlotCurve>
 
 #include "gui/plot/CurveItem.h"
@@ -16,6 +17,8 @@ class SampledCurve : public CurveItemOf<QwtPlotCurve> {
 
     void drawSeries(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
                     const QRectF& canvasRect, int from, int to) const override;
+    /// A dot where there are dots alone, else a line.
+    QwtGraphic legendIcon(int index, const QSizeF& size) const override;
 
   private:
     void drawBand(QPainter& painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,

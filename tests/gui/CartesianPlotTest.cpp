@@ -11,6 +11,7 @@
 #include <QwtText>
 #include <gtest/gtest.h>
 
+#include "gui/plot/CartesianItems.h"
 #include "gui/plot/PlotLook.h"
 #include "irsg/radiometry/Errors.h"
 #include "tests/gui/GuiEnvironment.h"
@@ -224,6 +225,22 @@ TEST_F(CartesianPlotTest, LeavesRoomForDotsWhereXBeginsAndEnds) {
     data.curves = {{"a line", {1.0, 10.0, 100.0}, {2.0, 3.0, 1.0}}};
     plot.setData(data);
     EXPECT_EQ(plot.view().x, (Interval{1.0, 100.0}));
+}
+
+TEST(SampledCurve, HasADotInTheLegendWhereThereAreDotsAlone) {
+    const double gap = std::numeric_limits<double>::quiet_NaN();
+    const Curve dots{"dots", {1.0, 1.5, 2.0, 2.5}, {1.0, gap, 2.0, gap}},
+        line{"line", {1.0, 2.0}, {1.0, 2.0}};
+    const auto edgeOf = [](const Curve& curve) {
+        SampledCurve item(curve);
+        item.setPen(Qt::black, 2.0);
+        const QImage icon = item.legendIcon(0, QSizeF(22, 12)).toImage();
+        EXPECT_GT(qAlpha(icon.pixel(icon.width() / 2, icon.height() / 2)), 200)
+            << curve.name.toStdString();
+        return qAlpha(icon.pixel(2, icon.height() / 2));
+    };
+    EXPECT_EQ(edgeOf(dots), 0);
+    EXPECT_GT(edgeOf(line), 200);
 }
 
 TEST_F(CartesianPlotTest, RefusesACurveWithMissingOrdinates) {
