@@ -6,8 +6,6 @@
 #include <QPainter>
 #include <QwtScaleMap>
 
-#include "gui/plot/CurveDrawing.h"
-
 namespace smat::gui {
 
 namespace {
@@ -16,16 +14,19 @@ constexpr double dotRadius_px = 3.0;
 
 /// Whether every sample of a curve stands alone.
 bool isDots(const Curve& curve) {
-    const auto isThere = [&](int i) {
-        const auto at = static_cast<std::size_t>(i);
-        return std::isfinite(curve.x[at]) && std::isfinite(curve.y[at]);
-    };
-    const auto runs = runsOf(static_cast<int>(curve.x.size()), isThere);
+    const std::vector<SampleRun> runs = numbersOf(curve);
     return !runs.empty() &&
            std::ranges::all_of(runs, [](const SampleRun& run) { return run.first == run.last; });
 }
 
 } // namespace
+
+std::vector<SampleRun> numbersOf(const Curve& curve) {
+    return runsOf(static_cast<int>(curve.x.size()), [&](int i) {
+        const auto at = static_cast<std::size_t>(i);
+        return std::isfinite(curve.x[at]) && std::isfinite(curve.y[at]);
+    });
+}
 
 QwtGraphic SampledCurve::legendIcon(int index, const QSizeF& size) const {
     if (!isDots(curve_))

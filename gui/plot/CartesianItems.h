@@ -1,12 +1,18 @@
 #pragma once
 
+#include <vector>
+
 #include <QwtGraphic>
 #include <QwtPlotCurve>
 
+#include "gui/plot/CurveDrawing.h"
 #include "gui/plot/CurveItem.h"
 #include "gui/plot/PlotData.h"
 
 namespace smat::gui {
+
+/// Runs of samples of a curve that are numbers.
+std::vector<SampleRun> numbersOf(const Curve& curve);
 
 /// Draws the samples of a Curve: nothing for missing points, a dot for one between gaps, a band
 /// where the curve has errors.

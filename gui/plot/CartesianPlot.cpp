@@ -51,15 +51,10 @@ std::optional<Interval> logarithmicRange(const std::vector<Curve>& curves) {
 /// Whether a sample stands by itself, and so is drawn as a dot, where x begins or ends.
 bool hasDotAt(const Interval& range, const std::vector<Curve>& curves) {
     const auto isDotOf = [&](const Curve& curve) {
-        const auto isThere = [&](int i) {
-            const auto k = static_cast<std::size_t>(i);
-            return std::isfinite(curve.x[k]) && std::isfinite(curve.y[k]);
-        };
-        return std::ranges::any_of(
-            runsOf(static_cast<int>(curve.x.size()), isThere), [&](const SampleRun& run) {
-                const double x = curve.x[static_cast<std::size_t>(run.first)];
-                return run.first == run.last && (x == range.minimum || x == range.maximum);
-            });
+        return std::ranges::any_of(numbersOf(curve), [&](const SampleRun& run) {
+            const double x = curve.x[static_cast<std::size_t>(run.first)];
+            return run.first == run.last && (x == range.minimum || x == range.maximum);
+        });
     };
     return range.minimum < range.maximum && std::ranges::any_of(curves, isDotOf);
 }

@@ -69,12 +69,13 @@ std::size_t skiesOf(const AnalysisPlan& plan, int rows) {
 }
 
 /// How many different lines of sight like those of a plan pay for training.
-std::size_t fewestToTrain(const SceneDescription& scene, const AnalysisPlan& plan) {
+std::size_t fewestToTrain(const SceneDescription& scene, const AnalysisPlan& plan,
+                          std::size_t linesOfPlan) {
     const double computed = training(scene);
     if (computed == 0.0)
         return static_cast<std::size_t>(fewestInAirOfAFile);
     const bool hasGases = !irsg::widebandSpectraOf(scene.entities).radiances.empty();
-    const auto lines = std::max(1.0, static_cast<double>(linesOfSight(plan)));
+    const auto lines = std::max(1.0, static_cast<double>(linesOfPlan));
     double saved = lines;
     if (scene.render.background == irsg::BackgroundMode::environment) {
         const int rows = scene.render.backgroundRows;
@@ -104,7 +105,7 @@ CalculationChoice chooseCalculation(const SceneDescription& scene, const Analysi
         })) {
         return {};
     }
-    const std::size_t lines = linesOfSight(plan), fewest = fewestToTrain(scene, plan);
+    const std::size_t lines = linesOfSight(plan), fewest = fewestToTrain(scene, plan, lines);
     if (lines < fewest) {
         return {CalculationMode::spectral,
                 fmt::format("mode auto: spectral, as training wideband-ck pays from {} different "

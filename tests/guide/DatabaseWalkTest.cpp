@@ -58,15 +58,7 @@ TEST_F(DatabaseWalkTest, SelectAndSee) {
     SceneView& view = *window->sceneView();
     view.showWholeModel();
     act("infraredDisplay");
-    const auto sum = [&] {
-        EXPECT_TRUE(test::waitUntil(
-            [&] { return view.shownPicture() != nullptr && view.isUpToDate(); }, 20.0));
-        double all = 0.0;
-        for (const float value : view.shownPicture()->image->primary().values) {
-            all += static_cast<double>(value);
-        }
-        return all;
-    };
+    const auto sum = [&] { return sumOfPicture(view); };
     const double before = sum();
     session().edit("Set emissivity", [](irsg::SignatureDatabase& database) {
         database.materials.at(1).emissivity = irsg::Spectrum::constant(0.3);

@@ -50,15 +50,7 @@ class FirstStepsTest : public test::GuideFixture {
         view.showWholeModel();
         EXPECT_EQ(get<QAction>("infraredDisplay")->shortcut(), QKeySequence("Ctrl+Shift+I"));
         act("infraredDisplay");
-        const auto sum = [&] {
-            EXPECT_TRUE(test::waitUntil(
-                [&] { return view.shownPicture() != nullptr && view.isUpToDate(); }, 20.0));
-            double all = 0.0;
-            for (const float value : view.shownPicture()->image->primary().values) {
-                all += static_cast<double>(value);
-            }
-            return all;
-        };
+        const auto sum = [&] { return sumOfPicture(view); };
         const double before = sum();
         const auto& values = view.shownPicture()->image->primary().values;
         std::vector<float> sorted(values.begin(), values.end());

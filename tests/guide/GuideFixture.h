@@ -15,6 +15,7 @@
 #include <QWheelEvent>
 
 #include "gui/analysis/ResultPage.h"
+#include "gui/view/SceneView.h"
 #include "tests/cli/Program.h"
 #include "tests/gui/DatabaseFixture.h"
 #include "tests/guide/GuideWalk.h"
@@ -71,6 +72,16 @@ class GuideFixture : public DatabaseFixture {
         mouse(to, QEvent::MouseMove, from + by, Qt::NoButton, button, modifiers);
         mouse(to, QEvent::MouseButtonRelease, from + by, button, Qt::NoButton, modifiers);
         QTest::qWait(10);
+    }
+    /// Of all pixels of the infrared picture, once it shows what there is.
+    static double sumOfPicture(SceneView& view) {
+        EXPECT_TRUE(
+            waitUntil([&] { return view.shownPicture() != nullptr && view.isUpToDate(); }, 20.0));
+        double all = 0.0;
+        for (const float value : view.shownPicture()->image->primary().values) {
+            all += static_cast<double>(value);
+        }
+        return all;
     }
     void selectResults(const QList<int>& rows) {
         auto* list = get<QListWidget>("resultList");
