@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -11,8 +10,8 @@
 #include "apps/atmosphere-tables/lines/LineListFile.h"
 #include "apps/atmosphere-tables/lines/PublishedRun.h"
 #include "irsg/atmosphere/engine/Continuum.h"
-#include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
+#include "tests/lines/ModtranColumns.h"
 #include "tests/support/SharedMaterial.h"
 
 namespace irsg::lbl {
@@ -33,7 +32,7 @@ struct Case {
 };
 
 // 5 km of tropical air at the ground: 1013 hPa, 299.7 K, 2.44813e25 molecules per m3. The run does
-// not state its CO2; 400 ppmv fits every CO2 range, those with HITRAN's own lines included.
+// not state its CO2: see TellTheCarbonDioxideOfTheRun.
 constexpr double pressure_hPa = 1013.0, temperature_K = 299.7;
 constexpr double air_per_cm2 = 2.44813e19 * 5e5;
 
@@ -51,12 +50,14 @@ std::vector<Case> cases() {
           {11000, 17800, 0.06}}},
         {Gas::CO2,
          13,
-         400e-6,
+         409e-6,
          {{700, 800, 0.015},
           {800, 1200, 0.025},
           {1200, 2000, 0.03},
           {2000, 2300, 0.01},
-          {2300, 2500, 0.008, 0.03},
+          {2300, 2500, 0.005, 0.02},
+          // The wing beyond the band head, without line mixing.
+          {2390, 2420, 0.011, 0.02},
           {2500, 3340, 0.025},
           {3340, 4000, 0.015},
           {4000, 5200, 0.025},
@@ -93,49 +94,6 @@ std::vector<Case> cases() {
     };
 }
 
-/// Wavenumber and transmittances, line by line, of the published run.
-std::vector<std::vector<double>> publishedRun(const std::filesystem::path& file) {
-    std::vector<std::vector<double>> rows;
-    for (const std::string& line : readTextLines(file)) {
-        std::istringstream words(line);
-        std::vector<double> values;
-        for (std::string word; words >> word;) {
-            values.push_back(parseNumber(word).value_or(-1.0));
-        }
-        if (values.size() > 30 && values[0] > 600.0) {
-            rows.push_back(std::move(values));
-        }
-    }
-    return rows;
-}
-
-/// Means of transmittance over a triangle of 10 cm-1 at half maximum.
-class SlitMean {
-  public:
-    SlitMean(const WavenumberGrid& grid, const std::vector<double>& cross_cm2,
-             double column_per_cm2)
-        : grid_(grid), sums_(1, 0.0) {
-        for (const double value : cross_cm2) {
-            sums_.push_back(sums_.back() + std::exp(-column_per_cm2 * value));
-        }
-    }
-    double at(double centre_per_cm) const {
-        double mean = 0.0;
-        for (int i = -10; i < 10; ++i) { // boxes of 1 cm-1
-            const auto first = static_cast<std::size_t>(
-                (centre_per_cm + i - grid_.first_per_cm) / grid_.step_per_cm + 0.5);
-            const auto count = static_cast<std::size_t>(1.0 / grid_.step_per_cm + 0.5);
-            mean += (1.0 - std::abs(i + 0.5) / 10.0) / 10.0 *
-                    (sums_[first + count] - sums_[first]) / static_cast<double>(count);
-        }
-        return mean;
-    }
-
-  private:
-    WavenumberGrid grid_;
-    std::vector<double> sums_;
-};
-
 /// What the run counts with the lines of a gas: oxygen's collision-induced absorption, whose band
 /// at 1.27 um was fitted to this very column.
 double besideLines(Gas gas, double wavenumber_per_cm) {
@@ -151,7 +109,7 @@ TEST(CompleteLines, TransmitAsAPublishedRunOfMODTRANGasByGas) {
     if (data.empty()) {
         GTEST_SKIP() << "the shared material is not beside the checkout";
     }
-    const auto rows = publishedRun(data / "modtran" / "pyradi" / "horizon5kmtropical.fl7");
+    const auto rows = modtranColumns(data / "modtran" / "pyradi" / "horizon5kmtropical.fl7");
     ASSERT_GT(rows.size(), 3000u);
     const PartitionSums partition = PartitionSums::read(data / "lines" / "partition");
 
@@ -185,6 +143,42 @@ TEST(CompleteLines, TransmitAsAPublishedRunOfMODTRANGasByGas) {
                 << ours / count << ", published " << theirs / count;
             EXPECT_LT(worst, range.worst) << name << " at " << range.from_per_cm;
         }
+    }
+}
+
+// Three bands far from the wing beyond 2390 cm-1: 12.5, 10.4 and 2.03 um.
+TEST(CompleteLines, TellTheCarbonDioxideOfTheRun) {
+    const auto data = smat::test::sharedMaterial("data/atmosphere");
+    if (data.empty()) {
+        GTEST_SKIP() << "the shared material is not beside the checkout";
+    }
+    const auto rows = modtranColumns(data / "modtran" / "pyradi" / "horizon5kmtropical.fl7");
+    const PartitionSums partition = PartitionSums::read(data / "lines" / "partition");
+    const LineList list = completeLineList(Gas::CO2, data);
+    for (const auto& [from_per_cm, to_per_cm] :
+         {std::pair{770.0, 840.0}, std::pair{915.0, 995.0}, std::pair{4900.0, 4940.0}}) {
+        const WavenumberGrid grid{from_per_cm - 11.0, 0.01,
+                                  static_cast<std::size_t>((to_per_cm - from_per_cm + 22.0) * 100)};
+        const std::vector<double> cross_cm2 = crossSection_cm2(
+            list, partition, grid, temperature_K, pressure_hPa, 409e-6, defaultLineShape(Gas::CO2));
+        double best_ppmv = 0.0, least = 1.0;
+        for (double ppmv = 360.0; ppmv <= 450.0; ppmv += 1.0) {
+            const SlitMean slit(grid, cross_cm2, ppmv * 1e-6 * air_per_cm2);
+            double squares = 0.0, count = 0.0;
+            for (const auto& row : rows) {
+                if (row[0] < from_per_cm || row[0] > to_per_cm) {
+                    continue;
+                }
+                squares += std::pow(slit.at(row[0]) - row[13], 2.0);
+                count += 1.0;
+            }
+            if (const double rms = std::sqrt(squares / count); rms < least) {
+                least = rms;
+                best_ppmv = ppmv;
+            }
+        }
+        EXPECT_NEAR(best_ppmv, 409.0, 3.0) << from_per_cm;
+        EXPECT_LT(least, 0.001) << from_per_cm;
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include "apps/atmosphere-tables/lines/CarbonDioxideLines.h"
 #include "apps/atmosphere-tables/lines/CompleteLines.h"
+#include "apps/atmosphere-tables/lines/LineAbsorption.h"
 #include "apps/atmosphere-tables/lines/LineListFile.h"
 #include "apps/atmosphere-tables/lines/NitrousOxideLines.h"
 #include "tests/support/SharedMaterial.h"
@@ -133,6 +134,51 @@ TEST(RareIsotopologues, OfNitrousOxideAreWhereTheListHasThemAll) {
         // A resonance with 0200 that differs from one to another moves this band by as much.
         EXPECT_LT(std::sqrt(squares / count), 0.12) << band.number;
     }
+}
+
+// 20 km at 10 km of US standard air, 223.3 K, 265 hPa and 0.3179 ppmv, and longer paths: what the
+// four take from the transmittance that the main isotopologue leaves, over 2140 to 2220 cm-1.
+TEST(RareIsotopologues, OfNitrousOxideTakeOneToFiveHundredthsOfALevelPathAtTenKilometres) {
+    const auto folder = sharedLines();
+    if (folder.empty()) {
+        GTEST_SKIP() << "the shared material is not beside the checkout";
+    }
+    LineList all = completeLineList(Gas::N2O, folder.parent_path()), main = all;
+    std::erase_if(main.lines, [](const Line& line) { return line.isotopologue != 1; });
+    const PartitionSums partition = PartitionSums::read(folder / "partition");
+    const WavenumberGrid grid{2140.0, 0.002, 40000};
+    auto cross = [&](const LineList& list) {
+        return crossSection_cm2(list, partition, grid, 223.3, 265.0, 0.3179e-6,
+                                defaultLineShape(Gas::N2O));
+    };
+    const std::vector<double> withAll = cross(all), withMain = cross(main);
+    struct Loss {
+        double mean, worst;
+    };
+    auto lossOf = [&](double length_m, double bin_per_cm) {
+        const double column_per_cm2 =
+            0.3179e-6 * 26500.0 / (1.380649e-23 * 223.3) * length_m * 1e-4;
+        const auto count = static_cast<std::size_t>(std::lround(bin_per_cm / grid.step_per_cm));
+        Loss loss{0.0, 0.0};
+        for (std::size_t first = 0; first < grid.count; first += count) {
+            double bin = 0.0;
+            for (std::size_t i = first; i < first + count; ++i) {
+                bin += (std::exp(-column_per_cm2 * withMain[i]) -
+                        std::exp(-column_per_cm2 * withAll[i])) /
+                       static_cast<double>(count);
+            }
+            loss.mean += bin * static_cast<double>(count) / static_cast<double>(grid.count);
+            loss.worst = std::max(loss.worst, bin);
+        }
+        std::printf("N2O, %.0f km at 10 km, %.0f cm-1: %.4f lost on the average, %.4f at most\n",
+                    length_m / 1000.0, bin_per_cm, loss.mean, loss.worst);
+        return loss;
+    };
+    EXPECT_NEAR(lossOf(20e3, 10.0).mean, 0.0186, 0.0010);
+    EXPECT_NEAR(lossOf(20e3, 10.0).worst, 0.036, 0.002);
+    EXPECT_NEAR(lossOf(20e3, 1.0).worst, 0.052, 0.003);
+    EXPECT_NEAR(lossOf(50e3, 10.0).mean, 0.033, 0.002);
+    EXPECT_NEAR(lossOf(100e3, 10.0).mean, 0.048, 0.002);
 }
 
 TEST(RareIsotopologues, OfMethaneHaveTheirQBranchWhereHitranHasIt) {
