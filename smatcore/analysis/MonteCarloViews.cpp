@@ -34,7 +34,7 @@ const std::vector<double>& column(const irsg::ScaledValues& values, Asked asked)
                                                : values.irradiance;
 }
 
-double number(const irsg::ObjectRadiometry& all, Asked asked) {
+double numberOf(const irsg::ObjectRadiometry& all, Asked asked) {
     return asked == Asked::intensity           ? all.intensity_W_sr
            : asked == Asked::contrastIntensity ? all.contrastIntensity_W_sr
                                                : all.irradiance_W_m2;
@@ -124,7 +124,7 @@ MonteCarloViews::Drawing MonteCarloViews::drawOne(const AnalysisCase& one, bool 
     for (const irsg::RenderReport& report :
          withErrors ? source_.beginMeasure({bands_, false, false, true})()
                     : source_.measure(bands_)) {
-        drawing.values.push_back({number(report.all, asked)});
+        drawing.values.push_back({numberOf(report.all, asked)});
         irsg::addAnswer(drawing.answeredBy, report.answeredBy);
         if (isInPlace)
             warnings_.addReport(report, data_.analysis.settings[key::renderLayers]);

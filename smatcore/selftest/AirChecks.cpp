@@ -8,6 +8,7 @@
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/reference/PlanckReference.h"
+#include "smatcore/selftest/CheckParts.h"
 #include "smatcore/selftest/Checks.h"
 
 namespace smat::selftest {
@@ -19,10 +20,6 @@ using irsg::SpectralRange;
 using irsg::Spectrum;
 
 constexpr SpectralRange mwir{3.0, 5.0};
-
-double planck(double wavelength_um, double temperature_K) {
-    return static_cast<double>(irsg::reference::planck(wavelength_um, temperature_K));
-}
 
 /// Extinction that rises from 1e-5 to 1e-3 per metre over 3 to 5 um, air of 280 K.
 irsg::BeerLambert haze() {
@@ -85,7 +82,7 @@ std::vector<SelfTestCheck> airChecks() {
                  return along([&](double um) { return found.at(um); },
                               [](double um) {
                                   return -std::expm1(-2500.0 * hazeExtinction_per_m(um)) *
-                                         planck(um, 280.0);
+                                         truePlanck(um, 280.0);
                               });
              }},
         {.name = "air.ground-behind-air",
@@ -100,7 +97,8 @@ std::vector<SelfTestCheck> airChecks() {
                  return along([&](double um) { return found.at(um); },
                               [](double um) {
                                   const double t = std::exp(-1000.0 * hazeExtinction_per_m(um));
-                                  return t * planck(um, 300.0) + (1.0 - t) * planck(um, 280.0);
+                                  return t * truePlanck(um, 300.0) +
+                                         (1.0 - t) * truePlanck(um, 280.0);
                               });
              }},
         {.name = "air.solar-constant",
@@ -184,7 +182,7 @@ std::vector<SelfTestCheck> airChecks() {
              [](auto&) {
                  const double air_K = realAir().ambientTemperature_K(0.0);
                  return SelfTestValue{realAir().pathRadiance({0.0, 0.0, 5000.0}, {}, mwir).at(4.3),
-                                      planck(4.3, air_K)};
+                                      truePlanck(4.3, air_K)};
              }},
         {.name = "air.no-path",
          .says =
@@ -216,7 +214,7 @@ std::vector<SelfTestCheck> airChecks() {
                  const Spectrum path = haze().pathRadiance(far, {}, mwir);
                  const double through = haze().transmittance(far, mwir).maximum();
                  return along([&](double um) { return path.at(um) + through; },
-                              [](double um) { return planck(um, 280.0); });
+                              [](double um) { return truePlanck(um, 280.0); });
              }},
         {.name = "air.refusals",
          .says = "Paths below the ground, of negative range or no number: refused",

@@ -5,6 +5,7 @@
 #include "irsg/radiometry/Units.h"
 #include "irsg/reference/Scenes.h"
 #include "irsg/scene/trace/RaysBuilt.h"
+#include "smatcore/selftest/CheckParts.h"
 #include "smatcore/selftest/Checks.h"
 
 namespace smat::selftest {
@@ -12,8 +13,6 @@ namespace {
 
 using namespace irsg::reference;
 using irsg::Irsg;
-
-const irsg::Band band = irsg::Band::topHat(3.0, 5.0);
 
 void needRays() {
     if (!irsg::areRaysBuilt())

@@ -4,6 +4,7 @@
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/reference/Scenes.h"
+#include "smatcore/selftest/CheckParts.h"
 #include "smatcore/selftest/Checks.h"
 
 namespace smat::selftest {
@@ -13,14 +14,9 @@ using namespace irsg::reference;
 using irsg::Irsg;
 using irsg::Vec3;
 
-constexpr irsg::IrCodes one{1, 1};
 constexpr double pixel_rad = 1e-4;
-const irsg::Band band = irsg::Band::topHat(3.0, 5.0);
 
-double grey_W_m2_sr() {
-    return 0.9 * irsg::bandRadiance_W_m2_sr(band, 320.0);
-}
-Mesh ball() {
+Mesh fineBall() {
     return sphereMesh(1.0, 48, 96, one);
 }
 /// Two plates of different height side by side, 2 m high.
@@ -91,12 +87,12 @@ SelfTestCheck rmsCheck(const std::string& name, const std::string& says, double 
 /// A curve over range from a few drawings, against the solid angle at each range.
 SelfTestValue rangeCurve(SelfTestBench& bench) {
     Irsg& irsg = bench.irsg();
-    irsg.setEntities({entityOf(modelOf(ball()), greyDatabase(0.9, 320.0))});
+    irsg.setEntities({entityOf(modelOf(fineBall()), greyDatabase(0.9, 320.0))});
     Farthest farthest;
     for (const double range_m : {300.0, 500.0, 900.0, 2000.0, 7000.0}) {
         look(irsg, {.range_m = range_m, .fieldOfView_rad = 0.009});
         farthest.add(irsg.measureAlongRange({band}).front().all.intensity_W_sr,
-                     grey_W_m2_sr() * convexSolidAngle_sr(ball(), {0, range_m, 0}) * range_m *
+                     grey_W_m2_sr() * convexSolidAngle_sr(fineBall(), {0, range_m, 0}) * range_m *
                          range_m);
     }
     return farthest.found();
@@ -106,24 +102,24 @@ SelfTestValue rangeCurve(SelfTestBench& bench) {
 
 std::vector<SelfTestCheck> samplingChecks() {
     return {
-        rmsCheck("ball-30-px", "A ball 30 pixels wide in windows of 256 samples", 1e-3, ball(),
+        rmsCheck("ball-30-px", "A ball 30 pixels wide in windows of 256 samples", 1e-3, fineBall(),
                  30.0, 0.0),
-        rmsCheck("ball-1-px", "A ball one pixel wide in windows of 256 samples", 1e-3, ball(), 1.0,
-                 0.0),
-        rmsCheck("ball-a-tenth-px", "A ball a tenth of a pixel wide", 1e-3, ball(), 0.1, 0.0),
+        rmsCheck("ball-1-px", "A ball one pixel wide in windows of 256 samples", 1e-3, fineBall(),
+                 1.0, 0.0),
+        rmsCheck("ball-a-tenth-px", "A ball a tenth of a pixel wide", 1e-3, fineBall(), 0.1, 0.0),
         rmsCheck("lopsided-3-px", "A lopsided body 3 pixels wide, turned by 30 degrees", 1e-3,
                  lopsided(), 3.0, 30.0),
         rmsCheck("lopsided-upright", "The same with its edges along the pixels", 5e-3, lopsided(),
                  3.0, 0.0),
         rmsCheck("supersampling-4", "A ball 30 pixels wide with 4 x 4 samples a pixel", 3e-3,
-                 ball(), 30.0, 0.0, {.zoomWindow = 0}),
+                 fineBall(), 30.0, 0.0, {.zoomWindow = 0}),
         {.name = "sampling.range-curve",
          .says = "Intensity along the range, 300 m to 7 km, against the solid angle",
          .unit = "W sr-1",
          .bound = 1e-3,
          .measure = [](auto& bench) { return rangeCurve(bench); }},
-        rmsCheck("ball-a-thousandth-px", "A ball a thousandth of a pixel wide", 1e-3, ball(), 1e-3,
-                 0.0, {}, true),
+        rmsCheck("ball-a-thousandth-px", "A ball a thousandth of a pixel wide", 1e-3, fineBall(),
+                 1e-3, 0.0, {}, true),
         rmsCheck("lopsided-a-hundredth-px",
                  "The lopsided body a hundredth of a pixel wide, turned by 37 degrees", 1e-3,
                  lopsided(), 0.01, 37.0, {}, true),

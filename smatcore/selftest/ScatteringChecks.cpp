@@ -13,7 +13,7 @@ namespace {
 /// pixel is seen from the distance 1 / (2 pi width).
 constexpr double gain = 1.5, width_per_rad = 30.0, pitch_rad = 1e-3;
 
-std::shared_ptr<const irsg::PixelHaze> haze() {
+std::shared_ptr<const irsg::PixelHaze> exponentialHaze() {
     std::vector<double> frequencies{0.0}, values{1.0 + gain};
     for (int i = 0; i < 400; ++i) {
         const double f = 1e-4 * width_per_rad * std::pow(4e5, i / 399.0);
@@ -37,7 +37,7 @@ double pixelOfHaze(int x, int y) {
 
 /// A picture through the transforms against the sum over its pixels.
 SelfTestValue filtered() {
-    irsg::MtfFilter filter(haze());
+    irsg::MtfFilter filter(exponentialHaze());
     const irsg::HazeWindow object{11, 13, 7, 5}, frame{0, 0, 45, 51};
     std::vector<float> values(object.size()), sums(frame.size(), 0.0F);
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -79,7 +79,7 @@ std::vector<SelfTestCheck> scatteringChecks() {
          .bound = 1e-3,
          .measure =
              [](auto&) {
-                 const auto point = haze();
+                 const auto point = exponentialHaze();
                  Farthest farthest;
                  for (const auto& [x, y] :
                       {std::pair{5, 0}, std::pair{3, 4}, std::pair{10, 0}, std::pair{8, 6}})
@@ -92,7 +92,7 @@ std::vector<SelfTestCheck> scatteringChecks() {
          .bound = 1e-4,
          .measure =
              [](auto&) {
-                 return SelfTestValue{haze()->energy() + haze()->cut(), gain};
+                 return SelfTestValue{exponentialHaze()->energy() + exponentialHaze()->cut(), gain};
              }},
         {.name = "scattering.transforms",
          .says = "A window of 7 x 5 pixels by Fourier transforms against the direct sum",

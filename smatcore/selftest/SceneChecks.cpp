@@ -6,6 +6,7 @@
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/reference/RayCaster.h"
+#include "smatcore/selftest/CheckParts.h"
 #include "smatcore/selftest/Checks.h"
 
 namespace smat::selftest {
@@ -14,13 +15,6 @@ namespace {
 using namespace irsg::reference;
 using irsg::Irsg;
 using irsg::Vec3;
-
-constexpr irsg::IrCodes one{1, 1};
-const irsg::Band band = irsg::Band::topHat(3.0, 5.0);
-
-double grey_W_m2_sr() {
-    return 0.9 * irsg::bandRadiance_W_m2_sr(band, 320.0);
-}
 
 Mesh ball() {
     return sphereMesh(1.0, 32, 64, one);

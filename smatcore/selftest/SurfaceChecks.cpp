@@ -6,6 +6,7 @@
 #include "irsg/radiometry/Units.h"
 #include "irsg/reference/PlanckReference.h"
 #include "irsg/reference/Scenes.h"
+#include "smatcore/selftest/CheckParts.h"
 #include "smatcore/selftest/Checks.h"
 
 namespace smat::selftest {
@@ -16,7 +17,6 @@ using irsg::Irsg;
 using irsg::Spectrum;
 using irsg::Vec3;
 
-const irsg::Band band = irsg::Band::topHat(3.0, 5.0);
 constexpr double width_um = 2.0;
 
 double black_W_m2_sr(double temperature_K) {

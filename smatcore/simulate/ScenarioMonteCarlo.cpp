@@ -28,10 +28,10 @@ double asked(const irsg::ScaledValues& values, MonteCarloOptions::Quantity quant
 }
 
 /// One run, from the scales to the tables.
-class Run {
+class ScenarioRun {
   public:
-    Run(ScenarioMonteCarlo& run, ImageSource& source, const ProgressCallback& progress,
-        std::stop_token stop)
+    ScenarioRun(ScenarioMonteCarlo& run, ImageSource& source, const ProgressCallback& progress,
+                std::stop_token stop)
         : run_(run),
           source_(source),
           generator_(run.scenario, source),
@@ -272,7 +272,7 @@ std::filesystem::path withLabel(const std::filesystem::path& file, const std::st
 void runScenarioMonteCarlo(ScenarioMonteCarlo& asked, ImageSource& source,
                            const ProgressCallback& progress, std::stop_token stop,
                            StageTimer* timer) {
-    Run run(asked, source, progress, std::move(stop));
+    ScenarioRun run(asked, source, progress, std::move(stop));
     run.prepare();
     {
         const StageTimer::Scope scope(timer, "draw steps");

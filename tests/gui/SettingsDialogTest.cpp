@@ -9,21 +9,14 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDir>
-#include <QFile>
-#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QMenuBar>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QSpinBox>
 #include <QTabWidget>
 
-#include "gui/HelpDialogs.h"
 #include "gui/analysis/AnalysisGeneratorDialog.h"
-#include "gui/settings/Preferences.h"
 #include "smatcore/settings/SettingAvailability.h"
 #include "tests/gui/GuiEnvironment.h"
 #include "tests/gui/WindowFixture.h"
@@ -451,98 +444,6 @@ TEST_F(SettingsDialogTest, EveryPageInLightAndDark) {
         test::keepScreenshot(*window, "window" + tail);
     }
     applyTheme(*qApp, ThemeMode::light);
-}
-
-TEST_F(SettingsDialogTest, PreferencesAreKeptInAReadableFile) {
-    onDialog = [&](QDialog& dialog) {
-        dialog.findChild<QComboBox*>("theme")->setCurrentIndex(2);
-        dialog.findChild<QComboBox*>("colorMap")->setCurrentText("ironbow");
-        dialog.findChild<QSpinBox*>("recoveryDelay")->setValue(30);
-    };
-    trigger("preferences");
-    EXPECT_TRUE(isDark(QApplication::palette()));
-    const Preferences kept = Preferences::load();
-    EXPECT_EQ(kept, (Preferences{ThemeMode::dark, "ironbow", 30}));
-    QFile file(Preferences::file());
-    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-    const QByteArray text = file.readAll();
-    EXPECT_TRUE(text.contains("theme=dark")) << text.toStdString();
-    EXPECT_TRUE(text.contains("recoveryDelay_s=30"));
-    // A project that is begun has the map; one that has a file keeps its own.
-    makeWindow();
-    EXPECT_TRUE(opens(std::filesystem::path(SMAT_SOURCE_DIR) / "samples/ship/ship.flt"));
-    EXPECT_EQ(workbench.settings().text("display.colorMap"), "ironbow");
-    EXPECT_FALSE(workbench.isModified());
-    openSample();
-    EXPECT_EQ(workbench.settings().text("display.colorMap"), "white-hot");
-    Preferences().save();
-    applyTheme(*qApp, ThemeMode::light);
-}
-
-TEST_F(SettingsDialogTest, WrongPreferencesAreNamedAndReplacedByDefaults) {
-    QDir().mkpath(QFileInfo(Preferences::file()).path());
-    QFile file(Preferences::file());
-    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-    file.write("[General]\ntheme=pink\ncolorMap=plaid\nrecoveryDelay_s=soon\n");
-    file.close();
-    QStringList problems;
-    EXPECT_EQ(Preferences::load(&problems), Preferences());
-    ASSERT_EQ(problems.size(), 3);
-    EXPECT_TRUE(problems.join(' ').contains("pink"));
-    EXPECT_TRUE(problems.join(' ').contains("plaid"));
-    EXPECT_TRUE(problems.join(' ').contains("soon"));
-    Preferences().save();
-}
-
-TEST_F(SettingsDialogTest, TheListOfKeysIsThatOfTheActions) {
-    QString text;
-    onDialog = [&](QDialog& dialog) { text = dialog.findChild<QLabel*>("keyList")->text(); };
-    trigger("showShortcuts");
-    QStringList seen;
-    for (auto* action : window->findChildren<QAction*>()) {
-        for (const auto& keys : action->shortcuts()) {
-            const QString name = keys.toString(QKeySequence::NativeText);
-            EXPECT_TRUE(text.contains(name)) << name.toStdString();
-            // A key of one widget alone may be another's, too.
-            if (action->shortcutContext() == Qt::WidgetShortcut) {
-                continue;
-            }
-            EXPECT_FALSE(seen.contains(name)) << name.toStdString() << " does two things";
-            seen << name;
-        }
-    }
-    EXPECT_GE(seen.size(), 18);
-    EXPECT_TRUE(text.contains("Save project as"));
-}
-
-TEST_F(SettingsDialogTest, EveryMenuAndItsEntriesHaveALetterOfTheirOwn) {
-    openSample();
-    for (const auto* menu : window->menuBar()->actions()) {
-        EXPECT_TRUE(menu->text().contains('&')) << menu->text().toStdString();
-        QStringList letters;
-        for (const auto* action : menu->menu()->actions()) {
-            const int at = static_cast<int>(action->text().indexOf('&'));
-            if (action->isSeparator() || at < 0) {
-                continue;
-            }
-            const QString letter = action->text().mid(at + 1, 1).toLower();
-            EXPECT_FALSE(letters.contains(letter))
-                << menu->text().toStdString() << ": " << action->text().toStdString();
-            letters << letter;
-        }
-    }
-}
-
-TEST_F(SettingsDialogTest, AboutNamesEveryLibraryWithItsVersion) {
-    QString text;
-    onDialog = [&](QDialog& dialog) { text = dialog.findChild<QLabel*>("aboutText")->text(); };
-    trigger("showAbout");
-    for (const auto* name : {"Qt", "Qwt", "OpenSceneGraph", "OpenEXR", "SQLite", "3-D view"}) {
-        EXPECT_TRUE(text.contains(name)) << name;
-    }
-    EXPECT_TRUE(text.contains(qVersion()));
-    EXPECT_EQ(text.contains("FFTW"), whyUnavailable(settingInfo("render.scattering")).empty());
-    EXPECT_TRUE(text.contains(window->sceneView()->renderer().toHtmlEscaped()));
 }
 
 } // namespace

@@ -16,7 +16,7 @@ constexpr IntegerKey conditionPoints{"condition.points"};
 
 namespace {
 
-std::vector<SettingInfo> settings() {
+std::vector<SettingInfo> conditionSettings() {
     using namespace rows;
     return {
         choice(key::conditionOver, "--over", "Over", {"power", "mach", "altitude"}, "mach",
@@ -45,8 +45,8 @@ Condition conditionNamed(const std::string& name) {
     return {irsg::Quantity::altitude, key::targetAltitude, &AnalysisCase::altitude_m};
 }
 
-void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
-          std::vector<irsg::Diagnostic>& diagnostics) {
+void planCondition(AnalysisPlan& plan, const Project&, const Settings& settings,
+                   std::vector<irsg::Diagnostic>& diagnostics) {
     const Condition condition = conditionNamed(settings.text(key::conditionOver));
     const double from = settings[key::conditionFrom], to = settings[key::conditionTo];
     const int points = settings[key::conditionPoints];
@@ -79,7 +79,7 @@ void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
     }
 }
 
-std::vector<std::string> ignored(const Settings& settings) {
+std::vector<std::string> ignoredByCondition(const Settings& settings) {
     return {conditionNamed(settings.text(key::conditionOver)).setting};
 }
 
@@ -90,8 +90,8 @@ extern constinit const AnalysisDefinition conditionAnalysis{
     .title = "Flight condition",
     .help = "Intensity over engine power, Mach number or altitude",
     .icon = "condition",
-    .settings = settings,
-    .plan = plan,
-    .ignored = ignored};
+    .settings = conditionSettings,
+    .plan = planCondition,
+    .ignored = ignoredByCondition};
 
 } // namespace smat

@@ -6,7 +6,7 @@ namespace smat {
 
 namespace {
 
-std::vector<SettingInfo> settings() {
+std::vector<SettingInfo> imageSettings() {
     using namespace rows;
     return {
         named(choice(key::imageQuantity, "--quantity", "Quantity",
@@ -21,8 +21,8 @@ std::vector<SettingInfo> settings() {
     };
 }
 
-void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
-          std::vector<irsg::Diagnostic>&) {
+void planImage(AnalysisPlan& plan, const Project&, const Settings& settings,
+               std::vector<irsg::Diagnostic>&) {
     plan.columns = {irsg::Quantity::range};
     plan.cases.push_back(standingCase(settings));
 }
@@ -35,7 +35,7 @@ extern constinit const AnalysisDefinition imageAnalysis{
     .help = "One image: radiance, irradiance or apparent temperature",
     .icon = "image",
     .form = AnalysisForm::image,
-    .settings = settings,
-    .plan = plan};
+    .settings = imageSettings,
+    .plan = planImage};
 
 } // namespace smat

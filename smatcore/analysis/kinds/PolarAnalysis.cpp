@@ -22,7 +22,7 @@ constexpr RealKey polarOffsetStep{"polar.offsetStep"};
 
 namespace {
 
-std::vector<SettingInfo> settings() {
+std::vector<SettingInfo> polarSettings() {
     using namespace rows;
     return {
         named(choice(key::polarType, "--type", "Type",
@@ -123,7 +123,7 @@ std::vector<double> offsets_deg(const Settings& settings) {
     return offsets;
 }
 
-void check(const Settings& settings, std::vector<irsg::Diagnostic>& diagnostics) {
+void checkPolar(const Settings& settings, std::vector<irsg::Diagnostic>& diagnostics) {
     const auto refuse = [&](std::string_view key, const char* expected) {
         diagnostics.push_back({.file = "",
                                .position = std::string(key),
@@ -141,9 +141,9 @@ void check(const Settings& settings, std::vector<irsg::Diagnostic>& diagnostics)
         refuse(key::polarTo, "more than the first angle");
 }
 
-void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
-          std::vector<irsg::Diagnostic>& diagnostics) {
-    check(settings, diagnostics);
+void planPolar(AnalysisPlan& plan, const Project&, const Settings& settings,
+               std::vector<irsg::Diagnostic>& diagnostics) {
+    checkPolar(settings, diagnostics);
     const std::string& type = settings.text(key::polarType);
     plan.coordinate = irsg::Quantity::angle;
     plan.columns = {irsg::Quantity::angle, irsg::Quantity::azimuth, irsg::Quantity::elevation,
@@ -177,7 +177,7 @@ void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
     }
 }
 
-std::vector<std::string> ignored(const Settings& settings) {
+std::vector<std::string> ignoredByPolar(const Settings& settings) {
     const std::string& type = settings.text(key::polarType);
     if (type == "model-yaw")
         return {key::targetYaw, key::targetPitch, key::targetRoll};
@@ -192,8 +192,8 @@ extern constinit const AnalysisDefinition polarAnalysis{
     .help = "Intensity over one turn of camera or target",
     .icon = "polar",
     .step = key::polarStep.name,
-    .settings = settings,
-    .plan = plan,
-    .ignored = ignored};
+    .settings = polarSettings,
+    .plan = planPolar,
+    .ignored = ignoredByPolar};
 
 } // namespace smat

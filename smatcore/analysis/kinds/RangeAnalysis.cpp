@@ -17,7 +17,7 @@ constexpr TextKey rangeSteps{"range.steps"};
 
 namespace {
 
-std::vector<SettingInfo> settings() {
+std::vector<SettingInfo> rangeSettings() {
     using namespace rows;
     return {
         number(key::rangeFrom, "--from", "From", "m", 0, 1e8, "500", "First range."),
@@ -30,8 +30,8 @@ std::vector<SettingInfo> settings() {
     };
 }
 
-void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
-          std::vector<irsg::Diagnostic>& diagnostics) {
+void planRange(AnalysisPlan& plan, const Project&, const Settings& settings,
+               std::vector<irsg::Diagnostic>& diagnostics) {
     const double from_m = settings[key::rangeFrom];
     const double to_m = settings[key::rangeTo];
     const bool isRefined = isAdaptivePlot(AnalysisKind::range, settings);
@@ -83,7 +83,7 @@ void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
     }
 }
 
-std::vector<std::string> ignored(const Settings&) {
+std::vector<std::string> ignoredByRange(const Settings&) {
     return {key::cameraRange};
 }
 
@@ -95,8 +95,8 @@ extern constinit const AnalysisDefinition rangeAnalysis{
     .help = "Contrast intensity and irradiance over range",
     .icon = "range",
     .step = key::rangePoints.name,
-    .settings = settings,
-    .plan = plan,
-    .ignored = ignored};
+    .settings = rangeSettings,
+    .plan = planRange,
+    .ignored = ignoredByRange};
 
 } // namespace smat

@@ -18,13 +18,13 @@ constexpr RealKey spectrumResolution{"spectrum.resolution"};
 
 namespace {
 
-std::vector<SettingInfo> settings() {
+std::vector<SettingInfo> spectrumSettings() {
     return {rows::number(key::spectrumResolution, "--resolution", "Resolution", "cm-1", 0.01, 1000,
                          "5", "Distance between two wavenumbers.")};
 }
 
-void plan(AnalysisPlan& plan, const Project& project, const Settings& settings,
-          std::vector<irsg::Diagnostic>& diagnostics) {
+void planSpectrum(AnalysisPlan& plan, const Project& project, const Settings& settings,
+                  std::vector<irsg::Diagnostic>& diagnostics) {
     const irsg::SpectralRange range = sensorOf(project, settings).band.range();
     const double lowest_per_cm = irsg::wavenumberFromWavelength_per_cm(range.max_um);
     const double highest_per_cm = irsg::wavenumberFromWavelength_per_cm(range.min_um);
@@ -58,7 +58,7 @@ extern constinit const AnalysisDefinition spectrumAnalysis{
     .help = "Intensity of the target over wavenumber and wavelength",
     .icon = "spectrum",
     .form = AnalysisForm::spectrum,
-    .settings = settings,
-    .plan = plan};
+    .settings = spectrumSettings,
+    .plan = planSpectrum};
 
 } // namespace smat

@@ -35,7 +35,7 @@ namespace {
 
 using irsg::Quantity;
 
-std::vector<SettingInfo> settings() {
+std::vector<SettingInfo> tableSettings() {
     using namespace rows;
     const auto list = [](RealListKey key, const char* option, const char* label, const char* unit,
                          double minimum, double maximum, const char* what, const char* setting) {
@@ -236,8 +236,8 @@ void checkGround(const Settings& settings, const std::vector<Direction>& directi
     }
 }
 
-void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
-          std::vector<irsg::Diagnostic>& diagnostics) {
+void planTable(AnalysisPlan& plan, const Project&, const Settings& settings,
+               std::vector<irsg::Diagnostic>& diagnostics) {
     plan.coordinate = Quantity::azimuth;
     plan.columns = {Quantity::azimuth, Quantity::elevation, Quantity::range,   Quantity::time,
                     Quantity::power,   Quantity::mach,      Quantity::altitude};
@@ -322,7 +322,7 @@ std::vector<AnalysisCase> casesOver(const std::vector<Direction>& directions,
     return cases;
 }
 
-std::vector<std::string> ignored(const Settings& settings) {
+std::vector<std::string> ignoredByTable(const Settings& settings) {
     std::vector<std::string> keys{key::cameraAzimuth, key::cameraElevation};
     for (const Axis& axis : axes)
         if (!settings[axis.list].empty())
@@ -337,9 +337,9 @@ extern constinit const AnalysisDefinition tableAnalysis{
     .title = "Signature table",
     .help = "Intensity over azimuth, elevation, range and state",
     .icon = "table",
-    .settings = settings,
-    .plan = plan,
-    .ignored = ignored,
+    .settings = tableSettings,
+    .plan = planTable,
+    .ignored = ignoredByTable,
     .isOverDirections = true};
 
 } // namespace smat

@@ -17,7 +17,7 @@ constexpr RealKey timeStep{"time.step"};
 
 namespace {
 
-std::vector<SettingInfo> settings() {
+std::vector<SettingInfo> timeSettings() {
     using namespace rows;
     return {
         number(key::timeFrom, "--from", "From", "s", -1e9, 1e9, "0", "First time."),
@@ -26,8 +26,8 @@ std::vector<SettingInfo> settings() {
     };
 }
 
-void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
-          std::vector<irsg::Diagnostic>& diagnostics) {
+void planTime(AnalysisPlan& plan, const Project&, const Settings& settings,
+              std::vector<irsg::Diagnostic>& diagnostics) {
     const double from_s = settings[key::timeFrom];
     const double to_s = settings[key::timeTo];
     const double step_s = settings[key::timeStep];
@@ -57,7 +57,7 @@ void plan(AnalysisPlan& plan, const Project&, const Settings& settings,
     }
 }
 
-std::vector<std::string> ignored(const Settings&) {
+std::vector<std::string> ignoredByTime(const Settings&) {
     return {key::stateTime};
 }
 
@@ -67,8 +67,8 @@ extern constinit const AnalysisDefinition timeAnalysis{.name = "time",
                                                        .title = "Time plot",
                                                        .help = "Intensity over time",
                                                        .icon = "time",
-                                                       .settings = settings,
-                                                       .plan = plan,
-                                                       .ignored = ignored};
+                                                       .settings = timeSettings,
+                                                       .plan = planTime,
+                                                       .ignored = ignoredByTime};
 
 } // namespace smat
