@@ -239,27 +239,34 @@ struct Shares {
     std::vector<double> near, difference;
 };
 
-/// Adds what a piece of a ray sends through everything before it.
-IRSG_VECTOR_CLONES void cross(const Crossing& piece, const LevelSources::Rows& near,
-                              const LevelSources::Rows& far, PathLight& light, Shares& shares) {
-    const std::size_t n = light.radiance.size();
+/// Source functions at an end of a piece, per node.
+struct EndSources {
+    const double *mean, *slope;
+};
+
+/// Adds what a piece of a ray sends through everything before it. What is written lies over nothing
+/// else, which compilers need to be told to make vectors of so many places.
+IRSG_VECTOR_CLONES void cross(const Crossing& piece, const EndSources& near, const EndSources& far,
+                              std::size_t n, double* __restrict transmittance,
+                              double* __restrict radiance, double* __restrict ofNear,
+                              double* __restrict ofDifference) {
     const double lowerWeight = piece.lowerWeight_m, upperWeight = piece.upperWeight_m;
     const double sine = piece.sinElevation;
     const float *lower = piece.lower, *upper = piece.upper;
-    const double *nearMean = near.mean.data(), *nearSlope = near.slope.data();
-    const double *farMean = far.mean.data(), *farSlope = far.slope.data();
-    double *transmittance = light.transmittance.data(), *radiance = light.radiance.data();
-    double *ofNear = shares.near.data(), *ofDifference = shares.difference.data();
+    const double *nearMean = near.mean, *nearSlope = near.slope;
+    const double *farMean = far.mean, *farSlope = far.slope;
     for (std::size_t i = 0; i < n; ++i) {
         const double t = lowerWeight * static_cast<double>(lower[i]) +
                          upperWeight * static_cast<double>(upper[i]);
         const double absorbed = vectorAbsorbed(t);
         const double nearSource = nearMean[i] - sine * nearSlope[i];
         const double step = farMean[i] - sine * farSlope[i] - nearSource;
-        ofNear[i] = transmittance[i] * absorbed;
-        ofDifference[i] = transmittance[i] * slopeShare(t, absorbed);
-        radiance[i] += ofNear[i] * nearSource + ofDifference[i] * step;
-        const double left = transmittance[i] * (1.0 - absorbed);
+        const double through = transmittance[i];
+        const double share = through * absorbed, shareOfStep = through * slopeShare(t, absorbed);
+        ofNear[i] = share;
+        ofDifference[i] = shareOfStep;
+        radiance[i] += share * nearSource + shareOfStep * step;
+        const double left = through * (1.0 - absorbed);
         transmittance[i] = left < 1e-150 ? 0.0 : left; // before numbers become slow
     }
 }
@@ -313,7 +320,9 @@ PathLight integratePath(const LevelSources& sources, const RayPath& path,
         cross({segment.length_m * (1.0 - segment.meanFraction),
                segment.length_m * segment.meanFraction, segment.sinElevation,
                column.extinction(layer).data(), column.extinction(layer + 1).data()},
-              *near, far, light, shares);
+              {near->mean.data(), near->slope.data()}, {far.mean.data(), far.slope.data()}, n,
+              light.transmittance.data(), light.radiance.data(), shares.near.data(),
+              shares.difference.data());
         near = &far;
         for (std::size_t kind = 0; kind < kinds; ++kind) {
             farBeams[kind] = &beamAtEnd(*beams, column, layer, segment.endAltitude_m, kind,
