@@ -20,7 +20,7 @@ namespace {
 /// radiance of a path at all nodes of the band: a row of the background, and a case with spectra of
 /// gas, which make training dearer. In processor time of computed air
 /// (docs/atmosphere-accuracy.md).
-constexpr double ofSky = 2.7, ofGases = 2.4, dearerWithGases = 2.5;
+constexpr double ofSky = 2.5, ofGases = 4.4, dearerWithGases = 3.3;
 
 /// Terms of air of a file are trained in a few lines of sight.
 constexpr double fewestInAirOfAFile = 3.0;
@@ -34,8 +34,8 @@ double nodesBeside5(int resolution_per_cm) {
 }
 
 /// What training in computed air costs, nodes of all bands counted; 0 where no air is computed.
-/// Nodes that lie dense are of many lines of several gases, whose fit needs more terms: 350 to 370
-/// units at 1.1 to 1.3 nodes of bins of 5 cm-1 per cm-1, 430 at 1.5, 605 to 735 at 1.9.
+/// Nodes that lie dense are of many lines of several gases, whose fit needs more terms: 165 to 200
+/// units at 1.1 to 1.3 nodes of bins of 5 cm-1 per cm-1, 250 at 1.5, 330 to 400 at 1.9.
 double training(const SceneDescription& scene) {
     double cost = 0.0, all = 0.0;
     for (const irsg::Band& band : scene.allBands()) {
@@ -49,7 +49,7 @@ double training(const SceneDescription& scene) {
         const auto nodes = static_cast<double>(sampling->size());
         const double width_per_cm = 1e4 / band.range().min_um - 1e4 / band.range().max_um;
         const double density = nodes / (width_per_cm + 2.0 * bin_per_cm) / beside5;
-        constexpr double ofAir = 260.0, ofFit = 86.0, ofDenseFit = 700.0, sparse = 1.4;
+        constexpr double ofAir = 90.0, ofFit = 95.0, ofDenseFit = 380.0, sparse = 1.4;
         cost += nodes * (ofAir + (ofFit + ofDenseFit * std::max(0.0, density - sparse)) / beside5);
         all += nodes;
     }

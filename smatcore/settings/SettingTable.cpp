@@ -32,7 +32,7 @@ void addSensor(std::vector<SettingInfo>& table) {
                "How the band is integrated. Spectral multiplies at every wavelength and "
                "integrates last; ck does so at a few terms that the air is asked for, trained to a "
                "few thousandths. Auto takes ck for sweeps over so many different lines of sight "
-               "that they pay for training, 3 in air of a file, 10 to 700 in computed air by how "
+               "that they pay for training, 3 in air of a file, 6 to 400 in computed air by how "
                "much it is asked for each; results say what it took and why. Images and frames "
                "are then spectral; spectra always are.",
                SettingAudience::expert),

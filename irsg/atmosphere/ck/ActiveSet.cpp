@@ -11,12 +11,13 @@ namespace {
 
 constexpr std::size_t lanes = 16; ///< sums that run side by side, so that compilers make vectors
 
-template <typename Number>
-double sumOf(const std::array<Number, lanes>& sums) {
-    double all = 0.0;
-    for (const Number sum : sums)
-        all += static_cast<double>(sum);
-    return all;
+/// By halves, so that no sum waits for more than four others.
+template <typename Number, std::size_t count>
+inline double sumOf(std::array<Number, count> sums) {
+    for (std::size_t half = count / 2; half > 0; half /= 2)
+        for (std::size_t k = 0; k < half; ++k)
+            sums[k] += sums[k + half];
+    return static_cast<double>(sums[0]);
 }
 
 IRSG_VECTOR_CLONES double sumOfProducts(const float* a, const float* b, std::size_t n) {
@@ -43,14 +44,20 @@ IRSG_VECTOR_CLONES double coarseSum(const float* a, const float* b, std::size_t 
 
 /// Sum of products of the first n.
 IRSG_VECTOR_CLONES double sumOfProducts(const double* a, const double* b, std::size_t n) {
+    constexpr std::size_t few = 4;
     std::array<double, lanes> sums{};
     std::size_t k = 0;
     for (; k + lanes <= n; k += lanes)
         for (std::size_t i = 0; i < lanes; ++i)
             sums[i] += a[k + i] * b[k + i];
+    std::array<double, few> rest{};
+    for (; k + few <= n; k += few)
+        for (std::size_t i = 0; i < few; ++i)
+            rest[i] += a[k + i] * b[k + i];
+    double last = 0.0;
     for (; k < n; ++k)
-        sums[0] += a[k] * b[k];
-    return sumOf(sums);
+        last += a[k] * b[k];
+    return sumOf(sums) + sumOf(rest) + last;
 }
 
 IRSG_VECTOR_CLONES double sumOfProducts(const double* a, const float* b, std::size_t n) {
@@ -69,6 +76,21 @@ IRSG_VECTOR_CLONES void subtract(double weight, const float* column, std::size_t
         rest[r] -= weight * static_cast<double>(column[r]);
 }
 
+/// Adds four rows with their weights to a fifth.
+IRSG_VECTOR_CLONES void addFour(const std::array<double, 4>& weights,
+                                const std::array<const double*, 4>& rows, std::size_t n,
+                                double* __restrict sum) {
+    const double a = weights[0], b = weights[1], c = weights[2], d = weights[3];
+    const double *ofA = rows[0], *ofB = rows[1], *ofC = rows[2], *ofD = rows[3];
+    for (std::size_t i = 0; i < n; ++i)
+        sum[i] += (a * ofA[i] + b * ofB[i]) + (c * ofC[i] + d * ofD[i]);
+}
+
+IRSG_VECTOR_CLONES void subtractScaled(double factor, const double* a, std::size_t n, double* b) {
+    for (std::size_t i = 0; i < n; ++i)
+        b[i] -= factor * a[i];
+}
+
 } // namespace
 
 double product(const float* a, const float* b, std::size_t n) {
@@ -76,6 +98,10 @@ double product(const float* a, const float* b, std::size_t n) {
 }
 
 double product(const double* a, const float* b, std::size_t n) {
+    return sumOfProducts(a, b, n);
+}
+
+double product(const double* a, const double* b, std::size_t n) {
     return sumOfProducts(a, b, n);
 }
 
@@ -110,15 +136,15 @@ ActiveSet::ActiveSet(const SomeRows& problem)
 
 ActiveSet::ActiveSet(const SomeRows& problem, const ActiveSet& before) : ActiveSet(problem) {
     std::ranges::copy(before.importance_, importance_.begin());
-    for (const std::size_t column : before.columns_)
-        add(column);
+    add(before.columns_);
     weights_ = before.weights_;
 }
 
-void ActiveSet::add(std::size_t column) {
-    columns_.push_back(column);
-    weights_.push_back(0.0);
-    appendProducts(columns_.size() - 1);
+void ActiveSet::add(const std::vector<std::size_t>& columns) {
+    const std::size_t first = columns_.size();
+    columns_.insert(columns_.end(), columns.begin(), columns.end());
+    weights_.resize(columns_.size(), 0.0);
+    appendProducts(first);
 }
 
 void ActiveSet::remove(std::size_t place) {
@@ -126,9 +152,12 @@ void ActiveSet::remove(std::size_t place) {
     columns_.erase(columns_.begin() + at);
     weights_.erase(weights_.begin() + at);
     right_.erase(right_.begin() + at);
-    gram_.erase(gram_.begin() + at);
-    for (std::size_t i = place; i < gram_.size(); ++i)
-        gram_[i].erase(gram_[i].begin() + at);
+    std::size_t to = row(place); // what stays moves up
+    for (std::size_t i = place + 1; i <= columns_.size(); ++i)
+        for (std::size_t j = 0; j <= i; ++j)
+            if (j != place)
+                gram_[to++] = gram_[row(i) + j];
+    gram_.resize(to);
     factored_ = std::min(factored_, place);
 }
 
@@ -146,8 +175,7 @@ void ActiveSet::emphasize(const std::vector<double>& rest) {
     gram_.clear();
     right_.clear();
     factored_ = 0;
-    for (std::size_t i = 0; i < columns_.size(); ++i)
-        appendProducts(i);
+    appendProducts(0);
 }
 
 bool ActiveSet::solve() {
@@ -155,11 +183,19 @@ bool ActiveSet::solve() {
         if (!decompose())
             return false;
         const std::vector<double> trial = solution();
+        bool isInside = true;
+        // What is new and would be negative goes at once.
+        for (std::size_t i = trial.size(); i-- > 0;)
+            if (trial[i] <= 0.0 && weights_[i] == 0.0) {
+                isInside = false;
+                remove(i);
+            }
+        if (!isInside)
+            continue;
         double step = 1.0;
         for (std::size_t i = 0; i < trial.size(); ++i)
             if (trial[i] <= 0.0)
                 step = std::min(step, weights_[i] / (weights_[i] - trial[i]));
-        bool isInside = true;
         for (std::size_t i = trial.size(); i-- > 0;) {
             isInside = isInside && trial[i] > 0.0;
             weights_[i] += step * (trial[i] - weights_[i]);
@@ -181,15 +217,15 @@ std::vector<double> ActiveSet::residual() const {
 std::vector<std::size_t> ActiveSet::dispensable() {
     decompose();
     const std::size_t n = size();
-    std::vector<double> cost(n), row(n);
+    std::vector<double> cost(n), column(n);
     for (std::size_t k = 0; k < n; ++k) {
         double inverse = 0.0; // of the Gram matrix: squares of a column of the inverse factor
         for (std::size_t i = k; i < n; ++i) {
             double sum = i == k ? 1.0 : 0.0;
             for (std::size_t j = k; j < i; ++j)
-                sum -= factor_[i][j] * row[j];
-            row[i] = sum / factor_[i][i];
-            inverse += row[i] * row[i];
+                sum -= factor_[row(i) + j] * column[j];
+            column[i] = sum / factor_[row(i) + i];
+            inverse += column[i] * column[i];
         }
         cost[k] = weights_[k] * weights_[k] / inverse;
     }
@@ -199,32 +235,49 @@ std::vector<std::size_t> ActiveSet::dispensable() {
     return order;
 }
 
-void ActiveSet::appendProducts(std::size_t place) {
-    const float* own = problem_->column(columns_[place]);
-    std::vector<float> weighted(problem_->rows);
-    for (std::size_t r = 0; r < weighted.size(); ++r)
-        weighted[r] = own[r] * importance_[r];
-    std::vector<double> products;
-    for (std::size_t i = 0; i <= place; ++i)
-        products.push_back(product(weighted.data(), problem_->column(columns_[i]), problem_->rows));
-    gram_.push_back(std::move(products));
-    right_.push_back(product(weighted.data(), target_.data(), problem_->rows));
+void ActiveSet::appendProducts(std::size_t first) {
+    const std::size_t n = columns_.size(), rows = problem_->rows;
+    // Row by row of the problem, as many numbers as there are columns in the set, and none beyond.
+    std::vector<double> values(n * ((rows + 3) / 4) * 4, 0.0);
+    for (std::size_t i = 0; i < n; ++i) {
+        const float* own = problem_->column(columns_[i]);
+        for (std::size_t r = 0; r < rows; ++r)
+            values[r * n + i] = static_cast<double>(own[r]);
+    }
+    gram_.resize(row(n));
+    std::fill(gram_.begin() + static_cast<std::ptrdiff_t>(row(first)), gram_.end(), 0.0);
+    right_.resize(n, 0.0);
+    for (std::size_t r = 0; r < rows; r += 4) {
+        const double* at = &values[r * n];
+        std::array<double, 4> importance{};
+        for (std::size_t k = 0; k < 4 && r + k < rows; ++k) {
+            importance[k] = static_cast<double>(importance_[r + k]);
+            const double target = importance[k] * problem_->target[r + k];
+            for (std::size_t i = first; i < n; ++i)
+                right_[i] += target * at[k * n + i];
+        }
+        for (std::size_t i = first; i < n; ++i)
+            addFour({importance[0] * at[i], importance[1] * at[n + i],
+                     importance[2] * at[2 * n + i], importance[3] * at[3 * n + i]},
+                    {at, at + n, at + 2 * n, at + 3 * n}, i + 1, &gram_[row(i)]);
+    }
 }
 
 /// Cholesky's, from the first row that is not done yet.
 bool ActiveSet::decompose() {
     const std::size_t n = columns_.size();
-    factor_.resize(n);
+    factor_.resize(row(n));
     for (std::size_t i = factored_; i < n; ++i) {
-        factor_[i].resize(i + 1);
+        double* own = &factor_[row(i)];
         for (std::size_t j = 0; j <= i; ++j) {
-            const double sum = gram_[i][j] - sumOfProducts(factor_[i].data(), factor_[j].data(), j);
+            const double* other = &factor_[row(j)];
+            const double sum = gram_[row(i) + j] - sumOfProducts(own, other, j);
             if (i != j)
-                factor_[i][j] = sum / factor_[j][j];
-            else if (sum <= 1e-11 * gram_[i][i])
+                own[j] = sum / other[j];
+            else if (sum <= 1e-11 * gram_[row(i) + i])
                 return false;
             else
-                factor_[i][i] = std::sqrt(sum);
+                own[i] = std::sqrt(sum);
         }
         factored_ = i + 1;
     }
@@ -235,11 +288,10 @@ std::vector<double> ActiveSet::solution() const {
     const std::size_t n = columns_.size();
     std::vector<double> x(n);
     for (std::size_t i = 0; i < n; ++i)
-        x[i] = (right_[i] - sumOfProducts(factor_[i].data(), x.data(), i)) / factor_[i][i];
+        x[i] = (right_[i] - sumOfProducts(&factor_[row(i)], x.data(), i)) / factor_[row(i) + i];
     for (std::size_t i = n; i-- > 0;) { // by rows of the factor, as they lie
-        x[i] /= factor_[i][i];
-        for (std::size_t k = 0; k < i; ++k)
-            x[k] -= factor_[i][k] * x[i];
+        x[i] /= factor_[row(i) + i];
+        subtractScaled(x[i], &factor_[row(i)], i, x.data());
     }
     return x;
 }

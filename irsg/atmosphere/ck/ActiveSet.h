@@ -21,6 +21,7 @@ struct SomeRows {
 /// Sum of products in double, in single precision, and the largest magnitude.
 double product(const float* a, const float* b, std::size_t n);
 double product(const double* a, const float* b, std::size_t n);
+double product(const double* a, const double* b, std::size_t n);
 double coarseProduct(const float* a, const float* b, std::size_t n);
 double largest(const std::vector<double>& values);
 
@@ -37,7 +38,7 @@ class ActiveSet {
     const std::vector<float>& importance() const { return importance_; }
     std::size_t size() const { return columns_.size(); }
 
-    void add(std::size_t column);
+    void add(const std::vector<std::size_t>& columns);
     void remove(std::size_t place);
     /// Makes rows count more the larger their errors are.
     void emphasize(const std::vector<double>& rest);
@@ -45,13 +46,17 @@ class ActiveSet {
     /// unconstrained solution as far as all stay positive, and what reaches zero leaves the set.
     /// False where a column depends on the others.
     bool solve();
+    /// The place of that column after `solve` failed.
+    std::size_t dependent() const { return factored_; }
     std::vector<double> residual() const;
     /// Places in the set, from the column whose loss raises the sum of squares least: by
     /// weight^2 / (Gram^-1)_ii.
     std::vector<std::size_t> dispensable();
 
   private:
-    void appendProducts(std::size_t place);
+    /// Where a row of a triangle begins.
+    static std::size_t row(std::size_t place) { return place * (place + 1) / 2; }
+    void appendProducts(std::size_t first);
     bool decompose();
     std::vector<double> solution() const;
 
@@ -60,8 +65,8 @@ class ActiveSet {
     std::vector<float> target_;
     std::vector<std::size_t> columns_;
     std::vector<double> weights_;
-    std::vector<std::vector<double>> gram_, factor_; ///< lower triangles
-    std::size_t factored_ = 0; ///< rows of the factor that are those of the Gram matrix
+    std::vector<double> gram_, factor_; ///< lower triangles, row by row
+    std::size_t factored_ = 0;          ///< rows of the factor that are those of the Gram matrix
     std::vector<double> right_;
 };
 

@@ -28,6 +28,15 @@ std::vector<AtmosphericPath> spreadOfPaths(double top_m) {
     return paths;
 }
 
+/// Every so many of some.
+template <typename Element>
+std::vector<Element> oneIn(std::size_t many, const std::vector<Element>& all) {
+    std::vector<Element> some;
+    for (std::size_t i = many / 2; i < all.size(); i += many)
+        some.push_back(all[i]);
+    return some;
+}
+
 /// Paths between those of the training in range and altitude.
 std::vector<AtmosphericPath> pathsHeldOut(double top_m) {
     struct Ends {
@@ -80,12 +89,14 @@ std::vector<double> valuesOf(const RadiativeTransfer& transfer, const NodeSet& s
 
 CkAir ckAirOf(const RadiativeTransfer& transfer, const Band& band) {
     const double top_m = transfer.air().profile.top_m();
+    const std::vector<AtmosphericPath> spread = spreadOfPaths(top_m);
     CkAir air{.nodes = CkNodes(transfer, band),
               .values = {},
               .ambient_K = transfer.air().profile.at(0.0).temperature_K,
-              .paths = spreadOfPaths(top_m),
-              .sights = spreadOfSights(),
-              .heldOut = pathsHeldOut(top_m)};
+              .paths = oneIn(10, spread),
+              .sights = oneIn(5, spreadOfSights()),
+              .shades = spread,
+              .heldOut = oneIn(2, pathsHeldOut(top_m))};
     air.values = [&transfer, set = air.nodes.set](const AtmosphericQuery& question) {
         return valuesOf(transfer, set, question);
     };

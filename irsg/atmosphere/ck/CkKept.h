@@ -11,7 +11,7 @@
 namespace irsg {
 
 /// Counts up with every change of what is trained: a part of every key.
-inline constexpr double ckTraining = 6;
+inline constexpr double ckTraining = 7;
 
 /// Terms that are kept under a key, if they are those of these nodes, else trained and kept;
 /// without a store trained.

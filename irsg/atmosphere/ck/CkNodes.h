@@ -32,13 +32,13 @@ class CkNodes {
         std::vector<double> sampled;
     };
     template <typename Function>
-    Shares shares(Function f) const {
+    Shares shares(Function f, int points = 32) const {
         std::vector<double> withResponse(centres_um_.size()), alone(centres_um_.size());
         integrate(
             [&](double at_um) {
                 return std::pair{f(at_um), band_.responseAt(at_um)};
             },
-            withResponse, alone);
+            withResponse, alone, points);
         Shares of{std::vector<double>(size()), std::vector<double>(size())};
         for (std::size_t i = 0; i < size(); ++i) {
             const std::size_t bin = binOf_[i];
@@ -65,9 +65,9 @@ class CkNodes {
     /// Adds the integrals of f R and of f, which f gives with R, times every bin's hat over the
     /// band.
     template <typename Function>
-    void integrate(Function f, std::vector<double>& withResponse,
-                   std::vector<double>& alone) const {
-        const GaussRule& rule = gaussLegendre(32);
+    void integrate(Function f, std::vector<double>& withResponse, std::vector<double>& alone,
+                   int points) const {
+        const GaussRule& rule = gaussLegendre(points);
         for (std::size_t b = 0; b + 1 < centres_um_.size(); ++b) { // wavelengths fall
             const double lower_um = std::max(centres_um_[b + 1], band_.range().min_um);
             const double upper_um = std::min(centres_um_[b], band_.range().max_um);

@@ -8,10 +8,12 @@
 #include <numeric>
 #include <span>
 
+#include "irsg/atmosphere/ck/ActiveSet.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/ParallelFor.h"
 #include "irsg/radiometry/Planck.h"
+#include "irsg/radiometry/VectorClones.h"
 
 namespace irsg {
 
@@ -24,8 +26,8 @@ struct Source : CkNodes::Shares {
     double inBand;
 
     template <typename Function>
-    Source(const CkNodes& nodes, Function f)
-        : Shares(nodes.shares(f)),
+    Source(const CkNodes& nodes, Function f, int points = 32)
+        : Shares(nodes.shares(f, points)),
           inBand(std::accumulate(integrated.begin(), integrated.end(), 0.0)) {}
 };
 
@@ -39,7 +41,7 @@ struct Case {
 
     /// The integral; `scale` is what errors are relative to, false where it is nothing.
     bool isAny(double& integral, double& scale) const {
-        integral = std::inner_product(values.begin(), values.end(), integrated.begin(), 0.0);
+        integral = product(values.data(), integrated.data(), values.size());
         scale = std::max(integral, least);
         return scale > 1e-30;
     }
@@ -47,6 +49,22 @@ struct Case {
         return sampled != nullptr ? (*sampled)[node] * values[node] : values[node];
     }
 };
+
+/// A row, and the shares with it.
+IRSG_VECTOR_CLONES void fillRow(const double* values, const double* integrated,
+                                const double* sampled, double perScale, std::size_t n,
+                                float* __restrict row, float* __restrict shares) {
+    for (std::size_t i = 0; i < n; ++i) {
+        const float share = static_cast<float>(integrated[i] * values[i] * perScale);
+        shares[i] = shares[i] < share ? share : shares[i];
+    }
+    if (sampled != nullptr)
+        for (std::size_t i = 0; i < n; ++i)
+            row[i] = static_cast<float>(sampled[i] * values[i] * perScale);
+    else
+        for (std::size_t i = 0; i < n; ++i)
+            row[i] = static_cast<float>(values[i] * perScale);
+}
 
 /// Some rows of the training problem: in-band quantities, each relative to its own size.
 struct Rows {
@@ -64,11 +82,8 @@ struct Rows {
         matrix.resize(from + nodes);
         float* row = matrix.data() + from;
         const double perScale = 1.0 / scale;
-        for (std::size_t i = 0; i < nodes; ++i) {
-            shares[i] = std::max(shares[i],
-                                 static_cast<float>(one.integrated[i] * one.values[i] * perScale));
-            row[i] = static_cast<float>(one.atTerm(i) * perScale);
-        }
+        fillRow(one.values.data(), one.integrated.data(),
+                one.sampled ? one.sampled->data() : nullptr, perScale, nodes, row, shares.data());
         target.push_back(sum * perScale);
     }
 };
@@ -91,11 +106,14 @@ SparseWeights solved(const CkNodes& nodes, const std::vector<Rows>& parts, doubl
         if (nodes.placeInBin(i) % 2 == 0 || shares[i] > 0.01f)
             candidates.push_back(i);
     problem.columnCount = candidates.size();
-    problem.matrix.reserve(problem.columnCount * problem.rows());
+    problem.matrix.resize(problem.columnCount * problem.rows());
+    float* to = problem.matrix.data();
     for (const Rows& part : parts)
-        for (std::size_t r = 0; r < part.target.size(); ++r)
+        for (std::size_t r = 0; r < part.target.size(); ++r) {
+            const float* row = part.matrix.data() + r * nodes.size();
             for (const std::size_t i : candidates)
-                problem.matrix.push_back(part.matrix[r * nodes.size() + i]);
+                *to++ = row[i];
+        }
     SparseWeights chosen = sparseWeights(problem, largestError, most);
     for (std::size_t& column : chosen.columns)
         column = candidates[column];
@@ -111,6 +129,9 @@ auto waveOver(SpectralRange range, int waves, double sign) {
     };
 }
 
+/// Points of a bin at which a smooth function is taken; spectra with lines have more.
+constexpr int smoothPoints = 8;
+
 /// Surfaces of many temperatures, grey and with structure.
 std::vector<Source> sources(const CkNodes& nodes, const CkRequest& request) {
     std::vector<Source> all;
@@ -120,15 +141,18 @@ std::vector<Source> sources(const CkNodes& nodes, const CkRequest& request) {
         };
     };
     for (const double temperature_K : {220.0, 260.0, 300.0, 450.0, 900.0, 2200.0})
-        all.emplace_back(nodes, planck(temperature_K));
+        all.emplace_back(nodes, planck(temperature_K), smoothPoints);
 
     // Structure over the band: a surface may emit in any part of it.
     const SpectralRange& range = request.band.range();
     for (const int waves : {1, 2, 3, 5})
         for (const double sign : {1.0, -1.0})
-            all.emplace_back(nodes, [&, part = waveOver(range, waves, sign)](double wavelength_um) {
-                return part(wavelength_um) * planckRadiance_W_m2_sr_um(wavelength_um, 400.0);
-            });
+            all.emplace_back(
+                nodes,
+                [&, part = waveOver(range, waves, sign)](double wavelength_um) {
+                    return part(wavelength_um) * planckRadiance_W_m2_sr_um(wavelength_um, 400.0);
+                },
+                smoothPoints);
 
     return all;
 }
@@ -222,14 +246,29 @@ class Cases {
         ofLight(air_.values(AtmosphericQuery::pathRadiance(across, sun_)),
                 opaque * ambient_W_m2_sr_, take);
 
-        // Light that a surface reflects has been through the air twice.
-        for (std::vector<double> light : lights_.at(path.targetAltitude_m)) {
-            const double all =
-                std::inner_product(light.begin(), light.end(), air_.nodes.ones().begin(), 0.0);
-            for (std::size_t i = 0; i < light.size(); ++i)
-                light[i] *= transmittance[i];
-            ofLight(light, opaque * all, take);
-        }
+        ofReflection(path, transmittance, take);
+    }
+    /// The same of a path that is asked for its transmittance alone: every second surface, by its
+    /// place among the paths, and the emission of air of one temperature.
+    template <typename Take>
+    void shade(const AtmosphericPath& path, std::size_t place, bool withOwn, Take take) const {
+        std::vector<double> transmittance = air_.values(AtmosphericQuery::transmittance(path));
+        if (transmittance.empty())
+            return;
+        for (std::size_t s = place % 2; s < surfaces_.size(); s += 2)
+            take(Case{surfaces_[s].integrated, &surfaces_[s].sampled, transmittance,
+                      opaque * surfaces_[s].inBand});
+        if (withOwn)
+            for (const Source& source : own_)
+                take(Case{source.integrated, &source.sampled, transmittance,
+                          opaque * source.inBand});
+        ofReflection(path, transmittance, take);
+        for (double& value : transmittance)
+            value = 1.0 - value;
+        constexpr std::size_t cold = 0, warm = 2; // 220 and 300 K
+        for (const Source* source : {&surfaces_[cold], &surfaces_[warm]})
+            take(
+                Case{source->integrated, &source->sampled, transmittance, opaque * source->inBand});
     }
     template <typename Take>
     void ofSight(const LineOfSight& sight, Take take) const {
@@ -238,6 +277,27 @@ class Cases {
     }
 
   private:
+    /// Light that a surface at the target reflects has been through the air twice.
+    template <typename Take>
+    void ofReflection(const AtmosphericPath& path, const std::vector<double>& transmittance,
+                      Take take) const {
+        for (std::vector<double> light : lightNear(path.targetAltitude_m)) {
+            const double all =
+                std::inner_product(light.begin(), light.end(), air_.nodes.ones().begin(), 0.0);
+            for (std::size_t i = 0; i < light.size(); ++i)
+                light[i] *= transmittance[i];
+            ofLight(light, opaque * all, take);
+        }
+    }
+    /// What falls on a target at the altitude that is nearest among those of all paths.
+    const std::vector<std::vector<double>>& lightNear(double altitude_m) const {
+        auto above = lights_.lower_bound(altitude_m);
+        if (above == lights_.end() ||
+            (above != lights_.begin() &&
+             altitude_m - std::prev(above)->first < above->first - altitude_m))
+            --above;
+        return above->second;
+    }
     template <typename Take>
     void ofLight(const std::vector<double>& values, double least, Take take) const {
         if (!values.empty()) // the air knows of it
@@ -288,9 +348,14 @@ SparseWeights trainedTerms(const CkAir& air, const CkRequest& request, CkErrors*
     paths.insert(paths.end(), air.paths.begin(), air.paths.end());
     const Cases cases = heldOut != nullptr ? Cases(air, request, {paths, air.heldOut})
                                            : Cases(air, request, {paths});
-    std::vector<Rows> parts(paths.size() + air.sights.size(), Rows(air.nodes.size()));
+    const std::size_t full = paths.size() + air.sights.size();
+    std::vector<Rows> parts(full + air.shades.size(), Rows(air.nodes.size()));
     parallelFor(parts.size(), [&](std::size_t i) {
         const auto take = [&](const Case& one) { parts[i].add(one); };
+        if (i >= full) {
+            cases.shade(air.shades[i - full], i - full, cases.ownCount() <= 8 || i % 4 == 0, take);
+            return;
+        }
         if (i >= paths.size()) {
             cases.ofSight(air.sights[i - paths.size()], take);
             return;

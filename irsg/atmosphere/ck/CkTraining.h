@@ -19,9 +19,12 @@ struct CkAir {
     /// At every node, in their order; empty where the air does not know: it lacks the quantity, or
     /// its tables do not reach there.
     std::function<std::vector<double>(const AtmosphericQuery&)> values;
-    double ambient_K = 288.15;              ///< of the ground's air, the scale of what is faint
-    std::vector<AtmosphericPath> paths;     ///< of the training
-    std::vector<LineOfSight> sights;        ///< the same
+    double ambient_K = 288.15;          ///< of the ground's air, the scale of what is faint
+    std::vector<AtmosphericPath> paths; ///< of the training
+    std::vector<LineOfSight> sights;    ///< the same
+    /// Paths of the training that are asked for their transmittance alone, a tenth of the work:
+    /// what they emit is taken as that of air of one temperature, cold and warm.
+    std::vector<AtmosphericPath> shades{};
     std::vector<AtmosphericPath> heldOut{}; ///< between them
 };
 

@@ -429,9 +429,13 @@ std::vector<double> RadiativeTransfer::downwardFlux(const NodeSet& set, double a
         if (!light)
             return;
         // Light scattered nearly forward is diffuse here, although the solution has it in the beam.
-        std::vector<double> solar = light->fluxes.down;
-        for (std::size_t i = 0; i < solar.size(); ++i)
-            solar[i] += paths->sinElevation() * (light->scaled[i] - light->direct[i]);
+        const std::size_t n = values.size(), levels = state_->column.levelCount();
+        std::vector<double> solar(levels * n); // of the levels that are next to the altitude
+        const std::size_t layer = state_->column.placeOf(altitude_m).layer;
+        const std::size_t first = layer > 0 ? layer - 1 : 0, last = std::min(layer + 2, levels - 1);
+        for (std::size_t i = first * n; i < (last + 1) * n; ++i)
+            solar[i] = light->fluxes.down[i] +
+                       paths->sinElevation() * (light->scaled[i] - light->direct[i]);
         std::vector<double> here(values.size());
         interpolateLevels(state_->column, solar, altitude_m, here);
         std::ranges::transform(values, here, values.begin(), std::plus());
