@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/ParallelFor.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/trace/WindowSamples.h"
@@ -172,8 +173,8 @@ void LobeSamples::addLobes(const Window& own, int row, int column, const FactorS
                                                       : albedo;
             add(k, albedo - mean, hidden * albedo - mean, glint - mean);
         }
-        if (open == 0.0)
-            return;
+        if (open == 0.0 || components == 0 || !model->hasLobe(0))
+            return; // hidden, or no component lies in a lobe
 
         // Where the lobe lies in the world.
         if (const std::uint32_t divisions = divisions_[drawn]; divisions > 0) {
@@ -323,6 +324,8 @@ void LobeSamples::apply(const SheetScene& sheet, const SunShadows* shadows,
                              piece.lobes.data() + line.end);
         for (std::size_t i = line.firstMirror; i < line.lastMirror; ++i) {
             FactorSamples::Mirror mirror = piece.mirrors[i];
+            if (static_cast<std::size_t>(mirror.row) >= rows_.drawnCount())
+                throw LogicError("a surface mirrors the air in a row that there is not");
             const auto [number, table] = use.of(mirror.table, piece.cells[i]);
             const float* scales = &piece.scales[mirror.scales];
             mirror.table = number;
