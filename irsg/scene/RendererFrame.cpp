@@ -7,6 +7,7 @@
 #include "irsg/scene/RendererImpl.h"
 #include "irsg/scene/background/BandSky.h"
 #include "irsg/scene/radiance/HotSurfaces.h"
+#include "irsg/scene/trace/RayEngine.h"
 
 namespace irsg {
 
@@ -19,6 +20,31 @@ LineOfSight centreOf(const Viewpoint& viewpoint) {
     sight.elevation_rad = std::asin(std::clamp(view.z, -1.0, 1.0));
     sight.azimuth_rad = std::atan2(view.x, view.y);
     return steadied(sight);
+}
+
+/// The samples of a probe around its parts.
+std::vector<SampleRun> runsAround(const std::vector<HotPart>& parts, const SampleWindow& probe) {
+    const auto width = static_cast<std::size_t>(probe.tilesWide);
+    std::vector<char> isWanted(width * static_cast<std::size_t>(probe.tilesHigh));
+    for (const HotPart& part : parts) {
+        const ProbedTiles tiles = tilesAround(part, probe);
+        for (int row = tiles.top; row <= tiles.bottom; ++row)
+            std::fill_n(isWanted.begin() + static_cast<std::ptrdiff_t>(row) * probe.tilesWide +
+                            tiles.left,
+                        tiles.right - tiles.left + 1, 1);
+    }
+    std::vector<SampleRun> runs;
+    for (int row = 0; row < probe.tilesHigh; ++row)
+        for (int column = 0; column < probe.tilesWide; ++column) {
+            if (isWanted[static_cast<std::size_t>(row) * width +
+                         static_cast<std::size_t>(column)] == 0)
+                continue;
+            if (runs.empty() || runs.back().row != row ||
+                runs.back().firstColumn + runs.back().count != column)
+                runs.push_back({row, column, 0});
+            ++runs.back().count;
+        }
+    return runs;
 }
 
 } // namespace
@@ -287,18 +313,26 @@ std::vector<ImageRectangle> Renderer::Impl::detailsOf(const Frame& frame, const 
     std::vector<ImageRectangle> details;
     if (parts.empty())
         return details;
-    onEngine(frame, [&] {
-        FactorSamples samples;
-        const SampleWindow probe = probeOf(parts, entity);
-        SurfaceScene scene = sceneOf(frame, camera, probe);
-        std::erase_if(scene.items, [](const SurfaceItem& item) { return item.transparent; });
-        scene.occluders.clear();
-        scene.terrain = {};
-        frame.engine->drawFactors({SampleSheet::of(probe), {scene}}, true, samples);
-        for (const HotPart& part : parts)
-            if (!isHidden(part, probe, samples))
-                details.push_back(part.extent);
-    });
+    const SampleWindow probe = probeOf(parts, entity);
+    SurfaceScene scene = sceneOf(frame, camera, probe);
+    std::erase_if(scene.items, [](const SurfaceItem& item) { return item.transparent; });
+    scene.occluders.clear();
+    scene.terrain = {};
+    FactorSamples samples;
+    if (areRaysBuilt()) {
+        // A few rays are there while a drawing that was begun before goes on.
+        scene.bodies = {{entity, timed("ray trees", [&] { return model.forRays(); }),
+                         camera.eyeFromModel(frame.entity(entity).pose)}};
+        const SheetScene sheet{SampleSheet::of(probe), {std::move(scene)}};
+        timed("hot parts",
+              [&] { RayEngine::traceRuns(sheet, 0, runsAround(parts, probe), samples); });
+    } else {
+        const SheetScene sheet{SampleSheet::of(probe), {std::move(scene)}};
+        onEngine(frame, [&] { frame.engine->drawFactors(sheet, true, samples); });
+    }
+    for (const HotPart& part : parts)
+        if (!isHidden(part, probe, samples))
+            details.push_back(part.extent);
     return details;
 }
 

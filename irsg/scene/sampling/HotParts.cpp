@@ -148,20 +148,24 @@ SampleWindow probeOf(const std::vector<HotPart>& parts, int entity) {
     return probe;
 }
 
-bool isHidden(const HotPart& part, const SampleWindow& probe, const FactorSamples& samples) {
-    constexpr double nearer = 1.0 - 1e-6; // beyond the rounding of float
+ProbedTiles tilesAround(const HotPart& part, const SampleWindow& probe) {
     const ImageRectangle all = probe.rectangle();
     const double side_px = probe.tileSide_px();
     const auto tile = [side_px](double place_px, double origin_px, int count) {
         return std::clamp(static_cast<int>(std::floor((place_px - origin_px) / side_px)), 0,
                           count - 1);
     };
-    const int left = tile(part.extent.left - side_px, all.left, probe.tilesWide);
-    const int right = tile(part.extent.right + side_px, all.left, probe.tilesWide);
-    const int top = tile(part.extent.top - side_px, all.top, probe.tilesHigh);
-    const int bottom = tile(part.extent.bottom + side_px, all.top, probe.tilesHigh);
-    for (int row = top; row <= bottom; ++row)
-        for (int column = left; column <= right; ++column) {
+    return {tile(part.extent.left - side_px, all.left, probe.tilesWide),
+            tile(part.extent.right + side_px, all.left, probe.tilesWide),
+            tile(part.extent.top - side_px, all.top, probe.tilesHigh),
+            tile(part.extent.bottom + side_px, all.top, probe.tilesHigh)};
+}
+
+bool isHidden(const HotPart& part, const SampleWindow& probe, const FactorSamples& samples) {
+    constexpr double nearer = 1.0 - 1e-6; // beyond the rounding of float
+    const ProbedTiles tiles = tilesAround(part, probe);
+    for (int row = tiles.top; row <= tiles.bottom; ++row)
+        for (int column = tiles.left; column <= tiles.right; ++column) {
             const auto sample = // bottom row first
                 static_cast<std::size_t>((probe.tilesHigh - 1 - row) * probe.tilesWide + column);
             if (!samples.isOpaque(sample) ||

@@ -25,9 +25,14 @@ struct HotPart {
 /// One sample a tile around all the parts, some hundred along the longer side: to find out which of
 /// them are hidden.
 SampleWindow probeOf(const std::vector<HotPart>& parts, int entity);
-/// True where a probe, drawn with distances, finds an opaque surface before all of a part and a
-/// tile around it. What is seen through a gap narrower than a tile is hidden, too: it is left to
-/// the window around.
+/// The tiles of a probe in which a part and a tile around it lie, both ends among them.
+struct ProbedTiles {
+    int left = 0, right = 0, top = 0, bottom = 0;
+};
+ProbedTiles tilesAround(const HotPart& part, const SampleWindow& probe);
+/// True where a probe, drawn with distances around the part at least, finds an opaque surface
+/// before all of a part and a tile around it. What is seen through a gap narrower than a tile is
+/// hidden, too: it is left to the window around.
 bool isHidden(const HotPart& part, const SampleWindow& probe, const FactorSamples& samples);
 
 /// The hot parts of one object, found once for each pair of codes that was ever hot.
