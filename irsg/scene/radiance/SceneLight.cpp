@@ -1,6 +1,7 @@
 #include "irsg/scene/radiance/SceneLight.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -241,45 +242,45 @@ void SceneLight::turn() {
 }
 
 std::vector<double> SceneLight::integralsOf(const FactorKind& kind, std::size_t output) const {
-    const auto& [first, last] = radiometry_.outputs()[output];
+    const auto& [begin, end] = radiometry_.outputs()[output];
     const int drawn = radiometry_.rows().drawnOf(kind.row);
     const std::vector<double>& own = radiometry_.surface(kind.row).reflectance;
     const std::vector<double>& through = *radiometry_.air(kind.row).transmittance;
-    std::vector<double> base(radiometry_.weights_um().begin() + static_cast<std::ptrdiff_t>(first),
-                             radiometry_.weights_um().begin() + static_cast<std::ptrdiff_t>(last));
-    for (const auto& [entity, material] : fronts_.materials(kind.front)) {
-        const double* t = radiometry_.transmissivity(entity, material).data() + first;
-        for (std::size_t i = 0; i < base.size(); ++i)
-            base[i] *= t[i];
-    }
-    for (std::size_t i = 0; i < base.size(); ++i)
-        base[i] *= own[first + i] * through[first + i];
+    const std::vector<double>& weights_um = radiometry_.weights_um();
+    std::vector<const double*> before;
+    for (const auto& [entity, material] : fronts_.materials(kind.front))
+        before.push_back(radiometry_.transmissivity(entity, material).data());
 
-    std::vector<double> sums(width(), 0.0);
-    for (const auto& [place, term] : {std::pair{0, skyTerm_}, std::pair{1, groundTerm_}}) {
-        if (term < 0)
-            continue;
-        const double* light = lightOn(drawn, term).data() + first;
-        for (std::size_t i = 0; i < base.size(); ++i)
-            sums[static_cast<std::size_t>(place)] -= base[i] * light[i];
-    }
-    // Nodes that follow each other between the same knots share their sums.
-    std::vector<double> above(base.size());
-    for (std::size_t i = 0; i < base.size(); ++i)
-        above[i] = between_[first + i].part * base[i];
     const std::size_t columns = columns_.size();
-    for (std::size_t begin = 0, end = 0; begin < base.size(); begin = end) {
-        const Between& at = between_[first + begin];
-        while (end < base.size() && between_[first + end].low == at.low &&
-               between_[first + end].high == at.high)
-            ++end;
-        for (std::size_t c = 0; c < columns; ++c) {
-            const double* source = sources_W_m2_um_[c].data() + first + begin;
-            const double all = sumOfProducts(&base[begin], source, end - begin);
-            const double high =
-                at.high == at.low ? 0.0 : sumOfProducts(&above[begin], source, end - begin);
-            sums[2 + at.low * columns + c] += all - high;
-            sums[2 + at.high * columns + c] += high;
+    std::vector<double> sums(width(), 0.0);
+    std::array<double, nodesOfBlock> base, above;
+    for (std::size_t first = begin; first < end; first += nodesOfBlock) {
+        const std::size_t count = std::min(nodesOfBlock, end - first);
+        fillBlock(base.data(), count, [&](std::size_t i) {
+            return weights_um[first + i] * own[first + i] * through[first + i];
+        });
+        for (const double* t : before)
+            fillBlock(base.data(), count, [&](std::size_t i) { return base[i] * t[first + i]; });
+        for (const auto& [place, term] : {std::pair{0, skyTerm_}, std::pair{1, groundTerm_}})
+            if (term >= 0)
+                sums[static_cast<std::size_t>(place)] -=
+                    sumOfProducts(base.data(), lightOn(drawn, term).data() + first, count);
+        fillBlock(above.data(), count,
+                  [&](std::size_t i) { return between_[first + i].part * base[i]; });
+        // Nodes that follow each other between the same knots share their sums.
+        for (std::size_t from = 0, to = 0; from < count; from = to) {
+            const Between& at = between_[first + from];
+            while (to < count && between_[first + to].low == at.low &&
+                   between_[first + to].high == at.high)
+                ++to;
+            for (std::size_t c = 0; c < columns; ++c) {
+                const double* source = sources_W_m2_um_[c].data() + first + from;
+                const double all = sumOfProducts(&base[from], source, to - from);
+                const double high =
+                    at.high == at.low ? 0.0 : sumOfProducts(&above[from], source, to - from);
+                sums[2 + at.low * columns + c] += all - high;
+                sums[2 + at.high * columns + c] += high;
+            }
         }
     }
     return sums;
