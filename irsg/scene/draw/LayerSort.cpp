@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstring>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 #include "irsg/radiometry/ParallelFor.h"
@@ -20,16 +21,28 @@ std::uint32_t bitsOf(float value) {
     return std::bit_cast<std::uint32_t>(value);
 }
 
+/// Calls work(stride), with a stride that is known when this is compiled for the usual one.
+template <typename Work>
+void withStride(std::size_t stride, const Work& work) {
+    constexpr std::size_t usual = 8; // up to four factors
+    if (stride == usual)
+        work(std::integral_constant<std::size_t, usual>());
+    else
+        work(stride);
+}
+
 /// One fragment: whole vectors of four words.
-void copyFragment(const float* from, std::size_t stride, float* to) {
+template <typename Stride>
+[[gnu::always_inline]] inline void copyFragment(const float* from, Stride stride, float* to) {
     for (std::size_t i = 0; i < stride; i += 4)
         std::memcpy(to + i, from + i, 4 * sizeof(float));
 }
 
 /// The fragments of one sample, next to each other.
+template <typename Stride>
 class FragmentsOfSample {
   public:
-    FragmentsOfSample(float* first, std::size_t count, std::size_t stride)
+    FragmentsOfSample(float* first, std::size_t count, Stride stride)
         : first_(first), count_(count), stride_(stride) {}
 
     /// By depth, and by value where depths are equal.
@@ -38,7 +51,6 @@ class FragmentsOfSample {
         constexpr std::size_t few = 24;
         if (count_ > few)
             return sortMany(room);
-        room.resize(stride_);
         for (std::size_t next = 1; next < count_; ++next) {
             if (!isBefore(at(next), at(next - 1)))
                 continue;
@@ -71,35 +83,35 @@ class FragmentsOfSample {
     }
 
     float* first_;
-    std::size_t count_, stride_;
+    std::size_t count_;
+    [[no_unique_address]] Stride stride_;
 };
 
 } // namespace
 
 void gatherFragments(std::span<const float> list, FactorSamples& samples) {
-    const std::size_t stride = samples.wordsPerFragment;
     samples.words.resize(list.size());
     samples.lowest = samples.highest = 0;
     if (list.empty())
         return;
-    std::uint32_t lowest = bitsOf(list[0]), highest = lowest;
-    for (std::size_t i = 0; i < list.size(); i += stride) {
-        const std::uint32_t sample = bitsOf(list[i]);
-        lowest = std::min(lowest, sample);
-        highest = std::max(highest, sample);
-    }
-    samples.lowest = lowest;
-    samples.highest = highest + std::size_t{1};
-
     // Where samples begin stands a place further up until their fragments have been put there.
-    samples.ends.assign(samples.highest - samples.lowest + 2, 0);
-    std::uint32_t* ends = samples.ends.data();
-    for (std::size_t i = 0; i < list.size(); i += stride)
-        ++ends[bitsOf(list[i]) - lowest + 2];
-    std::partial_sum(samples.ends.begin(), samples.ends.end(), samples.ends.begin());
-    for (std::size_t i = 0; i < list.size(); i += stride)
-        copyFragment(&list[i], stride,
-                     &samples.words[ends[bitsOf(list[i]) - lowest + 1]++ * stride]);
+    samples.ends.assign(samples.size() + 2, 0);
+    std::uint32_t* const ends = samples.ends.data();
+    withStride(samples.wordsPerFragment, [&](auto stride) {
+        std::uint32_t lowest = bitsOf(list[0]), highest = lowest;
+        for (std::size_t i = 0; i < list.size(); i += stride) {
+            const std::uint32_t sample = bitsOf(list[i]);
+            lowest = std::min(lowest, sample);
+            highest = std::max(highest, sample);
+            ++ends[sample + 2];
+        }
+        samples.lowest = lowest;
+        samples.highest = highest + std::size_t{1};
+        std::partial_sum(ends + lowest + 2, ends + highest + 3, ends + lowest + 2);
+        float* const words = samples.words.data();
+        for (std::size_t i = 0; i < list.size(); i += stride)
+            copyFragment(&list[i], stride, words + ends[bitsOf(list[i]) + 1]++ * stride);
+    });
 }
 
 void sortLayers(FactorSamples& samples, int maximumLayers) {
@@ -107,17 +119,19 @@ void sortLayers(FactorSamples& samples, int maximumLayers) {
     std::array<int, parts> leftOver{};
     parallelFor(parts, [&](std::size_t part) {
         const std::size_t count = samples.highest - samples.lowest;
-        std::vector<float> own;
-        for (std::size_t i = beginOfPart(part, parts, count);
-             i < beginOfPart(part + 1, parts, count); ++i) {
-            const std::uint32_t begin = samples.ends[i], end = samples.ends[i + 1];
-            if (end - begin > samples.maximumLayers)
-                ++leftOver[part];
-            if (end - begin > 1)
-                FragmentsOfSample(&samples.words[begin * samples.wordsPerFragment], end - begin,
-                                  samples.wordsPerFragment)
-                    .sort(own);
-        }
+        const std::uint32_t* const ends = samples.ends.data() + samples.lowest;
+        std::vector<float> own(samples.wordsPerFragment);
+        withStride(samples.wordsPerFragment, [&](auto stride) {
+            for (std::size_t i = beginOfPart(part, parts, count);
+                 i < beginOfPart(part + 1, parts, count); ++i) {
+                const std::uint32_t begin = ends[i], end = ends[i + 1];
+                if (end - begin > samples.maximumLayers)
+                    ++leftOver[part];
+                if (end - begin > 1)
+                    FragmentsOfSample(&samples.words[begin * stride], end - begin, stride)
+                        .sort(own);
+            }
+        });
     });
     samples.layersLeftOver = std::accumulate(leftOver.begin(), leftOver.end(), 0);
 }

@@ -41,7 +41,8 @@ class ViewKindSums {
 
     /// Samples that are added now lie in a pixel and count with `weight`.
     void goTo(int x, int y, double weight) {
-        const PixelGrid::Pixel pixel = grid_.at(x, y);
+        endRun();
+        const PixelGrid::Pixel pixel = pixelAt(x, y);
         part_ = weight * share_;
         omega_sr_ = pixel.solidAngle_sr * part_;
         projected_sr_ = omega_sr_ * pixel.cosOffAxis;
@@ -51,6 +52,7 @@ class ViewKindSums {
 
     /// The same as others, times a factor.
     void goTo(const ViewKindSums& others, double factor) {
+        endRun();
         part_ = factor * others.part_;
         omega_sr_ = factor * others.omega_sr_;
         projected_sr_ = factor * others.projected_sr_;
@@ -67,11 +69,8 @@ class ViewKindSums {
                 addReceivers(place + 1, between.row, static_cast<double>(between.next),
                              *layer.place);
         }
-        addTo(place, 1.0 - static_cast<double>(between.next), factors,
-              std::make_index_sequence<Factors>());
-        if (between.next > 0.0f)
-            addTo(place + 1, static_cast<double>(between.next), factors,
-                  std::make_index_sequence<Factors>());
+        addToRun(place, static_cast<double>(between.next), factors,
+                 std::make_index_sequence<Factors>());
     }
 
     /// Factors of what is covered already, and what lobes have for coverage.
@@ -120,6 +119,7 @@ class ViewKindSums {
     }
     /// Divides it; nothing is added afterwards.
     void finish() {
+        endRun();
         for (const auto& [key, mirrors] : mirrors_) {
             const auto& [front, row, number] = key;
             const std::shared_ptr<const MirrorTable>& table = mirrors.table;
@@ -192,26 +192,55 @@ class ViewKindSums {
         double pixels = 0.0;
     };
 
+    /// Rows of samples go through the same pixels again and again.
+    PixelGrid::Pixel pixelAt(int x, int y) {
+        if (x < 0)
+            return grid_.at(x, y);
+        if (y != y_) {
+            y_ = y;
+            pixels_.assign(pixels_.size(), {});
+        }
+        const auto place = static_cast<std::size_t>(x);
+        if (place >= pixels_.size())
+            pixels_.resize(place + 1);
+        PixelGrid::Pixel& pixel = pixels_[place];
+        if (pixel.solidAngle_sr == 0.0)
+            pixel = grid_.at(x, y);
+        return pixel;
+    }
+
+    /// Coverage and factors of the samples of one pixel, whose solid angle is that of all: without
+    /// and with the weights of the row behind. Aligned, so that what was stored in pairs is read
+    /// in the same ones: processors wait for others.
+    struct alignas(32) OfRun {
+        Numbers all{}, next{};
+        std::size_t place = 0;
+    };
+
     /// Of a front and a row, for which there is a place from now on, and for the rows behind it.
-    std::size_t placeOf(int front, int row) {
+    [[gnu::always_inline]] std::size_t placeOf(int front, int row) {
         const std::size_t place =
             static_cast<std::size_t>(front) * rows_ + static_cast<std::size_t>(row);
         if (place >= slots_.size())
-            slots_.resize((static_cast<std::size_t>(front) + 1) * rows_, none);
+            growTo(front);
         return place;
+    }
+    [[gnu::noinline]] void growTo(int front) {
+        slots_.resize((static_cast<std::size_t>(front) + 1) * rows_, none);
     }
     template <typename FrontOf>
     FactorKind kindOf(std::size_t place, FrontOf frontOf) const {
         return {frontOf(static_cast<int>(place / rows_)), static_cast<int>(place % rows_)};
     }
     /// Where the sums of a place are: few of them are seen in a part of a view, of lobes above all.
-    std::size_t slotOf(std::size_t place) {
+    [[gnu::always_inline]] std::size_t slotOf(std::size_t place) {
         const std::int32_t slot = slots_[place];
         return slot != none ? static_cast<std::size_t>(slot) : newSlotOf(place);
     }
-    std::size_t newSlotOf(std::size_t place) {
+    [[gnu::noinline]] std::size_t newSlotOf(std::size_t place) {
         slots_[place] = static_cast<std::int32_t>(sums_.size());
         sums_.emplace_back();
+        ofRun_.emplace_back().place = place;
         behind_W_m2_.resize(2 * sums_.size() * varying_.size());
         return sums_.size() - 1;
     }
@@ -237,20 +266,46 @@ class ViewKindSums {
     /// Each number in a register of its own: an array would go through memory twice, in pieces of
     /// different sizes, for which processors wait.
     template <std::size_t... I>
-    void addTo(std::size_t place, double weight, const float* factors, std::index_sequence<I...>) {
+    [[gnu::always_inline]] void addToRun(std::size_t place, double next, const float* factors,
+                                         std::index_sequence<I...>) {
         const std::size_t slot = slotOf(place);
+        OfRun& run = ofRun_[slot];
+        if (run.all[0] == 0.0)
+            noteSeen(slot);
+        run.all[0] += 1.0;
+        ((run.all[1 + I] += static_cast<double>(factors[I])), ...);
+        if (next == 0.0)
+            return;
+        run.next[0] += next;
+        ((run.next[1 + I] += next * static_cast<double>(factors[I])), ...);
+    }
+    [[gnu::noinline]] void noteSeen(std::size_t slot) { seen_.push_back(slot); }
+    /// Adds what was seen in the pixel to the sums.
+    void endRun() {
+        for (const std::size_t slot : seen_) {
+            const OfRun run = ofRun_[slot];
+            ofRun_[slot].all.fill(0.0);
+            ofRun_[slot].next.fill(0.0);
+            Numbers here;
+            for (std::size_t i = 0; i <= Factors; ++i)
+                here[i] = run.all[i] - run.next[i];
+            addPixel(slot, here);
+            if (run.next[0] > 0.0)
+                addPixel(slotOf(run.place + 1), run.next);
+        }
+        seen_.clear();
+    }
+    void addPixel(std::size_t slot, const Numbers& samples) {
         Sums& sums = sums_[slot];
-        const double omega_sr = weight * omega_sr_, projected_sr = weight * projected_sr_;
-        sums.plain[0] += omega_sr;
-        sums.cosine[0] += projected_sr;
-        ((sums.plain[1 + I] += omega_sr * static_cast<double>(factors[I]),
-          sums.cosine[1 + I] += projected_sr * static_cast<double>(factors[I])),
-         ...);
-        sums.pixels += weight * part_;
+        for (std::size_t i = 0; i <= Factors; ++i) {
+            sums.plain[i] += omega_sr_ * samples[i];
+            sums.cosine[i] += projected_sr_ * samples[i];
+        }
+        sums.pixels += part_ * samples[0];
         for (std::size_t k = 0; k < behind_W_m2_sr_.size(); ++k) {
             double* behind_W_m2 = &behind_W_m2_[2 * (slot * behind_W_m2_sr_.size() + k)];
-            behind_W_m2[0] += omega_sr * behind_W_m2_sr_[k];
-            behind_W_m2[1] += projected_sr * behind_W_m2_sr_[k];
+            behind_W_m2[0] += omega_sr_ * samples[0] * behind_W_m2_sr_[k];
+            behind_W_m2[1] += projected_sr_ * samples[0] * behind_W_m2_sr_[k];
         }
     }
 
@@ -348,11 +403,15 @@ class ViewKindSums {
     const LightExchange* exchange_;
     std::vector<std::vector<double>> receivers_; // by slot
     std::vector<Run> runs_;                      // likewise
+    int y_ = -1;
+    std::vector<PixelGrid::Pixel> pixels_; // of that row, by x; no solid angle: not known yet
     double share_;
     double part_ = 0.0, omega_sr_ = 0.0, projected_sr_ = 0.0; // of a sample in its pixel
     std::vector<double> behind_W_m2_sr_;                      // by varying background
     std::vector<std::int32_t> slots_, mirrorSlots_;           // by place: front, then row
     std::vector<Sums> sums_;                                  // by slot
+    std::vector<OfRun> ofRun_;                                // likewise
+    std::vector<std::size_t> seen_;                           // slots, since the pixel was gone to
     std::vector<std::array<double, 2>> mirrored_; // by slot of a mirror: without and with cosine
     std::map<MirrorKey, Mirrors> mirrors_;
     MirrorKey lastKey_{};

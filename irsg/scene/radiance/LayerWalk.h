@@ -115,13 +115,15 @@ class LayerWalk {
 
     /// Of samples that nothing of the light belongs to.
     template <typename Visit>
-    void forEachLayerAlone(const FactorSamples& samples, std::size_t sample, const Visit& visit) {
+    [[gnu::always_inline]] void forEachLayerAlone(const FactorSamples& samples, std::size_t sample,
+                                                  const Visit& visit) {
         int front = 0;
-        samples.forEachLayer(sample, [&](const FactorSamples::Layer& layer) {
-            visit(front, rows_.at(layer.row, layer.distance_m), layer);
-            if (rows_.isTransparent(layer.row))
-                front = behind(front, layer.row);
-        });
+        samples.forEachLayer(
+            sample, [&](const FactorSamples::Layer& layer) __attribute__((always_inline)) {
+                visit(front, rows_.at(layer.row, layer.distance_m), layer);
+                if (rows_.isTransparent(layer.row))
+                    front = behind(front, layer.row);
+            });
     }
 
     template <typename Visit>
@@ -204,13 +206,16 @@ class LayerWalk {
             front = fronts_.behind(front, material);
         return front;
     }
-    int behind(int front, int drawn) {
+    [[gnu::always_inline]] int behind(int front, int drawn) {
         const std::size_t place =
             static_cast<std::size_t>(front) * drawn_ + static_cast<std::size_t>(drawn);
+        return place < next_.size() && next_[place] >= 0 ? next_[place]
+                                                         : newBehind(place, front, drawn);
+    }
+    [[gnu::noinline]] int newBehind(std::size_t place, int front, int drawn) {
         if (place >= next_.size())
             next_.resize((static_cast<std::size_t>(front) + 1) * drawn_, -1);
-        int& next = next_[place];
-        return next >= 0 ? next : next = fronts_.behind(front, rows_.material(drawn));
+        return next_[place] = fronts_.behind(front, rows_.material(drawn));
     }
 
     const SurfaceRows& rows_;

@@ -85,9 +85,11 @@ class SurfaceRows {
         const Drawn& own = drawn_[static_cast<std::size_t>(drawn)];
         if (own.lastSlice < 0)
             return {own.first, 0.0f};
-        const double place = (static_cast<double>(distance_m) - own.nearest_m) * own.slicesPerMetre;
-        const int node = std::clamp(static_cast<int>(place), 0, own.lastSlice);
-        return {own.first + node, std::clamp(static_cast<float>(place - node), 0.0f, 1.0f)};
+        // Without a branch: every layer of every sample comes here.
+        const double from = (static_cast<double>(distance_m) - own.nearest_m) * own.slicesPerMetre;
+        const double place = std::min(std::max(from, 0.0), own.lastSlice + 1.0);
+        const int node = std::min(static_cast<int>(place), own.lastSlice);
+        return {own.first + node, static_cast<float>(place - node)};
     }
     /// Calls visit(row, weight) for it, or for both of them.
     template <typename Visit>

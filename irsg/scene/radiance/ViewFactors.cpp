@@ -39,12 +39,13 @@ void addRows(const SampleWindow& window, const FactorSamples& samples, std::size
                               walk.forEachPlace(
                                   samples, i,
                                   [&](int front, const SurfaceRows::Between& between,
-                                      const FactorSamples::Layer& layer) {
-                                      if (layer.coverage > 0.0f && !layer.isLobe)
-                                          sums.add(front, between, layer);
-                                      else
-                                          sums.addLight(front, between, layer);
-                                  },
+                                      const FactorSamples::Layer& layer)
+                                      __attribute__((always_inline)) {
+                                          if (layer.coverage > 0.0f && !layer.isLobe)
+                                              sums.add(front, between, layer);
+                                          else
+                                              sums.addLight(front, between, layer);
+                                      },
                                   [&](int front, const FactorSamples::Layer& layer,
                                       const FactorSamples::Mirror& mirror) {
                                       sums.addMirror(front, samples, layer, mirror);

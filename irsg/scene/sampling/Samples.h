@@ -54,8 +54,8 @@ struct FactorSamples {
     std::size_t wordsPerFragment = 8; ///< 8 for up to four factors
 
     /// Those of every sample stand next to each other; once sorted, near to far. Only samples from
-    /// `lowest` to before `highest` have any; sample i owns those from ends[i - lowest] to before
-    /// ends[i - lowest + 1], of which the first `maximumLayers` count.
+    /// `lowest` to before `highest` have any; such a sample i owns those from ends[i] to before
+    /// ends[i + 1], of which the first `maximumLayers` count.
     std::size_t lowest = 0, highest = 0;
     std::vector<std::uint32_t> ends;
     std::uint32_t maximumLayers = 0;
@@ -135,13 +135,11 @@ struct FactorSamples {
     std::size_t size() const { return opaque.size() / 4; }
     bool isOpaque(std::size_t sample) const { return opaque[4 * sample] > 0.0f; }
     bool isListed(std::size_t sample) const {
-        return sample >= lowest && sample < highest &&
-               ends[sample - lowest] != ends[sample - lowest + 1];
+        return sample >= lowest && sample < highest && ends[sample] != ends[sample + 1];
     }
     /// Whether it has more layers than count.
     bool isLeftOver(std::size_t sample) const {
-        return isListed(sample) &&
-               ends[sample - lowest + 1] - ends[sample - lowest] > maximumLayers;
+        return isListed(sample) && ends[sample + 1] - ends[sample] > maximumLayers;
     }
     bool isEmpty(std::size_t sample) const { return !isOpaque(sample) && !isListed(sample); }
 
@@ -160,8 +158,8 @@ struct FactorSamples {
     template <typename Visit>
     [[gnu::always_inline]] void forEachLayer(std::size_t sample, const Visit& visit) const {
         if (sample >= lowest && sample < highest) {
-            const std::uint32_t begin = ends[sample - lowest];
-            const std::uint32_t end = std::min(ends[sample - lowest + 1], begin + maximumLayers);
+            const std::uint32_t begin = ends[sample];
+            const std::uint32_t end = std::min(ends[sample + 1], begin + maximumLayers);
             for (std::uint32_t i = begin; i < end; ++i)
                 visit(fragment(i));
         }

@@ -268,11 +268,10 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility, FactorSampl
             return;
         const Vec3 eyeDirection = source.directions.at(column, row);
         std::uint32_t number = 0;
-        const std::size_t firstFragment =
-            samples.isListed(sample) ? samples.ends[sample - samples.lowest] : 0;
+        const std::size_t firstFragment = samples.isListed(sample) ? samples.ends[sample] : 0;
         const std::size_t fragments =
             samples.isListed(sample)
-                ? std::min<std::size_t>(samples.ends[sample - samples.lowest + 1] - firstFragment,
+                ? std::min<std::size_t>(samples.ends[sample + 1] - firstFragment,
                                         samples.maximumLayers)
                 : 0;
         samples.forEachLayer(sample, [&](const FactorSamples::Layer& layer) {

@@ -18,8 +18,8 @@ class PixelGrid {
           height_(sensor.height_px) {}
 
     struct Pixel {
-        double solidAngle_sr;
-        double cosOffAxis;
+        double solidAngle_sr = 0.0;
+        double cosOffAxis = 0.0;
     };
     Pixel at(int x, int y) const {
         const double u = (x - centreX_) * pitch_, v = (y - centreY_) * pitch_;
