@@ -25,6 +25,9 @@ constexpr double ofSky = 2.5, ofGases = 4.4, dearerWithGases = 3.3;
 /// Terms of air of a file are trained in a few lines of sight.
 constexpr double fewestInAirOfAFile = 3.0;
 
+/// About as many terms as a fit has: where many bands have no more nodes each, terms save nothing.
+constexpr double fewestNodesOfABand = 40.0;
+
 /// Rows of a background that is as fine as half a percent needs, about.
 constexpr int adaptiveRows = 16;
 
@@ -33,11 +36,17 @@ double nodesBeside5(int resolution_per_cm) {
     return resolution_per_cm == 1 ? 2.55 : resolution_per_cm == 15 ? 0.37 : 1.0;
 }
 
-/// What training in computed air costs, nodes of all bands counted; 0 where no air is computed.
+/// Of bands in computed air.
+struct Training {
+    double cost = 0.0;         ///< by node of all bands; 0 where no air is computed
+    double nodesOfABand = 0.0; ///< on the average
+};
+
+/// What training in computed air costs.
 /// Nodes that lie dense are of many lines of several gases, whose fit needs more terms: 165 to 200
 /// units at 1.1 to 1.3 nodes of bins of 5 cm-1 per cm-1, 250 at 1.5, 330 to 400 at 1.9.
-double training(const SceneDescription& scene) {
-    double cost = 0.0, all = 0.0;
+Training training(const SceneDescription& scene) {
+    double cost = 0.0, all = 0.0, bands = 0.0;
     for (const irsg::Band& band : scene.allBands()) {
         const auto* air = dynamic_cast<const irsg::AtmosphereSmart*>(
             scene.environment.findWideband(band.range()));
@@ -52,8 +61,9 @@ double training(const SceneDescription& scene) {
         constexpr double ofAir = 90.0, ofFit = 95.0, ofDenseFit = 380.0, sparse = 1.4;
         cost += nodes * (ofAir + (ofFit + ofDenseFit * std::max(0.0, density - sparse)) / beside5);
         all += nodes;
+        ++bands;
     }
-    return all > 0.0 ? cost / all : 0.0;
+    return all > 0.0 ? Training{cost / all, all / bands} : Training();
 }
 
 /// Skies that differ: by the camera's altitude and elevation, and by the range where rows of the
@@ -69,10 +79,9 @@ std::size_t skiesOf(const AnalysisPlan& plan, int rows) {
 }
 
 /// How many different lines of sight like those of a plan pay for training.
-std::size_t fewestToTrain(const SceneDescription& scene, const AnalysisPlan& plan,
-                          std::size_t linesOfPlan) {
-    const double computed = training(scene);
-    if (computed == 0.0)
+std::size_t fewestToTrain(const SceneDescription& scene, const Training& computed,
+                          const AnalysisPlan& plan, std::size_t linesOfPlan) {
+    if (computed.cost == 0.0)
         return static_cast<std::size_t>(fewestInAirOfAFile);
     const bool hasGases = !irsg::widebandSpectraOf(scene.entities).radiances.empty();
     const auto lines = std::max(1.0, static_cast<double>(linesOfPlan));
@@ -85,7 +94,7 @@ std::size_t fewestToTrain(const SceneDescription& scene, const AnalysisPlan& pla
     if (hasGases)
         saved += ofGases * static_cast<double>(plan.cases.size());
     return static_cast<std::size_t>(
-        std::ceil((hasGases ? dearerWithGases : 1.0) * computed * lines / saved));
+        std::ceil((hasGases ? dearerWithGases : 1.0) * computed.cost * lines / saved));
 }
 
 } // namespace
@@ -105,7 +114,15 @@ CalculationChoice chooseCalculation(const SceneDescription& scene, const Analysi
         })) {
         return {};
     }
-    const std::size_t lines = linesOfSight(plan), fewest = fewestToTrain(scene, plan, lines);
+    const Training computed = training(scene);
+    if (computed.cost > 0.0 && bands.size() > 1 && computed.nodesOfABand < fewestNodesOfABand) {
+        return {CalculationMode::spectral,
+                fmt::format("mode auto: spectral, as bands of {:.0f} nodes have no more of them "
+                            "than wideband-ck has terms",
+                            computed.nodesOfABand)};
+    }
+    const std::size_t lines = linesOfSight(plan),
+                      fewest = fewestToTrain(scene, computed, plan, lines);
     if (lines < fewest) {
         return {CalculationMode::spectral,
                 fmt::format("mode auto: spectral, as training wideband-ck pays from {} different "

@@ -84,6 +84,25 @@ TEST(CalculationChoices, AreTrainedLaterWhereTheSpectrumHasManyLinesOfSeveralGas
     EXPECT_NEAR(static_cast<double>(sparse), 53.0, 6.0);
 }
 
+/// By wall time 360 aspects in 100 bands of 0.02 um took twice as long with terms as without.
+TEST(CalculationChoices, AreSpectralInManyBandsThatAreAsNarrowAsTermsAreMany) {
+    SceneDescription scene;
+    irsg::AtmosphereSmartParameters parameters;
+    scene.environment.add(std::make_shared<irsg::AtmosphereSmart>(parameters));
+    const auto inParts = [&](int parts) {
+        scene.bands.clear();
+        for (int i = 0; i < parts; ++i) {
+            scene.bands.push_back(
+                irsg::Band::topHat(3.0 + 2.0 * i / parts, 3.0 + 2.0 * (i + 1) / parts));
+        }
+        return chooseCalculation(scene, ranges(1000));
+    };
+    EXPECT_EQ(inParts(1).mode, CalculationMode::wideband);
+    EXPECT_EQ(inParts(4).mode, CalculationMode::wideband);
+    EXPECT_EQ(inParts(100).mode, CalculationMode::spectral);
+    EXPECT_THAT(inParts(100).reason, HasSubstr("than wideband-ck has terms"));
+}
+
 TEST(CalculationChoices, CountALineOfSightOnceHoweverManyAspectsShareIt) {
     AnalysisPlan turn;
     for (int i = 0; i < 1000; ++i) {
