@@ -21,7 +21,9 @@ find_program(SMAT_ENV env)
 if(SMAT_CCACHE AND SMAT_ENV AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     # Without this sloppiness ccache refuses to serve what uses precompiled headers.
     set(sloppiness pch_defines,time_macros,include_file_mtime,include_file_ctime)
-    set(CMAKE_CXX_COMPILER_LAUNCHER "${SMAT_ENV}" "CCACHE_SLOPPINESS=${sloppiness}" "${SMAT_CCACHE}")
+    # What the compiler keeps in memory changes no object.
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${SMAT_ENV}" "CCACHE_SLOPPINESS=${sloppiness}"
+                                    "CCACHE_IGNOREOPTIONS=--param=ggc-*" "${SMAT_CCACHE}")
 endif()
 
 set(SMAT_SANITIZE "" CACHE STRING "Sanitizers, comma separated, for example address,undefined")
@@ -52,6 +54,10 @@ function(smat_configure_target target)
     # In C++ the conversions that gcc warns of leave signs out.
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion
                                              $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
+    # Left to itself gcc looks for what it could free whenever 128 MB or more have doubled, which takes a seventh
+    # of its time and saves a quarter of its memory; here it begins at 1.5 GB.
+    target_compile_options(${target} PRIVATE
+        $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=50;--param=ggc-min-heapsize=1048576>)
     if(SMAT_UNITY)
         set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${SMAT_UNITY_FILES})
         # An Impl whose members have types of its file's unnamed namespace is of that file alone.

@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/scene/model/apart/AttributeCoding.h"
 
 namespace irsg {
 
 namespace {
-
-constexpr unsigned int mostUnits = 8;
 
 // An array is its type (0 for none), binding, normalization, number of elements and elements.
 
@@ -183,7 +182,8 @@ void putGeometry(ByteSink& sink, const osg::Geometry& geometry, const std::strin
                           "vertices of a type that is no position", "numbers of 32 or 64 bits"});
     putArray(sink, geometry.getNormalArray());
     putArray(sink, geometry.getColorArray());
-    const unsigned int units = std::min(mostUnits, geometry.getNumTexCoordArrays());
+    const unsigned int units =
+        std::min<unsigned int>(mostTextureUnits, geometry.getNumTexCoordArrays());
     sink.put(units);
     for (unsigned int unit = 0; unit < units; ++unit)
         putArray(sink, geometry.getTexCoordArray(unit));
@@ -199,9 +199,9 @@ osg::ref_ptr<osg::Geometry> getGeometry(ByteSource& source, const std::string& n
         geometry->getVertexArray() ? geometry->getVertexArray()->getNumElements() : 0;
     const osg::ref_ptr<osg::Array> normals = getArray(source), colours = getArray(source);
     const auto units = source.get<unsigned int>();
-    if (units > mostUnits)
+    if (units > mostTextureUnits)
         throw DamagedBytes("too many units of textures");
-    osg::ref_ptr<osg::Array> places[mostUnits];
+    osg::ref_ptr<osg::Array> places[mostTextureUnits];
     for (unsigned int unit = 0; unit < units; ++unit)
         places[unit] = getArray(source);
     const Primitives primitives(vertices, name);

@@ -18,8 +18,8 @@ using Json = nlohmann::json;
 
 constexpr std::string_view known[] = {"KHR_texture_transform", "KHR_lights_punctual"};
 /// Extensions of these beginnings change what a surface looks like, not where it is.
-constexpr std::string_view materials[] = {"KHR_materials_", "KHR_xmp", "KHR_texture_basisu",
-                                          "EXT_texture_", "MSFT_texture_"};
+constexpr std::string_view looks[] = {"KHR_materials_", "KHR_xmp", "KHR_texture_basisu",
+                                      "EXT_texture_", "MSFT_texture_"};
 
 /// The version, and extensions without which nothing can be read.
 void checkAsset(const GltfJson& json) {
@@ -34,7 +34,7 @@ void checkAsset(const GltfJson& json) {
         const std::string name =
             required[i].is_string() ? required[i].get<std::string>() : shownJson(required[i]);
         if (std::ranges::find(known, name) == std::end(known) &&
-            std::ranges::none_of(materials,
+            std::ranges::none_of(looks,
                                  [&](std::string_view begin) { return name.starts_with(begin); }))
             json.refuse("extensionsRequired." + std::to_string(i), name,
                         "a file that can be read without this extension");

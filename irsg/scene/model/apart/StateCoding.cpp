@@ -109,8 +109,6 @@ void putModes(ByteSink& sink, const osg::StateSet::ModeList& modes) {
     }
 }
 
-constexpr std::size_t mostUnits = 8;
-
 } // namespace
 
 std::int32_t StateEncoder::number(const osg::StateSet* state) {
@@ -128,7 +126,7 @@ std::int32_t StateEncoder::number(const osg::StateSet* state) {
     const auto& unitModes = state->getTextureModeList();
     const auto& unitAttributes = state->getTextureAttributeList();
     const std::size_t units =
-        std::min(mostUnits, std::max(unitModes.size(), unitAttributes.size()));
+        std::min<std::size_t>(mostTextureUnits, std::max(unitModes.size(), unitAttributes.size()));
     sink.putCount(units);
     for (std::size_t unit = 0; unit < units; ++unit) {
         putModes(sink, unit < unitModes.size() ? unitModes[unit] : osg::StateSet::ModeList());
@@ -185,7 +183,7 @@ osg::ref_ptr<osg::StateSet> getState(ByteSource& source, const Attributes& all) 
         state->setAttribute(attribute, value);
     });
     const std::size_t units = source.getCount(1);
-    if (units > mostUnits)
+    if (units > mostTextureUnits)
         throw DamagedBytes("too many units of textures");
     for (unsigned int unit = 0; unit < units; ++unit) {
         getModes(source, [&](GLenum mode, unsigned int value) {
