@@ -38,20 +38,32 @@ DatabaseDock::DatabaseDock(Workbench& workbench, const Dialogs& dialogs, QWidget
       files_(context_) {
     setObjectName("databaseDock");
     context_.window = window;
-    banner_ = new DatabaseBanner(context_, this);
-    tabs_ = new QTabWidget(this);
+    // From the dock to its pages: a widget that gets another parent is polished anew with all that
+    // is in it.
+    auto* scroll = new QScrollArea(this);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    auto* body = new QWidget(scroll);
+    scroll->setWidget(body);
+    setWidget(scroll);
+    auto* column = new QVBoxLayout(body);
+    column->setContentsMargins(12, 8, 12, 10);
+    column->setSpacing(8);
+    body->setMinimumWidth(430);
+    banner_ = new DatabaseBanner(context_, body);
+    tabs_ = new QTabWidget(body);
     tabs_->setObjectName("databaseTabs");
     tabs_->setDocumentMode(true);
     tabs_->setIconSize(QSize(16, 16));
     tabs_->setStyleSheet("QTabBar::tab { padding: 7px 8px; }");
-    temperature_ = new TemperaturePanel(context_, this);
-    auto* material = new MaterialPanel(context_, this);
+    temperature_ = new TemperaturePanel(context_, tabs_);
+    auto* material = new MaterialPanel(context_, tabs_);
     connect(material, &MaterialPanel::importWanted, this,
             [this](int index) { importMaterialInto(index); });
     addPage(EntryKind::material, material, tr("Material"));
     addPage(EntryKind::temperature, temperature_, tr("Temperature"));
-    addPage(EntryKind::spectrum, new SpectrumPanel(context_, this), tr("Spectrum"));
-    findings_ = new FindingsPanel(context_, this);
+    addPage(EntryKind::spectrum, new SpectrumPanel(context_, tabs_), tr("Spectrum"));
+    findings_ = new FindingsPanel(context_, tabs_);
     tabs_->addTab(findings_, icon("check-physics"), tr("Findings"));
     letShownPageAloneAskForRoom(*tabs_);
 
@@ -69,27 +81,17 @@ DatabaseDock::DatabaseDock(Workbench& workbench, const Dialogs& dialogs, QWidget
 
     empty_ = new QLabel(tr("Temperatures, materials and spectra of a model's faces.\n"
                            "Open a project or a model to edit them."),
-                        this);
+                        body);
     empty_->setObjectName("databaseEmpty");
     empty_->setAlignment(Qt::AlignCenter);
     empty_->setForegroundRole(QPalette::PlaceholderText);
 
-    auto* body = new QWidget(this);
-    auto* column = new QVBoxLayout(body);
-    column->setContentsMargins(12, 8, 12, 10);
-    column->setSpacing(8);
     column->addWidget(makeHeader());
     column->addWidget(banner_);
     column->addWidget(tabs_, 1);
     column->addWidget(empty_, 1);
     column->addStretch(0);
-    body->setMinimumWidth(430);
     // Behind another dock it takes no room from the view; in front it is as wide as it needs.
-    auto* scroll = new QScrollArea(this);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setWidget(body);
-    setWidget(scroll);
     connect(this, &QDockWidget::visibilityChanged, scroll, [scroll, body](bool inFront) {
         const int bar = scroll->verticalScrollBar()->sizeHint().width();
         scroll->setMinimumWidth(inFront ? body->minimumWidth() + bar : 0);
@@ -133,7 +135,8 @@ DatabaseDock::DatabaseDock(Workbench& workbench, const Dialogs& dialogs, QWidget
 }
 
 void DatabaseDock::addPage(EntryKind kind, EntryPanel* panel, const QString& title) {
-    auto* page = new QWidget(this);
+    auto* page = new QWidget(tabs_);
+    tabs_->addTab(page, title);
     auto* column = new QVBoxLayout(page);
     column->setContentsMargins(0, 8, 0, 0);
     auto* split = new QSplitter(Qt::Vertical, page);
@@ -147,7 +150,6 @@ void DatabaseDock::addPage(EntryKind kind, EntryPanel* panel, const QString& tit
     split->setSizes({230, 420});
     column->addWidget(split, 1);
     pageOf(kind) = {list, panel, split};
-    tabs_->addTab(page, title);
     connect(list, &EntryList::currentChanged, this, [this, list, panel] {
         panel->show(list->current());
         emit currentChanged(current());

@@ -98,7 +98,12 @@ bool isDark(ThemeMode mode, const QPalette& desktop) {
 void applyTheme(QApplication& application, ThemeMode mode) {
     static const QPalette desktop = QApplication::palette(); // before it is ours
     const bool dark = isDark(mode, desktop);
-    application.setStyle(QStyleFactory::create("Fusion"));
+    // Each change of the style, too, polishes every widget anew: once in a program is enough.
+    static const char* const styled = "smat-style";
+    if (!application.property(styled).toBool()) {
+        application.setStyle(QStyleFactory::create("Fusion"));
+        application.setProperty(styled, true);
+    }
     application.setPalette(makePalette(dark ? darkShades : lightShades));
     const Shades& shades = dark ? darkShades : lightShades;
     application.setStyleSheet(
