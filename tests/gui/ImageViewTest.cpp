@@ -13,76 +13,27 @@
 #include <QMenu>
 #include <QTest>
 #include <QToolButton>
-#include <QwtText>
 #include <gtest/gtest.h>
 
 #include "gui/image/ColorBar.h"
-#include "gui/image/FiguresTable.h"
-#include "gui/image/HistogramPlot.h"
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ImageInspector.h"
 #include "irsg/image/ApparentTemperature.h"
 #include "irsg/image/CsvImage.h"
 #include "irsg/image/ExrFile.h"
-#include "irsg/image/ImageIntensity.h"
 #include "irsg/image/SampledWindows.h"
 #include "irsg/image/TiffFile.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "tests/gui/GuiEnvironment.h"
+#include "tests/gui/ImageViewFixture.h"
 #include "tests/gui/SampleProject.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace smat::gui {
 namespace {
 
-/// 8 x 6, dark but for one bright pixel in the top row.
-irsg::RadianceImage small() {
-    irsg::RadianceImage image(8, 6);
-    for (std::size_t i = 0; i < image.pixelCount(); ++i) {
-        image.primary().values[i] = 1.0F;
-    }
-    image.primary().values[image.offset(2, 0)] = 5.0F;
-    auto& index = image.channel("temperature_index");
-    index.values[image.offset(2, 0)] = 7.0F;
-    return image;
-}
-
-class ImageViewTest : public ::testing::Test {
-  protected:
-    ImageViewTest() {
-        Dialogs people;
-        people.saveFile = [this](QWidget*, const QString&, const QStringList&, const QString&) {
-            return chosen;
-        };
-        people.tell = [this](QWidget*, const QString&, const QStringList& sentences) {
-            told += sentences;
-        };
-        view.setDialogs(people);
-        view.resize(760, 560);
-        view.setImage(small(), irsg::Band::topHat(3.0, 5.0));
-        view.show();
-        QTest::qWait(20);
-    }
-    ImageView view;
-    QString chosen;
-    QStringList told;
-};
-
-QAction* menuEntry(ImageView& view, const char* button, const QString& text) {
-    for (QAction* action : view.findChild<QToolButton*>(button)->menu()->actions()) {
-        if (action->text() == text) {
-            return action;
-        }
-    }
-    return nullptr;
-}
-
-void setMode(ImageView& view, LimitMode mode) {
-    auto* box = view.findChild<QComboBox*>("limitMode");
-    box->setCurrentIndex(box->findData(static_cast<int>(mode)));
-    emit box->activated(box->currentIndex());
-}
+using test::ImageViewTest;
 
 TEST_F(ImageViewTest, ALargeImageIsColouredInAnotherThreadWhileTheOldPictureStays) {
     // In bars, of which one lies in the middle whatever width the canvas has.
@@ -205,20 +156,6 @@ TEST_F(ImageViewTest, ShowsEveryPlaneUnderItsNameAndUnit) {
     EXPECT_EQ(view.shownChannel(), irsg::apparentTemperatureChannel);
     view.setColorMap("ironbow");
     test::keepScreenshot(view, "image-view");
-}
-
-TEST_F(ImageViewTest, StatisticsFollowADraggedRectangle) {
-    EXPECT_TRUE(view.statistics().startsWith("Image 8 × 6"));
-    QTest::mousePress(view.canvas(), Qt::LeftButton, {},
-                      view.canvas()->widgetPoint({1.2, 0.2}).toPoint());
-    QTest::mouseRelease(view.canvas(), Qt::LeftButton, {},
-                        view.canvas()->widgetPoint({2.8, 1.8}).toPoint());
-    EXPECT_TRUE(view.statistics().startsWith("Rectangle 2 × 2 at (1, 0)"))
-        << view.statistics().toStdString();
-    EXPECT_TRUE(view.statistics().contains("mean 2"));
-    QTest::mouseClick(view.canvas(), Qt::LeftButton, {},
-                      view.canvas()->widgetPoint({4.5, 4.5}).toPoint());
-    EXPECT_TRUE(view.statistics().startsWith("Image"));
 }
 
 TEST_F(ImageViewTest, ScalesShowWhatIsDimBesideWhatGlows) {
@@ -383,58 +320,6 @@ TEST_F(ImageViewTest, KeysChangePlaneColoursExposureAndOffset) {
     EXPECT_EQ(view.shownChannel(), "temperature_index");
     press(Qt::Key_Right);
     EXPECT_TRUE(view.findChild<QLabel*>("pixelReadout")->text().startsWith("x 4   y 3"));
-}
-
-TEST_F(ImageViewTest, HistogramAndTableFollowTheRectangle) {
-    QTest::keyClick(view.canvas(), Qt::Key_H);
-    ASSERT_TRUE(test::waitUntil([&] { return !view.isBusy(); }));
-    const auto& histogram = view.inspector()->histogram()->histogram();
-    EXPECT_EQ(histogram.counts.front(), 47u);
-    EXPECT_EQ(histogram.counts.back(), 1u);
-    EXPECT_TRUE(view.inspector()
-                    ->histogram()
-                    ->axisTitle(QwtPlot::xBottom)
-                    .text()
-                    .contains("Radiance (W·m⁻²·sr⁻¹)"));
-    view.canvas()->setSelection(irsg::PixelRectangle{1, 0, 2, 2});
-    emit view.canvas()->selectionChanged();
-    ASSERT_TRUE(test::waitUntil([&] { return !view.isBusy(); }));
-    EXPECT_EQ(view.inspector()->histogram()->histogram().counts.front(), 3u);
-    EXPECT_TRUE(view.inspector()->table()->allText().contains("Mean\t1.08333\t2\n"))
-        << view.inspector()->table()->allText().toStdString();
-    test::keepScreenshot(view, "image-view-histogram");
-}
-
-TEST(FiguresTable, NamesOfANarrowTableWrapAndNumbersStayWhole) {
-    FiguresTable table;
-    table.setFigures({"Figure", "Image"},
-                     {{"Mean", "1.24316"}, {"Contrast intensity (W·sr⁻¹)", "225.332"}});
-    table.resize(640, 300);
-    table.show();
-    QTest::qWait(20);
-    EXPECT_EQ(table.rowHeight(1), table.rowHeight(0));
-    table.resize(220, 300);
-    QTest::qWait(20);
-    EXPECT_GE(table.rowHeight(1), table.rowHeight(0) + table.fontMetrics().height() / 2);
-    EXPECT_GE(table.columnWidth(1), table.fontMetrics().horizontalAdvance("225.332"));
-    table.resize(640, 300);
-    QTest::qWait(20);
-    EXPECT_EQ(table.rowHeight(1), table.rowHeight(0));
-}
-
-TEST_F(ImageViewTest, StatisticsOfARectangleKnowItsContrastIntensity) {
-    irsg::RadianceImage image = small();
-    image.attributes["sensor.horizontal_field_of_view_deg"] = "2";
-    image.attributes["range_m"] = "1000";
-    image.attributes["background_W_m2_sr"] = "1";
-    view.setImage(image);
-    const auto intensity = irsg::contrastIntensity_W_sr(image, image.primary());
-    ASSERT_TRUE(intensity);
-    EXPECT_TRUE(view.statistics().contains(
-        QString("contrast intensity %1 W·sr⁻¹").arg(*intensity, 0, 'g', 6)))
-        << view.statistics().toStdString();
-    view.setImage(small());
-    EXPECT_FALSE(view.statistics().contains("contrast intensity"));
 }
 
 TEST_F(ImageViewTest, ExportsDataAndPicturesWithAndWithoutBar) {

@@ -20,6 +20,7 @@
 #include "gui/widgets/Theme.h"
 #include "irsg/radiometry/Errors.h"
 #include "tests/gui/GuiEnvironment.h"
+#include "tests/gui/ResultList.h"
 #include "tests/gui/WindowFixture.h"
 
 namespace smat::gui {
@@ -91,11 +92,7 @@ TEST_F(ResultsDockTest, RenamesInPlaceAndOnItsPage) {
     choose({0});
     list()->setFocus();
     action("renameResult")->trigger();
-    auto* editor = list()->findChild<QLineEdit*>();
-    ASSERT_NE(editor, nullptr);
-    editor->setText("cold morning");
-    QTest::keyClick(editor, Qt::Key_Return);
-    QTest::qWait(30);
+    ASSERT_NO_FATAL_FAILURE(test::typeNewName(*list(), "cold morning"));
     EXPECT_EQ(workbench.results()[0].title, "cold morning");
     EXPECT_EQ(window->findChild<QTabWidget*>("tabs")->tabText(1), "cold morning");
     EXPECT_EQ(window->currentPage()->cartesianPlot()->data().curves[0].name, "cold morning");

@@ -17,6 +17,7 @@
 #include "gui/tools/FrontierPage.h"
 #include "irsg/image/ExrFile.h"
 #include "smatcore/analysis/Frontier.h"
+#include "tests/gui/ResultList.h"
 #include "tests/guide/GuideFixture.h"
 
 namespace smat::gui {
@@ -408,11 +409,7 @@ TEST_F(AnalysesWalkTest, Results) {
     selectResults({0});
     list()->setFocus();
     act("renameResultAction");
-    auto* editor = list()->findChild<QLineEdit*>();
-    ASSERT_NE(editor, nullptr);
-    editor->setText("cold morning");
-    QTest::keyClick(editor, Qt::Key_Return);
-    QTest::qWait(30);
+    ASSERT_NO_FATAL_FAILURE(test::typeNewName(*list(), "cold morning"));
     EXPECT_EQ(workbench.results()[0].title, "cold morning");
     onDialog = [](QDialog& dialog) {
         QTest::keyClicks(dialog.findChild<QPlainTextEdit*>("notes"), "paint of 2011");

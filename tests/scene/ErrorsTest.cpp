@@ -3,16 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <vector>
 
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/model/ModelLoader.h"
 #include "irsg/scene/radiance/RangeFactors.h"
 #include "irsg/scene/radiance/ViewFactors.h"
-#include "irsg/signature/SignatureFile.h"
 #include "tests/support/RandomScenes.h"
+#include "tests/support/SampleAircraft.h"
 #include "tests/support/SceneFixtures.h"
 #include "tests/support/WidebandScenes.h"
 
@@ -155,14 +153,9 @@ TEST(ErrorsOfScenes, CoverWhatIsWrong) {
 }
 
 TEST(ErrorsOfScenes, AreThoseOfTheScatterOfARangeCurve) {
-    const std::filesystem::path folder =
-        std::filesystem::path(SMAT_SOURCE_DIR) / "samples" / "turboprop4";
-    Entity entity = entityOf(Model::load(folder / "turboprop4.flt"),
-                             loadSignatureFile(folder / "turboprop4.sigdb").database);
-    entity.state.power = 0.7;
     Irsg irsg;
     irsg.setEnvironment(Environment::vacuum());
-    irsg.setEntities({entity});
+    irsg.setEntities({sampleAircraft()});
     for (const bool alongRange : {true, false}) {
         double sum = 0.0, squares = 0.0, errors = 0.0;
         constexpr int count = 15;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -11,9 +10,8 @@
 #include "irsg/radiometry/ParallelFor.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/model/ModelLoader.h"
 #include "irsg/scene/radiance/RangeFactors.h"
-#include "irsg/signature/SignatureFile.h"
+#include "tests/support/SampleAircraft.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;
@@ -34,16 +32,6 @@ RenderSettings settingsOf(int zoomWindow) {
 
 Entity grey(const Mesh& mesh) {
     return entityOf(modelOf(mesh), greyDatabase(emissivity, temperature_K));
-}
-
-Entity aircraft() {
-    const std::filesystem::path folder =
-        std::filesystem::path(SMAT_SOURCE_DIR) / "samples" / "turboprop4";
-    Entity entity = entityOf(Model::load(folder / "turboprop4.flt"),
-                             loadSignatureFile(folder / "turboprop4.sigdb").database);
-    entity.state.mach = 0.4;
-    entity.state.power = 0.7;
-    return entity;
 }
 
 Irsg generatorOf(std::vector<Entity> entities, int zoomWindow = 256) {
@@ -189,7 +177,7 @@ TEST(RangeCurve, OfConvexBodiesIsTheirSolidAngle) {
 
 TEST(RangeCurve, OfAHotAircraftIsRightAndSmooth) {
     for (const Aspect& aspect : {Aspect{0, 0}, Aspect{3, 0}, Aspect{150, 12}}) {
-        Irsg irsg = generatorOf({aircraft()}, 128);
+        Irsg irsg = generatorOf({sampleAircraft()}, 128);
         const std::vector<double> ranges_m = rangesFrom(470.0, 40.0, 40);
         std::vector<double> curve, fine, ofDrawings, ofNodes;
         for (const double range_m : ranges_m) {
@@ -201,8 +189,8 @@ TEST(RangeCurve, OfAHotAircraftIsRightAndSmooth) {
             look(irsg, aspect, range_m);
             ofDrawings.push_back(std::log(irsg.measure().all.intensity_W_sr));
         }
-        // The truth is drawn with 2048 samples a side, some of it at every range for itself.
-        irsg.setSettings(settingsOf(2048));
+        // The truth is drawn with 1024 samples a side, some of it at every range for itself.
+        irsg.setSettings(settingsOf(1024));
         for (std::size_t i = 0; i < ranges_m.size(); ++i) {
             look(irsg, aspect, ranges_m[i]);
             fine.push_back(std::log(along(irsg).all.intensity_W_sr));
@@ -224,7 +212,7 @@ TEST(RangeCurve, OfAHotAircraftIsRightAndSmooth) {
         EXPECT_LE(worstOf(bends), 3.0 * rmsOf(errors));
         EXPECT_LT(3.0 * rmsOf(bends), rmsOf(steps(steps(errorsOfDrawings))));
         std::printf("azimuth %3.0f: RMS %.1e, largest %.1e, step %.1e, bend %.1e; each drawn: RMS "
-                    "%.1e, largest %.1e, step %.1e; at 2048 largest %.1e\n",
+                    "%.1e, largest %.1e, step %.1e; at 1024 largest %.1e\n",
                     aspect.azimuth_deg, rmsOf(errors), worstOf(errors), worstOf(steps(errors)),
                     worstOf(bends), rmsOf(errorsOfDrawings), worstOf(errorsOfDrawings),
                     worstOf(steps(errorsOfDrawings)), worstOf(ofNodes));
@@ -333,7 +321,7 @@ TEST(RangeCurve, HasTheSameBitsForAnyNumberOfThreadsAndInAnyOrder) {
     const std::vector<double> ranges_m = rangesFrom(500.0, 20.0, 7);
     const auto curveOf = [&](unsigned threads, bool isReversed) {
         setMostThreads(threads);
-        Irsg irsg = generatorOf({aircraft()}, 128);
+        Irsg irsg = generatorOf({sampleAircraft()}, 128);
         std::vector<double> curve(ranges_m.size());
         for (std::size_t i = 0; i < ranges_m.size(); ++i) {
             const std::size_t k = isReversed ? ranges_m.size() - 1 - i : i;
@@ -352,7 +340,7 @@ TEST(RangeCurve, HasTheSameBitsForAnyNumberOfThreadsAndInAnyOrder) {
 }
 
 TEST(RangeCurve, LeavesImagesAndOtherSweepsAsTheyAre) {
-    Irsg irsg = generatorOf({aircraft()}, 128);
+    Irsg irsg = generatorOf({sampleAircraft()}, 128);
     look(irsg, {150, 12}, 2000.0);
     const double image = irsg.render().report.all.intensity_W_sr;
     const double drawn = irsg.measure().all.intensity_W_sr;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "irsg/atmosphere/AtmosphereSmart.h"
 #include "irsg/atmosphere/SpectraAtmosphere.h"
@@ -13,8 +12,8 @@
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/radiance/SceneRadiometry.h"
 #include "irsg/scene/radiance/WidebandPoints.h"
-#include "irsg/signature/SignatureFile.h"
 #include "tests/support/Refusal.h"
+#include "tests/support/SampleAircraft.h"
 #include "tests/support/SceneSpectra.h"
 #include "tests/support/WidebandScenes.h"
 
@@ -258,15 +257,9 @@ TEST(WidebandScene, HasSpectraOfTheSpectralModeAndSaysSo) {
 }
 
 TEST(WidebandScene, OfAnAircraftWithItsPlumesHasTheIntensityOfTheSpectralMode) {
-    const std::filesystem::path folder =
-        std::filesystem::path(SMAT_SOURCE_DIR) / "samples" / "turboprop4";
-    Entity aircraft = entityOf(Model::load(folder / "turboprop4.flt"),
-                               loadSignatureFile(folder / "turboprop4.sigdb").database);
-    aircraft.state.mach = 0.4;
-    aircraft.state.power = 0.7;
     Irsg irsg;
     irsg.setEnvironment(environmentOf(smartAir(2)));
-    irsg.setEntities({aircraft});
+    irsg.setEntities({sampleAircraft()});
     for (const double range_m : {900.0, 3000.0, 8000.0}) {
         look(irsg, {.range_m = range_m,
                     .azimuth_rad = radians(150.0),
