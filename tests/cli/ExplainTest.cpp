@@ -111,9 +111,9 @@ INSTANTIATE_TEST_SUITE_P(
 class PixelsOfSamples : public SmatBatchExplain, public testing::WithParamInterface<const char*> {};
 TEST_P(PixelsOfSamples, AreWhatIsDrawn) {
     constexpr int side = 96, count = 60;
-    std::vector<std::string> arguments{"explain",           sample(GetParam()),   "--json",
-                                       "--width",           std::to_string(side), "--height",
-                                       std::to_string(side)};
+    std::vector<std::string> arguments{
+        "explain",  sample(GetParam()),   "--json",        "--width", std::to_string(side),
+        "--height", std::to_string(side), "--light-error", "0.1"};
     std::mt19937 random(7);
     for (int i = 0; i < count; ++i) {
         const int within = i % 2 == 0 ? side : side / 3, first = (side - within) / 2;

@@ -29,6 +29,7 @@ class SmatBatchMonteCarlo : public testing::Test {
   "sensor": {"fov": 4, "width": 160, "height": 128},
   "state": {"power": 0.7},
   "polar": {"step": 60},
+  "render": {"lightError": 0.02},
   "analyses": {"picture": {"kind": "image"}, "turn": {"kind": "polar"}}})");
     }
     Ran run(std::vector<std::string> arguments) {
@@ -224,10 +225,11 @@ TEST_F(SmatBatchMonteCarlo, GivesTheSameBytesTwiceAndOthersWithAnotherSeed) {
 
 TEST_F(SmatBatchMonteCarlo, AgreesWithTheAnalysisOfTheFirstDraw) {
     ASSERT_EQ(run({"--samples", "2", "--phases", "1", "--sequence", "plain", "--percentiles", "50",
-                   "--out", "mc.csv"})
+                   "--light-error", "0.005", "--out", "mc.csv"})
                   .exitCode,
               0);
-    ASSERT_EQ(smatBatch({"polar", "t.smat", "--analysis", "turn", "--scalings", "--out", "one.csv"},
+    ASSERT_EQ(smatBatch({"polar", "t.smat", "--analysis", "turn", "--scalings", "--light-error",
+                         "0.005", "--out", "one.csv"},
                         folder.path())
                   .exitCode,
               0);

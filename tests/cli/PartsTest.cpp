@@ -46,12 +46,13 @@ class SmatBatchParted : public testing::Test {
 TEST_F(SmatBatchParted, HaveTheErrorsOfOneRun) {
     const std::string aircraft = sample("turboprop4/turboprop4.smat");
     const std::vector<std::vector<std::string>> sweeps = {
-        {"polar", aircraft, "--step", "60", "--steps", "fixed"},
-        {"range", aircraft, "--from", "1000", "--to", "4000", "--points", "6", "--steps", "fixed"},
-        {"polar", aircraft, "--step", "60", "--steps", "fixed", "--mode", "ck"}};
+        {"polar", aircraft, "--step", "90", "--steps", "fixed"},
+        {"range", aircraft, "--from", "1000", "--to", "4000", "--points", "4", "--steps", "fixed"},
+        {"polar", aircraft, "--step", "120", "--steps", "fixed", "--mode", "ck"}};
     for (std::vector<std::string> sweep : sweeps) {
         SCOPED_TRACE(sweep.front());
-        sweep.insert(sweep.end(), {"--errors", "causes", "--width", "64", "--height", "64"});
+        sweep.insert(sweep.end(), {"--errors", "causes", "--light-error", "0.1", "--width", "64",
+                                   "--height", "64"});
         ran(sweep, {"--out", "one.csv"});
         ran(sweep, {"--shard", "1/2", "--out", "all.csv"});
         ran(sweep, {"--shard", "2/2", "--out", "all.csv"});
@@ -65,16 +66,17 @@ TEST_F(SmatBatchParted, HaveTheErrorsOfOneRun) {
 }
 
 TEST_F(SmatBatchParted, OfMonteCarloJoinToOneRunAndGoOn) {
-    const std::vector<std::string> run = {"montecarlo",   sample("turboprop4/turboprop4.smat"),
-                                          "--analysis",   "range",
-                                          "--set",        "range.points=5",
-                                          "--atmosphere", "none",
-                                          "--band",       "3-5,8-12",
-                                          "--width",      "64",
-                                          "--height",     "64",
-                                          "--samples",    "64",
-                                          "--phases",     "2",
-                                          "--errors",     "sum"};
+    const std::vector<std::string> run = {"montecarlo",    sample("turboprop4/turboprop4.smat"),
+                                          "--analysis",    "range",
+                                          "--set",         "range.points=5",
+                                          "--atmosphere",  "none",
+                                          "--band",        "3-5,8-12",
+                                          "--width",       "64",
+                                          "--height",      "64",
+                                          "--samples",     "64",
+                                          "--phases",      "2",
+                                          "--light-error", "0.1",
+                                          "--errors",      "sum"};
     ran(run, {"--out", "one.csv"});
     EXPECT_NE(ResultTable::load(folder / "one.csv").find("error_nominal@3-5um"), nullptr);
     for (const std::string part : {"1", "2"}) {
@@ -103,7 +105,7 @@ TEST_F(SmatBatchParted, OfAScenarioGiveItsFramesAndTables) {
     const std::string box = sample("box/box").string(), ball = sample("sphere/sphere").string();
     write(folder / "path.csv", "t,x,y,z,yaw,pitch,roll\n0,-4,200,100,0,0,0\n3,4,200,100,0,0,0\n");
     write(folder / "s.json", R"({"version": 1,
-        "render": {"sun": "off", "fluxes": "off", "background": "none", "errors": "sum"},
+        "render": {"sun": "off", "fluxes": "off", "background": "none", "bounces": 0, "errors": "sum"},
         "sensor": {"width": 48, "height": 32, "fov": 4},
         "entities": [
             {"name": "ball", "model": ")" +

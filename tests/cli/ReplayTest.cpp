@@ -41,8 +41,8 @@ class SmatBatchReplay : public testing::Test {
         ASSERT_EQ(in({"db", "import", "edited.json", "sphere.sigdb"}).exitCode, 0);
     }
     void makePolar() {
-        const Ran ran = in({"polar", "sphere.smat", "--step", "90", "--sun", "off", "--response",
-                            "response.csv", "--out", "polar.csv"});
+        const Ran ran = in({"polar", "sphere.smat", "--step", "90", "--sun", "off", "--bounces",
+                            "0", "--response", "response.csv", "--out", "polar.csv"});
         ASSERT_EQ(ran.exitCode, 0) << ran.err;
     }
     static double relative(const Json& differences, const std::string& column) {

@@ -164,8 +164,8 @@ const std::vector<Writer>& otherWriters() {
          bytesOf},
         {"ConvertedModel", "a.osgb",
          [](const fs::path& file, bool second) {
-             irsg::convertModel(
-                 source / (second ? "samples/sphere/sphere.flt" : "samples/box/box.flt"), file);
+             irsg::convertModel(source / (second ? "samples/ship/ship.flt" : "samples/box/box.flt"),
+                                file);
          },
          facesOf},
         {"TabulatedAtmosphere", "a.smatatm",

@@ -117,6 +117,7 @@ class MonteCarloPageTest : public ::testing::Test {
         project.settings.set("state.power", "0.7");
         project.settings.set("polar.step", "30");
         project.settings.set("render.antialiasing", "3");
+        project.settings.set("render.lightError", "0.1");
         project.analyses = {{.name = "turn", .kind = AnalysisKind::polar},
                             {.name = "picture", .kind = AnalysisKind::image}};
         file = folder / "turboprop4.smat";

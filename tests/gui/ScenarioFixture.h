@@ -10,7 +10,7 @@
 
 namespace smat::gui::test {
 
-/// A small scenario of two spheres and two sensors in a folder of its own, opened in the window.
+/// A small scenario of two boxes and two sensors in a folder of its own, opened in the window.
 class ScenarioFixture : public WindowFixture {
   protected:
     static inline const std::string flight =
@@ -22,10 +22,10 @@ class ScenarioFixture : public WindowFixture {
         std::ofstream(folder / name, std::ios::binary) << text;
     }
     std::filesystem::path writeScenario() {
-        const std::string sphere = SMAT_SOURCE_DIR "/samples/sphere/sphere";
+        const std::string box = SMAT_SOURCE_DIR "/samples/box/box";
         const auto entity = [&](const std::string& name, const std::string& place) {
-            return R"({"name": ")" + name + R"(", "model": ")" + sphere +
-                   R"(.flt", "database": ")" + sphere + R"(.sigdb", )" + place + "}";
+            return R"({"name": ")" + name + R"(", "model": ")" + box + R"(.flt", "database": ")" +
+                   box + R"(.sigdb", )" + place + "}";
         };
         write("flight.csv", flight);
         write("pass.json",

@@ -18,14 +18,14 @@ namespace {
 
 enum Column { time, x, y };
 
-/// A sphere that flies past a buoy, and two sensors: one of two bands, and one that looks at it.
+/// A box that flies past a buoy, and two sensors: one of two bands, and one that looks at it.
 class ScenariosWalkTest : public test::GuideFixture {
   protected:
     void open() {
-        const std::string sphere = SMAT_SOURCE_DIR "/samples/sphere/sphere";
+        const std::string box = SMAT_SOURCE_DIR "/samples/box/box";
         const auto entity = [&](const std::string& name, const std::string& place) {
-            return R"({"name": ")" + name + R"(", "model": ")" + sphere +
-                   R"(.flt", "database": ")" + sphere + R"(.sigdb", )" + place + "}";
+            return R"({"name": ")" + name + R"(", "model": ")" + box + R"(.flt", "database": ")" +
+                   box + R"(.sigdb", )" + place + "}";
         };
         smat::test::write(folder / "flight.csv",
                           "t [s],x [m],y [m],z [m],yaw [deg],pitch [deg],roll [deg],power,mach\n"

@@ -62,7 +62,7 @@ struct Errors {
     double rms = 0.0, worst = 0.0;
 };
 
-/// Contrast intensity against the solid angle of the mesh, over 16 x 16 phases that are irrational
+/// Contrast intensity against the solid angle of the mesh, over 12 x 12 phases that are irrational
 /// to every lattice of samples.
 Errors errorsOverPhases(Irsg& irsg, const Mesh& mesh, double size_m, double size_px,
                         double roll_rad) {
@@ -70,8 +70,9 @@ Errors errorsOverPhases(Irsg& irsg, const Mesh& mesh, double size_m, double size
     look(irsg, viewOf(size_m, size_px));
     const Attitude attitude{0, 0, roll_rad};
     Errors errors;
-    for (int i = 0; i < 16; ++i) {
-        for (int j = 0; j < 16; ++j) {
+    constexpr int phases = 12;
+    for (int i = 0; i < phases; ++i) {
+        for (int j = 0; j < phases; ++j) {
             shift(irsg, std::fmod(i * 0.61803398875 + 0.1, 1.0),
                   std::fmod(j * 0.41421356237 + 0.3, 1.0), attitude);
             const Vec3 away = irsg.viewpoint().position_m - irsg.entities()[0].pose.position_m;
@@ -79,7 +80,7 @@ Errors errorsOverPhases(Irsg& irsg, const Mesh& mesh, double size_m, double size
             const double truth =
                 greyRadiance_W_m2_sr() * convexSolidAngle_sr(mesh, from) * dot(away, away);
             const double error = irsg.measure().all.contrastIntensity_W_sr / truth - 1.0;
-            errors.rms += error * error / 256.0;
+            errors.rms += error * error / (phases * phases);
             errors.worst = std::max(errors.worst, std::abs(error));
         }
     }

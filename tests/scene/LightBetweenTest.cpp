@@ -299,7 +299,7 @@ TEST_F(LightBetweenTest, OthersLightAsOwnPartsDo) {
             entity.referencePoint_m = Vec3{};
         }
         RenderSettings settings = brightSettings(EngineChoice::rays, i == 2 ? 0 : convergedBounces);
-        settings.lightError = 0.002;
+        settings.lightError = 0.004;
         Irsg irsg = rendererOf(entities, settings, brightAir());
         look(irsg, {.azimuth_rad = 0.5, .elevation_rad = 0.9, .fieldOfView_rad = 0.1});
         intensity[static_cast<std::size_t>(i)] = irsg.measure().all.intensity_W_sr;
