@@ -77,7 +77,7 @@ TEST_P(FilmStripTest, FromTheStartPageToReopenedResults) {
                             {"sensor.fov", "3"},
                             {"target.altitude", "1500"},
                             {"state.power", "0.7"},
-                            {"polar.step", "10"},
+                            {"polar.step", "30"},
                             {"display.colorMap", "ironbow"}});
     keep("opened");
     window->findChild<QToolButton*>("showInfrared")->click();
