@@ -38,11 +38,11 @@ option(SMAT_PRECOMPILE "Precompile the Qt, OpenSceneGraph and GoogleTest headers
 option(SMAT_UNITY "Compile SMAT_UNITY_FILES source files at a time" OFF)
 set(SMAT_UNITY_FILES 64 CACHE STRING "Source files that are compiled together, at most")
 
-# The commands and the self-test wait for what they call, irsg and smatcore: -O1 takes a fifth off the time of
-# compiling them.
-option(SMAT_LIGHT "Compile the programs and the self-test with -O1" OFF)
+# smatcore, the commands and the self-test wait for irsg, which computes: -O1 takes a fifth off the time of
+# compiling them. Not so the window, whose plots fill their pixels themselves.
+option(SMAT_LIGHT "Compile smatcore, the programs and the self-test with -O1" OFF)
 
-# smat_compile_lightly(smat_gui): of a target that computes nothing itself.
+# smat_compile_lightly(smat_core): of a target that computes nothing itself.
 function(smat_compile_lightly target)
     if(SMAT_LIGHT)
         target_compile_options(${target} PRIVATE -O1)
