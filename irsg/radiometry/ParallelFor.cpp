@@ -42,11 +42,13 @@ class Pool {
             failed_ = count;
             failure_ = nullptr;
             ++round_;
-            busy_ = threads_.size();
+            isOpen_ = true;
         }
         wake_.notify_all();
         takeAll();
+        // Who has not woken up by now is not waited for.
         std::unique_lock lock(mutex_);
+        isOpen_ = false;
         done_.wait(lock, [&] { return busy_ == 0; });
         work_ = nullptr;
         if (failure_)
@@ -73,10 +75,11 @@ class Pool {
         for (;;) {
             {
                 std::unique_lock lock(mutex_);
-                wake_.wait(lock, [&] { return ends_ || round_ != seen; });
+                wake_.wait(lock, [&] { return ends_ || (isOpen_ && round_ != seen); });
                 if (ends_)
                     return;
                 seen = round_;
+                ++busy_;
             }
             takeAll();
             const std::lock_guard lock(mutex_);
@@ -88,8 +91,8 @@ class Pool {
     std::vector<std::thread> threads_;
     std::mutex mutex_;
     std::condition_variable wake_, done_;
-    bool ends_ = false;
-    std::size_t round_ = 0, busy_ = 0;
+    bool ends_ = false, isOpen_ = false;
+    std::size_t round_ = 0, busy_ = 0; // helpers at work
     const std::function<void(std::size_t)>* work_ = nullptr;
     std::size_t count_ = 0, failed_ = 0;
     std::atomic<std::size_t> next_ = 0;

@@ -5,6 +5,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/RendererImpl.h"
 #include "irsg/scene/draw/LayerSort.h"
+#include "irsg/scene/radiance/SampleRadiances.h"
 #include "irsg/scene/radiance/TruthLayers.h"
 #include "irsg/scene/sampling/PixelAlignedStrategy.h"
 #include "irsg/scene/sampling/SampleSheet.h"
@@ -137,13 +138,16 @@ FrameReduction Renderer::Impl::drawObjects(const Frame& frame, std::vector<Sampl
             if (!isSliced && !isShaded(frame_) &&
                 std::ranges::none_of(scene.scenes, &SurfaceScene::hasTransparent))
                 return frame_.engine->drawRadiance(scene, samples);
-            frame_.engine->drawFactors(scene, isSliced || isShaded(frame_), factors_);
+            FactorSamples& factors = impl_.pictureFactors;
+            frame_.engine->drawFactors(scene, isSliced || isShaded(frame_), factors);
             {
                 Stopwatch sorting(sortSeconds);
-                impl_.sortAndShade(frame_, scene, factors_);
+                impl_.sortAndShade(frame_, scene, factors);
             }
             Stopwatch evaluating(evaluateSeconds);
-            radiances_.evaluate(factors_, samples);
+            radiances_.evaluate(factors, samples);
+            if (factors.size() > mostSamplesKept)
+                factors = {};
             layersLeftOver += samples.layersLeftOver;
         }
         double seconds = 0.0, sortSeconds = 0.0, evaluateSeconds = 0.0;
@@ -153,7 +157,6 @@ FrameReduction Renderer::Impl::drawObjects(const Frame& frame, std::vector<Sampl
         Impl& impl_;
         const Frame& frame_;
         SampleRadiances radiances_;
-        FactorSamples factors_;
     };
 
     double all_s = 0.0, drawing_s = 0.0, sorting_s = 0.0, evaluating_s = 0.0;

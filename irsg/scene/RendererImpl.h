@@ -54,6 +54,7 @@ struct Renderer::Impl {
     std::unique_ptr<TerrainPainter> glTerrain;
     TerrainRays rayTerrain;
     WindowStream stream;
+    FactorSamples pictureFactors; ///< room for those of the next picture
 
     PreparedEntities prepared;
     ZoomAntialiasingManager antialiasing;

@@ -1,5 +1,6 @@
 #include "irsg/radiometry/ParallelFor.h"
 
+#include <array>
 #include <atomic>
 #include <numeric>
 #include <stdexcept>
@@ -31,6 +32,17 @@ TEST(ParallelFor, DoesEveryPieceOnceWhateverTheNumberOfThreads) {
             for (std::size_t i = 0; i < count; ++i) {
                 EXPECT_EQ(done[i], 2) << i << " of " << count << " on " << threads;
             }
+        }
+    }
+}
+
+TEST(ParallelFor, DoesEveryPieceOfManySmallCallsOnceThoughThreadsComeLate) {
+    const Threads limited(5);
+    for (int call = 0; call < 20'000; ++call) {
+        std::array<std::atomic<int>, 3> done{};
+        parallelFor(done.size(), [&](std::size_t i) { ++done[i]; });
+        for (const std::atomic<int>& one : done) {
+            ASSERT_EQ(one, 1) << "call " << call;
         }
     }
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <numeric>
 
+#include "irsg/radiometry/SumsOfProducts.h"
 #include "irsg/radiometry/VectorClones.h"
 
 namespace irsg {
@@ -40,24 +41,6 @@ IRSG_VECTOR_CLONES double coarseSum(const float* a, const float* b, std::size_t 
     for (; r < n; ++r)
         sums[0] += a[r] * b[r];
     return sumOf(sums);
-}
-
-/// Sum of products of the first n.
-IRSG_VECTOR_CLONES double sumOfProducts(const double* a, const double* b, std::size_t n) {
-    constexpr std::size_t few = 4;
-    std::array<double, lanes> sums{};
-    std::size_t k = 0;
-    for (; k + lanes <= n; k += lanes)
-        for (std::size_t i = 0; i < lanes; ++i)
-            sums[i] += a[k + i] * b[k + i];
-    std::array<double, few> rest{};
-    for (; k + few <= n; k += few)
-        for (std::size_t i = 0; i < few; ++i)
-            rest[i] += a[k + i] * b[k + i];
-    double last = 0.0;
-    for (; k < n; ++k)
-        last += a[k] * b[k];
-    return sumOf(sums) + sumOf(rest) + last;
 }
 
 IRSG_VECTOR_CLONES double sumOfProducts(const double* a, const float* b, std::size_t n) {

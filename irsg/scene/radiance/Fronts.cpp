@@ -21,4 +21,9 @@ int Fronts::numberOf(const std::vector<FrontMaterial>& materials) {
     return place->second;
 }
 
+int Fronts::find(const std::vector<FrontMaterial>& materials) const {
+    const auto place = numbers_.find(materials);
+    return place == numbers_.end() ? -1 : place->second;
+}
+
 } // namespace irsg

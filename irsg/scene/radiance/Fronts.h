@@ -19,6 +19,8 @@ class Fronts {
     int behind(int front, const FrontMaterial& material);
     /// The number of a sorted set.
     int numberOf(const std::vector<FrontMaterial>& materials);
+    /// The same where it has one already, else -1.
+    int find(const std::vector<FrontMaterial>& materials) const;
     /// Sorted.
     const std::vector<FrontMaterial>& materials(int front) const {
         return sets_[static_cast<std::size_t>(front)];

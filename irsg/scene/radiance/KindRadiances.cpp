@@ -4,6 +4,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/ParallelFor.h"
+#include "irsg/radiometry/SumsOfProducts.h"
 #include "irsg/scene/radiance/NodeBlocks.h"
 
 namespace irsg {
@@ -216,7 +217,7 @@ void KindRadiances::addBlock(int drawn, const std::vector<int>& rows,
                 const double* light =
                     air.light[static_cast<std::size_t>(strand.pathLight)]->data() + begin;
                 if (of)
-                    fillBlock(through, count, [=](std::size_t i) { return of[i] * light[i]; });
+                    fillProducts(of, light, count, through);
                 of = of ? through : light;
             }
             sums[r * strands.size() + s] +=
@@ -295,13 +296,20 @@ void KindRadiances::evaluateHidden(int drawn, const std::vector<double>& passed,
     }
 }
 
-KindRadiances::InOutputs KindRadiances::inOutputs(const FactorKind& kind) const {
+bool KindRadiances::isPrepared(const FactorKind& kind) const {
     const auto front = static_cast<std::size_t>(kind.front);
     const auto row = static_cast<std::size_t>(kind.row);
     const auto drawn = static_cast<std::size_t>(radiometry_.rows().drawnOf(kind.row));
-    if (front >= places_.size() || places_[front].empty() || !places_[front][row].isCombined ||
-        !hiddenPlaces_[front][drawn].isKnown)
+    return front < places_.size() && !places_[front].empty() && places_[front][row].isCombined &&
+           hiddenPlaces_[front][drawn].isKnown;
+}
+
+KindRadiances::InOutputs KindRadiances::inOutputs(const FactorKind& kind) const {
+    if (!isPrepared(kind))
         throw LogicError("a kind of surface was evaluated that was not prepared");
+    const auto front = static_cast<std::size_t>(kind.front);
+    const auto row = static_cast<std::size_t>(kind.row);
+    const auto drawn = static_cast<std::size_t>(radiometry_.rows().drawnOf(kind.row));
     InOutputs found;
     found.sent_ = &sent_[places_[front][row].sent];
     found.hidden_ = &hidden_[hiddenPlaces_[front][drawn].at];

@@ -47,6 +47,7 @@ class KindRadiances {
     std::size_t factorCount() const { return factorCount_; }
 
     void prepare(const std::vector<FactorKind>& kinds);
+    bool isPrepared(const FactorKind& kind) const;
     /// LogicError for a kind that was not prepared.
     KindRadiance of(const FactorKind& kind, std::size_t output = 0) const {
         return inOutputs(kind).at(output);

@@ -128,8 +128,8 @@ class LayerWalk {
 
     template <typename Visit>
     auto byRows(const Visit& visit) const {
-        return [this, &visit](int front, const SurfaceRows::Between& between,
-                              const FactorSamples::Layer& layer) {
+        return [ this, &visit ](int front, const SurfaceRows::Between& between,
+                                const FactorSamples::Layer& layer) __attribute__((always_inline)) {
             visit(FactorKind{front, between.row}, 1.0f - between.next, layer);
             if (rows_.isSliced(layer.row))
                 visit(FactorKind{front, between.row + 1}, between.next, layer);

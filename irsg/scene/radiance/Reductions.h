@@ -35,22 +35,6 @@ std::vector<std::vector<ObjectSums>> contrastSums(const ViewFactors& view, KindR
                                                   const std::vector<double>& ranges_m,
                                                   const std::vector<int>& varying);
 
-/// Samples as premultiplied radiance and opacity: what lies in front of a surface lets its light
-/// through node by node.
-class SampleRadiances {
-  public:
-    /// `light`: between surfaces, or null.
-    SampleRadiances(const SurfaceRows& rows, Fronts& fronts, KindRadiances& radiances,
-                    SceneLight* light);
-    void evaluate(const FactorSamples& samples, RadianceSamples& result);
-
-  private:
-    const SurfaceRows& rows_;
-    Fronts& fronts_;
-    KindRadiances& radiances_;
-    SceneLight* light_;
-};
-
 /// Adds the pixels of a view to a frame. `light`: between surfaces, or null.
 void addPixels(const PixelFactors& pixels, int width_px, KindRadiances& radiances,
                SceneLight* light, FrameReduction& frame);

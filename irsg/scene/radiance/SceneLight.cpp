@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/ParallelFor.h"
+#include "irsg/radiometry/SumsOfProducts.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/radiance/NodeBlocks.h"
 
@@ -16,6 +18,8 @@ namespace {
 
 /// Bands in which integrals are kept, some kB a kind and band; a spectrum has too many outputs.
 constexpr std::size_t mostOutputsKept = 128;
+/// Kinds that share what is read of the columns.
+constexpr std::size_t kindsTogether = mostTogether / 2;
 /// What reflects less, sr-1, is black.
 constexpr double leastReflectance_per_sr = 1e-9;
 
@@ -147,6 +151,7 @@ void SceneLight::findColumns() {
 void SceneLight::findKnots(const RenderSettings& settings) {
     const std::size_t nodes = radiometry_.wavelengths_um().size();
     between_.assign(nodes, {});
+    parts_.assign(nodes, 0.0);
     const std::vector<double> black(radiometry_.surfaces().size(), 0.0);
     if (settings.bounces == 1) {
         knots_.push_back(black);
@@ -199,8 +204,8 @@ void SceneLight::findKnots(const RenderSettings& settings) {
         const auto above = std::ranges::lower_bound(divided, places[node]);
         const auto high = static_cast<std::size_t>(above - divided.begin());
         const std::size_t low = high > 0 ? high - 1 : 0;
-        between_[node] = {knotOf[low], knotOf[high],
-                          division.partOf(divided[low], divided[high], places[node])};
+        between_[node] = {knotOf[low], knotOf[high]};
+        parts_[node] = division.partOf(divided[low], divided[high], places[node]);
     }
 }
 
@@ -232,6 +237,9 @@ void SceneLight::fillSources() {
         for (std::size_t i = 0; i < source.size(); ++i)
             source[i] = pi * surface.reflectance[i] * light[i];
     });
+    ofColumns_.clear();
+    for (const std::vector<double>& source : sources_W_m2_um_)
+        ofColumns_.push_back(source.data());
 }
 
 void SceneLight::turn() {
@@ -241,49 +249,61 @@ void SceneLight::turn() {
     responses_.clear();
 }
 
-std::vector<double> SceneLight::integralsOf(const FactorKind& kind, std::size_t output) const {
+std::vector<std::vector<double>> SceneLight::integralsOf(std::span<const FactorKind> kinds,
+                                                         std::size_t output) const {
     const auto& [begin, end] = radiometry_.outputs()[output];
-    const int drawn = radiometry_.rows().drawnOf(kind.row);
-    const std::vector<double>& own = radiometry_.surface(kind.row).reflectance;
-    const std::vector<double>& through = *radiometry_.air(kind.row).transmittance;
     const std::vector<double>& weights_um = radiometry_.weights_um();
-    std::vector<const double*> before;
-    for (const auto& [entity, material] : fronts_.materials(kind.front))
-        before.push_back(radiometry_.transmissivity(entity, material).data());
-
     const std::size_t columns = columns_.size();
-    std::vector<double> sums(width(), 0.0);
-    std::array<double, nodesOfBlock> base, above;
+    std::vector<std::vector<double>> all(kinds.size(), std::vector<double>(width(), 0.0));
+    using Block = std::array<double, nodesOfBlock>;
+    // Of each kind what counts between two knots for the first of them, and for the second.
+    std::array<Block, 2 * kindsTogether> parts;
+    Block passed, whole; // by what lies before a kind; of a kind
+    std::vector<double> products(2 * kindsTogether * columns);
     for (std::size_t first = begin; first < end; first += nodesOfBlock) {
         const std::size_t count = std::min(nodesOfBlock, end - first);
-        fillBlock(base.data(), count, [&](std::size_t i) {
-            return weights_um[first + i] * own[first + i] * through[first + i];
-        });
-        for (const double* t : before)
-            fillBlock(base.data(), count, [&](std::size_t i) { return base[i] * t[first + i]; });
-        for (const auto& [place, term] : {std::pair{0, skyTerm_}, std::pair{1, groundTerm_}})
-            if (term >= 0)
-                sums[static_cast<std::size_t>(place)] -=
-                    sumOfProducts(base.data(), lightOn(drawn, term).data() + first, count);
-        fillBlock(above.data(), count,
-                  [&](std::size_t i) { return between_[first + i].part * base[i]; });
+        for (std::size_t k = 0; k < kinds.size(); ++k) {
+            if (k == 0 || kinds[k].front != kinds[k - 1].front) {
+                std::copy_n(&weights_um[first], count, passed.data());
+                for (const auto& [entity, material] : fronts_.materials(kinds[k].front))
+                    fillProducts(passed.data(),
+                                 radiometry_.transmissivity(entity, material).data() + first, count,
+                                 passed.data());
+            }
+            fillProducts(passed.data(),
+                         radiometry_.surface(kinds[k].row).reflectance.data() + first, count,
+                         whole.data());
+            fillProducts(whole.data(), radiometry_.air(kinds[k].row).transmittance->data() + first,
+                         count, whole.data());
+            const int drawn = radiometry_.rows().drawnOf(kinds[k].row);
+            for (const auto& [place, term] : {std::pair{0, skyTerm_}, std::pair{1, groundTerm_}})
+                if (term >= 0)
+                    all[k][static_cast<std::size_t>(place)] -=
+                        sumOfProducts(whole.data(), lightOn(drawn, term).data() + first, count);
+            splitVector(whole.data(), &parts_[first], count, parts[2 * k].data(),
+                        parts[2 * k + 1].data());
+        }
         // Nodes that follow each other between the same knots share their sums.
         for (std::size_t from = 0, to = 0; from < count; from = to) {
             const Between& at = between_[first + from];
-            while (to < count && between_[first + to].low == at.low &&
-                   between_[first + to].high == at.high)
+            while (to < count && between_[first + to] == at)
                 ++to;
-            for (std::size_t c = 0; c < columns; ++c) {
-                const double* source = sources_W_m2_um_[c].data() + first + from;
-                const double all = sumOfProducts(&base[from], source, to - from);
-                const double high =
-                    at.high == at.low ? 0.0 : sumOfProducts(&above[from], source, to - from);
-                sums[2 + at.low * columns + c] += all - high;
-                sums[2 + at.high * columns + c] += high;
-            }
+            std::array<const double*, 2 * kindsTogether> vectors{};
+            for (std::size_t v = 0; v < 2 * kinds.size(); ++v)
+                vectors[v] = &parts[v][from];
+            const std::size_t wide = std::bit_ceil(2 * kinds.size());
+            std::fill(vectors.begin() + static_cast<std::ptrdiff_t>(2 * kinds.size()),
+                      vectors.end(), vectors[0]);
+            sumsOfProducts({vectors.data(), wide}, ofColumns_, first + from, to - from,
+                           products.data());
+            for (std::size_t c = 0; c < columns; ++c)
+                for (std::size_t k = 0; k < kinds.size(); ++k) {
+                    all[k][2 + at.low * columns + c] += products[c * wide + 2 * k];
+                    all[k][2 + at.high * columns + c] += products[c * wide + 2 * k + 1];
+                }
         }
     }
-    return sums;
+    return all;
 }
 
 std::vector<FactorKind> SceneLight::inOrder(const LightSums& sums) const {
@@ -301,24 +321,31 @@ void SceneLight::prepare(const std::vector<FactorKind>& kinds) {
     const std::size_t outputs = radiometry_.outputs().size();
     if (outputs > mostOutputsKept)
         return;
-    std::vector<std::pair<FactorKind, std::vector<std::vector<double>>*>> missing;
+    std::vector<FactorKind> missing;
+    std::vector<std::vector<std::vector<double>>*> places;
     for (const FactorKind& kind : kinds)
         if (matters(radiometry_.rows().drawnOf(kind.row))) {
             const auto [place, isNew] = known_.try_emplace({kind.front, kind.row});
             if (isNew) {
                 place->second.resize(outputs);
-                missing.emplace_back(kind, &place->second);
+                missing.push_back(kind);
+                places.push_back(&place->second);
             }
         }
-    parallelFor(missing.size() * outputs, [&](std::size_t i) {
-        auto& [kind, sums] = missing[i / outputs];
-        (*sums)[i % outputs] = integralsOf(kind, i % outputs);
+    const std::size_t groups = (missing.size() + kindsTogether - 1) / kindsTogether;
+    parallelFor(groups * outputs, [&](std::size_t i) {
+        const std::size_t first = i / outputs * kindsTogether;
+        const std::size_t count = std::min(kindsTogether, missing.size() - first);
+        std::vector<std::vector<double>> sums =
+            integralsOf(std::span(missing).subspan(first, count), i % outputs);
+        for (std::size_t k = 0; k < count; ++k)
+            (*places[first + k])[i % outputs] = std::move(sums[k]);
     });
 }
 
 std::span<const double> SceneLight::integrals(const FactorKind& kind, std::size_t output) {
     if (radiometry_.outputs().size() > mostOutputsKept)
-        return passing_ = integralsOf(kind, output);
+        return passing_ = std::move(integralsOf(std::span(&kind, 1), output).front());
     const auto known = known_.find({kind.front, kind.row});
     if (known == known_.end())
         throw LogicError("light between surfaces was asked for of a kind that was not prepared");
@@ -341,6 +368,12 @@ std::vector<double> SceneLight::contracted(int row, std::span<const double> sums
             all[2 + k] += weight * static_cast<double>(gathered[k]);
     }
     return all;
+}
+
+const std::vector<SceneLight::AtReceiver>*
+SceneLight::findAtReceivers(const FactorKind& kind) const {
+    const auto place = atReceivers_.find({kind.front, kind.row});
+    return place == atReceivers_.end() ? nullptr : &place->second;
 }
 
 const std::vector<SceneLight::AtReceiver>& SceneLight::atReceivers(const FactorKind& kind) {
@@ -409,8 +442,8 @@ double SceneLight::partOf(std::span<const double> contracted, std::size_t column
                           std::size_t node) const {
     const Between& at = between_[node];
     const std::size_t columns = columns_.size();
-    return (1.0 - at.part) * contracted[2 + at.low * columns + column] +
-           at.part * contracted[2 + at.high * columns + column];
+    return (1.0 - parts_[node]) * contracted[2 + at.low * columns + column] +
+           parts_[node] * contracted[2 + at.high * columns + column];
 }
 
 SceneLight::Falling SceneLight::fallsOn(int row, std::span<const double> contracted,
@@ -461,8 +494,8 @@ std::vector<double> SceneLight::summedSources(std::span<const std::size_t> nodes
         for (const std::size_t i : nodes) {
             const Between& at = between_[i];
             const double sent = radiometry_.weights_um()[i] * sources_W_m2_um_[c][i];
-            sums[at.low * columns_.size() + c] += (1.0 - at.part) * sent;
-            sums[at.high * columns_.size() + c] += at.part * sent;
+            sums[at.low * columns_.size() + c] += (1.0 - parts_[i]) * sent;
+            sums[at.high * columns_.size() + c] += parts_[i] * sent;
         }
     return sums;
 }

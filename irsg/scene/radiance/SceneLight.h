@@ -56,6 +56,8 @@ class SceneLight {
     /// of that by sky and by ground, and what others give.
     using AtReceiver = std::array<double, 3>;
     const std::vector<AtReceiver>& atReceivers(const FactorKind& kind);
+    /// The same where it was asked for before, else null.
+    const std::vector<AtReceiver>* findAtReceivers(const FactorKind& kind) const;
 
     /// What falls on receivers of a row, by where it was emitted or first reflected: node by node,
     /// W m-2 um-1 times the unit of the sums.
@@ -86,15 +88,17 @@ class SceneLight {
     int groundTerm() const { return groundTerm_; }
 
   private:
-    /// Knots about a node, and how far it is from the first of them.
+    /// Knots about a node.
     struct Between {
         std::size_t low = 0, high = 0;
-        double part = 0.0;
+        bool operator==(const Between&) const = default;
     };
     void findColumns();
     void findKnots(const RenderSettings& settings);
     void fillSources();
-    std::vector<double> integralsOf(const FactorKind& kind, std::size_t output) const;
+    /// Of a few kinds at once.
+    std::vector<std::vector<double>> integralsOf(std::span<const FactorKind> kinds,
+                                                 std::size_t output) const;
     /// Of the surface that a row is of.
     const std::vector<std::uint32_t>& receiversOf(int row) const;
     std::size_t width() const { return 2 + columns_.size() * knots_.size(); }
@@ -111,7 +115,9 @@ class SceneLight {
     std::vector<LightColumn> columns_;
     std::vector<std::vector<double>> knots_;           // reflectivities by row
     std::vector<Between> between_;                     // by node
+    std::vector<double> parts_;                        // likewise: how far from the first knot
     std::vector<std::vector<double>> sources_W_m2_um_; // by column: pi times its radiance, by node
+    std::vector<const double*> ofColumns_;             // the same
     std::shared_ptr<const LightSolution> solution_;
     std::map<std::pair<int, int>, std::vector<std::vector<double>>> known_; // by kind and output
     std::vector<double> passing_; // integrals that are not kept

@@ -24,12 +24,13 @@ FrameReduction AbstractZoomAntialiasingStrategy::draw(const CameraFrame& camera,
     drawn_ = DrawnWindow::of(planned);
     const std::vector<SampleWindow> pieces = piecesOf(planned, pass.largestSide());
     FrameReduction frame(camera.sensor(), pieces);
-    RadianceSamples samples;
     for (const SampleSheet& sheet : sheetsOf(pieces, pass.largestSide())) {
-        pass.draw(camera, sheet, samples);
+        pass.draw(camera, sheet, samples_);
         for (const SampleWindow& window : sheet.windows)
-            frame.add(window, samples);
+            frame.add(window, samples_);
     }
+    if (samples_.planes.size() > 2 * mostSamplesKept)
+        samples_ = {};
     return frame;
 }
 

@@ -49,6 +49,9 @@ class AbstractZoomAntialiasingStrategy {
 
   protected:
     std::vector<DrawnWindow> drawn_;
+
+  private:
+    RadianceSamples samples_; // room for those of the next drawing
 };
 
 /// The windows in pieces that fit a drawing.

@@ -1,11 +1,30 @@
 #include "irsg/scene/sampling/FrameReduction.h"
 
 #include <algorithm>
+#include <array>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/ParallelFor.h"
 #include "irsg/scene/view/PixelGrid.h"
 
 namespace irsg {
+
+namespace {
+
+/// Bands that the rows of pixels are divided into, whatever the number of cores.
+constexpr std::size_t bands = 8;
+
+/// Calls work(band, first row, row behind the last) on all cores, for pixels of the frame.
+template <typename Work>
+void forEachBand(const PixelWindow& pixels, const Work& work) {
+    const auto rows = static_cast<std::size_t>(pixels.height);
+    parallelFor(bands, [&](std::size_t band) {
+        work(band, pixels.y + static_cast<int>(beginOfPart(band, bands, rows)),
+             pixels.y + static_cast<int>(beginOfPart(band + 1, bands, rows)));
+    });
+}
+
+} // namespace
 
 FrameReduction::FrameReduction(const Sensor& sensor, const std::vector<SampleWindow>& windows)
     : sensor_(sensor) {
@@ -48,18 +67,25 @@ FrameReduction::Patch& FrameReduction::patchOf(const PixelWindow& pixels) {
 }
 
 void FrameReduction::add(const SampleWindow& window, const RadianceSamples& samples) {
-    Patch& patch = patchOf(window.pixels());
+    const PixelWindow pixels = window.pixels();
+    Patch& patch = patchOf(pixels);
     const double share = window.share();
-    window.forEachRun([&](std::size_t first, int count, int x, int y, double weight) {
+    const auto addRun = [&](std::size_t first, int count, int x, int y, double weight)
+        __attribute__((always_inline)) {
         const float* sample = &samples.planes[2 * first];
         double radiance = 0.0, opacity = 0.0;
         for (int s = 0; s < count; ++s, sample += 2) {
             radiance += static_cast<double>(sample[0]);
             opacity += static_cast<double>(sample[1]);
         }
+        if (radiance == 0.0 && opacity == 0.0)
+            return;
         const std::size_t pixel = patch.offset(x, y);
         patch.radiance[pixel] += radiance * (weight * share);
         patch.opacity[pixel] += opacity * (weight * share);
+    };
+    forEachBand(pixels, [&](std::size_t, int top, int bottom) {
+        window.forEachRun(window.firstRowOf(top), window.firstRowOf(bottom), addRun);
     });
 }
 
@@ -86,21 +112,29 @@ ObjectRadiometry FrameReduction::objects(const FrameBackground& background, doub
     sum.name = "all";
     sum.range_m = range_m;
     const PixelGrid grid(sensor_);
-    for (const Patch& patch : patches_)
-        for (int y = patch.pixels.y; y < patch.pixels.y + patch.pixels.height; ++y)
-            for (int x = patch.pixels.x; x < patch.pixels.x + patch.pixels.width; ++x) {
-                const std::size_t i = patch.offset(x, y);
-                const double radiance = patch.radiance[i], opacity = patch.opacity[i];
-                if (opacity == 0.0 && radiance == 0.0)
-                    continue;
-                const auto [omega_sr, cosOffAxis] = grid.at(x, y);
-                const double contrast = radiance - opacity * background.at(x, y);
-                sum.intensity_W_sr += radiance * omega_sr;
-                sum.contrastIntensity_W_sr += contrast * omega_sr;
-                sum.irradiance_W_m2 += contrast * omega_sr * cosOffAxis;
-                sum.coveredPixels += opacity;
-                sum.solidAngle_sr += opacity * omega_sr;
-            }
+    for (const Patch& patch : patches_) {
+        const auto add = [&](int x, int y, ObjectRadiometry& to) {
+            const std::size_t i = patch.offset(x, y);
+            const double radiance = patch.radiance[i], opacity = patch.opacity[i];
+            if (opacity == 0.0 && radiance == 0.0)
+                return;
+            const auto [omega_sr, cosOffAxis] = grid.at(x, y);
+            const double contrast = radiance - opacity * background.at(x, y);
+            to.intensity_W_sr += radiance * omega_sr;
+            to.contrastIntensity_W_sr += contrast * omega_sr;
+            to.irradiance_W_m2 += contrast * omega_sr * cosOffAxis;
+            to.coveredPixels += opacity;
+            to.solidAngle_sr += opacity * omega_sr;
+        };
+        std::array<ObjectRadiometry, bands> ofBands;
+        forEachBand(patch.pixels, [&](std::size_t band, int top, int bottom) {
+            for (int y = top; y < bottom; ++y)
+                for (int x = patch.pixels.x; x < patch.pixels.x + patch.pixels.width; ++x)
+                    add(x, y, ofBands[band]);
+        });
+        for (const ObjectRadiometry& one : ofBands)
+            sum.addSums(one);
+    }
     sum.intensity_W_sr *= range_m * range_m;
     sum.contrastIntensity_W_sr *= range_m * range_m;
     return sum;
@@ -117,12 +151,14 @@ RadianceImage FrameReduction::compose(const FrameBackground& background) const {
                 pixels[image.offset(x, y)] = static_cast<float>(background.at(x, y));
 
     for (const Patch& patch : patches_)
-        for (int y = patch.pixels.y; y < patch.pixels.y + patch.pixels.height; ++y)
-            for (int x = patch.pixels.x; x < patch.pixels.x + patch.pixels.width; ++x) {
-                const std::size_t i = patch.offset(x, y);
-                pixels[image.offset(x, y)] = static_cast<float>(
-                    patch.radiance[i] + (1.0 - patch.opacity[i]) * background.at(x, y));
-            }
+        forEachBand(patch.pixels, [&](std::size_t, int top, int bottom) {
+            for (int y = top; y < bottom; ++y)
+                for (int x = patch.pixels.x; x < patch.pixels.x + patch.pixels.width; ++x) {
+                    const std::size_t i = patch.offset(x, y);
+                    pixels[image.offset(x, y)] = static_cast<float>(
+                        patch.radiance[i] + (1.0 - patch.opacity[i]) * background.at(x, y));
+                }
+        });
     return image;
 }
 

@@ -92,6 +92,11 @@ struct SampleWindow {
     void forEachRun(const Visit& visit) const {
         forEachRun(0, height(), visit);
     }
+    /// The first row of samples, counted from the top, that falls to a row of pixels or below it.
+    int firstRowOf(int y) const {
+        const std::int64_t tile = (static_cast<std::int64_t>(y) << level) - tileY;
+        return static_cast<int>(std::clamp<std::int64_t>(tile, 0, tilesHigh)) * samplesDown;
+    }
     /// The same of the rows from one on to before another, counted from the top.
     template <typename Visit>
     void forEachRun(int firstRow, int lastRow, const Visit& visit) const;

@@ -31,6 +31,9 @@ class MirrorTable {
     const float* of(std::uint32_t node) const { return &shares[node * valuesOfNode()]; }
 };
 
+/// Room for so many samples is kept from one picture to the next.
+inline constexpr std::size_t mostSamplesKept = 1'000'000;
+
 /// One window of samples, bottom row first.
 struct RadianceSamples {
     int width = 0, height = 0;

@@ -23,6 +23,15 @@ struct ObjectRadiometry {
     /// arrives from it.
     double airError = 0.0;
     std::optional<RadiometryErrors> errors; ///< where they were asked for (Wanted::errors)
+
+    /// Adds what another has seen to its sums.
+    void addSums(const ObjectRadiometry& other) {
+        intensity_W_sr += other.intensity_W_sr;
+        contrastIntensity_W_sr += other.contrastIntensity_W_sr;
+        irradiance_W_m2 += other.irradiance_W_m2;
+        coveredPixels += other.coveredPixels;
+        solidAngle_sr += other.solidAngle_sr;
+    }
 };
 
 struct RenderReport {
