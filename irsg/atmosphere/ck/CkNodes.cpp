@@ -33,7 +33,7 @@ void CkNodes::prepare() {
         [&](double at_um) {
             return std::pair{1.0, band_.responseAt(at_um)};
         },
-        withResponse, widths_, 32);
+        withResponse, widths_, pointsOfBin);
     for (std::size_t i = 0; i < size(); ++i)
         ones_.push_back(weight_[i] * withResponse[binOf_[i]]);
 }

@@ -31,8 +31,10 @@ class CkNodes {
         /// Per node the mean over its bin's hat, as SensorCkData::sampled gives it.
         std::vector<double> sampled;
     };
+    /// Points of a bin that a function is integrated at, unless it is known to be smooth.
+    static constexpr int pointsOfBin = 32;
     template <typename Function>
-    Shares shares(Function f, int points = 32) const {
+    Shares shares(Function f, int points = pointsOfBin) const {
         std::vector<double> withResponse(centres_um_.size()), alone(centres_um_.size());
         integrate(
             [&](double at_um) {

@@ -26,7 +26,7 @@ struct Source : CkNodes::Shares {
     double inBand;
 
     template <typename Function>
-    Source(const CkNodes& nodes, Function f, int points = 32)
+    Source(const CkNodes& nodes, Function f, int points = CkNodes::pointsOfBin)
         : Shares(nodes.shares(f, points)),
           inBand(std::accumulate(integrated.begin(), integrated.end(), 0.0)) {}
 };

@@ -140,9 +140,16 @@ struct FactorSamples {
     bool isListed(std::size_t sample) const {
         return sample >= lowest && sample < highest && ends[sample] != ends[sample + 1];
     }
+    /// The fragments of a sample that count, near to far: the first and the one behind the last.
+    std::pair<std::size_t, std::size_t> fragmentsOf(std::size_t sample) const {
+        if (sample < lowest || sample >= highest)
+            return {0, 0};
+        const std::uint32_t begin = ends[sample];
+        return {begin, std::min(ends[sample + 1], begin + maximumLayers)};
+    }
     /// Whether it has more layers than count.
     bool isLeftOver(std::size_t sample) const {
-        return isListed(sample) && ends[sample + 1] - ends[sample] > maximumLayers;
+        return isListed(sample) && fragmentsOf(sample).second < ends[sample + 1];
     }
     bool isEmpty(std::size_t sample) const { return !isOpaque(sample) && !isListed(sample); }
 
@@ -160,12 +167,9 @@ struct FactorSamples {
     /// Calls visit(layer) for the layers of a sample, front to back and the opaque one last.
     template <typename Visit>
     [[gnu::always_inline]] void forEachLayer(std::size_t sample, const Visit& visit) const {
-        if (sample >= lowest && sample < highest) {
-            const std::uint32_t begin = ends[sample];
-            const std::uint32_t end = std::min(ends[sample + 1], begin + maximumLayers);
-            for (std::uint32_t i = begin; i < end; ++i)
-                visit(fragment(i));
-        }
+        const auto [begin, end] = fragmentsOf(sample);
+        for (std::size_t i = begin; i < end; ++i)
+            visit(fragment(i));
         if (!isOpaque(sample))
             return;
         const float* first = &opaque[4 * sample];
@@ -184,7 +188,7 @@ struct FactorSamples {
     }
 
   private:
-    [[gnu::always_inline]] Layer fragment(std::uint32_t number) const {
+    [[gnu::always_inline]] Layer fragment(std::size_t number) const {
         const float* w = &words[number * wordsPerFragment];
         return {static_cast<int>(w[2]) - 1,
                 w[3],

@@ -268,12 +268,7 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility, FactorSampl
             return;
         const Vec3 eyeDirection = source.directions.at(column, row);
         std::uint32_t number = 0;
-        const std::size_t firstFragment = samples.isListed(sample) ? samples.ends[sample] : 0;
-        const std::size_t fragments =
-            samples.isListed(sample)
-                ? std::min<std::size_t>(samples.ends[sample + 1] - firstFragment,
-                                        samples.maximumLayers)
-                : 0;
+        const auto [firstFragment, endOfFragments] = samples.fragmentsOf(sample);
         samples.forEachLayer(sample, [&](const FactorSamples::Layer& layer) {
             const std::uint32_t own = number++;
             const auto drawnRow = static_cast<std::size_t>(layer.row);
@@ -281,7 +276,7 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility, FactorSampl
             if (!isOfMatter)
                 return;
             std::optional<std::size_t> fragment;
-            if (own < fragments)
+            if (firstFragment + own < endOfFragments)
                 fragment = firstFragment + own;
             std::optional<Place> place;
             if (withVisibility && withPlaces && own == 0)
