@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "irsg/scene/radiance/KindSums.h"
+#include "irsg/scene/radiance/ViewKindSums.h"
 #include "irsg/scene/sampling/SampleWindow.h"
 
 namespace irsg {

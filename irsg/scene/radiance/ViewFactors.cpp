@@ -8,8 +8,9 @@
 
 #include "irsg/radiometry/ParallelFor.h"
 #include "irsg/scene/radiance/ContrastSums.h"
-#include "irsg/scene/radiance/KindSums.h"
 #include "irsg/scene/radiance/LayerWalk.h"
+#include "irsg/scene/radiance/PixelKindSums.h"
+#include "irsg/scene/radiance/ViewKindSums.h"
 
 namespace irsg {
 
