@@ -89,11 +89,13 @@ IRSG_VECTOR_CLONES void productsOfAll(const double* a, const double* b, std::siz
         products[i] = a[i] * b[i];
 }
 
-IRSG_VECTOR_CLONES void splitAll(const double* values, const double* parts, std::size_t count,
-                                 double* __restrict first, double* __restrict second) {
+IRSG_VECTOR_CLONES void splitAll(const double* a, const double* b, const double* parts,
+                                 std::size_t count, double* __restrict first,
+                                 double* __restrict second) {
     for (std::size_t i = 0; i < count; ++i) {
-        second[i] = parts[i] * values[i];
-        first[i] = values[i] - second[i];
+        const double product = a[i] * b[i];
+        second[i] = parts[i] * product;
+        first[i] = product - second[i];
     }
 }
 
@@ -103,9 +105,9 @@ void fillProducts(const double* a, const double* b, std::size_t count, double* p
     productsOfAll(a, b, count, products);
 }
 
-void splitVector(const double* values, const double* parts, std::size_t count, double* first,
-                 double* second) {
-    splitAll(values, parts, count, first, second);
+void splitProducts(const double* a, const double* b, const double* parts, std::size_t count,
+                   double* first, double* second) {
+    splitAll(a, b, parts, count, first, second);
 }
 
 double sumOfProducts(const double* a, const double* b, std::size_t count) {

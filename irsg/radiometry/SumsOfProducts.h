@@ -23,8 +23,8 @@ void sumsOfProducts(std::span<const double* const> vectors, std::span<const doub
 /// products[i] = a[i] b[i]; it may be one of them.
 void fillProducts(const double* a, const double* b, std::size_t count, double* products);
 
-/// Splits values in two: second[i] = parts[i] values[i], first[i] what is left.
-void splitVector(const double* values, const double* parts, std::size_t count, double* first,
-                 double* second);
+/// Splits products in two: second[i] = parts[i] a[i] b[i], first[i] what is left of a[i] b[i].
+void splitProducts(const double* a, const double* b, const double* parts, std::size_t count,
+                   double* first, double* second);
 
 } // namespace irsg

@@ -96,15 +96,15 @@ TEST(SumsOfProducts, RefuseNumbersOfVectorsThatTheyAreNotMadeFor) {
     EXPECT_THROW(sumsOfProducts(three, three, 0, 1, sums), LogicError);
 }
 
-TEST(Products, AreMadeInPlaceAndDividedWithoutLoss) {
+TEST(Products, AreMadeInPlaceAndSplitWithoutLoss) {
     const std::vector<double> a = wholeNumbers(21, 1.0), parts(21, 0.25);
     std::vector<double> squares = a;
     fillProducts(squares.data(), a.data(), a.size(), squares.data());
     std::vector<double> first(a.size()), second(a.size());
-    splitVector(squares.data(), parts.data(), a.size(), first.data(), second.data());
+    splitProducts(squares.data(), a.data(), parts.data(), a.size(), first.data(), second.data());
     for (std::size_t i = 0; i < a.size(); ++i) {
         EXPECT_EQ(squares[i], a[i] * a[i]);
-        EXPECT_EQ(second[i], 0.25 * squares[i]);
-        EXPECT_EQ(first[i] + second[i], squares[i]);
+        EXPECT_EQ(second[i], 0.25 * squares[i] * a[i]);
+        EXPECT_EQ(first[i] + second[i], squares[i] * a[i]);
     }
 }

@@ -10,7 +10,6 @@
 #include "irsg/radiometry/ParallelFor.h"
 #include "irsg/radiometry/SumsOfProducts.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/radiance/NodeBlocks.h"
 
 namespace irsg {
 
@@ -20,6 +19,9 @@ namespace {
 constexpr std::size_t mostOutputsKept = 128;
 /// Kinds that share what is read of the columns.
 constexpr std::size_t kindsTogether = mostTogether / 2;
+/// Nodes of a block: so few that what kinds share and what is their own stay in the first cache
+/// beside those of another thread of the core.
+constexpr std::size_t nodesTogether = 64;
 /// What reflects less, sr-1, is black.
 constexpr double leastReflectance_per_sr = 1e-9;
 
@@ -255,33 +257,60 @@ std::vector<std::vector<double>> SceneLight::integralsOf(std::span<const FactorK
     const std::vector<double>& weights_um = radiometry_.weights_um();
     const std::size_t columns = columns_.size();
     std::vector<std::vector<double>> all(kinds.size(), std::vector<double>(width(), 0.0));
-    using Block = std::array<double, nodesOfBlock>;
+    // What is to be summed with all kinds: the columns, and what sky and ground give where that is
+    // the same for all of them.
+    std::vector<const double*> others = ofColumns_;
+    std::array<std::pair<int, std::size_t>, 2> terms{{{skyTerm_, 0}, {groundTerm_, 1}}};
+    const auto lightOf = [&](std::size_t k, int term) {
+        return lightOn(radiometry_.rows().drawnOf(kinds[k].row), term).data();
+    };
+    std::vector<std::pair<int, std::size_t>> apart;
+    std::vector<std::size_t> together;
+    for (const auto& [term, place] : terms) {
+        if (term < 0)
+            continue;
+        bool isSame = true;
+        for (std::size_t k = 1; k < kinds.size(); ++k)
+            isSame = isSame && lightOf(k, term) == lightOf(0, term);
+        if (!isSame) {
+            apart.emplace_back(term, place);
+            continue;
+        }
+        others.push_back(lightOf(0, term));
+        together.push_back(place);
+    }
+
+    using Block = std::array<double, nodesTogether>;
     // Of each kind what counts between two knots for the first of them, and for the second.
     std::array<Block, 2 * kindsTogether> parts;
-    Block passed, whole; // by what lies before a kind; of a kind
-    std::vector<double> products(2 * kindsTogether * columns);
-    for (std::size_t first = begin; first < end; first += nodesOfBlock) {
-        const std::size_t count = std::min(nodesOfBlock, end - first);
+    Block passed, reflected; // by what lies before a kind; and by its surface
+    const std::size_t wide = std::bit_ceil(2 * kinds.size());
+    std::vector<double> products(wide * others.size());
+    for (std::size_t first = begin; first < end; first += nodesTogether) {
+        const std::size_t count = std::min(nodesTogether, end - first);
         for (std::size_t k = 0; k < kinds.size(); ++k) {
-            if (k == 0 || kinds[k].front != kinds[k - 1].front) {
+            const bool isBehindSame = k > 0 && kinds[k].front == kinds[k - 1].front;
+            if (!isBehindSame) {
                 std::copy_n(&weights_um[first], count, passed.data());
                 for (const auto& [entity, material] : fronts_.materials(kinds[k].front))
                     fillProducts(passed.data(),
                                  radiometry_.transmissivity(entity, material).data() + first, count,
                                  passed.data());
             }
-            fillProducts(passed.data(),
-                         radiometry_.surface(kinds[k].row).reflectance.data() + first, count,
-                         whole.data());
-            fillProducts(whole.data(), radiometry_.air(kinds[k].row).transmittance->data() + first,
-                         count, whole.data());
-            const int drawn = radiometry_.rows().drawnOf(kinds[k].row);
-            for (const auto& [place, term] : {std::pair{0, skyTerm_}, std::pair{1, groundTerm_}})
-                if (term >= 0)
-                    all[k][static_cast<std::size_t>(place)] -=
-                        sumOfProducts(whole.data(), lightOn(drawn, term).data() + first, count);
-            splitVector(whole.data(), &parts_[first], count, parts[2 * k].data(),
-                        parts[2 * k + 1].data());
+            const SurfaceSpectra& surface = radiometry_.surface(kinds[k].row);
+            if (!isBehindSame || &surface != &radiometry_.surface(kinds[k - 1].row))
+                fillProducts(passed.data(), surface.reflectance.data() + first, count,
+                             reflected.data());
+            double* const below = parts[2 * k].data();
+            double* const above = parts[2 * k + 1].data();
+            splitProducts(reflected.data(),
+                          radiometry_.air(kinds[k].row).transmittance->data() + first,
+                          &parts_[first], count, below, above);
+            for (const auto& [term, place] : apart) {
+                const double* const light = lightOf(k, term) + first;
+                all[k][place] -=
+                    sumOfProducts(below, light, count) + sumOfProducts(above, light, count);
+            }
         }
         // Nodes that follow each other between the same knots share their sums.
         for (std::size_t from = 0, to = 0; from < count; from = to) {
@@ -289,18 +318,22 @@ std::vector<std::vector<double>> SceneLight::integralsOf(std::span<const FactorK
             while (to < count && between_[first + to] == at)
                 ++to;
             std::array<const double*, 2 * kindsTogether> vectors{};
-            for (std::size_t v = 0; v < 2 * kinds.size(); ++v)
-                vectors[v] = &parts[v][from];
-            const std::size_t wide = std::bit_ceil(2 * kinds.size());
-            std::fill(vectors.begin() + static_cast<std::ptrdiff_t>(2 * kinds.size()),
-                      vectors.end(), vectors[0]);
-            sumsOfProducts({vectors.data(), wide}, ofColumns_, first + from, to - from,
+            for (std::size_t v = 0; v < wide; ++v)
+                vectors[v] = &parts[v < 2 * kinds.size() ? v : 0][from];
+            sumsOfProducts({vectors.data(), wide}, others, first + from, to - from,
                            products.data());
-            for (std::size_t c = 0; c < columns; ++c)
-                for (std::size_t k = 0; k < kinds.size(); ++k) {
-                    all[k][2 + at.low * columns + c] += products[c * wide + 2 * k];
-                    all[k][2 + at.high * columns + c] += products[c * wide + 2 * k + 1];
+            for (std::size_t k = 0; k < kinds.size(); ++k) {
+                double* const low = &all[k][2 + at.low * columns];
+                double* const high = &all[k][2 + at.high * columns];
+                for (std::size_t c = 0; c < columns; ++c) {
+                    low[c] += products[c * wide + 2 * k];
+                    high[c] += products[c * wide + 2 * k + 1];
                 }
+                for (std::size_t i = 0; i < together.size(); ++i) {
+                    const double* const own = &products[(columns + i) * wide + 2 * k];
+                    all[k][together[i]] -= own[0] + own[1];
+                }
+            }
         }
     }
     return all;
