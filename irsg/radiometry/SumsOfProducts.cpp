@@ -10,15 +10,6 @@ namespace irsg {
 
 namespace {
 
-/// By halves, so that no sum waits for more than four others.
-template <std::size_t count>
-inline double sumOf(std::array<double, count> sums) {
-    for (std::size_t half = count / 2; half > 0; half /= 2)
-        for (std::size_t k = 0; k < half; ++k)
-            sums[k] += sums[k + half];
-    return sums[0];
-}
-
 IRSG_VECTOR_CLONES double ofTwo(const double* a, const double* b, std::size_t count) {
     constexpr std::size_t lanes = 16, few = 4;
     std::array<double, lanes> sums{};

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 /// Before a function with long loops: it is compiled for the vectors of newer processors too, and
 /// the program takes the widest that its processor has. Files that use it are compiled without
 /// contraction of products and sums (CMakeLists.txt), so all versions give the same bits.
@@ -10,3 +13,16 @@
 #else
 #define IRSG_VECTOR_CLONES
 #endif
+
+namespace irsg {
+
+/// Sums that ran side by side, added by halves, so that none waits for more than four others.
+template <typename Number, std::size_t count>
+inline double sumOf(std::array<Number, count> sums) {
+    for (std::size_t half = count / 2; half > 0; half /= 2)
+        for (std::size_t k = 0; k < half; ++k)
+            sums[k] += sums[k + half];
+    return static_cast<double>(sums[0]);
+}
+
+} // namespace irsg

@@ -12,15 +12,6 @@ namespace {
 
 constexpr std::size_t lanes = 16; ///< sums that run side by side, so that compilers make vectors
 
-/// By halves, so that no sum waits for more than four others.
-template <typename Number, std::size_t count>
-inline double sumOf(std::array<Number, count> sums) {
-    for (std::size_t half = count / 2; half > 0; half /= 2)
-        for (std::size_t k = 0; k < half; ++k)
-            sums[k] += sums[k + half];
-    return static_cast<double>(sums[0]);
-}
-
 IRSG_VECTOR_CLONES double sumOfProducts(const float* a, const float* b, std::size_t n) {
     std::array<double, lanes> sums{};
     std::size_t r = 0;

@@ -116,13 +116,8 @@ KindRadiances::HiddenPlace& KindRadiances::hiddenPlaceOf(int front, int drawn) {
 std::vector<double> KindRadiances::passed(int front,
                                           std::pair<std::size_t, std::size_t> nodes) const {
     const auto& [first, last] = nodes;
-    std::vector<double> product(&radiometry_.weights_um()[first],
-                                radiometry_.weights_um().data() + last);
-    for (const auto& [entity, material] : fronts_.materials(front)) {
-        const double* t = radiometry_.transmissivity(entity, material).data() + first;
-        for (std::size_t i = 0; i < product.size(); ++i)
-            product[i] *= t[i];
-    }
+    std::vector<double> product(last - first);
+    radiometry_.fillPassed(fronts_.materials(front), first, product.size(), product.data());
     return product;
 }
 

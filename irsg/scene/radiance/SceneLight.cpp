@@ -239,9 +239,6 @@ void SceneLight::fillSources() {
         for (std::size_t i = 0; i < source.size(); ++i)
             source[i] = pi * surface.reflectance[i] * light[i];
     });
-    ofColumns_.clear();
-    for (const std::vector<double>& source : sources_W_m2_um_)
-        ofColumns_.push_back(source.data());
 }
 
 void SceneLight::turn() {
@@ -254,12 +251,13 @@ void SceneLight::turn() {
 std::vector<std::vector<double>> SceneLight::integralsOf(std::span<const FactorKind> kinds,
                                                          std::size_t output) const {
     const auto& [begin, end] = radiometry_.outputs()[output];
-    const std::vector<double>& weights_um = radiometry_.weights_um();
     const std::size_t columns = columns_.size();
     std::vector<std::vector<double>> all(kinds.size(), std::vector<double>(width(), 0.0));
     // What is to be summed with all kinds: the columns, and what sky and ground give where that is
     // the same for all of them.
-    std::vector<const double*> others = ofColumns_;
+    std::vector<const double*> others;
+    for (const std::vector<double>& source : sources_W_m2_um_)
+        others.push_back(source.data());
     std::array<std::pair<int, std::size_t>, 2> terms{{{skyTerm_, 0}, {groundTerm_, 1}}};
     const auto lightOf = [&](std::size_t k, int term) {
         return lightOn(radiometry_.rows().drawnOf(kinds[k].row), term).data();
@@ -290,13 +288,9 @@ std::vector<std::vector<double>> SceneLight::integralsOf(std::span<const FactorK
         const std::size_t count = std::min(nodesTogether, end - first);
         for (std::size_t k = 0; k < kinds.size(); ++k) {
             const bool isBehindSame = k > 0 && kinds[k].front == kinds[k - 1].front;
-            if (!isBehindSame) {
-                std::copy_n(&weights_um[first], count, passed.data());
-                for (const auto& [entity, material] : fronts_.materials(kinds[k].front))
-                    fillProducts(passed.data(),
-                                 radiometry_.transmissivity(entity, material).data() + first, count,
-                                 passed.data());
-            }
+            if (!isBehindSame)
+                radiometry_.fillPassed(fronts_.materials(kinds[k].front), first, count,
+                                       passed.data());
             const SurfaceSpectra& surface = radiometry_.surface(kinds[k].row);
             if (!isBehindSame || &surface != &radiometry_.surface(kinds[k - 1].row))
                 fillProducts(passed.data(), surface.reflectance.data() + first, count,

@@ -117,7 +117,6 @@ class SceneLight {
     std::vector<Between> between_;                     // by node
     std::vector<double> parts_;                        // likewise: how far from the first knot
     std::vector<std::vector<double>> sources_W_m2_um_; // by column: pi times its radiance, by node
-    std::vector<const double*> ofColumns_;             // the same
     std::shared_ptr<const LightSolution> solution_;
     std::map<std::pair<int, int>, std::vector<std::vector<double>>> known_; // by kind and output
     std::vector<double> passing_; // integrals that are not kept

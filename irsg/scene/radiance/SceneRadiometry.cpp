@@ -5,6 +5,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/NewLines.h"
 #include "irsg/radiometry/ParallelFor.h"
+#include "irsg/radiometry/SumsOfProducts.h"
 
 namespace irsg {
 
@@ -235,6 +236,13 @@ const SurfaceSpectra& SceneRadiometry::scaling(int drawn) const {
 
 const std::vector<double>& SceneRadiometry::transmissivity(int entity, int material) const {
     return transmissivities_.at({entity, material});
+}
+
+void SceneRadiometry::fillPassed(const std::vector<FrontMaterial>& front, std::size_t first,
+                                 std::size_t count, double* values) const {
+    std::copy_n(weights_um_.data() + first, count, values);
+    for (const auto& [entity, material] : front)
+        fillProducts(values, transmissivity(entity, material).data() + first, count, values);
 }
 
 double SceneRadiometry::integrate(const std::vector<double>& values, std::size_t output) const {

@@ -52,6 +52,9 @@ class SceneRadiometry {
     /// Spectral transmissivity of a material of an entity.
     const std::vector<double>& transmissivity(int entity, int material) const;
 
+    /// Weights times what materials in front let through, for `count` nodes from `first` on.
+    void fillPassed(const std::vector<FrontMaterial>& front, std::size_t first, std::size_t count,
+                    double* values) const;
     /// Sum of weight times value over an output.
     double integrate(const std::vector<double>& values, std::size_t output = 0) const;
     /// In-band emission of a drawn row as it arrives from its first row, W m-2 sr-1.
