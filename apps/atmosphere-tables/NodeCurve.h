@@ -11,7 +11,7 @@ namespace smat::tables {
 class NodeCurve {
   public:
     explicit NodeCurve(std::vector<double> nodes_per_cm)
-        : nodes_cm_(std::move(nodes_per_cm)), values_(nodes_cm_.size(), 0.0) {}
+        : nodes_per_cm_(std::move(nodes_per_cm)), values_(nodes_per_cm_.size(), 0.0) {}
 
     struct Share {
         std::size_t node;
@@ -19,14 +19,14 @@ class NodeCurve {
     };
     /// The two nodes about a wavenumber and what each contributes.
     std::array<Share, 2> shares(double wavenumber_per_cm) const {
-        if (wavenumber_per_cm <= nodes_cm_.front())
+        if (wavenumber_per_cm <= nodes_per_cm_.front())
             return {{{0, 1.0}, {1, 0.0}}};
-        if (wavenumber_per_cm >= nodes_cm_.back())
-            return {{{nodes_cm_.size() - 2, 0.0}, {nodes_cm_.size() - 1, 1.0}}};
+        if (wavenumber_per_cm >= nodes_per_cm_.back())
+            return {{{nodes_per_cm_.size() - 2, 0.0}, {nodes_per_cm_.size() - 1, 1.0}}};
         const auto above = static_cast<std::size_t>(
-            std::ranges::upper_bound(nodes_cm_, wavenumber_per_cm) - nodes_cm_.begin());
-        const double part =
-            (wavenumber_per_cm - nodes_cm_[above - 1]) / (nodes_cm_[above] - nodes_cm_[above - 1]);
+            std::ranges::upper_bound(nodes_per_cm_, wavenumber_per_cm) - nodes_per_cm_.begin());
+        const double part = (wavenumber_per_cm - nodes_per_cm_[above - 1]) /
+                            (nodes_per_cm_[above] - nodes_per_cm_[above - 1]);
         return {{{above - 1, 1.0 - part}, {above, part}}};
     }
     double at(double wavenumber_per_cm) const {
@@ -35,13 +35,13 @@ class NodeCurve {
             sum += share.weight * values_[share.node];
         return sum;
     }
-    std::size_t size() const { return nodes_cm_.size(); }
-    double node_per_cm(std::size_t node) const { return nodes_cm_[node]; }
+    std::size_t size() const { return nodes_per_cm_.size(); }
+    double node_per_cm(std::size_t node) const { return nodes_per_cm_[node]; }
     double& value(std::size_t node) { return values_[node]; }
     double value(std::size_t node) const { return values_[node]; }
 
   private:
-    std::vector<double> nodes_cm_, values_;
+    std::vector<double> nodes_per_cm_, values_;
 };
 
 } // namespace smat::tables

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "irsg/radiometry/Wording.h"
+
 namespace irsg::karma {
 
 namespace {
@@ -23,12 +25,6 @@ std::string shown(const std::string& text) {
     if (text.empty())
         return "nothing";
     return text.size() <= 60 ? "'" + text + "'" : "'" + text.substr(0, 57) + "...'";
-}
-
-std::string lowerCase(std::string text) {
-    std::ranges::transform(text, text.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-    return text;
 }
 
 /// The encoding that the declaration names, in lower case; "utf-8" where it names none.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <string>
@@ -21,6 +22,14 @@ inline std::string roundedText(double value, int digits = 6) {
     const auto end =
         std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits);
     return {text, end.ptr};
+}
+
+/// Letters of ASCII in lower case, whatever the locale; other bytes as they are.
+inline std::string lowerCase(std::string text) {
+    std::ranges::transform(text, text.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return text;
 }
 
 } // namespace irsg

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "irsg/signature/DistributionLaw.h"
 #include "irsg/signature/random/PortableMath.h"
@@ -14,7 +15,6 @@ using Numbers = std::vector<double>;
 using Tails = std::function<LogTails(double)>;
 
 constexpr double largestShape = 1e4;
-constexpr double ln2 = 0.69314718055994531;
 constexpr LogTails nothingBelow{-std::numeric_limits<double>::infinity(), 0.0};
 constexpr LogTails nothingAbove{0.0, -std::numeric_limits<double>::infinity()};
 
@@ -81,7 +81,7 @@ LogTails studentTails(double degrees, double z) {
     const double outside =
         std::isinf(square) ? nothingBelow.lower
                            : betaTails(0.5 * degrees, 0.5, degrees / whole, square / whole).lower;
-    return mirrored(tailsFromUpper(outside - ln2), z);
+    return mirrored(tailsFromUpper(outside - std::numbers::ln2), z);
 }
 
 LogTails poissonTails(double mean, double k) {
@@ -186,11 +186,12 @@ const DistributionLaw laplace{
     .check = widthAndShapes<DistributionKind::laplace>,
     .standard = originScaleShapes,
     .tails = [](const StandardForm&) -> Tails {
-        return [](double z) { return mirrored(tailsFromUpper(-std::abs(z) - ln2), z); };
+        return
+            [](double z) { return mirrored(tailsFromUpper(-std::abs(z) - std::numbers::ln2), z); };
     },
     .closedForm =
         [](const StandardForm&, const TailTarget& target) {
-            const double beyond = std::min(target.log + ln2, 0.0);
+            const double beyond = std::min(target.log + std::numbers::ln2, 0.0);
             return target.isUpper ? -beyond : beyond;
         }};
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "irsg/signature/random/PortableMath.h"
 
@@ -9,7 +10,6 @@ namespace irsg {
 
 namespace {
 
-constexpr double ln2 = 0.69314718055994531;
 constexpr int bracketCount = 64;
 
 } // namespace
@@ -32,8 +32,9 @@ Distribution::Truncated::Truncated(DistributionKind kind, double min, double max
         atFirst_ = tails(first_);
     }
     atLast_ = tails(last_);
-    mass_ = atFirst_.lower < -ln2 ? portable::exp(atLast_.lower) - portable::exp(atFirst_.lower)
-                                  : portable::exp(atFirst_.upper) - portable::exp(atLast_.upper);
+    mass_ = atFirst_.lower < -std::numbers::ln2
+                ? portable::exp(atLast_.lower) - portable::exp(atFirst_.lower)
+                : portable::exp(atFirst_.upper) - portable::exp(atLast_.upper);
     if (!(atLast_.lower > atFirst_.lower) && !(atFirst_.upper > atLast_.upper))
         throw InputError({"", "",
                           "no probability from " + numberText(min) + " to " + numberText(max),
@@ -59,9 +60,9 @@ TailTarget Distribution::Truncated::targetOf(double u) const {
         return large + portable::log((1.0 - u) * portable::exp(first - large) +
                                      u * portable::exp(last - large));
     };
-    if (atLast_.lower <= -ln2)
+    if (atLast_.lower <= -std::numbers::ln2)
         return {false, mixed(atFirst_.lower, atLast_.lower)};
-    if (atFirst_.upper <= -ln2)
+    if (atFirst_.upper <= -std::numbers::ln2)
         return {true, mixed(atFirst_.upper, atLast_.upper)};
     const double lower = portable::exp(atFirst_.lower) + u * mass_;
     if (lower <= 0.5)
@@ -144,15 +145,15 @@ double Distribution::Truncated::at(double u) const {
 
 double Distribution::Truncated::probabilityBetween(const LogTails& at) const {
     // (F(x) - F(min)) / (F(max) - F(min)), from the tail on whose side of the median [min, max] is.
-    if (atLast_.lower <= -ln2) {
+    if (atLast_.lower <= -std::numbers::ln2) {
         const double all = -portable::expm1(atFirst_.lower - atLast_.lower);
         return portable::exp(at.lower - atLast_.lower) *
                -portable::expm1(atFirst_.lower - at.lower) / all;
     }
-    if (atFirst_.upper <= -ln2)
+    if (atFirst_.upper <= -std::numbers::ln2)
         return portable::expm1(at.upper - atFirst_.upper) /
                portable::expm1(atLast_.upper - atFirst_.upper);
-    return at.lower <= -ln2
+    return at.lower <= -std::numbers::ln2
                ? (portable::exp(at.lower) - portable::exp(atFirst_.lower)) / mass_
                : 1.0 - (portable::exp(at.upper) - portable::exp(atLast_.upper)) / mass_;
 }

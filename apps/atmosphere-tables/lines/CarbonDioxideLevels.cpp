@@ -122,7 +122,7 @@ std::optional<RotationalTerm> RotationalTerm::fit(const std::map<int, double>& e
             errors_per_cm.push_back(error_per_cm(point));
             squares += errors_per_cm.back() * errors_per_cm.back();
         }
-        term.residual_cm_ = std::sqrt(squares / static_cast<double>(points.size()));
+        term.residual_per_cm_ = std::sqrt(squares / static_cast<double>(points.size()));
         std::ranges::nth_element(errors_per_cm,
                                  errors_per_cm.begin() +
                                      static_cast<std::ptrdiff_t>(errors_per_cm.size() / 2));

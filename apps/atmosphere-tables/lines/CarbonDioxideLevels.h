@@ -22,12 +22,12 @@ class RotationalTerm {
     double energy_per_cm(int J) const;
     int highestJ() const { return highestJ_; }
     /// RMS of the levels that were kept, cm-1.
-    double residual_per_cm() const { return residual_cm_; }
+    double residual_per_cm() const { return residual_per_cm_; }
 
   private:
     std::array<double, 4> coefficients_{};
     int highestJ_ = 0;
-    double residual_cm_ = 0.0;
+    double residual_per_cm_ = 0.0;
 };
 
 /// Half widths, shift and exponent of a line of CO2 by its |m| (m = -J for P, J for Q and J + 1 for

@@ -22,12 +22,12 @@ double planckPerWavenumber(double wavenumber_per_cm, double temperature_K) {
 class CoarseContinuum {
   public:
     CoarseContinuum(const AtmosphericState& air, double lower_per_cm, double upper_per_cm)
-        : lower_cm_(lower_per_cm) {
+        : lower_per_cm_(lower_per_cm) {
         for (double nu = lower_per_cm; nu < upper_per_cm + step_per_cm; nu += step_per_cm)
             values_.push_back(continuumAbsorption_per_m(air, nu));
     }
     double at(double wavenumber_per_cm) const {
-        const double place = (wavenumber_per_cm - lower_cm_) / step_per_cm;
+        const double place = (wavenumber_per_cm - lower_per_cm_) / step_per_cm;
         const auto i = std::min(static_cast<std::size_t>(place), values_.size() - 2);
         const double part = place - static_cast<double>(i);
         return (1.0 - part) * values_[i] + part * values_[i + 1];
@@ -35,7 +35,7 @@ class CoarseContinuum {
 
   private:
     static constexpr double step_per_cm = 1.0;
-    double lower_cm_;
+    double lower_per_cm_;
     std::vector<double> values_;
 };
 

@@ -50,9 +50,9 @@ AtmosphericState everything() {
 } // namespace
 
 ContinuumSpectrum::ContinuumSpectrum(std::vector<double> wavenumbers_per_cm)
-    : wavenumbers_cm_(std::move(wavenumbers_per_cm)) {
+    : wavenumbers_per_cm_(std::move(wavenumbers_per_cm)) {
     const AtmosphericState absorbing = everything();
-    for (const double wavenumber_per_cm : wavenumbers_cm_) {
+    for (const double wavenumber_per_cm : wavenumbers_per_cm_) {
         const continuum::WaterSpectral water = continuum::waterAt(wavenumber_per_cm);
         waterSelf_.push_back(water.self296);
         waterCooling_.push_back(water.lnCooling_per_K);
@@ -70,10 +70,10 @@ void ContinuumSpectrum::absorption_per_m(const AtmosphericState& air, std::span<
     const continuum::NitrogenAir nitrogen(air);
     for (std::size_t i = 0; i < out.size(); ++i)
         out[i] = water.both_per_m(
-                     {wavenumbers_cm_[i], waterSelf_[i], waterCooling_[i], waterForeign_[i]}) +
+                     {wavenumbers_per_cm_[i], waterSelf_[i], waterCooling_[i], waterForeign_[i]}) +
                  nitrogen.absorption_per_m({nitrogen_[i], nitrogenSlope_[i]});
     for (const std::size_t i : others_)
-        out[i] += others_per_m(air, wavenumbers_cm_[i]);
+        out[i] += others_per_m(air, wavenumbers_per_cm_[i]);
 }
 
 double rayleighScattering_per_m(const AtmosphericState& air, double wavenumber_per_cm) {

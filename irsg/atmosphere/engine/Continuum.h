@@ -40,7 +40,7 @@ class ContinuumSpectrum {
     void absorption_per_m(const AtmosphericState& air, std::span<double> out) const;
 
   private:
-    std::vector<double> wavenumbers_cm_;
+    std::vector<double> wavenumbers_per_cm_;
     std::vector<double> waterSelf_, waterCooling_, waterForeign_, nitrogen_, nitrogenSlope_;
     std::vector<std::size_t> others_; ///< where gases besides water and nitrogen absorb
 };

@@ -50,8 +50,8 @@ EvenTable EvenTable::read(const std::filesystem::path& file,
         diagnostics.push_back(csv.diagnostic("wavenumbers that fall", "ascending wavenumbers"));
     if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
-    table.lower_cm_ = axis[0];
-    table.step_cm_ = (axis.back() - axis.front()) / static_cast<double>(axis.size() - 1);
+    table.lower_per_cm_ = axis[0];
+    table.step_per_cm_ = (axis.back() - axis.front()) / static_cast<double>(axis.size() - 1);
     table.rows_ = axis.size();
     return table;
 }
@@ -59,7 +59,7 @@ EvenTable EvenTable::read(const std::filesystem::path& file,
 EvenTable::Place EvenTable::place(double wavenumber_per_cm) const {
     if (!(wavenumber_per_cm >= lower_per_cm() && wavenumber_per_cm <= upper_per_cm()))
         return {};
-    const double rows = (wavenumber_per_cm - lower_cm_) / step_cm_;
+    const double rows = (wavenumber_per_cm - lower_per_cm_) / step_per_cm_;
     const auto row = std::min(static_cast<std::size_t>(rows), rows_ - 2);
     return {row, rows - static_cast<double>(row), true};
 }

@@ -15,8 +15,10 @@ class EvenTable {
     static EvenTable read(const std::filesystem::path& file,
                           const std::vector<std::string>& columns);
 
-    double lower_per_cm() const { return lower_cm_; }
-    double upper_per_cm() const { return lower_cm_ + step_cm_ * static_cast<double>(rows_ - 1); }
+    double lower_per_cm() const { return lower_per_cm_; }
+    double upper_per_cm() const {
+        return lower_per_cm_ + step_per_cm_ * static_cast<double>(rows_ - 1);
+    }
     /// The place of a wavenumber in the table, by which all columns are interpolated.
     struct Place {
         std::size_t row = 0;
@@ -28,7 +30,7 @@ class EvenTable {
     double at(std::size_t column, const Place& place) const;
 
   private:
-    double lower_cm_ = 0.0, step_cm_ = 1.0;
+    double lower_per_cm_ = 0.0, step_per_cm_ = 1.0;
     std::size_t rows_ = 0;
     std::vector<std::vector<double>> columns_;
 };

@@ -30,7 +30,7 @@ GasTable::GasTable(Grid grid, std::vector<double> nodeWavenumbers_per_cm, std::v
                    std::array<BinSet, 3> bins, std::string header)
     : grid_(std::move(grid)),
       header_(std::move(header)),
-      wavenumbers_cm_(std::move(nodeWavenumbers_per_cm)),
+      wavenumbers_per_cm_(std::move(nodeWavenumbers_per_cm)),
       bins_(std::move(bins)) {
     std::ranges::sort(blocks, {},
                       [](const Block& block) { return std::pair(block.gas, block.node); });

@@ -67,8 +67,8 @@ class GasTable {
 
     const std::string& header() const { return header_; } ///< recipe, sources, expected errors
     const Grid& grid() const { return grid_; }
-    std::size_t nodeCount() const { return wavenumbers_cm_.size(); }
-    double wavenumber_per_cm(std::uint32_t node) const { return wavenumbers_cm_[node]; }
+    std::size_t nodeCount() const { return wavenumbers_per_cm_.size(); }
+    double wavenumber_per_cm(std::uint32_t node) const { return wavenumbers_per_cm_[node]; }
     /// Bins of 1, 5 or 15 cm-1 (LogicError for others). Where the data are coarser, so are the
     /// bins.
     const BinSet& bins(int resolution_per_cm) const;
@@ -106,7 +106,7 @@ class GasTable {
 
     Grid grid_;
     std::string header_;
-    std::vector<double> wavenumbers_cm_;
+    std::vector<double> wavenumbers_per_cm_;
     std::array<GasNodes, lineGasCount> gases_;
     std::array<BinSet, 3> bins_;
 };

@@ -104,7 +104,7 @@ void GasTable::write(const std::filesystem::path& file) const {
     writer.array(grid_.temperatures_K);
     writer.number(grid_.moistFraction);
     writer.number<std::uint64_t>(grid_.moistPressures);
-    writer.array(wavenumbers_cm_);
+    writer.array(wavenumbers_per_cm_);
     for (const GasNodes& gas : gases_) {
         writer.array(gas.nodes);
         writer.array(gas.values);
@@ -127,7 +127,7 @@ std::shared_ptr<const GasTable> GasTable::read(const std::filesystem::path& file
     reader.array(table->grid_.temperatures_K);
     table->grid_.moistFraction = reader.number<double>();
     table->grid_.moistPressures = reader.number<std::uint64_t>();
-    reader.array(table->wavenumbers_cm_);
+    reader.array(table->wavenumbers_per_cm_);
     for (GasNodes& gas : table->gases_) {
         reader.array(gas.nodes);
         reader.array(gas.values);

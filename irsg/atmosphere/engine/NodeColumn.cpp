@@ -11,7 +11,7 @@ namespace irsg {
 namespace {
 
 /// Where slowly varying quantities are computed: a grid over the wavenumbers, or these themselves.
-std::vector<double> smoothPoints(const std::vector<double>& wavenumbers_per_cm) {
+std::vector<double> smoothPointsOf(const std::vector<double>& wavenumbers_per_cm) {
     std::vector<double> own = wavenumbers_per_cm;
     std::ranges::sort(own);
     own.erase(std::ranges::unique(own).begin(), own.end());
@@ -38,26 +38,26 @@ NodeColumn::NodeColumn(const AtmosphericColumn& air, std::vector<std::uint32_t> 
                        std::vector<double> wavenumbers_per_cm, double sunWidth_per_cm)
     : air_(air),
       nodes_(std::move(nodes)),
-      wavenumbers_cm_(std::move(wavenumbers_per_cm)),
-      sunWidth_cm_(sunWidth_per_cm),
+      wavenumbers_per_cm_(std::move(wavenumbers_per_cm)),
+      sunWidth_per_cm_(sunWidth_per_cm),
       absorption_(air.gases(), nodes_),
-      smoothPoints_cm_(smoothPoints(wavenumbers_cm_)),
-      continua_(smoothPoints_cm_),
+      smoothPoints_per_cm_(smoothPointsOf(wavenumbers_per_cm_)),
+      continua_(smoothPoints_per_cm_),
       levels_(air.levelCount()) {
-    for (const double wavenumber_per_cm : wavenumbers_cm_) {
+    for (const double wavenumber_per_cm : wavenumbers_per_cm_) {
         wavelengths_um_.push_back(1e4 / wavenumber_per_cm);
-        const auto above = std::ranges::upper_bound(smoothPoints_cm_, wavenumber_per_cm);
-        const auto below = std::max<std::ptrdiff_t>(above - smoothPoints_cm_.begin() - 1, 0);
+        const auto above = std::ranges::upper_bound(smoothPoints_per_cm_, wavenumber_per_cm);
+        const auto below = std::max<std::ptrdiff_t>(above - smoothPoints_per_cm_.begin() - 1, 0);
         const auto i = static_cast<std::size_t>(below);
-        const bool isLast = i + 1 >= smoothPoints_cm_.size();
+        const bool isLast = i + 1 >= smoothPoints_per_cm_.size();
         smoothBelow_.push_back(static_cast<std::uint32_t>(i));
         smoothPart_.push_back(isLast ? 0.0
-                                     : (wavenumber_per_cm - smoothPoints_cm_[i]) /
-                                           (smoothPoints_cm_[i + 1] - smoothPoints_cm_[i]));
+                                     : (wavenumber_per_cm - smoothPoints_per_cm_[i]) /
+                                           (smoothPoints_per_cm_[i + 1] - smoothPoints_per_cm_[i]));
     }
     for (const ParticleLayer& kind : air_.particles()) {
         Optics optics;
-        for (const double wavenumber_per_cm : smoothPoints_cm_) {
+        for (const double wavenumber_per_cm : smoothPoints_per_cm_) {
             const ParticleOptics here = kind.opticsAt(1e4 / wavenumber_per_cm);
             optics.extinction.push_back(here.extinction);
             optics.scattering.push_back(std::max(here.extinction - here.absorption, 0.0));
@@ -69,13 +69,13 @@ NodeColumn::NodeColumn(const AtmosphericColumn& air, std::vector<std::uint32_t> 
 
 NodeColumn::Smooth NodeColumn::smoothAt(std::size_t level) const {
     const AtmosphericState& air = air_.level(level);
-    const std::size_t points = smoothPoints_cm_.size();
+    const std::size_t points = smoothPoints_per_cm_.size();
     Smooth smooth;
     smooth.extinction.resize(points);
     smooth.rayleigh.resize(points);
     continua_.absorption_per_m(air, smooth.extinction);
     for (std::size_t i = 0; i < points; ++i) {
-        smooth.rayleigh[i] = rayleighScattering_per_m(air, smoothPoints_cm_[i]);
+        smooth.rayleigh[i] = rayleighScattering_per_m(air, smoothPoints_per_cm_[i]);
         smooth.extinction[i] += smooth.rayleigh[i];
     }
     smooth.scattering = smooth.rayleigh;
@@ -172,9 +172,9 @@ std::span<const double> NodeColumn::planck(std::size_t index) const {
 std::span<const double> NodeColumn::sun() const {
     sunOnce_.call([&] {
         std::vector<double> sun;
-        for (const double wavenumber_per_cm : wavenumbers_cm_)
-            sun.push_back(solarIrradiance_W_m2_per_cm(wavenumber_per_cm - 0.5 * sunWidth_cm_,
-                                                      wavenumber_per_cm + 0.5 * sunWidth_cm_) *
+        for (const double wavenumber_per_cm : wavenumbers_per_cm_)
+            sun.push_back(solarIrradiance_W_m2_per_cm(wavenumber_per_cm - 0.5 * sunWidth_per_cm_,
+                                                      wavenumber_per_cm + 0.5 * sunWidth_per_cm_) *
                           wavenumber_per_cm * wavenumber_per_cm * 1e-4);
         sun_ = std::move(sun);
     });

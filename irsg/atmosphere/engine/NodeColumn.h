@@ -36,7 +36,7 @@ class NodeColumn {
     const AtmosphericColumn& air() const { return air_; }
     std::size_t size() const { return nodes_.size(); }
     const std::vector<std::uint32_t>& nodes() const { return nodes_; }
-    const std::vector<double>& wavenumbers_per_cm() const { return wavenumbers_cm_; }
+    const std::vector<double>& wavenumbers_per_cm() const { return wavenumbers_per_cm_; }
 
     /// m-1: gases, continua, Rayleigh scattering, particles.
     std::span<const float> extinction(std::size_t level) const;
@@ -83,11 +83,11 @@ class NodeColumn {
 
     const AtmosphericColumn& air_;
     std::vector<std::uint32_t> nodes_;
-    std::vector<double> wavenumbers_cm_;
-    double sunWidth_cm_;
+    std::vector<double> wavenumbers_per_cm_;
+    double sunWidth_per_cm_;
     NodeAbsorption absorption_;
     std::vector<double> wavelengths_um_;
-    std::vector<double> smoothPoints_cm_;
+    std::vector<double> smoothPoints_per_cm_;
     ContinuumSpectrum continua_;             ///< at the smooth points
     std::vector<std::uint32_t> smoothBelow_; ///< smooth point at or below each node
     std::vector<double> smoothPart_;         ///< and how far to the next

@@ -54,16 +54,16 @@ void turnToTransmittance(std::span<double> depth) {
 namespace {
 
 /// The air at one level, per node.
-struct LevelRows {
+struct SourceRows {
     const float *extinction, *scattering;
 
-    LevelRows(const NodeColumn& column, std::size_t level)
+    SourceRows(const NodeColumn& column, std::size_t level)
         : extinction(column.extinction(level).data()),
           scattering(column.scattering(level).data()) {}
 };
 
 /// From light that is scattered into the ray to the source function, at a level.
-IRSG_VECTOR_CLONES void sourceAt(const LevelRows& level, const double* planck, std::size_t n,
+IRSG_VECTOR_CLONES void sourceAt(const SourceRows& level, const double* planck, std::size_t n,
                                  double* mean, double* slope) {
     const float *extinction = level.extinction, *scattering = level.scattering;
     for (std::size_t i = 0; i < n; ++i) {
@@ -76,7 +76,7 @@ IRSG_VECTOR_CLONES void sourceAt(const LevelRows& level, const double* planck, s
 }
 
 /// The same in a layer, at its part `f`: extinction and absorption are linear in altitude.
-IRSG_VECTOR_CLONES void sourceBetween(const LevelRows& lower, const LevelRows& upper, double f,
+IRSG_VECTOR_CLONES void sourceBetween(const SourceRows& lower, const SourceRows& upper, double f,
                                       const double* planck, std::size_t n, double* mean,
                                       double* slope) {
     const double g = 1.0 - f;
@@ -117,7 +117,7 @@ const LevelSources::Rows& LevelSources::at(std::size_t index) const {
     level.once.call([&] {
         Rows rows(column_.size());
         scatteredAt(index, rows);
-        sourceAt(LevelRows(column_, index), column_.planck(index).data(), column_.size(),
+        sourceAt(SourceRows(column_, index), column_.planck(index).data(), column_.size(),
                  rows.mean.data(), rows.slope.data());
         level.rows = std::move(rows);
     });
@@ -136,7 +136,7 @@ void LevelSources::between(std::size_t layer, double f, Rows& rows) const {
         altitudes_m[layer] + f * (altitudes_m[layer + 1] - altitudes_m[layer]);
     std::vector<double> planck(n);
     column_.planckAt(column_.air().profile().at(altitude_m).temperature_K, planck);
-    sourceBetween(LevelRows(column_, layer), LevelRows(column_, layer + 1), f, planck.data(), n,
+    sourceBetween(SourceRows(column_, layer), SourceRows(column_, layer + 1), f, planck.data(), n,
                   rows.mean.data(), rows.slope.data());
 }
 

@@ -21,26 +21,26 @@ constexpr double highestStart_m = 1000.0;
 constexpr double greatestPressureStep = 0.2;
 constexpr std::size_t water = static_cast<std::size_t>(Gas::H2O);
 
-struct Column {
+struct ProfileColumn {
     std::string_view header;
     double least;
     double most;
     std::string_view unit;
 };
-constexpr std::array columns = {Column{"altitude [m]", 0.0, 120000.0, "m"},
-                                Column{"pressure [hPa]", 1e-6, 1200.0, "hPa"},
-                                Column{"temperature [K]", 100.0, 400.0, "K"},
-                                Column{"temperature [C]", -173.15, 126.85, "C"},
-                                Column{"relative_humidity [%]", 0.0, 100.0, "%"},
-                                Column{"dew_point [C]", -150.0, 100.0, "C"},
-                                Column{"h2o [ppmv]", 0.0, 1e6, "ppmv"},
-                                Column{"co2 [ppmv]", 0.0, 1e6, "ppmv"},
-                                Column{"o3 [ppmv]", 0.0, 1e6, "ppmv"},
-                                Column{"n2o [ppmv]", 0.0, 1e6, "ppmv"},
-                                Column{"co [ppmv]", 0.0, 1e6, "ppmv"},
-                                Column{"ch4 [ppmv]", 0.0, 1e6, "ppmv"},
-                                Column{"o2 [ppmv]", 0.0, 1e6, "ppmv"},
-                                Column{"hno3 [ppmv]", 0.0, 1e6, "ppmv"}};
+constexpr std::array columns = {ProfileColumn{"altitude [m]", 0.0, 120000.0, "m"},
+                                ProfileColumn{"pressure [hPa]", 1e-6, 1200.0, "hPa"},
+                                ProfileColumn{"temperature [K]", 100.0, 400.0, "K"},
+                                ProfileColumn{"temperature [C]", -173.15, 126.85, "C"},
+                                ProfileColumn{"relative_humidity [%]", 0.0, 100.0, "%"},
+                                ProfileColumn{"dew_point [C]", -150.0, 100.0, "C"},
+                                ProfileColumn{"h2o [ppmv]", 0.0, 1e6, "ppmv"},
+                                ProfileColumn{"co2 [ppmv]", 0.0, 1e6, "ppmv"},
+                                ProfileColumn{"o3 [ppmv]", 0.0, 1e6, "ppmv"},
+                                ProfileColumn{"n2o [ppmv]", 0.0, 1e6, "ppmv"},
+                                ProfileColumn{"co [ppmv]", 0.0, 1e6, "ppmv"},
+                                ProfileColumn{"ch4 [ppmv]", 0.0, 1e6, "ppmv"},
+                                ProfileColumn{"o2 [ppmv]", 0.0, 1e6, "ppmv"},
+                                ProfileColumn{"hno3 [ppmv]", 0.0, 1e6, "ppmv"}};
 /// Columns of one group say the same thing: exactly one of them is wanted.
 const std::array<std::vector<std::string_view>, 4> groups = {
     {{"altitude [m]"},
@@ -51,8 +51,8 @@ constexpr std::array<std::string_view, gasCount> gasHeaders = {
     "h2o [ppmv]", "co2 [ppmv]", "o3 [ppmv]", "n2o [ppmv]",
     "co [ppmv]",  "ch4 [ppmv]", "o2 [ppmv]", "hno3 [ppmv]"};
 
-const Column* columnOf(std::string_view header) {
-    const auto found = std::ranges::find(columns, header, &Column::header);
+const ProfileColumn* columnOf(std::string_view header) {
+    const auto found = std::ranges::find(columns, header, &ProfileColumn::header);
     return found == columns.end() ? nullptr : &*found;
 }
 
@@ -99,10 +99,10 @@ class Ascent {
         const CsvRow& header = table_.rows().front();
         for (std::size_t i = 0; i < header.cells.size(); ++i) {
             const CsvCell& cell = header.cells[i];
-            const Column* column = columnOf(cell.text);
+            const ProfileColumn* column = columnOf(cell.text);
             if (column == nullptr) {
                 std::vector<std::string_view> known;
-                for (const Column& each : columns)
+                for (const ProfileColumn& each : columns)
                     known.push_back(each.header);
                 diagnostics_.push_back(table_.diagnostic(cell, "one of " + quoted(known, ", ")));
             } else if (!cells_.emplace(column->header, i).second) {
@@ -129,7 +129,7 @@ class Ascent {
         }
         bool isUsable = true;
         for (const auto& [header, place] : cells_) {
-            const Column& column = *columnOf(header);
+            const ProfileColumn& column = *columnOf(header);
             const CsvCell& cell = row.cells[place];
             const std::string expected = numberText(column.least) + " to " +
                                          numberText(column.most) + " " + std::string(column.unit);

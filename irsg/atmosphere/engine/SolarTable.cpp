@@ -38,19 +38,19 @@ SolarTable SolarTable::read(const std::filesystem::path& file) {
         const double value = csv.number(row.cells[2], diagnostics).value_or(0.0);
         if (diagnostics.size() > before)
             continue;
-        if (table.edges_cm_.empty()) {
-            table.edges_cm_.push_back(lower);
+        if (table.edges_per_cm_.empty()) {
+            table.edges_per_cm_.push_back(lower);
             table.sums_.push_back(0.0);
         }
-        if (lower != table.edges_cm_.back())
+        if (lower != table.edges_per_cm_.back())
             diagnostics.push_back(
                 csv.diagnostic(row.cells[0], "the upper end of the row before, " +
-                                                 numberText(table.edges_cm_.back())));
+                                                 numberText(table.edges_per_cm_.back())));
         if (!(upper > lower))
             diagnostics.push_back(csv.diagnostic(row.cells[1], "more than " + numberText(lower)));
         if (!(value >= 0.0))
             diagnostics.push_back(csv.diagnostic(row.cells[2], "an irradiance >= 0"));
-        table.edges_cm_.push_back(upper);
+        table.edges_per_cm_.push_back(upper);
         table.sums_.push_back(table.sums_.back() + value * (upper - lower));
     }
     if (!diagnostics.empty())
@@ -59,12 +59,12 @@ SolarTable SolarTable::read(const std::filesystem::path& file) {
 }
 
 double SolarTable::below(double wavenumber_per_cm) const {
-    const double x = std::clamp(wavenumber_per_cm, edges_cm_.front(), edges_cm_.back());
-    const auto upper =
-        std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(edges_cm_, x) - edges_cm_.begin(), 1,
-                                   static_cast<std::ptrdiff_t>(edges_cm_.size()) - 1);
+    const double x = std::clamp(wavenumber_per_cm, edges_per_cm_.front(), edges_per_cm_.back());
+    const auto upper = std::clamp<std::ptrdiff_t>(
+        std::ranges::upper_bound(edges_per_cm_, x) - edges_per_cm_.begin(), 1,
+        static_cast<std::ptrdiff_t>(edges_per_cm_.size()) - 1);
     const auto i = static_cast<std::size_t>(upper);
-    const double part = (x - edges_cm_[i - 1]) / (edges_cm_[i] - edges_cm_[i - 1]);
+    const double part = (x - edges_per_cm_[i - 1]) / (edges_per_cm_[i] - edges_per_cm_[i - 1]);
     return sums_[i - 1] + part * (sums_[i] - sums_[i - 1]);
 }
 

@@ -20,7 +20,7 @@ class SolarTable {
   private:
     double below(double wavenumber_per_cm) const;
 
-    std::vector<double> edges_cm_, sums_;
+    std::vector<double> edges_per_cm_, sums_;
 };
 
 } // namespace irsg

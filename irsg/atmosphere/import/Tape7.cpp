@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t shortestHeader = 10; ///< lines from card 1 to the one before the names
 constexpr std::size_t longestHeader = 400; ///< with user profiles
 
-struct Column {
+struct NamedColumn {
     std::string name;
     std::size_t begin = 0; ///< one past the end of the column before
     std::size_t end = 0;
@@ -29,8 +29,8 @@ bool isTerminator(const std::string& line) {
     return value && *value == -9999.0;
 }
 
-std::vector<Column> columnsOf(const std::string& line) {
-    std::vector<Column> found;
+std::vector<NamedColumn> columnsOf(const std::string& line) {
+    std::vector<NamedColumn> found;
     for (std::size_t i = 0; i < line.size();) {
         if (line[i] == ' ') {
             ++i;
@@ -136,7 +136,7 @@ class Tape7Reader {
     /// "H2O" over "CONT" is the column "H2O CONT". Long names touch, the words below them do not.
     void joinUnitsLine() {
         const bool isThere = names_ + 1 < text_.lines.size();
-        columns_ = isThere ? columnsOf(text_.lines[names_ + 1]) : std::vector<Column>();
+        columns_ = isThere ? columnsOf(text_.lines[names_ + 1]) : std::vector<NamedColumn>();
         if (columns_.empty() || columns_.front().name != "CM-1") {
             diagnostics_.push_back(
                 text_.diagnostic(names_ + 1, isThere ? text_.lines[names_ + 1] : "the end",
@@ -145,7 +145,7 @@ class Tape7Reader {
             return;
         }
         std::size_t begin = 0;
-        for (Column& column : columns_) {
+        for (NamedColumn& column : columns_) {
             column.name = std::string(field(text_.lines[names_], begin, column.end - begin)) + " " +
                           column.name;
             begin = column.end;
@@ -167,7 +167,7 @@ class Tape7Reader {
     }
 
     std::size_t readRows(std::size_t row) {
-        for (const Column& column : columns_) {
+        for (const NamedColumn& column : columns_) {
             const std::optional<RunColumn> known = runColumn(column.name);
             places_.push_back(known && !table_.columns.contains(*known) ? known : std::nullopt);
             if (places_.back())
@@ -253,7 +253,7 @@ class Tape7Reader {
     RunTable table_;
     std::size_t first_ = 0;
     std::size_t names_ = 0;
-    std::vector<Column> columns_;
+    std::vector<NamedColumn> columns_;
     std::vector<std::optional<RunColumn>> places_;
 };
 

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <cctype>
 #include <string>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Wording.h"
 #include "irsg/scene/background/Skybox.h"
 #include "irsg/scene/model/OpenableFiles.h"
 
@@ -11,12 +11,6 @@ namespace irsg {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string lowerCase(std::string text) {
-    std::ranges::transform(text, text.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 bool isPicture(const fs::path& file) {
     return !refusalOf(file.string(), FileKind::picture);

@@ -15,7 +15,7 @@ namespace {
 constexpr double wide_px = 64.0;
 
 /// Coverage that is the rounding of others.
-constexpr double negligible = 1e-12;
+constexpr double negligibleArea = 1e-12;
 
 /// The rim on the image plane: centre, direction and length of its half axes.
 struct Ellipse {
@@ -125,7 +125,7 @@ SunDisc::SunDisc(const FieldRays& rays, const Horizon& horizon, const Vec3& towa
                 continue;
             SkyOfPixel pixel(u, v, pitch);
             const double area = off + pixelReach <= 1.0 ? pitch * pitch : pixel.areaIn(*rim);
-            if (area <= negligible * pitch * pitch)
+            if (area <= negligibleArea * pitch * pitch)
                 continue;
             const double distance = std::sqrt(1.0 + u * u + v * v);
             drawn_sr_ += area / (distance * distance * distance);
@@ -139,7 +139,7 @@ SunDisc::SunDisc(const FieldRays& rays, const Horizon& horizon, const Vec3& towa
                 pixel.cut(horizon.lineAt(u, v), u, v);
                 seen = pixel.areaIn(*rim);
             }
-            if (seen > negligible * pitch * pitch)
+            if (seen > negligibleArea * pitch * pitch)
                 pixels_.push_back({static_cast<int>(x), static_cast<int>(y),
                                    std::min(seen / (pitch * pitch), 1.0)});
         }

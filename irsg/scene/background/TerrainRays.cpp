@@ -15,11 +15,11 @@ namespace irsg {
 
 namespace {
 
-using Place = std::array<double, 2>;
+using GroundPlace = std::array<double, 2>;
 
 /// Texture coordinates of the corners of a piece's triangles, as RayMesh numbers them.
 struct PiecePlaces {
-    std::vector<Place> corners; ///< three for each facet
+    std::vector<GroundPlace> corners; ///< three for each facet
 };
 
 PiecePlaces placesOf(const osg::Geometry& geometry) {
@@ -46,10 +46,10 @@ struct TerrainRays::Kept {
     std::vector<TexturePyramid> textures; // of the terrain
 
     /// Where a ray that need not meet a facet meets its plane, in the texture.
-    Place placeAt(const RayHit& hit, const Ray& ray) const {
+    GroundPlace placeAt(const RayHit& hit, const Ray& ray) const {
         const auto& corners = places[static_cast<std::size_t>(hit.piece)].corners;
         const RayHit there = mesh->onPlaneOf(hit, ray);
-        Place place{};
+        GroundPlace place{};
         for (std::size_t i = 0; i < 3; ++i)
             for (std::size_t axis = 0; axis < 2; ++axis)
                 place[axis] +=
@@ -110,9 +110,9 @@ TerrainImage TerrainRays::paint(const std::shared_ptr<const Terrain>& terrain,
         const int texture = terrain->parts().pieces[static_cast<std::size_t>(hit.piece)].texture;
         if (texture < 0)
             return 0.0;
-        const Place here = kept.placeAt(hit, ray);
-        const Place right = kept.placeAt(hit, rayAt(x_px + step_px, y_px));
-        const Place below = kept.placeAt(hit, rayAt(x_px, y_px + step_px));
+        const GroundPlace here = kept.placeAt(hit, ray);
+        const GroundPlace right = kept.placeAt(hit, rayAt(x_px + step_px, y_px));
+        const GroundPlace below = kept.placeAt(hit, rayAt(x_px, y_px + step_px));
         return kept.textures[static_cast<std::size_t>(texture)].at(
                    here[0], here[1], {right[0] - here[0], right[1] - here[1]},
                    {below[0] - here[0], below[1] - here[1]}) -

@@ -17,7 +17,7 @@ struct Triangle {
     osg::Vec3 middle;
 };
 
-struct Triangles {
+struct PieceTriangles {
     std::vector<std::array<unsigned, 3>> corners;
     void operator()(unsigned a, unsigned b, unsigned c) { corners.push_back({a, b, c}); }
 };
@@ -84,7 +84,7 @@ std::vector<DrawItem> inDrawPieces(const std::vector<DrawItem>& items) {
     for (const DrawItem& item : items) {
         osg::Geometry& whole = *item.geometry;
         const auto* vertices = dynamic_cast<const osg::Vec3Array*>(whole.getVertexArray());
-        osg::TriangleIndexFunctor<Triangles> found;
+        osg::TriangleIndexFunctor<PieceTriangles> found;
         if (vertices && isPerVertex(whole.getNormalArray()))
             whole.accept(found);
         if (found.corners.size() <= mostTriangles) {

@@ -1,11 +1,11 @@
 #include "irsg/scene/model/FirstSignature.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Wording.h"
 #include "irsg/signature/MaterialLibrary.h"
 
 namespace irsg {
@@ -106,12 +106,6 @@ int libraryIndex(const char* name) {
         if (material.name == name)
             return index;
     throw LogicError("the library of materials has no " + std::string(name));
-}
-
-std::string lowerCase(std::string text) {
-    std::ranges::transform(text, text.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
 }
 
 FirstSurface suggestion(const std::string& name) {

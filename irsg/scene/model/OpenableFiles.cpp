@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "irsg/radiometry/Wording.h"
+
 namespace irsg {
 namespace {
 
@@ -50,12 +52,6 @@ constexpr FileFormat attributes[] = {by("attr", "openflight")};
 constexpr FileFormat materials[] = {byUs("mtl")};
 
 constexpr FileFormat buffers[] = {byAssimp("bin")};
-
-std::string lowerCase(std::string text) {
-    std::ranges::transform(text, text.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 std::string extensionOf(const std::string& name) {
     const auto dot = name.find_last_of('.');

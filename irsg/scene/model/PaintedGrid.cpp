@@ -8,7 +8,7 @@ namespace {
 
 constexpr double toleranceOfDiagonal = 1e-4;
 /// Cosine of the most that a face may be tilted against what was painted.
-constexpr double leastCosine = 0.7;
+constexpr double leastFacing = 0.7;
 /// Of the tolerance, within which a point lies on a triangle itself and not beside it.
 constexpr double exactPart = 0.01;
 constexpr std::uint64_t most = (std::uint64_t{1} << 20) - 1;
@@ -73,7 +73,7 @@ PaintedGrid::Fit PaintedGrid::fitOf(const Triangle& t, const osg::Vec3d& point,
                                     const osg::Vec3d& normal) const {
     const osg::Vec3d from = point - t.corner;
     const double off = std::abs(from * t.normal);
-    if (t.normal * normal < leastCosine || off > tolerance_ || t.area <= 0.0)
+    if (t.normal * normal < leastFacing || off > tolerance_ || t.area <= 0.0)
         return Fit::none;
     // How far outside of its sides: their lengths times these are areas.
     const double b = (from ^ t.second) * t.normal, c = (t.first ^ from) * t.normal;

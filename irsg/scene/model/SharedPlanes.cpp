@@ -31,7 +31,7 @@ constexpr double leastShare = 1e-4; ///< of the smaller triangle
 constexpr int highestLayer = 256;
 constexpr std::size_t mostInLeaf = 6;
 
-using Corners = std::array<osg::Vec3d, 3>;
+using PlaneCorners = std::array<osg::Vec3d, 3>;
 
 /// A triangle of a mesh.
 struct Tile {
@@ -43,7 +43,7 @@ struct Tile {
     osg::Vec3 vertex(std::size_t corner) const {
         return part->vertices[part->triangles[3 * std::size_t{number} + corner]];
     }
-    Corners corners() const { return {vertex(0), vertex(1), vertex(2)}; }
+    PlaneCorners corners() const { return {vertex(0), vertex(1), vertex(2)}; }
 };
 
 struct Box {
@@ -63,14 +63,14 @@ struct Box {
     }
 };
 
-double widthOf(const Corners& c) {
+double widthOf(const PlaneCorners& c) {
     return std::sqrt(
         std::max({(c[1] - c[0]).length2(), (c[2] - c[1]).length2(), (c[0] - c[2]).length2()}));
 }
 
 /// The area of what a triangle has in common with one in its plane, seen along that plane's unit
 /// normal.
-double commonArea(const Corners& one, const Corners& other, const osg::Vec3d& normal) {
+double commonArea(const PlaneCorners& one, const PlaneCorners& other, const osg::Vec3d& normal) {
     std::vector<osg::Vec3d> outline(other.begin(), other.end()), kept;
     for (std::size_t i = 0; i < 3; ++i) {
         const osg::Vec3d inward = normal ^ (one[(i + 1) % 3] - one[i]);
@@ -98,9 +98,9 @@ struct Cover {
 };
 
 /// A tree of boxes, joined with itself.
-class Search {
+class PlaneSearch {
   public:
-    explicit Search(const SurfaceMesh& mesh) {
+    explicit PlaneSearch(const SurfaceMesh& mesh) {
         float farthest = 0.0f;
         for (const auto& [key, part] : mesh.parts()) {
             for (unsigned int i = 0; i < part.polygonOf.size(); ++i)
@@ -205,7 +205,7 @@ class Search {
         }
         if (!boxes[0].meets(boxes[1], static_cast<float>(off_)))
             return;
-        const Corners corners[2] = {one.corners(), other.corners()};
+        const PlaneCorners corners[2] = {one.corners(), other.corners()};
         osg::Vec3d normals[2];
         for (std::size_t i = 0; i < 2; ++i)
             normals[i] = (corners[i][1] - corners[i][0]) ^ (corners[i][2] - corners[i][0]);
@@ -247,7 +247,7 @@ bool hasSeveralCodes(const SurfaceMesh& mesh) {
 std::vector<SharedPlane> settleSharedPlanes(SurfaceMesh& mesh) {
     if (!hasSeveralCodes(mesh))
         return {};
-    Search search(mesh);
+    PlaneSearch search(mesh);
     auto& covers = search.covers;
     if (covers.empty())
         return {};

@@ -17,7 +17,7 @@ constexpr double raysToOthers = 256.0, usualError = 0.005;
 /// Rays to the sun from a patch.
 constexpr std::uint32_t raysToSun = 16;
 /// Of the error that is asked for: bodies that fill less of a hemisphere are left out.
-constexpr double negligible = 0.02;
+constexpr double negligibleSize = 0.02;
 
 /// A ball in the world.
 struct Ball {
@@ -119,7 +119,7 @@ bool LightExchange::areNear(const Vec3& centre_m, double radius_m, const Vec3& o
                             double otherRadius_m, double error) {
     const double apart_m = length(otherCentre_m - centre_m) - radius_m;
     return apart_m <= otherRadius_m ||
-           otherRadius_m * otherRadius_m > negligible * error * apart_m * apart_m;
+           otherRadius_m * otherRadius_m > negligibleSize * error * apart_m * apart_m;
 }
 
 void LightExchange::number(const std::vector<SunShadows::Caster>& casters) {

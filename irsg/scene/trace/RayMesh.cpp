@@ -24,7 +24,7 @@ RTCDevice device() {
     return one;
 }
 
-struct Triangles {
+struct RayTriangles {
     std::vector<unsigned> corners;
     void operator()(unsigned a, unsigned b, unsigned c) {
         corners.insert(corners.end(), {a, b, c});
@@ -78,7 +78,7 @@ void RayMesh::Impl::add(const Piece& piece) {
             *vertices, dynamic_cast<const osg::Vec3Array*>(piece.geometry->getNormalArray()),
             piece.meshFromLocal);
     traced.corners = &known->second;
-    osg::TriangleIndexFunctor<Triangles> found;
+    osg::TriangleIndexFunctor<RayTriangles> found;
     piece.geometry->accept(found);
     traced.triangles = std::move(found.corners);
     facets += traced.triangles.size() / 3;

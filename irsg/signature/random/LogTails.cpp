@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "irsg/signature/random/PortableMath.h"
 
@@ -11,7 +12,6 @@ namespace irsg {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double ln2 = 0.69314718055994531;
 constexpr double precision = 1e-16;
 /// Shapes are at most 1e4, for which the fractions need a few hundred terms.
 constexpr int mostTerms = 20000;
@@ -103,7 +103,7 @@ LogTails betaTails(double a, double b, double x, double y) {
 
 LogTails normalTails(double z) {
     // P(|Z| > z) = Q(1/2, z^2 / 2), half of it on either side.
-    const double outside = gammaTails(0.5, 0.5 * z * z).upper - ln2;
+    const double outside = gammaTails(0.5, 0.5 * z * z).upper - std::numbers::ln2;
     const LogTails tails = tailsFromUpper(outside);
     return z >= 0.0 ? tails : LogTails{tails.upper, tails.lower};
 }

@@ -1,13 +1,13 @@
 #include "irsg/scene/model/apart/WholeFile.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string>
 #include <string_view>
 
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
+#include "irsg/radiometry/Wording.h"
 #include "irsg/scene/model/OpenableFiles.h"
 
 namespace irsg {
@@ -176,9 +176,7 @@ constexpr Check checks[] = {
 } // namespace
 
 void checkWhole(const std::filesystem::path& place, const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = lowerCase(file.extension().string());
     const auto* check = std::ranges::find_if(
         checks, [&](const Check& known) { return extension == known.extension; });
     if (check == std::end(checks))
