@@ -48,6 +48,10 @@ double change(double a, double b) {
     return std::min(std::abs(std::log(a / b)), largestChange);
 }
 
+int slicesFor(double change) {
+    return std::clamp(static_cast<int>(std::ceil(change / changeOfSlice)), 1, mostSlices);
+}
+
 /// At most what the air changes over a part of the path, if it is not more than `densest` times
 /// denser there.
 double mostChange(const SpectralSampling& sampling, const Nodes& nodes,
@@ -84,8 +88,8 @@ double densityAtTarget(const AtmosphericPath& path) {
 
 } // namespace
 
-void planSlicesOf(AtmosphericQueryCache& air, const std::vector<SampledBand>& bands,
-                  std::size_t number, const RenderSettings& settings, ObjectGeometry& geometry) {
+void planSlicesOf(AtmosphericQueryCache& air, std::vector<SampledBand>& bands, std::size_t number,
+                  const RenderSettings& settings, ObjectGeometry& geometry) {
     geometry.slices_m.clear();
     geometry.airError = geometry.likelyAirError = 0.0;
     const double extent_m = geometry.farthest_m - geometry.nearest_m;
@@ -93,7 +97,8 @@ void planSlicesOf(AtmosphericQueryCache& air, const std::vector<SampledBand>& ba
         return;
 
     double most = 0.0, estimate = 0.0;
-    bool isKnown = true; // some air holds the path to the reference point alone
+    std::vector<double> changes; // by output of all bands: of the air over the extent, at most
+    bool isKnown = true;         // some air holds the path to the reference point alone
     const SunPosition& sun = air.environment().sun;
     for (const SampledBand& band : bands) {
         const SpectralSampling& sampling = *band.sampling;
@@ -106,13 +111,14 @@ void planSlicesOf(AtmosphericQueryCache& air, const std::vector<SampledBand>& ba
         };
         const AirSamples& middle = band.air.objects[number].nodes.front();
         const SharedValues path = pathAt(geometry.path.range_m);
-        std::vector<Nodes> changing; // outputs in which the air may change too much
+        std::vector<std::pair<Nodes, std::size_t>> changing; // where the air may do so too much
         for (const Nodes& nodes : band.outputs) {
             const double bound = mostChange(sampling, nodes, ambient, *middle.transmittance, *path,
                                             extent_m / geometry.path.range_m);
             estimate = std::max(estimate, bound);
             if (bound >= settings.airSliceFrom)
-                changing.push_back(nodes);
+                changing.emplace_back(nodes, changes.size());
+            changes.push_back(bound);
         }
         if (changing.empty())
             continue;
@@ -131,13 +137,14 @@ void planSlicesOf(AtmosphericQueryCache& air, const std::vector<SampledBand>& ba
             isKnown = false;
             continue;
         }
-        for (const Nodes& nodes : changing) {
+        for (const auto& [nodes, place] : changing) {
             const InBand near = sumsOf(sampling, nodes, ambient, *passesNear, *pathNear);
             const InBand far = sumsOf(sampling, nodes, ambient, *passesFar, *pathFar);
             const double arrives = 0.5 * (near.ambient + near.path + far.ambient + far.path);
             const double ofPath = arrives > 0.0 ? std::abs(far.path - near.path) / arrives : 0.0;
-            most = std::max(
-                {most, change(near.grey, far.grey), change(near.ambient, far.ambient), ofPath});
+            changes[place] =
+                std::max({change(near.grey, far.grey), change(near.ambient, far.ambient), ofPath});
+            most = std::max(most, changes[place]);
         }
     }
     const double likely = 0.5 * estimate / densest * densityAtTarget(geometry.path);
@@ -155,10 +162,17 @@ void planSlicesOf(AtmosphericQueryCache& air, const std::vector<SampledBand>& ba
         geometry.airError = geometry.likelyAirError = 0.5 * most;
         return;
     }
-    const int slices = std::min(static_cast<int>(std::ceil(most / changeOfSlice)), mostSlices);
+    const int slices = slicesFor(most);
     for (int i = 0; i <= slices; ++i)
         geometry.slices_m.push_back(geometry.nearest_m + extent_m * i / slices);
-    const double ofOne = most / slices;
+    double ofOne = 0.0; // change between two nodes that are taken
+    auto of = changes.begin();
+    for (SampledBand& band : bands)
+        for (std::size_t k = 0; k < band.outputs.size(); ++k, ++of) {
+            const int step = std::max(1, slices / slicesFor(*of));
+            band.sliceSteps[number].push_back(step);
+            ofOne = std::max(ofOne, *of * step / slices);
+        }
     geometry.airError = geometry.likelyAirError = ofOne * ofOne / 8.0;
 }
 

@@ -1,6 +1,7 @@
 #include "irsg/scene/radiance/KindRadiances.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/ParallelFor.h"
@@ -185,15 +186,34 @@ void KindRadiances::evaluate(int front, int drawn, const Work& work,
     if (work.rows.empty())
         return;
     const std::size_t strands = strandsOf_[static_cast<std::size_t>(drawn)].size();
+    std::vector<SliceBetween> about(work.rows.size());
+    std::vector<int> taken; // rows that are summed for them, ascending
     std::vector<double> sums;
     for (std::size_t output = 0; output < outputs_; ++output) {
+        taken.clear();
+        for (std::size_t r = 0; r < work.rows.size(); ++r) {
+            about[r] = radiometry_.rowsAbout(work.rows[r], output);
+            taken.push_back(about[r].below);
+            taken.push_back(about[r].above);
+        }
+        std::ranges::sort(taken);
+        taken.erase(std::ranges::unique(taken).begin(), taken.end());
         const auto& [first, last] = radiometry_.outputs()[output];
-        sums.assign(work.rows.size() * strands, 0.0);
+        sums.assign(taken.size() * strands, 0.0);
         for (std::size_t begin = first; begin < last; begin += nodesOfBlock)
-            addBlock(drawn, work.rows, passed, begin, std::min(nodesOfBlock, last - begin), sums);
-        for (std::size_t r = 0; r < work.rows.size(); ++r)
-            std::copy_n(&sums[r * strands], strands,
-                        &strands_[placeOf({front, work.rows[r]}).strands + output * strands]);
+            addBlock(drawn, taken, passed, begin, std::min(nodesOfBlock, last - begin), sums);
+        const auto sumsOf = [&](int row) {
+            return &sums[static_cast<std::size_t>(std::ranges::lower_bound(taken, row) -
+                                                  taken.begin()) *
+                         strands];
+        };
+        for (std::size_t r = 0; r < work.rows.size(); ++r) {
+            const double *below = sumsOf(about[r].below), *above = sumsOf(about[r].above);
+            double* const own =
+                &strands_[placeOf({front, work.rows[r]}).strands + output * strands];
+            for (std::size_t s = 0; s < strands; ++s)
+                own[s] = std::lerp(below[s], above[s], about[r].part);
+        }
     }
 }
 

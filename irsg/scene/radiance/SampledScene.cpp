@@ -76,6 +76,8 @@ std::shared_ptr<const SampledScene> SampledScenes::make(AtmosphericQueryCache& a
     const AirScene own{scene.terms, scene.entities, geometry, scene.settings, scene.centre};
     auto made = std::make_shared<SampledScene>();
     made->bands = sample(own, bands);
+    for (SampledBand& band : made->bands)
+        band.sliceSteps.resize(geometry.size());
     bool isSliced = false;
     for (std::size_t e = 0; e < geometry.size(); ++e) {
         if (slices.empty())

@@ -146,7 +146,8 @@ Answer<double> ambientOf(const AtmosphericQueryCache& answers, const ObjectGeome
 SceneAir sceneAir(AtmosphericQueryCache& answers, const RadianceTerms& terms,
                   const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry,
                   const RenderSettings& settings, const LineOfSight& centre,
-                  const std::shared_ptr<const SpectralSampling>& sampling) {
+                  const std::shared_ptr<const SpectralSampling>& sampling,
+                  const std::vector<std::vector<bool>>& taken) {
     const SunPosition& sun = answers.environment().sun;
     SceneAir scene;
     const auto note = [&](const char* quantity, const std::string& who) {
@@ -170,8 +171,13 @@ SceneAir sceneAir(AtmosphericQueryCache& answers, const RadianceTerms& terms,
             for (const double range_m : geometry[e].slices_m)
                 paths.push_back(atRange(path, range_m));
         }
-        for (const AtmosphericPath& toNode : paths) {
+        for (std::size_t i = 0; i < paths.size(); ++i) {
+            const AtmosphericPath& toNode = paths[i];
             AirSamples& node = air.nodes.emplace_back();
+            if (e < taken.size() && !taken[e].empty() && !taken[e][i]) {
+                node.light.resize(terms.terms.size());
+                continue;
+            }
             node.transmittance = take(AtmosphericQuery::transmittance(toNode), "transmittance");
             for (const RadianceTerm& term : terms.terms) {
                 SharedValues& light = node.light.emplace_back();

@@ -58,11 +58,14 @@ struct SceneAir {
     std::vector<std::string> warnings;   ///< each once
 };
 
-/// What the settings do not use is not asked for. Throws InputError where no atmosphere answers.
+/// What the settings do not use is not asked for, nor a node of slices that is not in `taken` (by
+/// entity and node; every one where an entity has none): its samples are null. Throws InputError
+/// where no atmosphere answers.
 SceneAir sceneAir(AtmosphericQueryCache& answers, const RadianceTerms& terms,
                   const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry,
                   const RenderSettings& settings, const LineOfSight& centre,
-                  const std::shared_ptr<const SpectralSampling>& sampling);
+                  const std::shared_ptr<const SpectralSampling>& sampling,
+                  const std::vector<std::vector<bool>>& taken = {});
 
 /// The spectra of the same answers on the nodes that the air has of itself, for their kinks: of
 /// every object at its reference point, and of the background.

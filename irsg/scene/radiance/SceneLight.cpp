@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <numeric>
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/ParallelFor.h"
-#include "irsg/radiometry/SumsOfProducts.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
@@ -17,11 +15,6 @@ namespace {
 
 /// Bands in which integrals are kept, some kB a kind and band; a spectrum has too many outputs.
 constexpr std::size_t mostOutputsKept = 128;
-/// Kinds that share what is read of the columns.
-constexpr std::size_t kindsTogether = mostTogether / 2;
-/// Nodes of a block: so few that what kinds share and what is their own stay in the first cache
-/// beside those of another thread of the core.
-constexpr std::size_t nodesTogether = 64;
 /// What reflects less, sr-1, is black.
 constexpr double leastReflectance_per_sr = 1e-9;
 
@@ -109,6 +102,7 @@ SceneLight::SceneLight(std::shared_ptr<const LightExchange> exchange,
       bounces_(settings.bounces) {
     findColumns();
     findKnots(settings);
+    knotsOfNodes_.count = knots_.size();
     fillSources();
     solution_ =
         solutions.of(exchange_, columns_, knots_, settings.bounces, 0.02 * settings.lightError);
@@ -152,8 +146,8 @@ void SceneLight::findColumns() {
 
 void SceneLight::findKnots(const RenderSettings& settings) {
     const std::size_t nodes = radiometry_.wavelengths_um().size();
-    between_.assign(nodes, {});
-    parts_.assign(nodes, 0.0);
+    knotsOfNodes_.between.assign(nodes, {});
+    knotsOfNodes_.parts.assign(nodes, 0.0);
     const std::vector<double> black(radiometry_.surfaces().size(), 0.0);
     if (settings.bounces == 1) {
         knots_.push_back(black);
@@ -206,8 +200,8 @@ void SceneLight::findKnots(const RenderSettings& settings) {
         const auto above = std::ranges::lower_bound(divided, places[node]);
         const auto high = static_cast<std::size_t>(above - divided.begin());
         const std::size_t low = high > 0 ? high - 1 : 0;
-        between_[node] = {knotOf[low], knotOf[high]};
-        parts_[node] = division.partOf(divided[low], divided[high], places[node]);
+        knotsOfNodes_.between[node] = {knotOf[low], knotOf[high]};
+        knotsOfNodes_.parts[node] = division.partOf(divided[low], divided[high], places[node]);
     }
 }
 
@@ -248,91 +242,6 @@ void SceneLight::turn() {
     responses_.clear();
 }
 
-std::vector<std::vector<double>> SceneLight::integralsOf(std::span<const FactorKind> kinds,
-                                                         std::size_t output) const {
-    const auto& [begin, end] = radiometry_.outputs()[output];
-    const std::size_t columns = columns_.size();
-    std::vector<std::vector<double>> all(kinds.size(), std::vector<double>(width(), 0.0));
-    // What is to be summed with all kinds: the columns, and what sky and ground give where that is
-    // the same for all of them.
-    std::vector<const double*> others;
-    for (const std::vector<double>& source : sources_W_m2_um_)
-        others.push_back(source.data());
-    std::array<std::pair<int, std::size_t>, 2> terms{{{skyTerm_, 0}, {groundTerm_, 1}}};
-    const auto lightOf = [&](std::size_t k, int term) {
-        return lightOn(radiometry_.rows().drawnOf(kinds[k].row), term).data();
-    };
-    std::vector<std::pair<int, std::size_t>> apart;
-    std::vector<std::size_t> together;
-    for (const auto& [term, place] : terms) {
-        if (term < 0)
-            continue;
-        bool isSame = true;
-        for (std::size_t k = 1; k < kinds.size(); ++k)
-            isSame = isSame && lightOf(k, term) == lightOf(0, term);
-        if (!isSame) {
-            apart.emplace_back(term, place);
-            continue;
-        }
-        others.push_back(lightOf(0, term));
-        together.push_back(place);
-    }
-
-    using Block = std::array<double, nodesTogether>;
-    // Of each kind what counts between two knots for the first of them, and for the second.
-    std::array<Block, 2 * kindsTogether> parts;
-    Block passed, reflected; // by what lies before a kind; and by its surface
-    const std::size_t wide = std::bit_ceil(2 * kinds.size());
-    std::vector<double> products(wide * others.size());
-    for (std::size_t first = begin; first < end; first += nodesTogether) {
-        const std::size_t count = std::min(nodesTogether, end - first);
-        for (std::size_t k = 0; k < kinds.size(); ++k) {
-            const bool isBehindSame = k > 0 && kinds[k].front == kinds[k - 1].front;
-            if (!isBehindSame)
-                radiometry_.fillPassed(fronts_.materials(kinds[k].front), first, count,
-                                       passed.data());
-            const SurfaceSpectra& surface = radiometry_.surface(kinds[k].row);
-            if (!isBehindSame || &surface != &radiometry_.surface(kinds[k - 1].row))
-                fillProducts(passed.data(), surface.reflectance.data() + first, count,
-                             reflected.data());
-            double* const below = parts[2 * k].data();
-            double* const above = parts[2 * k + 1].data();
-            splitProducts(reflected.data(),
-                          radiometry_.air(kinds[k].row).transmittance->data() + first,
-                          &parts_[first], count, below, above);
-            for (const auto& [term, place] : apart) {
-                const double* const light = lightOf(k, term) + first;
-                all[k][place] -=
-                    sumOfProducts(below, light, count) + sumOfProducts(above, light, count);
-            }
-        }
-        // Nodes that follow each other between the same knots share their sums.
-        for (std::size_t from = 0, to = 0; from < count; from = to) {
-            const Between& at = between_[first + from];
-            while (to < count && between_[first + to] == at)
-                ++to;
-            std::array<const double*, 2 * kindsTogether> vectors{};
-            for (std::size_t v = 0; v < wide; ++v)
-                vectors[v] = &parts[v < 2 * kinds.size() ? v : 0][from];
-            sumsOfProducts({vectors.data(), wide}, others, first + from, to - from,
-                           products.data());
-            for (std::size_t k = 0; k < kinds.size(); ++k) {
-                double* const low = &all[k][2 + at.low * columns];
-                double* const high = &all[k][2 + at.high * columns];
-                for (std::size_t c = 0; c < columns; ++c) {
-                    low[c] += products[c * wide + 2 * k];
-                    high[c] += products[c * wide + 2 * k + 1];
-                }
-                for (std::size_t i = 0; i < together.size(); ++i) {
-                    const double* const own = &products[(columns + i) * wide + 2 * k];
-                    all[k][together[i]] -= own[0] + own[1];
-                }
-            }
-        }
-    }
-    return all;
-}
-
 std::vector<FactorKind> SceneLight::inOrder(const LightSums& sums) const {
     std::vector<FactorKind> kinds;
     for (const auto& [kind, numbers] : sums)
@@ -345,8 +254,7 @@ std::vector<FactorKind> SceneLight::inOrder(const LightSums& sums) const {
 }
 
 void SceneLight::prepare(const std::vector<FactorKind>& kinds) {
-    const std::size_t outputs = radiometry_.outputs().size();
-    if (outputs > mostOutputsKept)
+    if (radiometry_.outputs().size() > mostOutputsKept)
         return;
     std::vector<FactorKind> missing;
     std::vector<std::vector<std::vector<double>>*> places;
@@ -354,25 +262,18 @@ void SceneLight::prepare(const std::vector<FactorKind>& kinds) {
         if (matters(radiometry_.rows().drawnOf(kind.row))) {
             const auto [place, isNew] = known_.try_emplace({kind.front, kind.row});
             if (isNew) {
-                place->second.resize(outputs);
                 missing.push_back(kind);
                 places.push_back(&place->second);
             }
         }
-    const std::size_t groups = (missing.size() + kindsTogether - 1) / kindsTogether;
-    parallelFor(groups * outputs, [&](std::size_t i) {
-        const std::size_t first = i / outputs * kindsTogether;
-        const std::size_t count = std::min(kindsTogether, missing.size() - first);
-        std::vector<std::vector<double>> sums =
-            integralsOf(std::span(missing).subspan(first, count), i % outputs);
-        for (std::size_t k = 0; k < count; ++k)
-            (*places[first + k])[i % outputs] = std::move(sums[k]);
-    });
+    std::vector<std::vector<std::vector<double>>> found = integrator().ofAll(missing);
+    for (std::size_t k = 0; k < missing.size(); ++k)
+        *places[k] = std::move(found[k]);
 }
 
 std::span<const double> SceneLight::integrals(const FactorKind& kind, std::size_t output) {
     if (radiometry_.outputs().size() > mostOutputsKept)
-        return passing_ = std::move(integralsOf(std::span(&kind, 1), output).front());
+        return passing_ = integrator().of(kind, output);
     const auto known = known_.find({kind.front, kind.row});
     if (known == known_.end())
         throw LogicError("light between surfaces was asked for of a kind that was not prepared");
@@ -467,10 +368,10 @@ SceneLight::AtReceiver lightAt(const LightExchange& exchange,
 
 double SceneLight::partOf(std::span<const double> contracted, std::size_t column,
                           std::size_t node) const {
-    const Between& at = between_[node];
+    const LightKnots::Between& at = knotsOfNodes_.between[node];
     const std::size_t columns = columns_.size();
-    return (1.0 - parts_[node]) * contracted[2 + at.low * columns + column] +
-           parts_[node] * contracted[2 + at.high * columns + column];
+    return (1.0 - knotsOfNodes_.parts[node]) * contracted[2 + at.low * columns + column] +
+           knotsOfNodes_.parts[node] * contracted[2 + at.high * columns + column];
 }
 
 SceneLight::Falling SceneLight::fallsOn(int row, std::span<const double> contracted,
@@ -519,10 +420,10 @@ std::vector<double> SceneLight::summedSources(std::span<const std::size_t> nodes
     std::vector<double> sums(width() - 2, 0.0);
     for (std::size_t c = 0; c < columns_.size(); ++c)
         for (const std::size_t i : nodes) {
-            const Between& at = between_[i];
+            const LightKnots::Between& at = knotsOfNodes_.between[i];
             const double sent = radiometry_.weights_um()[i] * sources_W_m2_um_[c][i];
-            sums[at.low * columns_.size() + c] += (1.0 - parts_[i]) * sent;
-            sums[at.high * columns_.size() + c] += parts_[i] * sent;
+            sums[at.low * columns_.size() + c] += (1.0 - knotsOfNodes_.parts[i]) * sent;
+            sums[at.high * columns_.size() + c] += knotsOfNodes_.parts[i] * sent;
         }
     return sums;
 }

@@ -10,6 +10,7 @@
 
 #include "irsg/scene/radiance/FactorField.h"
 #include "irsg/scene/radiance/Fronts.h"
+#include "irsg/scene/radiance/LightIntegrals.h"
 #include "irsg/scene/radiance/LightResponse.h"
 #include "irsg/scene/radiance/LightSolution.h"
 #include "irsg/scene/radiance/SceneRadiometry.h"
@@ -88,20 +89,15 @@ class SceneLight {
     int groundTerm() const { return groundTerm_; }
 
   private:
-    /// Knots about a node.
-    struct Between {
-        std::size_t low = 0, high = 0;
-        bool operator==(const Between&) const = default;
-    };
     void findColumns();
     void findKnots(const RenderSettings& settings);
     void fillSources();
-    /// Of a few kinds at once.
-    std::vector<std::vector<double>> integralsOf(std::span<const FactorKind> kinds,
-                                                 std::size_t output) const;
+    LightIntegrals integrator() const {
+        return {radiometry_, fronts_, knotsOfNodes_, sources_W_m2_um_, skyTerm_, groundTerm_};
+    }
+    std::size_t width() const { return integrator().width(); }
     /// Of the surface that a row is of.
     const std::vector<std::uint32_t>& receiversOf(int row) const;
-    std::size_t width() const { return 2 + columns_.size() * knots_.size(); }
     /// By node.
     const std::vector<double>& lightOn(int drawn, int term) const;
     /// What a node has of a contracted column.
@@ -113,9 +109,8 @@ class SceneLight {
     int bounces_;
     int skyTerm_ = -1, groundTerm_ = -1;
     std::vector<LightColumn> columns_;
-    std::vector<std::vector<double>> knots_;           // reflectivities by row
-    std::vector<Between> between_;                     // by node
-    std::vector<double> parts_;                        // likewise: how far from the first knot
+    std::vector<std::vector<double>> knots_; // reflectivities by row
+    LightKnots knotsOfNodes_;
     std::vector<std::vector<double>> sources_W_m2_um_; // by column: pi times its radiance, by node
     std::shared_ptr<const LightSolution> solution_;
     std::map<std::pair<int, int>, std::vector<std::vector<double>>> known_; // by kind and output

@@ -45,6 +45,12 @@ SceneRadiometry::SceneRadiometry(const RadianceTerms& terms, const std::vector<E
         append(weights_um_, band.sampling->weights_um());
         addNew(warnings_, band.air.warnings);
     }
+    for (std::size_t e = 0; e < geometry.size(); ++e) {
+        std::vector<int>& steps = sliceSteps_.emplace_back();
+        for (const SampledBand& band : bands)
+            for (std::size_t k = 0; k < band.outputs.size(); ++k)
+                steps.push_back(band.sliceStep(e, k));
+    }
     joinAir(bands);
 
     std::vector<SurfaceKey> keys = surfaceKeys(entities);
@@ -112,6 +118,17 @@ void SceneRadiometry::joinAir(const std::vector<SampledBand>& bands) {
             }
         }
     }
+}
+
+SliceBetween SceneRadiometry::rowsAbout(int row, std::size_t output) const {
+    const int drawn = rows_.drawnOf(row);
+    const int first = rows_.first(drawn);
+    const auto entity = static_cast<std::size_t>(rows_.keyOf(drawn).first);
+    SliceBetween about =
+        sliceBetween(row - first, sliceSteps_[entity][output], rows_.first(drawn + 1) - first - 1);
+    about.below += first;
+    about.above += first;
+    return about;
 }
 
 SurfaceInput SceneRadiometry::inputOf(int drawn, const std::vector<Entity>& entities,

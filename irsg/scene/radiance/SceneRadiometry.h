@@ -49,6 +49,8 @@ class SceneRadiometry {
     const std::vector<std::pair<std::size_t, std::size_t>>& outputs() const { return outputs_; }
     /// The air between a row's place and the sensor.
     const AirSamples& air(int row) const;
+    /// Between which rows of its slices an output takes the air of a row: its air is linear there.
+    SliceBetween rowsAbout(int row, std::size_t output) const;
     /// Spectral transmissivity of a material of an entity.
     const std::vector<double>& transmissivity(int entity, int material) const;
 
@@ -82,6 +84,7 @@ class SceneRadiometry {
     std::vector<SurfaceSpectra> surfaces_;
     std::vector<std::shared_ptr<const SurfaceModel>> models_;
     std::vector<std::vector<AirSamples>> air_;        // by entity and node
+    std::vector<std::vector<int>> sliceSteps_;        // by entity and output
     std::vector<std::vector<SharedValues>> mirrored_; // by entity and place of its MirrorGrid
     std::vector<double> ambient_K_;                   // by entity
     /// By drawn row: in-band emission of every part at a factor of 1, output by output.

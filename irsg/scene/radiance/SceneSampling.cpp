@@ -64,6 +64,53 @@ SampledBand sampledBand(std::shared_ptr<const SpectralSampling> sampling) {
     return band;
 }
 
+/// The nodes of an entity's slices that some output takes; none where all outputs take all.
+std::vector<bool> nodesTaken(const SampledBand& band, std::size_t entity, std::size_t nodes) {
+    if (entity >= band.sliceSteps.size() || nodes < 2 ||
+        std::ranges::all_of(band.sliceSteps[entity], [](int step) { return step == 1; }))
+        return {};
+    std::vector<bool> taken(nodes, false);
+    for (const int step : band.sliceSteps[entity])
+        for (std::size_t node = 0; node < nodes; node += static_cast<std::size_t>(step))
+            taken[node] = true;
+    taken.back() = true;
+    return taken;
+}
+
+/// What the air has between the nodes that an output takes is linear in range.
+void fillBetween(const RadianceTerms& terms, SampledBand& band, std::size_t entity) {
+    std::vector<AirSamples>& nodes = band.air.objects[entity].nodes;
+    const auto last = static_cast<int>(nodes.size()) - 1;
+    // `of(samples)` of all nodes.
+    const auto fill = [&](const auto& of) {
+        std::vector<SharedValues> filled;
+        for (int node = 0; node <= last; ++node) {
+            std::vector<double> values(band.sampling->size());
+            for (std::size_t k = 0; k < band.outputs.size(); ++k) {
+                const auto [below, above, part] =
+                    sliceBetween(node, band.sliceStep(entity, k), last);
+                const std::vector<double>& a = *of(nodes[static_cast<std::size_t>(below)]);
+                const std::vector<double>& b = *of(nodes[static_cast<std::size_t>(above)]);
+                for (std::size_t i = band.outputs[k].first; i < band.outputs[k].second; ++i)
+                    values[i] = (1.0 - part) * a[i] + part * b[i];
+            }
+            filled.push_back(std::make_shared<const std::vector<double>>(std::move(values)));
+        }
+        for (std::size_t node = 0; node < nodes.size(); ++node)
+            of(nodes[node]) = std::move(filled[node]);
+    };
+    fill([](AirSamples& node) -> SharedValues& { return node.transmittance; });
+    for (std::size_t k = 0; k < terms.terms.size(); ++k) {
+        if (!nodes.front().light[k])
+            continue;
+        if (placeOf(*terms.terms[k].light) == QueryGeometry::path)
+            fill([k](AirSamples& node) -> SharedValues& { return node.light[k]; });
+        else // light onto the object is the same at all nodes
+            for (AirSamples& node : nodes)
+                node.light[k] = nodes.front().light[k];
+    }
+}
+
 } // namespace
 
 SampledBand SampledBand::ofSource(const RadianceTerms& terms) const {
@@ -159,8 +206,14 @@ SceneSampling::quadrature(AtmosphericQueryCache& answers, const AirScene& scene,
 
 void SceneSampling::takeAir(AtmosphericQueryCache& answers, const AirScene& scene,
                             SampledBand& band) {
+    std::vector<std::vector<bool>> taken(scene.geometry.size());
+    for (std::size_t e = 0; e < taken.size(); ++e)
+        taken[e] = nodesTaken(band, e, scene.geometry[e].slices_m.size());
     band.air = sceneAir(answers, scene.terms, scene.entities, scene.geometry, scene.settings,
-                        scene.centre, band.sampling);
+                        scene.centre, band.sampling, taken);
+    for (std::size_t e = 0; e < taken.size(); ++e)
+        if (!taken[e].empty())
+            fillBetween(scene.terms, band, e);
     if (!band.description.empty())
         band.air.answeredBy.insert(band.air.answeredBy.begin(), band.description);
 }

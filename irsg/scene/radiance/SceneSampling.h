@@ -25,8 +25,17 @@ struct SampledBand {
     std::vector<double> areas_um; ///< by output: of the response, or of all wavelengths' interval
     std::string description;      ///< what is to be told of the nodes, or nothing
     SceneAir air;
+    /// By entity and output: every so many-th node of its slices is one that the air is taken at,
+    /// and the last is; see sliceBetween. No outputs: every node.
+    std::vector<std::vector<int>> sliceSteps;
     bool isSource = false; ///< see ofSource
 
+    /// 1 where every node is taken.
+    int sliceStep(std::size_t entity, std::size_t output) const {
+        return entity < sliceSteps.size() && !sliceSteps[entity].empty()
+                   ? sliceSteps[entity][output]
+                   : 1;
+    }
     /// The same band of the source: its surfaces are lit as they are, but there is no air before
     /// them and nothing behind them.
     SampledBand ofSource(const RadianceTerms& terms) const;

@@ -4,6 +4,14 @@
 
 namespace irsg {
 
+SliceBetween sliceBetween(int node, int step, int last) {
+    const int below = node / step * step;
+    if (below == node || node == last)
+        return {node, node, 0.0};
+    const int above = std::min(below + step, last);
+    return {below, above, static_cast<double>(node - below) / (above - below)};
+}
+
 SurfaceRows::SurfaceRows(std::vector<SurfaceKey> keys, const std::vector<bool>& transparent,
                          std::vector<SliceNodes> slices, std::vector<LobeRow> lobes)
     : keys_(std::move(keys)), lobes_(std::move(lobes)), slices_(std::move(slices)) {

@@ -16,6 +16,15 @@ using SurfaceKey = std::pair<int, IrCodes>;
 /// spaced. Less than two: the air is that of the reference point wherever a sample lies.
 using SliceNodes = std::vector<double>;
 
+/// A node of slices between two of those that are taken.
+struct SliceBetween {
+    int below = 0, above = 0;
+    double part = 0.0; ///< how far from `below`; 0 where that is the node itself
+};
+
+/// About a node, where every `step`th is taken from the first on, and the last, which is `last`.
+SliceBetween sliceBetween(int node, int step, int last);
+
 /// What a directional surface sends beside a Lambertian one: of a component of its model, or of
 /// what that reflects in a lobe of the air's radiance at a place of a MirrorGrid.
 struct LobeRow {
