@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Compile commands for clang-tidy: tidy-commands.py BASE COMPILE_COMMANDS FOLDER
 
-Writes FOLDER/compile_commands.json with a command for each source that differs from the commit BASE, as its target
-compiles it, but without precompiled headers and flags of gcc alone, and FOLDER/lines.json, the lines that differ, as
---line-filter takes them; prints the sources, a line each.
+Writes FOLDER/compile_commands.json with commands for the sources that differ from the commit BASE, as their targets
+compile them, but without precompiled headers and flags of gcc alone, and FOLDER/lines.json, the lines that differ, as
+--line-filter takes them. Sources that a target compiles together are looked at together, which reads the headers they
+share once. Prints what is to be looked at, a line each.
 """
 import json
 import os
@@ -33,12 +34,10 @@ for line in subprocess.run(difference, check=True, capture_output=True, text=Tru
         if count > 0:
             lines.setdefault(name, []).append([first, first + count - 1])
 
-written = []
-for source in sorted(name for name in lines if name.endswith(".cpp")):
-    path = os.path.join(root, source)
-    command = by_file.get(os.path.realpath(path)) or of_unity.get(os.path.realpath(path))
-    if command is None:
-        continue
+together = 25
+
+
+def clang_command(command):
     words = shlex.split(command["command"])
     kept, skip = ["clang++-16"], False
     for word in words[next(i for i, w in enumerate(words) if re.search(r"(g|clang)\+\+|/c\+\+$", w)) + 1 :]:
@@ -46,9 +45,31 @@ for source in sorted(name for name in lines if name.endswith(".cpp")):
             skip = False
         elif word in ("-o", "-include", "-c", "-MF", "-MT"):
             skip = True
-        elif not re.fullmatch(r"-fpch-preprocess|-Winvalid-pch|-W.*|-Werror|-MD", word):
+        elif not re.fullmatch(r"-fpch-preprocess|-Winvalid-pch|-W.*|-Werror|-MD|--param=.*", word):
             kept.append(word)
-    written.append({"directory": command["directory"], "file": path, "arguments": kept + ["-c", path]})
-    print(source)
+    return kept
+
+
+written, groups = [], {}
+
+
+def write(path, command):
+    written.append({"directory": command["directory"], "file": path, "arguments": clang_command(command) + ["-c", path]})
+    print(path)
+
+
+for source in sorted(name for name in lines if name.endswith(".cpp")):
+    path = os.path.join(root, source)
+    known = os.path.realpath(path)
+    if known in by_file:
+        write(path, by_file[known])
+    elif known in of_unity:
+        groups.setdefault(of_unity[known]["file"], []).append(path)
+for unity, paths in sorted(groups.items()):
+    for first in range(0, len(paths), together):
+        group = os.path.join(folder, f"group-{len(written)}.cpp")
+        with open(group, "w") as file:
+            file.writelines(f'#include "{path}"\n' for path in paths[first : first + together])
+        write(group, of_unity[os.path.realpath(paths[first])])
 json.dump(written, open(os.path.join(folder, "compile_commands.json"), "w"))
 json.dump([{"name": name, "lines": ranges} for name, ranges in lines.items()], open(os.path.join(folder, "lines.json"), "w"))
