@@ -120,3 +120,5 @@ bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_CommandPalette.cpp"

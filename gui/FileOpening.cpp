@@ -98,3 +98,5 @@ void FileOpening::choose() {
 }
 
 } // namespace smat::gui
+
+#include "moc_FileOpening.cpp"

@@ -142,3 +142,5 @@ ShortcutsDialog::ShortcutsDialog(const QMenuBar& menus, const QList<QAction*>& o
 }
 
 } // namespace smat::gui
+
+#include "moc_HelpDialogs.cpp"

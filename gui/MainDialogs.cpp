@@ -156,3 +156,5 @@ void MainDialogs::showGuide() {
 }
 
 } // namespace smat::gui
+
+#include "moc_MainDialogs.cpp"

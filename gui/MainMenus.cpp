@@ -383,3 +383,5 @@ void MainMenus::refresh() {
 }
 
 } // namespace smat::gui
+
+#include "moc_MainMenus.cpp"

@@ -380,3 +380,5 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_MainWindow.cpp"

@@ -265,3 +265,5 @@ void ManipulatorsDock::refresh() {
 }
 
 } // namespace smat::gui
+
+#include "moc_ManipulatorsDock.cpp"

@@ -91,3 +91,5 @@ void ModelFieldsForm::refresh() {
 }
 
 } // namespace smat::gui
+
+#include "moc_ModelFieldsForm.cpp"

@@ -63,3 +63,5 @@ void WindowLayout::toggleDocks() {
 }
 
 } // namespace smat::gui
+
+#include "moc_WindowLayout.cpp"

@@ -134,3 +134,5 @@ bool AirDocument::isAir(const fs::path& file) {
 }
 
 } // namespace smat::gui
+
+#include "moc_AirDocument.cpp"

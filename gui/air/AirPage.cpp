@@ -246,3 +246,5 @@ void AirPage::refreshButtons() {
 }
 
 } // namespace smat::gui
+
+#include "moc_AirPage.cpp"

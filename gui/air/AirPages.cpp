@@ -121,3 +121,5 @@ AirPage* AirPages::pageOf(const std::filesystem::path& file) const {
 }
 
 } // namespace smat::gui
+
+#include "moc_AirPages.cpp"

@@ -119,3 +119,5 @@ void AirPlots::resizeEvent(QResizeEvent* event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_AirPlots.cpp"

@@ -68,3 +68,5 @@ std::vector<std::filesystem::path> AirRecovery::leftBehind(const std::filesystem
 }
 
 } // namespace smat::gui
+
+#include "moc_AirRecovery.cpp"

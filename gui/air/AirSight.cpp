@@ -106,3 +106,5 @@ irsg::SunPosition AirSight::sun() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_AirSight.cpp"

@@ -257,3 +257,5 @@ void ImportAirDialog::refreshButtons() {
 }
 
 } // namespace smat::gui
+
+#include "moc_ImportAirDialog.cpp"

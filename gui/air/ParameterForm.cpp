@@ -238,3 +238,5 @@ void ParameterForm::mark(const Field& field, const QString& problem) {
 }
 
 } // namespace smat::gui
+
+#include "moc_ParameterForm.cpp"

@@ -282,3 +282,5 @@ void ProjectAirPage::showAnswer(const Answer& answer) {
 }
 
 } // namespace smat::gui
+
+#include "moc_ProjectAirPage.cpp"

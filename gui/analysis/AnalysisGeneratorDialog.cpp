@@ -222,3 +222,5 @@ void AnalysisGeneratorDialog::refresh() {
 }
 
 } // namespace smat::gui
+
+#include "moc_AnalysisGeneratorDialog.cpp"

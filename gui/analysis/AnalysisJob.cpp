@@ -236,3 +236,5 @@ void AnalysisJob::answer(const Outcome& outcome) {
 }
 
 } // namespace smat::gui
+
+#include "moc_AnalysisJob.cpp"

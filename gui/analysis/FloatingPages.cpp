@@ -172,3 +172,5 @@ void FloatingPages::showMenu(const QPoint& where) {
 }
 
 } // namespace smat::gui
+
+#include "moc_FloatingPages.cpp"

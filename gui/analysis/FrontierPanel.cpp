@@ -334,3 +334,5 @@ void FrontierPanel::exportTo(const std::filesystem::path& file) const {
 }
 
 } // namespace smat::gui
+
+#include "moc_FrontierPanel.cpp"

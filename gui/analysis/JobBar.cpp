@@ -140,3 +140,5 @@ void JobBar::refresh() {
 }
 
 } // namespace smat::gui
+
+#include "moc_JobBar.cpp"

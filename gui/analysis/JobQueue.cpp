@@ -123,3 +123,5 @@ void JobQueue::forget(AnalysisJob* job) {
 }
 
 } // namespace smat::gui
+
+#include "moc_JobQueue.cpp"

@@ -337,3 +337,5 @@ void MonteCarloPlots::exportTo(const std::filesystem::path& file) const {
 }
 
 } // namespace smat::gui
+
+#include "moc_MonteCarloPlots.cpp"

@@ -165,3 +165,5 @@ bool RankingBars::event(QEvent* event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_RankingBars.cpp"

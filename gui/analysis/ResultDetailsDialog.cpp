@@ -95,3 +95,5 @@ ResultDetailsDialog::ResultDetailsDialog(const ResultEntry& entry, QWidget* pare
 }
 
 } // namespace smat::gui
+
+#include "moc_ResultDetailsDialog.cpp"

@@ -65,3 +65,5 @@ void ResultItemDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptio
 }
 
 } // namespace smat::gui
+
+#include "moc_ResultItemDelegate.cpp"

@@ -28,3 +28,5 @@ QString ResultNotesDialog::notes() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_ResultNotesDialog.cpp"

@@ -239,3 +239,5 @@ void ResultPage::exportTo(const std::filesystem::path& file) const {
 }
 
 } // namespace smat::gui
+
+#include "moc_ResultPage.cpp"

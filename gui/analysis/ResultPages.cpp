@@ -106,3 +106,5 @@ void ResultPages::onRemoved(int id) {
 }
 
 } // namespace smat::gui
+
+#include "moc_ResultPages.cpp"

@@ -198,3 +198,5 @@ QStringList describe(const ResultEntry& entry) {
 }
 
 } // namespace smat::gui
+
+#include "moc_ResultStore.cpp"

@@ -409,3 +409,5 @@ void ResultsDock::removeSelected() {
 }
 
 } // namespace smat::gui
+
+#include "moc_ResultsDock.cpp"

@@ -106,3 +106,5 @@ void AngleCurve::paintEvent(QPaintEvent*) {
 }
 
 } // namespace smat::gui
+
+#include "moc_AngleCurve.cpp"

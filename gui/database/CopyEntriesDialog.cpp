@@ -254,3 +254,5 @@ void CopyEntriesDialog::preview() {
 }
 
 } // namespace smat::gui
+
+#include "moc_CopyEntriesDialog.cpp"

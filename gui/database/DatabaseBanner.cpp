@@ -128,3 +128,5 @@ void DatabaseBanner::refresh() {
 }
 
 } // namespace smat::gui
+
+#include "moc_DatabaseBanner.cpp"

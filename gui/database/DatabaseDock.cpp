@@ -335,3 +335,5 @@ void DatabaseDock::resizeEvent(QResizeEvent* event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_DatabaseDock.cpp"

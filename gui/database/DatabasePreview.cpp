@@ -59,3 +59,5 @@ void DatabasePreview::markCurrent() {
 }
 
 } // namespace smat::gui
+
+#include "moc_DatabasePreview.cpp"

@@ -418,3 +418,5 @@ void DatabaseSession::removeRecovery() {
 }
 
 } // namespace smat::gui
+
+#include "moc_DatabaseSession.cpp"

@@ -184,3 +184,5 @@ void EditorContext::attempt(const QString& title, const std::function<void()>& a
 }
 
 } // namespace smat::gui
+
+#include "moc_EditorContext.cpp"

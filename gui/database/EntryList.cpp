@@ -218,3 +218,5 @@ void EntryList::remove() {
 }
 
 } // namespace smat::gui
+
+#include "moc_EntryList.cpp"

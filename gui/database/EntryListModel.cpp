@@ -20,7 +20,7 @@ QColor temperatureColor(double temperature_K) {
     return {rgb.red, rgb.green, rgb.blue};
 }
 
-QColor emissivityColor(double emissivity) {
+QColor emissivityShade(double emissivity) {
     const int grey = static_cast<int>(std::clamp(emissivity, 0.0, 1.0) * 255.0);
     return {grey, grey, grey};
 }
@@ -54,7 +54,7 @@ std::vector<EntryListModel::Row> EntryListModel::rowsNow() const {
                             QString::fromStdString(material.name),
                             QString::number(mean, 'f', 3),
                             0,
-                            emissivityColor(mean)});
+                            emissivityShade(mean)});
         }
     } else if (kind_ == EntryKind::temperature) {
         for (const auto& [number, entry] : database.temperatures) {

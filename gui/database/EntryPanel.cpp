@@ -119,3 +119,5 @@ void EntryPanel::showTexts(const std::string& name, const std::string& notes,
 }
 
 } // namespace smat::gui
+
+#include "moc_EntryPanel.cpp"

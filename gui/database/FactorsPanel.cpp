@@ -259,3 +259,5 @@ void FactorsPanel::importTable() {
 }
 
 } // namespace smat::gui
+
+#include "moc_FactorsPanel.cpp"

@@ -124,3 +124,5 @@ void FindingsPanel::look() {
 }
 
 } // namespace smat::gui
+
+#include "moc_FindingsPanel.cpp"

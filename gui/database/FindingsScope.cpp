@@ -116,3 +116,5 @@ std::vector<irsg::Finding> FindingsScope::findings() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_FindingsScope.cpp"

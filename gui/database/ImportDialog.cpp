@@ -62,3 +62,5 @@ void ImportDialog::read() {
 }
 
 } // namespace smat::gui
+
+#include "moc_ImportDialog.cpp"

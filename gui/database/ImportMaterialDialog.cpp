@@ -87,3 +87,5 @@ QString ImportMaterialDialog::wordsOf(const irsg::Material& material) const {
 }
 
 } // namespace smat::gui
+
+#include "moc_ImportMaterialDialog.cpp"

@@ -90,3 +90,5 @@ QString ImportSpectrumDialog::readFile() {
 }
 
 } // namespace smat::gui
+
+#include "moc_ImportSpectrumDialog.cpp"

@@ -94,3 +94,5 @@ void LitBallView::paintEvent(QPaintEvent*) {
 }
 
 } // namespace smat::gui
+
+#include "moc_LitBallView.cpp"

@@ -139,3 +139,5 @@ void MaterialPanel::refresh() {
 }
 
 } // namespace smat::gui
+
+#include "moc_MaterialPanel.cpp"

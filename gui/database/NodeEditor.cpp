@@ -121,3 +121,5 @@ const Nodes& NodeEditor::nodes() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_NodeEditor.cpp"

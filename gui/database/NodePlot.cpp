@@ -427,3 +427,5 @@ void NodePlot::changeEvent(QEvent* event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_NodePlot.cpp"

@@ -283,3 +283,5 @@ void NodeTable::currentChanged(const QModelIndex& current, const QModelIndex& pr
 }
 
 } // namespace smat::gui
+
+#include "moc_NodeTable.cpp"

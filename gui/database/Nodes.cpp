@@ -13,7 +13,7 @@
 namespace smat::gui {
 namespace {
 
-QString tr(const char* text) {
+QString trNodes(const char* text) {
     return QCoreApplication::translate("smat::gui::Nodes", text);
 }
 
@@ -94,42 +94,42 @@ double NodeRules::greatestY(double x) const {
 
 QString NodeRules::problemOfX(double x) const {
     if (!std::isfinite(x))
-        return tr("%1 has to be a finite number").arg(xName);
+        return trNodes("%1 has to be a finite number").arg(xName);
     if (xPositive && x <= 0.0)
-        return tr("%1 has to be above 0").arg(xName);
+        return trNodes("%1 has to be above 0").arg(xName);
     if (x < xMinimum)
-        return tr("%1 has to be at least %2").arg(xName, withUnit(xMinimum, xUnit));
+        return trNodes("%1 has to be at least %2").arg(xName, withUnit(xMinimum, xUnit));
     if (x > xMaximum)
-        return tr("%1 has to be at most %2").arg(xName, withUnit(xMaximum, xUnit));
+        return trNodes("%1 has to be at most %2").arg(xName, withUnit(xMaximum, xUnit));
     return {};
 }
 
 QString NodeRules::problemOfY(double x, double y) const {
     constexpr double rounding = 1e-12;
     if (!std::isfinite(y))
-        return tr("%1 has to be a finite number").arg(yName);
+        return trNodes("%1 has to be a finite number").arg(yName);
     if (y < yMinimum)
-        return tr("%1 has to be at least %2").arg(yName, withUnit(yMinimum, yUnit));
+        return trNodes("%1 has to be at least %2").arg(yName, withUnit(yMinimum, yUnit));
     if (y > greatestY(x) + rounding)
-        return tr("%1 can be at most %2 here").arg(yName, withUnit(greatestY(x), yUnit));
+        return trNodes("%1 can be at most %2 here").arg(yName, withUnit(greatestY(x), yUnit));
     return {};
 }
 
 QString NodeRules::problemOf(const Nodes& nodes) const {
     if (nodes.size() < fewest)
-        return tr("at least %1 rows have to stay").arg(fewest);
+        return trNodes("at least %1 rows have to stay").arg(fewest);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         QString problem = problemOfX(nodes[i].x);
         int column = 1;
         if (problem.isEmpty() && i > 0 && nodes[i].x <= nodes[i - 1].x)
-            problem = tr("%1 has to be above %2, the value before: the axis ascends")
+            problem = trNodes("%1 has to be above %2, the value before: the axis ascends")
                           .arg(textOf(nodes[i].x), textOf(nodes[i - 1].x));
         if (problem.isEmpty()) {
             problem = problemOfY(nodes[i].x, nodes[i].y);
             column = 2;
         }
         if (!problem.isEmpty())
-            return tr("row %1, column %2: %3, not %4")
+            return trNodes("row %1, column %2: %3, not %4")
                 .arg(i + 1)
                 .arg(column)
                 .arg(problem, textOf(column == 1 ? nodes[i].x : nodes[i].y));
@@ -203,7 +203,7 @@ PastedRows rowsOf(const QString& text) {
         for (int column = 0; column < cells.size(); ++column) {
             const auto number = numberOf(cells[column]);
             if (!number) {
-                pasted.problem = tr("row %1, column %2: '%3' is not a number")
+                pasted.problem = trNodes("row %1, column %2: '%3' is not a number")
                                      .arg(row)
                                      .arg(column + 1)
                                      .arg(cells[column].trimmed());
@@ -212,7 +212,7 @@ PastedRows rowsOf(const QString& text) {
             numbers.push_back(*number);
         }
         if (!pasted.rows.empty() && numbers.size() != pasted.rows.front().size()) {
-            pasted.problem = tr("row %1: %2 columns, but %3 in the rows before")
+            pasted.problem = trNodes("row %1: %2 columns, but %3 in the rows before")
                                  .arg(row)
                                  .arg(numbers.size())
                                  .arg(pasted.rows.front().size());
@@ -221,7 +221,7 @@ PastedRows rowsOf(const QString& text) {
         pasted.rows.push_back(std::move(numbers));
     }
     if (pasted.rows.empty())
-        pasted.problem = tr("the clipboard holds no numbers");
+        pasted.problem = trNodes("the clipboard holds no numbers");
     return pasted;
 }
 

@@ -105,3 +105,5 @@ void NumberField::paintEvent(QPaintEvent* event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_NumberField.cpp"

@@ -35,3 +35,5 @@ QuestionDialog::QuestionDialog(const QString& title, const QString& text,
 }
 
 } // namespace smat::gui
+
+#include "moc_QuestionDialog.cpp"

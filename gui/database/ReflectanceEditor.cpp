@@ -271,3 +271,5 @@ irsg::ReflectanceTable ReflectanceEditor::ofEmissivity() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_ReflectanceEditor.cpp"

@@ -88,3 +88,5 @@ void RenumberDialog::validate() {
 }
 
 } // namespace smat::gui
+
+#include "moc_RenumberDialog.cpp"

@@ -165,3 +165,5 @@ void SpectralProperty::drawBackdrop() {
 }
 
 } // namespace smat::gui
+
+#include "moc_SpectralProperty.cpp"

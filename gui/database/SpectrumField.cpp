@@ -95,3 +95,5 @@ void SpectrumField::chooseForm(bool isGrey) {
 }
 
 } // namespace smat::gui
+
+#include "moc_SpectrumField.cpp"

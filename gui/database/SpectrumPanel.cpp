@@ -130,3 +130,5 @@ void SpectrumPanel::refresh() {
 }
 
 } // namespace smat::gui
+
+#include "moc_SpectrumPanel.cpp"

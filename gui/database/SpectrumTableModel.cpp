@@ -62,3 +62,5 @@ QString SpectrumTableModel::spreadsheetText() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_SpectrumTableModel.cpp"

@@ -217,3 +217,5 @@ void SurfacePage::show(const irsg::Material& material, const irsg::SpectralRange
 }
 
 } // namespace smat::gui
+
+#include "moc_SurfacePage.cpp"

@@ -196,3 +196,5 @@ void TemperaturePanel::refresh() {
 }
 
 } // namespace smat::gui
+
+#include "moc_TemperaturePanel.cpp"

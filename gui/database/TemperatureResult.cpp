@@ -162,3 +162,5 @@ void TemperatureResult::refresh() {
 }
 
 } // namespace smat::gui
+
+#include "moc_TemperatureResult.cpp"

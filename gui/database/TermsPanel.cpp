@@ -119,3 +119,5 @@ void TermsPanel::setTerms(const irsg::TemperatureTerms& terms) {
 }
 
 } // namespace smat::gui
+
+#include "moc_TermsPanel.cpp"

@@ -304,3 +304,5 @@ void ColorBar::readLimits() {
 }
 
 } // namespace smat::gui
+
+#include "moc_ColorBar.cpp"

@@ -230,3 +230,5 @@ irsg::RadianceImage ComparedPair::exported() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_ComparedPair.cpp"

@@ -133,3 +133,5 @@ void ComparisonBar::setHasCommand(bool has) {
 }
 
 } // namespace smat::gui
+
+#include "moc_ComparisonBar.cpp"

@@ -151,3 +151,5 @@ void ComparisonColors::useDifference(const FoundLimits& found) {
 }
 
 } // namespace smat::gui
+
+#include "moc_ComparisonColors.cpp"

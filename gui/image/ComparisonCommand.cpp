@@ -53,3 +53,5 @@ void ComparisonCommand::copy() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_ComparisonCommand.cpp"

@@ -84,3 +84,5 @@ void ComparisonFiles::ask(int side) {
 }
 
 } // namespace smat::gui
+
+#include "moc_ComparisonFiles.cpp"

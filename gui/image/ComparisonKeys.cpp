@@ -113,3 +113,5 @@ QList<std::pair<QString, QString>> comparisonKeys() {
 }
 
 } // namespace smat::gui
+
+#include "moc_ComparisonKeys.cpp"

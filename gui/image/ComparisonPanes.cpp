@@ -281,3 +281,5 @@ std::optional<irsg::PixelRectangle> ComparisonPanes::selection() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_ComparisonPanes.cpp"

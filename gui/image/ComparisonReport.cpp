@@ -186,3 +186,5 @@ void ComparisonReport::showVerdict(const ComparedPair& pair) {
 }
 
 } // namespace smat::gui
+
+#include "moc_ComparisonReport.cpp"

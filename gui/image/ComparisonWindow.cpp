@@ -310,3 +310,5 @@ void ComparisonWindow::dropEvent(QDropEvent* event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_ComparisonWindow.cpp"

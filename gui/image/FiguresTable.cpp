@@ -131,3 +131,5 @@ void FiguresTable::keyPressEvent(QKeyEvent* event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_FiguresTable.cpp"

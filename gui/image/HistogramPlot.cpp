@@ -109,3 +109,5 @@ void HistogramPlot::changeEvent(QEvent* event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_HistogramPlot.cpp"

@@ -417,3 +417,5 @@ void ImageCanvas::keyPressEvent(QKeyEvent* event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_ImageCanvas.cpp"

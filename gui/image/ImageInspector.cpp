@@ -176,3 +176,5 @@ void ImageInspector::fill(const Answer& answer) {
 }
 
 } // namespace smat::gui
+
+#include "moc_ImageInspector.cpp"

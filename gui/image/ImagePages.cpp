@@ -118,3 +118,5 @@ void ImagePages::open(const QStringList& files) {
 }
 
 } // namespace smat::gui
+
+#include "moc_ImagePages.cpp"

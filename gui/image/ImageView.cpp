@@ -396,3 +396,5 @@ QList<std::pair<QString, QString>> imageKeys() {
 }
 
 } // namespace smat::gui
+
+#include "moc_ImageView.cpp"

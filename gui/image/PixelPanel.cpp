@@ -277,3 +277,5 @@ void PixelPanel::copy() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_PixelPanel.cpp"

@@ -161,3 +161,5 @@ QString ThresholdForm::options() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_ThresholdForm.cpp"

@@ -61,3 +61,5 @@ void BoxMouse::release(const QMouseEvent& event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_BoxMouse.cpp"

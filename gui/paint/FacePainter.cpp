@@ -454,3 +454,5 @@ void FacePainter::refreshCodes() {
 }
 
 } // namespace smat::gui
+
+#include "moc_FacePainter.cpp"

@@ -75,3 +75,5 @@ bool IndexBox::isRight() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_IndexBox.cpp"

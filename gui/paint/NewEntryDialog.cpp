@@ -45,3 +45,5 @@ std::string NewEntryDialog::name() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_NewEntryDialog.cpp"

@@ -245,3 +245,5 @@ void PaintDock::setLegend(const std::vector<CodeRow>& rows) {
 }
 
 } // namespace smat::gui
+
+#include "moc_PaintDock.cpp"

@@ -100,3 +100,5 @@ void AxisLimitsDialog::refresh() {
 }
 
 } // namespace smat::gui
+
+#include "moc_AxisLimitsDialog.cpp"

@@ -278,3 +278,5 @@ void CartesianPlot::paintCrosshair(QPainter& painter, const QPointF& point) cons
 }
 
 } // namespace smat::gui
+
+#include "moc_CartesianPlot.cpp"

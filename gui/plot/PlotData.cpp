@@ -186,7 +186,7 @@ std::optional<Interval> rangeWithErrors(const std::vector<Curve>& curves, bool p
 
 namespace {
 
-QString quoted(QString text) {
+QString quotedField(QString text) {
     if (!text.contains(',') && !text.contains('\t') && !text.contains('"') && !text.contains('\n'))
         return text;
     text.replace('"', "\"\"");
@@ -206,11 +206,11 @@ QString toCsv(const std::vector<Curve>& curves, const QString& xTitle, const QSt
     std::size_t rows = 0;
     for (std::size_t i = 0; i < curves.size(); ++i) {
         if (i == 0 || !sharedAxis)
-            header << quoted(xTitle);
+            header << quotedField(xTitle);
         const QString title = curves[i].name.isEmpty() ? yTitle : yTitle + ": " + curves[i].name;
-        header << quoted(title);
+        header << quotedField(title);
         if (!curves[i].error.empty())
-            header << quoted(QStringLiteral("Error of ") + title);
+            header << quotedField(QStringLiteral("Error of ") + title);
         rows = std::max(rows, curves[i].x.size());
     }
 

@@ -171,3 +171,5 @@ void PlotNavigator::paint(QPainter& painter) const {
 }
 
 } // namespace smat::gui
+
+#include "moc_PlotNavigator.cpp"

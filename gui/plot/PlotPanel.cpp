@@ -277,3 +277,5 @@ void PlotPanel::changeEvent(QEvent* event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_PlotPanel.cpp"

@@ -26,7 +26,7 @@ namespace smat::gui {
 namespace {
 
 constexpr double turn_deg = 360.0;
-constexpr double floor_dB = -40.0;
+constexpr double centre_dB = -40.0;
 
 /// Some five circles in what is seen, whatever the zoom: more would run into each other's numbers.
 class FewCircles : public QwtLinearScaleEngine {
@@ -185,7 +185,7 @@ void PolarPlot::setRadiusAxis() {
     largest_ = range ? range->maximum : 1.0;
     double low = 0.0, high = 0.0;
     if (decibel) {
-        low = floor_dB;
+        low = centre_dB;
     } else {
         const auto all = rangeWithErrors(drawn_, false);
         low = all ? std::min(all->minimum, 0.0) : 0.0;
@@ -365,3 +365,5 @@ void PolarPlot::paintCrosshair(QPainter& painter, const QPointF& cursor) const {
 }
 
 } // namespace smat::gui
+
+#include "moc_PolarPlot.cpp"

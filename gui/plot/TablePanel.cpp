@@ -153,3 +153,5 @@ void TablePanel::save() {
 }
 
 } // namespace smat::gui
+
+#include "moc_TablePanel.cpp"

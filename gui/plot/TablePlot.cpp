@@ -126,3 +126,5 @@ QImage tablePicture(const TableDrawing& drawing, QSize size) {
 }
 
 } // namespace smat::gui
+
+#include "moc_TablePlot.cpp"

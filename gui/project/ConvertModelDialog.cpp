@@ -237,3 +237,5 @@ QString ConvertModelDialog::fileToOpen() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_ConvertModelDialog.cpp"

@@ -24,7 +24,13 @@ namespace {
 
 using Kind = irsg::FirstTemperature::Kind;
 
-enum Column { nameColumn, facesColumn, materialColumn, temperatureColumn, columnCount };
+enum SurfaceColumn {
+    surfaceNameColumn,
+    surfaceFacesColumn,
+    surfaceMaterialColumn,
+    surfaceTemperatureColumn,
+    surfaceColumnCount
+};
 
 bool needsKelvin(Kind kind) {
     return kind == Kind::aboveAir || kind == Kind::fixed;
@@ -60,7 +66,7 @@ FirstSignatureDialog::FirstSignatureDialog(const Project& project, std::size_t n
         new QLabel(tr("What each surface is made of and how warm it is, as its name in the "
                       "file suggests. All of it can be refined in the database later."));
     hint->setWordWrap(true);
-    table_ = new QTableWidget(0, columnCount);
+    table_ = new QTableWidget(0, surfaceColumnCount);
     table_->setObjectName("surfaces");
     table_->setHorizontalHeaderLabels(
         {tr("Name in the file"), tr("Faces"), tr("Material"), tr("Temperature")});
@@ -122,8 +128,8 @@ void FirstSignatureDialog::fill(const irsg::ModelNames& names) {
         name->setToolTip(surface.because.empty()
                              ? tr("No word of this name is known: taken for painted skin")
                              : tr("Because of \"%1\" in its name").arg(textOf(surface.because)));
-        table_->setItem(row, nameColumn, name);
-        table_->setItem(row, facesColumn,
+        table_->setItem(row, surfaceNameColumn, name);
+        table_->setItem(row, surfaceFacesColumn,
                         readOnly(QString::number(surface.polygons), Qt::AlignRight));
         Row widgets;
         widgets.material = new QComboBox;
@@ -154,14 +160,16 @@ void FirstSignatureDialog::fill(const irsg::ModelNames& names) {
         layout->addWidget(widgets.temperature, 1);
         layout->addWidget(widgets.kelvin);
         widgets.kelvin->setMaximumWidth(100);
-        table_->setCellWidget(row, materialColumn, widgets.material);
-        table_->setCellWidget(row, temperatureColumn, cell);
+        table_->setCellWidget(row, surfaceMaterialColumn, widgets.material);
+        table_->setCellWidget(row, surfaceTemperatureColumn, cell);
         rows_.push_back(widgets);
     }
     table_->resizeColumnsToContents();
     table_->resizeRowsToContents();
-    table_->setColumnWidth(nameColumn, std::clamp(table_->columnWidth(nameColumn), 160, 260));
-    table_->horizontalHeader()->setSectionResizeMode(temperatureColumn, QHeaderView::Stretch);
+    table_->setColumnWidth(surfaceNameColumn,
+                           std::clamp(table_->columnWidth(surfaceNameColumn), 160, 260));
+    table_->horizontalHeader()->setSectionResizeMode(surfaceTemperatureColumn,
+                                                     QHeaderView::Stretch);
     said_->setText(
         tr("Create writes %1 and %2 beside the model.")
             .arg(textOf(irsg::codesFileOf(model_).filename()), textOf(newDatabase().filename())));
@@ -203,3 +211,5 @@ Project FirstSignatureDialog::write() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_FirstSignatureDialog.cpp"

@@ -28,3 +28,5 @@ void ModelOpening::read(const std::filesystem::path& file) {
 }
 
 } // namespace smat::gui
+
+#include "moc_ModelOpening.cpp"

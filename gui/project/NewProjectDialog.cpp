@@ -123,3 +123,5 @@ Project NewProjectDialog::project() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_NewProjectDialog.cpp"

@@ -237,3 +237,5 @@ void PlacingFields::refresh() {
 }
 
 } // namespace smat::gui
+
+#include "moc_PlacingFields.cpp"

@@ -182,3 +182,5 @@ void PlacingPicture::paintEvent(QPaintEvent*) {
 }
 
 } // namespace smat::gui
+
+#include "moc_PlacingPicture.cpp"

@@ -394,3 +394,5 @@ bool ProjectFiles::chooseModelFile(std::size_t model) {
 }
 
 } // namespace smat::gui
+
+#include "moc_ProjectFiles.cpp"

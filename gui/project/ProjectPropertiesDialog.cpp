@@ -137,3 +137,5 @@ Project ProjectPropertiesDialog::project() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_ProjectPropertiesDialog.cpp"

@@ -111,3 +111,5 @@ Project RecoveryCopy::read(const std::filesystem::path& copy,
 }
 
 } // namespace smat::gui
+
+#include "moc_RecoveryCopy.cpp"

@@ -72,3 +72,5 @@ void SceneModelActs::makeTarget(std::size_t model) {
 }
 
 } // namespace smat::gui
+
+#include "moc_SceneModelActs.cpp"

@@ -336,3 +336,5 @@ void SceneTreeDock::showMenu(const QPoint& place) {
 }
 
 } // namespace smat::gui
+
+#include "moc_SceneTreeDock.cpp"

@@ -427,3 +427,5 @@ void EditPanel::removeEntity() {
 }
 
 } // namespace smat::gui
+
+#include "moc_EditPanel.cpp"

@@ -280,3 +280,5 @@ void FramesPanel::setFilming(bool filming) {
 }
 
 } // namespace smat::gui
+
+#include "moc_FramesPanel.cpp"

@@ -142,3 +142,5 @@ void MountFields::changeTrack(int chosen) {
 }
 
 } // namespace smat::gui
+
+#include "moc_MountFields.cpp"

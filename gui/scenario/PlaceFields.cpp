@@ -80,3 +80,5 @@ void PlaceFields::showAttitude(bool isShown) {
 }
 
 } // namespace smat::gui
+
+#include "moc_PlaceFields.cpp"

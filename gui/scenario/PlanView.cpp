@@ -338,3 +338,5 @@ void PlanView::keyPressEvent(QKeyEvent* event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_PlanView.cpp"

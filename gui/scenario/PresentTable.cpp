@@ -68,3 +68,5 @@ void PresentTable::showMoment(const Scenario& scenario, const ScenarioPicture& p
 }
 
 } // namespace smat::gui
+
+#include "moc_PresentTable.cpp"

@@ -168,3 +168,5 @@ SimulationOrder RunScenarioDialog::order() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_RunScenarioDialog.cpp"

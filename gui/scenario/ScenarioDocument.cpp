@@ -198,3 +198,5 @@ void ScenarioDocument::saveAs(const std::filesystem::path& file) {
 }
 
 } // namespace smat::gui
+
+#include "moc_ScenarioDocument.cpp"

@@ -80,3 +80,5 @@ bool ScenarioFields::eventFilter(QObject* watched, QEvent* event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_ScenarioFields.cpp"

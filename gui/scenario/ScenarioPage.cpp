@@ -396,3 +396,5 @@ void ScenarioPage::resizeEvent(QResizeEvent* event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_ScenarioPage.cpp"

@@ -46,3 +46,5 @@ ScenarioPage* ScenarioPages::pageOf(const std::filesystem::path& file) const {
 }
 
 } // namespace smat::gui
+
+#include "moc_ScenarioPages.cpp"

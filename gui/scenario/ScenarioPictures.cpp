@@ -117,3 +117,5 @@ void ScenarioPictures::begin() {
 }
 
 } // namespace smat::gui
+
+#include "moc_ScenarioPictures.cpp"

@@ -223,3 +223,5 @@ void TimeLine::refresh() {
 }
 
 } // namespace smat::gui
+
+#include "moc_TimeLine.cpp"

@@ -9,15 +9,15 @@ namespace smat::gui {
 namespace {
 
 using Row = TrajectoryTable::Row;
-constexpr auto timeColumn = TrajectoryTable::time;
 
 const TrajectoryColumn& columnOf(TrajectoryTable::Column column) {
     return TrajectoryTable::columns()[column];
 }
 
 QString nameOf(TrajectoryTable::Column column) {
-    return column == timeColumn ? TrajectoryModel::tr("time")
-                                : QString::fromStdString(std::string(columnOf(column).name));
+    return column == TrajectoryTable::time
+               ? TrajectoryModel::tr("time")
+               : QString::fromStdString(std::string(columnOf(column).name));
 }
 
 /// In twelve digits, so that halfway between 0.6 and 0.7 is 0.65.
@@ -60,7 +60,7 @@ TrajectoryTable::Column TrajectoryModel::columnAt(int section) const {
         if (table_.has(column) && ++seen == section)
             return column;
     }
-    return timeColumn;
+    return TrajectoryTable::time;
 }
 
 int TrajectoryModel::rowCount(const QModelIndex& parent) const {
@@ -102,7 +102,7 @@ TrajectoryTable::Row TrajectoryModel::nextOf(const std::vector<Row>& rows) {
         return {};
     Row next = rows.back();
     if (rows.size() < 2) {
-        next[timeColumn] += 1.0;
+        next[TrajectoryTable::time] += 1.0;
         return next;
     }
     const Row& before = rows[rows.size() - 2];
@@ -131,16 +131,17 @@ QString TrajectoryModel::problemOf(const QModelIndex& cell, const QString& text)
         return tr("%1: '%2', where %3 is needed").arg(nameOf(column), text, expected);
     if (*number < columnOf(column).minimum || *number > columnOf(column).maximum)
         return tr("%1: %2, where %3 is needed").arg(nameOf(column), text, expected);
-    if (column != timeColumn)
+    if (column != TrajectoryTable::time)
         return {};
     for (int row = 0; row < points(); ++row)
-        if (row != cell.row() && table_.rows[static_cast<std::size_t>(row)][timeColumn] == *number)
+        if (row != cell.row() &&
+            table_.rows[static_cast<std::size_t>(row)][TrajectoryTable::time] == *number)
             return tr("time: row %1 has %2 s already").arg(row + 1).arg(text.trimmed());
     return {};
 }
 
 QString TrajectoryModel::take(std::vector<Row> rows, const QString& step) {
-    std::ranges::sort(rows, {}, [](const Row& row) { return row[timeColumn]; });
+    std::ranges::sort(rows, {}, [](const Row& row) { return row[TrajectoryTable::time]; });
     if (rows.empty())
         return tr("a trajectory needs at least one row");
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -153,8 +154,9 @@ QString TrajectoryModel::take(std::vector<Row> rows, const QString& step) {
                     .arg(nameOf(column), gui::textOf(rows[i][column]),
                          withReadableUnits(QString::fromStdString(columnOf(column).expectation())));
         }
-        if (i > 0 && rows[i][timeColumn] == rows[i - 1][timeColumn])
-            return tr("two rows have the time %1 s").arg(gui::textOf(rows[i][timeColumn]));
+        if (i > 0 && rows[i][TrajectoryTable::time] == rows[i - 1][TrajectoryTable::time])
+            return tr("two rows have the time %1 s")
+                .arg(gui::textOf(rows[i][TrajectoryTable::time]));
     }
     TrajectoryTable after = table_;
     after.rows = std::move(rows);
@@ -177,9 +179,11 @@ QString TrajectoryModel::insertRow(int row) {
         for (std::size_t i = 0; i < between.size(); ++i)
             between[i] = roundedNumber((rows[at - 1][i] + rows[at][i]) / 2.0);
     else
-        between[timeColumn] -= rows.size() > 1 ? rows[1][timeColumn] - rows[0][timeColumn] : 1.0;
+        between[TrajectoryTable::time] -=
+            rows.size() > 1 ? rows[1][TrajectoryTable::time] - rows[0][TrajectoryTable::time] : 1.0;
     rows.push_back(between);
-    return take(std::move(rows), tr("Insert a row at %1 s").arg(gui::textOf(between[timeColumn])));
+    return take(std::move(rows),
+                tr("Insert a row at %1 s").arg(gui::textOf(between[TrajectoryTable::time])));
 }
 
 QString TrajectoryModel::removeRows(const std::vector<int>& rows) {
@@ -223,12 +227,14 @@ bool TrajectoryModel::setData(const QModelIndex& index, const QVariant& value, i
     if (role != Qt::EditRole || !number || !problemOf(index, value.toString()).isEmpty())
         return false;
     const auto rows = with(index, *number);
-    const double time_s = rows[static_cast<std::size_t>(index.row())][timeColumn];
+    const double time_s = rows[static_cast<std::size_t>(index.row())][TrajectoryTable::time];
     const TrajectoryTable::Column column = columnAt(index.column());
-    return take(rows, column == timeColumn
+    return take(rows, column == TrajectoryTable::time
                           ? tr("Move a row to %1 s").arg(gui::textOf(time_s))
                           : tr("Set %1 at %2 s").arg(nameOf(column), gui::textOf(time_s)))
         .isEmpty();
 }
 
 } // namespace smat::gui
+
+#include "moc_TrajectoryModel.cpp"

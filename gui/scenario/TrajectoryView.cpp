@@ -141,3 +141,5 @@ void TrajectoryView::keyPressEvent(QKeyEvent* event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_TrajectoryView.cpp"

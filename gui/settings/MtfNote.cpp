@@ -31,3 +31,5 @@ void MtfNote::tell(const std::filesystem::path& file) {
 }
 
 } // namespace smat::gui
+
+#include "moc_MtfNote.cpp"

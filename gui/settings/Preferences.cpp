@@ -143,3 +143,5 @@ Preferences PreferencesDialog::preferences() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_Preferences.cpp"

@@ -314,3 +314,5 @@ std::vector<std::string> settingKeys(const std::string& section, bool withExpert
 }
 
 } // namespace smat::gui
+
+#include "moc_SettingForm.cpp"

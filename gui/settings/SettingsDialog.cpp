@@ -232,3 +232,5 @@ void SettingsDialog::accept() {
 }
 
 } // namespace smat::gui
+
+#include "moc_SettingsDialog.cpp"

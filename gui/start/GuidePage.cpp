@@ -40,3 +40,5 @@ QVariant GuidePage::loadResource(int type, const QUrl& name) {
 }
 
 } // namespace smat::gui
+
+#include "moc_GuidePage.cpp"

@@ -260,3 +260,5 @@ bool StartPage::eventFilter(QObject* watched, QEvent* event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_StartPage.cpp"

@@ -209,3 +209,5 @@ void AirToolPage::exportTo(const std::filesystem::path& file) const {
 }
 
 } // namespace smat::gui
+
+#include "moc_AirToolPage.cpp"

@@ -44,3 +44,5 @@ void Calculation::refuse(const std::exception_ptr& thrown) {
 }
 
 } // namespace smat::gui
+
+#include "moc_Calculation.cpp"

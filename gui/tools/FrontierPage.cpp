@@ -231,3 +231,5 @@ void FrontierPage::exportTo(const std::filesystem::path& file) const {
 }
 
 } // namespace smat::gui
+
+#include "moc_FrontierPage.cpp"

@@ -368,3 +368,5 @@ void MonteCarloPage::exportTo(const std::filesystem::path& file) const {
 }
 
 } // namespace smat::gui
+
+#include "moc_MonteCarloPage.cpp"

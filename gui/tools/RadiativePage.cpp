@@ -196,3 +196,5 @@ void RadiativePage::useInProject() {
 }
 
 } // namespace smat::gui
+
+#include "moc_RadiativePage.cpp"

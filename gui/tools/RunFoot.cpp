@@ -57,3 +57,5 @@ QWidget* RunFoot::below(QWidget* form, RunFoot* foot, QWidget* parent) {
 }
 
 } // namespace smat::gui
+
+#include "moc_RunFoot.cpp"

@@ -181,3 +181,5 @@ void SelfTestDialog::copy() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_SelfTestDialog.cpp"

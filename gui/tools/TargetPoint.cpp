@@ -38,3 +38,5 @@ void TargetPoint::take(const std::vector<ProjectModel>& models, const irsg::Vec3
 }
 
 } // namespace smat::gui
+
+#include "moc_TargetPoint.cpp"

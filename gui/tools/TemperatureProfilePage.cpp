@@ -96,3 +96,5 @@ Calculation::Work TemperatureProfilePage::work() {
 }
 
 } // namespace smat::gui
+
+#include "moc_TemperatureProfilePage.cpp"

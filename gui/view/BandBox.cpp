@@ -95,3 +95,5 @@ void BandBox::choose(const QString& band) {
 }
 
 } // namespace smat::gui
+
+#include "moc_BandBox.cpp"

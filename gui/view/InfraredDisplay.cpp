@@ -88,3 +88,5 @@ void InfraredDisplay::work(const std::stop_token& stop) {
 }
 
 } // namespace smat::gui
+
+#include "moc_InfraredDisplay.cpp"

@@ -232,3 +232,5 @@ void InfraredPictures::drop() {
 }
 
 } // namespace smat::gui
+
+#include "moc_InfraredPictures.cpp"

@@ -43,3 +43,5 @@ void LoadingBar::follow(ModelWait& wait) {
 }
 
 } // namespace smat::gui
+
+#include "moc_LoadingBar.cpp"

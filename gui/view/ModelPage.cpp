@@ -386,3 +386,5 @@ QImage ModelPage::pictureOfPage() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_ModelPage.cpp"

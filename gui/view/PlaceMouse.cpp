@@ -80,3 +80,5 @@ bool PlaceMouse::move(const QMouseEvent& event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_PlaceMouse.cpp"

@@ -165,3 +165,5 @@ bool ProjectView::eventFilter(QObject* watched, QEvent* event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_ProjectView.cpp"

@@ -30,3 +30,5 @@ void SceneLoader::load(const Project& project, const Settings& settings) {
 }
 
 } // namespace smat::gui
+
+#include "moc_SceneLoader.cpp"

@@ -420,3 +420,5 @@ ViewHud SceneView::hud() const {
 }
 
 } // namespace smat::gui
+
+#include "moc_SceneView.cpp"

@@ -101,3 +101,5 @@ std::vector<ViewFrustum> SensorFrusta::frusta(const irsg::Vec3& target_m) const 
 }
 
 } // namespace smat::gui
+
+#include "moc_SensorFrusta.cpp"

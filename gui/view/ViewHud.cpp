@@ -18,7 +18,7 @@ namespace {
 
 constexpr double inset_px = 6.0;
 
-QString tr(const char* text) {
+QString trHud(const char* text) {
     return QCoreApplication::translate("smat::gui::ViewHud", text);
 }
 
@@ -86,8 +86,8 @@ void ViewHud::paint(QPainter& painter) const {
 void ViewHud::paintInvitation(QPainter& painter) const {
     painter.setPen(faded(colors::overlayInk(dark), 0.75F));
     painter.drawText(QRectF(QPointF(), projection.window), Qt::AlignCenter | Qt::TextWordWrap,
-                     tr("Nothing is open yet.\n"
-                        "Open a project or a model (Ctrl+O), or drop one here."));
+                     trHud("Nothing is open yet.\n"
+                           "Open a project or a model (Ctrl+O), or drop one here."));
 }
 
 double ViewHud::axisLength_m() const {
@@ -118,7 +118,7 @@ void ViewHud::paintFrame(QPainter& painter) const {
 
 void ViewHud::paintViewAxes(QPainter& painter) const {
     const std::pair<irsg::Vec3, QString> axes[] = {
-        {{1, 0, 0}, tr("E")}, {{0, 1, 0}, tr("N")}, {{0, 0, 1}, tr("Up")}};
+        {{1, 0, 0}, trHud("E")}, {{0, 1, 0}, trHud("N")}, {{0, 0, 1}, trHud("Up")}};
     const QPointF origin = viewAxesOrigin();
     painter.save();
     QFont font = painter.font();
@@ -138,7 +138,7 @@ void ViewHud::paintViewAxes(QPainter& painter) const {
 
 void ViewHud::paintModelAxes(QPainter& painter) const {
     const std::pair<irsg::Vec3, QString> axes[] = {
-        {{1, 0, 0}, tr("starboard")}, {{0, 1, 0}, tr("nose")}, {{0, 0, 1}, tr("up")}};
+        {{1, 0, 0}, trHud("starboard")}, {{0, 1, 0}, trHud("nose")}, {{0, 0, 1}, trHud("up")}};
     const irsg::Rotation rotation = attitude.rotation();
     const double length_m = axisLength_m();
     for (std::size_t i = 0; i < 3; ++i) {
@@ -205,13 +205,13 @@ void ViewHud::paintInset(QPainter& painter) const {
     painter.setPen(QPen(faded(colors::overlayInk(dark), 0.75F), 1.4));
     painter.drawRect(inset);
     drawLabel(painter, inset.adjusted(3, 3, -3, -3), Corner::topLeft,
-              inspecting ? tr("sensor") : tr("inspection"), dark);
+              inspecting ? trHud("sensor") : trHud("inspection"), dark);
 }
 
 void ViewHud::paintWords(QPainter& painter) const {
     QRectF area = wordsArea();
     const auto placed = [this](const char* form) {
-        return tr(form)
+        return trHud(form)
             .arg(camera.azimuth_deg, 0, 'f', 1)
             .arg(camera.elevation_deg, 0, 'f', 1)
             .arg(camera.range_m, 0, 'g', 6);
@@ -226,9 +226,9 @@ void ViewHud::paintWords(QPainter& painter) const {
         words = placed("az %1°   el %2°   %3 m");
     if (const auto windows = std::ranges::count(frusta, ViewFrustum::Of::window, &ViewFrustum::of);
         !frusta.empty())
-        words += "   " + (windows == 1 ? tr("1 window") : tr("%1 windows").arg(windows)) +
+        words += "   " + (windows == 1 ? trHud("1 window") : trHud("%1 windows").arg(windows)) +
                  (mostSamples > 0.0
-                      ? tr(", up to %1 samples a pixel and axis").arg(mostSamples, 0, 'g', 3)
+                      ? trHud(", up to %1 samples a pixel and axis").arg(mostSamples, 0, 'g', 3)
                       : QString());
     drawLabel(painter, left, Corner::topLeft, words, dark);
     if (!inset.isNull())
@@ -250,12 +250,12 @@ void ViewHud::paintProblem(QPainter& painter) const {
     const double width = std::clamp(0.7 * window.width(), 240.0, 640.0);
     QStringList shown = problem.mid(0, 6);
     if (problem.size() > shown.size())
-        shown << tr("and %1 more").arg(problem.size() - shown.size());
+        shown << trHud("and %1 more").arg(problem.size() - shown.size());
     QTextDocument words;
     words.setDefaultFont(painter.font());
     words.setDocumentMargin(0.0);
     words.setHtml(QStringLiteral("<div style='color:%1'><b>%2</b><p>%3</p></div>")
-                      .arg(colors::overlayInk(dark).name(), tr("No infrared picture"),
+                      .arg(colors::overlayInk(dark).name(), trHud("No infrared picture"),
                            shown.join("\n").toHtmlEscaped().replace('\n', "<br>")));
     words.setTextWidth(width - 32.0);
 

@@ -205,3 +205,5 @@ bool ViewNavigation::pressKey(const QKeyEvent& event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_ViewNavigation.cpp"

@@ -44,3 +44,5 @@ void CheckedCell::setModelData(QWidget* editor, QAbstractItemModel* model,
 }
 
 } // namespace smat::gui
+
+#include "moc_CheckedCell.cpp"

@@ -51,3 +51,5 @@ void FlowBar::arrange() {
 }
 
 } // namespace smat::gui
+
+#include "moc_FlowBar.cpp"

@@ -10,7 +10,7 @@
 namespace smat::gui {
 namespace {
 
-QString tr(const char* text) {
+QString trSentence(const char* text) {
     return QCoreApplication::translate("smat::gui::Sentences", text);
 }
 
@@ -37,10 +37,10 @@ QString findingOf(const irsg::Diagnostic& diagnostic) {
     if (needed.isEmpty())
         return value;
     if (value.isEmpty())
-        return tr("%1 is needed%2").arg(needed, why);
+        return trSentence("%1 is needed%2").arg(needed, why);
     if (value == "nothing")
-        return tr("%1 is missing%2").arg(needed, why);
-    return tr("%1, where %2 is needed%3").arg(value, needed, why);
+        return trSentence("%1 is missing%2").arg(needed, why);
+    return trSentence("%1, where %2 is needed%3").arg(value, needed, why);
 }
 
 } // namespace

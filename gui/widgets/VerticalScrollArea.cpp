@@ -37,3 +37,5 @@ bool VerticalScrollArea::eventFilter(QObject* watched, QEvent* event) {
 }
 
 } // namespace smat::gui
+
+#include "moc_VerticalScrollArea.cpp"

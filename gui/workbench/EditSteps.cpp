@@ -119,3 +119,5 @@ void EditSteps::close() {
 }
 
 } // namespace smat::gui
+
+#include "moc_EditSteps.cpp"

@@ -40,3 +40,5 @@ void ModelWait::tell() {
 }
 
 } // namespace smat::gui
+
+#include "moc_ModelWait.cpp"

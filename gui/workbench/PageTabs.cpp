@@ -88,3 +88,5 @@ void PageTabs::exportShown(const Dialogs& dialogs) {
 }
 
 } // namespace smat::gui
+
+#include "moc_PageTabs.cpp"

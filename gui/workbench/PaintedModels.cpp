@@ -234,3 +234,5 @@ void PaintedModels::writeRecoveryNow() {
 }
 
 } // namespace smat::gui
+
+#include "moc_PaintedModels.cpp"

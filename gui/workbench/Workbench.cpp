@@ -392,3 +392,5 @@ void Workbench::saveResults() {
 }
 
 } // namespace smat::gui
+
+#include "moc_Workbench.cpp"

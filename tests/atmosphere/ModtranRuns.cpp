@@ -170,10 +170,10 @@ const std::vector<PublishedFile>& publishedFiles() {
 
 Slit::Slit(const RadiativeTransfer& transfer, std::vector<double> wavenumbers_per_cm,
            double fwhm_per_cm)
-    : wavenumbers_cm_(std::move(wavenumbers_per_cm)), fwhm_cm_(fwhm_per_cm) {
+    : wavenumbers_per_cm_(std::move(wavenumbers_per_cm)), fwhm_per_cm_(fwhm_per_cm) {
     const BinSet& set = transfer.gases().bins(transfer.air().resolution_per_cm);
-    const auto [first, last] =
-        set.range(wavenumbers_cm_.front() - fwhm_cm_, wavenumbers_cm_.back() + fwhm_cm_);
+    const auto [first, last] = set.range(wavenumbers_per_cm_.front() - fwhm_per_cm_,
+                                         wavenumbers_per_cm_.back() + fwhm_per_cm_);
     for (std::size_t bin = first; bin < last; ++bin) {
         const SpectralBin& own = set.bins[bin];
         bins_.push_back({own.lower_per_cm, own.upper_per_cm, {}});
@@ -197,15 +197,15 @@ std::vector<double> Slit::at(const std::vector<double>& nodeValues) const {
     }
     std::vector<double> values;
     std::size_t first = 0;
-    for (const double at_per_cm : wavenumbers_cm_) {
-        while (first + 1 < bins_.size() && bins_[first].upper_per_cm <= at_per_cm - fwhm_cm_) {
+    for (const double at_per_cm : wavenumbers_per_cm_) {
+        while (first + 1 < bins_.size() && bins_[first].upper_per_cm <= at_per_cm - fwhm_per_cm_) {
             ++first;
         }
         double sum = 0.0, area = 0.0;
         for (std::size_t b = first;
-             b < bins_.size() && bins_[b].lower_per_cm < at_per_cm + fwhm_cm_; ++b) {
-            const double part = triangleIntegral(bins_[b].upper_per_cm - at_per_cm, fwhm_cm_) -
-                                triangleIntegral(bins_[b].lower_per_cm - at_per_cm, fwhm_cm_);
+             b < bins_.size() && bins_[b].lower_per_cm < at_per_cm + fwhm_per_cm_; ++b) {
+            const double part = triangleIntegral(bins_[b].upper_per_cm - at_per_cm, fwhm_per_cm_) -
+                                triangleIntegral(bins_[b].lower_per_cm - at_per_cm, fwhm_per_cm_);
             sum += part * means[b];
             area += part;
         }

@@ -42,8 +42,8 @@ class Slit {
         double lower_per_cm, upper_per_cm;
         std::vector<double> weights;
     };
-    std::vector<double> wavenumbers_cm_;
-    double fwhm_cm_;
+    std::vector<double> wavenumbers_per_cm_;
+    double fwhm_per_cm_;
     NodeSet nodes_;
     std::vector<Bin> bins_;
 };

@@ -103,7 +103,8 @@ std::vector<std::vector<double>> LightIntegrals::sumsOf(std::span<const FactorKi
         others.push_back(source.data());
     std::vector<std::pair<int, std::size_t>> apart;
     std::vector<std::size_t> together;
-    for (const auto& [term, place] : {std::pair{skyTerm_, std::size_t{0}}, std::pair{groundTerm_, std::size_t{1}}}) {
+    for (const auto& [term, place] :
+         {std::pair{skyTerm_, std::size_t{0}}, std::pair{groundTerm_, std::size_t{1}}}) {
         if (term < 0)
             continue;
         const double* const first = lightOn(kinds.front(), term);
