@@ -15,7 +15,7 @@
 namespace smat::gui {
 namespace {
 
-constexpr int margin = 34;
+constexpr int margin_px = 34;
 constexpr double leastExtent_m = 10.0;
 
 /// 1, 2 or 5 times a power of ten, not below `least`.
@@ -125,8 +125,8 @@ QRectF PlanView::extent_m() const {
 
 double PlanView::scale() const {
     const QRectF extent = extent_m();
-    return zoom_ * std::min(std::max(width() - 2 * margin, 10) / extent.width(),
-                            std::max(height() - 2 * margin, 10) / extent.height());
+    return zoom_ * std::min(std::max(width() - 2 * margin_px, 10) / extent.width(),
+                            std::max(height() - 2 * margin_px, 10) / extent.height());
 }
 
 QPointF PlanView::pointOf(double east_m, double north_m) const {

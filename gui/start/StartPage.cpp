@@ -21,7 +21,7 @@ namespace smat::gui {
 namespace {
 
 constexpr QSize cardPicture(170, 112);
-constexpr int columns = 3, mostRecent = 6, leastCard_px = 100;
+constexpr int cardColumns = 3, mostRecent = 6, leastCard_px = 100;
 constexpr int leftMargin_px = 24, rightMargin_px = 16, cardSpacing_px = 6;
 
 QLabel* heading(const QString& text, double scale, QWidget* parent) {
@@ -122,7 +122,7 @@ QWidget* StartPage::makeSamples() {
     auto* grid = new QGridLayout(part);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(cardSpacing_px);
-    grid->addWidget(heading(tr("Samples"), 1.15, part), 0, 0, 1, columns);
+    grid->addWidget(heading(tr("Samples"), 1.15, part), 0, 0, 1, cardColumns);
     int number = 0;
     for (const Sample& sample : samples()) {
         auto* card = new QToolButton(part);
@@ -137,7 +137,7 @@ QWidget* StartPage::makeSamples() {
         const QString file = QString::fromStdString(sample.project.string());
         connect(card, &QToolButton::clicked, this, [this, file] { emit fileChosen(file); });
         cards_ << card;
-        grid->addWidget(card, 1 + number / columns, number % columns, Qt::AlignLeft);
+        grid->addWidget(card, 1 + number / cardColumns, number % cardColumns, Qt::AlignLeft);
         ++number;
     }
     if (number == 0)
@@ -145,7 +145,7 @@ QWidget* StartPage::makeSamples() {
                                       "folder that has them."),
                                    part),
                         1, 0);
-    grid->setColumnStretch(columns, 1);
+    grid->setColumnStretch(cardColumns, 1);
     grid->setRowStretch(grid->rowCount(), 1);
     return part;
 }
@@ -217,7 +217,7 @@ void StartPage::fitCards() {
     const int bar_px = style()->pixelMetric(QStyle::PM_ScrollBarExtent);
     const int around_px = cards_.front()->sizeHint().width() - cards_.front()->iconSize().width();
     const int room_px = width() - leftMargin_px - rightMargin_px - bar_px;
-    const int card_px = (room_px - (columns - 1) * cardSpacing_px) / columns - around_px;
+    const int card_px = (room_px - (cardColumns - 1) * cardSpacing_px) / cardColumns - around_px;
     const int width_px = std::clamp(card_px, leastCard_px, cardPicture.width());
     const QSize size(width_px, width_px * cardPicture.height() / cardPicture.width());
     for (QToolButton* card : cards_) {

@@ -21,7 +21,7 @@ constexpr int coarsest = 4;
 /// Longer than this the visible display stands in for a picture that is awaited, s.
 constexpr double patience_s = 0.5;
 /// From so many triangles on, light between surfaces may take seconds where it is not known yet.
-constexpr unsigned large = 5000;
+constexpr unsigned largeModel = 5000;
 
 unsigned trianglesOf(const LoadedModels& models) {
     unsigned count = 0;
@@ -168,7 +168,7 @@ void InfraredPictures::send(bool coarse) {
     if (!request)
         return;
     // Something to be looked at comes first.
-    request->direct = !picture_.image && trianglesOf(request->models) >= large &&
+    request->direct = !picture_.image && trianglesOf(request->models) >= largeModel &&
                       request->settings[key::renderBounces] != 0.0;
     if (coarse)
         request->size_px = {std::max(request->size_px.width() / coarseness_, 1),

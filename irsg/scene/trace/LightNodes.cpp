@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t mostShares = 3;
 /// Of the extent of a model: nodes stand no farther apart.
-constexpr double farthest = 0.1;
+constexpr double longestOfExtent = 0.1;
 /// Cosines between normals of vertices that a node stands for, and of those it has a part in.
 constexpr double alike = 0.7, notUnlike = 0.5;
 /// How far a node's part reaches, as a multiple of how far apart nodes are.
@@ -44,7 +44,7 @@ void LightNodes::placeNodes(const LightResolution& resolution) {
             pieces.resize(vertices[v].piece + 1);
         pieces[vertices[v].piece].vertices.push_back(v);
     }
-    double longest_m = farthest * mesh_->extent_m();
+    double longest_m = longestOfExtent * mesh_->extent_m();
     if (resolution.longestEdge_m > 0.0)
         longest_m = std::min(longest_m, resolution.longestEdge_m);
     for (double edge = resolution.edgePerDistance;; edge *= 1.4, longest_m *= 1.2) {
