@@ -174,9 +174,10 @@ TEST(SlicesOfBands, SumUpLightBetweenSurfacesToWhatTheirAirSays) {
         knots.parts.push_back(0.25);
         sources[0][i] = 1.0 + static_cast<double>(i % 7);
     }
-    const std::size_t ground = 2;
-    ASSERT_EQ(RadianceTerms::standard().terms[ground].name, "up");
-    const LightIntegrals integrals(radiometry, fronts, knots, sources, -1, ground);
+    // In place of the ground's light, of which this air has none: that of the first row.
+    const std::size_t light = 4;
+    const LightIntegrals integrals(radiometry, fronts, knots, sources, -1, light);
+    const std::vector<double>& taken_W_m2_um = *radiometry.air(0).light[light];
     std::vector<FactorKind> kinds;
     for (int row = 0; row < radiometry.rows().size(); ++row) {
         kinds.push_back({0, row});
@@ -192,7 +193,7 @@ TEST(SlicesOfBands, SumUpLightBetweenSurfacesToWhatTheirAirSays) {
                                          radiometry.surface(kinds[k].row).reflectance[i] *
                                          (*air.transmittance)[i];
                 given += reflected * sources[0][i];
-                taken += reflected * (*air.light[ground])[i];
+                taken += reflected * taken_W_m2_um[i];
             }
             ASSERT_EQ(all[k][output].size(), integrals.width());
             EXPECT_EQ(all[k][output][0], 0.0) << "no sky";
