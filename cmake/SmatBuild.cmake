@@ -36,7 +36,7 @@ option(SMAT_PRECOMPILE "Precompile the Qt, OpenSceneGraph and GoogleTest headers
 # without. What stands in an unnamed namespace then meets that of other files: a name that is taken is an
 # error of the compiler.
 option(SMAT_UNITY "Compile SMAT_UNITY_FILES source files at a time" OFF)
-set(SMAT_UNITY_FILES 100 CACHE STRING "Source files that are compiled together, at most")
+set(SMAT_UNITY_FILES 130 CACHE STRING "Source files that are compiled together, at most")
 
 # What reads, writes, checks and shows is compiled with -Og, which takes two fifths off the time of compiling
 # it; it waits for what computes, which keeps the optimisation of the preset.
