@@ -17,12 +17,13 @@ root = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 base, commands_file, folder = sys.argv[1:4]
 commands = json.load(open(commands_file))
 
-by_file, of_unity = {}, {}
+by_file, of_unity, place = {}, {}, {}
 for command in commands:
     by_file.setdefault(os.path.realpath(command["file"]), command)
     if "/Unity/" in command["file"] and os.path.exists(command["file"]):
         for included in re.findall(r'#include "([^"]+)"', open(command["file"]).read()):
             of_unity.setdefault(os.path.realpath(included), command)
+            place.setdefault(os.path.realpath(included), len(place))
 
 lines = {}
 difference = ["git", "-C", root, "diff", "-U0", "--diff-filter=d", base, "--", "*.cpp", "*.h"]
@@ -66,6 +67,7 @@ for source in sorted(name for name in lines if name.endswith(".cpp")):
     elif known in of_unity:
         groups.setdefault(of_unity[known]["file"], []).append(path)
 for unity, paths in sorted(groups.items()):
+    paths.sort(key=lambda path: place[os.path.realpath(path)])
     for first in range(0, len(paths), together):
         group = os.path.join(folder, f"group-{len(written)}.cpp")
         with open(group, "w") as file:
