@@ -222,7 +222,7 @@ void ActiveSet::appendProducts(std::size_t first) {
     std::fill(gram_.begin() + static_cast<std::ptrdiff_t>(row(first)), gram_.end(), 0.0);
     right_.resize(n, 0.0);
     for (std::size_t r = 0; r < rows; r += 4) {
-        const double* at = &values[r * n];
+        const double* at = values.data() + r * n; // none where the set is empty
         std::array<double, 4> importance{};
         for (std::size_t k = 0; k < 4 && r + k < rows; ++k) {
             importance[k] = static_cast<double>(importance_[r + k]);
