@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "irsg/signature/random/PortableMath.h"
@@ -11,7 +10,6 @@ namespace irsg {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double precision = 1e-16;
 /// Shapes are at most 1e4, for which the fractions need a few hundred terms.
 constexpr int mostTerms = 20000;
@@ -73,9 +71,9 @@ LogTails tailsFromUpper(double logUpper) {
 
 LogTails gammaTails(double a, double x) {
     if (!(x > 0.0))
-        return {-infinity, 0.0};
+        return {-portable::infinity, 0.0};
     if (std::isinf(x))
-        return {0.0, -infinity};
+        return {0.0, -portable::infinity};
     const double prefix = a * portable::log(x) - x - portable::logGamma(a);
     if (x < a + 1.0) {
         double term = 1.0 / a;
@@ -94,9 +92,9 @@ LogTails gammaTails(double a, double x) {
 
 LogTails betaTails(double a, double b, double x, double y) {
     if (!(x > 0.0))
-        return {-infinity, 0.0};
+        return {-portable::infinity, 0.0};
     if (!(y > 0.0))
-        return {0.0, -infinity};
+        return {0.0, -portable::infinity};
     return x < (a + 1.0) / (a + b + 2.0) ? tailsFromLower(logBetaLower(a, b, x, y))
                                          : tailsFromUpper(logBetaLower(b, a, y, x));
 }

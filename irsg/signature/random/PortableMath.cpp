@@ -69,7 +69,7 @@ double exp(double x) {
     if (std::isnan(x))
         return nan;
     if (x > 709.8)
-        return std::numeric_limits<double>::infinity();
+        return infinity;
     if (x < -745.2)
         return 0.0;
     static constexpr auto c = inverseFactorials<15>(0, 1, false);
@@ -86,9 +86,9 @@ double log(double x) {
     if (std::isnan(x) || x < 0.0)
         return nan;
     if (x == 0.0)
-        return -std::numeric_limits<double>::infinity();
+        return -infinity;
     if (std::isinf(x))
-        return std::numeric_limits<double>::infinity();
+        return infinity;
 
     // x = m 2^k with m from sqrt(1/2) to sqrt(2); ln m = 2 artanh((m - 1) / (m + 1)).
     int k = 0;
@@ -171,7 +171,7 @@ double atan(double x) {
 
 double logGamma(double x) {
     if (!(x > 0.0))
-        return std::numeric_limits<double>::infinity();
+        return infinity;
     double product = 1.0;
     while (x < 15.0) {
         product *= x;
@@ -185,7 +185,7 @@ double logGamma(double x) {
 
 double log1mExp(double t) {
     if (t >= 0.0)
-        return -std::numeric_limits<double>::infinity();
+        return -infinity;
     return t > -0.6931471805599453 ? log(-expm1(t)) : log1p(-exp(t));
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "irsg/signature/random/PortableMath.h"
 
@@ -62,7 +61,7 @@ StableDistribution::Side StableDistribution::sideOf(double alpha, double beta) {
                         logSinPsi,
                     weight / pi};
     };
-    side.leastLogV = std::numeric_limits<double>::infinity();
+    side.leastLogV = portable::infinity;
     double step = coarsestStep;
     for (int level = 0; level < levelCount; ++level, step /= 2.0) {
         std::vector<Node>& nodes = side.levels.emplace_back();
@@ -84,7 +83,7 @@ LogTails StableDistribution::tailsOf(const Side& side, double z) const {
     // largest term is taken out, so that the logarithm survives where the sum would be 0.
     const double least = portable::exp(x + side.leastLogV);
     if (std::isinf(least))
-        return alpha_ > 1.0 ? tailsFromUpper(-std::numeric_limits<double>::infinity())
+        return alpha_ > 1.0 ? tailsFromUpper(-portable::infinity)
                             : tailsFromLower(portable::log(1.0 - side.mass));
     double integral = 0.0, complement = 0.0;
     for (const auto& level : side.levels) {
@@ -126,8 +125,8 @@ LogTails StableDistribution::tails(double z) const {
         return tailsFromUpper(portable::log(right_.mass));
     const Side& side = z > 0.0 ? right_ : left_;
     const bool nothingThere = side.levels.empty();
-    const LogTails tails = nothingThere ? LogTails{0.0, -std::numeric_limits<double>::infinity()}
-                                        : tailsOf(side, std::abs(z));
+    const LogTails tails =
+        nothingThere ? LogTails{0.0, -portable::infinity} : tailsOf(side, std::abs(z));
     return z > 0.0 ? tails : LogTails{tails.upper, tails.lower};
 }
 
