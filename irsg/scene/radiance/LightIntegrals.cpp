@@ -19,11 +19,12 @@ constexpr std::size_t kindsTogether = mostTogether / 2;
 /// beside those of another thread of the core.
 constexpr std::size_t nodesTogether = 64;
 
-std::vector<double> between(const std::vector<double>& a, const std::vector<double>& b,
-                            double part) {
-    std::vector<double> values = a;
-    for (std::size_t i = 0; part > 0.0 && i < values.size(); ++i)
-        values[i] = std::lerp(a[i], b[i], part);
+std::vector<double> between(const std::vector<std::vector<double>>& sums,
+                            const SliceBetween& about) {
+    std::vector<double> values = sums[static_cast<std::size_t>(about.below)];
+    const std::vector<double>& above = sums[static_cast<std::size_t>(about.above)];
+    for (std::size_t i = 0; about.part > 0.0 && i < values.size(); ++i)
+        values[i] = std::lerp(values[i], above[i], about.part);
     return values;
 }
 
@@ -32,8 +33,7 @@ std::vector<double> between(const std::vector<double>& a, const std::vector<doub
 std::vector<double> LightIntegrals::of(const FactorKind& kind, std::size_t output) const {
     const Taken taken = takenFor(std::span(&kind, 1), output);
     const std::vector<std::vector<double>> sums = sumsOf(taken.kinds, output);
-    const Taken::Between& about = taken.about.front();
-    return between(sums[about.below], sums[about.above], about.part);
+    return between(sums, taken.about.front());
 }
 
 std::vector<std::vector<std::vector<double>>>
@@ -58,11 +58,8 @@ LightIntegrals::ofAll(const std::vector<FactorKind>& kinds) const {
     });
     std::vector<std::vector<std::vector<double>>> found(kinds.size());
     parallelFor(kinds.size(), [&](std::size_t k) {
-        for (std::size_t output = 0; output < outputs; ++output) {
-            const Taken::Between& about = taken[output].about[k];
-            found[k].push_back(
-                between(sums[output][about.below], sums[output][about.above], about.part));
-        }
+        for (std::size_t output = 0; output < outputs; ++output)
+            found[k].push_back(between(sums[output], taken[output].about[k]));
     });
     return found;
 }
@@ -70,16 +67,17 @@ LightIntegrals::ofAll(const std::vector<FactorKind>& kinds) const {
 LightIntegrals::Taken LightIntegrals::takenFor(std::span<const FactorKind> kinds,
                                                std::size_t output) const {
     Taken taken;
-    std::map<std::pair<int, int>, std::size_t> places; // by front and row
+    std::map<std::pair<int, int>, int> places; // by front and row
     for (const FactorKind& kind : kinds) {
         const SliceBetween rows = radiometry_.rowsAbout(kind.row, output);
         const auto placeOf = [&](int row) {
-            const auto [place, isNew] = places.try_emplace({kind.front, row}, taken.kinds.size());
+            const auto [place, isNew] =
+                places.try_emplace({kind.front, row}, static_cast<int>(taken.kinds.size()));
             if (isNew)
                 taken.kinds.push_back({kind.front, row});
             return place->second;
         };
-        const std::size_t below = placeOf(rows.below);
+        const int below = placeOf(rows.below);
         taken.about.push_back({below, placeOf(rows.above), rows.part});
     }
     return taken;

@@ -49,11 +49,7 @@ class LightIntegrals {
     /// Kinds whose air an output takes, from which that of others follows.
     struct Taken {
         std::vector<FactorKind> kinds;
-        struct Between {
-            std::size_t below = 0, above = 0;
-            double part = 0.0;
-        };
-        std::vector<Between> about; ///< by kind that was asked for
+        std::vector<SliceBetween> about; ///< by kind that was asked for: between which of `kinds`
     };
     Taken takenFor(std::span<const FactorKind> kinds, std::size_t output) const;
     /// Of a few kinds that are taken.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "irsg/atmosphere/AirNodes.h"
 #include "irsg/radiometry/Errors.h"
@@ -66,15 +67,15 @@ SampledBand sampledBand(std::shared_ptr<const SpectralSampling> sampling) {
 
 /// The nodes of an entity's slices that some output takes; none where all outputs take all.
 std::vector<bool> nodesTaken(const SampledBand& band, std::size_t entity, std::size_t nodes) {
-    if (entity >= band.sliceSteps.size() || nodes < 2 ||
-        std::ranges::all_of(band.sliceSteps[entity], [](int step) { return step == 1; }))
-        return {};
-    std::vector<bool> taken(nodes, false);
-    for (const int step : band.sliceSteps[entity])
-        for (std::size_t node = 0; node < nodes; node += static_cast<std::size_t>(step))
-            taken[node] = true;
-    taken.back() = true;
-    return taken;
+    const auto last = static_cast<int>(nodes) - 1;
+    std::vector<bool> taken;
+    for (int node = 0; node <= last; ++node) {
+        bool isTaken = false;
+        for (std::size_t k = 0; k < band.outputs.size() && !isTaken; ++k)
+            isTaken = sliceBetween(node, band.sliceStep(entity, k), last).below == node;
+        taken.push_back(isTaken);
+    }
+    return std::ranges::all_of(taken, std::identity()) ? std::vector<bool>() : taken;
 }
 
 /// What the air has between the nodes that an output takes is linear in range.
