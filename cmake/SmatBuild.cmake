@@ -43,31 +43,42 @@ set(SMAT_UNITY_FILES 130 CACHE STRING "Source files that are compiled together, 
 option(SMAT_LIGHT "Compile what does not compute with -Og" OFF)
 
 # smat_compile_lightly(smat_core): a target that computes nothing itself.
-# smat_compile_lightly(irsg_scene FILES REGEX): of a target the sources that match.
-# smat_compile_lightly(smat_gui EXCEPT REGEX): all others.
+# smat_compile_lightly(irsg_scene FILES PATTERN...): of a target the sources that match one of the patterns.
+# smat_compile_lightly(smat_gui EXCEPT PATTERN...): all others.
 function(smat_compile_lightly target)
-    cmake_parse_arguments(ARG "" "FILES;EXCEPT" "" ${ARGN})
+    cmake_parse_arguments(ARG "" "" "FILES;EXCEPT" ${ARGN})
     if(NOT SMAT_LIGHT)
         return()
     endif()
     if(ARG_FILES)
-        smat_split(${target} light "${ARG_FILES}")
+        smat_split(${target} light ${ARG_FILES})
         smat_compile_lightly(${target}_light)
         return()
     endif()
     if(ARG_EXCEPT)
-        smat_split(${target} swift "${ARG_EXCEPT}")
+        smat_split(${target} swift ${ARG_EXCEPT})
     endif()
     # What gcc then takes to be used uninitialised is set, on paths that it no longer follows.
     target_compile_options(${target} PRIVATE -Og $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endfunction()
 
-# smat_split(irsg_atmosphere loops REGEX) makes of the sources that match an object library,
-# irsg_atmosphere_loops, which stays a part of the target but may be compiled otherwise.
-function(smat_split target part regex)
+# smat_split(irsg_atmosphere loops PATTERN...) makes of the sources that match a pattern an object library,
+# irsg_atmosphere_loops, which stays a part of the target but may be compiled otherwise. A pattern that no source
+# matches is an error: a file that was renamed would be compiled otherwise without a word.
+function(smat_split target part)
     get_target_property(all ${target} SOURCES)
+    set(others ${all})
+    foreach(pattern ${ARGN})
+        set(matching ${all})
+        list(FILTER matching INCLUDE REGEX "${pattern}")
+        if(NOT matching)
+            message(FATAL_ERROR "no source of ${target} is left that matches ${pattern}, which is to be compiled in "
+                                "${target}_${part}")
+        endif()
+        list(REMOVE_ITEM others ${matching})
+    endforeach()
     set(own ${all})
-    list(FILTER own INCLUDE REGEX "${regex}")
+    list(REMOVE_ITEM own ${others})
     list(REMOVE_ITEM all ${own})
     add_library(${target}_${part} OBJECT ${own})
     set_property(TARGET ${target} PROPERTY SOURCES ${all} $<TARGET_OBJECTS:${target}_${part}>)
@@ -80,11 +91,11 @@ function(smat_split target part regex)
     smat_configure_target(${target}_${part})
 endfunction()
 
-# smat_compile_loops(irsg_radiometry REGEX): of a target the sources whose long loops the compiler is to make
+# smat_compile_loops(irsg_radiometry PATTERN...): of a target the sources whose long loops the compiler is to make
 # vectors of. None of the flags changes a result; without contraction it is the same on processors with and
 # without fused multiply-add. (No -fassociative-math: it would break VectorExp.h.)
-function(smat_compile_loops target regex)
-    smat_split(${target} loops "${regex}")
+function(smat_compile_loops target)
+    smat_split(${target} loops ${ARGN})
     target_compile_options(${target}_loops PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O3> -fno-math-errno
                                                    -fno-trapping-math -ffp-contract=off)
 endfunction()
