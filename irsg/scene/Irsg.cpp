@@ -28,6 +28,11 @@ RenderedImage Irsg::render(bool errors) {
     return {std::move(made.image), std::move(made.reports.front())};
 }
 
+RenderedImage Irsg::image() {
+    Rendered made = renderer_->render(scene_, view_, {.image = true});
+    return {std::move(made.image), std::move(made.reports.front())};
+}
+
 RadianceImage Irsg::picture() {
     return renderer_->render(scene_, view_, {.image = true, .followed = true}).image;
 }

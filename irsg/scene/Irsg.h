@@ -47,6 +47,8 @@ class Irsg {
 
     /// Radiance image in W m-2 sr-1 with its report, whose sums have their errors on request.
     RenderedImage render(bool errors = false);
+    /// The image of render(), and of its report how it was drawn: no sums (Rendered::reports).
+    RenderedImage image();
     /// The image of render() alone, for a window that follows what is edited (Wanted::followed).
     RadianceImage picture();
     /// See Renderer::explainer; of the present values.

@@ -19,6 +19,9 @@ namespace {
 
 /// What the air's change over an object's extent may leave wrong without a word.
 constexpr double airErrorToTell = 0.0051;
+constexpr const char* sillsInSums =
+    "the published zoom (sills) is drawn in pictures alone: intensities, contrast and irradiances "
+    "of several objects or bands are those of aligned windows";
 constexpr const char* scatteringInSums =
     "scattering: images show the haze; intensities, contrast and irradiances of objects are those "
     "of their direct light";
@@ -113,7 +116,9 @@ void Renderer::Impl::renderImage(const Frame& frame, const Wanted& wanted, Rende
     });
     if (frame.scene.settings.scattering)
         scatter(frame, result.image, drawn.warnings);
-    if (wanted.reports) {
+    if (!wanted.reports) {
+        result.reports = {std::move(drawn)};
+    } else {
         // Sums are those of a sweep. Where it samples as the picture does, they are the picture's.
         const bool isPictures = frame.scene.entities.size() <= 1 && frame.bands.size() == 1 &&
                                 sumsSampleAsPictures(frame);
@@ -181,6 +186,10 @@ std::vector<RenderReport> Renderer::Impl::reports(const Frame& frame, const View
             report.totalIrradiance_W_m2 =
                 totalIrradiance_W_m2(frame, band, report.all.irradiance_W_m2);
         }
+        const RenderSettings& settings = frame.scene.settings;
+        if (settings.zoomWindow > 0 && settings.zoomStrategy == ZoomStrategy::sills)
+            for (RenderReport& report : all)
+                report.warnings.push_back(sillsInSums);
         if (frame.withErrors)
             addErrors(frame, factors, varying, all);
         return all;

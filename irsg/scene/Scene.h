@@ -74,8 +74,10 @@ struct Wanted {
 };
 
 struct Rendered {
-    RadianceImage image;               ///< "L"; with truth layers the other planes (TruthLayers.h)
-    std::vector<RenderReport> reports; ///< by band, then of the sources
+    RadianceImage image; ///< "L"; with truth layers the other planes (TruthLayers.h)
+    /// By band, then of the sources; of an image alone one, which says how it was drawn (windows,
+    /// warnings, layers left over) and has no sums.
+    std::vector<RenderReport> reports;
     IntensitySpectrum spectrum;
     std::vector<std::unique_ptr<const ScaledView>> scaled; ///< by band, or one of the spectrum
 };

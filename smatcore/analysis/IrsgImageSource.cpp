@@ -36,6 +36,7 @@ class IrsgImageSource : public ImageSource {
 
     irsg::RenderedImage render() override { return irsg_.render(); }
     irsg::RenderedImage renderWithErrors() override { return irsg_.render(true); }
+    irsg::RenderedImage renderImage() override { return irsg_.image(); }
     std::function<irsg::PixelExplanation(int x, int y)> explainer() override {
         return
             [this, ready = irsg_.explainer()](int x, int y) { return irsg_.explain(*ready, x, y); };

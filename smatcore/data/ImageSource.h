@@ -58,6 +58,9 @@ class ImageSource {
     virtual irsg::RenderedImage render() = 0;
     /// The same with the errors of its sums, where the source knows them.
     virtual irsg::RenderedImage renderWithErrors() { return render(); }
+    /// The same with a report that says how the image was drawn and need not have sums: for callers
+    /// that measure() several bands together.
+    virtual irsg::RenderedImage renderImage() { return render(); }
     /// Says what the pixels of render()'s image are made of: called with a column and a row, the
     /// top left pixel is 0, 0. Of what is set at present; it must not outlive this source.
     virtual std::function<irsg::PixelExplanation(int x, int y)> explainer() {

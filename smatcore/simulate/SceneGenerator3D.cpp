@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/NewLines.h"
 #include "smatcore/analysis/CaseChecks.h"
 #include "smatcore/analysis/ErrorColumns.h"
 
@@ -162,15 +163,37 @@ SensorFrame SceneGenerator3D::place(std::size_t sensor, double time_s, std::size
     return frame;
 }
 
+const std::vector<irsg::RenderReport>& SceneGenerator3D::sumsOf(const SensorFrame& placed) {
+    const std::pair moment(placed.sensor, placed.time_s);
+    if (sums_.of == moment)
+        return sums_.byBand;
+    sums_.of.reset();
+    const LoadedSensor& sensor = scenario_.sensors[placed.sensor];
+    const bool withErrors = errorColumnsOf(sensor.settings) != ErrorColumns::none;
+    sums_.byBand = source_.beginMeasure({sensor.scene.allBands(), false, false, withErrors})();
+    sums_.of = moment;
+    return sums_.byBand;
+}
+
+irsg::RenderedImage SceneGenerator3D::render(const SensorFrame& placed) {
+    const LoadedSensor& sensor = scenario_.sensors[placed.sensor];
+    if (sensor.scene.allBands().size() == 1)
+        return errorColumnsOf(sensor.settings) == ErrorColumns::none ? source_.render()
+                                                                     : source_.renderWithErrors();
+    irsg::RenderReport sums = sumsOf(placed).at(placed.band);
+    irsg::RenderedImage rendered = source_.renderImage();
+    sums.windows = std::move(rendered.report.windows);
+    irsg::addNew(sums.warnings, rendered.report.warnings);
+    sums.layersLeftOver = rendered.report.layersLeftOver;
+    rendered.report = std::move(sums);
+    return rendered;
+}
+
 SensorFrame SceneGenerator3D::frame(std::size_t sensor, double time_s, std::size_t band) {
     SensorFrame frame = place(sensor, time_s, band);
-    if (errorColumnsOf(scenario_.sensors[sensor].settings) == ErrorColumns::none) {
-        frame.rendered = source_.render();
-    } else {
-        frame.rendered = source_.renderWithErrors();
-        if (const auto& errors = frame.rendered.report.all.errors)
-            describeErrors(*errors, frame.rendered.image);
-    }
+    frame.rendered = render(frame);
+    if (const auto& errors = frame.rendered.report.all.errors)
+        describeErrors(*errors, frame.rendered.image);
 
     // Back from those that were drawn to all of them.
     std::size_t drawn = 0;

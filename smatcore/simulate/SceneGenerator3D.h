@@ -40,7 +40,8 @@ class SceneGenerator3D {
     /// Puts everybody where they are as this sensor sees them: what the renderer does next is of
     /// that moment. A frame without its drawing. LogicError where the sensor does not see.
     SensorFrame place(std::size_t sensor, double time_s, std::size_t band = 0);
-    /// The same with its drawing. Throws InputError as the renderer does.
+    /// The same with its drawing, whose sums of several bands are from the same drawings, as those
+    /// of sweeps are. Throws InputError as the renderer does.
     SensorFrame frame(std::size_t sensor, double time_s, std::size_t band = 0);
 
   private:
@@ -48,6 +49,10 @@ class SceneGenerator3D {
     std::optional<irsg::Viewpoint> viewpoint(std::size_t sensor, double time_s) const;
     /// Makes the renderer hold the entities that are there, as this sensor sees them.
     void select(std::size_t sensor, std::size_t band, const std::vector<bool>& isThere);
+    /// The picture of what was placed, with the sums of its band.
+    irsg::RenderedImage render(const SensorFrame& placed);
+    /// Of all bands of a sensor, as it was placed.
+    const std::vector<irsg::RenderReport>& sumsOf(const SensorFrame& placed);
 
     const LoadedScenario& scenario_;
     ImageSource& source_;
@@ -55,6 +60,10 @@ class SceneGenerator3D {
     std::vector<bool> isThere_;               ///< what the renderer holds
     /// Whose settings it has, and the band among them.
     std::optional<std::pair<std::size_t, std::size_t>> selected_;
+    struct {
+        std::optional<std::pair<std::size_t, double>> of; ///< sensor and time, s
+        std::vector<irsg::RenderReport> byBand;
+    } sums_; ///< of the moment that was asked for last
 };
 
 } // namespace smat

@@ -34,22 +34,35 @@ class NotingSource : public test::GreySphere {
         scene.environment = given.environment;
         scene.render = given.render;
     }
-    irsg::RenderedImage render() override {
-        irsg::RenderedImage rendered{
-            irsg::RadianceImage(scene.sensor.width_px, scene.sensor.height_px), {}};
+    irsg::RenderReport measure() override {
+        irsg::RenderReport report;
         for (std::size_t i = 0; i < scene.entities.size(); ++i) {
             irsg::ObjectRadiometry object;
             object.name = scene.entities[i].name;
             object.range_m = irsg::length(poses[i].position_m - viewpoint.position_m);
             object.intensity_W_sr = states[i].power;
             object.coveredPixels = static_cast<double>(i + 1);
-            rendered.report.objects.push_back(object);
+            report.objects.push_back(object);
         }
-        rendered.report.answeredBy = {"transmittance: closed form"};
+        report.answeredBy = {"transmittance: closed form"};
+        return report;
+    }
+    std::vector<irsg::RenderReport> measure(const std::vector<irsg::Band>& bands) override {
+        ++measured;
+        return AnalyticSource::measure(bands);
+    }
+    irsg::RenderedImage render() override { return {image(), measure()}; }
+    irsg::RenderedImage renderImage() override {
+        irsg::RenderedImage rendered{image(), {}};
+        rendered.report.warnings = {"a window of its own"};
         return rendered;
     }
+    irsg::RadianceImage image() {
+        ++images;
+        return {scene.sensor.width_px, scene.sensor.height_px};
+    }
 
-    int configurations = 0;
+    int configurations = 0, measured = 0, images = 0;
 };
 
 class ASimulation : public testing::Test {
@@ -149,6 +162,11 @@ TEST_F(ASimulation, ASensorOfSeveralBandsHasAFrameAndColumnsForEach) {
         EXPECT_NE(table.find(key), nullptr) << key;
     }
     EXPECT_NEAR(table.find("mover.intensity@8-12um")->values[1], 0.4, 1e-12);
+    // A picture each, and the sums of all of a step together.
+    EXPECT_EQ(source.images, 4);
+    EXPECT_EQ(source.measured, 2);
+    EXPECT_THAT(result.sensors[0].warnings, Contains(HasSubstr("a window of its own")));
+    EXPECT_THAT(result.sensors[0].answeredBy, ElementsAre("transmittance: closed form"));
     const FrameFiles files(loaded, folder / "out", {".exr"}, "");
     EXPECT_EQ(files.frameFile(0, 7, ".exr", 1).filename(), "frame_000007@8-12um.exr");
     EXPECT_EQ(files.frameFile(1, 7, ".exr").filename(), "frame_000007.exr");

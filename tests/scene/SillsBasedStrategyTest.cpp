@@ -191,6 +191,23 @@ TEST(PublishedZoom, DrawsObjectsAboveItsSizeAsTheyAreAndSaysSo) {
     EXPECT_THAT(report.warnings, testing::Contains(testing::HasSubstr("threshold is 64")));
 }
 
+TEST(PublishedZoom, SaysWhereSumsAreThoseOfAlignedWindows) {
+    Irsg& irsg = generator(ZoomStrategy::sills);
+    const Entity sphere = entityOf(modelOf(sphereMesh(1.0, 12, 24, one)), greyDatabase(0.9, 320.0));
+    irsg.setEntities({sphere});
+    look(irsg, viewOf(2.0, 12.0));
+    const auto isSaid = testing::Contains(testing::HasSubstr("drawn in pictures alone"));
+    EXPECT_THAT(irsg.render().report.warnings, testing::Not(isSaid)); // sums of its own pixels
+    for (const RenderReport& report : irsg.measure({Band::topHat(3, 5), Band::topHat(8, 12)})) {
+        EXPECT_THAT(report.warnings, isSaid);
+    }
+    irsg.setEntities({sphere, sphere});
+    look(irsg, viewOf(2.0, 12.0));
+    EXPECT_THAT(irsg.render().report.warnings, isSaid);
+    generator(ZoomStrategy::aligned);
+    EXPECT_THAT(irsg.render().report.warnings, testing::Not(isSaid));
+}
+
 TEST(PublishedZoom, MayBeExchangedFromFrameToFrame) {
     Irsg& irsg = generator(ZoomStrategy::aligned);
     irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 48, 96, one)), greyDatabase(0.9, 320.0))});
