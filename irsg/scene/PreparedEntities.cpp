@@ -91,7 +91,7 @@ std::shared_ptr<const BodyLight> PreparedModel::lightBetween(const PieceUses& us
     LightResolution resolution;
     resolution.edgePerDistance *= std::clamp(std::sqrt(error / usualError), 0.25, 2.0);
     if (isAmongOthers)
-        resolution.longestEdge_m = 2.0 * ball.radius_m / 16.0;
+        resolution.longestEdge_m = 2.0 * boundingSphere.radius_m / 16.0;
     auto mesh = std::make_shared<const LightMesh>(forRays(), uses, resolution);
     auto nodes = std::make_shared<const LightNodes>(std::move(mesh), resolution);
     auto made = std::make_shared<const BodyLight>(std::move(nodes), uses, error);
@@ -120,8 +120,8 @@ void PreparedEntities::keep(const std::vector<Entity>& entities) {
         PreparedModel& made = models_.emplace_back();
         made.model = entity.model;
         made.items = collectDrawItems(*entity.model);
-        made.ball = boundingSphere(made.items, entity.model->bounds());
-        made.longEdges = longEdges(made.items, made.ball.radius_m);
+        made.boundingSphere = boundingSphere(made.items, entity.model->bounds());
+        made.longEdges = longEdges(made.items, made.boundingSphere.radius_m);
         made.items = inDrawPieces(made.items);
     }
 }

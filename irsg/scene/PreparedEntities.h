@@ -19,7 +19,7 @@ namespace irsg {
 struct PreparedModel {
     std::shared_ptr<const Model> model;
     std::vector<DrawItem> items;
-    BoundingSphere ball;
+    BoundingSphere boundingSphere;
     std::vector<ModelEdge> longEdges;
     HotParts hotParts;
     std::shared_ptr<const RayMesh> rayMesh{}; ///< of the items, made when rays are asked for

@@ -108,8 +108,8 @@ ViewFactors Renderer::Impl::drawAlone(const Frame& frame, int entity, const Came
     FactorSums sums(camera.sensor(), rows, fronts, terms.factorCount(), {}, frame.exchange,
                     frame.withErrors);
     ViewFactors view = sums.emptyView();
-    auto seen =
-        zoomEntityInfo(entity, camera, own.model->bounds(), prepared.of(own).ball, own.pose);
+    auto seen = zoomEntityInfo(entity, camera, own.model->bounds(), prepared.of(own).boundingSphere,
+                               own.pose);
     if (!seen)
         return view;
     seen->details = detailsOf(frame, camera, entity);

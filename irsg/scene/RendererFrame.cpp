@@ -62,8 +62,8 @@ bool Renderer::Impl::Frame::isTransparent() const {
 }
 
 double Renderer::Impl::reachOf_m(const Entity& entity) {
-    const BoundingSphere& ball = prepared.of(entity).ball;
-    return ball.radius_m + length(ball.centre_m - prepared.referencePoint(entity));
+    const BoundingSphere& sphere = prepared.of(entity).boundingSphere;
+    return sphere.radius_m + length(sphere.centre_m - prepared.referencePoint(entity));
 }
 
 std::vector<ObjectGeometry> Renderer::Impl::geometry(const Scene& scene, const SensorView& view) {
@@ -238,8 +238,8 @@ void Renderer::Impl::fillItems(Frame& frame) {
     for (int e = 0; e < static_cast<int>(frame.scene.entities.size()); ++e) {
         const Entity& entity = frame.entity(e);
         const PreparedModel& model = prepared.of(entity);
-        const auto seen =
-            zoomEntityInfo(e, frame.camera, entity.model->bounds(), model.ball, entity.pose);
+        const auto seen = zoomEntityInfo(e, frame.camera, entity.model->bounds(),
+                                         model.boundingSphere, entity.pose);
         if (!seen)
             continue;
         frame.seen.push_back(*seen);

@@ -50,9 +50,9 @@ void Renderer::Impl::warnOfHazeFromOutside(const Frame& frame, int support_px,
                               static_cast<double>(sensor.height_px)};
     const ImageRectangle near{-reach, -reach, seen.right + reach, seen.bottom + reach};
     for (const Entity& entity : frame.scene.entities) {
-        const BoundingSphere& ball = prepared.of(entity).ball;
+        const BoundingSphere& sphere = prepared.of(entity).boundingSphere;
         const auto extent =
-            frame.camera.extentOfBall(entity.pose.toWorld(ball.centre_m), ball.radius_m);
+            frame.camera.extentOfSphere(entity.pose.toWorld(sphere.centre_m), sphere.radius_m);
         const auto box = frame.camera.extentOf(entity.model->bounds(), entity.pose);
         if (!extent || !box)
             continue;

@@ -114,9 +114,9 @@ TEST(ZoomCamera, MeasuresTheTrueBall) {
     sensor.width_px = sensor.height_px = 100;
     sensor.horizontalFieldOfView_rad = 2.0 * std::atan(50 * pixel_rad);
     const CameraFrame camera(sensor, Viewpoint::lookAt({0, 0, 0}, {0, 1, 0}));
-    EXPECT_NEAR(ballDiameter_px(camera, {0, 1000, 0}, 1.0), 20.0, 1e-4);
-    EXPECT_NEAR(ballDiameter_px(camera, {0, 60000, 0}, 1.0), 1.0 / 3.0, 1e-6);
-    EXPECT_TRUE(std::isinf(ballDiameter_px(camera, {0, 0.5, 0}, 1.0)));
+    EXPECT_NEAR(sphereDiameter_px(camera, {0, 1000, 0}, 1.0), 20.0, 1e-4);
+    EXPECT_NEAR(sphereDiameter_px(camera, {0, 60000, 0}, 1.0), 1.0 / 3.0, 1e-6);
+    EXPECT_TRUE(std::isinf(sphereDiameter_px(camera, {0, 0.5, 0}, 1.0)));
     EXPECT_EQ(nextPowerOfTwo(0.01), 2);
     EXPECT_EQ(nextPowerOfTwo(20.0), 32);
     EXPECT_EQ(nextPowerOfTwo(64.0), 64);

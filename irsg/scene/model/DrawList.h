@@ -23,7 +23,7 @@ struct DrawItem {
 /// detailed child at every range, switches their active ones.
 std::vector<DrawItem> collectDrawItems(const Model& model);
 
-/// A ball about the centre of a model's bounding box that holds all its vertices.
+/// A sphere about the centre of a model's bounding box that holds all its vertices.
 struct BoundingSphere {
     Vec3 centre_m; ///< model axes
     double radius_m = 0.0;

@@ -12,8 +12,8 @@ struct ModelEdge {
 };
 
 /// The longest edges of a model, longest first: those of at least `longFrom` of the radius of its
-/// ball that end a surface, bend it or part two pairs of codes, at most `mostLongEdges`. A body of
-/// few faces has some, a finely tessellated one none. They are what the lattice of a window is
+/// sphere that end a surface, bend it or part two pairs of codes, at most `mostLongEdges`. A body
+/// of few faces has some, a finely tessellated one none. They are what the lattice of a window is
 /// chosen by (SampleLattice).
 std::vector<ModelEdge> longEdges(const std::vector<DrawItem>& items, double radius_m);
 inline constexpr double longFrom = 0.25;

@@ -35,7 +35,8 @@ struct PointAspect {
 class PointSources {
   public:
     static constexpr double directionStep = 1e-4; ///< of the components of a unit vector
-    /// Where the camera stands that draws an object, in radii of its ball: the rays are parallel.
+    /// Where the camera stands that draws an object, in radii of its bounding sphere: the rays are
+    /// parallel.
     static constexpr double cameraDistance_radii = 1e6;
 
     /// The nearest direction on a grid.

@@ -20,7 +20,7 @@ namespace irsg {
 struct ObjectGeometry {
     AtmosphericPath path;         ///< sensor to reference point
     double aspectAngle_rad = 0.0; ///< nose axis to the direction reference point -> sensor
-    /// Distances from the sensor that a ball about the reference point spans which holds the
+    /// Distances from the sensor that a sphere about the reference point spans which holds the
     /// object, m.
     double nearest_m = 0.0, farthest_m = 0.0;
     SliceNodes slices_m; ///< of less than two nodes: the air is that of the reference point

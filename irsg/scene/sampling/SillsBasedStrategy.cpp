@@ -61,7 +61,7 @@ FrameReduction SillsBasedStrategy::draw(const CameraFrame& camera,
         return length(object.centre_m - camera.viewpoint().position_m);
     });
     for (const ZoomEntityInfo& object : farToNear) {
-        const double diameter_px = ballDiameter_px(camera, object.centre_m, object.radius_m);
+        const double diameter_px = sphereDiameter_px(camera, object.centre_m, object.radius_m);
         if (lod_.usesTexture(object.entity, diameter_px))
             drawTexture(camera, object, pass, frame);
         else
@@ -73,7 +73,7 @@ FrameReduction SillsBasedStrategy::draw(const CameraFrame& camera,
 void SillsBasedStrategy::drawTexture(const CameraFrame& camera, const ZoomEntityInfo& object,
                                      RttPass& pass, FrameReduction& frame) {
     // Phase 1: a camera of its own. Phase 2: averages.
-    const double diameter_px = ballDiameter_px(camera, object.centre_m, object.radius_m);
+    const double diameter_px = sphereDiameter_px(camera, object.centre_m, object.radius_m);
     const int side_px = std::min(nextPowerOfTwo(diameter_px), size_);
     const CameraFrame zoom = zoomCamera(camera, object.centre_m, side_px, size_);
     RadianceSamples samples;

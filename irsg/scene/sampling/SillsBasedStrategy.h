@@ -7,8 +7,8 @@
 namespace irsg {
 
 /// Zoom antialiasing as published (report section 6), to be compared with: each object is drawn by
-/// a camera that looks at its ball, into a square of `size` samples; averages of 2 x 2 and 4 x 4
-/// bring it to the ball's size in pixels rounded up to a power of two; a square that faces the
+/// a camera that looks at its sphere, into a square of `size` samples; averages of 2 x 2 and 4 x 4
+/// bring it to the sphere's size in pixels rounded up to a power of two; a square that faces the
 /// camera carries it, bilinearly sampled at the middles of the sensor's pixels. Objects lie before
 /// one another by the distance of their centres. One that is wider than `size` pixels is drawn as
 /// it is.

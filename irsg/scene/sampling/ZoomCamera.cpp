@@ -5,7 +5,7 @@
 
 namespace irsg {
 
-double ballDiameter_px(const CameraFrame& camera, const Vec3& centre_m, double radius_m) {
+double sphereDiameter_px(const CameraFrame& camera, const Vec3& centre_m, double radius_m) {
     const double distance_m = length(centre_m - camera.viewpoint().position_m);
     if (distance_m <= radius_m)
         return std::numeric_limits<double>::infinity();
@@ -60,13 +60,13 @@ std::optional<std::pair<double, double>> Billboard::at(const CameraFrame& camera
 }
 
 PixelWindow Billboard::pixels(const CameraFrame& camera) const {
-    // A ball around the square bounds it.
+    // A sphere around the square bounds it.
     const double reach_m = std::sqrt(2.0) * half_m_;
     const Sensor& sensor = camera.sensor();
     ImageRectangle extent{0.0, 0.0, static_cast<double>(sensor.width_px),
                           static_cast<double>(sensor.height_px)};
-    if (const auto ball = camera.extentOfBall(centre_m_, reach_m))
-        extent = extent.intersectedWith(*ball);
+    if (const auto sphere = camera.extentOfSphere(centre_m_, reach_m))
+        extent = extent.intersectedWith(*sphere);
     if (extent.empty())
         return {};
     const int x = static_cast<int>(std::floor(extent.left));

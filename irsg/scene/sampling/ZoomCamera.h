@@ -4,9 +4,9 @@
 
 namespace irsg {
 
-/// Diameter of a ball in pixels of a sensor whose optical axis points at it: the true ball, not
+/// Diameter of a sphere in pixels of a sensor whose optical axis points at it: the true sphere, not
 /// that of the box around it. Infinite for a camera inside.
-double ballDiameter_px(const CameraFrame& camera, const Vec3& centre_m, double radius_m);
+double sphereDiameter_px(const CameraFrame& camera, const Vec3& centre_m, double radius_m);
 
 /// The smallest power of two not below a number of pixels, at least 2.
 int nextPowerOfTwo(double pixels);

@@ -14,7 +14,7 @@ struct ZoomEntityInfo {
     int entity = 0;
     /// Holds every pixel the object can touch; the part inside the frame.
     ImageRectangle extent;
-    /// A ball around it in the world.
+    /// A sphere around it in the world.
     Vec3 centre_m;
     double radius_m = 0.0;
     /// Parts of the extent that are worth samples of their own (HotParts).
@@ -23,11 +23,11 @@ struct ZoomEntityInfo {
     std::vector<ImageEdge> edges{};
 };
 
-/// The extent of a model at `pose` is the intersection of those of its box and its ball. Nothing
+/// The extent of a model at `pose` is the intersection of those of its box and its sphere. Nothing
 /// where it lies behind the camera or outside the frame; the whole frame where it reaches behind
 /// the camera.
 std::optional<ZoomEntityInfo> zoomEntityInfo(int entity, const CameraFrame& camera,
-                                             const BoundingBox& box, const BoundingSphere& ball,
+                                             const BoundingBox& box, const BoundingSphere& sphere,
                                              const Pose& pose);
 
 } // namespace irsg

@@ -19,8 +19,8 @@ constexpr std::uint32_t raysToSun = 16;
 /// Of the error that is asked for: bodies that fill less of a hemisphere are left out.
 constexpr double negligibleSize = 0.02;
 
-/// A ball in the world.
-struct Ball {
+/// A bounding sphere in the world.
+struct Sphere {
     Vec3 centre_m;
     double radius_m = 0.0;
 
@@ -47,7 +47,7 @@ struct LightExchange::Making {
     const std::vector<SunShadows::Caster>& casters;
     const LightSources& sources;
     std::vector<Rotation> toWorld{}, toMesh{};    ///< by caster
-    std::vector<Ball> balls{};                    ///< by body
+    std::vector<Sphere> spheres{};                ///< by body
     std::vector<std::vector<std::size_t>> near{}; ///< bodies that a body may see
     std::vector<bool> meetsTerrain{};             ///< by body
     const SunShadows::Caster* terrain = nullptr;
@@ -96,20 +96,21 @@ LightExchange::LightExchange(std::vector<Body> bodies,
         }
     }
     for (std::size_t b = 0; b < bodies_.size(); ++b)
-        making.balls.push_back(
+        making.spheres.push_back(
             {casters[b].pose.toWorld(bodies_[b].box.centre()), 0.5 * bodies_[b].box.diagonal_m()});
     for (std::size_t a = 0; a < bodies_.size(); ++a) {
         std::vector<std::size_t>& near = making.near.emplace_back();
         for (std::size_t b = 0; b < bodies_.size(); ++b) {
-            const Ball &own = making.balls[a], &other = making.balls[b];
+            const Sphere &own = making.spheres[a], &other = making.spheres[b];
             if (a != b &&
                 areNear(own.centre_m, own.radius_m, other.centre_m, other.radius_m, error))
                 near.push_back(b);
         }
     }
     const double top_m = making.terrain ? making.terrainTop_m() : 0.0;
-    for (const Ball& ball : making.balls)
-        making.meetsTerrain.push_back(making.terrain && top_m > ball.centre_m.z - ball.radius_m);
+    for (const Sphere& sphere : making.spheres)
+        making.meetsTerrain.push_back(making.terrain &&
+                                      top_m > sphere.centre_m.z - sphere.radius_m);
     number(casters);
     takePairs(making);
     takeLight(making);
@@ -307,7 +308,7 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
             return isMet && hit.distance_m < nearest_m;
         };
         for (const std::size_t other : making.near[body])
-            if (making.balls[other].isMetBy(from_m, along) && isBefore(other)) {
+            if (making.spheres[other].isMetBy(from_m, along) && isBefore(other)) {
                 nearest_m = hit.distance_m;
                 place = bodies_[other].light->mesh().placeOf(hit);
                 metBody = other;

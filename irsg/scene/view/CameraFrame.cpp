@@ -104,10 +104,10 @@ std::optional<std::pair<double, double>> CameraFrame::placeOf(const Vec3& world_
     return std::pair{column(eye.x / -eye.z), row(eye.y / -eye.z)};
 }
 
-std::optional<ImageRectangle> CameraFrame::extentOfBall(const Vec3& centre_m,
-                                                        double radius_m) const {
+std::optional<ImageRectangle> CameraFrame::extentOfSphere(const Vec3& centre_m,
+                                                          double radius_m) const {
     const Vec3 eye = toEye(centre_m - viewpoint_.position_m);
-    // Seen from above and from the side, the ball is a circle between two tangents.
+    // Seen from above and from the side, the sphere is a circle between two tangents.
     const auto tangents = [&](double sideways, double& low, double& high) {
         const double distance = std::hypot(sideways, eye.z);
         if (distance <= radius_m)

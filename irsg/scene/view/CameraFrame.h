@@ -37,8 +37,8 @@ class CameraFrame {
     /// Where a point of the world is seen, pixels to the right and down of the frame's corner,
     /// inside the frame or not; nothing when it is not before the camera.
     std::optional<std::pair<double, double>> placeOf(const Vec3& world_m) const;
-    /// The extent of a ball in the world.
-    std::optional<ImageRectangle> extentOfBall(const Vec3& centre_m, double radius_m) const;
+    /// The extent of a sphere in the world.
+    std::optional<ImageRectangle> extentOfSphere(const Vec3& centre_m, double radius_m) const;
     /// Depths the box spans, or nothing when all of it is behind the camera.
     std::optional<DepthRange> depthOf(const BoundingBox& box, const Pose& pose) const;
 
