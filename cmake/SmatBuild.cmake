@@ -45,21 +45,21 @@ option(SMAT_LIGHT "Compile what does not compute with -Og" OFF)
 # smat_compile_lightly(smat_core): a target that computes nothing itself.
 # smat_compile_lightly(irsg_scene FILES PATTERN...): of a target the sources that match one of the patterns.
 # smat_compile_lightly(smat_gui EXCEPT PATTERN...): all others.
+# What is split off stays so where everything is compiled alike: files that are compiled together are the same in
+# every preset.
 function(smat_compile_lightly target)
     cmake_parse_arguments(ARG "" "" "FILES;EXCEPT" ${ARGN})
-    if(NOT SMAT_LIGHT)
-        return()
-    endif()
+    set(light ${target})
     if(ARG_FILES)
         smat_split(${target} light ${ARG_FILES})
-        smat_compile_lightly(${target}_light)
-        return()
-    endif()
-    if(ARG_EXCEPT)
+        set(light ${target}_light)
+    elseif(ARG_EXCEPT)
         smat_split(${target} swift ${ARG_EXCEPT})
     endif()
-    # What gcc then takes to be used uninitialised is set, on paths that it no longer follows.
-    target_compile_options(${target} PRIVATE -Og $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+    if(SMAT_LIGHT)
+        # What gcc then takes to be used uninitialised is set, on paths that it no longer follows.
+        target_compile_options(${light} PRIVATE -Og $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+    endif()
 endfunction()
 
 # smat_split(irsg_atmosphere loops PATTERN...) makes of the sources that match a pattern an object library,
