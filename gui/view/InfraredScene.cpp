@@ -10,23 +10,6 @@
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
-namespace {
-
-/// What an environment is made of, but for the sun where the project sets it.
-std::string environmentKeyOf(const InfraredRequest& request) {
-    const Settings& settings = request.settings;
-    std::string key = request.project->file.string();
-    for (const std::string_view name : std::initializer_list<std::string_view>{
-             key::environmentAtmospheres, key::environmentAmbientTemperature, key::environmentBins,
-             key::environmentDayOfYear})
-        key += "|" + settings.text(name);
-    for (const std::string_view name : std::initializer_list<std::string_view>{
-             key::environmentSunAzimuth, key::environmentSunElevation})
-        key += settings.isSet(name) ? "|set" : "|file";
-    return key;
-}
-
-} // namespace
 
 const irsg::ImageChannel& InfraredPicture::plane() const {
     const auto* temperature = image->find(irsg::apparentTemperatureChannel);
@@ -84,7 +67,8 @@ InfraredPicture InfraredScene::draw(const InfraredRequest& request) {
 
 const irsg::Environment& InfraredScene::environment(const InfraredRequest& request) {
     const Settings& settings = request.settings;
-    if (const std::string key = environmentKeyOf(request); key != environmentKey_) {
+    if (const std::string key = environmentKey(*request.project, settings);
+        key != environmentKey_) {
         environmentKey_.clear();
         environment_ = environmentOf(*request.project, settings);
         environmentKey_ = key;

@@ -1,6 +1,7 @@
 #include "smatcore/project/SceneBuilder.h"
 
 #include <filesystem>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -172,6 +173,62 @@ TEST_F(SceneBuilderTest, AnEnvironmentFileBringsItsAtmospheresSunAndBackground) 
     ASSERT_EQ(smart.atmospheres().size(), 1u);
     EXPECT_NEAR(smart.sun.azimuth_rad, irsg::pi, 1e-15);
     EXPECT_FALSE(smart.defaultBackground);
+}
+
+/// Another text than that in effect.
+std::string otherThan(const SettingInfo& setting, const Settings& settings) {
+    using enum SettingKind;
+    std::vector<std::string> candidates = setting.choices;
+    if (setting.kind == boolean) {
+        candidates = {"false", "true"};
+    } else if (setting.kind == band) {
+        candidates = {"3-4", "4-5"};
+    } else if (setting.kind == path || setting.kind == pathList) {
+        candidates = {"one.file", "another.file"};
+    } else if (setting.kind != choice) {
+        candidates = {irsg::numberText(setting.minimum), irsg::numberText(setting.maximum)};
+    }
+    return candidates.front() != settings.text(setting.key) ? candidates.front()
+                                                            : candidates.back();
+}
+
+TEST_F(SceneBuilderTest, TheKeyOfAnEnvironmentChangesWithEverySettingThatItIsMadeOf) {
+    // What else stands in that section; all settings of other sections are not of the environment.
+    const std::set<std::string> besideTheAir = {
+        "environment.skybox",      "environment.skyboxSlope",  "environment.skyboxOffset",
+        "environment.terrain",     "environment.terrainSlope", "environment.terrainOffset",
+        "environment.terrainEast", "environment.terrainNorth", "environment.terrainAltitude"};
+    std::size_t found = 0;
+    for (const SettingInfo& setting : settingTable()) {
+        found += besideTheAir.count(setting.key);
+        const std::string before = environmentKey(project, project.settings);
+        const std::string value = otherThan(setting, project.settings);
+        project.settings.set(setting.key, value);
+        EXPECT_EQ(environmentKey(project, project.settings) != before,
+                  setting.section() == "environment" && !besideTheAir.contains(setting.key))
+            << setting.key << " " << value;
+    }
+    EXPECT_EQ(found, besideTheAir.size());
+    // Files are named from where the project stands.
+    Project elsewhere = project;
+    elsewhere.file = folder / "elsewhere" / "p.smat";
+    EXPECT_NE(environmentKey(elsewhere, project.settings),
+              environmentKey(project, project.settings));
+}
+
+// The place of the sun that is set costs no reading of the air.
+TEST_F(SceneBuilderTest, TheKeyOfAnEnvironmentSaysOfTheSunWhetherItsPlaceIsSet) {
+    Settings& settings = project.settings;
+    for (const char* name : {"environment.sunAzimuth", "environment.sunElevation"}) {
+        const std::string unset = environmentKey(project, settings);
+        settings.set(name, "10");
+        const std::string set = environmentKey(project, settings);
+        EXPECT_NE(set, unset) << name;
+        settings.set(name, "20");
+        EXPECT_EQ(environmentKey(project, settings), set) << name;
+        settings.reset(name);
+        EXPECT_EQ(environmentKey(project, settings), unset) << name;
+    }
 }
 
 TEST_F(SceneBuilderTest, AProjectWithoutModelsIsRefused) {
