@@ -96,26 +96,20 @@ void InfraredScene::update(const InfraredRequest& request) {
             builder_.forgetModels();
     }
     builder_.setDatabaseOverrides(request.edited);
-    const SceneDescription scene =
+    SceneDescription scene =
         builder_.build(*request.project, request.settings, &environment(request));
 
-    irsg::Sensor sensor = scene.sensor;
-    sensor.width_px = request.size_px.width();
-    sensor.height_px = request.size_px.height();
-    sensor.horizontalFieldOfView_rad = request.horizontalFieldOfView_rad;
-    irsg::RenderSettings render = scene.render;
-    render.truthLayers = false;
+    scene.sensor.width_px = request.size_px.width();
+    scene.sensor.height_px = request.size_px.height();
+    scene.sensor.horizontalFieldOfView_rad = request.horizontalFieldOfView_rad;
+    scene.render.truthLayers = false;
     if (request.coarse) {
-        render.zoomWindow = 0;
-        render.samplesPerAxis = 1;
+        scene.render.zoomWindow = 0;
+        scene.render.samplesPerAxis = 1;
     }
     if (request.direct)
-        render.bounces = 0;
-    irsg_.setEnvironment(scene.environment);
-    irsg_.setSensor(sensor);
-    irsg_.setSettings(render);
-    irsg_.setSkybox(scene.skybox);
-    irsg_.setTerrain(scene.terrain);
+        scene.render.bounces = 0;
+    setView(irsg_, scene);
     irsg_.setEntities(scene.entities);
     irsg_.setViewpoint(request.camera.viewpoint(irsg_.referencePoint(0), request.targetYaw_rad));
 }

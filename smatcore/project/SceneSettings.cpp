@@ -146,12 +146,11 @@ std::vector<std::string> bandLabels(const std::vector<irsg::Band>& bands) {
 }
 
 irsg::Sensor sensorOf(const Project& project, const Settings& settings) {
-    irsg::Sensor sensor{.width_px = settings[key::sensorWidth],
-                        .height_px = settings[key::sensorHeight],
-                        .horizontalFieldOfView_rad = irsg::radians(settings[key::sensorFov]),
-                        .band = bandOf(project, eachBand(settings).front())};
-    sensor.check();
-    return sensor;
+    // The settings' own ranges are within those of the sensor, which every picture checks.
+    return {.width_px = settings[key::sensorWidth],
+            .height_px = settings[key::sensorHeight],
+            .horizontalFieldOfView_rad = irsg::radians(settings[key::sensorFov]),
+            .band = bandOf(project, eachBand(settings).front())};
 }
 
 irsg::RenderSettings renderSettingsOf(const Settings& settings) {

@@ -12,6 +12,7 @@
 #include "irsg/scene/background/Terrain.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/support/TextFile.h"
+#include "tests/support/Refusal.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace smat {
@@ -229,6 +230,43 @@ TEST_F(SceneBuilderTest, TheKeyOfAnEnvironmentSaysOfTheSunWhetherItsPlaceIsSet) 
         settings.reset(name);
         EXPECT_EQ(environmentKey(project, settings), unset) << name;
     }
+}
+
+TEST_F(SceneBuilderTest, EverySensorThatSettingsTakeIsOneThatARendererTakes) {
+    for (const char* name : {"sensor.width", "sensor.height", "sensor.fov"}) {
+        const SettingInfo& info = settingInfo(name);
+        for (const double value : {info.minimum, info.maximum}) {
+            Settings settings;
+            settings.set(name, irsg::numberText(value));
+            EXPECT_NO_THROW(sensorOf(project, settings).check()) << name << " " << value;
+            // What is beyond is refused by its name.
+            const double beyond = value == info.minimum ? 0.0 : 2.0 * value;
+            EXPECT_THAT(test::refusalOf([&] { settings.set(name, irsg::numberText(beyond)); }),
+                        testing::HasSubstr(name));
+        }
+    }
+}
+
+TEST_F(SceneBuilderTest, ARendererIsGivenAllOfASceneButItsEntities) {
+    SceneDescription scene;
+    scene.environment.defaultAmbient_K = 251.0;
+    scene.sensor.width_px = 17;
+    scene.render.backgroundRows = 5;
+    const std::filesystem::path valley = SMAT_SOURCE_DIR "/samples/valley";
+    Settings settings;
+    settings.set("environment.skybox", (valley / "sky").string());
+    settings.set("environment.terrain", (valley / "valley.osgb").string());
+    SceneBuilder builder;
+    scene.skybox = builder.skybox(project, settings);
+    scene.terrain = builder.terrain(project, settings);
+    irsg::Irsg irsg;
+    setView(irsg, scene);
+    EXPECT_EQ(irsg.environment().defaultAmbient_K, 251.0);
+    EXPECT_EQ(irsg.sensor().width_px, 17);
+    EXPECT_EQ(irsg.settings(), scene.render);
+    EXPECT_EQ(irsg.scene().skybox, scene.skybox);
+    EXPECT_EQ(irsg.scene().terrain, scene.terrain);
+    EXPECT_TRUE(irsg.entities().empty());
 }
 
 TEST_F(SceneBuilderTest, AProjectWithoutModelsIsRefused) {
