@@ -11,6 +11,7 @@
 #include "gui/project/ProjectFiles.h"
 #include "gui/scenario/ScenarioPages.h"
 #include "gui/workbench/Workbench.h"
+#include "smatcore/analysis/ResultFile.h"
 
 namespace smat::gui {
 
@@ -26,7 +27,10 @@ FileOpening::FileOpening(QWidget* window, const Workbench& workbench, Dialogs& d
       results_(results) {
     openWith({"json"},
              [&scenarios](const std::filesystem::path& file) { return scenarios.open(file); });
-    openWith({"csv", "json", "exr", "txt", "dat"},
+    QStringList ofResults;
+    for (const std::string& extension : readableResultExtensions())
+        ofResults << QString::fromStdString(extension).mid(1);
+    openWith(ofResults,
              [this](const std::filesystem::path& file) { return results_.openResult(file); });
 }
 
@@ -91,8 +95,8 @@ void FileOpening::choose() {
         window_, tr("Open a project, a model, a scenario, air, a result or an image"),
         {tr("All that can be opened (%1)").arg("*.smat " + models + " *.json *.xml " + images),
          tr("Projects (*.smat)"), tr("Models (%1)").arg(models), tr("Scenarios (*.json)"),
-         tr("Air (*.xml)"), tr("Results (*.csv *.json *.exr)"), tr("Images (%1)").arg(images),
-         tr("All files (*)")});
+         tr("Air (*.xml)"), tr("Results (%1)").arg(readableResultPatterns()),
+         tr("Images (%1)").arg(images), tr("All files (*)")});
     if (!file.isEmpty())
         open({file});
 }

@@ -14,6 +14,8 @@
 #include "apps/smat-batch/ProjectInput.h"
 #include "apps/smat-batch/SettingOptions.h"
 #include "irsg/image/ImageFile.h"
+#include "irsg/image/ImageFormat.h"
+#include "irsg/radiometry/Wording.h"
 #include "smatcore/analysis/AskedAnalysis.h"
 #include "smatcore/analysis/PixelExplainer.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -44,6 +46,15 @@ std::pair<int, int> pixelOf(const std::string& text) {
     return {x, number(comma + 1, text.size())};
 }
 
+/// Of the images that say how they were computed.
+std::vector<std::string> extensionsThatKeepValues() {
+    std::vector<std::string> extensions;
+    for (const irsg::ImageFormat* format : irsg::imageFormats())
+        if (format->read != nullptr)
+            extensions.push_back(format->extensionList().front());
+    return extensions;
+}
+
 /// `smat-batch explain PROJECT --pixel x,y [options of image]`.
 class ExplainCommand {
   public:
@@ -59,9 +70,9 @@ class ExplainCommand {
         command.add_option("--analysis", analysis_, "Start from this image of the project")
             ->type_name("NAME");
         command.footer(
-            "PROJECT may be an image (.exr) that this program computed of a project beside it. "
-            "Draws "
-            "the image that `image` gives and traces rays through the same samples of the "
+            "PROJECT may be an image (" + irsg::alternatives(extensionsThatKeepValues()) +
+            ") that this program computed of a project beside it. Draws the image that `image` "
+            "gives and traces rays through the same samples of the "
             "pixel. Facets are met and terms are summed in double precision on the processor; the "
             "factors of each sample (cosines) are kept as float. Asks for a build with Embree. A "
             "picture of one band, as radiance whatever --quantity says.");
@@ -97,7 +108,7 @@ class ExplainCommand {
   private:
     AnalysisData started() {
         AnalysisData data;
-        if (std::filesystem::path(project_.file()).extension() == ".exr") {
+        if (irsg::readableImageFormatOf(project_.file()) != nullptr) {
             if (!analysis_.empty() || !settings_.values().values().empty())
                 throw refusal(analysis_.empty() ? "--set" : "--analysis", "an option",
                               "none: an image says how it was computed");

@@ -166,10 +166,6 @@ void MonteCarloPlots::setData(const MonteCarloData& data) {
     drawRanking();
 }
 
-void MonteCarloPlots::showHistogramAt(int abscissa) {
-    place_->setValue(abscissa);
-}
-
 void MonteCarloPlots::drawBands() {
     bands_->detachItems(QwtPlotItem::Rtti_PlotIntervalCurve, true);
     bands_->detachItems(QwtPlotItem::Rtti_PlotMarker, true);

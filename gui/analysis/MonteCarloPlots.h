@@ -25,8 +25,6 @@ class MonteCarloPlots : public QWidget, public Exportable {
 
     void setData(const MonteCarloData& data);
     const MonteCarloData& data() const { return data_; }
-    /// Chooses the abscissa of the histogram by its number.
-    void showHistogramAt(int abscissa);
     const CartesianPlot* bands() const { return bands_; }
     QStringList exportFilters() const override;
     void exportTo(const std::filesystem::path& file) const override;

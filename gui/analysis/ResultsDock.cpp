@@ -158,8 +158,8 @@ void ResultsDock::makeActions() {
         QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_I), &ResultsDock::showDetails);
     line();
     add("openResult", "open", tr("Open saved result…"),
-        tr("Open a saved result (.csv, .json, .exr) or an image as text (.txt, .dat) as a result "
-           "again"),
+        tr("Open a saved result or an image (%1) as a result again")
+            .arg(readableResultPatterns().remove('*').replace(" ", ", ")),
         QKeySequence(), &ResultsDock::openFile);
     add("saveResult", "export", tr("Save result…"), tr("Save the data with their provenance"),
         QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S), &ResultsDock::save);
@@ -388,7 +388,7 @@ void ResultsDock::save() {
 void ResultsDock::openFile() {
     const QString file = dialogs_.openFile(
         this, tr("Open a saved result"),
-        {tr("Results and matrices (*.json %1)").arg(readableImagePatterns()), tr("All files (*)")});
+        {tr("Results and matrices (%1)").arg(readableResultPatterns()), tr("All files (*)")});
     if (!file.isEmpty())
         openResult(file.toStdString());
 }

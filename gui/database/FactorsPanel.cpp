@@ -205,12 +205,6 @@ void FactorsPanel::showList() {
         component_.clear();
 }
 
-void FactorsPanel::selectComponent(const QString& name) {
-    const auto found = list_->findItems(name, Qt::MatchExactly);
-    if (!found.isEmpty())
-        list_->setCurrentItem(found.front());
-}
-
 void FactorsPanel::showTable() {
     const bool any = !component_.isEmpty();
     constant_->setEnabled(any);

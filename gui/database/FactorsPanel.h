@@ -27,7 +27,6 @@ class FactorsPanel : public QWidget {
     /// `spectrum` may be null where the entry names none.
     void setFactors(const irsg::ComponentFactors& factors, const irsg::UserSpectrum* spectrum,
                     const irsg::EntityState& state);
-    void selectComponent(const QString& name);
 
   signals:
     void edited(const irsg::ComponentFactors& factors, const QString& field, const QString& what);

@@ -15,8 +15,20 @@
 #include "irsg/image/ImageFormat.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReplacement.h"
+#include "smatcore/analysis/ResultFile.h"
 
 namespace smat::gui {
+namespace {
+
+/// "*.tif *.tiff".
+QString patternsOf(const std::vector<std::string>& extensions) {
+    QString patterns;
+    for (const std::string& extension : extensions)
+        patterns += (patterns.isEmpty() ? "*" : " *") + QString::fromStdString(extension);
+    return patterns;
+}
+
+} // namespace
 
 void exportImage(const irsg::RadianceImage& image, const std::string& channel,
                  const irsg::PngViewOptions& view, const std::filesystem::path& file) {
@@ -31,17 +43,16 @@ QStringList imageFilters() {
 }
 
 QString filterOf(const irsg::ImageFormat& format) {
-    QString patterns;
-    for (const std::string& extension : format.extensionList())
-        patterns += (patterns.isEmpty() ? "*" : " *") + QString::fromStdString(extension);
-    return QStringLiteral("%1 (%2)").arg(QString::fromUtf8(format.name), patterns);
+    return QStringLiteral("%1 (%2)").arg(QString::fromUtf8(format.name),
+                                         patternsOf(format.extensionList()));
 }
 
 QString readableImagePatterns() {
-    QString patterns;
-    for (const std::string& extension : irsg::readableImageExtensions())
-        patterns += (patterns.isEmpty() ? "*" : " *") + QString::fromStdString(extension);
-    return patterns;
+    return patternsOf(irsg::readableImageExtensions());
+}
+
+QString readableResultPatterns() {
+    return patternsOf(readableResultExtensions());
 }
 
 void writePicture(const QImage& picture, const std::filesystem::path& file) {

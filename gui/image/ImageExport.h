@@ -23,8 +23,9 @@ void exportImage(const irsg::RadianceImage& image, const std::string& channel,
 /// "OpenEXR image (*.exr)" of each format that images are written in, for file dialogs.
 QStringList imageFilters();
 QString filterOf(const irsg::ImageFormat& format);
-/// "*.exr *.csv *.txt": of all files that images are read from.
+/// "*.exr *.csv *.txt": of all files that images are read from, and of those that results are.
 QString readableImagePatterns();
+QString readableResultPatterns();
 
 /// Writes a picture as PNG. Throws irsg::InputError for another suffix and for a file that cannot
 /// be written; what was there is then as it was.

@@ -11,7 +11,9 @@
 #include "gui/workbench/PageTabs.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/image/ImageFile.h"
+#include "irsg/image/ImageFormat.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/Wording.h"
 #include "smatcore/analysis/AskedAnalysis.h"
 #include "smatcore/analysis/Conditions.h"
 #include "smatcore/analysis/PixelExplainer.h"
@@ -44,13 +46,14 @@ ImagePages::ImagePages(const Workbench& workbench, Dialogs& dialogs, PageTabs& t
 bool ImagePages::areImages(const QStringList& files) {
     if (files.isEmpty() || files.size() > 2)
         return false;
-    return std::ranges::all_of(files, [&](const QString& file) {
-        const QString suffix = QFileInfo(file).suffix().toLower();
-        if (suffix == "exr")
-            return true;
-        const bool mayBeMatrix =
-            suffix == "txt" || suffix == "dat" || (suffix == "csv" && files.size() == 2);
-        return mayBeMatrix && irsg::holdsImage(file.toStdString());
+    return std::ranges::all_of(files, [&](const QString& name) {
+        const std::filesystem::path file = name.toStdString();
+        const irsg::ImageFormat* format = irsg::readableImageFormatOf(file);
+        if (format == nullptr || !format->isText)
+            return format != nullptr;
+        const bool isOfOurs = std::ranges::count(format->extensionList(),
+                                                 irsg::lowerCase(file.extension().string())) > 0;
+        return (files.size() == 2 || !isOfOurs) && irsg::holdsImage(file);
     });
 }
 

@@ -22,8 +22,8 @@ class ImagePages : public QObject {
   public:
     ImagePages(const Workbench& workbench, Dialogs& dialogs, PageTabs& tabs);
 
-    /// Whether these are one or two images to be looked at: .exr by name, others by what they hold.
-    /// A single .csv is none: it comes back as a result, with its provenance.
+    /// Whether these are one or two images to be looked at: by name, text by what it holds. A
+    /// single .csv, as we write it, is none: it comes back as a result, with its provenance.
     static bool areImages(const QStringList& files);
     /// One file as a page of its own, two as a comparison.
     void open(const QStringList& files);

@@ -77,13 +77,6 @@ void ThresholdForm::setUnit(const QString& unit) {
         names_[r]->setText(texts[r]);
 }
 
-void ThresholdForm::setLevels(const irsg::ComparisonLevel& fail,
-                              const irsg::ComparisonLevel& warn) {
-    levels_ = {fail, warn};
-    write();
-    emit changed();
-}
-
 void ThresholdForm::write() {
     for (std::size_t c = 0; c < 2; ++c) {
         const irsg::ComparisonLevel& level = levels_[c];

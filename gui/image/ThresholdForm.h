@@ -22,7 +22,6 @@ class ThresholdForm : public QWidget {
 
     const irsg::ComparisonLevel& fail() const { return levels_[0]; }
     const irsg::ComparisonLevel& warn() const { return levels_[1]; }
-    void setLevels(const irsg::ComparisonLevel& fail, const irsg::ComparisonLevel& warn);
     /// Unit of the absolute thresholds.
     void setUnit(const QString& unit);
     /// As options of `smat-batch compare`, those that are not the defaults.

@@ -29,7 +29,6 @@ class PlotNavigator : public QObject {
     ~PlotNavigator() override;
 
     void setCrosshairVisible(bool visible);
-    bool isCrosshairVisible() const { return crosshair_; }
     bool handleKey(const QKeyEvent& event);
 
   signals:

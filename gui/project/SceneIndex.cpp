@@ -1,7 +1,5 @@
 #include "gui/project/SceneIndex.h"
 
-#include <algorithm>
-
 #include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/SignatureFile.h"
@@ -26,12 +24,6 @@ QString problemOf(const irsg::InputError& error) {
 }
 
 } // namespace
-
-bool ModelIndex::hasMissing() const {
-    const auto missing = [](const auto& use) { return use.second.isMissing(); };
-    return std::any_of(temperatures.begin(), temperatures.end(), missing) ||
-           std::any_of(materials.begin(), materials.end(), missing);
-}
 
 ModelIndex makeModelIndex(const ProjectModel& model, const ModelCodes& codes,
                           const irsg::SignatureDatabase& database) {

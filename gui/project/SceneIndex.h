@@ -27,7 +27,6 @@ struct IndexUse {
 struct ModelIndex {
     QString modelProblem, databaseProblem;
     std::map<int, IndexUse> temperatures, materials;
-    bool hasMissing() const;
 };
 
 using ModelCodes = std::map<irsg::IrCodes, irsg::CodeUse>;

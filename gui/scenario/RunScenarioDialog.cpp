@@ -17,6 +17,7 @@
 #include "gui/widgets/DialogButtons.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
+#include "irsg/image/ImageFormat.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/support/ShellText.h"
 
@@ -71,11 +72,12 @@ RunScenarioDialog::RunScenarioDialog(const EditedScenario& scenario, bool isSave
     }
     auto* forms = new QHBoxLayout;
     forms->setSpacing(14);
-    for (const auto& [extension, words] :
-         {std::pair(".exr", tr("OpenEXR")), std::pair(".csv", tr("CSV")),
-          std::pair(".png", tr("Pictures (PNG)"))}) {
-        auto* box = new QCheckBox(words, this);
-        box->setObjectName(QString("form") + extension);
+    for (const irsg::ImageFormat* format : irsg::imageFormats()) {
+        const QString name = QString::fromUtf8(format->shortName);
+        const QString extension = textOf(format->extensionList().front());
+        const bool isPicture = format->keeps == irsg::ImageFormat::Keeps::picture;
+        auto* box = new QCheckBox(isPicture ? tr("Pictures (%1)").arg(name) : name, this);
+        box->setObjectName("form" + extension);
         box->setProperty("extension", extension);
         box->setChecked(forms_.empty());
         forms->addWidget(box);

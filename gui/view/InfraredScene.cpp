@@ -10,23 +10,6 @@
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
-namespace {
-
-/// What an environment is made of, but for the sun where the project sets it.
-std::string environmentKeyOf(const InfraredRequest& request) {
-    const Settings& settings = request.settings;
-    std::string key = request.project->file.string();
-    for (const std::string_view name : std::initializer_list<std::string_view>{
-             key::environmentAtmospheres, key::environmentAmbientTemperature, key::environmentBins,
-             key::environmentDayOfYear})
-        key += "|" + settings.text(name);
-    for (const std::string_view name : std::initializer_list<std::string_view>{
-             key::environmentSunAzimuth, key::environmentSunElevation})
-        key += settings.isSet(name) ? "|set" : "|file";
-    return key;
-}
-
-} // namespace
 
 const irsg::ImageChannel& InfraredPicture::plane() const {
     const auto* temperature = image->find(irsg::apparentTemperatureChannel);
@@ -84,7 +67,8 @@ InfraredPicture InfraredScene::draw(const InfraredRequest& request) {
 
 const irsg::Environment& InfraredScene::environment(const InfraredRequest& request) {
     const Settings& settings = request.settings;
-    if (const std::string key = environmentKeyOf(request); key != environmentKey_) {
+    if (const std::string key = environmentKey(*request.project, settings);
+        key != environmentKey_) {
         environmentKey_.clear();
         environment_ = environmentOf(*request.project, settings);
         environmentKey_ = key;
@@ -112,26 +96,20 @@ void InfraredScene::update(const InfraredRequest& request) {
             builder_.forgetModels();
     }
     builder_.setDatabaseOverrides(request.edited);
-    const SceneDescription scene =
+    SceneDescription scene =
         builder_.build(*request.project, request.settings, &environment(request));
 
-    irsg::Sensor sensor = scene.sensor;
-    sensor.width_px = request.size_px.width();
-    sensor.height_px = request.size_px.height();
-    sensor.horizontalFieldOfView_rad = request.horizontalFieldOfView_rad;
-    irsg::RenderSettings render = scene.render;
-    render.truthLayers = false;
+    scene.sensor.width_px = request.size_px.width();
+    scene.sensor.height_px = request.size_px.height();
+    scene.sensor.horizontalFieldOfView_rad = request.horizontalFieldOfView_rad;
+    scene.render.truthLayers = false;
     if (request.coarse) {
-        render.zoomWindow = 0;
-        render.samplesPerAxis = 1;
+        scene.render.zoomWindow = 0;
+        scene.render.samplesPerAxis = 1;
     }
     if (request.direct)
-        render.bounces = 0;
-    irsg_.setEnvironment(scene.environment);
-    irsg_.setSensor(sensor);
-    irsg_.setSettings(render);
-    irsg_.setSkybox(scene.skybox);
-    irsg_.setTerrain(scene.terrain);
+        scene.render.bounces = 0;
+    setView(irsg_, scene);
     irsg_.setEntities(scene.entities);
     irsg_.setViewpoint(request.camera.viewpoint(irsg_.referencePoint(0), request.targetYaw_rad));
 }

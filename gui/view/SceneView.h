@@ -97,7 +97,6 @@ class SceneView : public QOpenGLWidget {
     void setChosen(const ChosenFaces& faces);
     /// Shows codes in place of the file's colours in the visible display; null for these.
     void setCodeColors(std::shared_ptr<const CodeColors> codes);
-    const std::shared_ptr<const CodeColors>& codeColors() const { return codes_; }
     /// Takes clicks before faces are picked by them; true where it was for it.
     using ClickHandler = std::function<bool(const QPointF&, Qt::KeyboardModifiers)>;
     void setClickHandler(ClickHandler handler) { clickHandler_ = std::move(handler); }

@@ -56,7 +56,6 @@ Workbench::Workbench(ImageSourceFactory makeSource, QObject* parent,
     });
     connect(&results_, &ResultStore::added, this, &Workbench::resultAdded);
     connect(&results_, &ResultStore::addedQuietly, this, &Workbench::resultAdded);
-    connect(&results_, &ResultStore::removed, this, &Workbench::resultRemoved);
     connect(&results_, &ResultStore::unsavedChanged, this, &Workbench::modifiedChanged);
     connect(&painted_, &PaintedModels::stateChanged, this, &Workbench::modifiedChanged);
     connect(&database_.session(), &DatabaseSession::wanted, this, &Workbench::chooseModelWith);

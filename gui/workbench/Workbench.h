@@ -145,7 +145,6 @@ class Workbench : public QObject {
     /// After every job, whatever came of it.
     void jobEnded();
     void resultAdded(int id);
-    void resultRemoved(int id);
     void jobFailed(const QStringList& sentences, bool ourFault);
 
   private:

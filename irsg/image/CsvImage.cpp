@@ -295,6 +295,7 @@ extern constinit const ImageFormat csvFormat{
     .alsoRead = ".txt .dat",
     .keeps = ImageFormat::Keeps::onePlane,
     .isUsual = true,
+    .isText = true,
     .recognises =
         [](std::string_view beginning) {
             return beginning.find('\0') == std::string_view::npos && beginsAsCsvImage(beginning);

@@ -18,6 +18,13 @@ std::vector<std::string> wordsOf(const std::string& text) {
     return words;
 }
 
+/// Those that a format reads; none of a picture.
+std::vector<std::string> readExtensionsOf(const ImageFormat& format) {
+    if (format.read == nullptr)
+        return {};
+    return wordsOf(std::string(format.extensions) + " " + format.alsoRead);
+}
+
 } // namespace
 
 std::vector<std::string> ImageFormat::extensionList() const {
@@ -41,6 +48,14 @@ const ImageFormat& requiredImageFormat(const std::filesystem::path& file) {
          imageExtensionNames()});
 }
 
+const ImageFormat* readableImageFormatOf(const std::filesystem::path& file) {
+    const std::string extension = lowerCase(file.extension().string());
+    for (const ImageFormat* format : imageFormats())
+        if (std::ranges::count(readExtensionsOf(*format), extension) > 0)
+            return format;
+    return nullptr;
+}
+
 std::vector<std::string> imageExtensions() {
     std::vector<std::string> all;
     for (const ImageFormat* format : imageFormats())
@@ -51,13 +66,9 @@ std::vector<std::string> imageExtensions() {
 
 std::vector<std::string> readableImageExtensions() {
     std::vector<std::string> all;
-    for (const ImageFormat* format : imageFormats()) {
-        if (format->read == nullptr)
-            continue;
-        for (std::string& extension :
-             wordsOf(std::string(format->extensions) + " " + format->alsoRead))
+    for (const ImageFormat* format : imageFormats())
+        for (std::string& extension : readExtensionsOf(*format))
             all.push_back(std::move(extension));
-    }
     return all;
 }
 

@@ -32,6 +32,7 @@ struct ImageFormat {
     const char* alsoRead = ""; ///< further ones of files that are read
     Keeps keeps = Keeps::allPlanes;
     bool isUsual = false; ///< among those in which `smat-batch run` writes an image unasked
+    bool isText = false;  ///< files of these names may hold a table or a letter as well
     /// Whether a file that begins so (its first 256 KiB, or all) is of this format.
     bool (*recognises)(std::string_view beginning) = nullptr;
     /// Throws InputError; null where nothing can be read.
@@ -49,6 +50,9 @@ const std::vector<const ImageFormat*>& imageFormats();
 const ImageFormat* imageFormatOf(const std::filesystem::path& file);
 /// The same; InputError naming the extensions there are.
 const ImageFormat& requiredImageFormat(const std::filesystem::path& file);
+/// The format that a file of this name, in letters of either case, is read in; null for another
+/// extension.
+const ImageFormat* readableImageFormatOf(const std::filesystem::path& file);
 /// Of files that are written: ".exr", ".csv", ".png", ".tif", ".tiff".
 std::vector<std::string> imageExtensions();
 /// Of files that are read: ".exr", ".csv", ".txt", ".dat", ".tif", ".tiff". A text may be a table

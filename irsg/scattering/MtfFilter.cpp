@@ -29,7 +29,8 @@ HazeWindow HazeWindow::grown(int by_px, int frameWidth, int frameHeight) const {
     return {left, top, std::max(right - left, 0), std::max(bottom - top, 0)};
 }
 
-MtfFilter::MtfFilter(std::shared_ptr<const PixelHaze> haze) : haze_(std::move(haze)) {}
+MtfFilter::MtfFilter(std::shared_ptr<const PixelHaze> haze)
+    : haze_(std::move(haze)), kernels_(mostKernels) {}
 
 MtfFilter::Axis MtfFilter::axis(int object, int objectSize, int to, int toSize) const {
     const int nearest = to - (object + objectSize - 1);
@@ -44,13 +45,10 @@ MtfFilter::Axis MtfFilter::axis(int object, int objectSize, int to, int toSize) 
 }
 
 const MtfFilter::Kernel& MtfFilter::kernelOf(const Axis& across, const Axis& down) {
-    const auto known = std::ranges::find_if(kernels_, [&](const std::unique_ptr<Kernel>& kernel) {
-        return kernel->across == across && kernel->down == down;
-    });
-    if (known != kernels_.end()) {
-        std::rotate(kernels_.begin(), known, known + 1);
-        return *kernels_.front();
-    }
+    Kernel* const known = kernels_.find(
+        [&](const Kernel& kernel) { return kernel.across == across && kernel.down == down; });
+    if (known != nullptr)
+        return *known;
     const auto width = static_cast<std::size_t>(across.period);
     const auto count = width * static_cast<std::size_t>(down.period);
     const FftBuffer<float> values = fftReals(count);
@@ -61,15 +59,10 @@ const MtfFilter::Kernel& MtfFilter::kernelOf(const Axis& across, const Axis& dow
             values[static_cast<std::size_t>(wrapped(dy, down.period)) * width +
                    static_cast<std::size_t>(wrapped(dx, across.period))] =
                 static_cast<float>(haze_->at(dx, dy) / static_cast<double>(count));
-    auto kernel = std::make_unique<Kernel>();
-    kernel->across = across;
-    kernel->down = down;
-    kernel->spectrum = fftComplex(columnsOf(across.period) * static_cast<std::size_t>(down.period));
-    FftPlans::shared().forward(across.period, down.period, values.get(), kernel->spectrum.get());
-    kernels_.insert(kernels_.begin(), std::move(kernel));
-    if (kernels_.size() > mostKernels)
-        kernels_.pop_back();
-    return *kernels_.front();
+    Kernel kernel{across, down,
+                  fftComplex(columnsOf(across.period) * static_cast<std::size_t>(down.period))};
+    FftPlans::shared().forward(across.period, down.period, values.get(), kernel.spectrum.get());
+    return kernels_.add(std::move(kernel));
 }
 
 std::size_t MtfFilter::points(const HazeWindow& object, const HazeWindow& to) const {
@@ -120,30 +113,6 @@ void MtfFilter::addHaze(const HazeWindow& object, std::span<const float> values,
                 column = 0;
         }
     }
-}
-
-std::vector<float> filteredPeriodically(const MtfCurve& curve, double pitch_rad, int width,
-                                        int height, std::span<const float> image) {
-    const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    if (width < 1 || height < 1 || image.size() != count || !(pitch_rad > 0.0))
-        throw LogicError("a periodic picture has pixels of a size");
-    FftPlans& plans = FftPlans::shared();
-    plans.prepare(width, height);
-    const FftBuffer<float> reals = fftReals(count);
-    const std::size_t columns = columnsOf(width);
-    const auto spectrum = fftComplex(columns * static_cast<std::size_t>(height));
-    std::ranges::copy(image, reals.get());
-    plans.forward(width, height, reals.get(), spectrum.get());
-    for (int j = 0; j < height; ++j)
-        for (std::size_t i = 0; i < columns; ++i) {
-            const double down = static_cast<double>(std::min(j, height - j)) / height;
-            const double across = static_cast<double>(i) / width;
-            const double gain =
-                curve.at(std::hypot(across, down) / pitch_rad) / static_cast<double>(count);
-            spectrum[static_cast<std::size_t>(j) * columns + i] *= static_cast<float>(gain);
-        }
-    plans.backward(width, height, spectrum.get(), reals.get());
-    return {reals.get(), reals.get() + count};
 }
 
 } // namespace irsg

@@ -4,10 +4,9 @@
 #include <cstddef>
 #include <memory>
 #include <span>
-#include <vector>
 
+#include "irsg/radiometry/RecentlyUsed.h"
 #include "irsg/scattering/FftPlans.h"
-#include "irsg/scattering/MtfDatabase.h"
 #include "irsg/scattering/PixelHaze.h"
 
 namespace irsg {
@@ -55,15 +54,10 @@ class MtfFilter {
     const Kernel& kernelOf(const Axis& across, const Axis& down);
 
     std::shared_ptr<const PixelHaze> haze_;
-    std::vector<std::unique_ptr<Kernel>> kernels_; ///< latest first
+    RecentlyUsed<Kernel> kernels_;
     FftBuffer<float> reals_;
     FftBuffer<std::complex<float>> spectrum_;
     std::size_t realsRoom_ = 0, spectrumRoom_ = 0;
 };
-
-/// A picture that repeats itself in both directions, every frequency multiplied with the MTF as it
-/// stands: no cut, no padding, the direct image included. `pitch_rad`: angle of a pixel.
-std::vector<float> filteredPeriodically(const MtfCurve& curve, double pitch_rad, int width,
-                                        int height, std::span<const float> image);
 
 } // namespace irsg

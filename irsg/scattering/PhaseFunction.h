@@ -16,7 +16,6 @@ class PhaseFunction {
     PhaseFunction(std::vector<double> angles_rad, std::vector<double> values);
 
     const std::vector<double>& angles_rad() const { return angles_rad_; }
-    const std::vector<double>& values_sr() const { return values_; }
     double at(double angle_rad) const;
     double asymmetry() const;
     /// Part that goes forward, below 90 degrees.

@@ -12,13 +12,7 @@ class IrsgImageSource : public ImageSource {
         setView(scene);
         irsg_.setEntities(scene.entities);
     }
-    void setView(const SceneDescription& scene) override {
-        irsg_.setEnvironment(scene.environment);
-        irsg_.setSensor(scene.sensor);
-        irsg_.setSettings(scene.render);
-        irsg_.setSkybox(scene.skybox);
-        irsg_.setTerrain(scene.terrain);
-    }
+    void setView(const SceneDescription& scene) override { smat::setView(irsg_, scene); }
 
     irsg::Vec3 referencePointInModel(std::size_t entity) override {
         const irsg::Pose& pose = irsg_.entities().at(entity).pose;
@@ -92,6 +86,14 @@ class IrsgImageSource : public ImageSource {
 };
 
 } // namespace
+
+void setView(irsg::Irsg& irsg, const SceneDescription& scene) {
+    irsg.setEnvironment(scene.environment);
+    irsg.setSensor(scene.sensor);
+    irsg.setSettings(scene.render);
+    irsg.setSkybox(scene.skybox);
+    irsg.setTerrain(scene.terrain);
+}
 
 std::unique_ptr<ImageSource> makeIrsgImageSource() {
     return std::make_unique<IrsgImageSource>();

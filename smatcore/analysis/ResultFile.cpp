@@ -46,6 +46,12 @@ AnalysisData resultOf(ResultTable table, const std::string& file) {
     return data;
 }
 
+std::vector<std::string> readableResultExtensions() {
+    std::vector<std::string> extensions = irsg::readableImageExtensions();
+    extensions.emplace_back(".json");
+    return extensions;
+}
+
 AnalysisData loadResult(const std::filesystem::path& file) {
     const std::string extension = file.extension().string();
     // A .csv is a table or an image; all else that images are read from holds nothing else.
@@ -63,12 +69,11 @@ AnalysisData loadResult(const std::filesystem::path& file) {
     }
     if (extension == ".csv" || extension == ".json")
         return resultOf(ResultTable::load(file), file.string());
-    std::vector<std::string> known = images;
-    known.emplace_back(".json");
-    throw irsg::InputError(irsg::Diagnostic{.file = file.string(),
-                                            .position = "",
-                                            .value = "extension \"" + extension + "\"",
-                                            .expected = irsg::alternatives(known)});
+    throw irsg::InputError(
+        irsg::Diagnostic{.file = file.string(),
+                         .position = "",
+                         .value = "extension \"" + extension + "\"",
+                         .expected = irsg::alternatives(readableResultExtensions())});
 }
 
 } // namespace smat

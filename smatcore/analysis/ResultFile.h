@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "smatcore/analysis/AnalysisData.h"
 
@@ -12,10 +14,11 @@ namespace smat {
 /// anew. A table of another program is of AnalysisKind::other: curves over an axis.
 /// What was asked is not in a file: project and settings stay empty.
 ///
-/// Throws InputError for a file that is missing, damaged, or of another extension than .json and
-/// irsg::readableImageExtensions(), for a .txt or .dat that is no matrix, and for a table without
-/// rows.
+/// Throws InputError for a file that is missing, damaged, or of another extension than
+/// readableResultExtensions(), for a .txt or .dat that is no matrix, and for a table without rows.
 AnalysisData loadResult(const std::filesystem::path& file);
+/// Of files that loadResult reads: irsg::readableImageExtensions() and ".json".
+std::vector<std::string> readableResultExtensions();
 /// The same of a table that was read from a file of that name.
 AnalysisData resultOf(ResultTable table, const std::string& file);
 

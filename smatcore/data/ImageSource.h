@@ -38,6 +38,9 @@ struct SceneDescription {
     }
 };
 
+/// Gives a renderer all of a scene but its entities and where it is seen from.
+void setView(irsg::Irsg& irsg, const SceneDescription& scene);
+
 /// What smatcore asks of a renderer: the seam between analyses and irsg::Irsg, so that analyses are
 /// tested against closed forms without OpenGL. May be used from any one thread at a time.
 class ImageSource {

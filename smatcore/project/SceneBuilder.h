@@ -63,6 +63,10 @@ class SceneBuilder {
 /// The pieces that need no file of a model, for forms that show their effect at once. Paths are
 /// resolved against `project`. Each throws InputError.
 irsg::Environment environmentOf(const Project& project, const Settings& settings);
+/// A text that changes with every setting that environmentOf reads, for who keeps an environment:
+/// of the sun's azimuth and elevation with whether they are set, since `sun` can be moved without
+/// the air being read again. What the files hold is no part of it.
+std::string environmentKey(const Project& project, const Settings& settings);
 /// The sensor with the first of its bands.
 irsg::Sensor sensorOf(const Project& project, const Settings& settings);
 /// The settings as they are for each of the sensor's bands alone: with one `sensor.band`, or one

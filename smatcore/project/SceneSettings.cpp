@@ -84,6 +84,26 @@ irsg::Environment environmentOf(const Project& project, const Settings& settings
     return environment;
 }
 
+std::string environmentKey(const Project& project, const Settings& settings) {
+    std::string text = project.file.string();
+    // All of the section, so that what is added to it is read again: but for the surroundings,
+    // which SceneBuilder loads beside the environment.
+    for (const SettingInfo& setting : settingTable()) {
+        if (setting.section() != "environment" ||
+            setting.key.starts_with(key::environmentSkybox.name) ||
+            setting.key.starts_with(key::environmentTerrain.name))
+            continue;
+        const bool isOfSun = setting.key == key::environmentSunAzimuth ||
+                             setting.key == key::environmentSunElevation;
+        text += "|";
+        if (isOfSun)
+            text += settings.isSet(setting.key) ? "set" : "file";
+        else
+            text += settings.text(setting.key);
+    }
+    return text;
+}
+
 std::vector<Settings> eachBand(const Settings& settings) {
     std::vector<Settings> each;
     for (const std::filesystem::path& response : settings[key::sensorResponse]) {
@@ -126,12 +146,11 @@ std::vector<std::string> bandLabels(const std::vector<irsg::Band>& bands) {
 }
 
 irsg::Sensor sensorOf(const Project& project, const Settings& settings) {
-    irsg::Sensor sensor{.width_px = settings[key::sensorWidth],
-                        .height_px = settings[key::sensorHeight],
-                        .horizontalFieldOfView_rad = irsg::radians(settings[key::sensorFov]),
-                        .band = bandOf(project, eachBand(settings).front())};
-    sensor.check();
-    return sensor;
+    // The settings' own ranges are within those of the sensor, which every picture checks.
+    return {.width_px = settings[key::sensorWidth],
+            .height_px = settings[key::sensorHeight],
+            .horizontalFieldOfView_rad = irsg::radians(settings[key::sensorFov]),
+            .band = bandOf(project, eachBand(settings).front())};
 }
 
 irsg::RenderSettings renderSettingsOf(const Settings& settings) {

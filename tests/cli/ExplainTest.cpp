@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "irsg/image/ImageFile.h"
+#include "irsg/image/ImageFormat.h"
 #include "irsg/scene/trace/RaysBuilt.h"
 #include "tests/cli/Program.h"
 #include "tests/support/TemporaryFolder.h"
@@ -53,23 +55,31 @@ TEST_F(SmatBatchExplain, OfACornerIsBackgroundAlone) {
 
 TEST_F(SmatBatchExplain, OfAnImageFileExplainsThePictureThatItHolds) {
     const TemporaryFolder folder;
-    const std::string file = folder / "sphere.exr";
-    std::filesystem::copy(std::filesystem::path(sphere).parent_path(), folder.path(),
-                          std::filesystem::copy_options::recursive);
-    ASSERT_EQ(smatBatch({"image", folder / "sphere.smat", "--width", "48", "--height", "32",
+    const std::string file = folder / "box.exr";
+    std::filesystem::copy(sample("box"), folder.path(), std::filesystem::copy_options::recursive);
+    ASSERT_EQ(smatBatch({"image", folder / "box.smat", "--width", "48", "--height", "32",
                          "--azimuth", "20", "--out", file})
                   .exitCode,
               0);
-    const Ran ran = smatBatch({"explain", file, "--pixel", "24,16", "--json"});
-    ASSERT_EQ(ran.exitCode, 0) << ran.err;
-    const auto pixel = nlohmann::json::parse(ran.out)["pixels"].at(0);
-    EXPECT_EQ(pixel["drawn_W_m2_sr"], pixel["in_image_W_m2_sr"]);
-    EXPECT_FALSE(pixel["surfaces"].empty());
+    // In every format that keeps values, with what they are of.
+    const irsg::RadianceImage image = irsg::readImageFile(file);
+    for (const irsg::ImageFormat* format : irsg::imageFormats()) {
+        if (format->read == nullptr) {
+            continue;
+        }
+        const std::string own = folder / ("own" + format->extensionList().front());
+        irsg::writeImageFile(image, own);
+        const Ran ran = smatBatch({"explain", own, "--pixel", "24,16", "--json"});
+        ASSERT_EQ(ran.exitCode, 0) << own << ran.err;
+        const auto pixel = nlohmann::json::parse(ran.out)["pixels"].at(0);
+        EXPECT_EQ(pixel["drawn_W_m2_sr"], pixel["in_image_W_m2_sr"]) << own;
+        EXPECT_FALSE(pixel["surfaces"].empty()) << own;
+    }
     // Without its project it is said why not.
-    std::filesystem::remove(folder / "sphere.smat");
+    std::filesystem::remove(folder / "box.smat");
     const Ran without = smatBatch({"explain", file, "--pixel", "24,16"});
     EXPECT_EQ(without.exitCode, 2);
-    EXPECT_THAT(without.err, HasSubstr("sphere.smat, which is neither open nor beside"));
+    EXPECT_THAT(without.err, HasSubstr("box.smat, which is neither open nor beside"));
     const Ran options = smatBatch({"explain", file, "--pixel", "1,1", "--width", "9"});
     EXPECT_EQ(options.exitCode, 2);
     EXPECT_THAT(options.err, HasSubstr("an image says how it was computed"));

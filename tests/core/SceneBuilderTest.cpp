@@ -1,6 +1,7 @@
 #include "smatcore/project/SceneBuilder.h"
 
 #include <filesystem>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@
 #include "irsg/scene/background/Terrain.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/support/TextFile.h"
+#include "tests/support/Refusal.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace smat {
@@ -172,6 +174,99 @@ TEST_F(SceneBuilderTest, AnEnvironmentFileBringsItsAtmospheresSunAndBackground) 
     ASSERT_EQ(smart.atmospheres().size(), 1u);
     EXPECT_NEAR(smart.sun.azimuth_rad, irsg::pi, 1e-15);
     EXPECT_FALSE(smart.defaultBackground);
+}
+
+/// Another text than that in effect.
+std::string otherThan(const SettingInfo& setting, const Settings& settings) {
+    using enum SettingKind;
+    std::vector<std::string> candidates = setting.choices;
+    if (setting.kind == boolean) {
+        candidates = {"false", "true"};
+    } else if (setting.kind == band) {
+        candidates = {"3-4", "4-5"};
+    } else if (setting.kind == path || setting.kind == pathList) {
+        candidates = {"one.file", "another.file"};
+    } else if (setting.kind != choice) {
+        candidates = {irsg::numberText(setting.minimum), irsg::numberText(setting.maximum)};
+    }
+    return candidates.front() != settings.text(setting.key) ? candidates.front()
+                                                            : candidates.back();
+}
+
+TEST_F(SceneBuilderTest, TheKeyOfAnEnvironmentChangesWithEverySettingThatItIsMadeOf) {
+    // What else stands in that section; all settings of other sections are not of the environment.
+    const std::set<std::string> besideTheAir = {
+        "environment.skybox",      "environment.skyboxSlope",  "environment.skyboxOffset",
+        "environment.terrain",     "environment.terrainSlope", "environment.terrainOffset",
+        "environment.terrainEast", "environment.terrainNorth", "environment.terrainAltitude"};
+    std::size_t found = 0;
+    for (const SettingInfo& setting : settingTable()) {
+        found += besideTheAir.count(setting.key);
+        const std::string before = environmentKey(project, project.settings);
+        const std::string value = otherThan(setting, project.settings);
+        project.settings.set(setting.key, value);
+        EXPECT_EQ(environmentKey(project, project.settings) != before,
+                  setting.section() == "environment" && !besideTheAir.contains(setting.key))
+            << setting.key << " " << value;
+    }
+    EXPECT_EQ(found, besideTheAir.size());
+    // Files are named from where the project stands.
+    Project elsewhere = project;
+    elsewhere.file = folder / "elsewhere" / "p.smat";
+    EXPECT_NE(environmentKey(elsewhere, project.settings),
+              environmentKey(project, project.settings));
+}
+
+// The place of the sun that is set costs no reading of the air.
+TEST_F(SceneBuilderTest, TheKeyOfAnEnvironmentSaysOfTheSunWhetherItsPlaceIsSet) {
+    Settings& settings = project.settings;
+    for (const char* name : {"environment.sunAzimuth", "environment.sunElevation"}) {
+        const std::string unset = environmentKey(project, settings);
+        settings.set(name, "10");
+        const std::string set = environmentKey(project, settings);
+        EXPECT_NE(set, unset) << name;
+        settings.set(name, "20");
+        EXPECT_EQ(environmentKey(project, settings), set) << name;
+        settings.reset(name);
+        EXPECT_EQ(environmentKey(project, settings), unset) << name;
+    }
+}
+
+TEST_F(SceneBuilderTest, EverySensorThatSettingsTakeIsOneThatARendererTakes) {
+    for (const char* name : {"sensor.width", "sensor.height", "sensor.fov"}) {
+        const SettingInfo& info = settingInfo(name);
+        for (const double value : {info.minimum, info.maximum}) {
+            Settings settings;
+            settings.set(name, irsg::numberText(value));
+            EXPECT_NO_THROW(sensorOf(project, settings).check()) << name << " " << value;
+            // What is beyond is refused by its name.
+            const double beyond = value == info.minimum ? 0.0 : 2.0 * value;
+            EXPECT_THAT(test::refusalOf([&] { settings.set(name, irsg::numberText(beyond)); }),
+                        testing::HasSubstr(name));
+        }
+    }
+}
+
+TEST_F(SceneBuilderTest, ARendererIsGivenAllOfASceneButItsEntities) {
+    SceneDescription scene;
+    scene.environment.defaultAmbient_K = 251.0;
+    scene.sensor.width_px = 17;
+    scene.render.backgroundRows = 5;
+    const std::filesystem::path valley = SMAT_SOURCE_DIR "/samples/valley";
+    Settings settings;
+    settings.set("environment.skybox", (valley / "sky").string());
+    settings.set("environment.terrain", (valley / "valley.osgb").string());
+    SceneBuilder builder;
+    scene.skybox = builder.skybox(project, settings);
+    scene.terrain = builder.terrain(project, settings);
+    irsg::Irsg irsg;
+    setView(irsg, scene);
+    EXPECT_EQ(irsg.environment().defaultAmbient_K, 251.0);
+    EXPECT_EQ(irsg.sensor().width_px, 17);
+    EXPECT_EQ(irsg.settings(), scene.render);
+    EXPECT_EQ(irsg.scene().skybox, scene.skybox);
+    EXPECT_EQ(irsg.scene().terrain, scene.terrain);
+    EXPECT_TRUE(irsg.entities().empty());
 }
 
 TEST_F(SceneBuilderTest, AProjectWithoutModelsIsRefused) {

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QMimeData>
+#include <QRegularExpression>
 #include <QTabWidget>
 
 #include "gui/analysis/ResultPage.h"
@@ -11,6 +12,7 @@
 #include "gui/image/ImageView.h"
 #include "irsg/image/ApparentTemperature.h"
 #include "irsg/image/ExrFile.h"
+#include "irsg/image/ImageFormat.h"
 #include "tests/gui/ResultTables.h"
 #include "tests/gui/WindowFixture.h"
 
@@ -226,6 +228,68 @@ TEST_F(ImagePages, FileOpenTakesImagesMatricesResultsAndProjects) {
     openSample();
 }
 
+TEST_F(ImagePages, EveryFormatThatIsReadCanBeOpenedDroppedAndNamedAtTheStart) {
+    irsg::RadianceImage image(3, 2);
+    image.primary().values = {1, 2, 3, 4, 5, 6};
+    const auto written = [&](const std::string& stem, const std::string& extension) {
+        const auto file = folder / (stem + extension);
+        irsg::readableImageFormatOf(file)->write(image, file, {});
+        return QString::fromStdString(file.string());
+    };
+    const auto seen = [&](const std::string& name) {
+        return test::waitUntil(
+            [&] {
+                const auto* view = qobject_cast<ImageView*>(tabs()->currentWidget());
+                return view != nullptr &&
+                       view->image().primary().values == image.primary().values &&
+                       tabs()->tabText(tabs()->currentIndex()) == QString::fromStdString(name);
+            },
+            10.0);
+    };
+    const std::vector<std::string> extensions = irsg::readableImageExtensions();
+    ASSERT_GE(extensions.size(), 6U);
+    for (const std::string& extension : extensions) {
+        // A .csv of its own comes back as a result.
+        const std::size_t results = workbench.results().size() + (extension == ".csv" ? 1 : 0);
+        const auto isThere = [&](const std::string& stem) {
+            return extension == ".csv" ? workbench.results().back().isImage()
+                                       : seen(stem + extension);
+        };
+        chosen = written("chosen", extension);
+        trigger("openProject");
+        ASSERT_EQ(workbench.results().size(), results) << extension;
+        EXPECT_TRUE(isThere("chosen")) << extension;
+        if (extension != ".csv") {
+            drop({written("dropped", extension)});
+            EXPECT_TRUE(isThere("dropped")) << extension;
+            EXPECT_TRUE(window->begin(written("argument", extension).toStdString()));
+            EXPECT_TRUE(isThere("argument")) << extension;
+        }
+        drop({written("a", extension), written("b", extension)});
+        EXPECT_NE(qobject_cast<ComparisonWindow*>(tabs()->currentWidget()), nullptr) << extension;
+        ASSERT_TRUE(told.isEmpty()) << extension << told.join('\n').toStdString();
+    }
+}
+
+TEST_F(ImagePages, TheDialogOfFileOpenOffersEveryFormatThatIsRead) {
+    QStringList offered;
+    people.openFile = [&](QWidget*, const QString&, const QStringList& filters) {
+        offered = filters;
+        return QString();
+    };
+    window.reset();
+    makeWindow();
+    trigger("openProject");
+    const QString tip = window->findChild<QAction*>("openResultAction")->toolTip();
+    for (const std::string& extension : irsg::readableImageExtensions()) {
+        const QString text = QString::fromStdString(extension);
+        // All, results and images.
+        EXPECT_GE(offered.filter(QRegularExpression("\\*\\" + text + "\\b")).size(), 3)
+            << extension;
+        EXPECT_TRUE(tip.contains(text)) << extension;
+    }
+}
+
 TEST_F(ImagePages, AMatrixIsDroppedToBeSeenAndOpenedAsAResult) {
     std::ofstream(folder / "karma.dat") << "1 2 3\n4 5 6\n";
     const QString file = QString::fromStdString((folder / "karma.dat").string());
@@ -241,12 +305,15 @@ TEST_F(ImagePages, AMatrixIsDroppedToBeSeenAndOpenedAsAResult) {
 }
 
 TEST_F(ImagePages, AnImageThatCannotBeReadIsToldAndOpensNothing) {
-    std::ofstream(folder / "bad.exr") << "no image";
     const int before = tabs()->count();
-    drop({QString::fromStdString((folder / "bad.exr").string())});
-    ASSERT_TRUE(test::waitUntil([&] { return !told.isEmpty(); }, 10.0));
-    EXPECT_TRUE(told[0].contains("bad.exr"));
-    EXPECT_EQ(tabs()->count(), before);
+    for (const char* name : {"bad.exr", "bad.tif"}) {
+        told.clear();
+        std::ofstream(folder / name) << "no image";
+        drop({QString::fromStdString((folder / name).string())});
+        ASSERT_TRUE(test::waitUntil([&] { return !told.isEmpty(); }, 10.0)) << name;
+        EXPECT_TRUE(told[0].contains(name)) << told[0].toStdString();
+        EXPECT_EQ(tabs()->count(), before);
+    }
 }
 
 } // namespace

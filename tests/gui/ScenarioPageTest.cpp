@@ -198,6 +198,7 @@ TEST_F(ScenarioPageTest, WhatTheWindowWritesEqualsSmatBatchByteForByte) {
     onDialog = [&](QDialog& dialog) {
         dialog.findChild<QLineEdit*>("folder")->setText(QString::fromStdString(out.string()));
         dialog.findChild<QCheckBox*>("form.png")->setChecked(true);
+        dialog.findChild<QCheckBox*>("form.tif")->setChecked(true);
         command = dialog.findChild<QLineEdit*>("commandLine")->text().toStdString();
         test::keepScreenshot(dialog, "scenario-run");
     };
@@ -215,7 +216,7 @@ TEST_F(ScenarioPageTest, WhatTheWindowWritesEqualsSmatBatchByteForByte) {
     const auto ran = smat::test::smatBatch(arguments, folder);
     ASSERT_EQ(ran.exitCode, 0) << command << ran.err;
     const auto ofBatch = filesIn(out);
-    EXPECT_EQ(ofBatch.size(), 2U * (9U * 2U + 2U));
+    EXPECT_EQ(ofBatch.size(), 2U * (9U * 3U + 2U));
     ASSERT_EQ(ofWindow.size(), ofBatch.size());
     for (const auto& [name, content] : ofBatch) {
         EXPECT_TRUE(ofWindow.at(name) == content) << name;

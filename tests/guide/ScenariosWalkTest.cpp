@@ -1,4 +1,5 @@
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QMenu>
 #include <QPlainTextEdit>
@@ -11,6 +12,7 @@
 #include "gui/scenario/TimeLine.h"
 #include "gui/scenario/TrajectoryView.h"
 #include "irsg/image/ExrFile.h"
+#include "irsg/image/ImageFormat.h"
 #include "tests/guide/GuideFixture.h"
 
 namespace smat::gui {
@@ -171,15 +173,18 @@ TEST_F(ScenariosWalkTest, SeePlayAndKeepIt) {
     QTest::mouseDClick(plan, Qt::LeftButton, {}, plan->rect().center());
     EXPECT_EQ(plan->pointOf(0, 0), origin);
 
-    walk.step(
-        "Write frames…: folder, sensors, forms (OpenEXR, CSV, pictures), and the command that "
-        "does the same");
+    walk.step("Write frames…: folder, sensors, forms (OpenEXR, CSV, pictures, TIFF), and the "
+              "command that "
+              "does the same");
     std::string command;
     onDialog = [&](QDialog& dialog) {
         dialog.findChild<QLineEdit*>("folder")->setText(path("frames"));
         EXPECT_NE(dialog.findChild<QWidget*>("sensor-two"), nullptr);
-        for (const char* form : {"form.exr", "form.csv", "form.png"}) {
-            EXPECT_NE(dialog.findChild<QWidget*>(form), nullptr) << form;
+        for (const irsg::ImageFormat* format : irsg::imageFormats()) {
+            const auto* form = dialog.findChild<QCheckBox*>(
+                QString::fromStdString("form" + format->extensionList().front()));
+            ASSERT_NE(form, nullptr) << format->name;
+            EXPECT_TRUE(form->text().contains(format->shortName)) << form->text().toStdString();
         }
         command = dialog.findChild<QLineEdit*>("commandLine")->text().toStdString();
     };

@@ -31,6 +31,8 @@ TEST(ImageFormats, HaveNamesAndExtensionsOfTheirOwnAndAWriter) {
         EXPECT_NE(format->write, nullptr) << format->name;
         EXPECT_EQ(format->read == nullptr, format->keeps == ImageFormat::Keeps::picture);
         EXPECT_EQ(format->read == nullptr, format->recognises == nullptr);
+        EXPECT_EQ(readableImageFormatOf("a/b" + format->extensionList().front()),
+                  format->read == nullptr ? nullptr : format);
     }
 }
 
@@ -48,6 +50,20 @@ TEST(ImageFormats, ThatKeepValuesGiveThemBackByContent) {
         EXPECT_TRUE(holdsImage(renamed)) << format->name;
         EXPECT_EQ(bitsOf(readImageFile(renamed).primary().values), bitsOf(image.primary().values))
             << format->name;
+    }
+}
+
+TEST(ImageFormats, ThatAreReadAreToldByNamesOfEitherCase) {
+    for (const std::string& extension : readableImageExtensions()) {
+        const ImageFormat* format = readableImageFormatOf("a" + extension);
+        ASSERT_NE(format, nullptr) << extension;
+        EXPECT_NE(format->read, nullptr) << extension;
+    }
+    EXPECT_EQ(readableImageFormatOf("A.TIF"), imageFormatOf("a.tif"));
+    EXPECT_TRUE(readableImageFormatOf("a.DAT")->isText);
+    EXPECT_FALSE(readableImageFormatOf("a.exr")->isText);
+    for (const char* name : {"a", "a.", "a.png", "tif", "a.tif.gz"}) {
+        EXPECT_EQ(readableImageFormatOf(name), nullptr) << name;
     }
 }
 
