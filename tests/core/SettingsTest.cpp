@@ -25,6 +25,17 @@ TEST(SettingTable, EverySettingIsDescribedInFull) {
     }
 }
 
+TEST(SettingTable, EverySettingStandsOnItsPageAndThoseOfAnAnalysisInItsForm) {
+    for (const SettingInfo& setting : settingTable()) {
+        EXPECT_EQ(setting.page == SettingPage::none, isAnalysisSection(setting.section()))
+            << setting.key;
+    }
+    EXPECT_EQ(settingsOn(SettingPage::scattering),
+              (std::vector<std::string>{"render.scattering", "environment.mtf",
+                                        "environment.scatteringCoefficient"}))
+        << "by place before the order of the table";
+}
+
 TEST(SettingTable, EveryDefaultIsAValueInItsCanonicalForm) {
     for (const SettingInfo& setting : settingTable()) {
         EXPECT_EQ(canonicalText(setting, setting.defaultText), setting.defaultText) << setting.key;
