@@ -11,6 +11,7 @@
 #include "smatcore/data/ColumnName.h"
 #include "smatcore/data/ResultDifference.h"
 #include "smatcore/project/AnalysisKind.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
 namespace {
@@ -227,7 +228,7 @@ PlotData cartesianData(const std::vector<NamedResult>& results, const std::strin
     data.yTitle = QString::fromStdString(y.axisTitle());
 
     // Ranges that were spaced by equal ratios are read on a logarithmic axis.
-    data.xLogarithmic = first.provenance.value("range.log") == "true";
+    data.xLogarithmic = first.provenance.value(key::rangeLog) == "true";
     if (isProfile(first)) {
         std::swap(data.xTitle, data.yTitle);
         for (Curve& curve : data.curves) {

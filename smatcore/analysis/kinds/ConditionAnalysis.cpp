@@ -52,12 +52,12 @@ void planCondition(AnalysisPlan& plan, const Project&, const Settings& settings,
     const int points = settings[key::conditionPoints];
     plan.coordinate = condition.quantity;
     const SettingInfo& limits = settingInfo(condition.setting);
-    for (const char* key : {"condition.from", "condition.to"}) {
-        if (!canonicalText(limits, settings.text(key))) {
+    for (const RealKey end : {key::conditionFrom, key::conditionTo}) {
+        if (!canonicalText(limits, settings.text(end))) {
             diagnostics.push_back(
                 {.file = "",
-                 .position = key,
-                 .value = settings.text(key),
+                 .position = end,
+                 .value = settings.text(end),
                  .expected = limits.expected() + ", as " + limits.key + " wants it"});
         }
     }
@@ -65,8 +65,8 @@ void planCondition(AnalysisPlan& plan, const Project&, const Settings& settings,
         diagnostics.push_back({.file = "",
                                .position = key::conditionTo,
                                .value = settings.text(key::conditionTo),
-                               .expected = "a number above condition.from, which is " +
-                                           settings.text(key::conditionFrom)});
+                               .expected = "a number above " + std::string(key::conditionFrom) +
+                                           ", which is " + settings.text(key::conditionFrom)});
     }
     if (!diagnostics.empty())
         return;
