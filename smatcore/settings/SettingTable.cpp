@@ -208,8 +208,8 @@ void addRendering(std::vector<SettingInfo>& table) {
                      SettingAudience::expert),
               {"aligned on the pixels", "sills, as published"}),
         2);
-    samples.add(number(key::renderPointSource, "--point-source", "Point sources below", "px", 0, 1,
-                       "0.015625",
+    samples.add(number(key::renderPointSource, "--point-source", "Point sources below", "px", 0,
+                       irsg::largestPointSource_px, "0.015625",
                        "Objects narrower than this part of a pixel are drawn once per aspect "
                        "and then stand for any range as points (modes 3 to 5, aligned); 0 draws "
                        "them always.",
