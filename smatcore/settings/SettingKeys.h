@@ -105,6 +105,7 @@ inline constexpr BooleanKey imageTruthLayers{"image.truthLayers"};
 
 inline constexpr OptionalRealKey polarStep{"polar.step"};
 inline constexpr BooleanKey rangeLog{"range.log"};
+inline constexpr BooleanKey conditionLog{"condition.log"};
 
 /// "polar.steps", of the name of a kind of analysis: how its cases stand. Some kinds have no such
 /// setting.
