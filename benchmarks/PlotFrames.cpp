@@ -136,9 +136,9 @@ void cancelling() {
     Workbench workbench;
     workbench.open(std::filesystem::path(SMAT_SOURCE_DIR) / "samples/ship/ship.smat");
     auto settings = workbench.settings();
-    settings.set("sensor.width", 7000);
-    settings.set("sensor.height", 7000);
-    settings.set("render.antialiasing", 2);
+    settings.set(smat::key::sensorWidth, 7000);
+    settings.set(smat::key::sensorHeight, 7000);
+    settings.set(smat::key::renderAntialiasing, 2);
     workbench.start(
         smat::AnalysisData::of(workbench.project(), smat::AnalysisKind::image, settings));
     const auto begun = Clock::now();

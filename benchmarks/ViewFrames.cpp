@@ -184,7 +184,7 @@ void editInTheWindow(const std::filesystem::path& sample) {
         print((std::string("key to screen, key held down, ") + word).c_str(),
               [&] { return press(0.03); });
         Settings fine = workbench.settings();
-        fine.set("polar.step", "0.5");
+        fine.set(key::polarStep, "0.5");
         AnalysisData job = AnalysisData::of(workbench.project(), AnalysisKind::polar, fine);
         workbench.start(std::move(job));
         print((std::string("key to screen, an analysis runs, ") + word).c_str(),
@@ -304,7 +304,7 @@ int main(int argc, char** argv) {
             std::vector<double> settings_ms;
             for (int i = 0; i < 20; ++i) {
                 waitFor([] { return false; }, 0.4);
-                settings.set("environment.sunAzimuth", 10 * i);
+                settings.set(key::environmentSunAzimuth, 10 * i);
                 forget();
                 clock.restart();
                 view.setProject(project, settings);

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDockWidget>
 #include <QListWidget>
 #include <QMouseEvent>
 #include <QTabWidget>
@@ -36,7 +37,7 @@ void ScreenshotTaker::keepCrosshair() {
 
 void ScreenshotTaker::keepRunning() {
     Settings fine = workbench_.settings();
-    fine.set("polar.step", "0.02");
+    fine.set(key::polarStep, "0.02");
     workbench_.start(AnalysisData::of(workbench_.project(), AnalysisKind::polar, fine));
     double done = 0.0;
     const auto progress =

@@ -34,7 +34,7 @@ std::vector<AnalysisPlan> planned(const std::vector<Job>& jobs, const Context& c
             if (!plans.back().refined.empty() && (!job.share.isAll() || context.team != nullptr))
                 throw irsg::InputError(irsg::Diagnostic{
                     .file = job.share.isAll() ? "several processes" : "--shard",
-                    .position = name(job.data.kind) + ".steps",
+                    .position = key::stepsOf(name(job.data.kind)),
                     .value = "adaptive",
                     .expected = "fixed: which cases an adaptive sweep has follows from all of its "
                                 "cases, so that it has no parts"});

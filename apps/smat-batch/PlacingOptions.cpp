@@ -5,15 +5,19 @@
 #include <cmath>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/model/PlacingGuess.h"
 #include "smatcore/project/JsonFields.h"
+#include "smatcore/project/Project.h"
 
 namespace smat::batch {
 
 namespace {
 
-[[noreturn]] void refuse(const char* option, const std::string& value, const char* expected) {
+[[noreturn]] void refuse(const char* option, const std::string& value,
+                         const std::string& expected) {
     throw irsg::InputError(
         irsg::Diagnostic{.file = option, .position = "", .value = value, .expected = expected});
 }
@@ -106,8 +110,11 @@ irsg::ModelOptions PlacingOptions::over(irsg::ModelOptions options) const {
                 placing.unit_m = unit.unit_m;
         if (!placing.unit_m)
             placing.unit_m = numberOf(unit_);
-        if (!placing.unit_m || !(*placing.unit_m >= 1e-6 && *placing.unit_m <= 1e6))
-            refuse("--unit", unit_, "m, cm, mm, in, ft, km or metres from 1e-6 to 1e6");
+        if (!placing.unit_m ||
+            !(*placing.unit_m >= leastModelUnit_m && *placing.unit_m <= mostModelUnit_m))
+            refuse("--unit", unit_,
+                   fmt::format("m, cm, mm, in, ft, km or metres from {} to {}", leastModelUnit_m,
+                               mostModelUnit_m));
     }
     if (!origin_.empty())
         placing.origin = originOf(origin_);

@@ -11,6 +11,7 @@
 #include "smatcore/data/ColumnName.h"
 #include "smatcore/data/ResultDifference.h"
 #include "smatcore/project/AnalysisKind.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
 namespace {
@@ -226,8 +227,9 @@ PlotData cartesianData(const std::vector<NamedResult>& results, const std::strin
     data.xTitle = QString::fromStdString(x.axisTitle());
     data.yTitle = QString::fromStdString(y.axisTitle());
 
-    // Ranges that were spaced by equal ratios are read on a logarithmic axis.
-    data.xLogarithmic = first.provenance.value("range.log") == "true";
+    // What was spaced by equal ratios is read on a logarithmic axis.
+    for (const BooleanKey spacing : {key::rangeLog, key::conditionLog})
+        data.xLogarithmic = data.xLogarithmic || first.provenance.value(spacing) == "true";
     if (isProfile(first)) {
         std::swap(data.xTitle, data.yTitle);
         for (Curve& curve : data.curves) {

@@ -14,6 +14,7 @@
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/project/Project.h"
 
 namespace smat::gui {
 namespace {
@@ -57,7 +58,7 @@ PlacingFields::PlacingFields(const QString& prefix, QWidget* parent) : QWidget(p
     unit_->addItem(tr("another"));
     otherUnit_ = new NumberField(tr("m"));
     otherUnit_->setObjectName(prefix + ".unit_m");
-    otherUnit_->setRange(1e-6, 1e6);
+    otherUnit_->setRange(leastModelUnit_m, mostModelUnit_m);
     otherUnit_->setValue(1.0);
     auto* unitRow = new QHBoxLayout;
     unitRow->addWidget(unit_, 1);

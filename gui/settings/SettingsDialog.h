@@ -48,8 +48,8 @@ class SettingsDialog : public QDialog {
     /// Those of something else, on pages of its own.
     SettingsDialog(SettingsSubject subject, std::vector<SettingsPage> pages, FileChooser chooseFile,
                    QWidget* parent = nullptr);
-    /// Every setting of the table stands on one of them. The first ones are those of every
-    /// analysis: band and mode, sensor, sun, background.
+    /// Every setting of the table stands on the one that its row names. The first ones are those of
+    /// every analysis: band and mode, sensor, sun, background.
     static std::vector<SettingsPage> pages();
 
     /// By its title; another one than there is changes nothing.

@@ -14,6 +14,7 @@
 #include "gui/tools/MonteCarloPage.h"
 #include "gui/tools/RunFoot.h"
 #include "gui/workbench/Workbench.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
 
@@ -103,7 +104,7 @@ void MonteCarloPage::addWhat(QFormLayout* form) {
     percentiles_ = new QLineEdit("5, 25, 50, 75, 95", this);
     percentiles_->setObjectName("percentiles");
     percentiles_->setToolTip(tr("Bands of the plot, in %: ascending numbers from 0 to 100"));
-    phases_ = wholeNumber("phases", 1, 64, 4, this);
+    phases_ = wholeNumber("phases", 1, MonteCarloOptions::mostPhases, 4, this);
     phases_->setToolTip(
         tr("Renderings of each case with the target at different places among the "
            "pixels: their spread is the error of the rendering itself. 1 for none."));
@@ -114,13 +115,16 @@ void MonteCarloPage::addWhat(QFormLayout* form) {
 }
 
 void MonteCarloPage::addDraws(QFormLayout* form) {
-    samples_ = wholeNumber("samples", 2, 10'000'000, 1024, this);
+    samples_ = wholeNumber("samples", MonteCarloOptions::leastSamples,
+                           MonteCarloOptions::mostSamples, 1024, this);
     samples_->setSingleStep(256);
     sequence_ =
         choice("sequence", {{tr("Sobol' sequence"), "sobol"}, {tr("Plain draws"), "plain"}}, this);
     sequence_->setToolTip(tr("Sobol' points fill the space of the scales evenly and need far fewer "
                              "draws; plain draws are independent"));
-    seed_ = wholeNumber("seed", 0, 2147483647, 1, this);
+    const SettingInfo& seed = settingInfo(key::scalingSeed);
+    seed_ = wholeNumber("seed", static_cast<int>(seed.minimum), static_cast<int>(seed.maximum), 1,
+                        this);
     seed_->setToolTip(tr("The same seed gives the same draws on every machine"));
     stops_ = new QCheckBox(tr("Stop at a standard error of"), this);
     stops_->setObjectName("stops");
@@ -148,7 +152,8 @@ void MonteCarloPage::addDraws(QFormLayout* form) {
     ranks_->setToolTip(
         tr("Ranks the scales by first-order Sobol' indices over the whole sweep: the "
            "share of the variance that would go if the scale were known"));
-    pairs_ = wholeNumber("pairs", 256, 1'000'000, 1024, this);
+    pairs_ = wholeNumber("pairs", MonteCarloOptions::leastRankingPairs,
+                         MonteCarloOptions::mostRankingPairs, 1024, this);
     pairs_->setSingleStep(256);
     form->addRow(stops_, standardError_);
     form->addRow(ranks_, pairs_);

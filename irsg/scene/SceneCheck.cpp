@@ -162,9 +162,11 @@ void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeo
         !std::has_single_bit(static_cast<unsigned>(settings.zoomWindow)))
         diagnostics.push_back({"settings", "zoom window", std::to_string(settings.zoomWindow),
                                "a power of two for the published zoom"});
-    if (!(settings.pointSourceBelow_px >= 0.0 && settings.pointSourceBelow_px <= 1.0))
+    if (!(settings.pointSourceBelow_px >= 0.0 &&
+          settings.pointSourceBelow_px <= largestPointSource_px))
         diagnostics.push_back({"settings", "point source below",
-                               roundedText(settings.pointSourceBelow_px), "0 to 1 pixels"});
+                               roundedText(settings.pointSourceBelow_px),
+                               "0 to " + roundedText(largestPointSource_px) + " pixels"});
     if (settings.samplesPerAxis < 1 || settings.samplesPerAxis > 16)
         diagnostics.push_back(
             {"settings", "samples per axis", std::to_string(settings.samplesPerAxis), "1 to 16"});

@@ -74,13 +74,13 @@ void checkAbilities(AnalysisKind kind, const Settings& settings,
 bool isAdaptivePlot(AnalysisKind kind, const Settings& settings) {
     if (kind->step == nullptr)
         return false;
-    const std::string& steps = settings.text(name(kind) + ".steps");
+    const std::string& steps = settings.text(key::stepsOf(name(kind)));
     return steps == "adaptive" || (steps == "auto" && !settings[OptionalRealKey{kind->step}]);
 }
 
 Settings withFixedSteps(AnalysisKind kind, Settings settings) {
-    if (isAdaptivePlot(kind, settings) && settings.text(name(kind) + ".steps") == "auto")
-        settings.set(name(kind) + ".steps", "fixed");
+    if (isAdaptivePlot(kind, settings) && settings.text(key::stepsOf(name(kind))) == "auto")
+        settings.set(key::stepsOf(name(kind)), "fixed");
     return settings;
 }
 
@@ -190,7 +190,7 @@ AnalysisPlan planAnalysis(AnalysisKind kind, const Project& project, const Setti
         settings[key::renderTargetError])
         plan.errors = ErrorColumns::sum;
     if (!plan.refined.empty()) {
-        const bool isAsked = settings.text(name(kind) + ".steps") == "adaptive";
+        const bool isAsked = settings.text(key::stepsOf(name(kind))) == "adaptive";
         plan.largestBend = 0.01 * settings[key::renderTargetError].value_or(isAsked ? 1.0 : 2.0);
         // What nobody asked for stays quick, and goes after curves, not after noise.
         if (!isAsked) {

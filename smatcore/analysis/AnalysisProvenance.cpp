@@ -129,7 +129,7 @@ void writeProvenance(AnalysisData& data, const SceneDescription& scene) {
     }
     for (const SettingInfo& setting : settingTable()) {
         // How the cases stand is told where they follow the curves, asked for or not.
-        if (setting.key == name(data.kind) + ".steps" &&
+        if (setting.key == key::stepsOf(name(data.kind)) &&
             data.settings.text(setting.key) == "auto" && isAdaptivePlot(data.kind, data.settings))
             provenance.add(setting.key, "adaptive");
         if (concerns(setting, name(data.kind)) && !data.settings.isDefault(setting.key)) {

@@ -108,7 +108,7 @@ AnalysisData analysisOf(const Told& told, const std::vector<Project>& open) {
         if (findSetting(key) != nullptr && !data.settings.isSet(key))
             told.refuse(key, value, "a value that this version knows");
     // Where adaptive steps are not told there were none.
-    if (told.text(analysis + ".steps").empty())
+    if (told.text(key::stepsOf(analysis)).empty())
         data.settings = withFixedSteps(data.kind, data.settings);
     data.project.settings = data.settings;
     return data;

@@ -42,7 +42,7 @@ class Run {
         analysis.settings = withFixedSteps(analysis.kind, analysis.settings);
         plan_ = planAnalysis(analysis.kind, analysis.project, analysis.settings);
         if (!plan_.refined.empty())
-            throw monteCarloRefusal(name(analysis.kind) + ".steps", "adaptive",
+            throw monteCarloRefusal(key::stepsOf(name(analysis.kind)), "adaptive",
                                     "fixed, or auto: draws are of the cases that there are before "
                                     "any is drawn");
         if (analysis.kind->form != AnalysisForm::spectrum)

@@ -22,7 +22,11 @@ namespace smat {
 struct MonteCarloOptions {
     enum class Quantity { intensity, contrastIntensity, irradiance };
 
-    std::size_t samples = 1024; ///< draws at most, 2 to 1e7
+    static constexpr int leastSamples = 2, mostSamples = 10'000'000;
+    static constexpr int mostPhases = 64;
+    static constexpr int leastRankingPairs = 256, mostRankingPairs = 1'000'000;
+
+    std::size_t samples = 1024; ///< draws at most
     DrawSequence sequence = DrawSequence::sobol;
     Quantity quantity = Quantity::contrastIntensity;
     std::vector<double> percentiles = {5.0, 25.0, 50.0, 75.0, 95.0};
@@ -35,7 +39,7 @@ struct MonteCarloOptions {
     /// its own: their spread is the numerical error. 1 leaves it out.
     int phases = 4;
     bool ranking = false;
-    std::size_t rankingPairs = 1024; ///< draws with companions, 256 to 1e6
+    std::size_t rankingPairs = 1024; ///< draws with companions
     /// Where the ranking looks, in the unit of the abscissa (wavelength in um for spectra): the
     /// nearest one; the whole sweep where it is not set.
     std::optional<double> rankingAt;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -63,8 +64,14 @@ void MonteCarloOptions::check() const {
                                    .expected = std::move(expected)});
         }
     };
-    require(samples >= 2 && samples <= 10'000'000, "samples", std::to_string(samples),
-            "a whole number from 2 to 1e7");
+    const auto isFrom = [](auto number, int least, int most) {
+        return std::cmp_greater_equal(number, least) && std::cmp_less_equal(number, most);
+    };
+    const auto wholeNumber = [](int least, int most) {
+        return fmt::format("a whole number from {} to {}", least, most);
+    };
+    require(isFrom(samples, leastSamples, mostSamples), "samples", std::to_string(samples),
+            wholeNumber(leastSamples, mostSamples));
     const auto isPercent = [](double p) { return p >= 0.0 && p <= 100.0; };
     for (const double percent : percentiles) {
         require(isPercent(percent), "percentiles", irsg::numberText(percent),
@@ -78,10 +85,10 @@ void MonteCarloOptions::check() const {
     require(!standardError || (*standardError > 0.0 && *standardError < 1.0), "standard error",
             standardError ? irsg::numberText(*standardError) : "",
             "a part above 0 and below 1 of the statistic's largest magnitude");
-    require(phases >= 1 && phases <= 64, "phases", std::to_string(phases),
-            "a whole number from 1 to 64");
-    require(rankingPairs >= 256 && rankingPairs <= 1'000'000, "ranking pairs",
-            std::to_string(rankingPairs), "a whole number from 256 to 1e6");
+    require(isFrom(phases, 1, mostPhases), "phases", std::to_string(phases),
+            wholeNumber(1, mostPhases));
+    require(isFrom(rankingPairs, leastRankingPairs, mostRankingPairs), "ranking pairs",
+            std::to_string(rankingPairs), wholeNumber(leastRankingPairs, mostRankingPairs));
     require(!rankingAt || std::isfinite(*rankingAt), "ranking at", "no number",
             "an abscissa of the analysis");
     if (!diagnostics.empty())

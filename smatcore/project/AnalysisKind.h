@@ -40,7 +40,7 @@ std::string title(AnalysisKind kind);
 std::optional<AnalysisKind> analysisKindFromName(std::string_view name);
 /// What made a result, by the word of its provenance: an analysis, a tool, or AnalysisKind::other.
 AnalysisKind resultKindFromName(std::string_view name);
-/// "image, spectrum, polar, time or range": what analysisKindFromName knows.
+/// What analysisKindFromName knows, as alternatives: "image, spectrum, ... or table".
 std::string analysisKindNames();
 
 } // namespace smat

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "irsg/radiometry/Units.h"
+#include "smatcore/project/Project.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat {
@@ -255,7 +256,8 @@ irsg::ModelOptions JsonFields::takeModelOptions(Json& json, const std::string& p
     options.placing.up = takeAxis(json, "upAxis", path);
     options.placing.nose = takeAxis(json, "noseAxis", path);
     if (json.contains("unit_m"))
-        options.placing.unit_m = takeNumber(json, "unit_m", path, 1e-6, 1e6);
+        options.placing.unit_m =
+            takeNumber(json, "unit_m", path, leastModelUnit_m, mostModelUnit_m);
     options.placing.origin = takeOrigin(json, path);
     options.forceTwoSided = takeBoolean(json, "twoSided", path);
     options.cutsTextureAlpha = takeBoolean(json, "cutTextureAlpha", path);

@@ -118,9 +118,9 @@ ModelField ownNumber(std::string key, std::optional<double> OwnState::*of, RealK
 
 std::vector<ModelField> makeFields() {
     std::vector<ModelField> fields;
-    fields.push_back(coordinate("east", &irsg::Vec3::x, "East", -farthestPlace_m, farthest_m,
+    fields.push_back(coordinate("east", &irsg::Vec3::x, "East", -farthestPlace_m, farthestPlace_m,
                                 "Where its origin stands, east of the target's origin.", ""));
-    fields.push_back(coordinate("north", &irsg::Vec3::y, "North", -farthestPlace_m, farthest_m,
+    fields.push_back(coordinate("north", &irsg::Vec3::y, "North", -farthestPlace_m, farthestPlace_m,
                                 "The same, north of the target's origin.", ""));
     fields.push_back(coordinate(
         "altitude", &irsg::Vec3::z, "Altitude", 0, 1e6,

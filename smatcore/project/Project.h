@@ -13,6 +13,9 @@
 
 namespace smat {
 
+/// What one unit of a model's file may be.
+inline constexpr double leastModelUnit_m = 1e-6, mostModelUnit_m = 1e6;
+
 /// One model of a project. The first is the target: it stands at the origin at `target.altitude`
 /// with the attitude of `target.yaw`, `.pitch` and `.roll`, and the camera looks at its reference
 /// point. The others stand where their own pose says and do what their own state says; where it

@@ -163,7 +163,7 @@ void takeAsked(AnalysisData& data, const Words& words, const std::filesystem::pa
     data.kind = asked->kind;
     data.settings = data.project.settings.with(asked->settings);
     // Where adaptive steps are not told there were none.
-    if (data.table.provenance.value(name(data.kind) + ".steps").empty())
+    if (data.table.provenance.value(key::stepsOf(name(data.kind))).empty())
         data.settings = withFixedSteps(data.kind, data.settings);
     std::erase_if(data.project.analyses,
                   [&](const NamedAnalysis& one) { return one.name == words.analysis; });

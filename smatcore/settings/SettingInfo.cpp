@@ -144,6 +144,18 @@ const SettingInfo& settingInfo(std::string_view key) {
     return *found;
 }
 
+std::vector<std::string> settingsOn(SettingPage page) {
+    std::vector<const SettingInfo*> rows;
+    for (const SettingInfo& row : settingTable())
+        if (row.page == page)
+            rows.push_back(&row);
+    std::ranges::stable_sort(rows, {}, &SettingInfo::place);
+    std::vector<std::string> keys;
+    for (const SettingInfo* row : rows)
+        keys.push_back(row->key);
+    return keys;
+}
+
 std::string sectionTitle(std::string_view section) {
     if (section == "render")
         return "Rendering";

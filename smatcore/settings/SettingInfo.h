@@ -24,6 +24,23 @@ enum class SettingKind {
 /// Who needs to see a setting: forms hide the expert ones until asked.
 enum class SettingAudience { basic, expert };
 
+/// A page of the dialog of settings, in the order of the dialog.
+enum class SettingPage {
+    bandAndMode,
+    sensor,
+    cameraAndModel,
+    sunAndFluxes,
+    atmosphere,
+    scattering,
+    background,
+    skybox,
+    terrain,
+    antialiasing,
+    colours,
+    scalings,
+    none ///< of the settings of one kind of analysis, which its own form has
+};
+
 /// The one description of a setting. The form, the project file, `--set key=value`, the short
 /// option of the command line, the validation and the manual all come from it.
 struct SettingInfo {
@@ -41,6 +58,8 @@ struct SettingInfo {
     std::string option; ///< "--width"; every setting has one
     std::string help;   ///< documentation string: one or more sentences
     SettingAudience audience = SettingAudience::basic;
+    SettingPage page = SettingPage::none;
+    int place = 0; ///< on the page, the least first; those of one place in the order of the table
 
     /// "sensor".
     std::string section() const;
@@ -55,6 +74,8 @@ const std::vector<SettingInfo>& settingTable();
 const SettingInfo* findSetting(std::string_view key);
 /// LogicError for an unknown key.
 const SettingInfo& settingInfo(std::string_view key);
+/// Keys of the settings on a page of the dialog, in the order of their fields.
+std::vector<std::string> settingsOn(SettingPage page);
 /// "sensor" -> "Sensor": heading of a section in forms and manual.
 std::string sectionTitle(std::string_view section);
 /// True for the sections that concern one kind of analysis only.

@@ -9,7 +9,8 @@
 namespace smat {
 
 /// The name of a setting with the type of its value: `settings[key::sensorFov]` is a double. Keys
-/// that only their analysis reads stand with its definition.
+/// that only their analysis reads stand with its definition. The row of a key stands in
+/// SettingTable.cpp, apart from it since most files include this one.
 template <typename Value>
 struct SettingKey {
     const char* name; ///< "sensor.fov"
@@ -101,6 +102,16 @@ inline constexpr OptionalRealKey displayMaximum{"display.maximum"};
 
 inline constexpr TextKey imageQuantity{"image.quantity"};
 inline constexpr BooleanKey imageTruthLayers{"image.truthLayers"};
+
+inline constexpr OptionalRealKey polarStep{"polar.step"};
+inline constexpr BooleanKey rangeLog{"range.log"};
+inline constexpr BooleanKey conditionLog{"condition.log"};
+
+/// "polar.steps", of the name of a kind of analysis: how its cases stand. Some kinds have no such
+/// setting.
+inline std::string stepsOf(std::string_view analysis) {
+    return std::string(analysis) + ".steps";
+}
 
 } // namespace key
 

@@ -292,7 +292,7 @@ TEST_F(SmatBatchMonteCarlo, RefusesWhatItCannotDo) {
          "one of picture, turn"},
         {"a word for a number", {"--samples", "many", "--out", "a.csv"}, "a finite number"},
         {"half a draw", {"--samples", "2.5", "--out", "a.csv"}, "a whole number"},
-        {"no draws", {"--samples", "0", "--out", "a.csv"}, "from 2 to 1e7"},
+        {"no draws", {"--samples", "0", "--out", "a.csv"}, "from 2 to 10000000"},
         {"another sequence", {"--sequence", "halton", "--out", "a.csv"}, "sobol or plain"},
         {"another statistic",
          {"--statistic", "p200", "--out", "a.csv"},

@@ -73,6 +73,19 @@ TEST(ConditionAnalysis, ChangesPowerMachOrAltitudeAndNothingElse) {
     EXPECT_THAT(differences(altitude), Pointwise(DoubleNear(1e-9), {499.95, 499.95}));
 }
 
+TEST(ConditionAnalysis, SpacesItsValuesByEqualRatiosWhereThatIsAsked) {
+    Telltale target;
+    const AnalysisData data = ran(asked({{"condition.over", "altitude"},
+                                         {"condition.from", "10"},
+                                         {"condition.to", "10000"},
+                                         {"condition.points", "4"},
+                                         {"condition.log", "true"}}),
+                                  target);
+    EXPECT_THAT(column(data, "altitude"),
+                Pointwise(DoubleNear(1e-9), {10.0, 100.0, 1000.0, 10000.0}));
+    EXPECT_EQ(data.table.provenance.value("condition.log"), "true");
+}
+
 TEST(ConditionAnalysis, TakesTheCameraAlongWithTheAltitude) {
     Telltale target;
     const AnalysisData data = ran(asked({{"condition.over", "altitude"},
@@ -106,6 +119,7 @@ TEST(ConditionAnalysis, RefusesWhatCannotBeByTheKeyOfTheSetting) {
         return test::refusalOf([&] { planAnalysis(data.kind, data.project, data.settings); });
     };
     EXPECT_THAT(refusal({{"condition.from", "2"}}), HasSubstr("condition.to"));
+    EXPECT_THAT(refusal({{"condition.log", "true"}}), HasSubstr("condition.log is true"));
     const std::string tooFast = refusal({{"condition.to", "100"}});
     EXPECT_THAT(tooFast, HasSubstr("condition.to"));
     EXPECT_THAT(tooFast, HasSubstr("state.mach"));

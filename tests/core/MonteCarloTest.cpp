@@ -403,12 +403,15 @@ TEST_F(MonteCarloTest, RefusesWhatCannotBe) {
         data = kept;
     };
     expect("a whole number from 2", [&] { data.options.samples = 1; });
+    expect("to 10000000", [&] { data.options.samples = 10'000'001; });
     expect("numbers from 0 to 100", [&] { data.options.percentiles = {50.0, 101.0}; });
     expect("ascending numbers", [&] { data.options.percentiles = {50.0, 5.0}; });
     expect("ascending numbers", [&] { data.options.percentiles = {50.0, 50.0}; });
     expect("standard error", [&] { data.options.standardError = 0.0; });
     expect("from 1 to 64", [&] { data.options.phases = 0; });
-    expect("from 256 to 1e6", [&] { data.options.rankingPairs = 3; });
+    expect("from 1 to 64", [&] { data.options.phases = 65; });
+    expect("from 256 to 1000000", [&] { data.options.rankingPairs = 1'000'001; });
+    expect("from 256 to 1000000", [&] { data.options.rankingPairs = 3; });
     expect("an image",
            [&] { data.analysis = AnalysisData::of(data.analysis.project, AnalysisKind::image); });
     expect("fixed, or auto", [&] { data.analysis.settings.set("polar.steps", "adaptive"); });

@@ -185,6 +185,14 @@ TEST(ModelFields, SayAndSetEveryNumberOfAModel) {
     EXPECT_EQ(findModelField("colour"), nullptr);
 }
 
+TEST(ModelFields, APlaceLiesAsFarToEitherSide) {
+    for (const char* key : {"east", "north"}) {
+        const SettingInfo& info = findModelField(key)->info;
+        EXPECT_EQ(info.maximum, 1e7) << key;
+        EXPECT_EQ(info.minimum, -info.maximum) << key;
+    }
+}
+
 TEST(ModelFields, AnglesThatWereWrittenAreEqualWhenTheyAreReadAgain) {
     Project project = fleet();
     for (int tenth = -1799; tenth <= 1800; tenth += 7) {

@@ -1,6 +1,7 @@
 #include "smatcore/settings/Settings.h"
 
 #include <ostream>
+#include <regex>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -23,6 +24,17 @@ TEST(SettingTable, EverySettingIsDescribedInFull) {
         EXPECT_FALSE(setting.expected().empty()) << setting.key;
         EXPECT_FALSE(sectionTitle(setting.section()).empty()) << setting.key;
     }
+}
+
+TEST(SettingTable, EverySettingStandsOnItsPageAndThoseOfAnAnalysisInItsForm) {
+    for (const SettingInfo& setting : settingTable()) {
+        EXPECT_EQ(setting.page == SettingPage::none, isAnalysisSection(setting.section()))
+            << setting.key;
+    }
+    EXPECT_EQ(settingsOn(SettingPage::scattering),
+              (std::vector<std::string>{"render.scattering", "environment.mtf",
+                                        "environment.scatteringCoefficient"}))
+        << "by place before the order of the table";
 }
 
 TEST(SettingTable, EveryDefaultIsAValueInItsCanonicalForm) {
@@ -57,6 +69,17 @@ TEST(SettingTable, WordsForFormsStandForEachValue) {
                                 : static_cast<std::size_t>(setting.maximum - setting.minimum) + 1;
         EXPECT_EQ(setting.names.size(), values) << setting.key;
     }
+}
+
+TEST(SettingTable, EveryHandleHasItsRow) {
+    const std::string header = readTextFile(SMAT_SOURCE_DIR "/smatcore/settings/SettingKeys.h");
+    const std::regex handle(R"re(Key \w+\{"([^"]+)"\};)re");
+    int handles = 0;
+    for (std::sregex_iterator found(header.begin(), header.end(), handle), end; found != end;
+         ++found, ++handles) {
+        EXPECT_NE(findSetting((*found)[1].str()), nullptr) << (*found)[1];
+    }
+    EXPECT_GT(handles, 50);
 }
 
 TEST(SettingTable, KeysAreUniqueAndSoAreTheOptionsOfOneCommand) {

@@ -332,6 +332,23 @@ TEST_F(MonteCarloPageTest, WritesTheScalingFilesWhereThereAreNone) {
     keepScreenshot(*page, "montecarlo-empty");
 }
 
+TEST_F(MonteCarloPageTest, TakesTheNumbersThatARunTakes) {
+    makePage();
+    MonteCarloOptions options;
+    for (const bool isMost : {false, true}) {
+        const auto end = [&](const char* name) {
+            const auto* box = get<QSpinBox>(name);
+            return isMost ? box->maximum() : box->minimum();
+        };
+        options.samples = static_cast<std::size_t>(end("samples"));
+        options.phases = end("phases");
+        options.rankingPairs = static_cast<std::size_t>(end("pairs"));
+        EXPECT_NO_THROW(options.check());
+    }
+    ++options.samples;
+    EXPECT_THROW(options.check(), irsg::InputError) << "one more than the form takes";
+}
+
 TEST_F(MonteCarloPageTest, KeepsTheDrawsOfARunThatIsCancelled) {
     makePage();
     get<QSpinBox>("samples")->setValue(2'000'000);

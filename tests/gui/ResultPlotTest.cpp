@@ -150,6 +150,16 @@ TEST(ResultPlotTest, OverlaysBandsOnAResultOfOneBand) {
     EXPECT_EQ(data.curves[1].name, "b: all, 3-5 µm");
 }
 
+TEST(ResultPlotTest, HasALogarithmicAxisWhereValuesStandByEqualRatios) {
+    const auto plain = test::rangeTable();
+    EXPECT_FALSE(cartesianData({{"run", &plain}}, "contrast_intensity").xLogarithmic);
+    for (const char* key : {"range.log", "condition.log"}) {
+        auto table = test::rangeTable();
+        table.provenance.add(key, "true");
+        EXPECT_TRUE(cartesianData({{"run", &table}}, "contrast_intensity").xLogarithmic) << key;
+    }
+}
+
 TEST(ResultPlotTest, LabelsAxesWithUnits) {
     const auto table = test::rangeTable();
     const auto data = cartesianData({{"run", &table}}, "contrast_intensity");

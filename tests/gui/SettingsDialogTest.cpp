@@ -98,6 +98,47 @@ TEST_F(SettingsDialogTest, EverySettingOfTheTableStandsOnOnePage) {
     }
 }
 
+TEST_F(SettingsDialogTest, FieldsOfAPageStandInTheOrderInWhichTheyAreSet) {
+    const std::vector<std::pair<std::string, std::vector<std::string>>> expected = {
+        {"Band and mode",
+         {"sensor.band", "sensor.response", "sensor.mode", "render.widebandError"}},
+        {"Sensor", {"sensor.width", "sensor.height", "sensor.fov"}},
+        {"Camera and model",
+         {"camera.range", "camera.azimuth", "camera.elevation", "target.yaw", "target.pitch",
+          "target.roll", "target.altitude", "state.time", "state.power", "state.mach"}},
+        {"Sun and fluxes",
+         {"environment.sunAzimuth", "environment.sunElevation", "environment.dayOfYear",
+          "render.sun", "render.shadows", "render.bounces", "render.lightError", "render.fluxes",
+          "render.fluxWeights"}},
+        {"Atmosphere",
+         {"environment.atmospheres", "environment.bins", "environment.ambientTemperature",
+          "render.referenceAir"}},
+        {"Scattering",
+         {"render.scattering", "environment.mtf", "environment.scatteringCoefficient"}},
+        {"Background",
+         {"render.background", "render.backgroundRows", "render.backgroundColumns",
+          "render.sunDisc"}},
+        {"Skybox", {"environment.skybox", "environment.skyboxSlope", "environment.skyboxOffset"}},
+        {"Terrain",
+         {"environment.terrain", "environment.terrainSlope", "environment.terrainOffset",
+          "environment.terrainEast", "environment.terrainNorth", "environment.terrainAltitude",
+          "render.terrainHides"}},
+        {"Antialiasing",
+         {"render.antialiasing", "render.errors", "render.targetError", "render.supersampling",
+          "render.zoom", "render.pointSource", "render.hotParts", "render.layers",
+          "render.engine"}},
+        {"Colours",
+         {"display.colorMap", "display.scale", "display.markOutside", "display.minimum",
+          "display.maximum"}},
+        {"Scalings", {"scaling.use", "scaling.seed"}},
+    };
+    std::vector<std::pair<std::string, std::vector<std::string>>> pages;
+    for (const SettingsPage& page : SettingsDialog::pages()) {
+        pages.emplace_back(page.title.toStdString(), page.keys);
+    }
+    EXPECT_EQ(pages, expected);
+}
+
 TEST_F(SettingsDialogTest, IsFoundByAnyOfItsWords) {
     openSample();
     onDialog = [&](QDialog& dialog) {

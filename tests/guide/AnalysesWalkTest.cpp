@@ -53,7 +53,10 @@ TEST_F(AnalysesWalkTest, AnalysesOfEachKind) {
         {"Range (Ctrl+5) | intensity over range, through the air", "range", "Ctrl+5"},
         {"Condition (Ctrl+6) | intensity over engine power, Mach number or altitude; the camera "
          "climbs with the target",
-         "condition", "Ctrl+6"}};
+         "condition", "Ctrl+6"},
+        {"Table (Ctrl+7) | intensity over every direction, range and state that is asked for, for "
+         "other programs",
+         "table", "Ctrl+7"}};
     std::string command;
     onDialog = [&](QDialog& dialog) {
         if (auto* line = dialog.findChild<QLineEdit*>("commandLine")) {
@@ -62,6 +65,9 @@ TEST_F(AnalysesWalkTest, AnalysesOfEachKind) {
     };
     workbench.set("image.truthLayers", "true");
     workbench.set("condition.points", "3");
+    workbench.set("table.azimuthStep", "120");
+    workbench.set("table.elevationStep", "90");
+    workbench.set("table.ranges", "1000,2000");
     for (const Kind& kind : kinds) {
         walk.step(kind.row);
         EXPECT_EQ(get<QAction>(QString("new-") + kind.word)->shortcut(), QKeySequence(kind.key));
@@ -71,7 +77,7 @@ TEST_F(AnalysesWalkTest, AnalysesOfEachKind) {
     }
     onDialog = nullptr;
     const auto& results = workbench.results();
-    ASSERT_EQ(results.size(), 6U);
+    ASSERT_EQ(results.size(), 7U);
     const irsg::RadianceImage& image = results[0].data->image;
     for (const char* plane : {"temperature_index", "range"}) {
         EXPECT_NE(image.find(plane), nullptr) << plane;
@@ -83,6 +89,10 @@ TEST_F(AnalysesWalkTest, AnalysesOfEachKind) {
     const ResultTable& climb = results[5].data->table;
     EXPECT_NE(climb.find("mach"), nullptr);
     EXPECT_EQ(climb.rowCount(), 3U);
+    const ResultTable& directions = results[6].data->table;
+    ASSERT_NE(directions.find("range"), nullptr);
+    EXPECT_EQ(directions.find("range")->values.front(), 1000.0);
+    EXPECT_EQ(directions.find("range")->values.back(), 2000.0);
     for (const auto& [over, to] : {std::pair{"power", "1"}, {"altitude", "3000"}}) {
         workbench.set("condition.over", over);
         workbench.set("condition.to", to);

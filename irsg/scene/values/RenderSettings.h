@@ -55,6 +55,7 @@ enum class SunShadowMode {
 inline constexpr int convergedBounces = -1;
 
 inline constexpr int largestBackgroundGrid = 1024;
+inline constexpr double largestPointSource_px = 1.0;
 
 struct RenderSettings {
     EngineChoice engine = EngineChoice::opengl;
@@ -68,7 +69,7 @@ struct RenderSettings {
     ZoomStrategy zoomStrategy = ZoomStrategy::aligned;
     /// Objects narrower than this are drawn once per aspect and then stand for any range as points,
     /// with the aligned zoom, before no terrain and apart from other objects; see PointSources.
-    /// Pixels, 0 (never) to 1.
+    /// Pixels, 0 (never) to `largestPointSource_px`.
     double pointSourceBelow_px = 1.0 / 64.0;
     /// Small parts that shine out of their object, such as exhaust pipes, have windows of their
     /// own, with the aligned zoom; see HotParts.

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <optional>
 
 #include "smatcore/analysis/AnalysisDefinition.h"
@@ -28,6 +29,8 @@ std::vector<SettingInfo> conditionSettings() {
         number(key::conditionTo, "--to", "To", "", 0, 1e6, "1", "Last value."),
         integer(key::conditionPoints, "--points", "Points", "", 2, 100000, "21",
                 "Number of values, both ends included."),
+        flag(key::conditionLog, "--log", "Logarithmic", false,
+             "Spaces the values by equal ratios."),
     };
 }
 
@@ -50,14 +53,15 @@ void planCondition(AnalysisPlan& plan, const Project&, const Settings& settings,
     const Condition condition = conditionNamed(settings.text(key::conditionOver));
     const double from = settings[key::conditionFrom], to = settings[key::conditionTo];
     const int points = settings[key::conditionPoints];
+    const bool isLogarithmic = settings[key::conditionLog];
     plan.coordinate = condition.quantity;
     const SettingInfo& limits = settingInfo(condition.setting);
-    for (const char* key : {"condition.from", "condition.to"}) {
-        if (!canonicalText(limits, settings.text(key))) {
+    for (const RealKey end : {key::conditionFrom, key::conditionTo}) {
+        if (!canonicalText(limits, settings.text(end))) {
             diagnostics.push_back(
                 {.file = "",
-                 .position = key,
-                 .value = settings.text(key),
+                 .position = end,
+                 .value = settings.text(end),
                  .expected = limits.expected() + ", as " + limits.key + " wants it"});
         }
     }
@@ -65,15 +69,24 @@ void planCondition(AnalysisPlan& plan, const Project&, const Settings& settings,
         diagnostics.push_back({.file = "",
                                .position = key::conditionTo,
                                .value = settings.text(key::conditionTo),
-                               .expected = "a number above condition.from, which is " +
-                                           settings.text(key::conditionFrom)});
+                               .expected = "a number above " + std::string(key::conditionFrom) +
+                                           ", which is " + settings.text(key::conditionFrom)});
+    }
+    if (isLogarithmic && from <= 0.0) {
+        diagnostics.push_back({.file = "",
+                               .position = key::conditionFrom,
+                               .value = settings.text(key::conditionFrom),
+                               .expected = "a number above 0, because " +
+                                           std::string(key::conditionLog) + " is true"});
     }
     if (!diagnostics.empty())
         return;
     const double step = (to - from) / (points - 1);
     for (int i = 0; i < points; ++i) {
         AnalysisCase one = standingCase(settings);
-        one.coordinate = i == points - 1 ? to : stepped(from, static_cast<std::size_t>(i), step);
+        one.coordinate = i == points - 1 ? to
+                         : isLogarithmic ? from * std::pow(to / from, i / (points - 1.0))
+                                         : stepped(from, static_cast<std::size_t>(i), step);
         one.*condition.value = one.coordinate;
         plan.cases.push_back(one);
     }

@@ -11,7 +11,6 @@ namespace smat {
 
 namespace key {
 constexpr TextKey polarType{"polar.type"};
-constexpr OptionalRealKey polarStep{"polar.step"};
 constexpr TextKey polarSteps{"polar.steps"};
 constexpr RealKey polarFrom{"polar.from"};
 constexpr RealKey polarTo{"polar.to"};

@@ -11,7 +11,6 @@ namespace key {
 constexpr RealKey rangeFrom{"range.from"};
 constexpr RealKey rangeTo{"range.to"};
 constexpr OptionalRealKey rangePoints{"range.points"};
-constexpr BooleanKey rangeLog{"range.log"};
 constexpr TextKey rangeSteps{"range.steps"};
 } // namespace key
 
