@@ -210,14 +210,6 @@ TEST(SmatBatchTable, IsReadByGnuOctaveAsItIsWrittenAsCsv) {
     EXPECT_EQ(read(folder / "other.csv").exitCode, 1);
 }
 
-/// A result without the command that made it.
-std::string withoutCommand(const std::string& file) {
-    std::string text = contentOf(file);
-    const std::size_t begin = text.find("# command");
-    return begin == std::string::npos ? text
-                                      : text.erase(begin, text.find('\n', begin) + 1 - begin);
-}
-
 TEST(SmatBatchParts, AreJoinedToTheBytesOfOneRun) {
     const TemporaryFolder folder;
     const auto ran = [&](std::vector<std::string> more) {
@@ -299,25 +291,6 @@ TEST(SmatBatchAdaptiveSteps, HaveNoParts) {
     const Ran ran = smatBatch(whole);
     EXPECT_EQ(ran.exitCode, 0) << ran.err;
     EXPECT_THAT(contentOf(folder / "a.csv"), HasSubstr("# answered by: adaptive steps: 3 + "));
-}
-
-TEST(SmatBatchThreads, ChangeNothingButTheTime) {
-    const TemporaryFolder folder;
-    const auto ran = [&](const std::string& threads) {
-        const std::string file = folder / ("of" + threads + ".csv");
-        const Ran one = smatBatch(
-            {"polar", sample("box/box.smat"), "--step", "60", "--threads", threads, "--out", file});
-        EXPECT_EQ(one.exitCode, 0) << one.err;
-        return withoutCommand(file);
-    };
-    const std::string of1 = ran("1");
-    EXPECT_EQ(of1, ran("2"));
-    EXPECT_EQ(of1, ran("7"));
-    for (const char* wrong : {"0", "1.5", "many"}) {
-        const Ran refused = smatBatch({"settings", "--threads", wrong});
-        EXPECT_EQ(refused.exitCode, 2);
-        EXPECT_THAT(refused.err, HasSubstr("--threads"));
-    }
 }
 
 } // namespace
