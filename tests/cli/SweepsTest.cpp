@@ -113,6 +113,38 @@ TEST(SmatBatchSweep, TellsOfATargetThatReachesOutOfTheFrame) {
     EXPECT_THAT(contentOf(folder / "a.csv"), HasSubstr("# warning: " + sentence));
 }
 
+// The aircraft at 500 m in 2 degrees: what reaches out of the frame is missing from the sums, and
+// whoever reads that a sweep is complete reads that too.
+TEST(SmatBatchSweep, OfEveryKindTellsWhatItsSumsAreWithout) {
+    const TemporaryFolder folder;
+    const std::string sentence =
+        "the bounding box of turboprop4 reaches beyond the frame; what lies "
+        "outside is not in the sums";
+    for (const std::vector<std::string>& kind :
+         {std::vector<std::string>{"polar", "--step", "180", "--steps", "fixed"},
+          {"range", "--from", "500", "--to", "600", "--points", "2", "--set", "range.steps=fixed"},
+          {"time", "--from", "0", "--to", "1", "--step", "1"}}) {
+        for (const bool isToldAsJson : {false, true}) {
+            std::vector<std::string> words = kind;
+            words.insert(words.begin() + 1, sample("turboprop4/turboprop4.smat"));
+            words.insert(words.end(),
+                         {"--range", "500", "--fov", "2", "--atmosphere", "none", "--antialiasing",
+                          "3", "--shadows", "off", "--bounces", "0", "--width", "64", "--height",
+                          "64", "--out", folder / "a.csv"});
+            if (isToldAsJson) {
+                words.emplace_back("--json");
+            }
+            const Ran ran = smatBatch(words);
+            ASSERT_EQ(ran.exitCode, 0) << ran.err;
+            EXPECT_THAT(ran.err, HasSubstr("warning: " + kind.front() + ": " + sentence));
+            // Beside the word "complete", on the screen and in the file.
+            EXPECT_THAT(ran.out, HasSubstr("complete"));
+            EXPECT_THAT(ran.out, HasSubstr(sentence)) << kind.front();
+            EXPECT_THAT(contentOf(folder / "a.csv"), HasSubstr("# warning: " + sentence));
+        }
+    }
+}
+
 TEST(SmatBatchSweep, RefusesThePublishedZoomWithTheReason) {
     const TemporaryFolder folder;
     for (const char* command : {"polar", "range", "time"}) {
