@@ -2,7 +2,8 @@
 """Times of whole runs of smat-batch: sweeps in several bands, Monte Carlo, a simulation.
 
     bench_sweep BEFORE [AFTER] [--repeat 3] [--only polar --only range] [--aspects 360]
-                [--bands 1,10,100] [--source DIR]
+                [--bands 1,10,100] [--source DIR] [--before-options=WORDS]
+                [--after-options=WORDS]
 
 With two programs each case is run by both in alternation, and ratios before / after of the least and
 the median wall time are printed; with one program its times alone. For every case follow processor
@@ -11,14 +12,24 @@ time, peak memory (resident, of the child) and the stages of `--timing` of its q
 A program that takes one band a run is asked for the first, the middle and the last of N bands; their
 mean times N stands for N runs, which the table says ("x N"). Its peak memory is that of one run.
 
-The programs run in the folder of the sample projects and write to a temporary folder. The standard
-library is all that is needed.
+Where two programs do not compute the same by default, options make them: words that are added to
+every command of one of them. A program of before shadows and light between surfaces is compared with
+one of now as the published figures were, in air whose cost is not what is measured:
+
+    bench_sweep BEFORE AFTER
+        --before-options="--atmosphere ../resources/atmospheres/haze-23km.csv"
+        --after-options="--atmosphere ../resources/atmospheres/haze-23km.csv
+                         --set render.shadows=off --set render.bounces=0"
+
+The programs run in the folder of the sample projects, from which names of files in options start,
+and write to a temporary folder. The standard library is all that is needed.
 """
 
 import argparse
 import os
 import pathlib
 import re
+import shlex
 import statistics
 import subprocess
 import sys
@@ -91,17 +102,19 @@ def bands_of(number):
 class Program:
     """A smat-batch, and whether it takes several bands in one run."""
 
-    def __init__(self, path, samples):
+    def __init__(self, path, options, samples):
         self.path = str(pathlib.Path(path).resolve())
+        self.options = options
         self.samples = samples
         try:
-            run(self.path, ["polar", "turboprop4/turboprop4.smat", "--dry-run", "--band=3-4,4-5"],
-                samples)
+            run(self.path, ["polar", "turboprop4/turboprop4.smat", "--dry-run", "--band=3-4,4-5",
+                            *options], samples)
             self.takes_bands = True
         except Failure:
             self.takes_bands = False
 
     def run(self, arguments, bands, out):
+        arguments = [*arguments, *self.options]
         if not bands:
             return run(self.path, [*arguments, "--out", out], self.samples)
         if self.takes_bands or len(bands) == 1:
@@ -208,7 +221,13 @@ def main():
                         help="numbers of bands (1,10,100)")
     parser.add_argument("--source", type=pathlib.Path, default=checkout(),
                         help="checkout whose samples are used (the one this script lies in)")
+    for which in ["before", "after"]:
+        parser.add_argument(f"--{which}-options", type=shlex.split, default=[], metavar="WORDS",
+                            help=f"added to every command of {which.upper()}; write "
+                                 f"--{which}-options=\"--set KEY=VALUE\"")
     options = parser.parse_args()
+    if options.after_options and not options.after:
+        parser.error("--after-options: there is no AFTER")
     try:
         options.bands = [int(word) for word in options.bands.split(",")]
     except ValueError:
@@ -222,7 +241,9 @@ def main():
     if not cases:
         parser.error(f"--only: {', '.join(options.only)}, expected the beginning of a case's name")
     try:
-        programs = [Program(path, samples) for path in (options.before, options.after) if path]
+        programs = [Program(path, words, samples)
+                    for path, words in ((options.before, options.before_options),
+                                        (options.after, options.after_options)) if path]
         for case in cases:
             measure(case, programs, options)
     except (Failure, OSError) as error:

@@ -1,6 +1,10 @@
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
+#include <map>
 #include <ostream>
+#include <regex>
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -320,16 +324,44 @@ TEST(SmatBatchDryRun, SaysWhatWouldBeDrawnAndDrawsNothing) {
     EXPECT_THAT(ran.out, HasSubstr("polar: 36 cases, angle 0 to 350 deg"));
 }
 
-TEST(SmatBatchTiming, StagesAddUpToTheSumThatIsPrinted) {
+/// Seconds of each line of --timing, by its first words.
+std::map<std::string, double> stages(const std::string& text) {
+    std::map<std::string, double> found;
+    std::istringstream lines(text.substr(std::min(text.find("stage "), text.size())));
+    std::string line;
+    std::getline(lines, line); // the names of the columns
+    const std::regex row(R"((\S.*?) +(?:\d+ +)?(\d+\.\d+) +\d+\.\d+)");
+    for (std::smatch words; std::getline(lines, line);) {
+        if (std::regex_match(line, words, row)) {
+            found[words[1]] = std::stod(words[2]);
+        }
+    }
+    return found;
+}
+
+TEST(SmatBatchTiming, StagesAddUpToTheSumThatIsPrintedWhichIsTheTimeItTook) {
     const TemporaryFolder folder;
+    const auto start = std::chrono::steady_clock::now();
     const Ran ran = smatBatch({"image", sphere, "--out", folder / "a.exr", "--timing"});
+    const double took_s =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     EXPECT_EQ(ran.exitCode, 0);
-    EXPECT_THAT(ran.err, HasSubstr("stage"));
-    EXPECT_THAT(ran.err, HasSubstr("start program"));
-    EXPECT_THAT(ran.err, HasSubstr("end program"));
-    EXPECT_THAT(ran.err, HasSubstr("analyse"));
-    EXPECT_THAT(ran.err, HasSubstr("other"));
-    EXPECT_THAT(ran.err, HasSubstr("sum"));
+    std::map<std::string, double> seconds = stages(ran.err);
+    for (const char* stage : {"start program", "load", "analyse", "save", "end program", "other"}) {
+        EXPECT_EQ(seconds.count(stage), 1u) << stage << " in\n" << ran.err;
+    }
+    ASSERT_EQ(seconds.count("sum"), 1u) << ran.err;
+    const double printed_s = seconds.at("sum");
+    seconds.erase("sum");
+    double sum_s = 0.0;
+    for (const auto& [stage, time_s] : seconds) {
+        EXPECT_GE(time_s, 0.0) << stage;
+        sum_s += time_s;
+    }
+    EXPECT_NEAR(sum_s, printed_s, 1e-4 * static_cast<double>(seconds.size())) << "rounded";
+    EXPECT_GT(printed_s, 0.0);
+    // No stage is counted in another one, too. What the program takes beside is no matter here.
+    EXPECT_LE(sum_s, 1.02 * took_s + 0.05);
 }
 
 TEST(SmatBatchStop, AnInterruptOrATerminationKeepsWhatWasDoneAndSaysSo) {

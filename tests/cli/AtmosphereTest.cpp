@@ -1,3 +1,6 @@
+#include <cmath>
+#include <filesystem>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -79,6 +82,32 @@ TEST(SmatBatchAtmosphere, ResultsOfAFamilySayHowFarItsNearestRunIs) {
                 HasSubstr("(nearest run at most 0 m in altitude, 0 m in range"));
     EXPECT_THAT(answeredBy("3400"),
                 HasSubstr("(nearest run at most 0 m in altitude, 1400 m in range away)"));
+}
+
+TEST(SmatBatchAtmosphere, GivesASpectrumInBothWindowsFromEveryFileThatIsShipped) {
+    const TemporaryFolder folder;
+    int files = 0;
+    for (const auto& file :
+         std::filesystem::directory_iterator(sample("../resources/atmospheres"))) {
+        ++files;
+        for (const std::string band : {"3-5", "8-12"}) {
+            const Ran ran =
+                smatBatch({"spectrum", sample("box/box.smat"), "--band", band, "--atmosphere",
+                           file.path(), "--resolution", "50", "--shadows", "off", "--bounces", "0",
+                           "--width", "16", "--height", "16", "--out", folder / "o.csv"});
+            ASSERT_EQ(ran.exitCode, 0) << file.path() << ", " << band << ": " << ran.err;
+            const ResultTable table = ResultTable::load(folder / "o.csv");
+            const ResultColumn* wavelengths = table.find("wavelength");
+            ASSERT_NE(wavelengths, nullptr);
+            // From end to end.
+            EXPECT_EQ(wavelengths->values.front(), band == "3-5" ? 5.0 : 12.0) << file.path();
+            EXPECT_EQ(wavelengths->values.back(), band == "3-5" ? 3.0 : 8.0) << file.path();
+            for (const double value : table.find("spectral_intensity")->values) {
+                EXPECT_TRUE(std::isfinite(value) && value >= 0.0) << file.path() << ", " << band;
+            }
+        }
+    }
+    EXPECT_GE(files, 5);
 }
 
 TEST(SmatBatchAtmosphere, GivesASpectrumFromEndToEndOfItsTable) {

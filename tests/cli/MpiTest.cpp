@@ -56,13 +56,7 @@ class SmatBatchMpi : public testing::Test {
                 "--threads", "1",
                 "--out",     folder / out};
     }
-    /// A result without the line that says who made it.
-    std::string result(const char* file) const {
-        std::string text = contentOf(folder / file);
-        const std::size_t begin = text.find("# command");
-        return begin == std::string::npos ? text
-                                          : text.erase(begin, text.find('\n', begin) + 1 - begin);
-    }
+    std::string result(const char* file) const { return withoutCommand(folder / file); }
 
     const TemporaryFolder folder;
 };

@@ -26,14 +26,7 @@ class SmatBatchParted : public testing::Test {
         EXPECT_EQ(one.exitCode, 2);
         EXPECT_THAT(one.err, HasSubstr(why));
     }
-    /// A file without the line that says by which command it was made.
-    std::string result(const std::string& file) const {
-        std::string text = contentOf(folder / file);
-        if (const std::size_t at = text.find("# command: "); at != std::string::npos) {
-            text.erase(at, text.find('\n', at) + 1 - at);
-        }
-        return text;
-    }
+    std::string result(const std::string& file) const { return withoutCommand(folder / file); }
     /// Cuts a file off somewhere in its last line but one, as a kill does.
     void cutOff(const std::string& file) {
         const std::string text = contentOf(folder / file);

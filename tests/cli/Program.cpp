@@ -111,6 +111,13 @@ std::string contentOf(const std::filesystem::path& file) {
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
+std::string withoutCommand(const std::filesystem::path& file) {
+    std::string text = contentOf(file);
+    const std::size_t begin = text.find("# command: ");
+    return begin == std::string::npos ? text
+                                      : text.erase(begin, text.find('\n', begin) + 1 - begin);
+}
+
 void write(const std::filesystem::path& file, const std::string& content) {
     std::ofstream(file, std::ios::binary) << content;
 }

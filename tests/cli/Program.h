@@ -37,6 +37,8 @@ Ran runProgram(const std::vector<std::string>& words, const std::filesystem::pat
 
 std::filesystem::path sample(const std::string& name);
 std::string contentOf(const std::filesystem::path& file);
+/// That of a result without the line that says by which command it was made.
+std::string withoutCommand(const std::filesystem::path& file);
 void write(const std::filesystem::path& file, const std::string& content);
 
 } // namespace smat::test

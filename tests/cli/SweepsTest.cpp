@@ -113,6 +113,38 @@ TEST(SmatBatchSweep, TellsOfATargetThatReachesOutOfTheFrame) {
     EXPECT_THAT(contentOf(folder / "a.csv"), HasSubstr("# warning: " + sentence));
 }
 
+// The aircraft at 500 m in 2 degrees: what reaches out of the frame is missing from the sums, and
+// whoever reads that a sweep is complete reads that too.
+TEST(SmatBatchSweep, OfEveryKindTellsWhatItsSumsAreWithout) {
+    const TemporaryFolder folder;
+    const std::string sentence =
+        "the bounding box of turboprop4 reaches beyond the frame; what lies "
+        "outside is not in the sums";
+    for (const std::vector<std::string>& kind :
+         {std::vector<std::string>{"polar", "--step", "180", "--steps", "fixed"},
+          {"range", "--from", "500", "--to", "600", "--points", "2", "--set", "range.steps=fixed"},
+          {"time", "--from", "0", "--to", "1", "--step", "1"}}) {
+        for (const bool isToldAsJson : {false, true}) {
+            std::vector<std::string> words = kind;
+            words.insert(words.begin() + 1, sample("turboprop4/turboprop4.smat"));
+            words.insert(words.end(),
+                         {"--range", "500", "--fov", "2", "--atmosphere", "none", "--antialiasing",
+                          "3", "--shadows", "off", "--bounces", "0", "--width", "64", "--height",
+                          "64", "--out", folder / "a.csv"});
+            if (isToldAsJson) {
+                words.emplace_back("--json");
+            }
+            const Ran ran = smatBatch(words);
+            ASSERT_EQ(ran.exitCode, 0) << ran.err;
+            EXPECT_THAT(ran.err, HasSubstr("warning: " + kind.front() + ": " + sentence));
+            // Beside the word "complete", on the screen and in the file.
+            EXPECT_THAT(ran.out, HasSubstr("complete"));
+            EXPECT_THAT(ran.out, HasSubstr(sentence)) << kind.front();
+            EXPECT_THAT(contentOf(folder / "a.csv"), HasSubstr("# warning: " + sentence));
+        }
+    }
+}
+
 TEST(SmatBatchSweep, RefusesThePublishedZoomWithTheReason) {
     const TemporaryFolder folder;
     for (const char* command : {"polar", "range", "time"}) {
@@ -210,14 +242,6 @@ TEST(SmatBatchTable, IsReadByGnuOctaveAsItIsWrittenAsCsv) {
     EXPECT_EQ(read(folder / "other.csv").exitCode, 1);
 }
 
-/// A result without the command that made it.
-std::string withoutCommand(const std::string& file) {
-    std::string text = contentOf(file);
-    const std::size_t begin = text.find("# command");
-    return begin == std::string::npos ? text
-                                      : text.erase(begin, text.find('\n', begin) + 1 - begin);
-}
-
 TEST(SmatBatchParts, AreJoinedToTheBytesOfOneRun) {
     const TemporaryFolder folder;
     const auto ran = [&](std::vector<std::string> more) {
@@ -299,25 +323,6 @@ TEST(SmatBatchAdaptiveSteps, HaveNoParts) {
     const Ran ran = smatBatch(whole);
     EXPECT_EQ(ran.exitCode, 0) << ran.err;
     EXPECT_THAT(contentOf(folder / "a.csv"), HasSubstr("# answered by: adaptive steps: 3 + "));
-}
-
-TEST(SmatBatchThreads, ChangeNothingButTheTime) {
-    const TemporaryFolder folder;
-    const auto ran = [&](const std::string& threads) {
-        const std::string file = folder / ("of" + threads + ".csv");
-        const Ran one = smatBatch(
-            {"polar", sample("box/box.smat"), "--step", "60", "--threads", threads, "--out", file});
-        EXPECT_EQ(one.exitCode, 0) << one.err;
-        return withoutCommand(file);
-    };
-    const std::string of1 = ran("1");
-    EXPECT_EQ(of1, ran("2"));
-    EXPECT_EQ(of1, ran("7"));
-    for (const char* wrong : {"0", "1.5", "many"}) {
-        const Ran refused = smatBatch({"settings", "--threads", wrong});
-        EXPECT_EQ(refused.exitCode, 2);
-        EXPECT_THAT(refused.err, HasSubstr("--threads"));
-    }
 }
 
 } // namespace

@@ -1,5 +1,8 @@
 // White furnace and reciprocity of every surface model, over 10,000 pairs of directions each.
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -95,12 +98,53 @@ std::vector<Surface> surfaces() {
     return all;
 }
 
-/// What all directions get of light from one, by facets about the half way of a lobe and by rings
-/// for the rest; sums of this test's own.
+using Brdfs = std::function<double(const SurfaceDirection& to, bool ofLobes)>;
+
+/// What a lobe sends of light from one direction, by facets about the half way: by midpoints of
+/// rings of equal tilt, of which the places lie that mirror it upwards. Rings are whole up to a
+/// tilt of 45 degrees less half the angle of incidence, and end at 45 degrees and half of it; they
+/// are close together on both sides of either, where what they send changes as a root does.
+double sentByLobe(double roughness, const SurfaceDirection& from, const Brdfs& brdf) {
+    // Midpoints leave at most 1e-4, of roughness 0.05 to 0.7 and incidence up to a cosine of 0.02.
+    constexpr int rings = 100, places = 60;
+    const double level = std::hypot(from.x, from.y), along = std::atan2(from.y, from.x);
+    const double incidence = std::atan2(level, from.z);
+    // Facets by the tangent of their tilt, alpha x / (1 - x), and turned about the normal from the
+    // plane of incidence.
+    double begin = 0.0, sum = 0.0;
+    for (const double last : {0.25 * pi - 0.5 * incidence, 0.25 * pi + 0.5 * incidence}) {
+        const double end = std::tan(last) / (roughness + std::tan(last));
+        for (int i = 0; i < rings; ++i) {
+            const double u = (i + 0.5) / rings;
+            const double x = begin + (end - begin) * u * u * (3.0 - 2.0 * u);
+            const double tangent = roughness * x / (1.0 - x);
+            const double step =
+                (end - begin) * 6.0 * u * (1.0 - u) / rings * roughness / ((1.0 - x) * (1.0 - x));
+            const double cosine = 1.0 / std::sqrt(1.0 + tangent * tangent);
+            const double sine = tangent * cosine;
+            const double farthest =
+                std::acos(std::clamp(from.z * (0.5 / cosine - cosine) / (level * sine), -1.0, 1.0));
+            for (int j = 0; j < places; ++j) {
+                const double angle = along + farthest * (j + 0.5) / places; // both sides are alike
+                const SurfaceDirection facet{sine * std::cos(angle), sine * std::sin(angle),
+                                             cosine};
+                const SurfaceDirection to = mirrored(from, facet);
+                const double facing = dot(from, facet);
+                if (facing > 0.0 && to.z > 0.0) {
+                    sum += brdf(to, true) * to.z * 4.0 * facing * sine * cosine * cosine * step *
+                           2.0 * farthest / places;
+                }
+            }
+        }
+        begin = end;
+    }
+    return sum;
+}
+
+/// What all directions get of light from one that is not level, by facets about the half way of a
+/// lobe and by rings for the rest; sums of this test's own.
 double sentOf(const SurfaceModel& model, const SurfaceModel::Amounts& amounts,
               const SurfaceDirection& from) {
-    constexpr int rings = 400, places = 240;
-    double lobe = 0.0, rest = 0.0;
     const auto brdf = [&](const SurfaceDirection& to, bool ofLobes) {
         double sum = 0.0;
         for (std::size_t k = 0; k < model.components(); ++k) {
@@ -108,33 +152,18 @@ double sentOf(const SurfaceModel& model, const SurfaceModel::Amounts& amounts,
         }
         return sum;
     };
-    // Facets by the tangent of their tilt, alpha x / (1 - x), and turned about the normal from the
-    // plane of incidence.
-    const double level = std::hypot(from.x, from.y);
-    const double along = level > 0.0 ? std::atan2(from.y, from.x) : 0.0;
+    constexpr int rings = 200, places = 60;
+    const double along = std::atan2(from.y, from.x);
+    double rest = 0.0;
     for (int i = 0; i < rings; ++i) {
-        const double x = (i + 0.5) / rings, tangent = model.roughness() * x / (1.0 - x);
-        const double step = model.roughness() / ((1.0 - x) * (1.0 - x) * rings);
-        const double cosine = 1.0 / std::sqrt(1.0 + tangent * tangent), sine = tangent * cosine;
+        const double height = (i + 0.5) / rings, across = std::sqrt(1.0 - height * height);
         for (int j = 0; j < places; ++j) {
             const double angle = along + pi * (j + 0.5) / places; // both sides are alike
-            const SurfaceDirection facet{sine * std::cos(angle), sine * std::sin(angle), cosine};
-            const SurfaceDirection to = mirrored(from, facet);
-            const double facing = dot(from, facet);
-            if (facing > 0.0 && to.z > 0.0) {
-                lobe += brdf(to, true) * to.z * 4.0 * facing * sine * cosine * cosine * step * 2.0 *
-                        pi / places;
-            }
-        }
-        const double height = x;
-        const double across = std::sqrt(1.0 - height * height);
-        for (int j = 0; j < places; ++j) {
-            const double angle = along + pi * (j + 0.5) / places;
             rest += brdf({across * std::cos(angle), across * std::sin(angle), height}, false) *
                     height * 2.0 * pi / (rings * places);
         }
     }
-    return lobe + rest;
+    return sentByLobe(model.roughness(), from, brdf) + rest;
 }
 
 } // namespace
