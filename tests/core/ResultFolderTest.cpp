@@ -7,6 +7,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/ScalingXml.h"
+#include "smatcore/analysis/ResultFile.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/TextFile.h"
@@ -187,6 +188,19 @@ TEST_F(ResultFolderTest, KeepsWhereAnOpenedFileIsNotItsNumbers) {
     EXPECT_FALSE(std::filesystem::exists(results().path() / (stem + ".json")));
     std::filesystem::remove(saved.file);
     EXPECT_THAT(refusal(stem), HasSubstr("round.csv"));
+}
+
+TEST_F(ResultFolderTest, KeepsAnOpenedFileOfMonteCarloAsThat) {
+    ResultDocument saved = ranMonteCarlo();
+    const std::filesystem::path file = folder / "draws.csv";
+    saveMonteCarlo(*saved.monteCarlo, file);
+    saved.monteCarlo = nullptr;
+    saved.data = std::make_shared<const AnalysisData>(loadResult(file));
+    saved.origin = Origin::file;
+    saved.file = file;
+    EXPECT_EQ(saved.data->kind, AnalysisKind::monteCarlo);
+    EXPECT_EQ(results().save(saved), "001-montecarlo");
+    EXPECT_EQ(results().load("001-montecarlo").data->kind, AnalysisKind::monteCarlo);
 }
 
 TEST_F(ResultFolderTest, MovesWithTheProject) {
