@@ -135,9 +135,9 @@ TEST(KeptFiles, MonteCarloBesideItsProjectHasItsDrawsAndComesToTheSameNumbers) {
     EXPECT_EQ(run.draws(), 64U);
     ASSERT_EQ(run.values.size(), 16U);
     const TemporaryFolder folder;
-    const Ran ran = smatBatch({"montecarlo", kept / "kept.smat", "--analysis", "around",
-                               "--bounces", "0", "--samples", "64", "--seed", "7", "--phases", "2",
-                               "--out", folder / "now.csv"});
+    const Ran ran =
+        smatBatch({"montecarlo", kept / "kept.smat", "--analysis", "around", "--bounces", "0",
+                   "--samples", "64", "--seed", "7", "--phases", "2", "--out", folder / "now.csv"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
     const ResultTable now = ResultTable::load(folder / "now.csv");
     for (std::size_t place = 0; place < run.values.size(); ++place) {

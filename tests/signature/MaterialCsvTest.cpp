@@ -141,6 +141,9 @@ struct Bad {
     const char* value;
     const char* expected;
 };
+void PrintTo(const Bad& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class BadMaterialCsv : public testing::TestWithParam<Bad> {};
 
