@@ -215,6 +215,22 @@ TEST_F(ResultFolderTest, MovesWithTheProject) {
     EXPECT_TRUE(results().documents().empty());
 }
 
+TEST_F(ResultFolderTest, IsBesideAProjectThatIsNamedWithoutItsFolder) {
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(folder.path());
+    std::string refused, name;
+    try {
+        const ResultFolder beside("ship.smat");
+        name = beside.load(beside.save(ran(AnalysisKind::polar, "round"))).data->name;
+    } catch (const std::exception& error) {
+        refused = error.what();
+    }
+    std::filesystem::current_path(before);
+    EXPECT_EQ(refused, "");
+    EXPECT_EQ(name, "round");
+    EXPECT_TRUE(std::filesystem::exists(folder / "ship.results/001-polar.result"));
+}
+
 TEST_F(ResultFolderTest, ChangesWordsAloneAndNeverWritesOverAnother) {
     ResultDocument document = ran(AnalysisKind::polar, "round");
     const std::string stem = results().save(document);
