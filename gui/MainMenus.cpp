@@ -24,10 +24,8 @@
 #include "gui/project/SceneTreeDock.h"
 #include "gui/settings/SettingsDialog.h"
 #include "gui/start/DataFolder.h"
-#include "gui/tools/AirTools.h"
-#include "gui/tools/FrontierPage.h"
-#include "gui/tools/MonteCarloPage.h"
 #include "gui/tools/SelfTestDialog.h"
+#include "gui/tools/ToolPages.h"
 #include "gui/view/ModelPage.h"
 #include "gui/view/ProjectView.h"
 #include "gui/widgets/Theme.h"
@@ -265,20 +263,10 @@ void MainMenus::makeToolsMenu(QMenu* menu) {
                             [this] { with_.air.showProjectAir(); }));
     add(menu, "importAir", "import", tr("&Import results of MODTRAN…"), {},
         [this] { with_.air.importTables(); });
-    addAirTools(*menu, with_.workbench, with_.dialogs,
-                [this](QWidget* page, const QIcon& picture, const QString& title) {
-                    with_.tabs.addPage(page, picture, title);
-                });
-    add(menu, "monteCarlo", "montecarlo", tr("&Monte Carlo"), QKeySequence(), [this] {
-        const AnalysisKind kind = AnalysisKind::monteCarlo;
-        with_.tabs.addPage(new MonteCarloPage(with_.workbench, with_.dialogs), icon(kind->icon),
-                           tr(kind->title));
-    });
-    add(menu, "frontier", "frontier", tr("Time against &error"), {}, [this] {
-        const AnalysisKind kind = Frontier::kind();
-        with_.tabs.addPage(new FrontierPage(with_.workbench, with_.dialogs), icon(kind->icon),
-                           tr(kind->title));
-    })->setToolTip(tr(Frontier::kind()->help));
+    addToolPages(*menu, with_.workbench, with_.dialogs,
+                 [this](QWidget* page, const QIcon& picture, const QString& title) {
+                     with_.tabs.addPage(page, picture, title);
+                 });
     menu->addSeparator();
     needProject_.append(
         add(menu, "options", "options", tr("&Options…"), QKeySequence(Qt::Key_F9),

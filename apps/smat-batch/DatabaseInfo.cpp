@@ -52,14 +52,17 @@ ordered_json jsonOf(const Spectrum& spectrum) {
     return json;
 }
 
-/// Adds the texts, numbers and spectra of an entry, by the names of their columns.
+/// Adds the texts, numbers and spectra of an entry, by the names of their columns, without a text
+/// that is told otherwise.
 template <typename Entry>
 void addFields(ordered_json& json, const Entry& entry,
-               std::span<const irsg::EntryField<Entry>> fields) {
+               std::span<const irsg::EntryField<Entry>> fields,
+               std::string Entry::*toldOtherwise = nullptr) {
     for (const auto& field : fields)
-        if (const auto text = field.template as<std::string>())
-            json[field.column] = entry.*text;
-        else if (const auto number = field.template as<double>())
+        if (const auto text = field.template as<std::string>()) {
+            if (text != toldOtherwise)
+                json[field.column] = entry.*text;
+        } else if (const auto number = field.template as<double>())
             json[field.column] = entry.*number;
         else if (const auto spectrum = field.template as<Spectrum>())
             json[field.column] = jsonOf(entry.*spectrum);
@@ -76,7 +79,8 @@ ordered_json jsonOf(const irsg::SignatureDatabase& database) {
         else
             one["at_rest_K"] = irsg::surfaceTemperature_K(entry.terms, {});
         one["tables"] = tablesOf(entry);
-        one["notes"] = entry.notes;
+        // Its spectrum is told above, where it is used.
+        addFields(one, entry, irsg::temperatureFields(), &irsg::TemperatureEntry::userSpectrum);
         temperatures.push_back(std::move(one));
     }
     ordered_json materials = ordered_json::array();

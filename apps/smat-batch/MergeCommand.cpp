@@ -28,13 +28,16 @@ class MergeCommand {
 
     int run(Context& context) const {
         AnalysisData data = joinedCases({parts_.begin(), parts_.end()});
-        Outcome outcome{&data, {}};
+        const bool isMonteCarlo = data.kind == AnalysisKind::monteCarlo;
         for (const std::string& file : files_) {
-            checkResultFile(data.kind, file);
-            const bool isMonteCarlo = !data.table.provenance.value("monte carlo").empty();
+            checkResultFile(data, file);
             if (isMonteCarlo && std::filesystem::path(file).extension() != ".csv")
                 throw refusal("--out", file, "a .csv: parts of Monte Carlo have no draws");
         }
+        // What is printed names the analysis that was repeated, as that of one run does.
+        if (isMonteCarlo)
+            data.kind = resultKindFromName(data.table.provenance.value("analysis"));
+        Outcome outcome{&data, {}};
         for (const std::string& file : files_) {
             irsg::refuseInputAsOutput(file);
             saveResult(data, file);

@@ -46,7 +46,7 @@ class ReplayCommand {
     int run(Context& context) const {
         const AnalysisData loaded = loadResult(file_);
         if (!out_.empty())
-            checkResultFile(loaded.kind, out_);
+            checkResultFile(loaded, out_);
         const auto source = startedImageSource(context);
         SceneBuilder builder;
         AnalysisGenerator generator(*source, [&](const Project& project, const Settings& settings) {

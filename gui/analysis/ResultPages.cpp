@@ -63,7 +63,7 @@ void ResultPages::show(const QList<int>& ids) {
         }
         const QString title =
             entries.size() > 1 ? tr("Overlay of %1").arg(entries.size()) : entries.front().title;
-        tabs_->setCurrentIndex(tabs_->addTab(page, icon(entries.front().icon()), title));
+        tabs_->setCurrentIndex(tabs_->addTab(page, icon(entries.front().kind()->icon), title));
     } catch (const irsg::InputError& error) {
         dialogs_.tell(tabs_, tr("These results cannot be shown"), sentencesOf(error));
     }

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "irsg/radiometry/Errors.h"
-#include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/ResultFile.h"
 #include "smatcore/data/ResultDifference.h"
 
@@ -22,8 +21,8 @@ const ResultEntry* ResultStore::find(int id) const {
     return found == entries_.end() ? nullptr : &*found;
 }
 
-const char* ResultEntry::icon() const {
-    return (monteCarlo ? AnalysisKind::monteCarlo : data->kind)->icon;
+AnalysisKind ResultEntry::kind() const {
+    return monteCarlo ? AnalysisKind::monteCarlo : data->kind;
 }
 
 ResultEntry* ResultStore::edit(int id) {
@@ -97,7 +96,7 @@ int ResultStore::addDifference(int first, int second) {
 
 int ResultStore::addTable(const QString& title, const ResultTable& table, bool quietly) {
     AnalysisData data;
-    data.kind = resultKindFromName(table.provenance.value("analysis"));
+    data.kind = resultKindOf(table.provenance);
     data.state = AnalysisState::complete;
     data.name = title.toStdString();
     data.table = table;

@@ -33,7 +33,8 @@ struct ResultEntry {
     bool canRunAgain() const { return origin == Origin::run; }
     bool isImage() const { return !data->image.empty(); }
     std::shared_ptr<const irsg::RadianceImage> image() const { return {data, &data->image}; }
-    const char* icon() const;
+    /// What it is a result of: of a Monte Carlo run, `data` has the analysis that it repeated.
+    AnalysisKind kind() const;
     /// Something of it would be lost.
     bool isUnsaved() const { return document.empty() ? file.empty() : wordsChanged; }
 };

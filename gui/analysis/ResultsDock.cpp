@@ -212,7 +212,7 @@ void ResultsDock::refreshItem(int id) {
         return;
     const QSignalBlocker quiet(list_);
     item->setText(entry->title);
-    item->setIcon(icon(entry->icon()));
+    item->setIcon(icon(entry->kind()->icon));
     const bool isOfToday = entry->madeAt.date() == QDate::currentDate();
     QStringList words{entry->madeAt.toString(isOfToday ? "HH:mm" : "d MMM HH:mm")};
     if (entry->canRunAgain())
@@ -363,7 +363,7 @@ void ResultsDock::save() {
         entry->isImage() ? imageFilters() + QStringList{tr("Row of sums (*.json)")}
                          : QStringList{tr("Values as text (*.csv)"), tr("Values as JSON (*.json)")};
     const QString file = dialogs_.saveFile(this, tr("Save result"), filters,
-                                           QString::fromStdString(name(entry->data->kind)));
+                                           QString::fromStdString(name(entry->kind())));
     if (file.isEmpty())
         return;
     try {

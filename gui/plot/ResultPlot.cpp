@@ -8,6 +8,7 @@
 #include "gui/widgets/Readable.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/Conditions.h"
+#include "smatcore/analysis/ResultFile.h"
 #include "smatcore/data/ColumnName.h"
 #include "smatcore/data/ResultDifference.h"
 #include "smatcore/project/AnalysisKind.h"
@@ -155,8 +156,7 @@ QString plainLabel(const ResultColumn& column) {
 
 /// A profile of the air: its altitude goes up, as everybody draws it.
 bool isProfile(const ResultTable& table) {
-    return resultKindFromName(table.provenance.value("analysis")) ==
-           AnalysisKind::temperatureProfile;
+    return resultKindOf(table.provenance) == AnalysisKind::temperatureProfile;
 }
 
 /// "view offset 12°": the elevation of a camera-azimuth sweep, the same in all rows of a turn.

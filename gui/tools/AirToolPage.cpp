@@ -15,6 +15,7 @@
 #include "gui/analysis/ResultStore.h"
 #include "gui/widgets/VerticalScrollArea.h"
 #include "gui/workbench/Workbench.h"
+#include "smatcore/analysis/ResultFile.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
@@ -179,7 +180,7 @@ void AirToolPage::showTable(const ResultTable& table, const QString& title,
     figures_->setText(figures);
     figures_->setVisible(!figures.isEmpty());
     AnalysisData data;
-    data.kind = resultKindFromName(table.provenance.value("analysis"));
+    data.kind = resultKindOf(table.provenance);
     data.table = table;
     ResultEntry entry;
     entry.title = title;

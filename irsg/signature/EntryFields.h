@@ -27,7 +27,8 @@ struct NumberRules {
     double likelyMost = none;
     /// Up to here, a number above `likelyMost` is a percentage; 0 where it never is.
     double mostPercent = 0.0;
-    double step = 1.0; ///< of the arrow keys in a form
+    double step = 1.0;       ///< of the arrow keys in a form
+    bool isFraction = false; ///< a part of a whole: a CSV may give it from 0 to 1
 };
 
 /// What an axis that ends between `low` and `high` was likely meant to be.
@@ -58,8 +59,8 @@ struct TableRules {
 };
 
 /// One field of an entry of a signature database: the one description from which both forms of the
-/// file, the hash, the checks of ranges, the editor and `db info` know of it. A new field is a
-/// member of the struct and a row here.
+/// file, the hash, the checks of ranges, the editor, the CSV of a material and `db info` know of
+/// it. A new field is a member of the struct and a row here.
 template <typename Entry>
 struct EntryField {
     using Member =
@@ -77,6 +78,7 @@ struct EntryField {
     const char* unit = "";  ///< of the value
     const char* help = "";
     const char* page = ""; ///< of the entry's form, where not its first: "surface"
+    const char* csv = "";  ///< in a CSV of spectra, where not as its column: "n"
     NumberRules number = {};
     TableRules table = {};
     /// What a text may be beside empty; null where it may be anything.

@@ -6,7 +6,9 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReplacement.h"
+#include "irsg/radiometry/Wording.h"
 #include "irsg/signature/CsvAxis.h"
+#include "irsg/signature/EntryFields.h"
 #include "irsg/signature/ReflectanceCsv.h"
 #include "irsg/signature/SurfaceModel.h"
 
@@ -17,22 +19,52 @@ namespace {
 constexpr std::array<const char*, 3> properties = {"emissivity", "transmissivity", "reflectivity"};
 constexpr SpectralRange greyAxis{0.3, 30.0};
 
-/// What stands beside them, each by itself.
+/// What stands beside them, each by itself: every other spectrum that a material has.
 struct Optical {
-    const char* name;
+    std::string name;
     Spectrum Material::*member;
     bool isFraction;
 };
-constexpr std::array<Optical, 4> opticals = {
-    {{"n", &Material::refractiveIndex, false},
-     {"k", &Material::extinction, false},
-     {"diffuse_reflectivity", &Material::diffuseReflectivity, true},
-     {"volume_reflectivity", &Material::volumeReflectivity, true}}};
+
+const std::vector<Optical>& opticals() {
+    static const std::vector<Optical> all = [] {
+        std::vector<Optical> made;
+        forEachField<Spectrum>(materialFields(), [&](const auto& field, auto member) {
+            const std::string column = field.column, own = field.csv;
+            if (std::ranges::find(properties, column) == properties.end())
+                made.push_back({own.empty() ? column : own, member, field.number.isFraction});
+        });
+        return made;
+    }();
+    return all;
+}
 
 const Optical* opticalNamed(const std::string& name) {
-    const auto* const found =
-        std::ranges::find(opticals, name, [](const Optical& one) { return std::string(one.name); });
-    return found == opticals.end() ? nullptr : found;
+    const auto found = std::ranges::find(opticals(), name, &Optical::name);
+    return found == opticals().end() ? nullptr : &*found;
+}
+
+std::string quoted(const std::string& name) {
+    return "'" + name + "'";
+}
+
+/// Names that a column may have.
+std::string columnsExpected() {
+    std::vector<std::string> names;
+    for (const char* const property : properties)
+        names.push_back(quoted(property));
+    for (const Optical& optical : opticals())
+        names.push_back(quoted(optical.name));
+    return alternatives(names);
+}
+
+/// "'n' or 'k'".
+std::string indexExpected() {
+    std::vector<std::string> names;
+    for (const Optical& optical : opticals())
+        if (!optical.isFraction)
+            names.push_back(quoted(optical.name));
+    return alternatives(names);
 }
 
 /// The column of each property, or none.
@@ -46,9 +78,7 @@ Columns columnsOf(const CsvTable& table, const CsvColumns& columns,
         if (property != properties.end())
             found[static_cast<std::size_t>(property - properties.begin())] = i;
         else if (opticalNamed(columns.names[i].text) == nullptr)
-            diagnostics.push_back(table.diagnostic(
-                columns.names[i], "'emissivity', 'transmissivity', 'reflectivity', 'n', 'k', "
-                                  "'diffuse_reflectivity' or 'volume_reflectivity'"));
+            diagnostics.push_back(table.diagnostic(columns.names[i], columnsExpected()));
     }
     return found;
 }
@@ -102,7 +132,7 @@ void readIndexBlocks(const CsvTable& table, Material& material) {
         for (std::size_t i = 1; i < names.size(); ++i) {
             const Optical* const optical = opticalNamed(names[i].text);
             if (optical == nullptr || optical->isFraction)
-                diagnostics.push_back(table.diagnostic(names[i], "'n' or 'k'"));
+                diagnostics.push_back(table.diagnostic(names[i], indexExpected()));
             else if (columns[0].empty())
                 diagnostics.push_back(table.diagnostic(names[i], "rows of numbers under it"));
             else if (diagnostics.empty())
@@ -246,10 +276,10 @@ void writeMaterialCsv(const Material& material, const std::filesystem::path& fil
     std::vector<const Spectrum*> spectra = {&material.emissivity, &material.transmissivity};
     std::string text = "um,emissivity,transmissivity,reflectivity";
     std::vector<const Spectrum*> beside;
-    for (const Optical& optical : opticals)
+    for (const Optical& optical : opticals())
         if (material.*optical.member != Spectrum()) {
             beside.push_back(&(material.*optical.member));
-            text += std::string(",") + optical.name;
+            text += "," + optical.name;
         }
     text += "\n";
     spectra.insert(spectra.end(), beside.begin(), beside.end());

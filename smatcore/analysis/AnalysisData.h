@@ -65,6 +65,8 @@ std::vector<std::string> usualResultExtensions(AnalysisKind kind);
 /// Throws InputError naming the extensions there are, so that a wrong name is refused before the
 /// work begins.
 void checkResultFile(AnalysisKind kind, const std::filesystem::path& file);
+/// The same of a result that is there: a frame of a simulation is written as other images are.
+void checkResultFile(const AnalysisData& data, const std::filesystem::path& file);
 /// Writes a result in the form of its extension. Throws InputError where checkResultFile does and
 /// for a file that cannot be written.
 void saveResult(const AnalysisData& data, const std::filesystem::path& file);

@@ -84,7 +84,7 @@ void addImageNumbers(AnalysisData& data) {
 
 void summarise(AnalysisData& data) {
     data.summary.clear();
-    if (data.kind->form == AnalysisForm::image && !data.image.empty()) {
+    if (!data.image.empty()) {
         addImageNumbers(data);
     } else if (data.kind->form == AnalysisForm::spectrum) {
         addColumnExtremes(data, Quantity::spectralContrastIntensity, Quantity::wavelength);

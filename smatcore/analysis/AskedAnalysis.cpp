@@ -92,6 +92,11 @@ AnalysisData analysisOf(const Told& told, const std::vector<Project>& open) {
     if (!told.text("program").starts_with("smat ") || analysis.empty())
         told.refuse("", "a result that does not say how it was computed",
                     "one that an analysis of this program wrote");
+    // Its table names the analysis that was repeated, and a run of that has other numbers.
+    if (const std::string draws = told.text("monte carlo"); !draws.empty())
+        told.refuse("monte carlo", draws,
+                    "a result of one run: Monte Carlo is run again by the command " +
+                        name(AnalysisKind::monteCarlo));
     const auto kind = analysisKindFromName(analysis);
     if (!kind)
         told.refuse("analysis", analysis, analysisKindNames());

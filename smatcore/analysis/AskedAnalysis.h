@@ -11,8 +11,9 @@ namespace smat {
 /// file, beside the folder of results that the file lies in, or in the current folder, with the
 /// settings that were in effect; ready to be run again. `loaded` is what loadResult gives of
 /// `file`. Throws InputError that says why that is not known: a result of another program or of no
-/// analysis of a project, of a bare model, of a project that is not there or has other models now,
-/// of edits that were never saved, or of settings that this version does not know.
+/// analysis of a project, of Monte Carlo, of a bare model, of a project that is not there or has
+/// other models now, of edits that were never saved, or of settings that this version does not
+/// know.
 AnalysisData analysisOfResult(const AnalysisData& loaded, const std::filesystem::path& file,
                               const std::vector<Project>& open = {});
 

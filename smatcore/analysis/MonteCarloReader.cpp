@@ -155,6 +155,8 @@ MonteCarloData loadMonteCarlo(const std::filesystem::path& file, const irsg::Rad
     const CheckedJson json(readTextFile(file), fileName, "the JSON form of a Monte Carlo run");
     MonteCarloData data;
     data.analysis = resultOf(ResultTable::fromJson(json), fileName);
+    // The run is Monte Carlo; its analysis is the one that it repeats.
+    data.analysis.kind = resultKindFromName(data.analysis.table.provenance.value("analysis"));
     data.options = optionsOf(json.at("options"));
     for (const CheckedJson& one : json.at("scales").list())
         data.scalings.push_back(scalingOf(one));

@@ -14,10 +14,10 @@ namespace {
 
 void takeProvenance(AnalysisData& data) {
     const Provenance& provenance = data.table.provenance;
-    const std::string analysis = provenance.value("analysis");
-    data.kind = !data.image.empty()        ? AnalysisKind::image
-                : analysis == "difference" ? resultKindFromName(provenance.value("a.analysis"))
-                                           : resultKindFromName(analysis);
+    data.kind = resultKindOf(provenance);
+    // Whatever else an image says of itself, frames alone are no result of the analysis.
+    if (!data.image.empty() && data.kind != AnalysisKind::simulation)
+        data.kind = AnalysisKind::image;
     data.name = provenance.value("name");
     data.commandLine = provenance.value("command");
     data.renderer = provenance.value("renderer");
@@ -31,6 +31,13 @@ void takeProvenance(AnalysisData& data) {
 }
 
 } // namespace
+
+AnalysisKind resultKindOf(const Provenance& provenance) {
+    const std::string side = provenance.value("analysis") == "difference" ? "a." : "";
+    if (!provenance.value(side + "monte carlo").empty())
+        return AnalysisKind::monteCarlo;
+    return resultKindFromName(provenance.value(side + "analysis"));
+}
 
 AnalysisData resultOf(ResultTable table, const std::string& file) {
     if (table.empty()) {

@@ -49,12 +49,17 @@ void checkResultFile(AnalysisKind kind, const std::filesystem::path& file) {
                          .expected = "a file that ends in " + irsg::alternatives(known)});
 }
 
+void checkResultFile(const AnalysisData& data, const std::filesystem::path& file) {
+    checkResultFile(data.image.empty() ? data.kind : AnalysisKind::image, file);
+}
+
 void saveResult(const AnalysisData& data, const std::filesystem::path& file) {
-    checkResultFile(data.kind, file);
+    checkResultFile(data, file);
     const std::string extension = file.extension().string();
+    const bool isImage = data.kind->form == AnalysisForm::image || !data.image.empty();
     if (data.kind->isOverDirections && tableFormatOf(file) != nullptr) {
         saveTable(data.table, file);
-    } else if (data.kind->form != AnalysisForm::image || extension == ".json") {
+    } else if (!isImage || extension == ".json") {
         data.table.save(file);
     } else if (data.image.empty()) {
         throw irsg::InputError(irsg::Diagnostic{.file = file.string(),

@@ -182,9 +182,12 @@ void addFiles(const Results& results, std::vector<Difference>& list) {
 
 std::vector<std::string> tellingNames(const Results& results) {
     std::vector<std::string> names(results.size());
-    // Results of several kinds are told apart by their kinds.
+    // Results of several kinds are told apart by their kinds, Monte Carlo by what it repeats.
     const auto isOther = [&](const AnalysisData* data) {
-        return data->kind != results.front()->kind;
+        const AnalysisData& first = *results.front();
+        return data->kind != first.kind || (data->kind == AnalysisKind::monteCarlo &&
+                                            data->table.provenance.value("analysis") !=
+                                                first.table.provenance.value("analysis"));
     };
     if (results.size() < 2 || std::ranges::any_of(results, isOther))
         return names;

@@ -263,7 +263,7 @@ std::string ResultFolder::save(const ResultDocument& document, int number) const
 
 void ResultFolder::saveWords(const ResultDocument& document, const std::string& stem) const {
     const AnalysisData& data = *document.data;
-    const JsonPaths paths({}, std::filesystem::absolute(folder_.parent_path()).lexically_normal());
+    const JsonPaths paths({}, std::filesystem::absolute(folder_).lexically_normal().parent_path());
     Json json = {{"version", resultFileVersion},
                  {"title", document.title},
                  {"origin", word(document.origin)},

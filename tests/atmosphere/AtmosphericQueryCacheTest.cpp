@@ -84,6 +84,9 @@ struct Kind {
     const char* name;
     std::shared_ptr<const Atmosphere> (*make)();
 };
+void PrintTo(const Kind& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class EveryAtmosphere : public testing::TestWithParam<Kind> {};
 

@@ -21,6 +21,9 @@ struct Bad {
     std::string text;
     const char* says;
 };
+void PrintTo(const Bad& row, std::ostream* out) {
+    *out << row.name;
+}
 
 std::string smart(const std::string& parameters) {
     return "<?xml version=\"1.0\"?>\n<data>\n<fileType>Parameters</fileType>\n"

@@ -107,6 +107,9 @@ struct BadFile {
     std::string text;
     const char* message; ///< what stands behind "FILE: "
 };
+void PrintTo(const BadFile& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class BeerLambertCsvRefuses : public testing::TestWithParam<BadFile> {};
 

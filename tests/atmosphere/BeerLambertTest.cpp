@@ -250,6 +250,9 @@ struct BadParameters {
     void (*spoil)(BeerLambertParameters&);
     const char* message;
 };
+void PrintTo(const BadParameters& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class BeerLambertRefuses : public testing::TestWithParam<BadParameters> {};
 

@@ -248,6 +248,9 @@ struct BadTable {
     const char* text;
     const char* expected;
 };
+void PrintTo(const BadTable& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class BadEvenTable : public testing::TestWithParam<BadTable> {};
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ struct PublishedFile {
     double co2_ppmv = 365.0; ///< of tape6; 365 where no file tells
     std::vector<BandLimits> bands;
 };
+/// For the tests that are held to each.
+inline void PrintTo(const PublishedFile& file, std::ostream* out) {
+    *out << file.name;
+}
 const std::vector<PublishedFile>& publishedFiles();
 
 /// Means over bins brought to other wavenumbers with a triangular slit.

@@ -77,6 +77,9 @@ struct RunCase {
     RunColumn column;
     double lower_per_cm, upper_per_cm, rms, largest;
 };
+void PrintTo(const RunCase& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class PublishedContinuum : public testing::TestWithParam<RunCase> {};
 

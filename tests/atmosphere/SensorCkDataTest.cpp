@@ -61,6 +61,9 @@ struct BandCase {
     const char* name;
     double min_um, max_um;
 };
+void PrintTo(const BandCase& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class Wideband : public testing::TestWithParam<BandCase> {};
 

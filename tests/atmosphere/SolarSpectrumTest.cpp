@@ -93,6 +93,9 @@ struct BadSun {
     const char* rows;
     const char* expected;
 };
+void PrintTo(const BadSun& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class BadSolarTable : public testing::TestWithParam<BadSun> {};
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "irsg/signature/EntryFields.h"
 #include "irsg/signature/ReflectanceCsv.h"
 #include "irsg/signature/SignatureFile.h"
 #include "tests/cli/Program.h"
@@ -195,6 +196,41 @@ TEST(SmatBatchInfo, TellsEntriesApart) {
     EXPECT_THAT(ran.out, HasSubstr("spectrum plume core"));
     EXPECT_THAT(ran.out, HasSubstr("table power"));
     EXPECT_THAT(ran.out, HasSubstr("reference distance 100 m"));
+}
+
+/// Fields of these that the entry, as it is told in JSON, does not name by their columns.
+template <typename Entry>
+std::vector<std::string> untold(const nlohmann::json& told,
+                                std::span<const irsg::EntryField<Entry>> fields) {
+    std::vector<std::string> missing;
+    for (const irsg::EntryField<Entry>& field : fields) {
+        const bool isValue = field.template as<std::string>() || field.template as<double>() ||
+                             field.template as<irsg::Spectrum>();
+        if (isValue && !told.contains(field.column)) {
+            missing.emplace_back(field.column);
+        }
+    }
+    return missing;
+}
+
+TEST(SmatBatchInfo, TellsEveryTextNumberAndSpectrumOfTheTableOfFields) {
+    const nlohmann::json info = nlohmann::json::parse(
+        smatBatch({"db", "info", sample("turboprop4/turboprop4.sigdb"), "--json"}).out);
+    bool usesSpectrum = false;
+    for (const auto& entry : info["temperatures"]) {
+        EXPECT_THAT(untold(entry, irsg::temperatureFields()),
+                    testing::ElementsAre("user_spectrum"));
+        EXPECT_NE(entry.contains("spectrum"), entry.contains("at_rest_K"));
+        usesSpectrum = usesSpectrum || entry.contains("spectrum");
+    }
+    EXPECT_TRUE(usesSpectrum);
+    for (const auto& material : info["materials"]) {
+        EXPECT_THAT(untold(material, irsg::materialFields()), testing::IsEmpty());
+    }
+    ASSERT_FALSE(info["spectra"].empty());
+    for (const auto& spectrum : info["spectra"]) {
+        EXPECT_THAT(untold(spectrum, irsg::spectrumFields()), testing::IsEmpty());
+    }
 }
 
 } // namespace

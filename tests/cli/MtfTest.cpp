@@ -42,6 +42,16 @@ TEST_F(SmatBatchMtf, InfoShowsTheHeaderOfEveryShippedDatabase) {
     EXPECT_GE(files, 6);
 }
 
+TEST_F(SmatBatchMtf, InfoReadsADatabaseOfBefore) {
+    const std::string file = std::filesystem::path(SMAT_SOURCE_DIR) / "tests/kept/haze.mtf";
+    const Ran ran = smatBatch({"--json", "mtf", "info", file});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const auto curves = nlohmann::json::parse(ran.out)["curves"];
+    ASSERT_EQ(curves.size(), 2U);
+    EXPECT_NEAR(curves[0]["mtf_zero"].get<double>(), 1.62031, 1e-5);
+    EXPECT_NEAR(curves[1]["mtf_zero"].get<double>(), 6.89273, 1e-5);
+}
+
 TEST_F(SmatBatchMtf, InfoGivesProgramsNumbersWithTheirUnits) {
     const std::string file = shipped / "droplets-100um-mwir.mtf";
     const auto json = nlohmann::json::parse(smatBatch({"--json", "mtf", "info", file}).out);

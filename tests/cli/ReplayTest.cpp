@@ -170,6 +170,16 @@ TEST_F(SmatBatchReplay, RefusesWhatItCannotRunAgain) {
             "--los-elevation", "0", "--band", "3-5", "--out", "r.csv"});
     ASSERT_EQ(tool.exitCode, 0) << tool.err;
     EXPECT_THAT(in({"replay", "r.csv"}).err, HasSubstr("found radiative"));
+    // A table of Monte Carlo names the analysis that was repeated: a run of that is another.
+    std::string draws = contentOf(folder / "polar.csv");
+    const std::string analysis = "# analysis: polar\n";
+    ASSERT_NE(draws.find(analysis), std::string::npos);
+    write(folder / "draws.csv", draws.insert(draws.find(analysis) + analysis.size(),
+                                             "# monte carlo: 64 draws of the sobol sequence, "
+                                             "seed 1\n"));
+    const Ran ofDraws = in({"replay", "draws.csv"});
+    EXPECT_EQ(ofDraws.exitCode, 2);
+    EXPECT_THAT(ofDraws.err, HasSubstr("draws.csv: monte carlo: found 64 draws"));
     EXPECT_EQ(in({"replay", "gone.csv"}).exitCode, 2);
     std::filesystem::rename(folder / "sphere.smat", folder / "moved.smat");
     EXPECT_THAT(in({"replay", "polar.csv"}).err, HasSubstr("neither open nor beside"));

@@ -45,6 +45,9 @@ struct WidebandCase {
     const char* band;
     const char* air = "midlatitude-summer-rural-23km.xml";
 };
+void PrintTo(const WidebandCase& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class SmatBatchWideband : public testing::TestWithParam<WidebandCase> {};
 

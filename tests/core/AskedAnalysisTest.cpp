@@ -79,5 +79,18 @@ TEST(AskedAnalysis, SaysWhyItIsNotKnown) {
     }
 }
 
+TEST(AskedAnalysis, IsNoneOfMonteCarlo) {
+    AnalysisData loaded;
+    for (const auto& [key, value] :
+         {std::pair("program", "smat 1"), std::pair("analysis", "polar"),
+          std::pair("monte carlo", "64 draws of the sobol sequence, seed 3"),
+          std::pair("project", "sphere.smat")}) {
+        loaded.table.provenance.add(key, value);
+    }
+    EXPECT_THAT(refusalOf([&] { analysisOfResult(loaded, sphere.parent_path() / "draws.csv"); }),
+                HasSubstr("draws.csv: monte carlo: found 64 draws of the sobol sequence, seed 3, "
+                          "expected a result of one run"));
+}
+
 } // namespace
 } // namespace smat

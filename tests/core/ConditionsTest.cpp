@@ -124,6 +124,18 @@ TEST(TellingNames, SayNothingWhereNothingIsKnownToDiffer) {
     AnalysisData unknown;
     unknown.table = polar({});
     EXPECT_EQ(tellingNames({&one, &unknown}), (std::vector<std::string>{"", ""}));
+
+    // Monte Carlo is told apart by what it repeats, where that differs.
+    AnalysisData mwir = result(polar({{"sensor.band", "3-5 um"}}), painted(0.9));
+    AnalysisData lwir = result(polar({{"sensor.band", "8-12 um"}}), painted(0.9));
+    mwir.kind = lwir.kind = AnalysisKind::monteCarlo;
+    EXPECT_EQ(tellingNames({&mwir, &lwir}), (std::vector<std::string>{"3-5 µm", "8-12 µm"}));
+    for (auto& [key, value] : lwir.table.provenance.entries) {
+        if (key == "analysis") {
+            value = "range";
+        }
+    }
+    EXPECT_EQ(tellingNames({&mwir, &lwir}), (std::vector<std::string>{"", ""}));
 }
 
 /// Angles and elevations of the cases of a polar plot.

@@ -256,7 +256,9 @@ TEST_F(MonteCarloTest, ExportsEachDrawWithItsScalesAndWhatCameOfThem) {
         // Of a run that was read back: the same scales, the quantities as it keeps them.
         const auto file = ownFolder() / "kept.json";
         saveMonteCarlo(data, file);
-        const ResultTable again = drawsTable(loadMonteCarlo(file, drawsImage(data)));
+        const MonteCarloData kept = loadMonteCarlo(file, drawsImage(data));
+        EXPECT_EQ(kept.analysis.kind, data.analysis.kind);
+        const ResultTable again = drawsTable(kept);
         EXPECT_EQ(again.find("scale temperature 2 (pipe)")->values, t2);
         EXPECT_NEAR(again.find("contrast_intensity at 90 deg")->values[3], aside[3], 1e-4);
     }

@@ -63,6 +63,38 @@ TEST_F(ResultFileTest, GivesATableBackWithAllThatWasSaidOfIt) {
     }
 }
 
+TEST_F(ResultFileTest, KnowsMonteCarloByItsDrawsAndNotByWhatItRepeats) {
+    AnalysisData saved = polar();
+    saved.table.provenance.add("monte carlo", "64 draws of the sobol sequence, seed 3");
+    for (const char* name : {"m.csv", "m.json"}) {
+        saveResult(saved, folder / name);
+        EXPECT_EQ(loadResult(folder / name).kind, AnalysisKind::monteCarlo) << name;
+    }
+    Provenance difference;
+    difference.add("analysis", "difference");
+    difference.add("a.analysis", "polar");
+    EXPECT_EQ(resultKindOf(difference), AnalysisKind::polar);
+    difference.add("a.monte carlo", "64 draws of the sobol sequence, seed 3");
+    EXPECT_EQ(resultKindOf(difference), AnalysisKind::monteCarlo);
+}
+
+TEST_F(ResultFileTest, KnowsFramesOfASimulationFromOtherImages) {
+    AnalysisData saved;
+    saved.image = irsg::RadianceImage(3, 2);
+    for (const auto& [analysis, kind] :
+         {std::pair("simulate", AnalysisKind::simulation), std::pair("image", AnalysisKind::image),
+          std::pair("polar", AnalysisKind::image)}) {
+        saved.image.attributes["analysis"] = analysis;
+        saveResult(saved, folder / "first.exr");
+        const AnalysisData read = loadResult(folder / "first.exr");
+        EXPECT_EQ(read.kind, kind) << analysis;
+        EXPECT_FALSE(read.summary.empty()) << analysis;
+        // It is written again as every image is.
+        saveResult(read, folder / "again.exr");
+        EXPECT_EQ(loadResult(folder / "again.exr").kind, kind) << analysis;
+    }
+}
+
 TEST_F(ResultFileTest, GivesAnImageBackFromEveryDataFormat) {
     AnalysisData saved;
     saved.kind = AnalysisKind::image;

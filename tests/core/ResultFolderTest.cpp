@@ -7,6 +7,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/ScalingXml.h"
+#include "smatcore/analysis/ResultFile.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/TextFile.h"
@@ -189,6 +190,19 @@ TEST_F(ResultFolderTest, KeepsWhereAnOpenedFileIsNotItsNumbers) {
     EXPECT_THAT(refusal(stem), HasSubstr("round.csv"));
 }
 
+TEST_F(ResultFolderTest, KeepsAnOpenedFileOfMonteCarloAsThat) {
+    ResultDocument saved = ranMonteCarlo();
+    const std::filesystem::path file = folder / "draws.csv";
+    saveMonteCarlo(*saved.monteCarlo, file);
+    saved.monteCarlo = nullptr;
+    saved.data = std::make_shared<const AnalysisData>(loadResult(file));
+    saved.origin = Origin::file;
+    saved.file = file;
+    EXPECT_EQ(saved.data->kind, AnalysisKind::monteCarlo);
+    EXPECT_EQ(results().save(saved), "001-montecarlo");
+    EXPECT_EQ(results().load("001-montecarlo").data->kind, AnalysisKind::monteCarlo);
+}
+
 TEST_F(ResultFolderTest, MovesWithTheProject) {
     const ResultDocument saved = ran(AnalysisKind::polar, "round");
     const std::string stem = results().save(saved);
@@ -199,6 +213,22 @@ TEST_F(ResultFolderTest, MovesWithTheProject) {
     EXPECT_EQ(read.data->project.file, elsewhere / "ship.smat");
     EXPECT_EQ(read.data->project.models.front().file, "ship.flt"); // beside it, as it was
     EXPECT_TRUE(results().documents().empty());
+}
+
+TEST_F(ResultFolderTest, IsBesideAProjectThatIsNamedWithoutItsFolder) {
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(folder.path());
+    std::string refused, name;
+    try {
+        const ResultFolder beside("ship.smat");
+        name = beside.load(beside.save(ran(AnalysisKind::polar, "round"))).data->name;
+    } catch (const std::exception& error) {
+        refused = error.what();
+    }
+    std::filesystem::current_path(before);
+    EXPECT_EQ(refused, "");
+    EXPECT_EQ(name, "round");
+    EXPECT_TRUE(std::filesystem::exists(folder / "ship.results/001-polar.result"));
 }
 
 TEST_F(ResultFolderTest, ChangesWordsAloneAndNeverWritesOverAnother) {

@@ -2,6 +2,7 @@
 #include <QClipboard>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QTabWidget>
 #include <QToolButton>
@@ -9,6 +10,7 @@
 #include "gui/tools/RadiativePage.h"
 #include "gui/tools/TemperatureProfilePage.h"
 #include "gui/widgets/Theme.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/ResultFile.h"
 #include "smatcore/project/ProjectFile.h"
 #include "tests/cli/Program.h"
@@ -69,6 +71,29 @@ class AirToolsTest : public test::WindowFixture {
             AnalysisData::of(workbench.project(), AnalysisKind::image, workbench.settings()));
     }
 };
+
+TEST_F(AirToolsTest, AreInTheMenuAsTheRegistryHasThem) {
+    QStringList expected, shown;
+    for (const AnalysisKind kind : allTools()) {
+        // That of a scenario is run on its page.
+        if (kind != AnalysisKind::simulation) {
+            expected << kind->title;
+        }
+    }
+    const auto* menu =
+        dynamic_cast<const QMenu*>(window->findChild<QAction*>("radiativeOutput")->parent());
+    ASSERT_NE(menu, nullptr);
+    for (const QAction* action : menu->actions()) {
+        const QString title = action->text().remove('&').remove(QStringLiteral("…"));
+        if (expected.contains(title)) {
+            shown << title;
+            EXPECT_FALSE(action->icon().isNull()) << title.toStdString();
+            EXPECT_FALSE(action->toolTip().isEmpty()) << title.toStdString();
+        }
+    }
+    EXPECT_EQ(shown, expected);
+    EXPECT_EQ(shown.size(), 4);
+}
 
 TEST_F(AirToolsTest, RadiativeOutputEqualsTheCommandLine) {
     auto* page = opened<RadiativePage>("radiativeOutput");

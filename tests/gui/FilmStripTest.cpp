@@ -18,6 +18,9 @@ struct Screen {
     QSize size;
     ThemeMode theme;
 };
+void PrintTo(const Screen& row, std::ostream* out) {
+    *out << row.name;
+}
 
 /// A session as one would show it to others, a picture at each step, to be looked at in order.
 class FilmStripTest : public test::DatabaseFixture, public ::testing::WithParamInterface<Screen> {

@@ -404,6 +404,7 @@ TEST_F(MonteCarloPageTest, ARunIsAResultAndGoesOnWithoutItsPage) {
     ASSERT_EQ(workbench.results().size(), 1U);
     ASSERT_NE(workbench.results().front().monteCarlo, nullptr);
     EXPECT_EQ(workbench.results().front().title, "1  Monte Carlo: turn");
+    EXPECT_EQ(workbench.results().front().kind(), AnalysisKind::monteCarlo);
     EXPECT_EQ(workbench.results().front().monteCarlo->values, page->plots().data().values);
     get<QPushButton>("run")->click();
     page.reset();

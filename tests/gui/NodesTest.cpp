@@ -26,6 +26,9 @@ struct Paste {
     Rows rows;
     const char* problem = "";
 };
+void PrintTo(const Paste& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class PasteTest : public ::testing::TestWithParam<Paste> {};
 

@@ -117,6 +117,9 @@ struct Level {
     const char* name;
     ComparisonLevel passes, rejects;
 };
+void PrintTo(const Level& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class Thresholds : public testing::TestWithParam<Level> {};
 
@@ -204,6 +207,9 @@ struct Refused {
     std::function<void()> attempt;
     std::vector<std::string> words;
 };
+void PrintTo(const Refused& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class Refusals : public testing::TestWithParam<Refused> {};
 

@@ -65,6 +65,9 @@ struct Matrix {
     const char* name;
     const char* text;
 };
+void PrintTo(const Matrix& row, std::ostream* out) {
+    *out << row.name;
+}
 class Matrices : public testing::TestWithParam<Matrix> {};
 
 TEST_P(Matrices, AreReadTopRowFirstWhateverSeparatesTheirNumbers) {
@@ -88,6 +91,9 @@ struct Bad {
     std::string content;
     std::vector<std::string> words;
 };
+void PrintTo(const Bad& row, std::ostream* out) {
+    *out << row.name;
+}
 class BadFiles : public testing::TestWithParam<Bad> {};
 
 TEST_P(BadFiles, AreRefusedWithTheirNameAndWhatIsWrong) {

@@ -63,6 +63,9 @@ struct Band {
     double exponent, pressureExponent, temperatureExponent;
     double rmsAtGround, rmsAloft; ///< 1013 and 300 hPa
 };
+void PrintTo(const Band& row, std::ostream* out) {
+    *out << gasNames[static_cast<std::size_t>(row.gas)] << " of exponent " << row.exponent;
+}
 class PseudoBand : public testing::TestWithParam<Band> {};
 
 TEST_P(PseudoBand, AbsorbsAsItsModelWhateverTheAmountThePressureAndTheTemperature) {

@@ -83,6 +83,9 @@ struct BadBand {
     std::string text;
     const char* message;
 };
+void PrintTo(const BadBand& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class BandCsvRefuses : public testing::TestWithParam<BadBand> {};
 class BandTextRefuses : public testing::TestWithParam<BadBand> {};

@@ -20,6 +20,9 @@ struct NamedRange {
     const char* name;
     SpectralRange range;
 };
+void PrintTo(const NamedRange& row, std::ostream* out) {
+    *out << row.name;
+}
 
 const NamedRange ranges[] = {{"Swir", {1.9, 2.9}},      {"Mwir", {3.0, 5.0}},
                              {"Lwir", {8.0, 12.0}},     {"Whole", {0.2, 40.0}},

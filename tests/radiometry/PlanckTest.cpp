@@ -202,6 +202,9 @@ struct NoTemperature {
     double wavelength_um;
     double radiance;
 };
+void PrintTo(const NoTemperature& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class PlanckHasNoInverse : public testing::TestWithParam<NoTemperature> {};
 

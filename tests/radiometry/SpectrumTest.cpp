@@ -231,6 +231,9 @@ struct BadAxis {
     const char* position;
     const char* found;
 };
+void PrintTo(const BadAxis& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class SpectrumRefuses : public testing::TestWithParam<BadAxis> {};
 

@@ -306,6 +306,9 @@ struct Refusal {
     const char* position;
     const char* expected;
 };
+void PrintTo(const Refusal& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class SceneChecks : public testing::TestWithParam<Refusal> {};
 

@@ -160,6 +160,9 @@ struct Reflection {
     /// Fraction of the full term that a facet with this normal reflects.
     std::function<double(const Vec3& normal, const Vec3& sun)> expected;
 };
+void PrintTo(const Reflection& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class ReflectionOnASphere : public testing::TestWithParam<Reflection> {};
 
@@ -229,6 +232,9 @@ struct PlateCase {
     double sunElevation_deg;
     double sun, up, down; ///< expected factors
 };
+void PrintTo(const PlateCase& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class TwoSidedPlate : public testing::TestWithParam<PlateCase> {};
 

@@ -11,6 +11,12 @@
 #include "irsg/scene/trace/SunShadows.h"
 #include "tests/support/SceneFixtures.h"
 
+namespace irsg {
+void PrintTo(EngineChoice engine, std::ostream* out) {
+    *out << (engine == EngineChoice::rays ? "rays" : "OpenGL");
+}
+} // namespace irsg
+
 using namespace irsg;
 using namespace irsg::test;
 

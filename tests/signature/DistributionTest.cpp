@@ -109,6 +109,9 @@ struct Row {
     double min, max;
     std::vector<double> parameters = {}; ///< none: those that follow from min and max
 };
+void PrintTo(const Row& row, std::ostream* out) {
+    *out << row.name;
+}
 
 Distribution made(const Row& row) {
     return row.parameters.empty() ? Distribution(row.kind, row.min, row.max)

@@ -87,6 +87,9 @@ struct BadCsv {
     const char* value;
     const char* expected;
 };
+void PrintTo(const BadCsv& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class RefusedFactorCsv : public testing::TestWithParam<BadCsv> {};
 

@@ -31,6 +31,9 @@ struct Row {
     const char* repair;
     Spoil repaired; ///< done to the good database; what else the repair writes is compared apart
 };
+void PrintTo(const Row& row, std::ostream* out) {
+    *out << row.name;
+}
 
 TemperatureTerms& terms(SignatureDatabase& d) {
     return d.temperatures[-7].terms;

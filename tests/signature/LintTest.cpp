@@ -60,6 +60,9 @@ struct Row {
     const char* value;
     const char* reason;
 };
+void PrintTo(const Row& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class Finds : public testing::TestWithParam<Row> {};
 

@@ -84,6 +84,9 @@ struct BadTable {
     const char* value;
     const char* expected;
 };
+void PrintTo(const BadTable& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class RefusedLookupTable : public testing::TestWithParam<BadTable> {};
 

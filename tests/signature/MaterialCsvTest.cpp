@@ -1,5 +1,7 @@
 #include "irsg/signature/MaterialCsv.h"
 
+#include "irsg/signature/EntryFields.h"
+
 #include "Support.h"
 
 namespace irsg {
@@ -97,6 +99,26 @@ TEST(MaterialCsv, KeepsNameAndN) {
     EXPECT_EQ(after.nAngleFactor, 0.25);
 }
 
+TEST(MaterialCsv, HasAColumnForEverySpectrumOfAMaterial) {
+    const TemporaryFolder folder;
+    Material all;
+    forEachField<Spectrum>(materialFields(), [&](const auto& field, auto member) {
+        SCOPED_TRACE(field.key);
+        Material material;
+        material.emissivity = Spectrum::constant(0.25);
+        material.*member = all.*member = Spectrum({3.0, 5.0}, {0.5, 0.25});
+        writeMaterialCsv(material, folder / "a.csv");
+        Material back;
+        readMaterialCsv(folder / "a.csv", back);
+        EXPECT_EQ((back.*member).wavelengths_um(), (material.*member).wavelengths_um());
+        EXPECT_EQ((back.*member).values(), (material.*member).values());
+    });
+    writeMaterialCsv(all, folder / "a.csv");
+    EXPECT_THAT(readBytes(folder / "a.csv"),
+                testing::StartsWith("um,emissivity,transmissivity,reflectivity,n,k,"
+                                    "diffuse_reflectivity,volume_reflectivity\n3,0.5,"));
+}
+
 TEST(MaterialCsv, ComesBackFromWhatItWrites) {
     const TemporaryFolder folder;
     for (const auto& [index, material] : completeDatabase().materials) {
@@ -119,6 +141,9 @@ struct Bad {
     const char* value;
     const char* expected;
 };
+void PrintTo(const Bad& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class BadMaterialCsv : public testing::TestWithParam<Bad> {};
 
@@ -139,7 +164,8 @@ INSTANTIATE_TEST_SUITE_P(
     MaterialCsv, BadMaterialCsv,
     testing::Values(
         Bad{"UnknownProperty", "um,absorptance\n3,1\n4,1\n", "line 1, column 2", "absorptance",
-            "'emissivity'"},
+            "'emissivity', 'transmissivity', 'reflectivity', 'n', 'k', 'diffuse_reflectivity' or "
+            "'volume_reflectivity'"},
         Bad{"PropertyTwice", "um,emissivity,emissivity\n3,1,1\n4,1,1\n", "line 1, column 3",
             "emissivity", "each name once"},
         Bad{"UnknownAxis", "nm,emissivity\n3,1\n4,1\n", "line 1, column 1", "nm", "'um' or 'cm-1'"},

@@ -110,6 +110,9 @@ struct Wall {
     int material;
     double temperature_K;
 };
+void PrintTo(const Wall& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class PlumeWall : public testing::TestWithParam<Wall> {};
 

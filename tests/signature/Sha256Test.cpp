@@ -10,6 +10,9 @@ struct Vector {
     std::string message;
     const char* digest;
 };
+void PrintTo(const Vector& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class PublishedVector : public testing::TestWithParam<Vector> {};
 

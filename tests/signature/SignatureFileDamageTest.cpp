@@ -150,6 +150,9 @@ struct Unusable {
     const char* value;
     const char* expected;
 };
+void PrintTo(const Unusable& row, std::ostream* out) {
+    *out << row.name;
+}
 
 void change(const fs::path& file, const std::string& sql) {
     saveSignatureFile(completeDatabase(), file);
@@ -257,6 +260,9 @@ struct BadRow {
     const char* position;
     const char* value;
 };
+void PrintTo(const BadRow& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class BadRows : public testing::TestWithParam<BadRow> {};
 

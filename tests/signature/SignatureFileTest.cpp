@@ -102,6 +102,9 @@ struct OutsideChange {
     const char* sql;
     const char* entry;
 };
+void PrintTo(const OutsideChange& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class ChangedOutside : public testing::TestWithParam<OutsideChange> {};
 

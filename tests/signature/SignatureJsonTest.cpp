@@ -97,6 +97,9 @@ struct BadJson {
     const char* value;
     const char* expected;
 };
+void PrintTo(const BadJson& row, std::ostream* out) {
+    *out << row.name;
+}
 
 /// A whole file around one material, one temperature, one spectrum.
 std::string around(const std::string& temperatures, const std::string& materials,

@@ -229,6 +229,9 @@ struct BadCsv {
     const char* value;
     const char* expected;
 };
+void PrintTo(const BadCsv& row, std::ostream* out) {
+    *out << row.name;
+}
 
 class RefusedSpectrumCsv : public testing::TestWithParam<BadCsv> {};
 

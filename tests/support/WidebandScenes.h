@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,9 @@ struct WidebandAir {
     Band band() const { return Band::topHat(min_um, max_um); }
     Environment environment(int resolution_per_cm = 5) const;
 };
+inline void PrintTo(const WidebandAir& air, std::ostream* out) {
+    *out << air.name;
+}
 std::vector<WidebandAir> widebandAirs();
 
 struct WidebandScene {

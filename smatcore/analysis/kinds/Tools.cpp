@@ -4,7 +4,8 @@ namespace smat {
 
 // Tools make tables of their own accord: they are neither planned nor drawn as analyses are.
 // Command, menu entry and the kind of their results come from here. A new one is a definition here,
-// its name in the list TOOLS of smatcore/CMakeLists.txt, a command and a page.
+// its name in the list TOOLS of smatcore/CMakeLists.txt, a command and a page
+// (gui/tools/ToolPages.cpp).
 
 extern constinit const AnalysisDefinition radiativeTool{
     .name = "radiative",

@@ -13,9 +13,10 @@ namespace smat::gui {
 
 class Workbench;
 
-/// Puts the tools that ask the air of the project, radiative output and temperature profile, into a
-/// menu. Each opens a page, which `addPage` shows. They wait for a project.
-void addAirTools(
+/// Puts the tools that have a page (of allTools(), in their order) into a menu. Each opens its
+/// page, which `addPage` shows; those that ask the air of the project wait for one. A simulation
+/// has none here: it is run on the page of its scenario.
+void addToolPages(
     QMenu& menu, Workbench& workbench, const Dialogs& dialogs,
     std::function<void(QWidget* page, const QIcon& icon, const QString& title)> addPage);
 
