@@ -8,7 +8,7 @@
 #include "irsg/radiometry/FileReplacement.h"
 #include "irsg/signature/CsvAxis.h"
 #include "irsg/signature/ReflectanceCsv.h"
-#include "irsg/signature/SurfaceModel.h"
+#include "irsg/signature/SurfaceModels.h"
 
 namespace irsg {
 

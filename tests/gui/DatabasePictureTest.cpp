@@ -10,6 +10,7 @@
 
 #include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/Planck.h"
+#include "irsg/signature/SurfaceTemperature.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "tests/gui/DatabaseFixture.h"
 
