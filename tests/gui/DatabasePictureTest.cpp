@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QTabBar>
 #include <QToolButton>
+#include <QTreeWidget>
 #include <gtest/gtest.h>
 
 #include "irsg/radiometry/Band.h"
