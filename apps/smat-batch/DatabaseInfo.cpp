@@ -5,6 +5,7 @@
 #include "apps/smat-batch/Output.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/EntryFields.h"
+#include "irsg/signature/SurfaceTemperature.h"
 
 namespace smat::batch {
 

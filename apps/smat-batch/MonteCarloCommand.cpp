@@ -18,6 +18,7 @@
 #include "irsg/radiometry/FileReading.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/MonteCarlo.h"
+#include "smatcore/analysis/MonteCarloFile.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/simulate/ScenarioFile.h"

@@ -25,6 +25,7 @@
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Theme.h"
 #include "irsg/radiometry/Quantity.h"
+#include "smatcore/analysis/MonteCarloFile.h"
 #include "smatcore/data/ColumnName.h"
 
 namespace smat::gui {

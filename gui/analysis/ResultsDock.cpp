@@ -22,6 +22,7 @@
 #include "gui/workbench/Workbench.h"
 #include "irsg/radiometry/Errors.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
+#include "smatcore/analysis/MonteCarloFile.h"
 
 namespace smat::gui {
 namespace {

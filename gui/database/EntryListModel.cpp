@@ -9,6 +9,7 @@
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/ThemeColors.h"
 #include "irsg/image/ColorMap.h"
+#include "irsg/signature/SurfaceTemperature.h"
 
 namespace smat::gui {
 namespace {

@@ -19,7 +19,7 @@
 #include "gui/widgets/Sentences.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/LitBall.h"
-#include "irsg/signature/SurfaceModel.h"
+#include "irsg/signature/SurfaceModels.h"
 
 namespace smat::gui {
 
@@ -61,7 +61,7 @@ QString helpOf(const std::string& name) {
 }
 
 bool takes(const irsg::Material& material, const char* key) {
-    const auto& fields = irsg::SurfaceModel::fieldsOf(material.surfaceModel);
+    const auto& fields = irsg::fieldsOfSurfaceModel(material.surfaceModel);
     return std::ranges::find(fields, std::string(key)) != fields.end();
 }
 
@@ -84,7 +84,7 @@ SurfacePage::SurfacePage(QWidget* parent) : QWidget(parent) {
     model_ = new QComboBox(this);
     model_->setObjectName("surfaceModel");
     model_->addItem(labelOf({}), QString());
-    for (const std::string& name : irsg::SurfaceModel::names())
+    for (const std::string& name : irsg::surfaceModelNames())
         model_->addItem(labelOf(name), QString::fromStdString(name));
     connect(model_, &QComboBox::activated, this, [this](int) {
         emit modelChosen(model_->currentData().toString().toStdString());

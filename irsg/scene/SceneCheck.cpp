@@ -10,7 +10,8 @@
 #include "irsg/radiometry/Wording.h"
 #include "irsg/scene/scattering/SceneScattering.h"
 #include "irsg/scene/trace/RaysBuilt.h"
-#include "irsg/signature/SurfaceModel.h"
+#include "irsg/signature/SurfaceModels.h"
+#include "irsg/signature/SurfaceTemperature.h"
 
 namespace irsg {
 
@@ -77,7 +78,7 @@ void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double am
     }
     for (const auto& [index, material] : materials) {
         try {
-            SurfaceModel::of(*material);
+            surfaceModelOf(*material);
         } catch (const InputError& error) {
             for (Diagnostic one : error.diagnostics()) {
                 one.file = entity.name;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "irsg/radiometry/Units.h"
-#include "irsg/signature/SurfaceModel.h"
+#include "irsg/signature/SurfaceModels.h"
 
 namespace irsg {
 
@@ -274,7 +274,7 @@ const std::array materialRows = {
                                  "slopes follow GGX or Beckmann, the models of Sandford and "
                                  "Robertson or of Shell, or as a table was measured. With facets, "
                                  "emissivity is that along the normal",
-                         .words = SurfaceModel::names,
+                         .words = surfaceModelNames,
                          .since = 4},
     EntryField<Material>{
         .key = "roughness",

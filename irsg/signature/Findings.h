@@ -7,7 +7,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/EntryPath.h"
-#include "irsg/signature/Lint.h"
+#include "irsg/signature/Finding.h"
 
 namespace irsg {
 

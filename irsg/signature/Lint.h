@@ -1,66 +1,12 @@
 #pragma once
 
-#include <functional>
-#include <map>
-#include <optional>
-#include <set>
-#include <string>
 #include <vector>
 
-#include "irsg/radiometry/Spectrum.h"
-#include "irsg/signature/EntityState.h"
+#include "irsg/signature/Finding.h"
+#include "irsg/signature/LintScope.h"
 #include "irsg/signature/SignatureDatabase.h"
 
 namespace irsg {
-
-/// One thing a person should look at.
-struct Finding {
-    enum class Severity {
-        warning, ///< possible, but not likely to be meant
-        error    ///< physically wrong: such a database is neither loaded nor saved
-    };
-    /// Changes nothing where the entry it is about is gone.
-    using Repair = std::function<void(SignatureDatabase&)>;
-
-    Severity severity = Severity::error;
-    std::string entry; ///< "materials.3" (EntryPath.h), "title", "notes", or "model"
-    std::string place; ///< the entry and where in it: "materials.3.emissivity at 4.2 um"
-    std::string value;
-    std::string reason;   ///< "expected a value from 0 to 1", with why where that is not plain
-    std::string remedy;   ///< what would repair it; may be empty
-    Repair repair;        ///< does what `remedy` says; empty where a person has to choose
-    bool removes = false; ///< `repair` deletes something: only a person may ask for it
-
-    bool isError() const { return severity == Severity::error; }
-};
-
-/// What one model asks of its database.
-struct ModelUse {
-    std::string name;                    ///< the model's file, for messages
-    std::map<int, int> temperatureFaces; ///< faces that carry each temperature index
-    std::map<int, int> materialFaces;
-    std::map<int, std::set<int>> temperaturesOfMaterial = {}; ///< that its faces carry
-    std::optional<int> fallbackTemperature = {}; ///< entries that stand in for codes without one
-    std::optional<int> fallbackMaterial = {};
-    /// What the loader had to do about levels of detail: a range of a level that ends before the
-    /// sensor empties the picture in programs that obey it.
-    std::vector<std::string> levelsOfDetail = {};
-    /// Faces of different codes in one plane, of which the order in the file decides.
-    std::vector<std::string> sharedPlanes = {};
-};
-
-/// A state that the entity of the database takes in an analysis.
-struct SweptState {
-    std::string analysis; ///< its name, for messages
-    EntityState state;
-};
-
-/// What a database is checked against, beside itself.
-struct LintScope {
-    std::vector<SpectralRange> bands = {}; ///< that spectra should cover
-    std::vector<ModelUse> models = {};
-    std::vector<SweptState> states = {};
-};
 
 /// Checks the physics of a database.
 ///

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "irsg/signature/Findings.h"
-#include "irsg/signature/Lint.h"
+#include "irsg/signature/LintScope.h"
 
 namespace irsg {
 

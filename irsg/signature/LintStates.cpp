@@ -1,7 +1,9 @@
 #include <cmath>
 
 #include "irsg/signature/Findings.h"
+#include "irsg/signature/HeldTables.h"
 #include "irsg/signature/LintEntries.h"
+#include "irsg/signature/SurfaceTemperature.h"
 
 namespace irsg {
 

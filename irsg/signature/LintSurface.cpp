@@ -6,7 +6,7 @@
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/Findings.h"
 #include "irsg/signature/LintEntries.h"
-#include "irsg/signature/SurfaceModel.h"
+#include "irsg/signature/SurfaceModels.h"
 
 namespace irsg {
 
@@ -94,7 +94,7 @@ void lintKirchhoff(int index, const SurfaceModel& model, const Material& materia
                                           ", which " + source + " along the normal (it is used)");
     found.remedy = "set the emissivity to what " + source;
     found.repair = onMaterial(index, [nodes_um](Material& to) {
-        const auto own = SurfaceModel::of(to);
+        const auto own = surfaceModelOf(to);
         std::vector<double> values;
         for (const double node_um : nodes_um)
             values.push_back(own ? emissivityAt(*own, to, node_um) : to.emissivity.at(node_um));
@@ -213,13 +213,13 @@ void lintSurface(int index, const Material& material, Findings& findings) {
                material.grazingFactor >= 0.0 && material.grazingFactor <= 1.0 &&
                material.shadowTau_deg > 0.0 && material.shadowOmega_deg > 0.0;
     }();
-    const bool isUsable = SurfaceModel::isKnown(model) && hasNumbers &&
+    const bool isUsable = isSurfaceModel(model) && hasNumbers &&
                           (hasIndex || material.refractiveIndex.maximum() == 0.0) &&
                           (model != "tabulated" || !material.reflectanceTable.empty()) &&
                           (model != "shellTarget" || hasIndex);
     if (!isUsable)
         return;
-    const auto made = SurfaceModel::of(material);
+    const auto made = surfaceModelOf(material);
     if (material.hasIndex() || model == "tabulated")
         lintKirchhoff(index, *made, material, findings);
     if (model == "sandfordRobertson")

@@ -3,6 +3,7 @@
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/LintEntries.h"
 #include "irsg/signature/LintFields.h"
+#include "irsg/signature/SurfaceTemperature.h"
 
 namespace irsg {
 

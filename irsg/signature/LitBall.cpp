@@ -8,7 +8,7 @@
 
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/signature/SurfaceModel.h"
+#include "irsg/signature/SurfaceModels.h"
 
 namespace irsg {
 
@@ -52,7 +52,7 @@ struct Lights {
 class Outdoors {
   public:
     Outdoors(const Material& material, const SpectralRange& band)
-        : model_(SurfaceModel::of(material)), lights_(model_ ? model_->components() : 1) {
+        : model_(surfaceModelOf(material)), lights_(model_ ? model_->components() : 1) {
         for (const double at_um : wavelengthsIn(band)) {
             const double step_um = band.width_um() / wavelengths;
             const auto black = [&](double temperature_K) {

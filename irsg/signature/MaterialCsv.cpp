@@ -10,7 +10,7 @@
 #include "irsg/signature/CsvAxis.h"
 #include "irsg/signature/EntryFields.h"
 #include "irsg/signature/ReflectanceCsv.h"
-#include "irsg/signature/SurfaceModel.h"
+#include "irsg/signature/SurfaceModels.h"
 
 namespace irsg {
 

@@ -1,34 +1,9 @@
 #include "irsg/signature/SignatureDatabase.h"
 
-#include "irsg/signature/EntryFields.h"
-#include "irsg/signature/EntryPath.h"
-
 namespace irsg {
 
 double Material::reflectivityAt(double wavelength_um) const {
     return 1.0 - emissivity.at(wavelength_um) - transmissivity.at(wavelength_um);
-}
-
-std::vector<std::string> tablesHeld(const SignatureDatabase& database, const EntityState& state) {
-    std::vector<std::string> held;
-    const auto check = [&](const std::string& path, const auto& part, auto fields) {
-        forEachField<LookupTable>(fields, [&](const auto& field, auto member) {
-            if ((part.*member).isOutside(field.table.position(state)))
-                held.push_back(path + "." + field.key);
-        });
-    };
-    for (const auto& [index, entry] : database.temperatures) {
-        const std::string path = temperaturePath(index);
-        if (entry.mode == EmissionMode::temperature) {
-            check(path + ".terms", entry.terms, termFields());
-            continue;
-        }
-        for (std::size_t i = 0; i < entry.factors.size(); ++i)
-            if (entry.factors[i].selection == FactorSelection::table)
-                check(path + ".factors[" + std::to_string(i) + "]", entry.factors[i],
-                      factorFields());
-    }
-    return held;
 }
 
 } // namespace irsg

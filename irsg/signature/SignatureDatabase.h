@@ -2,12 +2,11 @@
 
 #include <map>
 #include <string>
-#include <vector>
 
 #include "irsg/radiometry/Spectrum.h"
 #include "irsg/signature/ComponentFactors.h"
 #include "irsg/signature/ReflectanceTable.h"
-#include "irsg/signature/SurfaceTemperature.h"
+#include "irsg/signature/TemperatureTerms.h"
 #include "irsg/signature/UserSpectrum.h"
 
 namespace irsg {
@@ -75,10 +74,5 @@ struct SignatureDatabase {
 
     bool operator==(const SignatureDatabase&) const = default;
 };
-
-/// The lookup tables that hold an end value in this state because their axis does not reach it:
-/// "temperatures.4.terms.power". Only what the mode of an entry uses counts. Whoever runs an
-/// analysis warns of each once.
-std::vector<std::string> tablesHeld(const SignatureDatabase& database, const EntityState& state);
 
 } // namespace irsg

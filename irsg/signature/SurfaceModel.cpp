@@ -2,16 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <map>
-#include <mutex>
 
-#include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/signature/FacetModel.h"
-#include "irsg/signature/SandfordRobertson.h"
-#include "irsg/signature/ShellTarget.h"
-#include "irsg/signature/TabulatedModel.h"
 
 namespace irsg {
 
@@ -20,94 +12,8 @@ namespace {
 /// Facets that stand for all; one for surfaces that are smoother than that.
 constexpr int samplesOfLobe = 24;
 constexpr double smooth = 0.02;
-/// Of what is kept of models.
-constexpr std::size_t mostModels = 64;
-
-/// A model by its name: what its components follow from, and how it is made.
-struct Kind {
-    const char* name;
-    std::vector<double> (*keyOf)(const Material& material);
-    std::shared_ptr<const SurfaceModel> (*make)(const Material& material);
-    std::vector<std::string> fields;
-};
-
-template <typename Model>
-std::shared_ptr<const SurfaceModel> made(const Material& material) {
-    return std::make_shared<const Model>(material);
-}
-
-const std::vector<Kind>& kinds() {
-    static const std::vector<Kind> all = {
-        {"ggx",
-         FacetModel::keyOf,
-         made<FacetModel>,
-         {"roughness", "refractiveIndex", "extinction"}},
-        {"beckmann",
-         FacetModel::keyOf,
-         made<FacetModel>,
-         {"roughness", "refractiveIndex", "extinction"}},
-        {"sandfordRobertson",
-         SandfordRobertson::keyOf,
-         made<SandfordRobertson>,
-         {"roughness", "grazingFactor", "diffuseReflectivity"}},
-        {"shellTarget",
-         ShellTarget::keyOf,
-         made<ShellTarget>,
-         {"roughness", "refractiveIndex", "extinction", "diffuseReflectivity", "volumeReflectivity",
-          "shadowTau_deg", "shadowOmega_deg"}},
-        {"tabulated", TabulatedModel::keyOf, made<TabulatedModel>, {"reflectanceTable"}}};
-    return all;
-}
 
 } // namespace
-
-const std::vector<std::string>& SurfaceModel::names() {
-    static const std::vector<std::string> all = [] {
-        std::vector<std::string> list;
-        for (const Kind& kind : kinds())
-            list.emplace_back(kind.name);
-        return list;
-    }();
-    return all;
-}
-
-const std::vector<std::string>& SurfaceModel::fieldsOf(const std::string& name) {
-    static const std::vector<std::string> none;
-    const auto kind =
-        std::ranges::find(kinds(), name, [](const Kind& one) { return std::string(one.name); });
-    return kind == kinds().end() ? none : kind->fields;
-}
-
-bool SurfaceModel::isKnown(const std::string& name) {
-    return name.empty() || std::ranges::find(names(), name) != names().end();
-}
-
-std::shared_ptr<const SurfaceModel> SurfaceModel::of(const Material& material) {
-    if (material.surfaceModel.empty())
-        return nullptr;
-    const auto kind = std::ranges::find(kinds(), material.surfaceModel,
-                                        [](const Kind& one) { return std::string(one.name); });
-    if (kind == kinds().end()) {
-        std::string expected;
-        for (const std::string& name : names())
-            expected += "'" + name + "', ";
-        throw InputError(Diagnostic{material.name, "surfaceModel",
-                                    "'" + material.surfaceModel + "'", expected + "or nothing"});
-    }
-    if (!(material.roughness >= leastRoughness && material.roughness <= 1.0))
-        throw InputError(Diagnostic{material.name, "roughness", numberText(material.roughness),
-                                    "a number from 0.001 to 1"});
-    const std::vector<double> key = kind->keyOf(material);
-    static std::mutex access;
-    static std::map<std::vector<double>, std::shared_ptr<const SurfaceModel>> kept;
-    const std::lock_guard lock(access);
-    const auto found = kept.find(key);
-    if (found != kept.end())
-        return found->second;
-    if (kept.size() >= mostModels)
-        kept.clear();
-    return kept[key] = kind->make(material);
-}
 
 SurfaceModel::SurfaceModel(Microfacets facets, std::size_t lobes, std::size_t components,
                            std::vector<double> key)
@@ -196,29 +102,6 @@ SurfaceModel::Amounts SurfaceModel::amountsAt(const Material& material,
     for (const Spectrum* spectrum : inputs(material))
         values.push_back(spectrum->at(wavelength_um));
     return amounts(values, 1.0);
-}
-
-double reflectanceOverAngle(const Material& material, double cosine, double wavelength_um) {
-    const auto model = SurfaceModel::of(material);
-    if (!model)
-        return material.reflectivityAt(wavelength_um);
-    const SurfaceModel::Amounts amounts = model->amountsAt(material, wavelength_um);
-    double sum = 0.0;
-    for (std::size_t k = 0; k < model->components(); ++k)
-        sum += amounts[k] * model->albedo(k, cosine);
-    return sum;
-}
-
-double brdf_per_sr(const Material& material, const SurfaceDirection& to,
-                   const SurfaceDirection& from, double wavelength_um) {
-    const auto model = SurfaceModel::of(material);
-    if (!model)
-        return material.reflectivityAt(wavelength_um) / pi;
-    const SurfaceModel::Amounts amounts = model->amountsAt(material, wavelength_um);
-    double sum = 0.0;
-    for (std::size_t k = 0; k < model->components(); ++k)
-        sum += amounts[k] * model->brdf_per_sr(k, to, from);
-    return sum;
 }
 
 } // namespace irsg

@@ -2,9 +2,7 @@
 
 #include <array>
 #include <cstddef>
-#include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "irsg/signature/Microfacets.h"
@@ -23,14 +21,6 @@ class SurfaceModel {
     static constexpr std::size_t mostComponents = 8;
     using Amounts = std::array<double, mostComponents>;
 
-    /// Null for a Lambertian one. Throws InputError for a name, a number or a table that there is
-    /// no model of. Models of equal materials are one.
-    static std::shared_ptr<const SurfaceModel> of(const Material& material);
-    /// "ggx", "beckmann", "sandfordRobertson", "shellTarget", "tabulated".
-    static const std::vector<std::string>& names();
-    static bool isKnown(const std::string& name);
-    /// The keys of a material's fields that a model takes beside emissivity and transmissivity.
-    static const std::vector<std::string>& fieldsOf(const std::string& name);
     virtual ~SurfaceModel() = default;
     SurfaceModel(const SurfaceModel&) = delete;
     SurfaceModel& operator=(const SurfaceModel&) = delete;
@@ -101,11 +91,5 @@ class SurfaceModel {
     std::vector<SurfaceDirection> samples_;
     std::vector<double> key_;
 };
-
-/// Directional-hemispherical reflectance at a cosine and a wavelength, of any material.
-double reflectanceOverAngle(const Material& material, double cosine, double wavelength_um);
-/// f, sr-1, of any material at a wavelength.
-double brdf_per_sr(const Material& material, const SurfaceDirection& to,
-                   const SurfaceDirection& from, double wavelength_um);
 
 } // namespace irsg

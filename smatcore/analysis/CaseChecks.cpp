@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "irsg/signature/HeldTables.h"
+
 namespace smat {
 
 std::vector<std::string> heldTables(const irsg::Entity& entity, irsg::EntityState state,

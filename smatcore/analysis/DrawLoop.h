@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "smatcore/analysis/MonteCarlo.h"
+#include "smatcore/analysis/MonteCarloData.h"
 
 namespace smat {
 

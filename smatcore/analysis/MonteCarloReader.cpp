@@ -2,7 +2,7 @@
 
 #include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Errors.h"
-#include "smatcore/analysis/MonteCarlo.h"
+#include "smatcore/analysis/MonteCarloFile.h"
 #include "smatcore/analysis/ResultFile.h"
 #include "smatcore/data/CheckedJson.h"
 #include "smatcore/settings/SettingKeys.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "smatcore/analysis/AnalysisPlan.h"
-#include "smatcore/analysis/MonteCarlo.h"
+#include "smatcore/analysis/MonteCarloData.h"
 
 namespace smat {
 

@@ -8,7 +8,7 @@
 
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/CaseWarnings.h"
-#include "smatcore/analysis/MonteCarlo.h"
+#include "smatcore/analysis/MonteCarloData.h"
 
 namespace smat {
 

@@ -12,6 +12,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/analysis/AnalysisPlan.h"
+#include "smatcore/analysis/MonteCarloFile.h"
 #include "smatcore/analysis/ResultFile.h"
 #include "smatcore/project/JsonFields.h"
 #include "smatcore/project/JsonWriting.h"

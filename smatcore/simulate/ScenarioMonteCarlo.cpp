@@ -9,6 +9,7 @@
 #include "irsg/radiometry/NewLines.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/DrawLoop.h"
+#include "smatcore/analysis/MonteCarloFile.h"
 #include "smatcore/analysis/MonteCarloReport.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/radiometry/Errors.h"
+#include "smatcore/analysis/MonteCarloFile.h"
 #include "tests/core/AnalyticSource.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/TemporaryFolder.h"

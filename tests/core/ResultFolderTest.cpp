@@ -7,6 +7,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/ScalingXml.h"
+#include "smatcore/analysis/MonteCarloFile.h"
 #include "smatcore/analysis/ResultFile.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/settings/SettingKeys.h"

@@ -21,7 +21,7 @@
 #include "irsg/scene/model/apart/AxesCoding.h"
 #include "irsg/scene/model/apart/GltfFile.h"
 #include "irsg/scene/model/apart/GraphCoding.h"
-#include "irsg/scene/model/apart/ReaderService.h"
+#include "irsg/scene/model/apart/ReaderMessages.h"
 #include "irsg/scene/model/apart/StatedModel.h"
 #include "irsg/scene/model/apart/WholeFile.h"
 #include "irsg/scene/model/read/ObjReader.h"

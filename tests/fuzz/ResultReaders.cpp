@@ -6,6 +6,7 @@
 #include "irsg/image/ExrFile.h"
 #include "irsg/radiometry/FileReading.h"
 #include "smatcore/analysis/MonteCarlo.h"
+#include "smatcore/analysis/MonteCarloFile.h"
 #include "smatcore/results/ResultFolder.h"
 #include "tests/fuzz/Readers.h"
 #include "tests/fuzz/SeedTexts.h"

@@ -6,10 +6,12 @@
 #include <QComboBox>
 #include <QTabBar>
 #include <QToolButton>
+#include <QTreeWidget>
 #include <gtest/gtest.h>
 
 #include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/Planck.h"
+#include "irsg/signature/SurfaceTemperature.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "tests/gui/DatabaseFixture.h"
 

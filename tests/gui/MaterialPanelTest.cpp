@@ -14,7 +14,7 @@
 #include "gui/database/LitBallView.h"
 #include "gui/database/NodeEditor.h"
 #include "gui/widgets/Theme.h"
-#include "irsg/signature/SurfaceModel.h"
+#include "irsg/signature/SurfaceModels.h"
 #include "tests/gui/DatabaseEditorFixture.h"
 
 namespace smat::gui {
@@ -57,12 +57,12 @@ TEST_F(DatabaseEditorTest, ShowsEveryModelWithTheNumbersThatItTakes) {
     auto* model = find<QComboBox>("surfaceModel");
     for (const ThemeMode mode : {ThemeMode::light, ThemeMode::dark}) {
         applyTheme(*qApp, mode);
-        for (const std::string& name : irsg::SurfaceModel::names()) {
+        for (const std::string& name : irsg::surfaceModelNames()) {
             model->setCurrentIndex(model->findData(QString::fromStdString(name)));
             ASSERT_GT(model->currentIndex(), 0) << name;
             emit model->activated(model->currentIndex());
             EXPECT_EQ(session().value().materials.at(1).surfaceModel, name);
-            const auto& taken = irsg::SurfaceModel::fieldsOf(name);
+            const auto& taken = irsg::fieldsOfSurfaceModel(name);
             for (const char* key :
                  {"roughness", "grazingFactor", "shadowTau_deg", "shadowOmega_deg"}) {
                 EXPECT_EQ(find<QWidget>(key)->isVisible(),

@@ -10,7 +10,7 @@
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/reference/PlanckReference.h"
-#include "irsg/signature/SurfaceModel.h"
+#include "irsg/signature/SurfaceModels.h"
 #include "tests/support/LightScenes.h"
 #include "tests/support/RaysTest.h"
 #include "tests/support/RevolvedMeshes.h"
@@ -139,7 +139,7 @@ TEST_F(DirectionalSurfaces, SendAGlintOfASmoothSphere) {
 
 TEST_F(DirectionalSurfaces, SendTheGlintOfARoughSphere) {
     const double alpha = 0.4, normal = 0.7;
-    const auto model = SurfaceModel::of(facets("ggx", alpha, 0.3));
+    const auto model = surfaceModelOf(facets("ggx", alpha, 0.3));
     const SurfaceModel::Amounts amounts = model->amountsAt(facets("ggx", alpha, 1.0 - normal), 4.0);
     const auto lambda = [&](double cosine) {
         const double tangent = (1.0 - cosine * cosine) / (cosine * cosine);

@@ -11,6 +11,7 @@
 #include "irsg/scene/radiance/LobeTables.h"
 #include "irsg/scene/trace/RayVectors.h"
 #include "irsg/signature/FacetAlbedos.h"
+#include "irsg/signature/SurfaceModels.h"
 
 using namespace irsg;
 
@@ -25,7 +26,7 @@ std::shared_ptr<const SurfaceModel> modelOf(const char* name, double roughness) 
         material.refractiveIndex = Spectrum::constant(2.0);
         material.extinction = Spectrum::constant(3.0);
     }
-    return SurfaceModel::of(material);
+    return surfaceModelOf(material);
 }
 
 /// A sky that is bright at the horizon and about the sun's azimuth, over ground.

@@ -26,7 +26,7 @@
 #include "irsg/scene/model/apart/AxesCoding.h"
 #include "irsg/scene/model/apart/Bytes.h"
 #include "irsg/scene/model/apart/GraphCoding.h"
-#include "irsg/scene/model/apart/ReaderService.h"
+#include "irsg/scene/model/apart/ReaderMessages.h"
 #include "irsg/scene/model/apart/StateCoding.h"
 #include "irsg/scene/model/apart/WholeFile.h"
 #include "tests/support/FlightBytes.h"

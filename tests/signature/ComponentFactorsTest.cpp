@@ -1,6 +1,7 @@
 #include "irsg/signature/ComponentFactors.h"
 
 #include "irsg/radiometry/Units.h"
+#include "irsg/signature/HeldTables.h"
 #include "irsg/signature/SignatureDatabase.h"
 
 #include "Support.h"

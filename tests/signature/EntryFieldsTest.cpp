@@ -7,6 +7,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/signature/EntryJson.h"
+#include "irsg/signature/HeldTables.h"
 #include "irsg/signature/Lint.h"
 #include "irsg/signature/SignatureFile.h"
 

@@ -14,7 +14,7 @@
 #include "irsg/signature/LitBall.h"
 #include "irsg/signature/SandfordRobertson.h"
 #include "irsg/signature/ShellTarget.h"
-#include "irsg/signature/SurfaceModel.h"
+#include "irsg/signature/SurfaceModels.h"
 #include "tests/signature/SurfaceSums.h"
 
 namespace irsg {
@@ -87,7 +87,7 @@ TEST(SandfordRobertson, ReflectsAllThatIsNotEmittedAtEveryAngle) {
             }
         }
         // Kirchhoff: what is hemispherical is the material's own number.
-        const auto model = SurfaceModel::of(material);
+        const auto model = surfaceModelOf(material);
         const SurfaceModel::Amounts amounts = model->amountsAt(material, 4.0);
         double reflected = 0.0;
         for (std::size_t k = 0; k < model->components(); ++k) {
@@ -109,7 +109,7 @@ TEST(SandfordRobertson, KeepsItsLobeThatIsNotReciprocalAndLintShowsIt) {
 
 TEST(SandfordRobertson, ScalesItsEmissivityAtEveryAngle) {
     const Material material = paint(0.5, 0.2, 0.2, 0.3);
-    const auto model = SurfaceModel::of(material);
+    const auto model = surfaceModelOf(material);
     const std::vector<double> inputs = {0.5, 0.0, 0.2};
     for (const double scale : {0.7, 1.2}) {
         const auto scaled = model->amounts(inputs, scale), nominal = model->amounts(inputs, 1.0);
@@ -145,7 +145,7 @@ TEST(ShellTarget, IsReciprocalAndItsReflectanceIsItsIntegral) {
     const Material coat = target(0.2, 1.4, 0.3, 0.1, 0.05), metal = target(0.07, 2.7, 3.8);
     for (const Material& material : {coat, metal}) {
         EXPECT_LT(worstReciprocity(material), 1e-9);
-        const auto model = SurfaceModel::of(material);
+        const auto model = surfaceModelOf(material);
         for (const double angle_deg : {1.0, 30.0, 60.0, 75.0}) {
             const double reflected =
                 model->reflected(model->amountsAt(material, 4.0), std::cos(radians(angle_deg)));
@@ -154,7 +154,7 @@ TEST(ShellTarget, IsReciprocalAndItsReflectanceIsItsIntegral) {
     }
     // Not less than all light is lost where it shines along the surface: more is sent than comes.
     EXPECT_THAT(findingsOf(metal), HasSubstr("above 1 - t"));
-    const auto model = SurfaceModel::of(metal);
+    const auto model = surfaceModelOf(metal);
     const SurfaceModel::Amounts amounts = model->amountsAt(metal, 4.0);
     EXPECT_GT(model->reflected(amounts, 0.02), 1.001);
     EXPECT_LE(reflectanceOverAngle(metal, 0.02, 4.0), 1.0 + 1e-9);
@@ -163,20 +163,20 @@ TEST(ShellTarget, IsReciprocalAndItsReflectanceIsItsIntegral) {
 
 TEST(ShellTarget, AsksForAnIndex) {
     Material material = target(0.2, 0.0, 0.0);
-    EXPECT_THROW(SurfaceModel::of(material), InputError);
+    EXPECT_THROW(surfaceModelOf(material), InputError);
     EXPECT_THAT(findingsOf(material), HasSubstr("n and k"));
 }
 
 TEST(SurfaceModel, TakesFieldsThatThereAre) {
-    for (const std::string& name : SurfaceModel::names()) {
-        EXPECT_FALSE(SurfaceModel::fieldsOf(name).empty()) << name;
-        for (const std::string& key : SurfaceModel::fieldsOf(name)) {
+    for (const std::string& name : surfaceModelNames()) {
+        EXPECT_FALSE(fieldsOfSurfaceModel(name).empty()) << name;
+        for (const std::string& key : fieldsOfSurfaceModel(name)) {
             EXPECT_TRUE(std::ranges::any_of(materialFields(), [&](const auto& field) {
                 return key == field.key;
             })) << key;
         }
     }
-    EXPECT_TRUE(SurfaceModel::fieldsOf("").empty());
+    EXPECT_TRUE(fieldsOfSurfaceModel("").empty());
 }
 
 TEST(LitBall, ShowsWhatAMaterialSends) {

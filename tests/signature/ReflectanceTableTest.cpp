@@ -93,7 +93,7 @@ TEST(TabulatedModel, OfHemisphericalReflectanceIsReciprocalAndReflectsAsMuch) {
 TEST(TabulatedModel, WithoutATableIsRefused) {
     Material material;
     material.surfaceModel = "tabulated";
-    EXPECT_THROW(SurfaceModel::of(material), InputError);
+    EXPECT_THROW(surfaceModelOf(material), InputError);
     EXPECT_THAT(findingsOf(material), HasSubstr("no table"));
 }
 

@@ -5,6 +5,7 @@
 #include "irsg/signature/Lint.h"
 #include "irsg/signature/SignatureFile.h"
 #include "irsg/signature/SpectrumCsv.h"
+#include "irsg/signature/SurfaceTemperature.h"
 
 #include "Support.h"
 

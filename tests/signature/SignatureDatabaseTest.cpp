@@ -1,6 +1,7 @@
 #include "irsg/signature/SignatureDatabase.h"
 
 #include "Support.h"
+#include "irsg/signature/HeldTables.h"
 
 namespace irsg {
 namespace {

@@ -1,6 +1,6 @@
 // Surface models: Fresnel's equations, energy and reciprocity of facets.
 
-#include "irsg/signature/SurfaceModel.h"
+#include "irsg/signature/SurfaceModels.h"
 
 #include <cmath>
 
@@ -28,7 +28,7 @@ Material rough(const char* model, double roughness, double emissivity, double n 
 }
 
 std::shared_ptr<const FacetModel> facetsOf(const Material& material) {
-    return std::dynamic_pointer_cast<const FacetModel>(SurfaceModel::of(material));
+    return std::dynamic_pointer_cast<const FacetModel>(surfaceModelOf(material));
 }
 
 double whole(const SurfaceModel& model, const SurfaceModel::Amounts& amounts,
@@ -207,10 +207,10 @@ TEST(SurfaceModel, IsAMirrorWhereItIsSmooth) {
 
 TEST(SurfaceModel, RefusesWhatThereIsNot) {
     Material material = rough("phong", 0.1, 0.5);
-    EXPECT_THROW(SurfaceModel::of(material), InputError);
+    EXPECT_THROW(surfaceModelOf(material), InputError);
     material = rough("ggx", 0.0, 0.5);
-    EXPECT_THROW(SurfaceModel::of(material), InputError);
-    EXPECT_EQ(SurfaceModel::of(Material{}), nullptr);
+    EXPECT_THROW(surfaceModelOf(material), InputError);
+    EXPECT_EQ(surfaceModelOf(Material{}), nullptr);
 }
 
 } // namespace irsg

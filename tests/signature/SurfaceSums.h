@@ -8,7 +8,7 @@
 
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/Lint.h"
-#include "irsg/signature/SurfaceModel.h"
+#include "irsg/signature/SurfaceModels.h"
 
 // What surfaces send over the hemisphere, by sums of the tests' own.
 
@@ -48,7 +48,7 @@ inline double sentInAll(double incidence_deg, const Brdf& brdf) {
 }
 
 inline double reflectedOf(const Material& material, double incidence_deg) {
-    const auto model = SurfaceModel::of(material);
+    const auto model = surfaceModelOf(material);
     const SurfaceModel::Amounts amounts = model->amountsAt(material, 4.0);
     const SurfaceDirection from = direction(incidence_deg, 180.0);
     return sentInAll(incidence_deg, [&](const SurfaceDirection& to) {

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/radiometry/Units.h"
-#include "irsg/signature/SurfaceModel.h"
+#include "irsg/signature/SurfaceModels.h"
 #include "tests/signature/SurfaceSums.h"
 
 namespace irsg {
@@ -170,7 +170,7 @@ double sentOf(const SurfaceModel& model, const SurfaceModel::Amounts& amounts,
 
 TEST(WhiteFurnace, EveryModelSendsAllThatFallsOnItAndTheSameEitherWay) {
     for (const Surface& surface : surfaces()) {
-        const auto model = SurfaceModel::of(surface.material);
+        const auto model = surfaceModelOf(surface.material);
         const SurfaceModel::Amounts amounts = model->amountsAt(surface.material, 4.0);
         DirectionDraws draws;
         double worstSum = 0.0, worstAlbedo = 0.0, worstPair = 0.0;

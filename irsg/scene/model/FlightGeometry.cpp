@@ -1,6 +1,5 @@
 #include "irsg/scene/model/FlightGeometry.h"
 
-#include <bit>
 #include <utility>
 
 namespace irsg {
@@ -18,12 +17,6 @@ std::string withPayload(const FlightRecord& record, const std::string& payload) 
 }
 
 } // namespace
-
-std::size_t flightPoolStride(std::uint32_t mask) {
-    return (mask & 0x80000000 ? 24u : 0u) + (mask & 0x40000000 ? 4u : 0u) +
-           (mask & 0x20000000 ? 4u : 0u) + (mask & 0x10000000 ? 12u : 0u) +
-           8u * static_cast<std::size_t>(std::popcount(mask & 0x0FF00000));
-}
 
 bool FlightGeometry::visit(const FlightRecord& record) {
     switch (record.opcode) {

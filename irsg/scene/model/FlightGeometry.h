@@ -5,9 +5,6 @@
 
 namespace irsg {
 
-/// Bytes of one vertex of a local pool with these attributes: position, colour, normal, 8 layers.
-std::size_t flightPoolStride(std::uint32_t mask);
-
 /// The faces and meshes of an OpenFlight file with their vertices.
 class FlightGeometry {
   public:

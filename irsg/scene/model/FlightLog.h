@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "irsg/scene/model/FlightScanner.h"
+#include "irsg/scene/model/FlightFile.h"
+#include "irsg/scene/model/FlightRecords.h"
 
 namespace irsg {
 

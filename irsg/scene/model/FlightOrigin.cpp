@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "irsg/scene/model/FlightGeometry.h"
+#include "irsg/scene/model/FlightRecords.h"
 
 namespace irsg {
 

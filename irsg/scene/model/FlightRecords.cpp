@@ -118,6 +118,12 @@ FlightRecords::FlightRecords(std::string_view bytes, const std::string& file,
     end_ = at;
 }
 
+std::size_t flightPoolStride(std::uint32_t mask) {
+    return (mask & 0x80000000 ? 24u : 0u) + (mask & 0x40000000 ? 4u : 0u) +
+           (mask & 0x20000000 ? 4u : 0u) + (mask & 0x10000000 ? 12u : 0u) +
+           8u * static_cast<std::size_t>(std::popcount(mask & 0x0FF00000));
+}
+
 std::string flightRecordName(std::uint16_t opcode) {
     static const std::map<std::uint16_t, std::string> names = {
         {flight::header, "header"},

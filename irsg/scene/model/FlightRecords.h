@@ -110,6 +110,9 @@ class FlightRecords {
     std::size_t end_ = 0;
 };
 
+/// Bytes of one vertex of a local pool with these attributes: position, colour, normal, 8 layers.
+std::size_t flightPoolStride(std::uint32_t mask);
+
 /// "face", "vertex list": what messages call a record.
 std::string flightRecordName(std::uint16_t opcode);
 

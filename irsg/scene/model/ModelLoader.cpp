@@ -11,6 +11,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include "irsg/radiometry/Errors.h"
 #include "irsg/scene/model/CodedGraph.h"
 #include "irsg/scene/model/FarOrigin.h"
 #include "irsg/scene/model/FlightScanner.h"

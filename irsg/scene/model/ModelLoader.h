@@ -1,28 +1,14 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <mutex>
 #include <string>
-#include <vector>
 
-#include <osg/Node>
-#include <osg/ref_ptr>
-
-#include "irsg/scene/model/FileAxes.h"
+#include "irsg/scene/model/LoadedGraph.h"
 #include "irsg/scene/model/ModelCodes.h"
 #include "irsg/scene/model/ModelValues.h"
 
 namespace irsg {
-
-/// A graph as the file has it, before anything is merged or stripped.
-struct LoadedGraph {
-    osg::ref_ptr<osg::Node> node;
-    /// Face records per pair of codes where the file was OpenFlight, else empty.
-    std::map<IrCodes, int> faces;
-    std::vector<std::string> remarks;
-    FileAxes axes; ///< of `node`
-};
 
 /// What the graph is for: the infrared picture needs geometry, normals and codes; the visible
 /// display needs textures and materials, too.

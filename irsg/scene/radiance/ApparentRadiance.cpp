@@ -5,6 +5,8 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/signature/SurfaceModels.h"
+#include "irsg/signature/SurfaceTemperature.h"
 
 namespace irsg {
 
@@ -59,7 +61,7 @@ std::vector<double> componentFactors(const SurfaceInput& surface) {
 DirectionalSpectra directionalSpectra(const SurfaceInput& surface, const SpectrumSampler& sample) {
     const Material& material = *surface.material;
     DirectionalSpectra result;
-    result.model = SurfaceModel::of(material);
+    result.model = surfaceModelOf(material);
     if (!result.model)
         return result;
     const SurfaceModel& model = *result.model;

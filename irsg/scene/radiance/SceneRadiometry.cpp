@@ -6,6 +6,7 @@
 #include "irsg/radiometry/NewLines.h"
 #include "irsg/radiometry/ParallelFor.h"
 #include "irsg/radiometry/SumsOfProducts.h"
+#include "irsg/signature/SurfaceModels.h"
 
 namespace irsg {
 
@@ -64,7 +65,7 @@ SceneRadiometry::SceneRadiometry(const RadianceTerms& terms, const std::vector<E
         if (place->second.empty())
             place->second = sampled(material->transmissivity, bands);
         transparent.push_back(std::ranges::any_of(place->second, [](double t) { return t > 0.0; }));
-        models_.push_back(SurfaceModel::of(*material));
+        models_.push_back(surfaceModelOf(*material));
     }
     std::vector<LobeRow> lobes;
     for (std::size_t drawn = 0; drawn < keys.size(); ++drawn) {

@@ -7,7 +7,7 @@
 #include "irsg/atmosphere/AirNodes.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Quadrature.h"
-#include "irsg/signature/SurfaceModel.h"
+#include "irsg/signature/SurfaceModels.h"
 
 namespace irsg {
 
@@ -30,7 +30,7 @@ void addSurfaceSpectra(const std::vector<Entity>& entities, std::vector<const Sp
         if (const Material* material = materialEntry(entity, codes.material)) {
             spectra.push_back(&material->emissivity);
             spectra.push_back(&material->transmissivity);
-            if (const auto model = SurfaceModel::of(*material))
+            if (const auto model = surfaceModelOf(*material))
                 for (const Spectrum* input : model->inputs(*material))
                     spectra.push_back(input);
         }

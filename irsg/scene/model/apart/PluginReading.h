@@ -4,7 +4,7 @@
 
 #include <osg/Image>
 
-#include "irsg/scene/model/ModelLoader.h"
+#include "irsg/scene/model/LoadedGraph.h"
 
 namespace irsg {
 

@@ -21,9 +21,7 @@
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/FileReading.h"
 #include "irsg/scene/model/OpenableFiles.h"
-#include "irsg/scene/model/apart/Bytes.h"
-#include "irsg/scene/model/apart/ReaderService.h"
-#include "irsg/scene/model/apart/ReadingLimits.h"
+#include "irsg/scene/model/apart/ReaderMessages.h"
 
 namespace irsg {
 

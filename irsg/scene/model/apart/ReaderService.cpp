@@ -15,6 +15,8 @@
 #include "irsg/scene/model/apart/AxesCoding.h"
 #include "irsg/scene/model/apart/GraphCoding.h"
 #include "irsg/scene/model/apart/PluginReading.h"
+#include "irsg/scene/model/apart/ReaderMessages.h"
+#include "irsg/scene/model/apart/ReadingLimits.h"
 #include "irsg/scene/model/apart/StateCoding.h"
 
 namespace irsg {
@@ -68,28 +70,18 @@ ByteSink answerTo(FileKind kind, const std::filesystem::path& place,
     return sink;
 }
 
-ByteSink refusalOf(const std::vector<Diagnostic>& diagnostics) {
-    ByteSink sink;
-    sink.putCount(diagnostics.size());
-    for (const Diagnostic& diagnostic : diagnostics)
-        for (const auto* text :
-             {&diagnostic.file, &diagnostic.position, &diagnostic.value, &diagnostic.expected})
-            sink.putText(*text);
-    return sink;
-}
-
 /// The answer to one question; what is wrong with a file is an answer, too.
 ByteSink answer(FileKind kind, const std::string& place, const std::string& name, bool& refused) {
     const auto refuse = [&](const std::string& value) {
         refused = true;
-        return refusalOf(
+        return refusalBytes(
             {{name, "", value, kind == FileKind::model ? "a whole model" : "a whole picture"}});
     };
     try {
         return answerTo(kind, place, name);
     } catch (const InputError& error) {
         refused = true;
-        return refusalOf(error.diagnostics());
+        return refusalBytes(error.diagnostics());
     } catch (const std::bad_alloc&) {
         return refuse("a file whose reading takes more memory than a file of its size may");
     } catch (const std::exception& error) {
@@ -101,20 +93,6 @@ ByteSink answer(FileKind kind, const std::string& place, const std::string& name
 
 bool isReader() {
     return serving;
-}
-
-void throwRefusal(std::string_view answer) {
-    ByteSource source(answer);
-    std::vector<Diagnostic> diagnostics(source.getCount(32));
-    for (Diagnostic& diagnostic : diagnostics)
-        for (auto* text :
-             {&diagnostic.file, &diagnostic.position, &diagnostic.value, &diagnostic.expected})
-            *text = source.getText();
-    if (diagnostics.empty() || std::ranges::any_of(diagnostics, [](const Diagnostic& diagnostic) {
-            return diagnostic.value.empty() && diagnostic.expected.empty();
-        }))
-        throw DamagedBytes("a refusal without a reason");
-    throw InputError(std::move(diagnostics));
 }
 
 void serveReadings(int socket) {

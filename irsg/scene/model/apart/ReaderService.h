@@ -1,27 +1,6 @@
 #pragma once
 
-#include <cstdint>
-#include <string_view>
-
-#include "irsg/scene/model/apart/ReadingLimits.h"
-
 namespace irsg {
-
-/// What goes before the place and the name of a file that is asked for.
-struct QuestionHead {
-    std::uint8_t kind = 0; ///< a FileKind
-    ReadingLimits limits;
-    std::uint64_t placeSize = 0, nameSize = 0; ///< where the bytes are, and what they are called
-};
-
-/// What goes before the answer: remarks and a graph, a picture, or the diagnostics of a refusal.
-struct AnswerHead {
-    std::uint8_t refused = 0;
-    std::uint64_t size = 0;
-};
-
-/// Throws the InputError that the other process refused with.
-[[noreturn]] void throwRefusal(std::string_view answer);
 
 /// True in a process that serves: there OpenSceneGraph reads, and nowhere else.
 bool isReader();

@@ -5,7 +5,7 @@
 
 #include <osg/Image>
 
-#include "irsg/scene/model/ModelLoader.h"
+#include "irsg/scene/model/LoadedGraph.h"
 
 namespace irsg {
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "irsg/scene/model/ModelLoader.h"
+#include "irsg/scene/model/LoadedGraph.h"
 
 namespace irsg {
 
