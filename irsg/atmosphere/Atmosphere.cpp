@@ -48,11 +48,11 @@ double Atmosphere::ambientTemperature_K(double) const {
 
 std::vector<double> Atmosphere::answer(const AtmosphericQuery& question,
                                        const SpectralSampling& sampling) const {
-    if (const SensorCkData* terms = SensorCkData::of(sampling)) {
+    if (const SensorCkData* points = SensorCkData::of(sampling)) {
         if (!isWidebandModeAvailable())
             refuseWideband(*this);
         checkQuestion(question);
-        return valuesAtTerms(question, *terms);
+        return valuesAtPoints(question, *points);
     }
     if (const AirNodes* nodes = AirNodes::of(sampling)) {
         checkRange(sampling.range());
@@ -111,7 +111,7 @@ Spectrum Atmosphere::nativeSpectrum(const AtmosphericQuery& question, const Spec
     refuse(*this, question.quantity);
 }
 
-std::vector<double> Atmosphere::valuesAtTerms(const AtmosphericQuery&, const SensorCkData&) const {
+std::vector<double> Atmosphere::valuesAtPoints(const AtmosphericQuery&, const SensorCkData&) const {
     refuseWideband(*this);
 }
 

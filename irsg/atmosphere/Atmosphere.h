@@ -64,9 +64,9 @@ class Atmosphere {
     virtual SunView sunView(double altitude_m, const SunPosition& sun) const;
     virtual double ambientTemperature_K(double altitude_m) const;
 
-    /// A value at every node. LogicError for what is not accepted, and for terms of wideband-ck
-    /// where they are not available; InputError for a path, a line of sight or an altitude below
-    /// ground, a negative range or anything that is not finite.
+    /// A value at every node. LogicError for what is not accepted, and for quadrature points of
+    /// wideband-ck where they are not available; InputError for a path, a line of sight or an
+    /// altitude below ground, a negative range or anything that is not finite.
     std::vector<double> answer(const AtmosphericQuery& question,
                                const SpectralSampling& sampling) const;
     /// The answer as a spectrum on the nodes that the atmosphere has of itself, over at least the
@@ -103,11 +103,11 @@ class Atmosphere {
         return nullptr;
     }
 
-    /// True where this atmosphere can prepare wideband terms (F14, F17).
+    /// True where this atmosphere can prepare quadrature points (F14, F17).
     virtual bool isWidebandModeAvailable() const { return false; }
     /// Why it cannot, in words that follow the name.
     virtual std::string widebandRefusal() const { return "has no wideband mode"; }
-    /// The wideband terms of a sensor, at which this atmosphere answers: see SensorCkData.h.
+    /// The quadrature points of a sensor, at which this atmosphere answers: see SensorCkData.h.
     /// LogicError where they are not available.
     virtual std::shared_ptr<const SensorCkData> prepareCk(const CkRequest& request) const;
     /// The same air with other spectral bins; null where it has none.
@@ -122,9 +122,9 @@ class Atmosphere {
     /// The answer to a question that was checked, over a range that the base holds.
     virtual Spectrum nativeSpectrum(const AtmosphericQuery& question,
                                     const SpectralRange& range) const;
-    /// The answer at the terms of wideband-ck that this atmosphere prepared.
-    virtual std::vector<double> valuesAtTerms(const AtmosphericQuery& question,
-                                              const SensorCkData& terms) const;
+    /// The answer at the quadrature points that this atmosphere prepared.
+    virtual std::vector<double> valuesAtPoints(const AtmosphericQuery& question,
+                                               const SensorCkData& points) const;
 
     /// The answer at nodes; nothing where they are those of other air.
     virtual std::optional<std::vector<double>> valuesAtNodes(const AtmosphericQuery&,

@@ -23,12 +23,13 @@ bool isFlux(AtmosphereProperty property) {
            property == AtmosphereProperty::downwardFlux;
 }
 
-/// Where terms of an air are kept: the key names the files of the shipped tables.
+/// Where quadrature points of an air are kept: the key names the files of the shipped tables.
 std::optional<CkStore> storeOf(const AtmosphereSmart& air) {
     return &air.transfer().gases() == GasTable::shipped().get() ? CkStore::ofUser() : std::nullopt;
 }
 
-/// All that terms depend on: the program's own way to train, the tables, the air, the request.
+/// All that quadrature points depend on: the program's own way to train, the tables, the air, the
+/// request.
 CkKey keyOf(const AtmosphereSmart& air, const CkRequest& request) {
     CkKey key;
     key.add(ckTraining);
@@ -39,7 +40,7 @@ CkKey keyOf(const AtmosphereSmart& air, const CkRequest& request) {
         tables.insert(entry.path());
     for (const std::filesystem::path& table : tables)
         key.add(table.filename().string() + "|" + stampOf(table).value_or(FileStamp()).text());
-    // Tables of answers change nothing of what terms are trained on.
+    // Tables of answers change nothing of what quadrature points are trained on.
     AtmosphereSmartParameters parameters = air.parameters();
     parameters.irradianceMode = 1;
     for (const auto& some : {smartParameters(), ownSmartParameters()})
@@ -183,9 +184,9 @@ Spectrum AtmosphereSmart::nativeSpectrum(const AtmosphericQuery& question,
     return transfer().spectrum(range, valuesAt(transfer().nodesOf(range), question));
 }
 
-std::vector<double> AtmosphereSmart::valuesAtTerms(const AtmosphericQuery& question,
-                                                   const SensorCkData& terms) const {
-    return valuesAt(terms.nodes(), question);
+std::vector<double> AtmosphereSmart::valuesAtPoints(const AtmosphericQuery& question,
+                                                    const SensorCkData& points) const {
+    return valuesAt(points.nodes(), question);
 }
 
 std::optional<std::vector<double>> AtmosphereSmart::valuesAtNodes(const AtmosphericQuery& question,

@@ -83,8 +83,8 @@ class AtmosphereSmart : public Atmosphere {
   protected:
     Spectrum nativeSpectrum(const AtmosphericQuery& question,
                             const SpectralRange& range) const override;
-    std::vector<double> valuesAtTerms(const AtmosphericQuery& question,
-                                      const SensorCkData& terms) const override;
+    std::vector<double> valuesAtPoints(const AtmosphericQuery& question,
+                                       const SensorCkData& points) const override;
     std::optional<std::vector<double>> valuesAtNodes(const AtmosphericQuery& question,
                                                      const AirNodes& nodes) const override;
 

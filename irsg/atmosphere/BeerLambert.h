@@ -65,15 +65,15 @@ class BeerLambert : public Atmosphere {
     double ambientTemperature_K(double altitude_m) const override;
     AtmosphereDescription describe() const override;
 
-    /// Terms are wavelengths, at which the closed forms answer.
+    /// Quadrature points are wavelengths, at which the closed forms answer.
     bool isWidebandModeAvailable() const override { return true; }
     std::shared_ptr<const SensorCkData> prepareCk(const CkRequest& request) const override;
 
   protected:
     Spectrum nativeSpectrum(const AtmosphericQuery& question,
                             const SpectralRange& range) const override;
-    std::vector<double> valuesAtTerms(const AtmosphericQuery& question,
-                                      const SensorCkData& terms) const override;
+    std::vector<double> valuesAtPoints(const AtmosphericQuery& question,
+                                       const SensorCkData& points) const override;
 
   private:
     /// The nodes of the extinction in `range` and the ends of it.
@@ -85,7 +85,7 @@ class BeerLambert : public Atmosphere {
     /// The answer at single wavelengths.
     std::vector<double> valuesAt(const AtmosphericQuery& question,
                                  const std::vector<double>& wavelengths_um) const;
-    /// Wavelengths around a range between which no answer bends more than wideband terms need.
+    /// Wavelengths around a range between which no answer bends more than quadrature points need.
     std::vector<double> candidates(const SpectralRange& range) const;
 
     BeerLambertParameters parameters_;

@@ -124,9 +124,9 @@ std::vector<double> BeerLambert::valuesAt(const AtmosphericQuery& question,
     }
 }
 
-std::vector<double> BeerLambert::valuesAtTerms(const AtmosphericQuery& question,
-                                               const SensorCkData& terms) const {
-    return valuesAt(question, terms.wavelengths_um());
+std::vector<double> BeerLambert::valuesAtPoints(const AtmosphericQuery& question,
+                                                const SensorCkData& points) const {
+    return valuesAt(question, points.wavelengths_um());
 }
 
 std::shared_ptr<const SensorCkData> BeerLambert::prepareCk(const CkRequest& request) const {

@@ -67,11 +67,11 @@ class SpectraAtmosphere : public Atmosphere {
         return property == AtmosphereProperty::backgroundRadiance;
     }
     AtmosphereDescription describe() const override;
-    /// Terms pay where many lines of sight are asked; this air knows one, at its own nodes.
+    /// Quadrature points pay where many lines of sight are asked; this air knows one, at its own
+    /// nodes.
     std::string widebandRefusal() const override {
         return "has no wideband mode: it knows one line of sight, so that there is nothing to "
-               "train "
-               "terms on but the answer itself";
+               "train quadrature points on but the answer itself";
     }
 
   protected:

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "irsg/atmosphere/TabulatedTerms.h"
+#include "irsg/atmosphere/TabulatedPoints.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
@@ -93,7 +93,7 @@ TabulatedAtmosphere::TabulatedAtmosphere(std::vector<SpectralRun> runs, std::str
         wavelengths_um_.push_back(wavelengthFromWavenumber_um(wavenumber));
     fillPaths();
     fillSights();
-    ofTerms_ = std::make_shared<OfTerms>();
+    ofPoints_ = std::make_shared<OfPoints>();
 }
 
 void TabulatedAtmosphere::checkFamily() const {

@@ -74,15 +74,15 @@ class TabulatedAtmosphere : public Atmosphere, public RunFamily {
     AtmosphereDescription describe() const override;
     std::string nearestRun(const AtmosphericQuery& question) const override;
 
-    /// Terms are wavenumbers of the runs, at which the table of these alone answers.
+    /// Quadrature points are wavenumbers of the runs, at which the table of these alone answers.
     bool isWidebandModeAvailable() const override { return true; }
     std::shared_ptr<const SensorCkData> prepareCk(const CkRequest& request) const override;
 
   protected:
     Spectrum nativeSpectrum(const AtmosphericQuery& question,
                             const SpectralRange& range) const override;
-    std::vector<double> valuesAtTerms(const AtmosphericQuery& question,
-                                      const SensorCkData& terms) const override;
+    std::vector<double> valuesAtPoints(const AtmosphericQuery& question,
+                                       const SensorCkData& points) const override;
 
   private:
     /// Paths that end at altitudes of the air and paths to space are never mixed.
@@ -123,9 +123,9 @@ class TabulatedAtmosphere : public Atmosphere, public RunFamily {
     PropertyTables scatterings_;
     SightTable backgrounds_;
     SightTable suns_;
-    /// Tables of the terms that were asked last; copies share them.
-    struct OfTerms;
-    std::shared_ptr<OfTerms> ofTerms_;
+    /// Tables of the quadrature points that were asked last; copies share them.
+    struct OfPoints;
+    std::shared_ptr<OfPoints> ofPoints_;
 };
 
 } // namespace irsg

@@ -30,7 +30,8 @@ void addSensor(std::vector<SettingInfo>& table) {
     table.push_back(named(
         choice(key::sensorMode, "--mode", "Calculation mode", {"auto", "spectral", "ck"}, "auto",
                "How the band is integrated. Spectral multiplies at every wavelength and "
-               "integrates last; ck does so at a few terms that the air is asked for, trained to a "
+               "integrates last; ck does so at a few quadrature points that the air is asked for, "
+               "trained to a "
                "few thousandths. Auto takes ck for sweeps over so many different lines of sight "
                "that they pay for training, 3 in air of a file, 6 to 400 in computed air by how "
                "much it is asked for each; results say what it took and why. Images and frames "
@@ -228,9 +229,9 @@ void addRendering(std::vector<SettingInfo>& table) {
                            SettingAudience::expert));
     table.push_back(number(key::renderWidebandError, "--wideband-error", "Error of wideband-ck", "",
                            5e-4, 0.05, "0.003",
-                           "Largest error of an in-band quantity on the cases that the terms of "
-                           "wideband-ck are trained on, relative: less takes more terms and longer "
-                           "training. A target error chooses it.",
+                           "Largest error of an in-band quantity on the cases that the quadrature "
+                           "points of wideband-ck are trained on, relative: less takes more points "
+                           "and longer training. A target error chooses it.",
                            SettingAudience::expert));
     table.push_back(
         named(choice(key::renderFluxes, "--fluxes", "Flux reflection", reflections, "smart",

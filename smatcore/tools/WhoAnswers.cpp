@@ -49,7 +49,7 @@ AnswerSource sourceOf(AtmosphereProperty property, const irsg::Environment& envi
     return source;
 }
 
-/// One air has the terms of a band.
+/// One air has the quadrature points of a band.
 AnswerSource widebandSourceOf(const irsg::Environment& environment,
                               const irsg::SpectralRange& band) {
     AnswerSource source{.quantity = "wideband-ck", .answeredBy = {}, .refusals = {}};

@@ -264,14 +264,14 @@ TEST(AnswersOfAnEnvironment, AreZeroForASunBelowTheHorizon) {
     EXPECT_EQ(sunlight({0.0, -0.3}).answeredBy, "measured");
 }
 
-TEST(AnswersAtTerms, AreThoseOfTheAirThatPreparedThem) {
+TEST(AnswersAtPoints, AreThoseOfTheAirThatPreparedThem) {
     const auto air = smart();
     Environment environment = Environment::vacuum();
     environment.add(air);
     environment.defaultBackground = Spectrum::constant(5.0);
-    const auto terms = environment.prepareCk(requestOf(Band::topHat(9.92, 9.98)));
-    EXPECT_EQ(terms.answeredBy, "smart");
-    const SensorCkData& ck = *terms.value;
+    const auto points = environment.prepareCk(requestOf(Band::topHat(9.92, 9.98)));
+    EXPECT_EQ(points.answeredBy, "smart");
+    const SensorCkData& ck = *points.value;
     const RadiativeTransfer& transfer = air->transfer();
     const NodeSet& nodes = ck.nodes();
     const auto expect = [&](const AtmosphericQuery& question, const std::vector<double>& values) {
@@ -293,22 +293,25 @@ TEST(AnswersAtTerms, AreThoseOfTheAirThatPreparedThem) {
     EXPECT_EQ(night.value, std::vector<double>(ck.size(), 0.0));
 }
 
-TEST(AnswersAtTerms, AreRefusedByNameWhereNoAirHasThem) {
+TEST(AnswersAtPoints, AreRefusedByNameWhereNoAirHasThem) {
     Environment real;
     real.add(smart(1));
-    const auto terms = real.prepareCk(requestOf(Band::topHat(9.92, 9.98)));
-    EXPECT_THAT(
-        refusalOf([&] { (void)real.answer(AtmosphericQuery::upwardFlux(0.0, day), *terms.value); }),
-        AllOf(HasSubstr("wideband upward flux over 9.92-9.98 um"), HasSubstr("smart (has no"),
-              HasSubstr("a wideband atmosphere that supports this quantity")));
+    const auto points = real.prepareCk(requestOf(Band::topHat(9.92, 9.98)));
+    EXPECT_THAT(refusalOf([&] {
+                    (void)real.answer(AtmosphericQuery::upwardFlux(0.0, day), *points.value);
+                }),
+                AllOf(HasSubstr("wideband upward flux over 9.92-9.98 um"),
+                      HasSubstr("smart (has no"),
+                      HasSubstr("a wideband atmosphere that supports this quantity")));
     Environment plain = Environment::vacuum();
     plain.defaultBackground = Spectrum::constant(5.0);
     EXPECT_THAT(refusalOf([&] {
-                    (void)plain.answer(AtmosphericQuery::backgroundRadiance(up, day), *terms.value);
+                    (void)plain.answer(AtmosphericQuery::backgroundRadiance(up, day),
+                                       *points.value);
                 }),
                 AllOf(HasSubstr("wideband-ck over 9.92-9.98 um"),
                       HasSubstr("vacuum (has no wideband mode)")));
-    EXPECT_THROW((void)Vacuum().answer(AtmosphericQuery::transmittance(path), *terms.value),
+    EXPECT_THROW((void)Vacuum().answer(AtmosphericQuery::transmittance(path), *points.value),
                  LogicError);
     EXPECT_THROW((void)Vacuum().prepareCk(requestOf(Band::topHat(9.92, 9.98))), LogicError);
 }

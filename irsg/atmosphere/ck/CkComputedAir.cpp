@@ -81,7 +81,7 @@ std::vector<double> valuesOf(const RadiativeTransfer& transfer, const NodeSet& s
     case AtmosphereProperty::downwardFlux:
         return hasFluxes ? transfer.downwardFlux(set, altitude_m, sun) : std::vector<double>();
     default:
-        throw LogicError("wideband terms were to be trained on another quantity");
+        throw LogicError("quadrature points were to be trained on another quantity");
     }
 }
 

@@ -283,10 +283,10 @@ std::vector<SampledBand> SceneSampling::spectral(AtmosphericQueryCache& answers,
 }
 
 SampledBand SceneSampling::wideband(AtmosphericQueryCache& answers, const AirScene& scene,
-                                    const std::shared_ptr<const WidebandPoints>& terms) {
-    SampledBand made = sampledBand(terms->sampling());
-    made.sample = [terms](const Spectrum& spectrum) { return terms->sampled(spectrum); };
-    made.description = terms->description();
+                                    const std::shared_ptr<const WidebandPoints>& points) {
+    SampledBand made = sampledBand(points->sampling());
+    made.sample = [points](const Spectrum& spectrum) { return points->sampled(spectrum); };
+    made.description = points->description();
     takeAir(answers, scene, made);
     return made;
 }
