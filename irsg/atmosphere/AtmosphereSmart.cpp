@@ -155,9 +155,9 @@ SunView AtmosphereSmart::sunView(double altitude_m, const SunPosition& sun) cons
 }
 
 std::vector<double> AtmosphereSmart::valuesAt(const NodeSet& nodes,
-                                              const AtmosphericQuery& question) const {
+                                              const AtmosphericQuery& query) const {
     const AirTables& air = tables(nodes);
-    const auto& [quantity, path, sight, altitude_m, sun] = question;
+    const auto& [quantity, path, sight, altitude_m, sun] = query;
     switch (quantity) {
     case AtmosphereProperty::transmittance:
         return air.transmittance(path);
@@ -179,22 +179,22 @@ std::vector<double> AtmosphereSmart::valuesAt(const NodeSet& nodes,
     throw LogicError("a temperature was asked for at spectral nodes");
 }
 
-Spectrum AtmosphereSmart::nativeSpectrum(const AtmosphericQuery& question,
+Spectrum AtmosphereSmart::nativeSpectrum(const AtmosphericQuery& query,
                                          const SpectralRange& range) const {
-    return transfer().spectrum(range, valuesAt(transfer().nodesOf(range), question));
+    return transfer().spectrum(range, valuesAt(transfer().nodesOf(range), query));
 }
 
-std::vector<double> AtmosphereSmart::valuesAtPoints(const AtmosphericQuery& question,
+std::vector<double> AtmosphereSmart::valuesAtPoints(const AtmosphericQuery& query,
                                                     const SensorCkData& points) const {
-    return valuesAt(points.nodes(), question);
+    return valuesAt(points.nodes(), query);
 }
 
-std::optional<std::vector<double>> AtmosphereSmart::valuesAtNodes(const AtmosphericQuery& question,
+std::optional<std::vector<double>> AtmosphereSmart::valuesAtNodes(const AtmosphericQuery& query,
                                                                   const AirNodes& nodes) const {
     (void)transfer();
     if (!nodes.isOf(transfer_))
         return std::nullopt;
-    return nodes.arranged(valuesAt(nodes.set(), question));
+    return nodes.arranged(valuesAt(nodes.set(), query));
 }
 
 std::shared_ptr<const SpectralSampling>

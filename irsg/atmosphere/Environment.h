@@ -52,13 +52,13 @@ class Environment {
     /// prepared them answers, and there is no default (F29); InputError for what it does not
     /// support. Direct light of a sun whose whole disc is below the horizon is zero, whoever
     /// answers.
-    Answer<std::vector<double>> answer(const AtmosphericQuery& question,
+    Answer<std::vector<double>> answer(const AtmosphericQuery& query,
                                        const SpectralSampling& sampling) const;
     /// The same on the nodes of the answering atmosphere; see Atmosphere::spectrum.
-    Answer<Spectrum> spectrum(const AtmosphericQuery& question, const SpectralRange& range) const;
+    Answer<Spectrum> spectrum(const AtmosphericQuery& query, const SpectralRange& range) const;
     /// What `spectrum` and `answer` depend on, for as long as the atmospheres and defaults stay.
-    AtmosphericQueryKey keyOf(const AtmosphericQuery& question, const SpectralRange& range) const;
-    AtmosphericQueryKey keyOf(const AtmosphericQuery& question,
+    AtmosphericQueryKey keyOf(const AtmosphericQuery& query, const SpectralRange& range) const;
+    AtmosphericQueryKey keyOf(const AtmosphericQuery& query,
                               const SpectralSampling& sampling) const;
     Answer<double> ambientTemperature_K(double altitude_m) const;
 

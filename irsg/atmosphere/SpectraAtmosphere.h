@@ -63,7 +63,7 @@ class SpectraAtmosphere : public Atmosphere {
     bool supports(AtmosphereProperty property) const override;
     double ambientTemperature_K(double altitude_m) const override;
     /// The background depends on the azimuth from the sun: another one is refused.
-    bool answersByAzimuth(AtmosphereProperty property) const override {
+    bool dependsOnAzimuth(AtmosphereProperty property) const override {
         return property == AtmosphereProperty::backgroundRadiance;
     }
     AtmosphereDescription describe() const override;
@@ -75,7 +75,7 @@ class SpectraAtmosphere : public Atmosphere {
     }
 
   protected:
-    Spectrum nativeSpectrum(const AtmosphericQuery& question,
+    Spectrum nativeSpectrum(const AtmosphericQuery& query,
                             const SpectralRange& range) const override;
 
   private:

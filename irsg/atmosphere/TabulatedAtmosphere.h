@@ -72,16 +72,16 @@ class TabulatedAtmosphere : public Atmosphere, public RunFamily {
     SpectralRange base() const override;
     bool supports(AtmosphereProperty property) const override;
     AtmosphereDescription describe() const override;
-    std::string nearestRun(const AtmosphericQuery& question) const override;
+    std::string nearestRun(const AtmosphericQuery& query) const override;
 
     /// Quadrature points are wavenumbers of the runs, at which the table of these alone answers.
     bool isWidebandModeAvailable() const override { return true; }
     std::shared_ptr<const SensorCkData> prepareCk(const CkRequest& request) const override;
 
   protected:
-    Spectrum nativeSpectrum(const AtmosphericQuery& question,
+    Spectrum nativeSpectrum(const AtmosphericQuery& query,
                             const SpectralRange& range) const override;
-    std::vector<double> valuesAtPoints(const AtmosphericQuery& question,
+    std::vector<double> valuesAtPoints(const AtmosphericQuery& query,
                                        const SensorCkData& points) const override;
 
   private:
@@ -105,10 +105,10 @@ class TabulatedAtmosphere : public Atmosphere, public RunFamily {
     /// Optical depths of a path, of the path the other way round where the runs have only that.
     std::vector<double> depths(const AtmosphericPath& path, std::size_t first,
                                std::size_t last) const;
-    std::vector<double> sunlight(const AtmosphericQuery& question, std::size_t first,
+    std::vector<double> sunlight(const AtmosphericQuery& query, std::size_t first,
                                  std::size_t last) const;
     /// The answer at spectral nodes first to last - 1.
-    std::vector<double> valuesAt(const AtmosphericQuery& question, std::size_t first,
+    std::vector<double> valuesAt(const AtmosphericQuery& query, std::size_t first,
                                  std::size_t last) const;
     /// Paths of the training, or those between them.
     std::vector<AtmosphericPath> ckPaths(bool heldOut) const;

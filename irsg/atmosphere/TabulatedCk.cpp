@@ -88,9 +88,9 @@ TabulatedAtmosphere::of(const std::vector<std::uint32_t>& nodes) const {
                std::make_shared<const TabulatedAtmosphere>(std::move(some), name_);
 }
 
-std::vector<double> TabulatedAtmosphere::valuesAtPoints(const AtmosphericQuery& question,
+std::vector<double> TabulatedAtmosphere::valuesAtPoints(const AtmosphericQuery& query,
                                                         const SensorCkData& points) const {
-    return of(points.nodes().nodes)->valuesAt(question, 0, points.size());
+    return of(points.nodes().nodes)->valuesAt(query, 0, points.size());
 }
 
 std::shared_ptr<const SensorCkData> TabulatedAtmosphere::prepareCk(const CkRequest& request) const {
@@ -104,11 +104,11 @@ std::shared_ptr<const SensorCkData> TabulatedAtmosphere::prepareCk(const CkReque
                 .paths = ckPaths(false),
                 .sights = spread(backgrounds_.sights(), 40),
                 .heldOut = ckPaths(true)};
-    known.values = [&](const AtmosphericQuery& question) -> std::vector<double> {
-        if (!supports(question.quantity))
+    known.values = [&](const AtmosphericQuery& query) -> std::vector<double> {
+        if (!supports(query.quantity))
             return {};
         try {
-            std::vector<double> values = valuesAt(question, first, last);
+            std::vector<double> values = valuesAt(query, first, last);
             std::ranges::reverse(values); // nodes ascend in wavenumber
             return values;
         } catch (const InputError&) { // the family does not reach there

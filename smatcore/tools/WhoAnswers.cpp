@@ -24,7 +24,7 @@ AnswerSource sourceOf(std::string quantity, const irsg::Environment& environment
     for (const auto& atmosphere : environment.atmospheres()) {
         if (!mayAnswer(*atmosphere)) {
             source.refusals.push_back(atmosphere->name() + " " + whyNot(*atmosphere));
-        } else if (band != nullptr && !atmosphere->holds(*band)) {
+        } else if (band != nullptr && !atmosphere->covers(*band)) {
             source.refusals.push_back(outside(*atmosphere));
         } else {
             source.answeredBy = atmosphere->name();
@@ -59,7 +59,7 @@ AnswerSource widebandSourceOf(const irsg::Environment& environment,
             break;
         if (!atmosphere->isWidebandModeAvailable())
             source.refusals.push_back(atmosphere->name() + " " + atmosphere->widebandRefusal());
-        else if (!atmosphere->holds(band))
+        else if (!atmosphere->covers(band))
             source.refusals.push_back(outside(*atmosphere));
         else
             source.refusals.push_back(atmosphere->name() + " knows fewer quantities than " +

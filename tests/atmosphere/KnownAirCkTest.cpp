@@ -105,20 +105,20 @@ TEST(HazeCk, AnswersEveryQuantityAsTheSpectralModeDoes) {
     const BeerLambert air = haze();
     const SunPosition sun{0.4, 0.7};
     const auto points = air.prepareCk(requestFor(3.0, 5.0));
-    for (const AtmosphericQuery& question :
+    for (const AtmosphericQuery& query :
          {AtmosphericQuery::backgroundRadiance({500.0, 0.2, 0.0}, sun),
           AtmosphericQuery::backgroundRadiance({500.0, 0.0, 0.0}, sun),
           AtmosphericQuery::backgroundRadiance({500.0, -0.02, 0.0}, sun),
           AtmosphericQuery::backgroundRadiance({500.0, -1.2, 0.0}, sun),
           AtmosphericQuery::solarIrradiance(100.0, sun), AtmosphericQuery::upwardFlux(100.0, sun),
           AtmosphericQuery::downwardFlux(100.0, sun)}) {
-        const Spectrum spectral = air.spectrum(question, points->range());
+        const Spectrum spectral = air.spectrum(query, points->range());
         const Spectrum* axes[] = {&spectral};
         const SpectralQuadrature quadrature(points->band(), axes);
-        EXPECT_NEAR(points->integrate(air.answer(question, *points)) /
+        EXPECT_NEAR(points->integrate(air.answer(query, *points)) /
                         quadrature.integrate(quadrature.sampled(spectral)),
                     1.0, 0.006)
-            << name(question.quantity) << " at " << question.sight.elevation_rad;
+            << name(query.quantity) << " at " << query.sight.elevation_rad;
     }
     const std::vector<double> depth =
         air.answer(AtmosphericQuery::scatteringOpticalDepth({0.0, 0.0, 1e3}), *points);

@@ -83,11 +83,11 @@ struct BothWays {
 CkErrors heldOutErrors(const Atmosphere& air, const SensorCkData& points, const CkRequest& request,
                        const std::vector<AtmosphericPath>& paths) {
     const SpectralRange& range = request.band.range();
-    const auto ask = [&](const AtmosphericQuery& question) -> std::optional<BothWays> {
-        if (!air.supports(question.quantity))
+    const auto ask = [&](const AtmosphericQuery& query) -> std::optional<BothWays> {
+        if (!air.supports(query.quantity))
             return std::nullopt;
         try {
-            return BothWays{air.answer(question, points), air.spectrum(question, range)};
+            return BothWays{air.answer(query, points), air.spectrum(query, range)};
         } catch (const InputError&) { // its tables do not reach there
             return std::nullopt;
         }
@@ -107,11 +107,11 @@ CkErrors heldOutErrors(const Atmosphere& air, const SensorCkData& points, const 
         across.azimuth_rad = request.sun.azimuth_rad + 0.5 * std::numbers::pi;
         const auto radiance = ask(AtmosphericQuery::pathRadiance(across, request.sun));
         std::vector<BothWays> lights;
-        for (const AtmosphericQuery& question :
+        for (const AtmosphericQuery& query :
              {AtmosphericQuery::solarIrradiance(path.targetAltitude_m, request.sun),
               AtmosphericQuery::downwardFlux(path.targetAltitude_m, request.sun),
               AtmosphericQuery::upwardFlux(path.targetAltitude_m, request.sun)})
-            if (auto light = ask(question))
+            if (auto light = ask(query))
                 lights.push_back(std::move(*light));
 
         std::vector<const Spectrum*> axes = {&transmittance->spectrum};

@@ -214,11 +214,11 @@ class Cases {
             places.push_back(&light);
         parallelFor(places.size(), [&](std::size_t i) {
             const double altitude_m = places[i]->first;
-            for (const AtmosphericQuery& question :
+            for (const AtmosphericQuery& query :
                  {AtmosphericQuery::solarIrradiance(altitude_m, sun_),
                   AtmosphericQuery::downwardFlux(altitude_m, sun_),
                   AtmosphericQuery::upwardFlux(altitude_m, sun_)})
-                places[i]->second.push_back(air_.values(question));
+                places[i]->second.push_back(air_.values(query));
         });
     }
 

@@ -48,7 +48,7 @@ class AdaptiveTable {
     mutable std::mutex mutex_;
     mutable std::map<double, Values> values_;
     mutable std::map<std::pair<double, double>, Cell> cells_;
-    mutable int questions_ = 0; ///< that were answered without cells
+    mutable int queries_ = 0; ///< that were answered without cells
     mutable std::size_t evaluations_ = 0;
     mutable double largestError_ = 0.0;
 };

@@ -90,7 +90,7 @@ std::vector<KindRadiances::Strand> KindRadiances::strandsOf(int drawn) const {
         const bool isEmission = term.surface == SurfaceQuantity::emission;
         Strand strand;
         strand.passesAir = term.passesAir || (isEmission && surface.emissionPassesAir);
-        if (term.light && irsg::placeOf(*term.light) == QueryGeometry::path)
+        if (term.light && irsg::geometryOf(*term.light) == QueryGeometry::path)
             strand.pathLight = static_cast<int>(k);
         const auto parts = static_cast<int>(surface.emission.size());
         for (int part = isEmission ? 0 : -1; part < (isEmission ? parts : 0); ++part) {

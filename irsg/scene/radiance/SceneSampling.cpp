@@ -104,7 +104,7 @@ void fillBetween(const RadianceTerms& terms, SampledBand& band, std::size_t enti
     for (std::size_t k = 0; k < terms.terms.size(); ++k) {
         if (!nodes.front().light[k])
             continue;
-        if (placeOf(*terms.terms[k].light) == QueryGeometry::path)
+        if (geometryOf(*terms.terms[k].light) == QueryGeometry::path)
             fill([k](AirSamples& node) -> SharedValues& { return node.light[k]; });
         else // light onto the object is the same at all nodes
             for (AirSamples& node : nodes)
@@ -130,7 +130,7 @@ SampledBand SampledBand::ofSource(const RadianceTerms& terms) const {
             node.transmittance = one;
             for (std::size_t k = 0; k < terms.terms.size(); ++k) {
                 const auto& light = terms.terms[k].light;
-                if (light && node.light[k] && placeOf(*light) == QueryGeometry::path)
+                if (light && node.light[k] && geometryOf(*light) == QueryGeometry::path)
                     node.light[k] = none;
             }
         }
