@@ -14,7 +14,7 @@
 #include "apps/smat-batch/ProjectInput.h"
 #include "apps/smat-batch/SettingOptions.h"
 #include "irsg/image/ImageFile.h"
-#include "smatcore/analysis/AskedAnalysis.h"
+#include "smatcore/analysis/AnalysisOfResult.h"
 #include "smatcore/analysis/PixelExplainer.h"
 #include "smatcore/settings/SettingKeys.h"
 

@@ -12,7 +12,7 @@
 #include "gui/workbench/Workbench.h"
 #include "irsg/image/ImageFile.h"
 #include "irsg/radiometry/Errors.h"
-#include "smatcore/analysis/AskedAnalysis.h"
+#include "smatcore/analysis/AnalysisOfResult.h"
 #include "smatcore/analysis/Conditions.h"
 #include "smatcore/analysis/PixelExplainer.h"
 

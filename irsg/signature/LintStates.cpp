@@ -45,8 +45,8 @@ void lintEntry(int index, const TemperatureTerms& terms, const std::vector<Swept
     }
 }
 
-/// How often a table held its end value, and where first.
-struct Held {
+/// How often a table was clamped to its end value, and where first.
+struct ClampedTable {
     std::size_t count = 0;
     const SweptState* first = nullptr;
 };
@@ -60,15 +60,15 @@ void lintStates(const SignatureDatabase& database, const std::vector<SweptState>
     for (const auto& [index, entry] : database.temperatures)
         if (entry.mode == EmissionMode::temperature)
             lintEntry(index, entry.terms, states, findings);
-    std::map<std::string, Held> held;
+    std::map<std::string, ClampedTable> clamped;
     for (const SweptState& swept : states) {
-        for (const std::string& table : tablesHeld(database, swept.state)) {
-            Held& one = held[table];
+        for (const std::string& table : clampedTables(database, swept.state)) {
+            ClampedTable& one = clamped[table];
             one.first = one.count == 0 ? &swept : one.first;
             ++one.count;
         }
     }
-    for (const auto& [table, one] : held) {
+    for (const auto& [table, one] : clamped) {
         const auto entryEnd = table.find('.', table.find('.') + 1);
         Findings ofEntry(findings, table.substr(0, entryEnd));
         ofEntry.warning(table.substr(entryEnd),

@@ -91,11 +91,11 @@ irsg::SignatureDatabase painted(double emissivity) {
     return database;
 }
 
-TEST(TellingNames, SayWhatDiffers) {
+TEST(DistinguishingNames, SayWhatDiffers) {
     const ResultTable plain = polar({});
     using Names = std::vector<std::string>;
     const auto namesOf = [](const AnalysisData& a, const AnalysisData& b) {
-        return tellingNames({&a, &b});
+        return distinguishingNames({&a, &b});
     };
     const AnalysisData grey = result(plain, painted(0.9)), bright = result(plain, painted(0.3));
     EXPECT_EQ(namesOf(grey, bright), (Names{"ε 0.9", "ε 0.3"}));
@@ -117,13 +117,13 @@ TEST(TellingNames, SayWhatDiffers) {
               (Names{"with grey paint", "without grey paint"}));
 }
 
-TEST(TellingNames, SayNothingWhereNothingIsKnownToDiffer) {
+TEST(DistinguishingNames, SayNothingWhereNothingIsKnownToDiffer) {
     const AnalysisData one = result(polar({}), painted(0.9));
-    EXPECT_EQ(tellingNames({&one, &one}), (std::vector<std::string>{"", ""}));
-    EXPECT_EQ(tellingNames({&one}), (std::vector<std::string>{""}));
+    EXPECT_EQ(distinguishingNames({&one, &one}), (std::vector<std::string>{"", ""}));
+    EXPECT_EQ(distinguishingNames({&one}), (std::vector<std::string>{""}));
     AnalysisData unknown;
     unknown.table = polar({});
-    EXPECT_EQ(tellingNames({&one, &unknown}), (std::vector<std::string>{"", ""}));
+    EXPECT_EQ(distinguishingNames({&one, &unknown}), (std::vector<std::string>{"", ""}));
 }
 
 /// Angles and elevations of the cases of a polar plot.
