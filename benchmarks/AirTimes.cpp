@@ -1,5 +1,5 @@
 // bench_air [ANSWERS]: what the first answer of an air costs and what further ones do, computed on
-// the fly (IrradianceMode 2), from tables that refine themselves (1) and at the terms of
+// the fly (IrradianceMode 2), from tables that refine themselves (1) and at the points of
 // wideband-ck; along one path, between random altitudes and for random lines of sight. An answer is
 // transmittance and path radiance of a path, or the background of a line of sight. Processor times,
 // the memory is what the further answers leave behind.
@@ -71,7 +71,7 @@ void compare(const Band& band, int answers) {
     std::printf("| way | further answers | first, ms | further, ms each | memory, MB |\n"
                 "|---|---|---|---|---|\n");
     const auto nodes = [&band](const AtmosphereSmart& air) { return air.nodesOf({band}); };
-    const auto terms = [&band](const AtmosphereSmart& air) {
+    const auto points = [&band](const AtmosphereSmart& air) {
         CkRequest request;
         request.band = band;
         request.sun = sun;
@@ -83,8 +83,8 @@ void compare(const Band& band, int answers) {
               std::function<std::shared_ptr<const SpectralSampling>(const AtmosphereSmart&)>>{
               "spectral, on the fly", 2, nodes},
           {"spectral, tables", 1, nodes},
-          {"wideband-ck, on the fly", 2, terms},
-          {"wideband-ck, tables", 1, terms}}) {
+          {"wideband-ck, on the fly", 2, points},
+          {"wideband-ck, tables", 1, points}}) {
         const AtmosphericPath begin{3000.0, 300.0, 8000.0};
         const auto ask = [&](const char* what, const std::function<void(const Way&)>& further) {
             Way way{name, nullptr, nullptr, prepare};
@@ -123,7 +123,7 @@ void compare(const Band& band, int answers) {
 int main(int count, char** arguments) {
     const int answers = count > 1 ? std::atoi(arguments[1]) : 300;
     GasTable::shipped();         // read once: 30 MB that every way needs
-    setenv("SMAT_CACHE", "", 1); // terms are trained here, not found
+    setenv("SMAT_CACHE", "", 1); // points are trained here, not found
     for (const auto& [low, high] : {std::pair{3.0, 5.0}, {8.0, 12.0}})
         compare(Band::topHat(low, high), answers);
     return 0;

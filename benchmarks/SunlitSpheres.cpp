@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
     constexpr SpectralRange bands[] = {{0.7, 1.1}, {1.1, 1.4},  {1.5, 1.8}, {2.0, 2.5},
                                        {3.0, 3.4}, {3.4, 4.15}, {4.2, 4.6}, {4.5, 5.0},
                                        {3.0, 5.0}, {5.0, 8.0},  {8.0, 9.5}, {9.0, 12.0}};
-    std::printf("### A sphere in the sun, spectral mode of %d cm⁻¹ against wideband terms: "
+    std::printf("### A sphere in the sun, spectral mode of %d cm⁻¹ against wideband points: "
                 "difference %% of all its light, and of the sun's alone\n\n| band, µm | air | W "
                 "sr⁻¹ | all | sun |\n|---|---|---|---|---|\n",
                 resolution_per_cm);

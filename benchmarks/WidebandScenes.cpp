@@ -30,7 +30,7 @@ double median_ms(int times, const std::function<void()>& work) {
 
 struct Measured {
     RenderReport report;
-    double first_ms = 0.0; ///< with the training of the terms, where they are new
+    double first_ms = 0.0; ///< with the training of the points, where they are new
     double later_ms = 0.0;
 };
 

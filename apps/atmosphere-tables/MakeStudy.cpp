@@ -249,7 +249,7 @@ void makeStudy(const Folders& folders) {
             score.print(name);
         };
         print(band, "band model");
-        print(distribution, "k-distribution, 8 terms a gas");
+        print(distribution, "k-distribution, 8 points a gas");
         print(sampling, "spectral nodes");
         std::fflush(stdout);
     }

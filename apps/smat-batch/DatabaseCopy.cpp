@@ -45,9 +45,9 @@ irsg::CopyRequest requestOf(const CopyOptions& options) {
     request.temperatures = indices("--temperatures", options.temperatures, diagnostics);
     request.materials = indices("--materials", options.materials, diagnostics);
     request.spectra = options.spectra;
-    request.taken = options.renumber  ? irsg::CopyRequest::Taken::renumber
-                    : options.replace ? irsg::CopyRequest::Taken::replace
-                                      : irsg::CopyRequest::Taken::refuse;
+    request.onConflict = options.renumber  ? irsg::CopyRequest::OnConflict::renumber
+                         : options.replace ? irsg::CopyRequest::OnConflict::replace
+                                           : irsg::CopyRequest::OnConflict::refuse;
     if (options.renumber && options.replace) {
         diagnostics.push_back({.file = "--renumber",
                                .position = "",

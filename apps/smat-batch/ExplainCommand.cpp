@@ -16,7 +16,7 @@
 #include "irsg/image/ImageFile.h"
 #include "irsg/image/ImageFormat.h"
 #include "irsg/radiometry/Wording.h"
-#include "smatcore/analysis/AskedAnalysis.h"
+#include "smatcore/analysis/AnalysisOfResult.h"
 #include "smatcore/analysis/PixelExplainer.h"
 #include "smatcore/settings/SettingKeys.h"
 

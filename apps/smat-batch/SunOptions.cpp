@@ -11,7 +11,7 @@ namespace smat::batch {
 
 namespace {
 
-/// An angle of a place on the earth; 0 with an diagnostic.
+/// An angle of a place on the earth; 0 with a diagnostic.
 double angle_rad(const char* option, const std::string& text, double most_deg,
                  std::vector<irsg::Diagnostic>& diagnostics) {
     const auto value_deg = irsg::parseNumber(text);

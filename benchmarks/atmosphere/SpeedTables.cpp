@@ -48,8 +48,8 @@ double apparentBySpectra(const RadiativeTransfer& transfer, const Band& band,
            quadrature.integrate(quadrature.sampled(radiance));
 }
 
-double apparentByTerms(const RadiativeTransfer& transfer, const SensorCkData& ck,
-                       const AtmosphericPath& path) {
+double apparentByPoints(const RadiativeTransfer& transfer, const SensorCkData& ck,
+                        const AtmosphericPath& path) {
     const std::vector<double> target = ck.planck(target_K);
     const std::vector<double> transmittance = transfer.transmittance(ck.nodes(), path);
     std::vector<double> radiance = transfer.pathRadiance(ck.nodes(), path, night);
@@ -87,23 +87,23 @@ void speedTables(const Output&) {
         std::optional<SensorCkData> ck;
         const double prepare_ms =
             least_ms(3, [&] { ck.emplace(SensorCkData::prepare(*transfer, request)); });
-        table.add({name, "preparation of " + std::to_string(ck->size()) + " terms", "",
+        table.add({name, "preparation of " + std::to_string(ck->size()) + " points", "",
                    text("%.3g", prepare_ms), ""});
 
-        auto compare = [&](const char* what, auto bySpectra, auto byTerms) {
+        auto compare = [&](const char* what, auto bySpectra, auto byPoints) {
             bySpectra();
-            byTerms();
+            byPoints();
             const double spectra_ms = least_ms(301, bySpectra);
-            const double terms_ms = least_ms(3001, byTerms);
-            table.add({name, what, text("%.3g", spectra_ms), text("%.3g", terms_ms),
-                       text("%.1f", spectra_ms / terms_ms)});
+            const double points_ms = least_ms(3001, byPoints);
+            table.add({name, what, text("%.3g", spectra_ms), text("%.3g", points_ms),
+                       text("%.1f", spectra_ms / points_ms)});
         };
-        auto terms = [&] {
+        auto points = [&] {
             transfer->transmittance(ck->nodes(), path);
             transfer->pathRadiance(ck->nodes(), path, night);
         };
         compare(
-            "later calls", [&] { spectra(*transfer, path); }, terms);
+            "later calls", [&] { spectra(*transfer, path); }, points);
         compare(
             "later calls, another range each time",
             [&] {
@@ -112,12 +112,12 @@ void speedTables(const Output&) {
             },
             [&] {
                 path.range_m += 0.1;
-                terms();
+                points();
             });
         compare(
             "apparent in-band radiance of a black target, later calls",
             [&] { apparentBySpectra(*transfer, band, path); },
-            [&] { apparentByTerms(*transfer, *ck, path); });
+            [&] { apparentByPoints(*transfer, *ck, path); });
     }
     table.print();
 }

@@ -184,10 +184,10 @@ void widebandTables(const Output& output) {
         {{1.5, 2.5}, {3.0, 5.0}, {4.1, 4.5}, {8.0, 12.0}}};
     constexpr std::array<std::size_t, 7> counts = {5, 10, 20, 40, 80, 150, 250};
     Table table(
-        "Wideband terms against the spectral mode: error of the apparent in-band radiance of "
+        "Wideband points against the spectral mode: error of the apparent in-band radiance of "
         "black targets of 250 to 2200 K over 12 paths that were not trained, in three "
         "atmospheres (tropical, subarctic winter, US 1976)",
-        {"µm", "terms", "trained, RMS", "largest", "sorted by absorption, RMS", "largest"});
+        {"µm", "points", "trained, RMS", "largest", "sorted by absorption, RMS", "largest"});
     for (const SpectralRange& range : ranges) {
         std::array<Score, counts.size()> trained, sorted[2];
         std::array<std::size_t, counts.size()> used{};
@@ -210,7 +210,7 @@ void widebandTables(const Output& output) {
                 request.band = Band::topHat(range.min_um, range.max_um);
                 request.sun = night;
                 request.largestError = 0.0;
-                request.mostTerms = counts[c];
+                request.mostPoints = counts[c];
                 const SensorCkData ck = SensorCkData::prepare(transfer, request);
                 used[c] = std::max(used[c], ck.size());
                 for (std::size_t p = 0; p < paths.size(); ++p)
@@ -225,7 +225,7 @@ void widebandTables(const Output& output) {
                 }
             }
         }
-        std::vector<Curve> curves = {{"terms [1]", {}},
+        std::vector<Curve> curves = {{"points [1]", {}},
                                      {"trained RMS [%]", {}},
                                      {"trained largest [%]", {}},
                                      {"sorted RMS [%]", {}},
@@ -235,10 +235,11 @@ void widebandTables(const Output& output) {
                 sorted[0][c].rms() < sorted[1][c].rms() ? sorted[0][c] : sorted[1][c];
             const double percent[] = {100.0 * trained[c].rms(), 100.0 * trained[c].largest,
                                       100.0 * best.rms(), 100.0 * best.largest};
-            const std::string terms = used[c] < counts[c] ? std::to_string(counts[c]) + " (" +
-                                                                std::to_string(used[c]) + " needed)"
-                                                          : std::to_string(counts[c]);
-            table.add({text("%g", range.min_um) + text("-%g", range.max_um), terms,
+            const std::string points =
+                used[c] < counts[c]
+                    ? std::to_string(counts[c]) + " (" + std::to_string(used[c]) + " needed)"
+                    : std::to_string(counts[c]);
+            table.add({text("%g", range.min_um) + text("-%g", range.max_um), points,
                        text("%.3f %%", percent[0]), text("%.2f %%", percent[1]),
                        text("%.3f %%", percent[2]), text("%.2f %%", percent[3])});
             curves[0].values.push_back(static_cast<double>(counts[c]));
@@ -246,7 +247,7 @@ void widebandTables(const Output& output) {
                 curves[i + 1].values.push_back(percent[i]);
         }
         writeCurves(output, "wideband-" + text("%g", range.min_um) + text("-%g", range.max_um),
-                    "error of wideband terms", curves);
+                    "error of wideband points", curves);
     }
     table.print();
 }

@@ -142,14 +142,13 @@ void AirPage::ask() {
         plots_->clear();
         return tell(sentences);
     }
-    const AirQuestion question{document_->parameters(), document_->file(), sight_->path(),
-                               sight_->sun()};
+    const AirQuery query{document_->parameters(), document_->file(), sight_->path(), sight_->sun()};
     task_.run<Answer>(
-        [question] {
+        [query] {
             Answer answer;
             try {
-                answer.column = airColumn(question);
-                answer.spectra = airSpectra(question);
+                answer.column = airColumn(query);
+                answer.spectra = airSpectra(query);
             } catch (const irsg::InputError& error) {
                 answer.problems = sentencesOf(error);
             }

@@ -14,16 +14,16 @@ constexpr double profileStep_m = 100.0;
 
 } // namespace
 
-AirSpectra airSpectra(const AirQuestion& question) {
-    const auto air = std::make_shared<const irsg::AtmosphereSmart>(
-        question.parameters, "AtmosphereSmart", question.file);
+AirSpectra airSpectra(const AirQuery& query) {
+    const auto air = std::make_shared<const irsg::AtmosphereSmart>(query.parameters,
+                                                                   "AtmosphereSmart", query.file);
     irsg::Environment environment;
     environment.add(air);
-    environment.sun = question.sun;
+    environment.sun = query.sun;
     RadiativeRequest request;
     request.quantities = {irsg::AtmosphereProperty::transmittance,
                           irsg::AtmosphereProperty::pathRadiance};
-    request.geometry = question.path;
+    request.geometry = query.path;
     request.band = air->base();
     const RadiativeOutput output = radiativeOutput(environment, request);
     const auto column = [&](const char* key) {
@@ -37,8 +37,8 @@ AirSpectra airSpectra(const AirQuestion& question) {
             .inBandPathRadiance_W_m2_sr = output.summary.at(1).value};
 }
 
-AirColumn airColumn(const AirQuestion& question) {
-    const irsg::Profile profile = irsg::SmartAdapter::profile(question.parameters, question.file);
+AirColumn airColumn(const AirQuery& query) {
+    const irsg::Profile profile = irsg::SmartAdapter::profile(query.parameters, query.file);
     AirColumn column;
     for (double altitude_m = 0.0; altitude_m <= profileTop_m; altitude_m += profileStep_m) {
         const irsg::AtmosphericState air = profile.at(altitude_m);

@@ -10,7 +10,7 @@
 namespace smat::gui {
 
 /// An air and a line of sight in it.
-struct AirQuestion {
+struct AirQuery {
     irsg::AtmosphereSmartParameters parameters;
     std::filesystem::path file; ///< of the parameters, for the ascent that they may name
     PathGeometryInput path;
@@ -32,8 +32,8 @@ inline constexpr double profileTop_m = 15e3;
 
 /// The spectra of `smat-batch radiative` for the same air and path. Throws irsg::InputError for
 /// parameters that cannot be and for a path that there is not.
-AirSpectra airSpectra(const AirQuestion& question);
+AirSpectra airSpectra(const AirQuery& query);
 /// In steps of 100 m.
-AirColumn airColumn(const AirQuestion& question);
+AirColumn airColumn(const AirQuery& query);
 
 } // namespace smat::gui

@@ -82,7 +82,7 @@ class AnalysisJob : public QObject {
     /// The answer, one of these two: complete, or partial after a cancel with at least one case
     /// done.
     void finished(const smat::gui::JobResult& result);
-    /// Nothing came out: refused (a sentence an diagnostic), failed, or cancelled before the first
+    /// Nothing came out: refused (a sentence a diagnostic), failed, or cancelled before the first
     /// case.
     void failed(const QStringList& sentences, bool ourFault);
     /// The last signal: the engine is free again.

@@ -34,7 +34,7 @@ std::vector<NamedResult> named(const std::vector<ResultEntry>& results) {
     std::vector<const AnalysisData*> data;
     for (const auto& entry : results)
         data.push_back(entry.data.get());
-    const std::vector<std::string> telling = tellingNames(data);
+    const std::vector<std::string> telling = distinguishingNames(data);
     // What somebody called it says more than what differs, and that more than "2  Polar plot".
     const auto isUsual = [](const ResultEntry& entry) {
         return entry.title.endsWith("  " + QString::fromStdString(smat::title(entry.data->kind)));

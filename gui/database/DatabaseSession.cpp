@@ -89,11 +89,11 @@ DatabaseSession::~DatabaseSession() {
     // Edits that were not saved stay in their copy: closing asks before it comes to this.
     blockSignals(true);
     if (dirty_)
-        writeRecoveryNow(); // those aside have theirs
+        writeRecoveryNow(); // the others have theirs
 }
 
 void DatabaseSession::open(const fs::path& file, irsg::OutsideChanges outside) {
-    if (takeFromAside(fs::absolute(file).lexically_normal()))
+    if (takeFromOthers(fs::absolute(file).lexically_normal()))
         return;
     // What is physically wrong is shown, to be repaired; only saving refuses it.
     auto loaded = irsg::loadSignatureFile(file, outside, irsg::LintErrors::accept);
@@ -111,7 +111,7 @@ void DatabaseSession::create(const fs::path& file, irsg::SignatureDatabase value
 }
 
 void DatabaseSession::close() {
-    leaveOrPutAside({});
+    leaveOrKeepOpen({});
     taken_ = ++lastTaken_;
     value_ = saved_ = nullptr;
     file_.clear();
@@ -125,8 +125,8 @@ void DatabaseSession::close() {
 void DatabaseSession::take(const fs::path& file, irsg::SignatureDatabase value,
                            std::optional<irsg::SignatureDatabase> saved) {
     const fs::path next = fs::absolute(file).lexically_normal();
-    leaveOrPutAside(next);
-    aside_.erase(next);
+    leaveOrKeepOpen(next);
+    others_.erase(next);
     taken_ = ++lastTaken_;
     file_ = next;
     value_ = std::make_shared<const irsg::SignatureDatabase>(std::move(value));

@@ -25,7 +25,7 @@ namespace smat::gui {
 /// Edits live in memory until they are saved; each is a named step of the window's undo stack.
 /// While there are unsaved edits, a recovery copy of them lies beside the file
 /// (`NAME.sigdb.recovery`), and a lock file tells other windows that this one edits. Databases of
-/// other models of the project stay aside as they are, with their edits and steps. Knows no widget.
+/// other models of the project stay open as they are, with their edits and steps. Knows no widget.
 class DatabaseSession : public QObject {
     Q_OBJECT
 
@@ -49,11 +49,11 @@ class DatabaseSession : public QObject {
     /// A new database that is to become this file; all of it is unsaved.
     void create(const std::filesystem::path& file, irsg::SignatureDatabase value);
     void close();
-    /// The files, absolute, that stay aside when another is taken; all others are left.
-    void keepAside(std::set<std::filesystem::path> files);
-    /// What is aside and not saved, by file.
+    /// The files, absolute, that stay open when another is taken; all others are left.
+    void keepOpen(std::set<std::filesystem::path> files);
+    /// What of them is not saved, by file.
     using Values = std::map<std::filesystem::path, std::shared_ptr<const irsg::SignatureDatabase>>;
-    Values unsavedAside() const;
+    Values unsavedOthers() const;
     bool isOpen() const { return value_ != nullptr; }
 
     const std::filesystem::path& file() const { return file_; }
@@ -114,13 +114,13 @@ class DatabaseSession : public QObject {
     void stateChanged();
     /// Another program changed the file.
     void changedOnDisk();
-    /// A step of a database that is aside is done or undone: it is to be shown.
+    /// A step of another open database is done or undone: it is to be shown.
     void wanted(const std::filesystem::path& file);
 
   private:
     class Step;
     /// A database with all that belongs to it, as the members below.
-    struct Aside {
+    struct OpenDatabase {
         std::shared_ptr<const irsg::SignatureDatabase> value, saved;
         bool isNew = false, acceptedOutside = false, dirty = false;
         Access access = Access::edit;
@@ -132,11 +132,11 @@ class DatabaseSession : public QObject {
         QString recoveryProblem;
         std::vector<std::filesystem::path> left;
     };
-    void putAside();
-    bool takeFromAside(const std::filesystem::path& file);
+    void keepCurrentOpen();
+    bool takeFromOthers(const std::filesystem::path& file);
     /// Shows the database that a step is of; false where it was left.
     bool bring(int taken);
-    void leaveOrPutAside(const std::filesystem::path& next);
+    void leaveOrKeepOpen(const std::filesystem::path& next);
 
     void take(const std::filesystem::path& file, irsg::SignatureDatabase value,
               std::optional<irsg::SignatureDatabase> saved);
@@ -161,7 +161,7 @@ class DatabaseSession : public QObject {
                     ///< nothing
     int lastTaken_ = 0;
     std::set<std::filesystem::path> keep_;
-    std::map<std::filesystem::path, Aside> aside_;
+    std::map<std::filesystem::path, OpenDatabase> others_;
     std::optional<irsg::FileStamp> stamp_;
     std::unique_ptr<QLockFile> lock_;
     QFileSystemWatcher watcher_;

@@ -29,7 +29,7 @@ void TargetDatabase::follow(const std::filesystem::path& named,
     if (!anew)
         for (const auto& one : ofAll)
             kept_.insert(absoluteOf(one));
-    session_.keepAside(kept_);
+    session_.keepOpen(kept_);
     if (!anew && file == session_.file() && session_.isOpen())
         return;
     problem_.clear();
@@ -83,9 +83,9 @@ void TargetDatabase::saveAs(const std::filesystem::path& file) {
 
 SceneBuilder::DatabaseOverrides TargetDatabase::edited() const {
     SceneBuilder::DatabaseOverrides all;
-    const auto aside = session_.unsavedAside();
+    const auto others = session_.unsavedOthers();
     for (const auto& named : ofAll_)
-        if (const auto found = aside.find(absoluteOf(named)); found != aside.end())
+        if (const auto found = others.find(absoluteOf(named)); found != others.end())
             all[named] = found->second;
     if (session_.isOpen() && session_.isDirty()) {
         all[named_] = session_.snapshot();

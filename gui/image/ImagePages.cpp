@@ -14,7 +14,7 @@
 #include "irsg/image/ImageFormat.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Wording.h"
-#include "smatcore/analysis/AskedAnalysis.h"
+#include "smatcore/analysis/AnalysisOfResult.h"
 #include "smatcore/analysis/Conditions.h"
 #include "smatcore/analysis/PixelExplainer.h"
 

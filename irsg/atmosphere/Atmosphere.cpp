@@ -46,27 +46,27 @@ double Atmosphere::ambientTemperature_K(double) const {
     refuse(*this, AtmosphereProperty::ambientTemperature);
 }
 
-std::vector<double> Atmosphere::answer(const AtmosphericQuery& question,
+std::vector<double> Atmosphere::answer(const AtmosphericQuery& query,
                                        const SpectralSampling& sampling) const {
-    if (const SensorCkData* terms = SensorCkData::of(sampling)) {
+    if (const SensorCkData* points = SensorCkData::of(sampling)) {
         if (!isWidebandModeAvailable())
             refuseWideband(*this);
-        checkQuestion(question);
-        return valuesAtTerms(question, *terms);
+        checkQuery(query);
+        return valuesAtPoints(query, *points);
     }
     if (const AirNodes* nodes = AirNodes::of(sampling)) {
         checkRange(sampling.range());
-        checkQuestion(question);
-        if (auto values = valuesAtNodes(question, *nodes))
+        checkQuery(query);
+        if (auto values = valuesAtNodes(query, *nodes))
             return std::move(*values);
     }
-    return sampling.sampled(spectrum(question, sampling.range()));
+    return sampling.sampled(spectrum(query, sampling.range()));
 }
 
-Spectrum Atmosphere::spectrum(const AtmosphericQuery& question, const SpectralRange& range) const {
+Spectrum Atmosphere::spectrum(const AtmosphericQuery& query, const SpectralRange& range) const {
     checkRange(range);
-    checkQuestion(question);
-    return nativeSpectrum(question, held(range));
+    checkQuery(query);
+    return nativeSpectrum(query, covered(range));
 }
 
 Spectrum Atmosphere::transmittance(const AtmosphericPath& path, const SpectralRange& range) const {
@@ -107,49 +107,50 @@ std::shared_ptr<const SensorCkData> Atmosphere::prepareCk(const CkRequest&) cons
     refuseWideband(*this);
 }
 
-Spectrum Atmosphere::nativeSpectrum(const AtmosphericQuery& question, const SpectralRange&) const {
-    refuse(*this, question.quantity);
+Spectrum Atmosphere::nativeSpectrum(const AtmosphericQuery& query, const SpectralRange&) const {
+    refuse(*this, query.quantity);
 }
 
-std::vector<double> Atmosphere::valuesAtTerms(const AtmosphericQuery&, const SensorCkData&) const {
+std::vector<double> Atmosphere::valuesAtPoints(const AtmosphericQuery&, const SensorCkData&) const {
     refuseWideband(*this);
 }
 
-SpectralRange Atmosphere::held(const SpectralRange& range) const {
+SpectralRange Atmosphere::covered(const SpectralRange& range) const {
     const SpectralRange own = base();
     return {std::max(range.min_um, own.min_um), std::min(range.max_um, own.max_um)};
 }
 
-bool Atmosphere::holds(const SpectralRange& range) const {
+bool Atmosphere::covers(const SpectralRange& range) const {
     constexpr double slack = 2e-9;
-    const SpectralRange own = base(), part = held(range);
+    const SpectralRange own = base(), part = covered(range);
     return part.min_um < part.max_um && own.min_um <= range.min_um * (1.0 + slack) &&
            own.max_um >= range.max_um * (1.0 - slack);
 }
 
-void Atmosphere::checkQuestion(const AtmosphericQuery& question) const {
-    switch (placeOf(question.quantity)) {
+void Atmosphere::checkQuery(const AtmosphericQuery& query) const {
+    switch (geometryOf(query.quantity)) {
     case QueryGeometry::path:
-        checkPath(question.path);
+        checkPath(query.path);
         break;
     case QueryGeometry::sight:
-        checkSight(question.sight);
+        checkSight(query.sight);
         break;
     case QueryGeometry::altitude:
-        checkAltitude(question.altitude_m);
+        checkAltitude(query.altitude_m);
         break;
     }
-    if (question.quantity == AtmosphereProperty::ambientTemperature)
+    if (query.quantity == AtmosphereProperty::ambientTemperature)
         throw LogicError("a temperature was asked for as a spectrum");
-    if (!supports(question.quantity))
-        refuse(*this, question.quantity);
+    if (!supports(query.quantity))
+        refuse(*this, query.quantity);
 }
 
 void Atmosphere::checkRange(const SpectralRange& range) const {
-    if (!(range.min_um < range.max_um && holds(range))) {
-        throw LogicError("the atmosphere " + name() + ", which holds " + numberText(base().min_um) +
-                         " to " + numberText(base().max_um) + " um, was asked for " +
-                         numberText(range.min_um) + " to " + numberText(range.max_um) + " um");
+    if (!(range.min_um < range.max_um && covers(range))) {
+        throw LogicError("the atmosphere " + name() + ", which covers " +
+                         numberText(base().min_um) + " to " + numberText(base().max_um) +
+                         " um, was asked for " + numberText(range.min_um) + " to " +
+                         numberText(range.max_um) + " um");
     }
 }
 

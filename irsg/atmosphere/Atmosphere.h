@@ -48,11 +48,11 @@ class Atmosphere {
     virtual std::vector<std::string> remarks() const { return {}; }
     /// What it is made of.
     virtual AtmosphereDescription describe() const { return {}; }
-    /// True if the base holds a whole range; parts in 1e9 at its ends are nobody's fault.
-    bool holds(const SpectralRange& range) const;
-    /// False if the property is not supported; else true only if the base holds the whole range.
+    /// True if the base covers a whole range; parts in 1e9 at its ends are forgiven.
+    bool covers(const SpectralRange& range) const;
+    /// False if the property is not supported; else true only if the base covers the whole range.
     bool accept(const SpectralRange& range, AtmosphereProperty property) const {
-        return supports(property) && holds(range);
+        return supports(property) && covers(range);
     }
 
     /// Apparent elevation of the horizon for a sensor at an altitude: lines of sight below it end
@@ -64,17 +64,17 @@ class Atmosphere {
     virtual SunView sunView(double altitude_m, const SunPosition& sun) const;
     virtual double ambientTemperature_K(double altitude_m) const;
 
-    /// A value at every node. LogicError for what is not accepted, and for terms of wideband-ck
-    /// where they are not available; InputError for a path, a line of sight or an altitude below
-    /// ground, a negative range or anything that is not finite.
-    std::vector<double> answer(const AtmosphericQuery& question,
+    /// A value at every node. LogicError for what is not accepted, and for quadrature points of
+    /// wideband-ck where they are not available; InputError for a path, a line of sight or an
+    /// altitude below ground, a negative range or anything that is not finite.
+    std::vector<double> answer(const AtmosphericQuery& query,
                                const SpectralSampling& sampling) const;
     /// The answer as a spectrum on the nodes that the atmosphere has of itself, over at least the
     /// range: a quadrature for products of such spectra is built on their nodes.
-    Spectrum spectrum(const AtmosphericQuery& question, const SpectralRange& range) const;
+    Spectrum spectrum(const AtmosphericQuery& query, const SpectralRange& range) const;
     /// True where the answer depends on the azimuth between the view and the sun: where it does
     /// not, a cache needs no azimuth in its key.
-    virtual bool answersByAzimuth(AtmosphereProperty) const { return false; }
+    virtual bool dependsOnAzimuth(AtmosphereProperty) const { return false; }
 
     /// `spectrum` by the names of the quantities.
     Spectrum transmittance(const AtmosphericPath& path, const SpectralRange& range) const;
@@ -91,7 +91,7 @@ class Atmosphere {
     Spectrum scatteringOpticalDepth(const AtmosphericPath& path, const SpectralRange& range) const;
 
     /// Where the native spectra are means over bins of a few nodes each: these nodes over bands
-    /// that the base holds, one behind the other, each from where the one before it ends or later;
+    /// that the base covers, one behind the other, each from where the one before it ends or later;
     /// or for some ascending wavelengths. Products of this air's quantities are right at them
     /// alone. Null where native spectra are all there is.
     virtual std::shared_ptr<const SpectralSampling>
@@ -103,11 +103,11 @@ class Atmosphere {
         return nullptr;
     }
 
-    /// True where this atmosphere can prepare wideband terms (F14, F17).
+    /// True where this atmosphere can prepare quadrature points (F14, F17).
     virtual bool isWidebandModeAvailable() const { return false; }
     /// Why it cannot, in words that follow the name.
     virtual std::string widebandRefusal() const { return "has no wideband mode"; }
-    /// The wideband terms of a sensor, at which this atmosphere answers: see SensorCkData.h.
+    /// The quadrature points of a sensor, at which this atmosphere answers: see SensorCkData.h.
     /// LogicError where they are not available.
     virtual std::shared_ptr<const SensorCkData> prepareCk(const CkRequest& request) const;
     /// The same air with other spectral bins; null where it has none.
@@ -119,12 +119,12 @@ class Atmosphere {
     virtual std::shared_ptr<const Atmosphere> onTheFly() const { return nullptr; }
 
   protected:
-    /// The answer to a question that was checked, over a range that the base holds.
-    virtual Spectrum nativeSpectrum(const AtmosphericQuery& question,
+    /// The answer to a query that was checked, over a range that the base covers.
+    virtual Spectrum nativeSpectrum(const AtmosphericQuery& query,
                                     const SpectralRange& range) const;
-    /// The answer at the terms of wideband-ck that this atmosphere prepared.
-    virtual std::vector<double> valuesAtTerms(const AtmosphericQuery& question,
-                                              const SensorCkData& terms) const;
+    /// The answer at the quadrature points that this atmosphere prepared.
+    virtual std::vector<double> valuesAtPoints(const AtmosphericQuery& query,
+                                               const SensorCkData& points) const;
 
     /// The answer at nodes; nothing where they are those of other air.
     virtual std::optional<std::vector<double>> valuesAtNodes(const AtmosphericQuery&,
@@ -132,7 +132,7 @@ class Atmosphere {
         return std::nullopt;
     }
 
-    /// LogicError unless the base holds the range.
+    /// LogicError unless the base covers the range.
     void checkRange(const SpectralRange& range) const;
     void checkPath(const AtmosphericPath& path) const;
     void checkSight(const LineOfSight& sight) const;
@@ -140,8 +140,8 @@ class Atmosphere {
 
   private:
     /// The part of a range that is in the base.
-    SpectralRange held(const SpectralRange& range) const;
-    void checkQuestion(const AtmosphericQuery& question) const;
+    SpectralRange covered(const SpectralRange& range) const;
+    void checkQuery(const AtmosphericQuery& query) const;
 };
 
 } // namespace irsg

@@ -67,9 +67,9 @@ AtmosphereDescription AtmosphereScatteringLut::describe() const {
              {"scattering_coefficient_per_km", {coefficient_per_m_ / perKilometre}}}};
 }
 
-Spectrum AtmosphereScatteringLut::nativeSpectrum(const AtmosphericQuery& question,
+Spectrum AtmosphereScatteringLut::nativeSpectrum(const AtmosphericQuery& query,
                                                  const SpectralRange&) const {
-    return Spectrum::constant(coefficient_per_m_ * question.path.range_m);
+    return Spectrum::constant(coefficient_per_m_ * query.path.range_m);
 }
 
 const AtmosphereScatteringLut* scatteringLutOf(const Environment& environment) {

@@ -31,7 +31,7 @@ class AtmosphereScatteringLut : public Atmosphere {
     AtmosphereDescription describe() const override;
 
   protected:
-    Spectrum nativeSpectrum(const AtmosphericQuery& question,
+    Spectrum nativeSpectrum(const AtmosphericQuery& query,
                             const SpectralRange& range) const override;
 
   private:

@@ -23,12 +23,13 @@ bool isFlux(AtmosphereProperty property) {
            property == AtmosphereProperty::downwardFlux;
 }
 
-/// Where terms of an air are kept: the key names the files of the shipped tables.
+/// Where quadrature points of an air are kept: the key names the files of the shipped tables.
 std::optional<CkStore> storeOf(const AtmosphereSmart& air) {
     return &air.transfer().gases() == GasTable::shipped().get() ? CkStore::ofUser() : std::nullopt;
 }
 
-/// All that terms depend on: the program's own way to train, the tables, the air, the request.
+/// All that quadrature points depend on: the program's own way to train, the tables, the air, the
+/// request.
 CkKey keyOf(const AtmosphereSmart& air, const CkRequest& request) {
     CkKey key;
     key.add(ckTraining);
@@ -39,7 +40,7 @@ CkKey keyOf(const AtmosphereSmart& air, const CkRequest& request) {
         tables.insert(entry.path());
     for (const std::filesystem::path& table : tables)
         key.add(table.filename().string() + "|" + stampOf(table).value_or(FileStamp()).text());
-    // Tables of answers change nothing of what terms are trained on.
+    // Tables of answers change nothing of what quadrature points are trained on.
     AtmosphereSmartParameters parameters = air.parameters();
     parameters.irradianceMode = 1;
     for (const auto& some : {smartParameters(), ownSmartParameters()})
@@ -154,9 +155,9 @@ SunView AtmosphereSmart::sunView(double altitude_m, const SunPosition& sun) cons
 }
 
 std::vector<double> AtmosphereSmart::valuesAt(const NodeSet& nodes,
-                                              const AtmosphericQuery& question) const {
+                                              const AtmosphericQuery& query) const {
     const AirTables& air = tables(nodes);
-    const auto& [quantity, path, sight, altitude_m, sun] = question;
+    const auto& [quantity, path, sight, altitude_m, sun] = query;
     switch (quantity) {
     case AtmosphereProperty::transmittance:
         return air.transmittance(path);
@@ -178,22 +179,22 @@ std::vector<double> AtmosphereSmart::valuesAt(const NodeSet& nodes,
     throw LogicError("a temperature was asked for at spectral nodes");
 }
 
-Spectrum AtmosphereSmart::nativeSpectrum(const AtmosphericQuery& question,
+Spectrum AtmosphereSmart::nativeSpectrum(const AtmosphericQuery& query,
                                          const SpectralRange& range) const {
-    return transfer().spectrum(range, valuesAt(transfer().nodesOf(range), question));
+    return transfer().spectrum(range, valuesAt(transfer().nodesOf(range), query));
 }
 
-std::vector<double> AtmosphereSmart::valuesAtTerms(const AtmosphericQuery& question,
-                                                   const SensorCkData& terms) const {
-    return valuesAt(terms.nodes(), question);
+std::vector<double> AtmosphereSmart::valuesAtPoints(const AtmosphericQuery& query,
+                                                    const SensorCkData& points) const {
+    return valuesAt(points.nodes(), query);
 }
 
-std::optional<std::vector<double>> AtmosphereSmart::valuesAtNodes(const AtmosphericQuery& question,
+std::optional<std::vector<double>> AtmosphereSmart::valuesAtNodes(const AtmosphericQuery& query,
                                                                   const AirNodes& nodes) const {
     (void)transfer();
     if (!nodes.isOf(transfer_))
         return std::nullopt;
-    return nodes.arranged(valuesAt(nodes.set(), question));
+    return nodes.arranged(valuesAt(nodes.set(), query));
 }
 
 std::shared_ptr<const SpectralSampling>

@@ -62,7 +62,7 @@ class AtmosphereSmart : public Atmosphere {
     /// Of the air; above the top of the profile that of its last level.
     double ambientTemperature_K(double altitude_m) const override;
     /// What the sun is scattered into.
-    bool answersByAzimuth(AtmosphereProperty property) const override {
+    bool dependsOnAzimuth(AtmosphereProperty property) const override {
         return property == AtmosphereProperty::backgroundRadiance ||
                property == AtmosphereProperty::pathRadiance;
     }
@@ -81,18 +81,18 @@ class AtmosphereSmart : public Atmosphere {
     std::shared_ptr<const Atmosphere> onTheFly() const override;
 
   protected:
-    Spectrum nativeSpectrum(const AtmosphericQuery& question,
+    Spectrum nativeSpectrum(const AtmosphericQuery& query,
                             const SpectralRange& range) const override;
-    std::vector<double> valuesAtTerms(const AtmosphericQuery& question,
-                                      const SensorCkData& terms) const override;
-    std::optional<std::vector<double>> valuesAtNodes(const AtmosphericQuery& question,
+    std::vector<double> valuesAtPoints(const AtmosphericQuery& query,
+                                       const SensorCkData& points) const override;
+    std::optional<std::vector<double>> valuesAtNodes(const AtmosphericQuery& query,
                                                      const AirNodes& nodes) const override;
 
   private:
     void makeTransfer() const;
     const AirTables& tables(const NodeSet& nodes) const;
     /// The answer at every node of a set.
-    std::vector<double> valuesAt(const NodeSet& nodes, const AtmosphericQuery& question) const;
+    std::vector<double> valuesAt(const NodeSet& nodes, const AtmosphericQuery& query) const;
 
     AtmosphereSmartParameters parameters_;
     std::string name_;

@@ -29,7 +29,7 @@ const char* name(AtmosphereProperty property) {
     throw LogicError("unknown atmosphere property");
 }
 
-QueryGeometry placeOf(AtmosphereProperty property) {
+QueryGeometry geometryOf(AtmosphereProperty property) {
     switch (property) {
     case AtmosphereProperty::transmittance:
     case AtmosphereProperty::pathRadiance:
@@ -79,7 +79,7 @@ AtmosphericQuery AtmosphericQuery::scatteringOpticalDepth(const AtmosphericPath&
 }
 
 double AtmosphericQuery::azimuthFromSun_rad() const {
-    const QueryGeometry place = placeOf(quantity);
+    const QueryGeometry place = geometryOf(quantity);
     if (place == QueryGeometry::altitude)
         return 0.0;
     const double view_rad = place == QueryGeometry::path ? path.azimuth_rad : sight.azimuth_rad;
@@ -89,7 +89,7 @@ double AtmosphericQuery::azimuthFromSun_rad() const {
 AtmosphericQueryKey AtmosphericQuery::key(bool byAzimuth) const {
     AtmosphericQueryKey key{quantity, {}};
     auto& [sensor_m, target_m, range_m, elevation_rad, azimuth_rad, sun_rad, sun_au] = key.numbers;
-    switch (placeOf(quantity)) {
+    switch (geometryOf(quantity)) {
     case QueryGeometry::path:
         sensor_m = path.sensorAltitude_m;
         target_m = path.targetAltitude_m;

@@ -26,7 +26,7 @@ const char* name(AtmosphereProperty property);
 
 /// The geometry that a quantity has: a finite path, an unbounded line of sight, or an altitude.
 enum class QueryGeometry { path, sight, altitude };
-QueryGeometry placeOf(AtmosphereProperty property);
+QueryGeometry geometryOf(AtmosphereProperty property);
 /// True for what the sun has a part in.
 bool hasSun(AtmosphereProperty property);
 
@@ -66,7 +66,7 @@ struct SunView {
     double elevation_rad = 0.0; ///< apparent, of the middle of the whole disc
 };
 
-/// A question as far as its answer depends on it: a key of a cache. Equal keys have equal answers
+/// A query as far as its answer depends on it: a key of a cache. Equal keys have equal answers
 /// of the same atmosphere at the same sampling.
 struct AtmosphericQueryKey {
     AtmosphereProperty quantity = AtmosphereProperty::transmittance;
@@ -96,7 +96,7 @@ struct AtmosphericQuery {
     /// Azimuth between the view and the sun, 0 to pi: the air is the same all around, and left and
     /// right of the sun are alike. 0 for what has no direction.
     double azimuthFromSun_rad() const;
-    /// `byAzimuth`: whether the answer depends on that angle; see Atmosphere::answersByAzimuth.
+    /// `byAzimuth`: whether the answer depends on that angle; see Atmosphere::dependsOnAzimuth.
     AtmosphericQueryKey key(bool byAzimuth) const;
 };
 

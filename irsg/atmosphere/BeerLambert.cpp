@@ -78,19 +78,19 @@ std::vector<double> BeerLambert::kinks(const SpectralRange& range) const {
     return mergeAxes(extinction, range);
 }
 
-Spectrum BeerLambert::nativeSpectrum(const AtmosphericQuery& question,
+Spectrum BeerLambert::nativeSpectrum(const AtmosphericQuery& query,
                                      const SpectralRange& range) const {
-    switch (question.quantity) {
+    switch (query.quantity) {
     case AtmosphereProperty::transmittance:
-        return through(question.path.range_m, range);
+        return through(query.path.range_m, range);
     case AtmosphereProperty::pathRadiance:
-        return emittedAlong(question.path.range_m, range);
+        return emittedAlong(query.path.range_m, range);
     case AtmosphereProperty::backgroundRadiance:
-        return seenAlong(question.sight, range);
+        return seenAlong(query.sight, range);
     case AtmosphereProperty::solarIrradiance:
         // Of whatever day the irradiance was stated for: the distance of the sun is in it.
         return parameters_.solarIrradiance_W_m2_um.mapped(
-            [part = sunView(question.altitude_m, question.sun).part](double whole) {
+            [part = sunView(query.altitude_m, query.sun).part](double whole) {
                 return part * whole;
             });
     case AtmosphereProperty::upwardFlux:

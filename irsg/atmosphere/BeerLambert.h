@@ -47,7 +47,7 @@ class BeerLambert : public Atmosphere {
     /// then a header row and columns in any order: `wavelength [um]`, `extinction [km-1]` and, each
     /// where present, `solar_irradiance [W m-2 um-1]`, `down_flux [W m-2 um-1]`, `up_flux [W m-2
     /// um-1]`, `sky_radiance [W m-2 sr-1 um-1]`. A comment whose key is one word of lower-case
-    /// letters and underscores, with or without a unit, and none of these keys, is an diagnostic;
+    /// letters and underscores, with or without a unit, and none of these keys, is a diagnostic;
     /// every other comment is free text. Fluxes that are not given are those of black hemispheres:
     /// pi L_bb(sky or air temperature) down, pi L_bb(ground temperature) up. Ground that has no
     /// temperature has that of the air. The sky radiance that
@@ -65,15 +65,15 @@ class BeerLambert : public Atmosphere {
     double ambientTemperature_K(double altitude_m) const override;
     AtmosphereDescription describe() const override;
 
-    /// Terms are wavelengths, at which the closed forms answer.
+    /// Quadrature points are wavelengths, at which the closed forms answer.
     bool isWidebandModeAvailable() const override { return true; }
     std::shared_ptr<const SensorCkData> prepareCk(const CkRequest& request) const override;
 
   protected:
-    Spectrum nativeSpectrum(const AtmosphericQuery& question,
+    Spectrum nativeSpectrum(const AtmosphericQuery& query,
                             const SpectralRange& range) const override;
-    std::vector<double> valuesAtTerms(const AtmosphericQuery& question,
-                                      const SensorCkData& terms) const override;
+    std::vector<double> valuesAtPoints(const AtmosphericQuery& query,
+                                       const SensorCkData& points) const override;
 
   private:
     /// The nodes of the extinction in `range` and the ends of it.
@@ -83,9 +83,9 @@ class BeerLambert : public Atmosphere {
     Spectrum seenAlong(const LineOfSight& sight, const SpectralRange& range) const;
     Spectrum unboundedRadiance(const SpectralRange& range) const;
     /// The answer at single wavelengths.
-    std::vector<double> valuesAt(const AtmosphericQuery& question,
+    std::vector<double> valuesAt(const AtmosphericQuery& query,
                                  const std::vector<double>& wavelengths_um) const;
-    /// Wavelengths around a range between which no answer bends more than wideband terms need.
+    /// Wavelengths around a range between which no answer bends more than quadrature points need.
     std::vector<double> candidates(const SpectralRange& range) const;
 
     BeerLambertParameters parameters_;

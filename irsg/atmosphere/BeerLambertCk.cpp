@@ -71,7 +71,7 @@ std::vector<double> BeerLambert::candidates(const SpectralRange& range) const {
     return wavelengths_um;
 }
 
-std::vector<double> BeerLambert::valuesAt(const AtmosphericQuery& question,
+std::vector<double> BeerLambert::valuesAt(const AtmosphericQuery& query,
                                           const std::vector<double>& wavelengths_um) const {
     const auto curve = [&](auto valueAt) {
         std::vector<double> values;
@@ -84,8 +84,8 @@ std::vector<double> BeerLambert::valuesAt(const AtmosphericQuery& question,
     const auto air = [this](double wavelength_um) {
         return planckRadiance_W_m2_sr_um(wavelength_um, parameters_.airTemperature_K);
     };
-    const double range_m = question.path.range_m;
-    switch (question.quantity) {
+    const double range_m = query.path.range_m;
+    switch (query.quantity) {
     case AtmosphereProperty::transmittance:
         return curve([&](double, double extinction) { return std::exp(-extinction * range_m); });
     case AtmosphereProperty::pathRadiance:
@@ -93,7 +93,7 @@ std::vector<double> BeerLambert::valuesAt(const AtmosphericQuery& question,
             return -std::expm1(-extinction * range_m) * air(at_um);
         });
     case AtmosphereProperty::backgroundRadiance: {
-        const auto& [altitude_m, elevation_rad, azimuth_rad] = question.sight;
+        const auto& [altitude_m, elevation_rad, azimuth_rad] = query.sight;
         const auto& sky = parameters_.skyRadiance_W_m2_sr_um;
         if (elevation_rad >= 0.0)
             return curve([&](double at_um, double extinction) {
@@ -108,7 +108,7 @@ std::vector<double> BeerLambert::valuesAt(const AtmosphericQuery& question,
         });
     }
     case AtmosphereProperty::solarIrradiance: {
-        const double part = sunView(question.altitude_m, question.sun).part;
+        const double part = sunView(query.altitude_m, query.sun).part;
         return curve([&](double at_um, double) {
             return part * parameters_.solarIrradiance_W_m2_um.at(at_um);
         });
@@ -124,9 +124,9 @@ std::vector<double> BeerLambert::valuesAt(const AtmosphericQuery& question,
     }
 }
 
-std::vector<double> BeerLambert::valuesAtTerms(const AtmosphericQuery& question,
-                                               const SensorCkData& terms) const {
-    return valuesAt(question, terms.wavelengths_um());
+std::vector<double> BeerLambert::valuesAtPoints(const AtmosphericQuery& query,
+                                                const SensorCkData& points) const {
+    return valuesAt(query, points.wavelengths_um());
 }
 
 std::shared_ptr<const SensorCkData> BeerLambert::prepareCk(const CkRequest& request) const {
@@ -145,7 +145,7 @@ std::shared_ptr<const SensorCkData> BeerLambert::prepareCk(const CkRequest& requ
     std::vector<double> falling; // as the nodes are
     for (std::size_t i = 0; i < known.nodes.size(); ++i)
         falling.push_back(known.nodes.wavelength_um(i));
-    known.values = [&](const AtmosphericQuery& question) { return valuesAt(question, falling); };
+    known.values = [&](const AtmosphericQuery& query) { return valuesAt(query, falling); };
     return keptOrTrained(CkStore::ofUser(), keyOf(parameters_, request), known.nodes, request.band,
                          [&] { return SensorCkData::prepare(known, *this, request); });
 }

@@ -27,15 +27,15 @@ std::string refusalOf(const Atmosphere& atmosphere, AtmosphereProperty property)
 }
 
 /// Direct light of a sun below the horizon, as an atmosphere has it.
-bool isDark(const AtmosphericQuery& question, const Atmosphere& air) {
-    return question.quantity == AtmosphereProperty::solarIrradiance &&
-           air.sunView(question.altitude_m, question.sun).part <= 0.0;
+bool isDark(const AtmosphericQuery& query, const Atmosphere& air) {
+    return query.quantity == AtmosphereProperty::solarIrradiance &&
+           air.sunView(query.altitude_m, query.sun).part <= 0.0;
 }
 
 /// Its name, of a family of runs with how far the nearest is.
-std::string whoAnswers(const Atmosphere& air, const AtmosphericQuery& question) {
+std::string whoAnswers(const Atmosphere& air, const AtmosphericQuery& query) {
     const auto* family = dynamic_cast<const RunFamily*>(&air);
-    return air.name() + (family ? family->nearestRun(question) : "");
+    return air.name() + (family ? family->nearestRun(query) : "");
 }
 
 } // namespace
@@ -97,40 +97,40 @@ bool Environment::isByDefault(const SpectralRange& range, AtmosphereProperty pro
            !find(range, property);
 }
 
-Answer<std::vector<double>> Environment::answer(const AtmosphericQuery& question,
+Answer<std::vector<double>> Environment::answer(const AtmosphericQuery& query,
                                                 const SpectralSampling& sampling) const {
     const SpectralRange& range = sampling.range();
     const bool isWideband = SensorCkData::of(sampling) != nullptr;
-    if (!isWideband && isByDefault(range, question.quantity))
+    if (!isWideband && isByDefault(range, query.quantity))
         return {sampling.sampled(*defaultBackground), byDefault};
     const Atmosphere& air =
-        isWideband ? requireWideband(range, question.quantity) : require(range, question.quantity);
-    if (isDark(question, air))
+        isWideband ? requireWideband(range, query.quantity) : require(range, query.quantity);
+    if (isDark(query, air))
         return {std::vector<double>(sampling.size(), 0.0), air.name()};
-    return {air.answer(question, sampling), whoAnswers(air, question)};
+    return {air.answer(query, sampling), whoAnswers(air, query)};
 }
 
-Answer<Spectrum> Environment::spectrum(const AtmosphericQuery& question,
+Answer<Spectrum> Environment::spectrum(const AtmosphericQuery& query,
                                        const SpectralRange& range) const {
-    if (isByDefault(range, question.quantity))
+    if (isByDefault(range, query.quantity))
         return {*defaultBackground, byDefault};
-    const Atmosphere& air = require(range, question.quantity);
-    return {isDark(question, air) ? Spectrum::constant(0.0) : air.spectrum(question, range),
-            whoAnswers(air, question)};
+    const Atmosphere& air = require(range, query.quantity);
+    return {isDark(query, air) ? Spectrum::constant(0.0) : air.spectrum(query, range),
+            whoAnswers(air, query)};
 }
 
-AtmosphericQueryKey Environment::keyOf(const AtmosphericQuery& question,
+AtmosphericQueryKey Environment::keyOf(const AtmosphericQuery& query,
                                        const SpectralRange& range) const {
-    const Atmosphere* air = find(range, question.quantity);
-    return question.key(air && air->answersByAzimuth(question.quantity));
+    const Atmosphere* air = find(range, query.quantity);
+    return query.key(air && air->dependsOnAzimuth(query.quantity));
 }
 
-AtmosphericQueryKey Environment::keyOf(const AtmosphericQuery& question,
+AtmosphericQueryKey Environment::keyOf(const AtmosphericQuery& query,
                                        const SpectralSampling& sampling) const {
     if (!SensorCkData::of(sampling))
-        return keyOf(question, sampling.range());
+        return keyOf(query, sampling.range());
     const Atmosphere* air = findWideband(sampling.range());
-    return question.key(air && air->answersByAzimuth(question.quantity));
+    return query.key(air && air->dependsOnAzimuth(query.quantity));
 }
 
 std::shared_ptr<const SpectralSampling> Environment::nodesOf(const Band& band) const {
@@ -179,7 +179,7 @@ const Atmosphere* Environment::findWideband(const SpectralRange& range) const {
     };
     const Atmosphere* best = nullptr;
     for (const auto& atmosphere : atmospheres_)
-        if (atmosphere->isWidebandModeAvailable() && atmosphere->holds(range) &&
+        if (atmosphere->isWidebandModeAvailable() && atmosphere->covers(range) &&
             (best == nullptr || known(*atmosphere) > known(*best)))
             best = atmosphere.get();
     return best;

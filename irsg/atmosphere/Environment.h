@@ -48,16 +48,17 @@ class Environment {
     /// Of the atmosphere that answers for the direct sun, see Atmosphere::sunView.
     SunView sunView(double altitude_m, const SpectralRange& range) const;
 
-    /// A value at every node of a sampling. At terms of wideband-ck the atmosphere that prepared
-    /// them answers, and there is no default (F29); InputError for what it does not support. Direct
-    /// light of a sun whose whole disc is below the horizon is zero, whoever answers.
-    Answer<std::vector<double>> answer(const AtmosphericQuery& question,
+    /// A value at every node of a sampling. At quadrature points of wideband-ck the atmosphere that
+    /// prepared them answers, and there is no default (F29); InputError for what it does not
+    /// support. Direct light of a sun whose whole disc is below the horizon is zero, whoever
+    /// answers.
+    Answer<std::vector<double>> answer(const AtmosphericQuery& query,
                                        const SpectralSampling& sampling) const;
     /// The same on the nodes of the answering atmosphere; see Atmosphere::spectrum.
-    Answer<Spectrum> spectrum(const AtmosphericQuery& question, const SpectralRange& range) const;
+    Answer<Spectrum> spectrum(const AtmosphericQuery& query, const SpectralRange& range) const;
     /// What `spectrum` and `answer` depend on, for as long as the atmospheres and defaults stay.
-    AtmosphericQueryKey keyOf(const AtmosphericQuery& question, const SpectralRange& range) const;
-    AtmosphericQueryKey keyOf(const AtmosphericQuery& question,
+    AtmosphericQueryKey keyOf(const AtmosphericQuery& query, const SpectralRange& range) const;
+    AtmosphericQueryKey keyOf(const AtmosphericQuery& query,
                               const SpectralSampling& sampling) const;
     Answer<double> ambientTemperature_K(double altitude_m) const;
 
@@ -70,11 +71,11 @@ class Environment {
     std::shared_ptr<const SpectralSampling>
     nodesAt(const std::vector<double>& wavelengths_um) const;
 
-    /// The atmosphere that has wideband terms for a band, of several the one that supports the most
-    /// quantities, of equals the first; null where there is none.
+    /// The atmosphere that has quadrature points for a band, of several the one that supports the
+    /// most quantities, of equals the first; null where there is none.
     const Atmosphere* findWideband(const SpectralRange& range) const;
-    /// The same; InputError listing each atmosphere and why it has no wideband terms for the band:
-    /// there is no default in wideband mode (F29).
+    /// The same; InputError listing each atmosphere and why it has no quadrature points for the
+    /// band: there is no default in wideband mode (F29).
     const Atmosphere& requireWideband(const SpectralRange& range) const;
     Answer<std::shared_ptr<const SensorCkData>> prepareCk(const CkRequest& request) const;
 

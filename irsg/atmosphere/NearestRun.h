@@ -7,7 +7,7 @@
 
 namespace irsg {
 
-/// How far a question is from the nearest run of the family that answers it: the larger of the two
+/// How far a query is from the nearest run of the family that answers it: the larger of the two
 /// differences of altitude, that of range, that of elevation.
 struct RunDistance {
     double altitude_m = 0.0;
@@ -22,9 +22,9 @@ struct RunDistance {
 class RunFamily {
   public:
     virtual ~RunFamily() = default;
-    /// How far a question that it answers is from the nearest run, as nearestRunText; empty where
+    /// How far a query that it answers is from the nearest run, as nearestRunText; empty where
     /// the answer is known without a run.
-    virtual std::string nearestRun(const AtmosphericQuery& question) const = 0;
+    virtual std::string nearestRun(const AtmosphericQuery& query) const = 0;
 };
 
 /// What follows the name of the atmosphere: " (nearest run at most 0 m in altitude, 250 m in range

@@ -168,22 +168,22 @@ void SpectraAtmosphere::requireSunElevation(const SunPosition& sun) const {
     }
 }
 
-Spectrum SpectraAtmosphere::nativeSpectrum(const AtmosphericQuery& question,
+Spectrum SpectraAtmosphere::nativeSpectrum(const AtmosphericQuery& query,
                                            const SpectralRange&) const {
-    switch (placeOf(question.quantity)) {
+    switch (geometryOf(query.quantity)) {
     case QueryGeometry::path:
-        requirePath(question.path);
+        requirePath(query.path);
         break;
     case QueryGeometry::sight:
-        requireSight(question.sight, question.sun);
+        requireSight(query.sight, query.sun);
         break;
     case QueryGeometry::altitude:
-        requireTargetAltitude(question.altitude_m);
+        requireTargetAltitude(query.altitude_m);
         break;
     }
-    if (hasSun(question.quantity))
-        requireSunElevation(question.sun);
-    return parameters_.spectra.at(question.quantity);
+    if (hasSun(query.quantity))
+        requireSunElevation(query.sun);
+    return parameters_.spectra.at(query.quantity);
 }
 
 void SpectraAtmosphere::requireSight(const LineOfSight& sight, const SunPosition& sun) const {

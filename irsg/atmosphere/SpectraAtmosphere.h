@@ -63,19 +63,19 @@ class SpectraAtmosphere : public Atmosphere {
     bool supports(AtmosphereProperty property) const override;
     double ambientTemperature_K(double altitude_m) const override;
     /// The background depends on the azimuth from the sun: another one is refused.
-    bool answersByAzimuth(AtmosphereProperty property) const override {
+    bool dependsOnAzimuth(AtmosphereProperty property) const override {
         return property == AtmosphereProperty::backgroundRadiance;
     }
     AtmosphereDescription describe() const override;
-    /// Terms pay where many lines of sight are asked; this air knows one, at its own nodes.
+    /// Quadrature points pay where many lines of sight are asked; this air knows one, at its own
+    /// nodes.
     std::string widebandRefusal() const override {
         return "has no wideband mode: it knows one line of sight, so that there is nothing to "
-               "train "
-               "terms on but the answer itself";
+               "train quadrature points on but the answer itself";
     }
 
   protected:
-    Spectrum nativeSpectrum(const AtmosphericQuery& question,
+    Spectrum nativeSpectrum(const AtmosphericQuery& query,
                             const SpectralRange& range) const override;
 
   private:

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "irsg/atmosphere/TabulatedTerms.h"
+#include "irsg/atmosphere/TabulatedPoints.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
@@ -55,7 +55,7 @@ bool sameGeometry(const SpectralRun& a, const SpectralRun& b) {
            near(f.range_m, g.range_m, 0.01 + 1e-7 * f.range_m);
 }
 
-/// Runs that answer the same question about the same geometry.
+/// Runs that answer the same query about the same geometry.
 bool sameRole(const SpectralRun& a, const SpectralRun& b) {
     return (isRadiance(a) && isRadiance(b)) || a.kind == b.kind;
 }
@@ -93,7 +93,7 @@ TabulatedAtmosphere::TabulatedAtmosphere(std::vector<SpectralRun> runs, std::str
         wavelengths_um_.push_back(wavelengthFromWavenumber_um(wavenumber));
     fillPaths();
     fillSights();
-    ofTerms_ = std::make_shared<OfTerms>();
+    ofPoints_ = std::make_shared<OfPoints>();
 }
 
 void TabulatedAtmosphere::checkFamily() const {
@@ -268,25 +268,25 @@ void TabulatedAtmosphere::checkSun(const SunPosition& sun) const {
     }
 }
 
-std::vector<double> TabulatedAtmosphere::sunlight(const AtmosphericQuery& question,
-                                                  std::size_t first, std::size_t last) const {
+std::vector<double> TabulatedAtmosphere::sunlight(const AtmosphericQuery& query, std::size_t first,
+                                                  std::size_t last) const {
     try {
-        return suns_.at(question.altitude_m, question.sun.elevation_rad, first, last, name_, "sun");
+        return suns_.at(query.altitude_m, query.sun.elevation_rad, first, last, name_, "sun");
     } catch (const InputError&) {
         // From high up the sun is seen a little below the horizontal, which runs may contain.
-        if (question.sun.isUp())
+        if (query.sun.isUp())
             throw;
         return std::vector<double>(last - first, 0.0);
     }
 }
 
-std::vector<double> TabulatedAtmosphere::valuesAt(const AtmosphericQuery& question,
-                                                  std::size_t first, std::size_t last) const {
-    const AtmosphericPath& path = question.path;
-    const LineOfSight& sight = question.sight;
+std::vector<double> TabulatedAtmosphere::valuesAt(const AtmosphericQuery& query, std::size_t first,
+                                                  std::size_t last) const {
+    const AtmosphericPath& path = query.path;
+    const LineOfSight& sight = query.sight;
     const bool isHere = path.range_m == 0.0;
     const std::vector<double> nothing(last - first, 0.0);
-    switch (question.quantity) {
+    switch (query.quantity) {
     case AtmosphereProperty::transmittance: {
         std::vector<double> values = isHere ? nothing : depths(path, first, last);
         std::ranges::transform(values, values.begin(), [](double d) { return std::exp(-d); });
@@ -295,14 +295,14 @@ std::vector<double> TabulatedAtmosphere::valuesAt(const AtmosphericQuery& questi
     case AtmosphereProperty::pathRadiance:
         if (isHere)
             return nothing;
-        checkSun(question.sun);
+        checkSun(query.sun);
         return radiances_.answering(path).at(path, first, last, name_).radiance;
     case AtmosphereProperty::backgroundRadiance:
-        checkSun(question.sun);
+        checkSun(query.sun);
         return backgrounds_.at(sight.sensorAltitude_m, sight.elevation_rad, first, last, name_,
                                "line of sight");
     case AtmosphereProperty::solarIrradiance:
-        return sunlight(question, first, last);
+        return sunlight(query, first, last);
     case AtmosphereProperty::scatteringOpticalDepth:
         return isHere ? nothing : scatterings_.answering(path).at(path, first, last, name_).depth;
     default:
@@ -310,30 +310,30 @@ std::vector<double> TabulatedAtmosphere::valuesAt(const AtmosphericQuery& questi
     }
 }
 
-Spectrum TabulatedAtmosphere::nativeSpectrum(const AtmosphericQuery& question,
+Spectrum TabulatedAtmosphere::nativeSpectrum(const AtmosphericQuery& query,
                                              const SpectralRange& range) const {
     const auto [first, last] = nodesAround(range);
     const auto begin = wavelengths_um_.begin();
     const std::vector<double> nodes(begin + static_cast<std::ptrdiff_t>(first),
                                     begin + static_cast<std::ptrdiff_t>(last));
-    return {nodes, valuesAt(question, first, last), Spectrum::Outside::hold, name_};
+    return {nodes, valuesAt(query, first, last), Spectrum::Outside::hold, name_};
 }
 
-std::string TabulatedAtmosphere::nearestRun(const AtmosphericQuery& question) const {
+std::string TabulatedAtmosphere::nearestRun(const AtmosphericQuery& query) const {
     const auto ofPath = [&](const PropertyTables& tables) -> std::string {
-        const AtmosphericPath& path = question.path;
+        const AtmosphericPath& path = query.path;
         if (path.range_m == 0.0)
             return "";
         const PathTable& table = tables.answering(path);
         RunDistance distance = table.nearest(path);
-        if (question.quantity == AtmosphereProperty::transmittance) {
+        if (query.quantity == AtmosphereProperty::transmittance) {
             const RunDistance back =
                 table.nearest({path.targetAltitude_m, path.sensorAltitude_m, path.range_m});
             distance = back.sum() < distance.sum() ? back : distance;
         }
         return nearestRunText(distance);
     };
-    switch (question.quantity) {
+    switch (query.quantity) {
     case AtmosphereProperty::transmittance:
         return ofPath(transmittances_);
     case AtmosphereProperty::pathRadiance:
@@ -342,9 +342,9 @@ std::string TabulatedAtmosphere::nearestRun(const AtmosphericQuery& question) co
         return ofPath(scatterings_);
     case AtmosphereProperty::backgroundRadiance:
         return nearestRunText(
-            backgrounds_.nearest(question.sight.sensorAltitude_m, question.sight.elevation_rad));
+            backgrounds_.nearest(query.sight.sensorAltitude_m, query.sight.elevation_rad));
     case AtmosphereProperty::solarIrradiance:
-        return nearestRunText(suns_.nearest(question.altitude_m, question.sun.elevation_rad));
+        return nearestRunText(suns_.nearest(query.altitude_m, query.sun.elevation_rad));
     default:
         return "";
     }

@@ -72,17 +72,17 @@ class TabulatedAtmosphere : public Atmosphere, public RunFamily {
     SpectralRange base() const override;
     bool supports(AtmosphereProperty property) const override;
     AtmosphereDescription describe() const override;
-    std::string nearestRun(const AtmosphericQuery& question) const override;
+    std::string nearestRun(const AtmosphericQuery& query) const override;
 
-    /// Terms are wavenumbers of the runs, at which the table of these alone answers.
+    /// Quadrature points are wavenumbers of the runs, at which the table of these alone answers.
     bool isWidebandModeAvailable() const override { return true; }
     std::shared_ptr<const SensorCkData> prepareCk(const CkRequest& request) const override;
 
   protected:
-    Spectrum nativeSpectrum(const AtmosphericQuery& question,
+    Spectrum nativeSpectrum(const AtmosphericQuery& query,
                             const SpectralRange& range) const override;
-    std::vector<double> valuesAtTerms(const AtmosphericQuery& question,
-                                      const SensorCkData& terms) const override;
+    std::vector<double> valuesAtPoints(const AtmosphericQuery& query,
+                                       const SensorCkData& points) const override;
 
   private:
     /// Paths that end at altitudes of the air and paths to space are never mixed.
@@ -105,10 +105,10 @@ class TabulatedAtmosphere : public Atmosphere, public RunFamily {
     /// Optical depths of a path, of the path the other way round where the runs have only that.
     std::vector<double> depths(const AtmosphericPath& path, std::size_t first,
                                std::size_t last) const;
-    std::vector<double> sunlight(const AtmosphericQuery& question, std::size_t first,
+    std::vector<double> sunlight(const AtmosphericQuery& query, std::size_t first,
                                  std::size_t last) const;
     /// The answer at spectral nodes first to last - 1.
-    std::vector<double> valuesAt(const AtmosphericQuery& question, std::size_t first,
+    std::vector<double> valuesAt(const AtmosphericQuery& query, std::size_t first,
                                  std::size_t last) const;
     /// Paths of the training, or those between them.
     std::vector<AtmosphericPath> ckPaths(bool heldOut) const;
@@ -123,9 +123,9 @@ class TabulatedAtmosphere : public Atmosphere, public RunFamily {
     PropertyTables scatterings_;
     SightTable backgrounds_;
     SightTable suns_;
-    /// Tables of the terms that were asked last; copies share them.
-    struct OfTerms;
-    std::shared_ptr<OfTerms> ofTerms_;
+    /// Tables of the quadrature points that were asked last; copies share them.
+    struct OfPoints;
+    std::shared_ptr<OfPoints> ofPoints_;
 };
 
 } // namespace irsg

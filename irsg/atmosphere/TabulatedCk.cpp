@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "irsg/atmosphere/TabulatedAtmosphere.h"
-#include "irsg/atmosphere/TabulatedTerms.h"
+#include "irsg/atmosphere/TabulatedPoints.h"
 #include "irsg/atmosphere/ck/CkKept.h"
 #include "irsg/atmosphere/ck/CkTraining.h"
 
@@ -67,8 +67,8 @@ std::vector<AtmosphericPath> TabulatedAtmosphere::ckPaths(bool heldOut) const {
 
 std::shared_ptr<const TabulatedAtmosphere>
 TabulatedAtmosphere::of(const std::vector<std::uint32_t>& nodes) const {
-    const std::lock_guard lock(ofTerms_->mutex);
-    if (const auto known = ofTerms_->known.find(nodes); known != ofTerms_->known.end())
+    const std::lock_guard lock(ofPoints_->mutex);
+    if (const auto known = ofPoints_->known.find(nodes); known != ofPoints_->known.end())
         return known->second;
     std::vector<SpectralRun> some = runs_;
     for (SpectralRun& run : some)
@@ -82,15 +82,15 @@ TabulatedAtmosphere::of(const std::vector<std::uint32_t>& nodes) const {
                 kept.push_back((*values)[values->size() - 1 - nodes[i]]);
             *values = std::move(kept);
         }
-    if (ofTerms_->known.size() >= OfTerms::most)
-        ofTerms_->known.clear();
-    return ofTerms_->known[nodes] =
+    if (ofPoints_->known.size() >= OfPoints::most)
+        ofPoints_->known.clear();
+    return ofPoints_->known[nodes] =
                std::make_shared<const TabulatedAtmosphere>(std::move(some), name_);
 }
 
-std::vector<double> TabulatedAtmosphere::valuesAtTerms(const AtmosphericQuery& question,
-                                                       const SensorCkData& terms) const {
-    return of(terms.nodes().nodes)->valuesAt(question, 0, terms.size());
+std::vector<double> TabulatedAtmosphere::valuesAtPoints(const AtmosphericQuery& query,
+                                                        const SensorCkData& points) const {
+    return of(points.nodes().nodes)->valuesAt(query, 0, points.size());
 }
 
 std::shared_ptr<const SensorCkData> TabulatedAtmosphere::prepareCk(const CkRequest& request) const {
@@ -104,11 +104,11 @@ std::shared_ptr<const SensorCkData> TabulatedAtmosphere::prepareCk(const CkReque
                 .paths = ckPaths(false),
                 .sights = spread(backgrounds_.sights(), 40),
                 .heldOut = ckPaths(true)};
-    known.values = [&](const AtmosphericQuery& question) -> std::vector<double> {
-        if (!supports(question.quantity))
+    known.values = [&](const AtmosphericQuery& query) -> std::vector<double> {
+        if (!supports(query.quantity))
             return {};
         try {
-            std::vector<double> values = valuesAt(question, first, last);
+            std::vector<double> values = valuesAt(query, first, last);
             std::ranges::reverse(values); // nodes ascend in wavenumber
             return values;
         } catch (const InputError&) { // the family does not reach there

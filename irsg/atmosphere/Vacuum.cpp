@@ -18,14 +18,13 @@ bool Vacuum::supports(AtmosphereProperty property) const {
            (property != AtmosphereProperty::backgroundRadiance || background_ == Background::dark);
 }
 
-Spectrum Vacuum::nativeSpectrum(const AtmosphericQuery& question,
-                                const SpectralRange& range) const {
-    switch (question.quantity) {
+Spectrum Vacuum::nativeSpectrum(const AtmosphericQuery& query, const SpectralRange& range) const {
+    switch (query.quantity) {
     case AtmosphereProperty::transmittance:
         return Spectrum::constant(1.0);
     case AtmosphereProperty::solarIrradiance:
         return extraterrestrialSolarIrradiance(
-            range, question.sun.strength() * sunView(question.altitude_m, question.sun).part);
+            range, query.sun.strength() * sunView(query.altitude_m, query.sun).part);
     default:
         return Spectrum::constant(0.0);
     }

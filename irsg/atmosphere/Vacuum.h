@@ -19,7 +19,7 @@ class Vacuum : public Atmosphere {
     bool supports(AtmosphereProperty property) const override;
 
   protected:
-    Spectrum nativeSpectrum(const AtmosphericQuery& question,
+    Spectrum nativeSpectrum(const AtmosphericQuery& query,
                             const SpectralRange& range) const override;
 
   private:

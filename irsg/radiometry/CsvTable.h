@@ -59,7 +59,7 @@ class CsvTable {
     /// About the whole file.
     Diagnostic diagnostic(std::string value, std::string expected) const;
 
-    /// The finite number in a cell; otherwise adds an diagnostic and gives no value.
+    /// The finite number in a cell; otherwise adds a diagnostic and gives no value.
     std::optional<double> number(const CsvCell& cell, std::vector<Diagnostic>& diagnostics,
                                  const std::string& expected = "a finite number") const;
     /// The same for the value of a comment.

@@ -12,17 +12,17 @@ namespace irsg {
 
 namespace {
 
-/// Sum of term(0) to term(count - 1) in four strands, which do not wait for each other.
+/// Sum of term(0) to term(count - 1) in four partial sums, which do not wait for each other.
 template <typename Term>
 double sumOf(std::size_t count, Term term) {
-    double strands[4] = {0.0, 0.0, 0.0, 0.0};
+    double partialSums[4] = {0.0, 0.0, 0.0, 0.0};
     std::size_t i = 0;
     for (; i + 4 <= count; i += 4)
-        for (std::size_t strand = 0; strand < 4; ++strand)
-            strands[strand] += term(i + strand);
+        for (std::size_t s = 0; s < 4; ++s)
+            partialSums[s] += term(i + s);
     for (; i < count; ++i)
-        strands[0] += term(i);
-    return (strands[0] + strands[1]) + (strands[2] + strands[3]);
+        partialSums[0] += term(i);
+    return (partialSums[0] + partialSums[1]) + (partialSums[2] + partialSums[3]);
 }
 
 SpectralRange around(const std::vector<double>& wavelengths_um) {

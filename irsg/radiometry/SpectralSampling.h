@@ -10,8 +10,8 @@ namespace irsg {
 
 /// The nodes at which spectral quantities are known, with weights in um that add a quantity up:
 /// integral of f = sum of weight times f(node). The quadrature of a band is a sampling, one
-/// wavelength or a list of them is one, the terms of wideband-ck are one, and so is the whole axis
-/// of a spectrum.
+/// wavelength or a list of them is one, the quadrature points of wideband-ck are one, and so is the
+/// whole axis of a spectrum.
 ///
 /// What is multiplied is multiplied node by node, and added up last. So the quantities at one node
 /// must belong together, as they do at one wavelength or for one absorption coefficient of a gas;

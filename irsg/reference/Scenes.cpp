@@ -163,8 +163,8 @@ Entity entityOf(std::shared_ptr<const Model> model, SignatureDatabase database) 
     return entity;
 }
 
-Spectrum ConstantAir::nativeSpectrum(const AtmosphericQuery& question, const SpectralRange&) const {
-    switch (question.quantity) {
+Spectrum ConstantAir::nativeSpectrum(const AtmosphericQuery& query, const SpectralRange&) const {
+    switch (query.quantity) {
     case AtmosphereProperty::transmittance:
         return Spectrum::constant(transmittanceValue);
     case AtmosphereProperty::pathRadiance:
@@ -178,7 +178,7 @@ Spectrum ConstantAir::nativeSpectrum(const AtmosphericQuery& question, const Spe
     case AtmosphereProperty::downwardFlux:
         return Spectrum::constant(downValue);
     default:
-        throw LogicError("constant air has no " + std::string(irsg::name(question.quantity)));
+        throw LogicError("constant air has no " + std::string(irsg::name(query.quantity)));
     }
 }
 

@@ -67,7 +67,7 @@ class ConstantAir : public Atmosphere {
     double ambientTemperature_K(double) const override { return ambientValue_K; }
 
   protected:
-    Spectrum nativeSpectrum(const AtmosphericQuery& question, const SpectralRange&) const override;
+    Spectrum nativeSpectrum(const AtmosphericQuery& query, const SpectralRange&) const override;
 };
 Environment environmentOf(const ConstantAir& air, const SunPosition& sun = {});
 /// Air and sun of which every term is seen.

@@ -18,7 +18,7 @@ class MtfCurve {
 
     const std::vector<double>& frequencies_per_rad() const { return frequencies_per_rad_; }
     const std::vector<double>& values() const { return values_; }
-    /// Monotone cubic between the nodes, held constant outside.
+    /// Monotone cubic between the nodes, clamped outside.
     double at(double frequency_per_rad) const;
     /// Gain of the whole energy, MTF(0): (P_S + P_U) / P_U of the report's eq. 9.
     double gain() const { return values_.front(); }

@@ -30,13 +30,13 @@ bool haveEqualFacets(const RayMesh& one, const RayMesh& other) {
 
 /// What bodies see of themselves as far as any renderer of the process holds it: a picture and an
 /// analysis of one model find it once.
-class HeldLight {
+class KnownBodyLight {
   public:
     std::shared_ptr<const BodyLight> find(const RayMesh& mesh, const PieceUses& uses, double error,
                                           bool isAmongOthers) {
         const std::scoped_lock lock(mutex_);
-        std::erase_if(held_, [](const Held& one) { return one.light.expired(); });
-        for (const Held& one : held_) {
+        std::erase_if(known_, [](const Entry& one) { return one.light.expired(); });
+        for (const Entry& one : known_) {
             if (one.error != error || one.isAmongOthers != isAmongOthers || one.uses != uses)
                 continue;
             if (auto light = one.light.lock(); light && haveEqualFacets(light->mesh().rays(), mesh))
@@ -46,23 +46,23 @@ class HeldLight {
     }
     void add(const PreparedModel::KnownLight& known) {
         const std::scoped_lock lock(mutex_);
-        held_.push_back({known.uses, known.error, known.isAmongOthers, known.light});
+        known_.push_back({known.uses, known.error, known.isAmongOthers, known.light});
     }
 
   private:
-    struct Held {
+    struct Entry {
         PieceUses uses;
         double error;
         bool isAmongOthers;
         std::weak_ptr<const BodyLight> light;
     };
     std::mutex mutex_;
-    std::vector<Held> held_;
+    std::vector<Entry> known_;
 };
 
-HeldLight& heldLight() {
-    static HeldLight held;
-    return held;
+KnownBodyLight& knownBodyLight() {
+    static KnownBodyLight known;
+    return known;
 }
 
 } // namespace
@@ -84,7 +84,7 @@ std::shared_ptr<const BodyLight> PreparedModel::lightBetween(const PieceUses& us
     });
     if (known != nullptr)
         return known->light;
-    if (auto held = heldLight().find(*forRays(), uses, error, isAmongOthers))
+    if (auto held = knownBodyLight().find(*forRays(), uses, error, isAmongOthers))
         return light.add({uses, error, isAmongOthers, std::move(held)}).light;
     // What is between nodes is off by the square of their distance.
     constexpr double usualError = 0.005;
@@ -96,7 +96,7 @@ std::shared_ptr<const BodyLight> PreparedModel::lightBetween(const PieceUses& us
     auto nodes = std::make_shared<const LightNodes>(std::move(mesh), resolution);
     auto made = std::make_shared<const BodyLight>(std::move(nodes), uses, error);
     const KnownLight& added = light.add({uses, error, isAmongOthers, std::move(made)});
-    heldLight().add(added);
+    knownBodyLight().add(added);
     return added.light;
 }
 

@@ -87,7 +87,8 @@ Rendered Renderer::render(const Scene& scene, const SensorView& view, const Want
         result.spectrum = p.spectrum(frame, wanted, result);
         if (scene.settings.mode == CalculationMode::wideband)
             result.spectrum.warnings.push_back(
-                "spectra are computed in the spectral mode: a wideband term stands for the band, "
+                "spectra are computed in the spectral mode: a quadrature point of wideband-ck "
+                "stands for the band, "
                 "not for its wavelength");
     }
     return result;

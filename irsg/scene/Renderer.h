@@ -15,7 +15,7 @@ class RadianceTerms;
 
 /// Infrared scene generator: a scene, a view and what is wanted in; images, radiometry and spectra
 /// out. The result is a function of these values alone. What is kept between calls (prepared
-/// models, drawings, the air along a path, wideband terms, in-band radiances) are caches keyed by
+/// models, drawings, the air along a path, wideband points, in-band radiances) are caches keyed by
 /// values, and nobody sees whether one was hit but by the time.
 ///
 /// Draws on the process's off-screen OpenGL context (EGL, no display needed), or with rays, which

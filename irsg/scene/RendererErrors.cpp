@@ -182,9 +182,9 @@ void Renderer::Impl::addAirErrors(const Frame& frame, const ViewFactors& factors
         }
     }
     for (std::size_t o = 0; isWideband && o < reports.size(); ++o)
-        if (const auto* terms = SensorCkData::of(*frame.sampled->ofOutput(o).sampling))
+        if (const auto* points = SensorCkData::of(*frame.sampled->ofOutput(o).sampling))
             for (AirParts& one : parts[o])
-                one.add(deviations * terms->heldOutRms(), deviations * terms->heldOutRms());
+                one.add(deviations * points->heldOutRms(), deviations * points->heldOutRms());
 
     for (std::size_t o = 0; o < reports.size(); ++o) {
         RadiometryErrors& all = *reports[o].all.errors;

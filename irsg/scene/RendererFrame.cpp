@@ -157,11 +157,11 @@ std::shared_ptr<const WidebandPoints> Renderer::Impl::wideband(const Scene& scen
                                                                const Band& band) {
     WidebandSpectra spectra = widebandSpectraOf(scene.entities);
     const double error = scene.settings.widebandError;
-    widebandTerms.letGo([](const auto& kept) { return kept->isGone(); });
-    return widebandTerms.of(
+    widebandPoints.letGo([](const auto& kept) { return kept->isGone(); });
+    return widebandPoints.of(
         [&](const auto& kept) { return kept->areOf(scene.environment, band, spectra, error); },
         [&] {
-            return timed("wideband terms", [&] {
+            return timed("wideband points", [&] {
                 return std::make_shared<const WidebandPoints>(scene.environment, band,
                                                               std::move(spectra), error);
             });

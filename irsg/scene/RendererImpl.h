@@ -63,7 +63,7 @@ struct Renderer::Impl {
     SceneSampling sampling;
     SampledScenes sampledScenes;
     /// So many that bands and samples can take turns.
-    RecentlyUsed<std::shared_ptr<const WidebandPoints>> widebandTerms{128};
+    RecentlyUsed<std::shared_ptr<const WidebandPoints>> widebandPoints{128};
     RadiometryCache radiometry;
     Fronts fronts;
     PointSources pointSources;

@@ -127,7 +127,7 @@ void Renderer::Impl::takeMirrorGrids(const Scene& scene, const Band& band,
         return;
     const bool byAzimuth =
         std::ranges::any_of(scene.environment.atmospheres(), [](const auto& atmosphere) {
-            return atmosphere->answersByAzimuth(AtmosphereProperty::backgroundRadiance);
+            return atmosphere->dependsOnAzimuth(AtmosphereProperty::backgroundRadiance);
         });
     for (std::size_t e = 0; e < geometry.size(); ++e) {
         const Entity& entity = scene.entities[e];

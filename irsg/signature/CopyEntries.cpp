@@ -11,7 +11,7 @@ namespace irsg {
 
 namespace {
 
-using Taken = CopyRequest::Taken;
+using OnConflict = CopyRequest::OnConflict;
 
 /// Upwards, and from 1 again past the highest.
 int nextFree(const auto& entries, int index) {
@@ -38,15 +38,15 @@ std::string pathOf(const char* table, const Key& key) {
 /// Puts one entry into its table and says under which key.
 template <typename Key, typename Entry>
 Key place(std::map<Key, Entry>& table, const char* name, const Key& wanted, Entry entry,
-          Taken taken, const std::string& toName, std::vector<Diagnostic>& diagnostics) {
+          OnConflict onConflict, const std::string& toName, std::vector<Diagnostic>& diagnostics) {
     const auto there = table.find(wanted);
-    if (there == table.end() || taken == Taken::replace) {
+    if (there == table.end() || onConflict == OnConflict::replace) {
         table[wanted] = std::move(entry);
         return wanted;
     }
     if (there->second == entry)
         return wanted;
-    if (taken == Taken::refuse) {
+    if (onConflict == OnConflict::refuse) {
         diagnostics.push_back({toName, pathOf(name, wanted), "another entry",
                                "a free place, or leave to renumber or to replace"});
         return wanted;
@@ -77,7 +77,7 @@ CopyResult copyEntries(const SignatureDatabase& from, SignatureDatabase& to,
             absent(spectrumPath(name));
         } else if (!result.spectra.contains(name)) {
             result.spectra[name] = place(made.spectra, "spectra", name, spectrum->second,
-                                         request.taken, toName, diagnostics);
+                                         request.onConflict, toName, diagnostics);
         }
     };
     std::ranges::for_each(request.spectra, copySpectrum);
@@ -93,8 +93,9 @@ CopyResult copyEntries(const SignatureDatabase& from, SignatureDatabase& to,
             copySpectrum(copy.userSpectrum);
             copy.userSpectrum = result.spectra.at(copy.userSpectrum);
         }
-        result.temperatures[index] = place(made.temperatures, "temperatures", index,
-                                           std::move(copy), request.taken, toName, diagnostics);
+        result.temperatures[index] =
+            place(made.temperatures, "temperatures", index, std::move(copy), request.onConflict,
+                  toName, diagnostics);
     }
     for (const int index : request.materials) {
         const auto material = from.materials.find(index);
@@ -103,7 +104,7 @@ CopyResult copyEntries(const SignatureDatabase& from, SignatureDatabase& to,
             continue;
         }
         result.materials[index] = place(made.materials, "materials", index, material->second,
-                                        request.taken, toName, diagnostics);
+                                        request.onConflict, toName, diagnostics);
     }
     if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));

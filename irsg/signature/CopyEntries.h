@@ -14,11 +14,11 @@ struct CopyRequest {
     std::vector<int> temperatures;
     std::vector<int> materials;
     std::vector<std::string> spectra;
-    enum class Taken {
+    enum class OnConflict {
         refuse,  ///< InputError that lists each
         replace, ///< the entry of the target is lost
         renumber ///< the copy gets the next free index, a spectrum the next free name ("plume 2")
-    } taken = Taken::refuse;
+    } onConflict = OnConflict::refuse;
 };
 
 /// Where the copies went, by where they came from.

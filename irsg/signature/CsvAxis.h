@@ -9,7 +9,7 @@ namespace irsg {
 /// What the first column of a spectral table holds.
 enum class SpectralAxis { wavelength, wavenumber };
 
-/// Reads cell (0,0): `um` or `cm-1`. Everything else is an diagnostic, unless the row of names is
+/// Reads cell (0,0): `um` or `cm-1`. Everything else is a diagnostic, unless the row of names is
 /// missing and said to be.
 SpectralAxis readSpectralAxis(const CsvTable& table, const CsvColumns& columns,
                               std::vector<Diagnostic>& diagnostics);

@@ -1,8 +1,8 @@
 #include "irsg/signature/EntryJson.h"
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/signature/CanonicalJson.h"
 #include "irsg/signature/EntryFields.h"
-#include "irsg/signature/JsonText.h"
 
 namespace irsg {
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "irsg/signature/ClampedTables.h"
 #include "irsg/signature/Findings.h"
-#include "irsg/signature/HeldTables.h"
 #include "irsg/signature/LintEntries.h"
 #include "irsg/signature/SurfaceTemperature.h"
 
@@ -47,8 +47,8 @@ void lintEntry(int index, const TemperatureTerms& terms, const std::vector<Swept
     }
 }
 
-/// How often a table held its end value, and where first.
-struct Held {
+/// How often a table was clamped to its end value, and where first.
+struct ClampedTable {
     std::size_t count = 0;
     const SweptState* first = nullptr;
 };
@@ -62,15 +62,15 @@ void lintStates(const SignatureDatabase& database, const std::vector<SweptState>
     for (const auto& [index, entry] : database.temperatures)
         if (entry.mode == EmissionMode::temperature)
             lintEntry(index, entry.terms, states, findings);
-    std::map<std::string, Held> held;
+    std::map<std::string, ClampedTable> clamped;
     for (const SweptState& swept : states) {
-        for (const std::string& table : tablesHeld(database, swept.state)) {
-            Held& one = held[table];
+        for (const std::string& table : clampedTables(database, swept.state)) {
+            ClampedTable& one = clamped[table];
             one.first = one.count == 0 ? &swept : one.first;
             ++one.count;
         }
     }
-    for (const auto& [table, one] : held) {
+    for (const auto& [table, one] : clamped) {
         const auto entryEnd = table.find('.', table.find('.') + 1);
         Findings ofEntry(findings, table.substr(0, entryEnd));
         ofEntry.warning(table.substr(entryEnd),

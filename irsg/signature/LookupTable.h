@@ -5,7 +5,7 @@
 
 namespace irsg {
 
-/// A function given by nodes: linear between them, held constant outside, or periodic when `loop`
+/// A function given by nodes: linear between them, clamped outside, or periodic when `loop`
 /// is set (period = last - first node, report section 8).
 class LookupTable {
   public:

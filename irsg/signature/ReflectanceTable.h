@@ -10,7 +10,7 @@ namespace irsg {
 /// Measured reflectance over directions: a table of directional-hemispherical reflectance over the
 /// angle of incidence, or of a BRDF over incidence, reflection and the azimuth between the two (180
 /// deg: the side of the mirror direction), each at one wavelength or several. Linear between nodes
-/// of each axis, held beyond their ends. A value, cheap to copy.
+/// of each axis, clamped beyond their ends. A value, cheap to copy.
 class ReflectanceTable {
   public:
     /// The directions of a row and a value a wavelength. Of directional-hemispherical reflectance

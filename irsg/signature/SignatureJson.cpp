@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
+#include "irsg/signature/CanonicalJson.h"
 #include "irsg/signature/EntryFields.h"
 #include "irsg/signature/EntryJson.h"
 #include "irsg/signature/JsonReader.h"
-#include "irsg/signature/JsonText.h"
 #include "irsg/signature/LintErrors.h"
 #include "irsg/signature/MaterialCsv.h"
 #include "irsg/signature/SignatureFile.h"

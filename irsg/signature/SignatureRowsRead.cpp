@@ -96,7 +96,7 @@ class Reader {
         return {file_, table, columns, order, diagnostics_, name_};
     }
 
-    /// The value a constructor gives, or its default and an diagnostic at `place`.
+    /// The value a constructor gives, or its default and a diagnostic at `place`.
     template <typename Value, typename Make>
     Value guarded(const std::string& place, Make make) {
         try {

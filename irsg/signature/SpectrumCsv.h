@@ -44,7 +44,7 @@ enum class FactorAxis { time_s, angle_deg };
 
 /// Reads a factor table (report tables 19 and 20): first cell empty, row 0 component names, column
 /// 0 seconds or degrees. The tables are set in the factors of `into` by name (added where absent);
-/// a name that is not in `spectrum` is an diagnostic, and so are negative factors, axes that do not
+/// a name that is not in `spectrum` is a diagnostic, and so are negative factors, axes that do not
 /// ascend, angles outside 0 to 180 and a loop over angle. After an error `into` is what it was.
 void readFactorCsv(const std::filesystem::path& file, FactorAxis axis, bool loop,
                    const UserSpectrum& spectrum, ComponentFactors& into);

@@ -5,9 +5,9 @@
 
 namespace irsg {
 
-/// A measured table, a component for each of its wavelengths, linear between them and held beyond.
-/// A BRDF reflects as it was measured, from the incidence of the table to its reflection, and its
-/// integral is its reflectance over angle. Of directional-hemispherical reflectance alone,
+/// A measured table, a component for each of its wavelengths, linear between them and clamped
+/// beyond. A BRDF reflects as it was measured, from the incidence of the table to its reflection,
+/// and its integral is its reflectance over angle. Of directional-hemispherical reflectance alone,
 /// rho(theta), the least that is reciprocal and reflects as much at every angle is taken,
 ///   f = rho(i) rho(r) / (pi mean rho).
 /// Transmissivity is the material's; emissivity is what both leave.

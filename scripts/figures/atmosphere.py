@@ -125,12 +125,12 @@ def wideband(folder):
     panels = []
     for band in ("1.5-2.5", "3-5", "4.1-4.5", "8-12"):
         run = curves(folder / f"wideband-{band}.csv")
-        terms = run["terms [1]"]
-        panel = Panel(f"{band} µm", (0.6, 2.5), (-3, 2), "number of terms", "error, %", True)
-        panel.add(terms, run["trained RMS [%]"], BLUE, name="trained, RMS")
-        panel.add(terms, run["trained largest [%]"], BLUE, True, "largest")
-        panel.add(terms, run["sorted RMS [%]"], RED, name="sorted by absorption, RMS")
-        panel.add(terms, run["sorted largest [%]"], RED, True, "largest")
+        points = run["points [1]"]
+        panel = Panel(f"{band} µm", (0.6, 2.5), (-3, 2), "number of points", "error, %", True)
+        panel.add(points, run["trained RMS [%]"], BLUE, name="trained, RMS")
+        panel.add(points, run["trained largest [%]"], BLUE, True, "largest")
+        panel.add(points, run["sorted RMS [%]"], RED, name="sorted by absorption, RMS")
+        panel.add(points, run["sorted largest [%]"], RED, True, "largest")
         panels.append(panel)
     write("atmosphere-wideband.svg", panels)
 

@@ -118,8 +118,8 @@ CaseSetUp setUp(ImageSource& source, const SceneDescription& scene, const Analys
         const irsg::EntityState state = one.state(entity.state, scene.ownOf(i));
         source.setState(i, state);
         for (std::string& sentence :
-             heldTables(entity, state, set.poses[i], set.poses[i].toWorld(inModel[i]),
-                        set.viewpoint.position_m)) {
+             clampedTableWarnings(entity, state, set.poses[i], set.poses[i].toWorld(inModel[i]),
+                                  set.viewpoint.position_m)) {
             set.sentences.push_back(std::move(sentence));
         }
     }
@@ -217,7 +217,7 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
 
     {
         const SceneRestorer restore(source_, scene,
-                                    standingCase(data.settings).viewpoint(referencePoint));
+                                    startingCase(data.settings).viewpoint(referencePoint));
         const Target target = [&] {
             const StageTimer::Scope scope(timer, "choose");
             if (progress && data.settings[key::renderTargetError])

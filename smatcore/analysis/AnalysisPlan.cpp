@@ -84,7 +84,7 @@ Settings withFixedSteps(AnalysisKind kind, Settings settings) {
     return settings;
 }
 
-AnalysisCase standingCase(const Settings& settings) {
+AnalysisCase startingCase(const Settings& settings) {
     AnalysisCase one;
     one.time_s = settings[key::stateTime];
     one.attitude = targetPoseOf(settings).attitude;

@@ -97,7 +97,7 @@ bool isAdaptivePlot(AnalysisKind kind, const Settings& settings);
 Settings withFixedSteps(AnalysisKind kind, Settings settings);
 
 /// The target and the camera as the settings place them: the case every sweep starts from.
-AnalysisCase standingCase(const Settings& settings);
+AnalysisCase startingCase(const Settings& settings);
 
 /// Throws InputError naming every setting that does not fit the others: a reversed sweep, a range
 /// of 0 on a logarithmic axis, more than 1e6 cases, several bands of an image or a spectrum, the

@@ -16,16 +16,17 @@ namespace smat {
 
 namespace {
 
-/// What the terms of wideband-ck save and what training them costs, in units of transmittance and
-/// radiance of a path at all nodes of the band: a row of the background, and a case with spectra of
-/// gas, which make training dearer. In processor time of computed air
+/// What the quadrature points of wideband-ck save and what training them costs, in units of
+/// transmittance and radiance of a path at all nodes of the band: a row of the background, and a
+/// case with spectra of gas, which make training dearer. In processor time of computed air
 /// (docs/atmosphere-accuracy.md).
 constexpr double ofSky = 2.5, ofGases = 4.4, dearerWithGases = 3.3;
 
-/// Terms of air of a file are trained in a few lines of sight.
+/// Points of air of a file are trained in a few lines of sight.
 constexpr double fewestInAirOfAFile = 3.0;
 
-/// About as many terms as a fit has: where many bands have no more nodes each, terms save nothing.
+/// About as many points as a fit has: where many bands have no more nodes each, points save
+/// nothing.
 constexpr double fewestNodesOfABand = 40.0;
 
 /// Rows of a background that is as fine as half a percent needs, about.
@@ -43,7 +44,7 @@ struct Training {
 };
 
 /// What training in computed air costs.
-/// Nodes that lie dense are of many lines of several gases, whose fit needs more terms: 165 to 200
+/// Nodes that lie dense are of many lines of several gases, whose fit needs more points: 165 to 200
 /// units at 1.1 to 1.3 nodes of bins of 5 cm-1 per cm-1, 250 at 1.5, 330 to 400 at 1.9.
 Training training(const SceneDescription& scene) {
     double cost = 0.0, all = 0.0, bands = 0.0;
@@ -118,7 +119,7 @@ CalculationChoice chooseCalculation(const SceneDescription& scene, const Analysi
     if (computed.cost > 0.0 && bands.size() > 1 && computed.nodesOfABand < fewestNodesOfABand) {
         return {CalculationMode::spectral,
                 fmt::format("mode auto: spectral, as bands of {:.0f} nodes have no more of them "
-                            "than wideband-ck has terms",
+                            "than wideband-ck has quadrature points",
                             computed.nodesOfABand)};
     }
     const std::size_t lines = linesOfSight(plan),

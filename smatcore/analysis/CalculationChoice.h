@@ -19,7 +19,7 @@ struct CalculationChoice {
 /// spectra of gas are summed case by case. By processor times (docs/atmosphere-accuracy.md)
 /// training costs as much as 350 to 735 paths do by how dense the nodes of the band lie, 2.5 times
 /// as much with spectra of gas; air of a file pays from 3 lines on. The choice does not ask whether
-/// terms were kept on disk before: equal inputs have equal results.
+/// quadrature points were kept on disk before: equal inputs have equal results.
 CalculationChoice chooseCalculation(const SceneDescription& scene, const AnalysisPlan& plan);
 
 /// How many different lines of sight the air is asked along.

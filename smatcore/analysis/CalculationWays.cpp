@@ -53,7 +53,8 @@ double modelledCost_s(double samples, const CalculationWay& way, const SceneDesc
     double lines = 1.0;
     if (scene.render.background == irsg::BackgroundMode::environment)
         lines += 0.3 * (way.render.backgroundRows == 0 ? 16 : way.render.backgroundRows);
-    // Terms by the error that they are trained to: about 20, 45 and 80 for 1, 0.3 and 0.1 %.
+    // Quadrature points by the error that they are trained to: about 20, 45 and 80 for 1, 0.3 and
+    // 0.1 %.
     const double ofBins = way.render.mode == irsg::CalculationMode::wideband
                               ? 3e-3 * std::pow(0.003 / way.render.widebandError, 0.6)
                           : way.bins_per_cm == 0 ? 8e-3

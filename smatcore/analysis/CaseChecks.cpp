@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "irsg/signature/HeldTables.h"
+#include "irsg/signature/ClampedTables.h"
 
 namespace smat {
 
-std::vector<std::string> heldTables(const irsg::Entity& entity, irsg::EntityState state,
-                                    const irsg::Pose& pose, const irsg::Vec3& referencePoint,
-                                    const irsg::Vec3& camera) {
+std::vector<std::string> clampedTableWarnings(const irsg::Entity& entity, irsg::EntityState state,
+                                              const irsg::Pose& pose,
+                                              const irsg::Vec3& referencePoint,
+                                              const irsg::Vec3& camera) {
     if (!entity.database)
         return {};
     state.altitude_m = referencePoint.z;
@@ -21,7 +22,7 @@ std::vector<std::string> heldTables(const irsg::Entity& entity, irsg::EntityStat
             std::acos(std::clamp(irsg::dot(nose, toCamera) / range_m, -1.0, 1.0));
     }
     std::vector<std::string> sentences;
-    for (const std::string& table : irsg::tablesHeld(*entity.database, state)) {
+    for (const std::string& table : irsg::clampedTables(*entity.database, state)) {
         sentences.push_back(entity.name + ": the table " + table +
                             " does not reach this state and holds its end value");
     }

@@ -7,12 +7,13 @@
 
 namespace smat {
 
-/// A sentence for each lookup table of an entity's database that holds an end value in a state,
-/// because its axis does not reach it. Altitude and aspect angle are those of `referencePoint` (in
-/// the world) as seen from `camera`.
-std::vector<std::string> heldTables(const irsg::Entity& entity, irsg::EntityState state,
-                                    const irsg::Pose& pose, const irsg::Vec3& referencePoint,
-                                    const irsg::Vec3& camera);
+/// A sentence for each lookup table of an entity's database that is clamped to an end value in a
+/// state, because its axis does not reach it. Altitude and aspect angle are those of
+/// `referencePoint` (in the world) as seen from `camera`.
+std::vector<std::string> clampedTableWarnings(const irsg::Entity& entity, irsg::EntityState state,
+                                              const irsg::Pose& pose,
+                                              const irsg::Vec3& referencePoint,
+                                              const irsg::Vec3& camera);
 
 /// True where a corner of the bounding box of the target lies outside the frame or behind the
 /// camera. What is not in the frame is not in the sums. Never true for an entity without a model.

@@ -35,6 +35,6 @@ Settings settingsOf(const ResultTable& table);
 /// What tells each of several results apart from the others: "8-12 µm" and "3-5 µm", "ε 0.9" and
 /// "ε 0.3" where entries of their signature databases differ. Empty texts where nothing that is
 /// known differs, and of results of several kinds.
-std::vector<std::string> tellingNames(const std::vector<const AnalysisData*>& results);
+std::vector<std::string> distinguishingNames(const std::vector<const AnalysisData*>& results);
 
 } // namespace smat

@@ -307,7 +307,7 @@ void Frontier::run(AnalysisData& data, ImageSource& source, const SceneFactory& 
     // Neither drawing nor line of sight is shared, and all else is alike.
     const auto show = [&](std::size_t moved) {
         constexpr double step = 1e-4;
-        AnalysisCase one = standingCase(data.settings);
+        AnalysisCase one = startingCase(data.settings);
         one.azimuth_rad += step * static_cast<double>(moved % 100);
         one.range_m *= 1.0 + step * static_cast<double>(moved % 100);
         for (std::size_t i = 0; i < scene.entities.size(); ++i) {

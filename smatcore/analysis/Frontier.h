@@ -47,7 +47,7 @@ class Frontier {
 
     /// What its results are of: a tool.
     static AnalysisKind kind();
-    /// Those that differ in this scene. `wideband`: terms may be trained.
+    /// Those that differ in this scene. `wideband`: quadrature points may be trained.
     static std::vector<Way> waysOf(const SceneDescription& scene, bool wideband);
     static CalculationWay finest(const SceneDescription& scene);
 

@@ -67,7 +67,7 @@ void MonteCarloViews::draw(const Telling& tell, const std::stop_token& stop) {
     const irsg::Pose inScene = scene_.entities.front().pose;
     const irsg::Vec3 referencePoint = inScene.toWorld(inModel.front());
     const SceneRestorer restore(source_, scene_,
-                                standingCase(analysis.settings).viewpoint(referencePoint));
+                                startingCase(analysis.settings).viewpoint(referencePoint));
 
     data_.bands = bands_.size() > 1 ? bandLabels(bands_) : std::vector<std::string>{""};
     nominal_.resize(bands_.size());
@@ -89,8 +89,8 @@ void MonteCarloViews::draw(const Telling& tell, const std::stop_token& stop) {
             const irsg::EntityState state = one.state(scene_.entities[i].state, scene_.ownOf(i));
             source_.setState(i, state);
             for (const std::string& sentence :
-                 heldTables(scene_.entities[i], state, poses[i], poses[i].toWorld(inModel[i]),
-                            viewpoint.position_m))
+                 clampedTableWarnings(scene_.entities[i], state, poses[i],
+                                      poses[i].toWorld(inModel[i]), viewpoint.position_m))
                 warnings_.add(sentence);
         }
         drawPhases(one, viewpoint, tell, stop);

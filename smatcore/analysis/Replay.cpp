@@ -11,7 +11,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Wording.h"
-#include "smatcore/analysis/AskedAnalysis.h"
+#include "smatcore/analysis/AnalysisOfResult.h"
 #include "smatcore/analysis/InputFiles.h"
 
 namespace smat {

@@ -26,7 +26,7 @@ using Reports = ProbedViews::Reports;
 constexpr int firstWindow = 128, leastWindow = 64, largestWindow = 2048;
 /// Of view factors between surfaces, where it is asked whether they matter.
 constexpr double coarseLight = 0.1;
-/// That the terms of wideband-ck are trained to.
+/// That the quadrature points of wideband-ck are trained to.
 constexpr std::array widebandErrors = {0.01, 0.003, 0.001};
 constexpr double ofSkipped = 1.0 / 3.0; ///< of the target, for all that is left out
 
@@ -160,11 +160,11 @@ class Expected {
     }
 
   private:
-    /// Mode, bins, and what the terms of wideband-ck are trained to.
+    /// Mode, bins, and what the quadrature points of wideband-ck are trained to.
     using Air = std::tuple<CalculationMode, int, double>;
     static Air airOf(const CalculationWay& way) {
-        const bool hasTerms = way.render.mode == CalculationMode::wideband;
-        return {way.render.mode, way.bins_per_cm, hasTerms ? way.render.widebandError : 0.0};
+        const bool hasPoints = way.render.mode == CalculationMode::wideband;
+        return {way.render.mode, way.bins_per_cm, hasPoints ? way.render.widebandError : 0.0};
     }
 
     double sampling(int window) const {
@@ -182,7 +182,7 @@ class Expected {
             return known->second;
         double least = air_.begin()->second;
         for (const auto& [of, error] : air_) {
-            // Of other terms as what both are trained to, which is hopeful for fewer ones.
+            // Of points trained to another error, in proportion: hopeful for fewer points.
             const double wanted = std::get<double>(air), own = std::get<double>(of);
             if (wanted > 0.0 && own > 0.0)
                 return error * (wanted < own ? wanted / own : 0.5 * wanted / own);

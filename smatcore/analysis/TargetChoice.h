@@ -23,7 +23,7 @@ struct TargetChoice {
 struct TargetUse {
     std::size_t cases = 1;
     std::size_t linesOfSight = 1; ///< that differ in what the air answers
-    /// Terms of wideband-ck may be trained, in place of bins of the spectral mode.
+    /// Quadrature points of wideband-ck may be trained, in place of bins of the spectral mode.
     bool mayTrain = false;
     bool mayUseBins = true;
 };

@@ -45,8 +45,9 @@ void addSensor(std::vector<SettingInfo>& table) {
     band.add(named(
         choice(key::sensorMode, "--mode", "Calculation mode", {"auto", "spectral", "ck"}, "auto",
                "How the band integral is computed: spectral multiplies at every wavelength and "
-               "integrates last; ck takes a few terms (correlated k), trained to a few "
-               "thousandths. auto takes ck for sweeps over enough different lines of sight to pay "
+               "integrates last; ck (correlated k) takes a few quadrature points, trained "
+               "to a few thousandths. auto takes ck for sweeps over enough different lines of "
+               "sight to pay "
                "for the training: 3 in air read from a file, 6 to 400 in computed air, depending "
                "on how much is asked of it for each; results say what it took and why. With auto, "
                "images and frames are spectral; spectra always are.",
@@ -258,7 +259,7 @@ void addRendering(std::vector<SettingInfo>& table) {
         key::renderWidebandError, "--wideband-error", "Error of wideband-ck", "", 5e-4, 0.05,
         "0.003",
         "Largest relative error of an in-band quantity over the training cases of wideband-ck: a "
-        "smaller one takes more terms and longer training. A target error chooses it.",
+        "smaller one takes more points and longer training. A target error chooses it.",
         SettingAudience::expert));
     sun.add(named(choice(key::renderFluxes, "--fluxes", "Flux reflection", reflections, "smart",
                          "Reflected sky and ground radiation: off, approx (independent of "

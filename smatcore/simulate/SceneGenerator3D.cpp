@@ -155,8 +155,8 @@ SensorFrame SceneGenerator3D::place(std::size_t sensor, double time_s, std::size
         source_.setPose(drawn, at.pose);
         source_.setState(drawn, state);
         ++drawn;
-        const std::vector<std::string> held =
-            heldTables(entities[i], state, at.pose, referencePoint(i, at), view->position_m);
+        const std::vector<std::string> held = clampedTableWarnings(
+            entities[i], state, at.pose, referencePoint(i, at), view->position_m);
         frame.warnings.insert(frame.warnings.end(), held.begin(), held.end());
     }
     source_.setViewpoint(*view);

@@ -28,7 +28,7 @@ const RadiativeQuantity& entryOf(AtmosphereProperty property) {
 
 /// What a quantity needs of the geometry, or "" where it has it.
 std::string missingFor(AtmosphereProperty property, const PathGeometry& geometry) {
-    switch (irsg::placeOf(property)) {
+    switch (irsg::geometryOf(property)) {
     case irsg::QueryGeometry::path:
         return geometry.path ? ""
                              : "a sensor altitude, with a range and an elevation of the line of "
@@ -108,13 +108,12 @@ class Output {
     }
 
     Spectrum ask(AtmosphereProperty property) {
-        const irsg::AtmosphericQuery question{
-            .quantity = property,
-            .path = geometry_.path.value_or(irsg::AtmosphericPath{}),
-            .sight = geometry_.sight.value_or(irsg::LineOfSight{}),
-            .altitude_m = geometry_.targetAltitude_m.value_or(0.0),
-            .sun = environment_.sun};
-        irsg::Answer<Spectrum> answer = environment_.spectrum(question, request_.band);
+        const irsg::AtmosphericQuery query{.quantity = property,
+                                           .path = geometry_.path.value_or(irsg::AtmosphericPath{}),
+                                           .sight = geometry_.sight.value_or(irsg::LineOfSight{}),
+                                           .altitude_m = geometry_.targetAltitude_m.value_or(0.0),
+                                           .sun = environment_.sun};
+        irsg::Answer<Spectrum> answer = environment_.spectrum(query, request_.band);
         result_.answeredBy.push_back(std::string(irsg::name(property)) + ": " + answer.answeredBy);
         return std::move(answer.value);
     }

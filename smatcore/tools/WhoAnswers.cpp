@@ -24,7 +24,7 @@ AnswerSource sourceOf(std::string quantity, const irsg::Environment& environment
     for (const auto& atmosphere : environment.atmospheres()) {
         if (!mayAnswer(*atmosphere)) {
             source.refusals.push_back(atmosphere->name() + " " + whyNot(*atmosphere));
-        } else if (band != nullptr && !atmosphere->holds(*band)) {
+        } else if (band != nullptr && !atmosphere->covers(*band)) {
             source.refusals.push_back(outside(*atmosphere));
         } else {
             source.answeredBy = atmosphere->name();
@@ -49,7 +49,7 @@ AnswerSource sourceOf(AtmosphereProperty property, const irsg::Environment& envi
     return source;
 }
 
-/// One air has the terms of a band.
+/// One air has the quadrature points of a band.
 AnswerSource widebandSourceOf(const irsg::Environment& environment,
                               const irsg::SpectralRange& band) {
     AnswerSource source{.quantity = "wideband-ck", .answeredBy = {}, .refusals = {}};
@@ -59,7 +59,7 @@ AnswerSource widebandSourceOf(const irsg::Environment& environment,
             break;
         if (!atmosphere->isWidebandModeAvailable())
             source.refusals.push_back(atmosphere->name() + " " + atmosphere->widebandRefusal());
-        else if (!atmosphere->holds(band))
+        else if (!atmosphere->covers(band))
             source.refusals.push_back(outside(*atmosphere));
         else
             source.refusals.push_back(atmosphere->name() + " knows fewer quantities than " +

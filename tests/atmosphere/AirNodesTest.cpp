@@ -41,14 +41,14 @@ TEST(AirNodes, AddUpASingleQuantityAsItsSpectrumDoes) {
         for (const Band& over : {band, triangle}) {
             const auto nodes = air->nodesOf({over});
             EXPECT_NEAR(nodes->area_um(), over.area_um(), 2e-9); // weights are floats
-            for (const AtmosphericQuery& question :
+            for (const AtmosphericQuery& query :
                  {AtmosphericQuery::transmittance(path), AtmosphericQuery::pathRadiance(path, sun),
                   AtmosphericQuery::solarIrradiance(500.0, sun),
                   AtmosphericQuery::upwardFlux(500.0, sun),
                   AtmosphericQuery::backgroundRadiance({10.0, 0.3, 0.0}, sun)}) {
-                const double expected = sumOf(air->spectrum(question, over.range()), over);
-                EXPECT_NEAR(nodes->integrate(air->answer(question, *nodes)) / expected, 1.0, 1e-9)
-                    << resolution_per_cm << " " << name(question.quantity);
+                const double expected = sumOf(air->spectrum(query, over.range()), over);
+                EXPECT_NEAR(nodes->integrate(air->answer(query, *nodes)) / expected, 1.0, 1e-9)
+                    << resolution_per_cm << " " << name(query.quantity);
             }
         }
     }
@@ -87,9 +87,9 @@ TEST(AirNodes, AtWavelengthsAreTheSpectrum) {
     const auto sampling = air->nodesAt(wavelengths_um);
     const AirNodes& nodes = *AirNodes::of(*sampling);
     ASSERT_EQ(nodes.outputs().size(), wavelengths_um.size());
-    const AtmosphericQuery question = AtmosphericQuery::solarIrradiance(100.0, sun);
-    const Spectrum spectrum = air->spectrum(question, band.range());
-    const std::vector<double> values = air->answer(question, nodes);
+    const AtmosphericQuery query = AtmosphericQuery::solarIrradiance(100.0, sun);
+    const Spectrum spectrum = air->spectrum(query, band.range());
+    const std::vector<double> values = air->answer(query, nodes);
     const Spectrum slope({3.0, 3.4}, {0.0, 1.0});
     const std::vector<double> ofSlope = nodes.sampled(slope);
     for (std::size_t i = 0; i < wavelengths_um.size(); ++i) {
@@ -125,11 +125,11 @@ TEST(AirNodes, OfSeveralBandsAreThoseOfEachAlone) {
         EXPECT_EQ(part(together->wavelengths_um(), k), alone->wavelengths_um()) << k;
         EXPECT_EQ(part(together->weights_um(), k), alone->weights_um()) << k;
         EXPECT_EQ(part(together->sampled(slope), k), alone->sampled(slope)) << k;
-        for (const AtmosphericQuery& question :
+        for (const AtmosphericQuery& query :
              {AtmosphericQuery::transmittance(path), AtmosphericQuery::pathRadiance(path, sun),
               AtmosphericQuery::backgroundRadiance({10.0, 0.3, 0.0}, sun)}) {
-            EXPECT_EQ(part(air->answer(question, *together), k), air->answer(question, *alone))
-                << k << " " << name(question.quantity);
+            EXPECT_EQ(part(air->answer(query, *together), k), air->answer(query, *alone))
+                << k << " " << name(query.quantity);
         }
     }
     Environment one, two;
@@ -144,8 +144,8 @@ TEST(AirNodes, OfSeveralBandsAreThoseOfEachAlone) {
 TEST(AirNodes, OfOneAirAreAnsweredByAnotherWithItsSpectrum) {
     const auto air = airOf(), other = airOf(15);
     const auto nodes = air->nodesOf({band});
-    const AtmosphericQuery question = AtmosphericQuery::transmittance(path);
-    EXPECT_EQ(other->answer(question, *nodes),
+    const AtmosphericQuery query = AtmosphericQuery::transmittance(path);
+    EXPECT_EQ(other->answer(query, *nodes),
               nodes->sampled(other->transmittance(path, band.range())));
     BeerLambertParameters haze;
     haze.extinction_per_m = Spectrum({2.0, 6.0}, {1e-5, 4e-5});
@@ -156,7 +156,7 @@ TEST(AirNodes, OfOneAirAreAnsweredByAnotherWithItsSpectrum) {
     smooth.add(std::make_shared<BeerLambert>(haze));
     smooth.add(air);
     EXPECT_EQ(smooth.nodesOf(band), nullptr) << "who answers has no lines";
-    EXPECT_EQ(smooth.answer(question, *nodes).value,
+    EXPECT_EQ(smooth.answer(query, *nodes).value,
               nodes->sampled(smooth.atmospheres()[0]->transmittance(path, band.range())));
     EXPECT_THROW((void)AirNodes::of(*nodes)->arranged(std::vector<double>{1.0}), LogicError);
     EXPECT_THROW((void)air->nodesOf({Band::topHat(8.0, 9.0)}), LogicError);

@@ -30,8 +30,8 @@ const AtmosphericPath path{300.0, 100.0, 1000.0, 0.4};
 const SunPosition day{0.3, 0.6};
 const LineOfSight up{300.0, 0.2, 1.0};
 
-/// Every spectral question about one geometry.
-std::vector<AtmosphericQuery> questions() {
+/// Every spectral query about one geometry.
+std::vector<AtmosphericQuery> queries() {
     return {AtmosphericQuery::transmittance(path),
             AtmosphericQuery::pathRadiance(path, day),
             AtmosphericQuery::backgroundRadiance(up, day),
@@ -69,8 +69,8 @@ std::shared_ptr<const SpectraAtmosphere> measured() {
     air.sight = up;
     air.targetAltitude_m = 100.0;
     air.sun = day;
-    for (const AtmosphericQuery& question : questions()) {
-        air.spectra.emplace(question.quantity, Spectrum({3.0, 4.0, 5.0}, {0.25, 0.5, 0.75}));
+    for (const AtmosphericQuery& query : queries()) {
+        air.spectra.emplace(query.quantity, Spectrum({3.0, 4.0, 5.0}, {0.25, 0.5, 0.75}));
     }
     return std::make_shared<SpectraAtmosphere>(air);
 }
@@ -107,21 +107,21 @@ TEST_P(EveryAtmosphere, AnswersAtAnySamplingWithItsNativeSpectrum) {
                                     : SpectralRange{base.min_um + 0.1 * base.width_um(),
                                                     base.max_um - 0.1 * base.width_um()};
     int answered = 0;
-    for (const AtmosphericQuery& question : questions()) {
-        if (!air->supports(question.quantity)) {
-            EXPECT_THROW((void)air->spectrum(question, range), LogicError);
-            EXPECT_THROW((void)air->answer(question, SpectralPoints({4.0})), LogicError);
+    for (const AtmosphericQuery& query : queries()) {
+        if (!air->supports(query.quantity)) {
+            EXPECT_THROW((void)air->spectrum(query, range), LogicError);
+            EXPECT_THROW((void)air->answer(query, SpectralPoints({4.0})), LogicError);
             continue;
         }
         ++answered;
-        const Spectrum native = air->spectrum(question, range);
+        const Spectrum native = air->spectrum(query, range);
         EXPECT_TRUE(native.covers(range));
         const SpectralGrid grid(native, range);
-        EXPECT_EQ(air->answer(question, grid), native.sample(grid.wavelengths_um()));
+        EXPECT_EQ(air->answer(query, grid), native.sample(grid.wavelengths_um()));
         const Spectrum* const kinked[] = {&native};
         const SpectralQuadrature quadrature(
             Band::fromResponse(Spectrum({range.min_um, range.max_um}, {1.0, 0.5})), kinked);
-        EXPECT_EQ(air->answer(question, quadrature), quadrature.sampled(native));
+        EXPECT_EQ(air->answer(query, quadrature), quadrature.sampled(native));
     }
     EXPECT_GT(answered, 0);
 }
@@ -129,43 +129,43 @@ TEST_P(EveryAtmosphere, AnswersAtAnySamplingWithItsNativeSpectrum) {
 TEST_P(EveryAtmosphere, AnswersTypedCallsWithTheSameSpectra) {
     const auto air = GetParam().make();
     const SpectralRange base = air->base();
-    const auto expect = [&](const AtmosphericQuery& question, auto call) {
-        if (air->supports(question.quantity)) {
-            EXPECT_EQ(call(), air->spectrum(question, base));
+    const auto expect = [&](const AtmosphericQuery& query, auto call) {
+        if (air->supports(query.quantity)) {
+            EXPECT_EQ(call(), air->spectrum(query, base));
         }
     };
-    expect(questions()[0], [&] { return air->transmittance(path, base); });
-    expect(questions()[1], [&] { return air->pathRadiance(path, day, base); });
-    expect(questions()[2], [&] { return air->backgroundRadiance(up, day, base); });
-    expect(questions()[3], [&] { return air->solarIrradiance(100.0, day, base); });
-    expect(questions()[4], [&] { return air->upwardFlux(100.0, day, base); });
-    expect(questions()[5], [&] { return air->downwardFlux(100.0, day, base); });
-    expect(questions()[6], [&] { return air->scatteringOpticalDepth(path, base); });
+    expect(queries()[0], [&] { return air->transmittance(path, base); });
+    expect(queries()[1], [&] { return air->pathRadiance(path, day, base); });
+    expect(queries()[2], [&] { return air->backgroundRadiance(up, day, base); });
+    expect(queries()[3], [&] { return air->solarIrradiance(100.0, day, base); });
+    expect(queries()[4], [&] { return air->upwardFlux(100.0, day, base); });
+    expect(queries()[5], [&] { return air->downwardFlux(100.0, day, base); });
+    expect(queries()[6], [&] { return air->scatteringOpticalDepth(path, base); });
 }
 
 TEST_P(EveryAtmosphere, AnswersAtTheVeryEndsOfItsBaseButNotBeyond) {
     const auto air = GetParam().make();
     const SpectralRange base = air->base();
-    for (const AtmosphericQuery& question : questions()) {
-        if (!air->supports(question.quantity)) {
+    for (const AtmosphericQuery& query : queries()) {
+        if (!air->supports(query.quantity)) {
             continue;
         }
-        const Spectrum native = air->spectrum(question, base);
+        const Spectrum native = air->spectrum(query, base);
         for (const double end_um : {base.min_um, base.max_um}) {
-            const std::vector<double> values = air->answer(question, SpectralPoints({end_um}));
+            const std::vector<double> values = air->answer(query, SpectralPoints({end_um}));
             // Air with bins has the mean of a bin where it is asked for one wavelength.
             EXPECT_NEAR(values.at(0), native.at(end_um), 1e-3 * std::abs(native.at(end_um)));
         }
         const std::vector<double> ends =
-            air->answer(question, SpectralPoints({base.min_um, base.max_um}));
+            air->answer(query, SpectralPoints({base.min_um, base.max_um}));
         EXPECT_NEAR(ends[0], native.at(base.min_um), 1e-12 * std::abs(ends[0]));
         EXPECT_NEAR(ends[1], native.at(base.max_um), 1e-12 * std::abs(ends[1]));
-        EXPECT_THROW((void)air->answer(question, SpectralPoints({base.min_um * (1.0 - 1e-8)})),
+        EXPECT_THROW((void)air->answer(query, SpectralPoints({base.min_um * (1.0 - 1e-8)})),
                      LogicError);
-        EXPECT_THROW((void)air->answer(question, SpectralPoints({base.max_um * (1.0 + 1e-8)})),
+        EXPECT_THROW((void)air->answer(query, SpectralPoints({base.max_um * (1.0 + 1e-8)})),
                      LogicError);
     }
-    EXPECT_FALSE(air->holds({base.max_um * (1.0 + 1e-8), 2.0 * base.max_um}));
+    EXPECT_FALSE(air->covers({base.max_um * (1.0 + 1e-8), 2.0 * base.max_um}));
 }
 
 TEST_P(EveryAtmosphere, DependsOnTheAzimuthOnlyWhereItSaysSo) {
@@ -174,12 +174,12 @@ TEST_P(EveryAtmosphere, DependsOnTheAzimuthOnlyWhereItSaysSo) {
     AtmosphericPath turned = path;
     turned.azimuth_rad += 1.0;
     const AtmosphericQuery there = AtmosphericQuery::pathRadiance(turned, day);
-    if (air->supports(there.quantity) && !air->answersByAzimuth(there.quantity)) {
+    if (air->supports(there.quantity) && !air->dependsOnAzimuth(there.quantity)) {
         EXPECT_EQ(air->spectrum(there, base),
                   air->spectrum(AtmosphericQuery::pathRadiance(path, day), base));
     }
     if (air->supports(AtmosphereProperty::backgroundRadiance) &&
-        !air->answersByAzimuth(AtmosphereProperty::backgroundRadiance)) {
+        !air->dependsOnAzimuth(AtmosphereProperty::backgroundRadiance)) {
         const LineOfSight aside{up.sensorAltitude_m, up.elevation_rad, up.azimuth_rad + 1.0};
         EXPECT_EQ(air->spectrum(AtmosphericQuery::backgroundRadiance(aside, day), base),
                   air->spectrum(AtmosphericQuery::backgroundRadiance(up, day), base));
@@ -188,20 +188,19 @@ TEST_P(EveryAtmosphere, DependsOnTheAzimuthOnlyWhereItSaysSo) {
     environment.add(air);
     EXPECT_EQ(environment.keyOf(there, base) ==
                   environment.keyOf(AtmosphericQuery::pathRadiance(path, day), base),
-              !air->answersByAzimuth(there.quantity));
+              !air->dependsOnAzimuth(there.quantity));
 }
 
 TEST_P(EveryAtmosphere, RefusesWhatIsNoGeometry) {
     const auto air = GetParam().make();
     const SpectralRange base = air->base();
     const double nan = std::nan("");
-    for (AtmosphericQuery question : questions()) {
-        if (!air->supports(question.quantity)) {
+    for (AtmosphericQuery query : queries()) {
+        if (!air->supports(query.quantity)) {
             continue;
         }
-        question.path.sensorAltitude_m = question.sight.sensorAltitude_m = question.altitude_m =
-            -1.0;
-        EXPECT_THROW((void)air->spectrum(question, base), InputError);
+        query.path.sensorAltitude_m = query.sight.sensorAltitude_m = query.altitude_m = -1.0;
+        EXPECT_THROW((void)air->spectrum(query, base), InputError);
     }
     if (air->supports(AtmosphereProperty::transmittance)) {
         EXPECT_THROW((void)air->transmittance({0.0, 0.0, 1.0, nan}, base), InputError);
@@ -226,16 +225,16 @@ TEST(AnswersOfAnEnvironment, AreThoseOfTheFirstThatAccepts) {
     Environment environment;
     environment.add(haze("near", {3.0, 4.0}));
     environment.add(haze("wide", {3.0, 5.0}));
-    const AtmosphericQuery question = AtmosphericQuery::transmittance(path);
+    const AtmosphericQuery query = AtmosphericQuery::transmittance(path);
     const SpectralPoints low({3.2, 3.9}), all({3.2, 4.9});
-    EXPECT_EQ(environment.answer(question, low).answeredBy, "near");
-    EXPECT_EQ(environment.answer(question, low).value,
-              environment.atmospheres()[0]->answer(question, low));
-    EXPECT_EQ(environment.answer(question, all).answeredBy, "wide");
-    EXPECT_EQ(environment.answer(question, all).value,
-              environment.atmospheres()[1]->answer(question, all));
+    EXPECT_EQ(environment.answer(query, low).answeredBy, "near");
+    EXPECT_EQ(environment.answer(query, low).value,
+              environment.atmospheres()[0]->answer(query, low));
+    EXPECT_EQ(environment.answer(query, all).answeredBy, "wide");
+    EXPECT_EQ(environment.answer(query, all).value,
+              environment.atmospheres()[1]->answer(query, all));
     EXPECT_THAT(refusalOf([&] {
-                    (void)environment.answer(question, SpectralPoints({4.0, 5.5}));
+                    (void)environment.answer(query, SpectralPoints({4.0, 5.5}));
                 }),
                 AllOf(HasSubstr("environment: transmittance over 4-5.5 um"),
                       HasSubstr("near (holds only 3-4 um)"),
@@ -244,15 +243,15 @@ TEST(AnswersOfAnEnvironment, AreThoseOfTheFirstThatAccepts) {
 
 TEST(AnswersOfAnEnvironment, TakeTheDefaultBackgroundWhereNobodyHasOne) {
     Environment environment;
-    const AtmosphericQuery question = AtmosphericQuery::backgroundRadiance(up, day);
+    const AtmosphericQuery query = AtmosphericQuery::backgroundRadiance(up, day);
     const SpectralPoints points({3.0, 4.0});
-    EXPECT_THAT(refusalOf([&] { (void)environment.answer(question, points); }),
+    EXPECT_THAT(refusalOf([&] { (void)environment.answer(query, points); }),
                 AllOf(HasSubstr("background radiance"), HasSubstr("no atmosphere")));
     environment.defaultBackground = Spectrum({3.0, 5.0}, {1.0, 3.0});
-    EXPECT_EQ(environment.answer(question, points).value, (std::vector<double>{1.0, 2.0}));
-    EXPECT_EQ(environment.answer(question, points).answeredBy, "default");
+    EXPECT_EQ(environment.answer(query, points).value, (std::vector<double>{1.0, 2.0}));
+    EXPECT_EQ(environment.answer(query, points).answeredBy, "default");
     environment.add(haze());
-    EXPECT_EQ(environment.answer(question, SpectralPoints({3.5})).answeredBy, "haze");
+    EXPECT_EQ(environment.answer(query, SpectralPoints({3.5})).answeredBy, "haze");
 }
 
 TEST(AnswersOfAnEnvironment, AreZeroForASunBelowTheHorizon) {
@@ -267,51 +266,54 @@ TEST(AnswersOfAnEnvironment, AreZeroForASunBelowTheHorizon) {
     EXPECT_EQ(sunlight({0.0, -0.3}).answeredBy, "measured");
 }
 
-TEST(AnswersAtTerms, AreThoseOfTheAirThatPreparedThem) {
+TEST(AnswersAtPoints, AreThoseOfTheAirThatPreparedThem) {
     const auto air = smart();
     Environment environment = Environment::vacuum();
     environment.add(air);
     environment.defaultBackground = Spectrum::constant(5.0);
-    const auto terms = environment.prepareCk(requestOf(Band::topHat(9.92, 9.98)));
-    EXPECT_EQ(terms.answeredBy, "smart");
-    const SensorCkData& ck = *terms.value;
+    const auto points = environment.prepareCk(requestOf(Band::topHat(9.92, 9.98)));
+    EXPECT_EQ(points.answeredBy, "smart");
+    const SensorCkData& ck = *points.value;
     const RadiativeTransfer& transfer = air->transfer();
     const NodeSet& nodes = ck.nodes();
-    const auto expect = [&](const AtmosphericQuery& question, const std::vector<double>& values) {
-        const auto answer = environment.answer(question, ck);
+    const auto expect = [&](const AtmosphericQuery& query, const std::vector<double>& values) {
+        const auto answer = environment.answer(query, ck);
         EXPECT_EQ(answer.answeredBy, "smart"); // though the vacuum is asked first
         EXPECT_EQ(answer.value, values);
-        EXPECT_EQ(air->answer(question, ck), values);
-        EXPECT_EQ(environment.answer(question, SpectralPoints({9.95})).answeredBy, "vacuum");
+        EXPECT_EQ(air->answer(query, ck), values);
+        EXPECT_EQ(environment.answer(query, SpectralPoints({9.95})).answeredBy, "vacuum");
     };
-    expect(questions()[0], transfer.transmittance(nodes, path));
-    expect(questions()[1], transfer.pathRadiance(nodes, path, day));
-    expect(questions()[2], transfer.backgroundRadiance(nodes, up, day));
-    expect(questions()[3], transfer.solarIrradiance(nodes, 100.0, day));
-    expect(questions()[4], transfer.upwardFlux(nodes, 100.0, day));
-    expect(questions()[5], transfer.downwardFlux(nodes, 100.0, day));
-    expect(questions()[6], transfer.scatteringOpticalDepth(nodes, path));
+    expect(queries()[0], transfer.transmittance(nodes, path));
+    expect(queries()[1], transfer.pathRadiance(nodes, path, day));
+    expect(queries()[2], transfer.backgroundRadiance(nodes, up, day));
+    expect(queries()[3], transfer.solarIrradiance(nodes, 100.0, day));
+    expect(queries()[4], transfer.upwardFlux(nodes, 100.0, day));
+    expect(queries()[5], transfer.downwardFlux(nodes, 100.0, day));
+    expect(queries()[6], transfer.scatteringOpticalDepth(nodes, path));
     const auto night =
         environment.answer(AtmosphericQuery::solarIrradiance(100.0, {0.0, -0.1}), ck);
     EXPECT_EQ(night.value, std::vector<double>(ck.size(), 0.0));
 }
 
-TEST(AnswersAtTerms, AreRefusedByNameWhereNoAirHasThem) {
+TEST(AnswersAtPoints, AreRefusedByNameWhereNoAirHasThem) {
     Environment real;
     real.add(smart(1));
-    const auto terms = real.prepareCk(requestOf(Band::topHat(9.92, 9.98)));
-    EXPECT_THAT(
-        refusalOf([&] { (void)real.answer(AtmosphericQuery::upwardFlux(0.0, day), *terms.value); }),
-        AllOf(HasSubstr("wideband upward flux over 9.92-9.98 um"), HasSubstr("smart (has no"),
-              HasSubstr("a wideband atmosphere that supports this quantity")));
+    const auto points = real.prepareCk(requestOf(Band::topHat(9.92, 9.98)));
+    EXPECT_THAT(refusalOf([&] {
+                    (void)real.answer(AtmosphericQuery::upwardFlux(0.0, day), *points.value);
+                }),
+                AllOf(HasSubstr("wideband upward flux over 9.92-9.98 um"),
+                      HasSubstr("smart (has no"),
+                      HasSubstr("a wideband atmosphere that supports this quantity")));
     Environment plain = Environment::vacuum();
     plain.defaultBackground = Spectrum::constant(5.0);
     EXPECT_THAT(refusalOf([&] {
-                    (void)plain.answer(AtmosphericQuery::backgroundRadiance(up, day), *terms.value);
+                    (void)plain.answer(AtmosphericQuery::backgroundRadiance(up, day),
+                                       *points.value);
                 }),
                 AllOf(HasSubstr("wideband-ck over 9.92-9.98 um"),
                       HasSubstr("vacuum (has no wideband mode)")));
-    EXPECT_THROW((void)Vacuum().answer(AtmosphericQuery::transmittance(path), *terms.value),
+    EXPECT_THROW((void)Vacuum().answer(AtmosphericQuery::transmittance(path), *points.value),
                  LogicError);
     EXPECT_THROW((void)Vacuum().prepareCk(requestOf(Band::topHat(9.92, 9.98))), LogicError);
 }

@@ -19,8 +19,8 @@ const SunPosition sun{1.0, 0.5};
 
 TEST(AtmosphericQuery, KeysDifferInWhateverTheAnswerDependsOn) {
     std::set<AtmosphericQueryKey> keys;
-    const auto isNew = [&](const AtmosphericQuery& question) {
-        return keys.insert(question.key(true)).second;
+    const auto isNew = [&](const AtmosphericQuery& query) {
+        return keys.insert(query.key(true)).second;
     };
     EXPECT_TRUE(isNew(AtmosphericQuery::transmittance(path)));
     EXPECT_TRUE(isNew(AtmosphericQuery::scatteringOpticalDepth(path)));
@@ -44,10 +44,10 @@ TEST(AtmosphericQuery, KeysHoldNothingElse) {
     AtmosphericPath turned = path;
     turned.azimuth_rad = 2.0;
     // Transmittance knows no sun and no azimuth, even if it is told.
-    AtmosphericQuery question = AtmosphericQuery::transmittance(path);
-    question.sun = {2.0, -0.4};
-    question.altitude_m = 77.0;
-    EXPECT_EQ(question.key(true), AtmosphericQuery::transmittance(turned).key(true));
+    AtmosphericQuery query = AtmosphericQuery::transmittance(path);
+    query.sun = {2.0, -0.4};
+    query.altitude_m = 77.0;
+    EXPECT_EQ(query.key(true), AtmosphericQuery::transmittance(turned).key(true));
     // A path radiance that does not depend on the azimuth has the same key all around.
     EXPECT_EQ(AtmosphericQuery::pathRadiance(path, sun).key(false),
               AtmosphericQuery::pathRadiance(turned, {2.5, sun.elevation_rad}).key(false));
@@ -74,7 +74,7 @@ TEST(AtmosphericQuery, TheAzimuthCountsFromTheSunOnEitherSide) {
 TEST(AtmosphereProperty, HasOneKindOfPlace) {
     std::map<QueryGeometry, int> counts;
     for (const AtmosphereProperty property : allAtmosphereProperties) {
-        ++counts[placeOf(property)];
+        ++counts[geometryOf(property)];
     }
     EXPECT_EQ(counts[QueryGeometry::path], 3);
     EXPECT_EQ(counts[QueryGeometry::sight], 1);

@@ -29,9 +29,9 @@ TEST(CkStore, GivesBackWhatWasKeptUnderTheSameKey) {
     const CkStore store(folder.path() / "not" / "there");
     const std::string key = CkKey().add(0.1).add("air").text();
     EXPECT_FALSE(store.find(key));
-    store.keep(key, "terms\n1 2");
-    EXPECT_EQ(store.find(key), "terms\n1 2");
-    EXPECT_EQ(CkStore(folder.path() / "not" / "there").find(key), "terms\n1 2");
+    store.keep(key, "points\n1 2");
+    EXPECT_EQ(store.find(key), "points\n1 2");
+    EXPECT_EQ(CkStore(folder.path() / "not" / "there").find(key), "points\n1 2");
     EXPECT_FALSE(store.find(CkKey().add(0.1 + 1e-17 + 1e-16).add("air").text()));
     store.keep(key, "other");
     EXPECT_EQ(store.find(key), "other");
@@ -45,15 +45,15 @@ TEST(CkStore, KeysTellNumbersAndTextsApart) {
 TEST(CkStore, WhatIsDamagedIsNotThere) {
     const TemporaryFolder folder;
     const CkStore store(folder.path());
-    store.keep("key", "terms");
+    store.keep("key", "points");
     const fs::path file = onlyFile(folder.path());
     for (const std::string text :
          {"", "wideband", "wideband terms 1\n", "wideband terms 1\n4:kex terms"}) {
         std::ofstream(file) << text;
         EXPECT_FALSE(store.find("key")) << text;
     }
-    store.keep("key", "terms");
-    ASSERT_EQ(store.find("key"), "terms");
+    store.keep("key", "points");
+    ASSERT_EQ(store.find("key"), "points");
     const std::string whole = readFile(file);
     for (std::size_t at = 0; at < whole.size(); ++at) {
         std::string bad = whole;
@@ -88,7 +88,7 @@ TEST(CkStore, AFolderThatCannotBeWrittenIsNoFault) {
     const TemporaryFolder folder;
     std::ofstream(folder.path() / "file") << "no folder";
     const CkStore store(folder.path() / "file" / "below");
-    EXPECT_NO_THROW(store.keep("key", "terms"));
+    EXPECT_NO_THROW(store.keep("key", "points"));
     EXPECT_FALSE(store.find("key"));
 }
 

@@ -86,7 +86,7 @@ TEST(LightOfThePath, IsBrightestTowardsTheSunAndAlikeOnBothSides) {
     EXPECT_GT(at(0.0), 2.0 * at(1.5));
     EXPECT_DOUBLE_EQ(at(0.7), at(-0.7));
     EXPECT_DOUBLE_EQ(at(0.7), at(0.7 + 2.0 * pi));
-    EXPECT_TRUE(air.answersByAzimuth(AtmosphereProperty::pathRadiance));
+    EXPECT_TRUE(air.dependsOnAzimuth(AtmosphereProperty::pathRadiance));
     // In the dark there is no direction.
     const SunPosition night{1.0, -0.5};
     EXPECT_EQ(air.pathRadiance({100.0, 100.0, 5000.0, 0.0}, night, range),

@@ -63,8 +63,8 @@ CkRequest requestFor(double low_um, double high_um) {
 }
 
 /// Largest relative error of the apparent radiance of black bodies along a path.
-double worstOver(const Atmosphere& air, const SensorCkData& terms, const AtmosphericPath& path) {
-    const Band& band = terms.band();
+double worstOver(const Atmosphere& air, const SensorCkData& points, const AtmosphericPath& path) {
+    const Band& band = points.band();
     const AtmosphericQuery tau = AtmosphericQuery::transmittance(path),
                            light = AtmosphericQuery::pathRadiance(path, {0.4, 0.7});
     const Spectrum through = air.spectrum(tau, band.range());
@@ -76,8 +76,9 @@ double worstOver(const Atmosphere& air, const SensorCkData& terms, const Atmosph
         const double expected =
             quadrature.integrate(quadrature.planck(temperature_K), quadrature.sampled(through)) +
             quadrature.integrate(quadrature.sampled(emitted));
-        const double found = terms.integrate(terms.planck(temperature_K), air.answer(tau, terms)) +
-                             terms.integrate(air.answer(light, terms));
+        const double found =
+            points.integrate(points.planck(temperature_K), air.answer(tau, points)) +
+            points.integrate(air.answer(light, points));
         worst = std::max(worst, std::abs(found / expected - 1.0));
     }
     return worst;
@@ -86,72 +87,72 @@ double worstOver(const Atmosphere& air, const SensorCkData& terms, const Atmosph
 TEST(HazeCk, GivesApparentRadianceWithinHalfAPercent) {
     const BeerLambert air = haze();
     for (const auto& [low_um, high_um] : {std::pair{3.0, 5.0}, {8.0, 12.0}, {4.1, 4.5}}) {
-        const auto terms = air.prepareCk(requestFor(low_um, high_um));
+        const auto points = air.prepareCk(requestFor(low_um, high_um));
         double worst = 0.0;
         for (const double range_m : {0.0, 5.0, 47.0, 410.0, 1700.0, 5200.0, 17e3, 62e3}) {
-            worst = std::max(worst, worstOver(air, *terms, {300.0, 900.0, range_m}));
+            worst = std::max(worst, worstOver(air, *points, {300.0, 900.0, range_m}));
         }
-        EXPECT_LT(worst, 0.005) << low_um << " um, " << terms->size() << " terms";
-        EXPECT_LT(terms->heldOutError(), 0.01);
-        EXPECT_GT(terms->heldOutError(), terms->heldOutRms());
-        EXPECT_LT(terms->size(), 80u);
-        std::cout << low_um << "-" << high_um << ": " << terms->size() << " terms, worst "
-                  << 100.0 * worst << " %, held out " << 100.0 * terms->heldOutError() << " %\n";
+        EXPECT_LT(worst, 0.005) << low_um << " um, " << points->size() << " points";
+        EXPECT_LT(points->heldOutError(), 0.01);
+        EXPECT_GT(points->heldOutError(), points->heldOutRms());
+        EXPECT_LT(points->size(), 80u);
+        std::cout << low_um << "-" << high_um << ": " << points->size() << " points, worst "
+                  << 100.0 * worst << " %, held out " << 100.0 * points->heldOutError() << " %\n";
     }
 }
 
 TEST(HazeCk, AnswersEveryQuantityAsTheSpectralModeDoes) {
     const BeerLambert air = haze();
     const SunPosition sun{0.4, 0.7};
-    const auto terms = air.prepareCk(requestFor(3.0, 5.0));
-    for (const AtmosphericQuery& question :
+    const auto points = air.prepareCk(requestFor(3.0, 5.0));
+    for (const AtmosphericQuery& query :
          {AtmosphericQuery::backgroundRadiance({500.0, 0.2, 0.0}, sun),
           AtmosphericQuery::backgroundRadiance({500.0, 0.0, 0.0}, sun),
           AtmosphericQuery::backgroundRadiance({500.0, -0.02, 0.0}, sun),
           AtmosphericQuery::backgroundRadiance({500.0, -1.2, 0.0}, sun),
           AtmosphericQuery::solarIrradiance(100.0, sun), AtmosphericQuery::upwardFlux(100.0, sun),
           AtmosphericQuery::downwardFlux(100.0, sun)}) {
-        const Spectrum spectral = air.spectrum(question, terms->range());
+        const Spectrum spectral = air.spectrum(query, points->range());
         const Spectrum* axes[] = {&spectral};
-        const SpectralQuadrature quadrature(terms->band(), axes);
-        EXPECT_NEAR(terms->integrate(air.answer(question, *terms)) /
+        const SpectralQuadrature quadrature(points->band(), axes);
+        EXPECT_NEAR(points->integrate(air.answer(query, *points)) /
                         quadrature.integrate(quadrature.sampled(spectral)),
                     1.0, 0.006)
-            << name(question.quantity) << " at " << question.sight.elevation_rad;
+            << name(query.quantity) << " at " << query.sight.elevation_rad;
     }
     const std::vector<double> depth =
-        air.answer(AtmosphericQuery::scatteringOpticalDepth({0.0, 0.0, 1e3}), *terms);
+        air.answer(AtmosphericQuery::scatteringOpticalDepth({0.0, 0.0, 1e3}), *points);
     EXPECT_THAT(depth, testing::Each(0.0));
 }
 
 TEST(TableCk, GivesApparentRadianceWithinHalfAPercentBetweenItsRuns) {
     const TabulatedAtmosphere air(runs({500.0, 2000.0, 5000.0, 20000.0}, {0.0, 1000.0, 3000.0}),
                                   "family");
-    const auto terms = air.prepareCk(requestFor(4.0, 5.0));
+    const auto points = air.prepareCk(requestFor(4.0, 5.0));
     double worst = 0.0;
     for (const double altitude_m : {0.0, 400.0, 2100.0, 3000.0}) {
         for (const double range_m : {12.0, 90.0, 700.0, 3100.0, 8000.0, 19000.0}) {
-            worst = std::max(worst, worstOver(air, *terms, {altitude_m, altitude_m, range_m}));
+            worst = std::max(worst, worstOver(air, *points, {altitude_m, altitude_m, range_m}));
         }
     }
-    EXPECT_LT(worst, 0.005) << terms->size() << " terms";
-    EXPECT_LT(terms->heldOutError(), 0.01);
-    EXPECT_LT(terms->size(), 100u);
-    std::cout << terms->size() << " terms, worst " << 100.0 * worst << " %, held out "
-              << 100.0 * terms->heldOutError() << " %\n";
+    EXPECT_LT(worst, 0.005) << points->size() << " points";
+    EXPECT_LT(points->heldOutError(), 0.01);
+    EXPECT_LT(points->size(), 100u);
+    std::cout << points->size() << " points, worst " << 100.0 * worst << " %, held out "
+              << 100.0 * points->heldOutError() << " %\n";
 }
 
 TEST(TableCk, IsTrainedAlongTheRangesOfASingleRun) {
     const TabulatedAtmosphere air(runs({5000.0}, {0.0}), "one run");
-    const auto terms = air.prepareCk(requestFor(4.0, 4.8));
+    const auto points = air.prepareCk(requestFor(4.0, 4.8));
     for (const double range_m : {20.0, 300.0, 1900.0, 4900.0}) {
-        EXPECT_LT(worstOver(air, *terms, {0.0, 0.0, range_m}), 0.005) << range_m;
+        EXPECT_LT(worstOver(air, *points, {0.0, 0.0, range_m}), 0.005) << range_m;
     }
 }
 
 TEST(TableCk, RefusesWhatTheFamilyDoesNotHoldAsTheSpectralModeDoes) {
     const TabulatedAtmosphere air(runs({5000.0}, {0.0}), "one run");
-    const auto terms = air.prepareCk(requestFor(4.0, 4.8));
+    const auto points = air.prepareCk(requestFor(4.0, 4.8));
     const auto refusal = [&](auto ask) -> std::string {
         try {
             ask();
@@ -161,13 +162,13 @@ TEST(TableCk, RefusesWhatTheFamilyDoesNotHoldAsTheSpectralModeDoes) {
         return "";
     };
     const AtmosphericQuery tooFar = AtmosphericQuery::transmittance({0.0, 0.0, 6000.0});
-    const std::string spectral = refusal([&] { (void)air.spectrum(tooFar, terms->range()); });
+    const std::string spectral = refusal([&] { (void)air.spectrum(tooFar, points->range()); });
     EXPECT_THAT(spectral, HasSubstr("range up to 5000 m"));
-    EXPECT_EQ(refusal([&] { (void)air.answer(tooFar, *terms); }), spectral);
+    EXPECT_EQ(refusal([&] { (void)air.answer(tooFar, *points); }), spectral);
     Environment environment;
     environment.add(std::make_shared<TabulatedAtmosphere>(air));
     EXPECT_THAT(
-        refusal([&] { (void)environment.answer(AtmosphericQuery::upwardFlux(0.0, {}), *terms); }),
+        refusal([&] { (void)environment.answer(AtmosphericQuery::upwardFlux(0.0, {}), *points); }),
         HasSubstr("wideband upward flux over 4-4.8 um: found one run (has no upward flux)"));
 }
 

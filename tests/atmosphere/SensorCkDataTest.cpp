@@ -74,7 +74,7 @@ TEST_P(Wideband, GivesApparentRadianceWithinHalfAPercent) {
     const Spectrum hot = plume();
     const bool hasPlume = test.min_um < 4.3 && test.max_um > 4.3;
     double worst = 0.0, trained = 0.0, heldOut = 0.0;
-    std::size_t terms = 0, nodes = 0;
+    std::size_t points = 0, nodes = 0;
     for (int model = 1; model <= 6; ++model) {
         const RadiativeTransfer transfer = airOf(static_cast<ModelAtmosphere>(model));
         CkRequest request;
@@ -84,14 +84,14 @@ TEST_P(Wideband, GivesApparentRadianceWithinHalfAPercent) {
             request.radiances = {&hot};
         }
         const SensorCkData ck = SensorCkData::prepare(transfer, request);
-        terms = std::max(terms, ck.size());
+        points = std::max(points, ck.size());
         trained = std::max(trained, ck.largestError());
         heldOut = std::max(heldOut, ck.heldOutError());
         EXPECT_GT(ck.heldOutError(), ck.heldOutRms());
         EXPECT_LT(ck.heldOutRms(), 0.002);
         const NodeSet spectral = transfer.nodesOf(band.range());
         nodes = spectral.nodes.size();
-        const std::vector<double> hotTerms = ck.sampled(hot);
+        const std::vector<double> hotPoints = ck.sampled(hot);
         for (const AtmosphericPath& path : paths()) {
             const Spectrum transmittance =
                 transfer.spectrum(band.range(), transfer.transmittance(spectral, path));
@@ -125,12 +125,12 @@ TEST_P(Wideband, GivesApparentRadianceWithinHalfAPercent) {
                 compare(quadrature.planck(temperature_K), ck.planck(temperature_K), "grey");
             }
             if (hasPlume) {
-                compare(quadrature.sampled(hot), hotTerms, "plume");
+                compare(quadrature.sampled(hot), hotPoints, "plume");
             }
         }
     }
-    std::cout << test.name << ": largest error " << 100.0 * worst << " %, at most " << terms
-              << " terms for " << nodes << " nodes, trained to " << 100.0 * trained
+    std::cout << test.name << ": largest error " << 100.0 * worst << " %, at most " << points
+              << " points for " << nodes << " nodes, trained to " << 100.0 * trained
               << " %, held out " << 100.0 * heldOut << " %\n";
 }
 
@@ -158,7 +158,7 @@ TEST(SensorCkData, HoldsWhatASensorNeeds) {
             EXPECT_GT(ck.wavelengths_um()[i], ck.wavelengths_um()[i - 1]);
         }
     }
-    // The table of black bodies by terms: report section on wideband, 200 to 2200 K.
+    // The table of black bodies by points: report section on wideband, 200 to 2200 K.
     for (double temperature_K = 220.0; temperature_K <= 2200.0; temperature_K += 110.0) {
         EXPECT_NEAR(ck.integrate(ck.planck(temperature_K)) /
                         bandRadiance_W_m2_sr(band, temperature_K),
@@ -167,10 +167,10 @@ TEST(SensorCkData, HoldsWhatASensorNeeds) {
     EXPECT_THROW((void)ck.integrate(std::vector<double>{1.0}), LogicError);
 }
 
-TEST(SensorCkData, WorksWithOneTerm) {
+TEST(SensorCkData, WorksWithOnePoint) {
     CkRequest request;
     request.band = Band::topHat(10.0, 10.2);
-    request.mostTerms = 1;
+    request.mostPoints = 1;
     const SensorCkData ck = SensorCkData::prepare(airOf(ModelAtmosphere::usStandard1976), request);
     EXPECT_EQ(ck.size(), 1u);
     // One wavelength serves no path well; it weighs as much as the band is wide, roughly.
@@ -234,7 +234,7 @@ TEST(SensorCkData, AreFoundByAllThatTheyDependOn) {
     another([&](CkRequest& r) { r.materials = {&paint}; });
     another([&](CkRequest& r) { r.radiances = {&paint}; });
     another([](CkRequest& r) { r.largestError = 0.01; });
-    another([](CkRequest& r) { r.mostTerms = 10; });
+    another([](CkRequest& r) { r.mostPoints = 10; });
 }
 
 TEST(SensorCkData, AreNothingFromWhatIsDamaged) {

@@ -230,7 +230,7 @@ TEST(SmatBatchSimulate, AnImagingSensorFileSetsWhatItSays) {
     EXPECT_EQ(sensor["settings"]["render.scattering"], "true");
 }
 
-TEST(SmatBatchSimulate, WidebandTermsAreTrainedOnceForEachSensor) {
+TEST(SmatBatchSimulate, WidebandPointsAreTrainedOnceForEachSensor) {
     const TemporaryFolder folder;
     write(folder / "sphere.csv", spherePath);
     const std::string air =
@@ -242,7 +242,7 @@ TEST(SmatBatchSimulate, WidebandTermsAreTrainedOnceForEachSensor) {
                      R"("dt_s": 1, "end_s": 2, "environment": {"atmospheres": [")" + air + "\"]}"));
     const Ran ran = simulated(folder, {"--mode", "ck", "--timing"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
-    EXPECT_THAT(ran.err, testing::ContainsRegex("wideband terms +2 "));
+    EXPECT_THAT(ran.err, testing::ContainsRegex("wideband points +2 "));
 }
 
 TEST(SmatBatchSimulate, AnInterruptOrATerminationKeepsFramesAndTables) {

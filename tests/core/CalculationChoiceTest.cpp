@@ -84,8 +84,8 @@ TEST(CalculationChoices, AreTrainedLaterWhereTheSpectrumHasManyLinesOfSeveralGas
     EXPECT_NEAR(static_cast<double>(sparse), 53.0, 6.0);
 }
 
-/// By wall time 360 aspects in 100 bands of 0.02 um took twice as long with terms as without.
-TEST(CalculationChoices, AreSpectralInManyBandsThatAreAsNarrowAsTermsAreMany) {
+/// By wall time 360 aspects in 100 bands of 0.02 um took twice as long with points as without.
+TEST(CalculationChoices, AreSpectralInManyBandsThatAreAsNarrowAsPointsAreMany) {
     SceneDescription scene;
     irsg::AtmosphereSmartParameters parameters;
     scene.environment.add(std::make_shared<irsg::AtmosphereSmart>(parameters));
@@ -100,7 +100,7 @@ TEST(CalculationChoices, AreSpectralInManyBandsThatAreAsNarrowAsTermsAreMany) {
     EXPECT_EQ(inParts(1).mode, CalculationMode::wideband);
     EXPECT_EQ(inParts(4).mode, CalculationMode::wideband);
     EXPECT_EQ(inParts(100).mode, CalculationMode::spectral);
-    EXPECT_THAT(inParts(100).reason, HasSubstr("than wideband-ck has terms"));
+    EXPECT_THAT(inParts(100).reason, HasSubstr("than wideband-ck has quadrature points"));
 }
 
 TEST(CalculationChoices, CountALineOfSightOnceHoweverManyAspectsShareIt) {

@@ -101,7 +101,7 @@ TEST(ConditionAnalysis, TakesTheCameraAlongWithTheAltitude) {
     EXPECT_NEAR(target.positions[0].z, 1000.0 + 700.0 * std::sin(irsg::radians(10.0)), 1e-6);
     EXPECT_EQ(
         target.positions.back(),
-        (standingCase(data.settings).viewpoint(target.poses.front().toWorld(target.referencePoint)))
+        (startingCase(data.settings).viewpoint(target.poses.front().toWorld(target.referencePoint)))
             .position_m);
 }
 

@@ -91,11 +91,11 @@ irsg::SignatureDatabase painted(double emissivity) {
     return database;
 }
 
-TEST(TellingNames, SayWhatDiffers) {
+TEST(DistinguishingNames, SayWhatDiffers) {
     const ResultTable plain = polar({});
     using Names = std::vector<std::string>;
     const auto namesOf = [](const AnalysisData& a, const AnalysisData& b) {
-        return tellingNames({&a, &b});
+        return distinguishingNames({&a, &b});
     };
     const AnalysisData grey = result(plain, painted(0.9)), bright = result(plain, painted(0.3));
     EXPECT_EQ(namesOf(grey, bright), (Names{"ε 0.9", "ε 0.3"}));
@@ -117,25 +117,25 @@ TEST(TellingNames, SayWhatDiffers) {
               (Names{"with grey paint", "without grey paint"}));
 }
 
-TEST(TellingNames, SayNothingWhereNothingIsKnownToDiffer) {
+TEST(DistinguishingNames, SayNothingWhereNothingIsKnownToDiffer) {
     const AnalysisData one = result(polar({}), painted(0.9));
-    EXPECT_EQ(tellingNames({&one, &one}), (std::vector<std::string>{"", ""}));
-    EXPECT_EQ(tellingNames({&one}), (std::vector<std::string>{""}));
+    EXPECT_EQ(distinguishingNames({&one, &one}), (std::vector<std::string>{"", ""}));
+    EXPECT_EQ(distinguishingNames({&one}), (std::vector<std::string>{""}));
     AnalysisData unknown;
     unknown.table = polar({});
-    EXPECT_EQ(tellingNames({&one, &unknown}), (std::vector<std::string>{"", ""}));
+    EXPECT_EQ(distinguishingNames({&one, &unknown}), (std::vector<std::string>{"", ""}));
 
     // Monte Carlo is told apart by what it repeats, where that differs.
     AnalysisData mwir = result(polar({{"sensor.band", "3-5 um"}}), painted(0.9));
     AnalysisData lwir = result(polar({{"sensor.band", "8-12 um"}}), painted(0.9));
     mwir.kind = lwir.kind = AnalysisKind::monteCarlo;
-    EXPECT_EQ(tellingNames({&mwir, &lwir}), (std::vector<std::string>{"3-5 µm", "8-12 µm"}));
+    EXPECT_EQ(distinguishingNames({&mwir, &lwir}), (std::vector<std::string>{"3-5 µm", "8-12 µm"}));
     for (auto& [key, value] : lwir.table.provenance.entries) {
         if (key == "analysis") {
             value = "range";
         }
     }
-    EXPECT_EQ(tellingNames({&mwir, &lwir}), (std::vector<std::string>{"", ""}));
+    EXPECT_EQ(distinguishingNames({&mwir, &lwir}), (std::vector<std::string>{"", ""}));
 }
 
 /// Angles and elevations of the cases of a polar plot.

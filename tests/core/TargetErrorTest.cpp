@@ -73,7 +73,7 @@ class Lawful : public test::AnalyticSource {
         return report;
     }
     int largest = 0;          ///< window that was ever drawn
-    std::set<double> trained; ///< what terms of wideband-ck were ever trained to
+    std::set<double> trained; ///< what points of wideband-ck were ever trained to
 };
 
 TargetChoice chosen(Lawful& source, double target, irsg::RenderSettings render = {}) {
@@ -106,7 +106,7 @@ TEST(TargetChoice, TakesTheSmallestWindowWhoseErrorIsBelow) {
     }
 }
 
-TEST(TargetChoice, TrainsTermsOfWidebandNoFinerThanNeeded) {
+TEST(TargetChoice, TrainsPointsOfWidebandNoFinerThanNeeded) {
     struct Row {
         double target, trained;
     };

@@ -13,7 +13,7 @@
 #include "irsg/scattering/FinishedBatches.h"
 #endif
 
-// Readers of what programs of ours keep for themselves: trained terms, batches of photons.
+// Readers of what programs of ours keep for themselves: trained points, batches of photons.
 
 namespace smat::test {
 
@@ -44,12 +44,12 @@ std::string widebandText() {
 }
 
 void readWidebandText(File file) {
-    const auto terms = irsg::SensorCkData::fromKept(irsg::CkNodes(air(), narrowBand()),
-                                                    narrowBand(), irsg::readFile(file));
-    if (!terms) { // trained anew, without a word
-        throw irsg::InputError({file.string(), "", "no terms", "terms that were kept"});
+    const auto points = irsg::SensorCkData::fromKept(irsg::CkNodes(air(), narrowBand()),
+                                                     narrowBand(), irsg::readFile(file));
+    if (!points) { // trained anew, without a word
+        throw irsg::InputError({file.string(), "", "no points", "points that were kept"});
     }
-    const std::vector<double> means = terms->sampled(irsg::Spectrum::constant(0.5));
+    const std::vector<double> means = points->sampled(irsg::Spectrum::constant(0.5));
     for (const double mean : means) {
         if (!(std::abs(mean - 0.5) < 1e-9)) {
             throw std::logic_error("a mean of 0.5 that is none");
@@ -60,7 +60,7 @@ void readWidebandText(File file) {
 std::string keptBytes() {
     const fs::path folder =
         fs::temp_directory_path() / ("smat-fuzz-kept-" + std::to_string(getpid()));
-    irsg::CkStore(folder).keep(keptUnder, "terms");
+    irsg::CkStore(folder).keep(keptUnder, "points");
     const std::string bytes = irsg::readFile(fs::directory_iterator(folder)->path());
     fs::remove_all(folder);
     return bytes;
@@ -78,7 +78,7 @@ void readKept(File file) {
         return made;
     }();
     if (!store.find(keptUnder)) {
-        throw irsg::InputError({file.string(), "", "no terms", "terms that were kept"});
+        throw irsg::InputError({file.string(), "", "no points", "points that were kept"});
     }
 }
 
@@ -99,7 +99,7 @@ void readBatches(File file) {
 std::vector<FuzzedReader> keptReaders() {
     return {
         {"kept-file", ".ck", readKept, {}, {keptBytes()}},
-        {"kept-terms", ".ck", readWidebandText, {}, {widebandText()}},
+        {"kept-points", ".ck", readWidebandText, {}, {widebandText()}},
 #ifdef SMAT_HAS_SCATTERING
         {"mtf-batches",
          ".part",

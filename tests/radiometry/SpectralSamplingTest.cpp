@@ -88,7 +88,7 @@ TEST(SpectralQuadrature, IsASamplingOfItsBand) {
     EXPECT_NEAR(sampling.integrate(sampling.sampled(a), sampling.sampled(a)), 11.0 / 12.0, 1e-14);
 }
 
-// The sum is taken in strands: as many nodes as leave each number over.
+// The sum is taken in four partial sums: as many nodes as leave each number over.
 TEST(SpectralSampling, AddsUpAnyNumberOfNodes) {
     for (std::size_t count = 1; count <= 9; ++count) {
         std::vector<double> wavelengths_um(count), weights_um(count), values(count);

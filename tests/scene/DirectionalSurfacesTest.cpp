@@ -294,12 +294,12 @@ class Sky : public ConstantAir {
     }
 
   protected:
-    Spectrum nativeSpectrum(const AtmosphericQuery& question,
+    Spectrum nativeSpectrum(const AtmosphericQuery& query,
                             const SpectralRange& range) const override {
-        if (question.quantity == AtmosphereProperty::backgroundRadiance) {
-            return Spectrum::constant(at(question.sight.elevation_rad));
+        if (query.quantity == AtmosphereProperty::backgroundRadiance) {
+            return Spectrum::constant(at(query.sight.elevation_rad));
         }
-        return ConstantAir::nativeSpectrum(question, range);
+        return ConstantAir::nativeSpectrum(query, range);
     }
 };
 

@@ -453,10 +453,10 @@ TEST(AirOfASweep, IsAskedOnceForAPathThatItsCasesShare) {
         mutable long asked = 0;
 
       protected:
-        Spectrum nativeSpectrum(const AtmosphericQuery& question,
+        Spectrum nativeSpectrum(const AtmosphericQuery& query,
                                 const SpectralRange& range) const override {
             ++asked;
-            return ConstantAir::nativeSpectrum(question, range);
+            return ConstantAir::nativeSpectrum(query, range);
         }
     };
     auto air = std::make_shared<CountingAir>();

@@ -20,12 +20,12 @@ const Band midwave = Band::topHat(3.0, 5.0);
 /// not.
 class TwoBandAir : public ConstantAir {
   protected:
-    Spectrum nativeSpectrum(const AtmosphericQuery& question,
+    Spectrum nativeSpectrum(const AtmosphericQuery& query,
                             const SpectralRange& range) const override {
-        if (question.quantity != AtmosphereProperty::transmittance) {
-            return ConstantAir::nativeSpectrum(question, range);
+        if (query.quantity != AtmosphereProperty::transmittance) {
+            return ConstantAir::nativeSpectrum(query, range);
         }
-        const double t = std::exp(-1e-3 * question.path.range_m);
+        const double t = std::exp(-1e-3 * query.path.range_m);
         return Spectrum({0.2, 4.0, 4.0001, 40.0}, {1.0, 1.0, t, t});
     }
 };
@@ -33,12 +33,12 @@ class TwoBandAir : public ConstantAir {
 /// Air whose lines are saturated: exp(-sqrt(range / km)) beyond 4 um.
 class SaturatedAir : public ConstantAir {
   protected:
-    Spectrum nativeSpectrum(const AtmosphericQuery& question,
+    Spectrum nativeSpectrum(const AtmosphericQuery& query,
                             const SpectralRange& range) const override {
-        if (question.quantity != AtmosphereProperty::transmittance) {
-            return ConstantAir::nativeSpectrum(question, range);
+        if (query.quantity != AtmosphereProperty::transmittance) {
+            return ConstantAir::nativeSpectrum(query, range);
         }
-        const double t = std::exp(-std::sqrt(1e-3 * question.path.range_m));
+        const double t = std::exp(-std::sqrt(1e-3 * query.path.range_m));
         return Spectrum({0.2, 4.0, 4.0001, 40.0}, {1.0, 1.0, t, t});
     }
 };

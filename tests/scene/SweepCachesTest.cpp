@@ -22,7 +22,7 @@ namespace {
 
 constexpr IrCodes body{1, 1}, gas{2, 2};
 
-/// Air of which every answer depends on every number of its question.
+/// Air of which every answer depends on every number of its query.
 class SensitiveAir : public Atmosphere {
   public:
     explicit SensitiveAir(double density = 1.0) : density_(density) {}
@@ -30,20 +30,20 @@ class SensitiveAir : public Atmosphere {
     std::string name() const override { return "sensitive air"; }
     SpectralRange base() const override { return {0.2, 40.0}; }
     bool supports(AtmosphereProperty) const override { return true; }
-    bool answersByAzimuth(AtmosphereProperty property) const override { return hasSun(property); }
+    bool dependsOnAzimuth(AtmosphereProperty property) const override { return hasSun(property); }
     double ambientTemperature_K(double altitude_m) const override {
         return 290.0 - 0.0065 * altitude_m;
     }
 
   protected:
-    Spectrum nativeSpectrum(const AtmosphericQuery& question, const SpectralRange&) const override {
-        const auto& numbers = question.key(true).numbers;
+    Spectrum nativeSpectrum(const AtmosphericQuery& query, const SpectralRange&) const override {
+        const auto& numbers = query.key(true).numbers;
         double depth = 0.0;
         const double weights[] = {3e-5, 2e-5, 3e-3, 0.2, 0.1, 0.3, 0.4};
         for (std::size_t i = 0; i < numbers.size(); ++i) {
             depth += weights[i] * numbers[i];
         }
-        const double value = question.quantity == AtmosphereProperty::transmittance
+        const double value = query.quantity == AtmosphereProperty::transmittance
                                  ? std::exp(-density_ * depth)
                                  : 2.0 + std::sin(density_ * depth);
         return Spectrum({0.2, 3.0, 4.0, 40.0}, {value, value, 0.5 * value, value});

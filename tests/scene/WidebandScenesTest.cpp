@@ -38,7 +38,7 @@ RenderReport measured(Irsg& irsg, CalculationMode mode,
 
 long trainings(const Irsg& irsg) {
     for (const StageTimes::Stage& stage : irsg.stageTimes().stages) {
-        if (stage.name == "wideband terms") {
+        if (stage.name == "wideband points") {
             return stage.calls;
         }
     }
@@ -77,19 +77,19 @@ TEST_P(WidebandScenes, HaveTheIntensityAndTheBackgroundOfTheSpectralMode) {
     RecordProperty("worst_percent", std::to_string(100.0 * worst));
 }
 
-TEST(WidebandRadiometry, MultipliesMonochromaticallyAtEveryTerm) {
+TEST(WidebandRadiometry, MultipliesMonochromaticallyAtEveryPoint) {
     const auto smart = smartAir(2);
     const Environment environment = environmentOf(smart);
     const std::vector<Entity> entities{entityOf(box(), withGas(200.0))};
     const ObjectGeometry geometry = geometryOf({1500.0, 1000.0, 3000.0});
     RenderSettings settings;
     settings.sun = settings.fluxes = ReflectionMode::off;
-    const auto terms = std::make_shared<const WidebandPoints>(environment, Band::topHat(3.0, 5.0),
-                                                              widebandSpectraOf(entities));
+    const auto points = std::make_shared<const WidebandPoints>(environment, Band::topHat(3.0, 5.0),
+                                                               widebandSpectraOf(entities));
     const SceneRadiometry scene =
-        atTerms(environment, entities, {geometry}, settings, {1500.0, -0.1, 0.0}, terms);
+        atPoints(environment, entities, {geometry}, settings, {1500.0, -0.1, 0.0}, points);
 
-    const SensorCkData& ck = terms->data();
+    const SensorCkData& ck = points->data();
     const std::vector<double> path = smart->transfer().transmittance(ck.nodes(), geometry.path);
     const std::vector<double> inside =
         smart->transfer().transmittance(ck.nodes(), {1000.0 + 500.0 / 15.0, 1000.0, 200.0});
@@ -117,14 +117,14 @@ TEST_P(WidebandScenes, ReflectAsIfMultipliedAtEveryNodeOfTheBand) {
     const RadiativeTransfer& transfer = smart->transfer();
     const NodeSet nodes = transfer.nodesOf(range);
     const std::vector<Entity> entities{entityOf(ball(), greyDatabase(0.6, 300.0))};
-    const auto terms = std::make_shared<const WidebandPoints>(environment, GetParam().band(),
-                                                              widebandSpectraOf(entities));
+    const auto points = std::make_shared<const WidebandPoints>(environment, GetParam().band(),
+                                                               widebandSpectraOf(entities));
     for (const AtmosphericPath& path :
          {AtmosphericPath{1000.0, 1000.0, 500.0}, AtmosphericPath{3300.0, 1000.0, 3000.0},
           AtmosphericPath{2200.0, 1000.0, 4000.0}}) {
         const SceneRadiometry scene =
-            atTerms(environment, entities, {geometryOf(path)}, RenderSettings{},
-                    {path.sensorAltitude_m, -0.1, 0.0}, terms);
+            atPoints(environment, entities, {geometryOf(path)}, RenderSettings{},
+                     {path.sensorAltitude_m, -0.1, 0.0}, points);
         const std::vector<double> through = transfer.transmittance(nodes, path);
         auto reflected = [&](std::vector<double> light) {
             for (std::size_t i = 0; i < light.size(); ++i) {
@@ -164,19 +164,19 @@ TEST(SpectraOfAScene, AreSortedByEntityAndCodesAndHeldOnceEach) {
     EXPECT_EQ(spectra.radiances, std::vector<Spectrum>{hotGas()});
 }
 
-TEST(WidebandTermsOfAScene, AreThoseOfAGasHoweverFaintItIs) {
+TEST(WidebandPointsOfAScene, AreThoseOfAGasHoweverFaintItIs) {
     const Environment environment = environmentOf(smartAir(2));
     const Band band = Band::topHat(4.0, 5.0);
     const Spectrum bright = hotGas();
     const Spectrum faint = bright.mapped([](double radiance) { return radiance / 65536.0; });
     ASSERT_GT(bright.maximum(), 1.0);
     ASSERT_LT(faint.maximum(), 1.0);
-    const WidebandPoints terms(environment, band, {{}, {bright}});
+    const WidebandPoints points(environment, band, {{}, {bright}});
     EXPECT_EQ(WidebandPoints(environment, band, {{}, {faint}}).data().weights_um(),
-              terms.data().weights_um());
+              points.data().weights_um());
 }
 
-TEST(WidebandTermsOfAScene, AreTrainedOnceForAnEnvironmentABandAndItsSpectra) {
+TEST(WidebandPointsOfAScene, AreTrainedOnceForAnEnvironmentABandAndItsSpectra) {
     Irsg irsg;
     irsg.setEnvironment(environmentOf(smartAir(2, 3.0, 5.0)));
     const Band band = Band::topHat(3.0, 5.0), narrow = Band::topHat(4.5, 4.9),

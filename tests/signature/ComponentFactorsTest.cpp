@@ -1,7 +1,7 @@
 #include "irsg/signature/ComponentFactors.h"
 
 #include "irsg/radiometry/Units.h"
-#include "irsg/signature/HeldTables.h"
+#include "irsg/signature/ClampedTables.h"
 #include "irsg/signature/SignatureDatabase.h"
 
 #include "Support.h"
@@ -63,9 +63,9 @@ TEST(ComponentFactor, WhoseTableDoesNotCountHoldsNoEndOfIt) {
     database.temperatures[1].mode = EmissionMode::userSpectrum;
     ComponentFactor factor{"CO2", 0.25, LookupTable({0.0, 1.0}, {0.5, 0.7}), {}};
     database.temperatures[1].factors = {factor};
-    EXPECT_EQ(tablesHeld(database, stateAt(9.0, 0.0)).size(), 1u);
+    EXPECT_EQ(clampedTables(database, stateAt(9.0, 0.0)).size(), 1u);
     database.temperatures[1].factors.front().selection = FactorSelection::constant;
-    EXPECT_TRUE(tablesHeld(database, stateAt(9.0, 0.0)).empty());
+    EXPECT_TRUE(clampedTables(database, stateAt(9.0, 0.0)).empty());
 }
 
 } // namespace

@@ -7,7 +7,7 @@
 namespace irsg {
 namespace {
 
-using Taken = CopyRequest::Taken;
+using OnConflict = CopyRequest::OnConflict;
 
 CopyResult copied(SignatureDatabase& to, const CopyRequest& request) {
     return copyEntries(completeDatabase(), to, request, "from.sigdb", "to.sigdb");
@@ -52,7 +52,7 @@ TEST(CopyEntries, RenumbersWhatIsTaken) {
     const CopyResult result = copied(to, {.temperatures = {2147483647, -7},
                                           .materials = {3},
                                           .spectra = {},
-                                          .taken = Taken::renumber});
+                                          .onConflict = OnConflict::renumber});
     EXPECT_EQ(result.materials.at(3), 5);
     EXPECT_EQ(result.temperatures.at(-7), -6);
     EXPECT_EQ(result.spectra.at("plume core"), "plume core 2");
@@ -67,17 +67,20 @@ TEST(CopyEntries, LeavesWhatIsEqualAlreadyWhereItIs) {
     const CopyResult result = copied(to, {.temperatures = {2147483647},
                                           .materials = {3},
                                           .spectra = {"plume core"},
-                                          .taken = Taken::renumber});
+                                          .onConflict = OnConflict::renumber});
     EXPECT_TRUE(to == completeDatabase());
     EXPECT_EQ(result.materials.at(3), 3);
-    copied(to, {.temperatures = {0}, .materials = {}, .spectra = {}, .taken = Taken::refuse});
+    copied(to,
+           {.temperatures = {0}, .materials = {}, .spectra = {}, .onConflict = OnConflict::refuse});
     EXPECT_TRUE(to == completeDatabase());
 }
 
 TEST(CopyEntries, ReplacesWhereItIsAskedTo) {
     SignatureDatabase to;
     to.materials[3].name = "something else";
-    copied(to, {.temperatures = {}, .materials = {3}, .spectra = {}, .taken = Taken::replace});
+    copied(
+        to,
+        {.temperatures = {}, .materials = {3}, .spectra = {}, .onConflict = OnConflict::replace});
     EXPECT_EQ(to.materials.at(3).name, "glass");
 }
 

@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 
 #include "irsg/radiometry/Errors.h"
+#include "irsg/signature/ClampedTables.h"
 #include "irsg/signature/EntryJson.h"
-#include "irsg/signature/HeldTables.h"
 #include "irsg/signature/Lint.h"
 #include "irsg/signature/SignatureFile.h"
 
@@ -193,7 +193,7 @@ TYPED_TEST(EveryField, ThatIsATableWarnsWhereItHoldsAnEnd) {
                                 .aspectAngle_rad = 2.0};
         const double position = field.table.position(state);
         entry.*member = LookupTable({0.25 * position, 0.5 * position}, {1.0, 1.0});
-        const auto held = tablesHeld(holding(entry), state);
+        const auto held = clampedTables(holding(entry), state);
         ASSERT_EQ(held.size(), 1U) << field.key;
         EXPECT_TRUE(held.front().ends_with(std::string(".") + field.key)) << held.front();
     });

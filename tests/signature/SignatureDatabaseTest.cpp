@@ -1,7 +1,7 @@
 #include "irsg/signature/SignatureDatabase.h"
 
 #include "Support.h"
-#include "irsg/signature/HeldTables.h"
+#include "irsg/signature/ClampedTables.h"
 
 namespace irsg {
 namespace {
@@ -32,11 +32,11 @@ TEST(SignatureDatabase, NamesTheTablesThatHoldAnEndValue) {
     state.power = 1.0;
     state.mach = 0.5;
     state.time_s = 1e6;
-    EXPECT_THAT(tablesHeld(completeDatabase(), state), IsEmpty()) << "loops hold nothing";
+    EXPECT_THAT(clampedTables(completeDatabase(), state), IsEmpty()) << "loops hold nothing";
     state.power = 1.01;
     state.altitude_m = -1.0;
     state.mach = 0.1;
-    EXPECT_THAT(tablesHeld(completeDatabase(), state),
+    EXPECT_THAT(clampedTables(completeDatabase(), state),
                 ElementsAre("temperatures.0.terms.power", "temperatures.0.terms.altitude_m",
                             "temperatures.0.terms.mach"));
 }
@@ -49,7 +49,7 @@ TEST(SignatureDatabase, NamesOnlyTablesThatTheModeUses) {
     EntityState state;
     state.power = 0.5;
     state.mach = 0.5;
-    EXPECT_THAT(tablesHeld(database, state),
+    EXPECT_THAT(clampedTables(database, state),
                 ElementsAre("temperatures.2147483647.factors[0].angle_deg"));
 }
 

@@ -31,11 +31,11 @@ inline SceneRadiometry inBand(const Environment& environment, const std::vector<
             sampling.spectral(air, {terms, entities, geometry, settings, centre}, {band})};
 }
 
-/// The same at wideband terms.
-inline SceneRadiometry atTerms(const Environment& environment, const std::vector<Entity>& entities,
-                               const std::vector<ObjectGeometry>& geometry,
-                               const RenderSettings& settings, const LineOfSight& centre,
-                               const std::shared_ptr<const WidebandPoints>& wideband) {
+/// The same at quadrature points of wideband-ck.
+inline SceneRadiometry atPoints(const Environment& environment, const std::vector<Entity>& entities,
+                                const std::vector<ObjectGeometry>& geometry,
+                                const RenderSettings& settings, const LineOfSight& centre,
+                                const std::shared_ptr<const WidebandPoints>& wideband) {
     AtmosphericQueryCache air;
     air.setEnvironment(environment);
     const RadianceTerms& terms = RadianceTerms::standard();

@@ -64,8 +64,8 @@ std::vector<LineOfSight> spreadOfSights() {
 }
 
 std::vector<double> valuesOf(const RadiativeTransfer& transfer, const NodeSet& set,
-                             const AtmosphericQuery& question) {
-    const auto& [quantity, path, sight, altitude_m, sun] = question;
+                             const AtmosphericQuery& query) {
+    const auto& [quantity, path, sight, altitude_m, sun] = query;
     const bool hasFluxes = transfer.air().scattering == ScatteringMode::twoStream;
     switch (quantity) {
     case AtmosphereProperty::transmittance:
@@ -81,7 +81,7 @@ std::vector<double> valuesOf(const RadiativeTransfer& transfer, const NodeSet& s
     case AtmosphereProperty::downwardFlux:
         return hasFluxes ? transfer.downwardFlux(set, altitude_m, sun) : std::vector<double>();
     default:
-        throw LogicError("wideband terms were to be trained on another quantity");
+        throw LogicError("quadrature points were to be trained on another quantity");
     }
 }
 
@@ -97,8 +97,8 @@ CkAir ckAirOf(const RadiativeTransfer& transfer, const Band& band) {
               .sights = oneIn(5, spreadOfSights()),
               .shades = spread,
               .heldOut = oneIn(2, pathsHeldOut(top_m))};
-    air.values = [&transfer, set = air.nodes.set](const AtmosphericQuery& question) {
-        return valuesOf(transfer, set, question);
+    air.values = [&transfer, set = air.nodes.set](const AtmosphericQuery& query) {
+        return valuesOf(transfer, set, query);
     };
     return air;
 }

@@ -72,22 +72,22 @@ class Differences {
     std::size_t count_ = 0;
 };
 
-/// An answer at terms and in the spectral mode.
+/// An answer at quadrature points and in the spectral mode.
 struct BothWays {
-    std::vector<double> terms;
+    std::vector<double> points;
     Spectrum spectrum;
 };
 
 } // namespace
 
-CkErrors heldOutErrors(const Atmosphere& air, const SensorCkData& terms, const CkRequest& request,
+CkErrors heldOutErrors(const Atmosphere& air, const SensorCkData& points, const CkRequest& request,
                        const std::vector<AtmosphericPath>& paths) {
     const SpectralRange& range = request.band.range();
-    const auto ask = [&](const AtmosphericQuery& question) -> std::optional<BothWays> {
-        if (!air.supports(question.quantity))
+    const auto ask = [&](const AtmosphericQuery& query) -> std::optional<BothWays> {
+        if (!air.supports(query.quantity))
             return std::nullopt;
         try {
-            return BothWays{air.answer(question, terms), air.spectrum(question, range)};
+            return BothWays{air.answer(query, points), air.spectrum(query, range)};
         } catch (const InputError&) { // its tables do not reach there
             return std::nullopt;
         }
@@ -97,7 +97,7 @@ CkErrors heldOutErrors(const Atmosphere& air, const SensorCkData& terms, const C
         air.supports(AtmosphereProperty::ambientTemperature)
             ? air.ambientTemperature_K(paths.empty() ? 0.0 : paths.front().targetAltitude_m)
             : 288.15;
-    const double ambient = terms.integrate(terms.planck(ambient_K));
+    const double ambient = points.integrate(points.planck(ambient_K));
     Differences differences;
     for (const AtmosphericPath& path : paths) {
         const auto transmittance = ask(AtmosphericQuery::transmittance(path));
@@ -107,11 +107,11 @@ CkErrors heldOutErrors(const Atmosphere& air, const SensorCkData& terms, const C
         across.azimuth_rad = request.sun.azimuth_rad + 0.5 * std::numbers::pi;
         const auto radiance = ask(AtmosphericQuery::pathRadiance(across, request.sun));
         std::vector<BothWays> lights;
-        for (const AtmosphericQuery& question :
+        for (const AtmosphericQuery& query :
              {AtmosphericQuery::solarIrradiance(path.targetAltitude_m, request.sun),
               AtmosphericQuery::downwardFlux(path.targetAltitude_m, request.sun),
               AtmosphericQuery::upwardFlux(path.targetAltitude_m, request.sun)})
-            if (auto light = ask(question))
+            if (auto light = ask(query))
                 lights.push_back(std::move(*light));
 
         std::vector<const Spectrum*> axes = {&transmittance->spectrum};
@@ -124,18 +124,18 @@ CkErrors heldOutErrors(const Atmosphere& air, const SensorCkData& terms, const C
         const SpectralQuadrature quadrature(request.band, axes);
         const std::vector<double> tau = quadrature.sampled(transmittance->spectrum);
         const auto compare = [&](const std::vector<double>& source,
-                                 const std::vector<double>& ofTerms) {
+                                 const std::vector<double>& ofPoints) {
             differences.add(quadrature.integrate(source, tau),
-                            terms.integrate(ofTerms, transmittance->terms),
-                            opaque * terms.integrate(ofTerms));
+                            points.integrate(ofPoints, transmittance->points),
+                            opaque * points.integrate(ofPoints));
         };
         for (const Source& source : sources)
-            compare(source(quadrature), source(terms));
+            compare(source(quadrature), source(points));
         for (const BothWays& light : lights)
-            compare(quadrature.sampled(light.spectrum), light.terms);
+            compare(quadrature.sampled(light.spectrum), light.points);
         if (radiance)
             differences.add(quadrature.integrate(quadrature.sampled(radiance->spectrum)),
-                            terms.integrate(radiance->terms), opaque * ambient);
+                            points.integrate(radiance->points), opaque * ambient);
     }
     return differences.result();
 }

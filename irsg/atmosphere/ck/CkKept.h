@@ -13,8 +13,8 @@ namespace irsg {
 /// Counts up with every change of what is trained: a part of every key.
 inline constexpr double ckTraining = 7;
 
-/// Terms that are kept under a key, if they are those of these nodes, else trained and kept;
-/// without a store trained.
+/// Quadrature points that are kept under a key, if they are those of these nodes, else trained and
+/// kept; without a store trained.
 inline std::shared_ptr<const SensorCkData>
 keptOrTrained(const std::optional<CkStore>& store, const CkKey& key, const CkNodes& nodes,
               const Band& band, const std::function<SensorCkData()>& train) {

@@ -11,9 +11,9 @@
 namespace irsg {
 
 /// The nodes of an air's spectral mode over a band, and what each weighs in an integral with the
-/// response: the candidates for wideband terms. A spectrum of that mode is linear between the means
-/// at the centres of bins, so a bin's share of an integral is that of the hat function over its
-/// centre and its neighbours' centres.
+/// response: the candidates for quadrature points. A spectrum of that mode is linear between the
+/// means at the centres of bins, so a bin's share of an integral is that of the hat function over
+/// its centre and its neighbours' centres.
 class CkNodes {
   public:
     /// Computed air: several nodes a bin.

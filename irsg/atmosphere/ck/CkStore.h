@@ -25,11 +25,11 @@ class CkKey {
     std::string text_;
 };
 
-/// Wideband terms that were trained once, kept in a folder so that the next program need not train
-/// them: an entry is found by everything that its training depended on, which it holds itself, and
-/// is in place as a whole or not at all, whoever is killed and however many programs share the
-/// folder. What is damaged is as if it were not there. At most `mostBytes` are kept; those that
-/// were not used for the longest time go first.
+/// Wideband quadrature points that were trained once, kept in a folder so that the next program
+/// need not train them: an entry is found by everything that its training depended on, which it
+/// holds itself, and is in place as a whole or not at all, whoever is killed and however many
+/// programs share the folder. What is damaged is as if it were not there. At most `mostBytes` are
+/// kept; those that were not used for the longest time go first.
 class CkStore {
   public:
     static constexpr std::uintmax_t mostBytes = std::uintmax_t{32} << 20;

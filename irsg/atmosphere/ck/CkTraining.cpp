@@ -31,11 +31,11 @@ struct Source : CkNodes::Shares {
           inBand(std::accumulate(integrated.begin(), integrated.end(), 0.0)) {}
 };
 
-/// Something that terms shall hold: the integral over the band of source times values, relative to
-/// itself or to `least`, whichever is more.
+/// Something that quadrature points shall hold: the integral over the band of source times values,
+/// relative to itself or to `least`, whichever is more.
 struct Case {
     const std::vector<double>& integrated; ///< the source's share of the integral, per node
-    const std::vector<double>* sampled;    ///< its value at a term; null: 1
+    const std::vector<double>* sampled;    ///< its value at a point; null: 1
     const std::vector<double>& values;     ///< of the air
     double least;
 
@@ -45,7 +45,7 @@ struct Case {
         scale = std::max(integral, least);
         return scale > 1e-30;
     }
-    double atTerm(std::size_t node) const {
+    double atPoint(std::size_t node) const {
         return sampled != nullptr ? (*sampled)[node] * values[node] : values[node];
     }
 };
@@ -88,7 +88,7 @@ struct Rows {
     }
 };
 
-/// The fewest terms that hold in every row. Nodes of a bin are much alike: every second of them is
+/// The fewest points that hold in every row. Nodes of a bin are much alike: every second of them is
 /// a candidate, and each that has a hundredth of a row by itself.
 SparseWeights solved(const CkNodes& nodes, const std::vector<Rows>& parts, double largestError,
                      std::size_t most) {
@@ -195,7 +195,7 @@ double ambientInBand_W_m2_sr(const CkAir& air) {
         .inBand;
 }
 
-/// What is asked of terms along paths: sources, the air's own light and what surfaces reflect.
+/// What is asked of points along paths: sources, the air's own light and what surfaces reflect.
 class Cases {
   public:
     /// The light that falls on targets at the ends of the paths is computed here.
@@ -214,11 +214,11 @@ class Cases {
             places.push_back(&light);
         parallelFor(places.size(), [&](std::size_t i) {
             const double altitude_m = places[i]->first;
-            for (const AtmosphericQuery& question :
+            for (const AtmosphericQuery& query :
                  {AtmosphericQuery::solarIrradiance(altitude_m, sun_),
                   AtmosphericQuery::downwardFlux(altitude_m, sun_),
                   AtmosphericQuery::upwardFlux(altitude_m, sun_)})
-                places[i]->second.push_back(air_.values(question));
+                places[i]->second.push_back(air_.values(query));
         });
     }
 
@@ -311,7 +311,7 @@ class Cases {
     std::map<double, std::vector<std::vector<double>>> lights_; ///< by altitude
 };
 
-/// Of terms along the held-out paths, against the sums over all nodes.
+/// Of points along the held-out paths, against the sums over all nodes.
 CkErrors errorsHeldOut(const CkAir& air, const Cases& cases, const SparseWeights& chosen) {
     std::vector<std::vector<double>> errors(air.heldOut.size());
     parallelFor(errors.size(), [&](std::size_t i) {
@@ -322,7 +322,7 @@ CkErrors errorsHeldOut(const CkAir& air, const Cases& cases, const SparseWeights
                 return;
             double found = 0.0;
             for (std::size_t c = 0; c < chosen.columns.size(); ++c)
-                found += chosen.weights[c] * one.atTerm(chosen.columns[c]);
+                found += chosen.weights[c] * one.atPoint(chosen.columns[c]);
             errors[i].push_back((found - integral) / scale);
         });
     });
@@ -340,7 +340,7 @@ CkErrors errorsHeldOut(const CkAir& air, const Cases& cases, const SparseWeights
 
 } // namespace
 
-SparseWeights trainedTerms(const CkAir& air, const CkRequest& request, CkErrors* heldOut) {
+SparseWeights trainedPoints(const CkAir& air, const CkRequest& request, CkErrors* heldOut) {
     if (air.nodes.size() == 0)
         throw InputError(Diagnostic{"band " + request.band.name(), "", "no spectral node",
                                     "a band within the atmosphere's table"});
@@ -364,7 +364,7 @@ SparseWeights trainedTerms(const CkAir& air, const CkRequest& request, CkErrors*
         const bool withOwn = cases.ownCount() <= 8 || i < request.paths.size() || i % 4 == 0;
         cases.along(paths[i], withOwn, take);
     });
-    const SparseWeights chosen = solved(air.nodes, parts, request.largestError, request.mostTerms);
+    const SparseWeights chosen = solved(air.nodes, parts, request.largestError, request.mostPoints);
     if (chosen.columns.empty())
         throw InputError(Diagnostic{"band " + request.band.name(), "", "no light in it",
                                     "a band with a response where the atmosphere answers"});

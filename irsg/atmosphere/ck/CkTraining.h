@@ -12,8 +12,8 @@ class Atmosphere;
 class SensorCkData;
 struct CkRequest;
 
-/// What wideband terms are trained on: one air at the nodes of its spectral mode over a band, and
-/// where it is asked.
+/// What wideband quadrature points are trained on: one air at the nodes of its spectral mode over a
+/// band, and where it is asked.
 struct CkAir {
     CkNodes nodes;
     /// At every node, in their order; empty where the air does not know: it lacks the quantity, or
@@ -31,19 +31,20 @@ struct CkAir {
 /// Computed air, with paths of all kinds between the ground and its top. Refers to `transfer`.
 CkAir ckAirOf(const RadiativeTransfer& transfer, const Band& band);
 
-/// How far terms are off, relative to each in-band quantity.
+/// How far quadrature points are off, relative to each in-band quantity.
 struct CkErrors {
     double largest = 0.0, rms = 0.0;
 };
 
-/// The terms that serve the request along the paths and lines of sight of an air, which is asked
+/// The points that serve the request along the paths and lines of sight of an air, which is asked
 /// from all threads; with `heldOut` also how far they are off along its held-out paths, against the
 /// sums over its nodes. InputError where the band has no node or the air answers nothing there.
-SparseWeights trainedTerms(const CkAir& air, const CkRequest& request, CkErrors* heldOut = nullptr);
-/// How far terms of any air are off, against its spectral mode with a quadrature of its own for
-/// every path: bodies of several temperatures, grey, sloped and of the scene, path radiance and
-/// reflected light.
-CkErrors heldOutErrors(const Atmosphere& air, const SensorCkData& terms, const CkRequest& request,
+SparseWeights trainedPoints(const CkAir& air, const CkRequest& request,
+                            CkErrors* heldOut = nullptr);
+/// How far quadrature points of any air are off, against its spectral mode with a quadrature of its
+/// own for every path: bodies of several temperatures, grey, sloped and of the scene, path radiance
+/// and reflected light.
+CkErrors heldOutErrors(const Atmosphere& air, const SensorCkData& points, const CkRequest& request,
                        const std::vector<AtmosphericPath>& paths);
 
 } // namespace irsg

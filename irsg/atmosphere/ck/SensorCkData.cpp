@@ -15,7 +15,7 @@ SensorCkData::SensorCkData(const CkNodes& nodes, const CkRequest& request,
                            const SparseWeights& chosen)
     : band_(request.band) {
     std::vector<double> wavelengths_um, weights_um;
-    // Nodes ascend in wavenumber; terms ascend in wavelength.
+    // Nodes ascend in wavenumber; points ascend in wavelength.
     for (std::size_t i = chosen.columns.size(); i-- > 0;) {
         const std::size_t node = chosen.columns[i];
         nodes_.nodes.push_back(nodes.set.nodes[node]);
@@ -32,7 +32,7 @@ SensorCkData::SensorCkData(const CkNodes& nodes, const CkRequest& request,
 SensorCkData SensorCkData::prepare(const RadiativeTransfer& transfer, const CkRequest& request) {
     const CkAir air = ckAirOf(transfer, request.band);
     CkErrors heldOut;
-    const SparseWeights chosen = trainedTerms(air, request, &heldOut);
+    const SparseWeights chosen = trainedPoints(air, request, &heldOut);
     SensorCkData data(air.nodes, request, chosen);
     data.heldOutError_ = heldOut.largest;
     data.heldOutRms_ = heldOut.rms;
@@ -41,7 +41,7 @@ SensorCkData SensorCkData::prepare(const RadiativeTransfer& transfer, const CkRe
 
 SensorCkData SensorCkData::prepare(const CkAir& known, const Atmosphere& air,
                                    const CkRequest& request) {
-    SensorCkData data(known.nodes, request, trainedTerms(known, request));
+    SensorCkData data(known.nodes, request, trainedPoints(known, request));
     const CkErrors heldOut = heldOutErrors(air, data, request, known.heldOut);
     data.heldOutError_ = heldOut.largest;
     data.heldOutRms_ = heldOut.rms;
@@ -63,7 +63,7 @@ void addTo(CkKey& key, const CkRequest& request) {
         for (const Spectrum* spectrum : *kind)
             key.add(*spectrum);
     }
-    key.add(request.largestError).add(static_cast<double>(request.mostTerms));
+    key.add(request.largestError).add(static_cast<double>(request.mostPoints));
 }
 
 std::string SensorCkData::kept() const {

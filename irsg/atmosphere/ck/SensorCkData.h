@@ -11,7 +11,7 @@
 
 namespace irsg {
 
-/// What wideband terms are prepared for.
+/// What wideband quadrature points are prepared for.
 struct CkRequest {
     Band band = Band::topHat(3.0, 5.0);
     SunPosition sun;
@@ -24,41 +24,42 @@ struct CkRequest {
     /// that lines of a hot gas that sit on the air's lines keep their correlation.
     std::vector<const Spectrum*> radiances;
     double largestError = 0.003; ///< of in-band quantities on the training cases, relative
-    std::size_t mostTerms = 250;
+    std::size_t mostPoints = 250;
 };
 class Atmosphere;
 class CkKey;
 class CkNodes;
 struct CkAir;
 struct SparseWeights;
-/// Adds all of a request to what its terms are found by, and what training itself is.
+/// Adds all of a request to what its points are found by, and what training itself is.
 void addTo(CkKey& key, const CkRequest& request);
 
-/// Wideband correlated-k (F17): a few monochromatic terms that stand for a sensor's whole band.
+/// Wideband correlated-k (F17): a few monochromatic quadrature points that stand for a sensor's
+/// whole band.
 ///
-/// For every quantity f of a scene, integral f R dlambda = sum over terms of weight * f(term).
-/// Terms are spectral nodes of the atmosphere; they and their weights are chosen by non-negative
+/// For every quantity f of a scene, integral f R dlambda = sum over points of weight * f(point).
+/// Points are spectral nodes of the atmosphere; they and their weights are chosen by non-negative
 /// least squares so that in-band radiances of surfaces of 200 to 2200 K, grey and with structure,
 /// through paths of all kinds, path and sky radiances, sun and fluxes equal those of the spectral
-/// mode (optimal spectral sampling for a whole band, Moncet et al. 2008). A term is a wavelength;
+/// mode (optimal spectral sampling for a whole band, Moncet et al. 2008). A point is a wavelength;
 /// emissivity, reflectivity, transmissivity and user-defined radiances are converted to their means
 /// over its bin, `sampled`, black bodies to their value there, `planck`.
 class SensorCkData : public SpectralSampling {
   public:
-    /// Trains the terms. Throws InputError where the band has no node in the atmosphere's table.
+    /// Trains the points. Throws InputError where the band has no node in the atmosphere's table.
     static SensorCkData prepare(const RadiativeTransfer& transfer, const CkRequest& request);
     /// Of air that is not computed: `known` is `air` at its nodes, and the error on paths that were
-    /// not trained is that against the spectral mode of `air`, which is asked at the terms for it.
+    /// not trained is that against the spectral mode of `air`, which is asked at the points for it.
     static SensorCkData prepare(const CkAir& known, const Atmosphere& air,
                                 const CkRequest& request);
 
-    /// The terms as text, and from it: nothing where it is damaged or of other tables. The band is
+    /// The points as text, and from it: nothing where it is damaged or of other tables. The band is
     /// that of the training.
     std::string kept() const;
     static std::optional<SensorCkData> fromKept(const CkNodes& nodes, const Band& band,
                                                 const std::string& text);
 
-    /// A sampling as terms; null where it is of another kind.
+    /// A sampling as points; null where it is of another kind.
     static const SensorCkData* of(const SpectralSampling& sampling) {
         return dynamic_cast<const SensorCkData*>(&sampling);
     }
@@ -72,7 +73,7 @@ class SensorCkData : public SpectralSampling {
     double heldOutError() const { return heldOutError_; }
     double heldOutRms() const { return heldOutRms_; }
 
-    /// A spectrum's mean over the bin of every term.
+    /// A spectrum's mean over the bin of every point.
     std::vector<double> sampled(const Spectrum& spectrum) const override;
 
   private:
@@ -81,7 +82,7 @@ class SensorCkData : public SpectralSampling {
 
     Band band_;
     NodeSet nodes_;
-    std::vector<Spectrum> hats_; ///< over the bin of every term
+    std::vector<Spectrum> hats_; ///< over the bin of every point
     double largestError_ = 0.0, rmsError_ = 0.0, heldOutError_ = 0.0, heldOutRms_ = 0.0;
 };
 

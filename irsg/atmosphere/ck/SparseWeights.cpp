@@ -94,10 +94,10 @@ class Candidates {
     std::vector<std::size_t> refused_; ///< they say nothing new
 };
 
-/// Adds terms to a set, the more at once the larger it is, until no row's error is above
+/// Adds columns to a set, the more at once the larger it is, until no row's error is above
 /// `largestError`, `most` are in use or none helps.
 Fit grown(const SomeRows& problem, ActiveSet start, double largestError, std::size_t most) {
-    // A fit that is stuck comes loose as a rule: some sets need a hundred terms more for it.
+    // A fit that is stuck comes loose as a rule: some sets need a hundred columns more for it.
     constexpr int patience = 60;
     constexpr std::size_t perNew = 8, perLevelled = 3;
     Candidates candidates(problem);
@@ -237,9 +237,9 @@ class WorkingRows {
 
 SparseWeights sparseWeights(const SparseProblem& problem, double largestError, std::size_t most) {
     if (problem.columnCount == 0 || problem.matrix.size() != problem.columnCount * problem.rows())
-        throw LogicError("terms were asked for where there are no candidates");
+        throw LogicError("quadrature points were asked for where there are no candidates");
     constexpr std::size_t fewRows = 110, moreRows = 150;
-    // Few rows say little of the last terms: the first rounds stop early.
+    // Few rows say little of the last columns: the first rounds stop early.
     constexpr double firstBound = 15.0, nextBound = 0.4;
     constexpr int rounds = 12;
     // Rows that are not looked at may be a little worse than those that are.
@@ -275,12 +275,12 @@ SparseWeights sparseWeights(const SparseProblem& problem, double largestError, s
         start = ActiveSet(*more, fit.set);
         some = std::move(more);
     }
-    std::vector<std::pair<std::size_t, double>> terms;
+    std::vector<std::pair<std::size_t, double>> weighted;
     for (std::size_t i = 0; i < result.columns.size(); ++i)
-        terms.emplace_back(result.columns[i], result.weights[i]);
-    std::ranges::sort(terms);
-    for (std::size_t i = 0; i < terms.size(); ++i)
-        std::tie(result.columns[i], result.weights[i]) = terms[i];
+        weighted.emplace_back(result.columns[i], result.weights[i]);
+    std::ranges::sort(weighted);
+    for (std::size_t i = 0; i < weighted.size(); ++i)
+        std::tie(result.columns[i], result.weights[i]) = weighted[i];
     return result;
 }
 

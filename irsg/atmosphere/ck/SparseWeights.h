@@ -5,7 +5,8 @@
 
 namespace irsg {
 
-/// A linear problem whose solution shall have few terms: weights w >= 0 with matrix * w = target.
+/// A linear problem whose solution shall be sparse: weights w >= 0 with matrix * w = target, most
+/// of them 0. A column is a candidate for a quadrature point.
 struct SparseProblem {
     std::size_t columnCount = 0;
     std::vector<float> matrix; ///< row by row
@@ -22,15 +23,15 @@ struct SparseWeights {
     double rmsError = 0.0;
 };
 
-/// Few terms for a largest error. Non-negative least squares (Lawson and Hanson 1974, chapter 23):
-/// terms are added where the residual falls fastest, some at once that are not neighbours, while
-/// rows with large errors are given more and more importance, which leads to the least largest
-/// error (Lawson's iteration, Rice and Usow 1968, Math. Comp. 22, 118). Stops when no row's error
-/// is above `largestError`, when `most` terms are in use or when nothing improves. Then terms that
-/// matter least are taken out again, some at once, as long as the error stays within the bound. All
-/// of it sees a hundred rows, then also those that the terms so found miss most, with an error that
-/// falls to the bound meanwhile, until they hold for every row: rows of one path and its neighbours
-/// say nearly the same.
+/// Few columns for a largest error. Non-negative least squares (Lawson and Hanson 1974, chapter
+/// 23): columns are added where the residual falls fastest, some at once that are not neighbours,
+/// while rows with large errors are given more and more importance, which leads to the least
+/// largest error (Lawson's iteration, Rice and Usow 1968, Math. Comp. 22, 118). Stops when no row's
+/// error is above `largestError`, when `most` columns are in use or when nothing improves. Then
+/// those that matter least are taken out again, some at once, as long as the error stays within the
+/// bound. All of it sees a hundred rows, then also those that the columns so found miss most, with
+/// an error that falls to the bound meanwhile, until they hold for every row: rows of one path and
+/// its neighbours say nearly the same.
 SparseWeights sparseWeights(const SparseProblem& problem, double largestError, std::size_t most);
 
 } // namespace irsg

@@ -24,7 +24,7 @@ struct ParticleLayer {
     std::vector<double> extinction550_per_m;
     /// Optical properties over wavelength in um, ascending. Between nodes the extinction is a power
     /// law of the wavelength, the absorbed part of it and the asymmetry are linear in
-    /// ln(wavelength), as MODTRAN's columns show. Held outside.
+    /// ln(wavelength), as MODTRAN's columns show. Clamped outside.
     std::vector<double> wavelengths_um;
     std::vector<ParticleOptics> optics;
 

@@ -52,7 +52,7 @@ struct SolarBeam {
 TwoStreamFluxes thermalFluxes(const TwoStreamLayers& layers, const ThermalSource& source);
 
 /// Solar: the quadrature scheme, D = sqrt(3), Q+ = w (1 - sqrt(3) g mu0) / 2 E and
-/// Q- = w (1 + sqrt(3) g mu0) / 2 E. Single scattering albedos above 1 - 1e-12 are held there.
+/// Q- = w (1 + sqrt(3) g mu0) / 2 E. Single scattering albedos are clamped to 1 - 1e-12.
 TwoStreamFluxes solarFluxes(const TwoStreamLayers& layers, const SolarBeam& beam);
 
 } // namespace irsg

@@ -22,7 +22,7 @@ namespace irsg {
 /// `# ITYPE: 2`, `# IEMSCT: 1`, `# H1: 0.5`, `# H2: 10`, `# ANGLE: 30`, `# RANGE: 11`, in km and
 /// degrees by the names of MODTRAN's cards; comments also overrule a document. Where SPECTRAL.XFLAG
 /// is M or N, the axis is um or nm and densities are W cm-2 um-1 or uW cm-2 nm-1; a unit in the
-/// header that says otherwise is an diagnostic. Written from public descriptions of the format and
+/// header that says otherwise is a diagnostic. Written from public descriptions of the format and
 /// not yet checked against a file of MODTRAN itself. Throws InputError naming every diagnostic.
 std::vector<SpectralRun> readModtranCsv(const std::filesystem::path& file);
 

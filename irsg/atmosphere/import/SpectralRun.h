@@ -96,7 +96,7 @@ struct RunTable {
 /// or stand beside them depends on the version: that sum is taken which together with SURF_EMIS and
 /// GRND_RFLT gives the file's own TOTAL_RAD; a warning says when none does to 1 %. A transmittance
 /// that is printed with too few digits is taken from the optical depth beside it. Scattering depth
-/// is -ln(MOLEC SCAT) - ln(AER+CLD TRANS / AER+CLD abTRNS). Adds an diagnostic for each missing
+/// is -ln(MOLEC SCAT) - ln(AER+CLD TRANS / AER+CLD abTRNS). Adds a diagnostic for each missing
 /// column, each required cell that is blank, each value out of range, wavenumbers that do not
 /// ascend.
 void fillRun(SpectralRun& run, const RunTable& table, std::vector<Diagnostic>& diagnostics);

@@ -34,7 +34,7 @@ std::vector<SpectralRun> parseTape7(const TextLines& text);
 /// SALB; IHAZE ISEASN IVULCN ICSTL ICLD IVSA VIS WSS WHH RAINRT GNDALT; H1 H2 ANGLE RANGE BETA RO
 /// LEN; IPARM IPH IDAY ISOURC; PARM1..PARM4 TIME PSIPO, and G where the line goes on to it; V1 V2
 /// DV FWHM, in the units of MODTRAN (km, degrees, cm-1). -99 is "not used". `first` is the line of
-/// card 1 and `names` the one of the column names. Adds an diagnostic for each cell that is not a
+/// card 1 and `names` the one of the column names. Adds a diagnostic for each cell that is not a
 /// number.
 std::map<std::string, double> tape7Cards(const TextLines& text, std::size_t first,
                                          std::size_t names, std::vector<Diagnostic>& diagnostics);

@@ -42,12 +42,12 @@ AdaptiveTable::Values AdaptiveTable::at(double x) const {
     if (!(x >= low_ && x <= high_))
         throw LogicError("a table was asked beyond its ends");
     const std::lock_guard lock(mutex_);
-    // What was computed is given as it is; a table for a few questions is not worth its cells.
+    // What was computed is given as it is; a table for a few queries is not worth its cells.
     if (const auto known = values_.find(x); known != values_.end())
         return known->second;
-    constexpr int fewQuestions = 3, deepest = 30;
-    if (questions_ < fewQuestions) {
-        ++questions_;
+    constexpr int fewQueries = 3, deepest = 30;
+    if (queries_ < fewQueries) {
+        ++queries_;
         return value(x);
     }
     double a = low_, b = high_;

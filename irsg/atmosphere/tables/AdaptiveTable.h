@@ -7,11 +7,11 @@
 
 namespace irsg {
 
-/// A function of one variable whose values are vectors (a spectrum, wideband terms), kept at points
-/// and linear between them. Points are added where values are asked for, by halving, until the
-/// function at the middles of both halves of a cell differs from the straight line over the half by
-/// no more than a tolerance; the cell is then used in quarters, over which a smooth function's
-/// error is a fourth of what was measured.
+/// A function of one variable whose values are vectors (a spectrum, answers of wideband-ck), kept
+/// at points and linear between them. Points are added where values are asked for, by halving,
+/// until the function at the middles of both halves of a cell differs from the straight line over
+/// the half by no more than a tolerance; the cell is then used in quarters, over which a smooth
+/// function's error is a fourth of what was measured.
 ///
 /// Const members may be called from several threads.
 class AdaptiveTable {
@@ -48,7 +48,7 @@ class AdaptiveTable {
     mutable std::mutex mutex_;
     mutable std::map<double, Values> values_;
     mutable std::map<std::pair<double, double>, Cell> cells_;
-    mutable int questions_ = 0; ///< that were answered without cells
+    mutable int queries_ = 0; ///< that were answered without cells
     mutable std::size_t evaluations_ = 0;
     mutable double largestError_ = 0.0;
 };

@@ -14,7 +14,7 @@
 namespace irsg {
 
 /// What a scene asks of the air at the nodes of one spectral range or of one sensor's wideband
-/// terms, kept in tables that refine themselves (the report's IrradianceMode 1): over range for
+/// points, kept in tables that refine themselves (the report's IrradianceMode 1): over range for
 /// every pair of altitudes, over elevation for every altitude of the sensor, over altitude for the
 /// sun and the diffuse fluxes. What is asked for once costs a few evaluations more than it would on
 /// the fly; what is asked for along a sweep or again and again costs an interpolation.

@@ -7,8 +7,8 @@ namespace irsg {
 BandSky::BandSky(const Environment& environment, const SpectralSampling& sampling)
     : environment_(environment), sampling_(sampling) {}
 
-double BandSky::ask(const char* quantity, const AtmosphericQuery& question) const {
-    const auto answer = environment_.answer(question, sampling_);
+double BandSky::ask(const char* quantity, const AtmosphericQuery& query) const {
+    const auto answer = environment_.answer(query, sampling_);
     std::string line = quantity;
     line += ": ";
     line += answer.answeredBy;

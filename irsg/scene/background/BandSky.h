@@ -26,7 +26,7 @@ class BandSky {
     const std::vector<std::string>& answeredBy() const { return answeredBy_; }
 
   private:
-    double ask(const char* quantity, const AtmosphericQuery& question) const;
+    double ask(const char* quantity, const AtmosphericQuery& query) const;
 
     const Environment& environment_;
     const SpectralSampling& sampling_;

@@ -35,13 +35,13 @@ void AtmosphericQueryCache::beginCase() {
     isNewCase_ = false;
 }
 
-const Answer<Spectrum>& AtmosphericQueryCache::spectrum(const AtmosphericQuery& question,
+const Answer<Spectrum>& AtmosphericQueryCache::spectrum(const AtmosphericQuery& query,
                                                         const SpectralRange& range) {
     beginCase();
-    const std::pair key{environment_.keyOf(question, range), std::pair{range.min_um, range.max_um}};
+    const std::pair key{environment_.keyOf(query, range), std::pair{range.min_um, range.max_um}};
     auto known = spectra_.find(key);
     if (known == spectra_.end()) {
-        known = spectra_.try_emplace(key, environment_.spectrum(question, range)).first;
+        known = spectra_.try_emplace(key, environment_.spectrum(query, range)).first;
         numbers_ += 64 + 2 * known->second.answer.value.wavelengths_um().size();
     }
     known->second.used = case_;
@@ -49,20 +49,20 @@ const Answer<Spectrum>& AtmosphericQueryCache::spectrum(const AtmosphericQuery& 
 }
 
 const Answer<SharedValues>&
-AtmosphericQueryCache::at(const AtmosphericQuery& question,
+AtmosphericQueryCache::at(const AtmosphericQuery& query,
                           const std::shared_ptr<const SpectralSampling>& sampling) {
     beginCase();
-    const std::pair key{environment_.keyOf(question, *sampling), sampling.get()};
+    const std::pair key{environment_.keyOf(query, *sampling), sampling.get()};
     auto known = samples_.find(key);
     if (known == samples_.end()) {
         // In the spectral mode the quadrature was built on the same spectra, which need not be
         // asked for again.
         Answer<std::vector<double>> answer;
         if (!SensorCkData::of(*sampling) && !AirNodes::of(*sampling)) {
-            const Answer<Spectrum>& native = spectrum(question, sampling->range());
+            const Answer<Spectrum>& native = spectrum(query, sampling->range());
             answer = {sampling->sampled(native.value), native.answeredBy};
         } else {
-            answer = environment_.answer(question, *sampling);
+            answer = environment_.answer(query, *sampling);
         }
         samplings_.try_emplace(sampling.get(), sampling);
         numbers_ += 64 + sampling->size();

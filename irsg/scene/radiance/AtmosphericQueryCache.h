@@ -13,7 +13,7 @@
 namespace irsg {
 
 /// What an environment answered, kept by value: a path that several cases share is asked once. A
-/// question is the same where its answer cannot differ; the azimuth counts only for air that
+/// query is the same where its answer cannot differ; the azimuth counts only for air that
 /// answers by it.
 class AtmosphericQueryCache {
   public:
@@ -23,9 +23,9 @@ class AtmosphericQueryCache {
     const Environment& environment() const { return environment_; }
 
     /// On the nodes that the air has of itself. InputError where nobody answers.
-    const Answer<Spectrum>& spectrum(const AtmosphericQuery& question, const SpectralRange& range);
+    const Answer<Spectrum>& spectrum(const AtmosphericQuery& query, const SpectralRange& range);
     /// On the nodes of a sampling, which is kept as long as its answers.
-    const Answer<SharedValues>& at(const AtmosphericQuery& question,
+    const Answer<SharedValues>& at(const AtmosphericQuery& query,
                                    const std::shared_ptr<const SpectralSampling>& sampling);
 
   private:

@@ -43,7 +43,7 @@ KindRadiances::KindRadiances(const SceneRadiometry& radiometry, const Fronts& fr
     for (const auto& [first, last] : radiometry.outputs())
         area_um_.push_back(sumOf(&radiometry.weights_um()[first], last - first));
     for (std::size_t drawn = 0; drawn < radiometry.surfaces().size(); ++drawn)
-        strandsOf_.push_back(strandsOf(static_cast<int>(drawn)));
+        termGroups_.push_back(termGroupsOf(static_cast<int>(drawn)));
     setBackground(
         std::make_shared<const std::vector<double>>(radiometry.wavelengths_um().size(), 0.0));
 }
@@ -70,17 +70,17 @@ void KindRadiances::turn(const std::vector<int>& drawn) {
                 ofFront[static_cast<std::size_t>(row)].isCombined = false;
 }
 
-std::vector<KindRadiances::Strand> KindRadiances::strandsOf(int drawn) const {
+std::vector<KindRadiances::TermGroup> KindRadiances::termGroupsOf(int drawn) const {
     const SurfaceSpectra& surface = radiometry_.surfaces()[static_cast<std::size_t>(drawn)];
     const AirSamples& air = radiometry_.air(radiometry_.rows().first(drawn));
-    std::vector<Strand> strands;
-    const auto add = [&](std::size_t term, double sign, Strand strand) {
-        auto known = std::ranges::find_if(strands, [&](const Strand& other) {
-            return other.slot == strand.slot && other.part == strand.part &&
-                   other.passesAir == strand.passesAir && other.pathLight == strand.pathLight;
+    std::vector<TermGroup> groups;
+    const auto add = [&](std::size_t term, double sign, TermGroup group) {
+        auto known = std::ranges::find_if(groups, [&](const TermGroup& other) {
+            return other.slot == group.slot && other.part == group.part &&
+                   other.passesAir == group.passesAir && other.pathLight == group.pathLight;
         });
-        if (known == strands.end())
-            known = strands.insert(strands.end(), std::move(strand));
+        if (known == groups.end())
+            known = groups.insert(groups.end(), std::move(group));
         known->terms.emplace_back(term, sign);
     };
     for (std::size_t k = 0; k < radiometry_.terms().terms.size(); ++k) {
@@ -88,22 +88,22 @@ std::vector<KindRadiances::Strand> KindRadiances::strandsOf(int drawn) const {
         if ((term.light && !air.light[k]) || surface.isWithout(term.surface))
             continue;
         const bool isEmission = term.surface == SurfaceQuantity::emission;
-        Strand strand;
-        strand.passesAir = term.passesAir || (isEmission && surface.emissionPassesAir);
-        if (term.light && irsg::placeOf(*term.light) == QueryGeometry::path)
-            strand.pathLight = static_cast<int>(k);
+        TermGroup group;
+        group.passesAir = term.passesAir || (isEmission && surface.emissionPassesAir);
+        if (term.light && irsg::geometryOf(*term.light) == QueryGeometry::path)
+            group.pathLight = static_cast<int>(k);
         const auto parts = static_cast<int>(surface.emission.size());
         for (int part = isEmission ? 0 : -1; part < (isEmission ? parts : 0); ++part) {
-            strand.part = part;
-            strand.slot = factorCount_;
+            group.part = part;
+            group.slot = factorCount_;
             if (term.factor.drawn < 0 || term.factor.complement)
-                add(k, 1.0, strand);
-            strand.slot = static_cast<std::size_t>(term.factor.drawn);
+                add(k, 1.0, group);
+            group.slot = static_cast<std::size_t>(term.factor.drawn);
             if (term.factor.drawn >= 0)
-                add(k, term.factor.complement ? -1.0 : 1.0, strand);
+                add(k, term.factor.complement ? -1.0 : 1.0, group);
         }
     }
-    return strands;
+    return groups;
 }
 
 KindRadiances::Place& KindRadiances::placeOf(const FactorKind& kind) {
@@ -111,7 +111,7 @@ KindRadiances::Place& KindRadiances::placeOf(const FactorKind& kind) {
 }
 
 KindRadiances::HiddenPlace& KindRadiances::hiddenPlaceOf(int front, int drawn) {
-    return at(hiddenPlaces_, front, drawn, strandsOf_.size());
+    return at(hiddenPlaces_, front, drawn, termGroups_.size());
 }
 
 std::vector<double> KindRadiances::passed(int front,
@@ -133,9 +133,9 @@ KindRadiances::plan(const std::vector<FactorKind>& kinds) {
             continue;
         Work& work = all[{kind.front, drawn}];
         if (!place.isKnown) {
-            place.strands = strands_.size();
-            strands_.resize(strands_.size() +
-                            outputs_ * strandsOf_[static_cast<std::size_t>(drawn)].size());
+            place.groupSums = groupSums_.size();
+            groupSums_.resize(groupSums_.size() +
+                              outputs_ * termGroups_[static_cast<std::size_t>(drawn)].size());
             place.sent = sent_.size();
             sent_.resize(sent_.size() + outputs_ * valuesOfKind());
             work.rows.push_back(kind.row);
@@ -185,7 +185,7 @@ void KindRadiances::evaluate(int front, int drawn, const Work& work,
         evaluateHidden(drawn, passed, &hidden_[hiddenPlaceOf(front, drawn).at]);
     if (work.rows.empty())
         return;
-    const std::size_t strands = strandsOf_[static_cast<std::size_t>(drawn)].size();
+    const std::size_t groups = termGroups_[static_cast<std::size_t>(drawn)].size();
     std::vector<SliceBetween> about(work.rows.size());
     std::vector<int> taken; // rows that are summed for them, ascending
     std::vector<double> sums;
@@ -199,19 +199,19 @@ void KindRadiances::evaluate(int front, int drawn, const Work& work,
         std::ranges::sort(taken);
         taken.erase(std::ranges::unique(taken).begin(), taken.end());
         const auto& [first, last] = radiometry_.outputs()[output];
-        sums.assign(taken.size() * strands, 0.0);
+        sums.assign(taken.size() * groups, 0.0);
         for (std::size_t begin = first; begin < last; begin += nodesOfBlock)
             addBlock(drawn, taken, passed, begin, std::min(nodesOfBlock, last - begin), sums);
         const auto sumsOf = [&](int row) {
             return &sums[static_cast<std::size_t>(std::ranges::lower_bound(taken, row) -
                                                   taken.begin()) *
-                         strands];
+                         groups];
         };
         for (std::size_t r = 0; r < work.rows.size(); ++r) {
             const double *below = sumsOf(about[r].below), *above = sumsOf(about[r].above);
             double* const own =
-                &strands_[placeOf({front, work.rows[r]}).strands + output * strands];
-            for (std::size_t s = 0; s < strands; ++s)
+                &groupSums_[placeOf({front, work.rows[r]}).groupSums + output * groups];
+            for (std::size_t s = 0; s < groups; ++s)
                 own[s] = std::lerp(below[s], above[s], about[r].part);
         }
     }
@@ -221,28 +221,28 @@ void KindRadiances::addBlock(int drawn, const std::vector<int>& rows,
                              const std::vector<double>& passed, std::size_t begin,
                              std::size_t count, std::vector<double>& sums) const {
     double values[nodesOfBlock], through[nodesOfBlock];
-    const std::vector<Strand>& strands = strandsOf_[static_cast<std::size_t>(drawn)];
-    for (std::size_t s = 0; s < strands.size(); ++s) {
-        const Strand& strand = strands[s];
-        fillStrand(drawn, strand, &passed[begin], begin, count, values);
+    const std::vector<TermGroup>& groups = termGroups_[static_cast<std::size_t>(drawn)];
+    for (std::size_t s = 0; s < groups.size(); ++s) {
+        const TermGroup& group = groups[s];
+        fillGroup(drawn, group, &passed[begin], begin, count, values);
         for (std::size_t r = 0; r < rows.size(); ++r) {
             const AirSamples& air = radiometry_.air(rows[r]);
-            const double* of = strand.passesAir ? air.transmittance->data() + begin : nullptr;
-            if (strand.pathLight >= 0) {
+            const double* of = group.passesAir ? air.transmittance->data() + begin : nullptr;
+            if (group.pathLight >= 0) {
                 const double* light =
-                    air.light[static_cast<std::size_t>(strand.pathLight)]->data() + begin;
+                    air.light[static_cast<std::size_t>(group.pathLight)]->data() + begin;
                 if (of)
                     fillProducts(of, light, count, through);
                 of = of ? through : light;
             }
-            sums[r * strands.size() + s] +=
+            sums[r * groups.size() + s] +=
                 of ? sumOfProducts(values, of, count) : sumOf(values, count);
         }
     }
 }
 
-void KindRadiances::fillStrand(int drawn, const Strand& strand, const double* passed,
-                               std::size_t begin, std::size_t count, double* values) const {
+void KindRadiances::fillGroup(int drawn, const TermGroup& group, const double* passed,
+                              std::size_t begin, std::size_t count, double* values) const {
     const SurfaceSpectra& surface = radiometry_.surfaces()[static_cast<std::size_t>(drawn)];
     const AirSamples& air = radiometry_.air(radiometry_.rows().first(drawn));
     bool isFirst = true;
@@ -252,18 +252,18 @@ void KindRadiances::fillStrand(int drawn, const Strand& strand, const double* pa
         else
             fillBlock(values, count, [&](std::size_t i) { return values[i] + make(i); });
     };
-    for (const auto& [k, sign] : strand.terms) {
+    for (const auto& [k, sign] : group.terms) {
         const RadianceTerm& term = radiometry_.terms().terms[k];
         const double* own =
-            (strand.part < 0 ? surface.quantity(term.surface)
-                             : surface.emission[static_cast<std::size_t>(strand.part)].radiance)
+            (group.part < 0 ? surface.quantity(term.surface)
+                            : surface.emission[static_cast<std::size_t>(group.part)].radiance)
                 .data() +
             begin;
         const double of = sign;
         if (term.surface == SurfaceQuantity::mirrored) {
             const double* mirrored = surface.lobeLight->data() + begin;
             add([=](std::size_t i) { return of * passed[i] * (own[i] * mirrored[i]); });
-        } else if (term.light && strand.pathLight < 0) {
+        } else if (term.light && group.pathLight < 0) {
             const double* light = air.light[k]->data() + begin;
             add([=](std::size_t i) { return of * passed[i] * own[i] * light[i]; });
         } else {
@@ -274,18 +274,18 @@ void KindRadiances::fillStrand(int drawn, const Strand& strand, const double* pa
 
 void KindRadiances::combine(const FactorKind& kind) {
     const int drawn = radiometry_.rows().drawnOf(kind.row);
-    const std::vector<Strand>& strands = strandsOf_[static_cast<std::size_t>(drawn)];
+    const std::vector<TermGroup>& groups = termGroups_[static_cast<std::size_t>(drawn)];
     const std::vector<SurfaceSpectra::Emission>& emission =
         radiometry_.surfaces()[static_cast<std::size_t>(drawn)].emission;
     const Place& place = placeOf(kind);
     for (std::size_t output = 0; output < outputs_; ++output) {
         double* sent = &sent_[place.sent + output * valuesOfKind()];
         std::fill_n(sent, valuesOfKind(), 0.0);
-        for (std::size_t s = 0; s < strands.size(); ++s)
-            sent[strands[s].slot] +=
-                strands_[place.strands + output * strands.size() + s] *
-                (strands[s].part < 0 ? 1.0
-                                     : emission[static_cast<std::size_t>(strands[s].part)].factor);
+        for (std::size_t s = 0; s < groups.size(); ++s)
+            sent[groups[s].slot] +=
+                groupSums_[place.groupSums + output * groups.size() + s] *
+                (groups[s].part < 0 ? 1.0
+                                    : emission[static_cast<std::size_t>(groups[s].part)].factor);
     }
 }
 

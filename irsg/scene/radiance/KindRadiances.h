@@ -26,10 +26,10 @@ struct KindRadiance {
 /// radiances, spectra, images and sums over objects are reductions of it. Kinds are evaluated once
 /// each, when they are first asked for; `prepare` does it for many of them, on all cores.
 ///
-/// A kind is a set of sums over nodes, its strands: weight times what lies in front times what the
-/// surface makes of light, times the air of the row. The first three are one vector for all rows of
-/// a surface. Each part of the emission has strands of its own, so that factors of measured spectra
-/// change without a sum over nodes.
+/// A kind is a set of sums over nodes, one for each group of terms: weight times what lies in front
+/// times what the surface makes of light, times the air of the row. The first three are one vector
+/// for all rows of a surface. Each part of the emission has groups of its own, so that factors of
+/// measured spectra change without a sum over nodes.
 class KindRadiances {
   public:
     /// `radiometry` and `fronts` must live as long; `fronts` may grow.
@@ -75,8 +75,9 @@ class KindRadiances {
     std::vector<double> passed(int front, std::pair<std::size_t, std::size_t> nodes) const;
 
   private:
-    /// One of the sums over nodes that a kind is made of.
-    struct Strand {
+    /// Terms of the radiance that one sum over nodes serves: they share their drawn factor, their
+    /// part of the emission and the air that they pass.
+    struct TermGroup {
         std::size_t slot = 0;   ///< a drawn factor, or behind them for what has none
         int part = -1;          ///< of the emission; none
         bool passesAir = false; ///< multiplied with the transmittance of the row
@@ -86,7 +87,7 @@ class KindRadiances {
     /// Where a kind's numbers lie, output by output.
     struct Place {
         bool isKnown = false, isCombined = false;
-        std::size_t strands = 0, sent = 0;
+        std::size_t groupSums = 0, sent = 0;
     };
     /// The same for what is the same in all rows of a surface.
     struct HiddenPlace {
@@ -101,16 +102,16 @@ class KindRadiances {
 
     /// Per factor, then constant.
     std::size_t valuesOfKind() const { return factorCount_ + 1; }
-    std::vector<Strand> strandsOf(int drawn) const;
+    std::vector<TermGroup> termGroupsOf(int drawn) const;
     HiddenPlace& hiddenPlaceOf(int front, int drawn);
     /// Gives new kinds their places, and lists what they need, by front and drawn row.
     std::map<std::pair<int, int>, Work> plan(const std::vector<FactorKind>& kinds);
     void evaluate(int front, int drawn, const Work& work, const std::vector<double>& passed);
-    /// Adds a block of nodes to the sums of rows of a surface, strand by strand.
+    /// Adds a block of nodes to the sums of rows of a surface, group by group.
     void addBlock(int drawn, const std::vector<int>& rows, const std::vector<double>& passed,
                   std::size_t begin, std::size_t count, std::vector<double>& sums) const;
-    void fillStrand(int drawn, const Strand& strand, const double* passed, std::size_t begin,
-                    std::size_t count, double* values) const;
+    void fillGroup(int drawn, const TermGroup& group, const double* passed, std::size_t begin,
+                   std::size_t count, double* values) const;
     void evaluateHidden(int drawn, const std::vector<double>& passed, double* into) const;
     void combine(const FactorKind& kind);
     Place& placeOf(const FactorKind& kind);
@@ -118,13 +119,14 @@ class KindRadiances {
     const SceneRadiometry& radiometry_;
     const Fronts& fronts_;
     std::size_t outputs_, factorCount_;
-    std::vector<std::vector<Strand>> strandsOf_;         // by drawn row
+    std::vector<std::vector<TermGroup>> termGroups_;     // by drawn row
     SharedValues background_;                            // by node
     std::vector<double> inBand_, area_um_;               // by output
     std::vector<std::vector<Place>> places_;             // [front][row]
     std::vector<std::vector<HiddenPlace>> hiddenPlaces_; // [front][drawn row]
-    /// Sums of strands; what their sum sends; of the background its in-band radiance and part.
-    std::vector<double> strands_, sent_, hidden_;
+    /// Sums of groups of terms; what their sum sends; of the background its in-band radiance and
+    /// part.
+    std::vector<double> groupSums_, sent_, hidden_;
 };
 
 } // namespace irsg

@@ -5,8 +5,8 @@
 namespace irsg {
 
 /// Sums over nodes go block by block, so that what many sums share stays in the first cache. The
-/// loops below are written eight wide: the strands of a sum do not wait for each other, and their
-/// order is the same on every machine.
+/// loops below are written eight wide: the partial sums of a sum do not wait for each other, and
+/// their order is the same on every machine.
 inline constexpr std::size_t nodesOfBlock = 256;
 
 /// values[i] = make(i).

@@ -19,7 +19,7 @@ class OtherAir {
     /// air it is of; sun and defaults are those of `environment`. Its answers do not depend on what
     /// it was asked before, since errors are differences of nearly equal ones.
     const Environment& of(const Environment& environment, const Band& band);
-    /// The same air in its own bins, and at its own wideband terms.
+    /// The same air in its own bins, and at its own wideband points.
     const Environment& like(const Environment& environment);
 
     AtmosphericQueryCache answers;

@@ -43,7 +43,7 @@ SampledScenes::Key SampledScenes::keyOf(const AtmosphericQueryCache& answers, co
     Key key{AirIdentity(environment),
             environment.defaultBackground,
             environment.defaultAmbient_K,
-            airQuestions(environment, scene.terms, scene.geometry, settings, scene.centre),
+            airQueries(environment, scene.terms, scene.geometry, settings, scene.centre),
             {environment.sun.azimuth_rad, environment.sun.elevation_rad,
              environment.sun.distance_au, settings.airSliceFrom, settings.background_W_m2_sr,
              static_cast<double>(settings.background), static_cast<double>(settings.mode),

@@ -47,7 +47,7 @@ class SampledScenes {
         AirIdentity atmospheres;
         std::optional<Spectrum> defaultBackground;
         std::optional<double> defaultAmbient_K;
-        std::vector<AtmosphericQueryKey> questions;
+        std::vector<AtmosphericQueryKey> queries;
         /// The sun, the extent of each object, settings, and which terms are on.
         std::vector<double> numbers;
         std::vector<Band> bands;

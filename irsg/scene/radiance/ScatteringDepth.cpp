@@ -21,12 +21,12 @@ double meanOver(const Band& band, const Spectrum& spectrum) {
 PathScattering scatteringAlong(AtmosphericQueryCache& answers, const AtmosphericPath& path,
                                const Band& band) {
     const Environment& environment = answers.environment();
-    const AtmosphericQuery question = AtmosphericQuery::scatteringOpticalDepth(path);
+    const AtmosphericQuery query = AtmosphericQuery::scatteringOpticalDepth(path);
     const AtmosphereScatteringLut* lut = scatteringLutOf(environment);
-    if (lut && lut->accept(band.range(), question.quantity))
-        return {meanOver(band, lut->spectrum(question, band.range())), lut->name()};
-    if (environment.find(band.range(), question.quantity)) {
-        const Answer<Spectrum>& answer = answers.spectrum(question, band.range());
+    if (lut && lut->accept(band.range(), query.quantity))
+        return {meanOver(band, lut->spectrum(query, band.range())), lut->name()};
+    if (environment.find(band.range(), query.quantity)) {
+        const Answer<Spectrum>& answer = answers.spectrum(query, band.range());
         return {std::max(meanOver(band, answer.value), 0.0), answer.answeredBy};
     }
     const Answer<Spectrum>& through =

@@ -17,15 +17,15 @@ double rounded(double value, double step) {
     return step * std::round(value / step);
 }
 
-/// The question behind the light of a term.
-AtmosphericQuery questionOf(AtmosphereProperty light, const AtmosphericPath& path,
-                            const SunPosition& sun) {
-    AtmosphericQuery question;
-    question.quantity = light;
-    question.path = path;
-    question.altitude_m = path.targetAltitude_m;
-    question.sun = sun;
-    return question;
+/// The query behind the light of a term.
+AtmosphericQuery queryOf(AtmosphereProperty light, const AtmosphericPath& path,
+                         const SunPosition& sun) {
+    AtmosphericQuery query;
+    query.quantity = light;
+    query.path = path;
+    query.altitude_m = path.targetAltitude_m;
+    query.sun = sun;
+    return query;
 }
 
 bool isOn(const RadianceTerm& term, const RenderSettings& settings) {
@@ -51,17 +51,17 @@ AtmosphericQuery passedByMeasured(const AtmosphericPath& path, double reference_
 }
 
 /// The radiance onto an object from a place of its grid; none without diffuse light.
-std::vector<AtmosphericQuery> mirrorQuestions(const ObjectGeometry& object,
-                                              const RenderSettings& settings,
-                                              const SunPosition& sun) {
-    std::vector<AtmosphericQuery> questions;
+std::vector<AtmosphericQuery> mirrorQueries(const ObjectGeometry& object,
+                                            const RenderSettings& settings,
+                                            const SunPosition& sun) {
+    std::vector<AtmosphericQuery> queries;
     if (settings.fluxes == ReflectionMode::smart)
         for (const MirrorGrid::Direction& place : object.mirror.places())
-            questions.push_back(AtmosphericQuery::backgroundRadiance(
+            queries.push_back(AtmosphericQuery::backgroundRadiance(
                 {object.path.targetAltitude_m, place.elevation_rad,
                  sun.azimuth_rad + place.fromSun_rad},
                 sun));
-    return questions;
+    return queries;
 }
 
 /// Node by node; 0, for "nothing arrives", where both are 0.
@@ -113,16 +113,16 @@ AtmosphericPath atRange(const AtmosphericPath& path, double range_m) {
     return part;
 }
 
-std::vector<AtmosphericQueryKey> airQuestions(const Environment& environment,
-                                              const RadianceTerms& terms,
-                                              const std::vector<ObjectGeometry>& geometry,
-                                              const RenderSettings& settings,
-                                              const LineOfSight& centre) {
+std::vector<AtmosphericQueryKey> airQueries(const Environment& environment,
+                                            const RadianceTerms& terms,
+                                            const std::vector<ObjectGeometry>& geometry,
+                                            const RenderSettings& settings,
+                                            const LineOfSight& centre) {
     std::vector<AtmosphericQueryKey> keys;
-    const auto add = [&](const AtmosphericQuery& question) {
+    const auto add = [&](const AtmosphericQuery& query) {
         keys.push_back(
-            question.key(std::ranges::any_of(environment.atmospheres(), [&](const auto& air) {
-                return air->answersByAzimuth(question.quantity);
+            query.key(std::ranges::any_of(environment.atmospheres(), [&](const auto& air) {
+                return air->dependsOnAzimuth(query.quantity);
             })));
     };
     for (const ObjectGeometry& object : geometry) {
@@ -130,9 +130,9 @@ std::vector<AtmosphericQueryKey> airQuestions(const Environment& environment,
         add(AtmosphericQuery::pathRadiance(object.path, environment.sun));
         for (const RadianceTerm& term : terms.terms)
             if (isOn(term, settings))
-                add(questionOf(*term.light, object.path, environment.sun));
-        for (const AtmosphericQuery& question : mirrorQuestions(object, settings, environment.sun))
-            add(question);
+                add(queryOf(*term.light, object.path, environment.sun));
+        for (const AtmosphericQuery& query : mirrorQueries(object, settings, environment.sun))
+            add(query);
     }
     if (settings.background == BackgroundMode::environment)
         add(AtmosphericQuery::backgroundRadiance(centre, environment.sun));
@@ -156,8 +156,8 @@ SceneAir sceneAir(AtmosphericQueryCache& answers, const RadianceTerms& terms,
         line += who;
         addAnswer(scene.answeredBy, std::move(line));
     };
-    const auto take = [&](const AtmosphericQuery& question, const char* quantity) {
-        const auto& answer = answers.at(question, sampling);
+    const auto take = [&](const AtmosphericQuery& query, const char* quantity) {
+        const auto& answer = answers.at(query, sampling);
         note(quantity, answer.answeredBy);
         return answer.value;
     };
@@ -185,13 +185,12 @@ SceneAir sceneAir(AtmosphericQueryCache& answers, const RadianceTerms& terms,
                     continue;
                 // Light onto an object is that at its reference point; light of a path ends at the
                 // node.
-                const bool ofPath = placeOf(*term.light) == QueryGeometry::path;
-                light =
-                    take(questionOf(*term.light, ofPath ? toNode : path, sun), name(*term.light));
+                const bool ofPath = geometryOf(*term.light) == QueryGeometry::path;
+                light = take(queryOf(*term.light, ofPath ? toNode : path, sun), name(*term.light));
             }
         }
-        for (const AtmosphericQuery& question : mirrorQuestions(geometry[e], settings, sun))
-            air.mirrored.push_back(take(question, "reflected sky and ground"));
+        for (const AtmosphericQuery& query : mirrorQueries(geometry[e], settings, sun))
+            air.mirrored.push_back(take(query, "reflected sky and ground"));
         const Answer<double> ambient = ambientOf(answers, geometry[e]);
         note("ambient temperature", ambient.answeredBy);
         air.ambient_K = ambient.value;
@@ -229,8 +228,8 @@ std::vector<const Spectrum*> airSpectra(AtmosphericQueryCache& answers, const Ra
                                         const SpectralRange& range) {
     const SunPosition& sun = answers.environment().sun;
     std::vector<const Spectrum*> spectra;
-    const auto add = [&](const AtmosphericQuery& question) {
-        spectra.push_back(&answers.spectrum(question, range).value);
+    const auto add = [&](const AtmosphericQuery& query) {
+        spectra.push_back(&answers.spectrum(query, range).value);
     };
     if (settings.background == BackgroundMode::environment)
         add(AtmosphericQuery::backgroundRadiance(centre, sun));
@@ -239,7 +238,7 @@ std::vector<const Spectrum*> airSpectra(AtmosphericQueryCache& answers, const Ra
         add(AtmosphericQuery::transmittance(path));
         for (const RadianceTerm& term : terms.terms)
             if (isOn(term, settings))
-                add(questionOf(*term.light, path, sun));
+                add(queryOf(*term.light, path, sun));
         for (const auto& [name, spectrum] : entities[e].database->spectra)
             if (spectrum.referenceDistance_m > 0.0 && path.range_m > spectrum.referenceDistance_m)
                 add(passedByMeasured(path, spectrum.referenceDistance_m, settings.referenceAir));

@@ -75,13 +75,13 @@ std::vector<const Spectrum*> airSpectra(AtmosphericQueryCache& answers, const Ra
                                         const RenderSettings& settings, const LineOfSight& centre,
                                         const SpectralRange& range);
 
-/// The questions behind all that: equal ones have equal answers of the same environment, whatever
+/// The queries behind all that: equal ones have equal answers of the same environment, whatever
 /// the band. Those at other ranges of the same paths are left out.
-std::vector<AtmosphericQueryKey> airQuestions(const Environment& environment,
-                                              const RadianceTerms& terms,
-                                              const std::vector<ObjectGeometry>& geometry,
-                                              const RenderSettings& settings,
-                                              const LineOfSight& centre);
+std::vector<AtmosphericQueryKey> airQueries(const Environment& environment,
+                                            const RadianceTerms& terms,
+                                            const std::vector<ObjectGeometry>& geometry,
+                                            const RenderSettings& settings,
+                                            const LineOfSight& centre);
 
 /// Ambient temperature at an object's altitude, K, and who said so.
 Answer<double> ambientOf(const AtmosphericQueryCache& answers, const ObjectGeometry& geometry);

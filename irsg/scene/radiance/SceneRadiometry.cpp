@@ -111,7 +111,7 @@ void SceneRadiometry::joinAir(const std::vector<SampledBand>& bands) {
             for (std::size_t k = 0; k < terms_->terms.size(); ++k) {
                 // Light onto an object is the same at all nodes.
                 const auto& light = terms_->terms[k].light;
-                const bool isKnown = node > 0 && light && placeOf(*light) != QueryGeometry::path;
+                const bool isKnown = node > 0 && light && geometryOf(*light) != QueryGeometry::path;
                 air.light.push_back(isKnown ? air_[e].front().light[k]
                                             : joined(bands, [&](const SampledBand& b) {
                                                   return ofNode(b).light[k];

@@ -104,7 +104,7 @@ void fillBetween(const RadianceTerms& terms, SampledBand& band, std::size_t enti
     for (std::size_t k = 0; k < terms.terms.size(); ++k) {
         if (!nodes.front().light[k])
             continue;
-        if (placeOf(*terms.terms[k].light) == QueryGeometry::path)
+        if (geometryOf(*terms.terms[k].light) == QueryGeometry::path)
             fill([k](AirSamples& node) -> SharedValues& { return node.light[k]; });
         else // light onto the object is the same at all nodes
             for (AirSamples& node : nodes)
@@ -130,7 +130,7 @@ SampledBand SampledBand::ofSource(const RadianceTerms& terms) const {
             node.transmittance = one;
             for (std::size_t k = 0; k < terms.terms.size(); ++k) {
                 const auto& light = terms.terms[k].light;
-                if (light && node.light[k] && placeOf(*light) == QueryGeometry::path)
+                if (light && node.light[k] && geometryOf(*light) == QueryGeometry::path)
                     node.light[k] = none;
             }
         }
@@ -283,10 +283,10 @@ std::vector<SampledBand> SceneSampling::spectral(AtmosphericQueryCache& answers,
 }
 
 SampledBand SceneSampling::wideband(AtmosphericQueryCache& answers, const AirScene& scene,
-                                    const std::shared_ptr<const WidebandPoints>& terms) {
-    SampledBand made = sampledBand(terms->sampling());
-    made.sample = [terms](const Spectrum& spectrum) { return terms->sampled(spectrum); };
-    made.description = terms->description();
+                                    const std::shared_ptr<const WidebandPoints>& points) {
+    SampledBand made = sampledBand(points->sampling());
+    made.sample = [points](const Spectrum& spectrum) { return points->sampled(spectrum); };
+    made.description = points->description();
     takeAir(answers, scene, made);
     return made;
 }

@@ -89,9 +89,9 @@ class SceneSampling {
     /// as all of them.
     std::vector<SampledBand> spectral(AtmosphericQueryCache& answers, const AirScene& scene,
                                       const std::vector<Band>& bands);
-    /// In the wideband mode: a node is a term, and spectra are means over its bin.
+    /// In the wideband mode: a node is a quadrature point, and spectra are means over its bin.
     static SampledBand wideband(AtmosphericQueryCache& answers, const AirScene& scene,
-                                const std::shared_ptr<const WidebandPoints>& terms);
+                                const std::shared_ptr<const WidebandPoints>& points);
     /// For spectra: each of the ascending wavelengths is an output.
     static SampledBand wavelengths(AtmosphericQueryCache& answers, const AirScene& scene,
                                    const std::vector<double>& wavelengths_um);

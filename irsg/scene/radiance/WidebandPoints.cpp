@@ -17,7 +17,7 @@ const std::vector<double>* samplesOf(const Spectrum& spectrum, const std::vector
     return found == some.end() ? nullptr : &samples[static_cast<std::size_t>(found - some.begin())];
 }
 
-/// What terms are prepared for; `spectra` need to live as long.
+/// What quadrature points are prepared for; `spectra` need to live as long.
 CkRequest requestOf(const Environment& environment, const Band& band,
                     const WidebandSpectra& spectra, double largestError) {
     CkRequest request;
@@ -89,9 +89,10 @@ std::vector<double> WidebandPoints::sampled(const Spectrum& spectrum) const {
 }
 
 std::string WidebandPoints::description() const {
-    char errors[96];
+    char errors[128];
     std::snprintf(errors, sizeof errors,
-                  " terms, %.2g %% rms and at most %.2g %% off on paths that were not trained, of ",
+                  " quadrature points, %.2g %% rms and at most %.2g %% off on paths that were not "
+                  "trained, of ",
                   100.0 * data_->heldOutRms(), 100.0 * data_->heldOutError());
     return "wideband-ck: " + std::to_string(data_->size()) + errors + answeredBy_;
 }

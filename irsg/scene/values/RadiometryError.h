@@ -9,7 +9,7 @@ namespace irsg {
 /// each other, so that their squares add.
 struct ErrorParts {
     double sampling = 0.0;   ///< samples of pixels, windows and distances
-    double air = 0.0;        ///< spectral grid or wideband terms, and slices of range
+    double air = 0.0;        ///< spectral grid or quadrature points, and slices of range
     double background = 0.0; ///< lines of sight of the background
 
     double sum() const { return std::hypot(sampling, air, background); }

@@ -7,7 +7,7 @@ namespace irsg {
 /// How a band is integrated (F19, the report's CalculationMode).
 enum class CalculationMode {
     spectral = 1, ///< at every wavelength of the spectra that meet
-    wideband = 2  ///< at the terms of the atmosphere's correlated-k, see SensorCkData
+    wideband = 2  ///< at the quadrature points of the atmosphere's correlated-k, see SensorCkData
 };
 /// How the sun and the diffuse fluxes are reflected (report section 4, F12).
 enum class ReflectionMode {
@@ -60,8 +60,8 @@ inline constexpr double largestPointSource_px = 1.0;
 struct RenderSettings {
     EngineChoice engine = EngineChoice::opengl;
     CalculationMode mode = CalculationMode::spectral;
-    /// Of in-band quantities on the cases that wideband-ck's terms are trained on, relative: 5e-4
-    /// to 0.05. Less takes more terms. See CkRequest.
+    /// Of in-band quantities on the cases that wideband-ck's quadrature points are trained on,
+    /// relative: 5e-4 to 0.05. Less takes more points. See CkRequest.
     double widebandError = 0.003;
     /// Zoom antialiasing: side of the windows that objects are drawn into, samples; 128, 256 or 512
     /// for modes 3 to 5 of the report, any from 8 to 2048. 0: every pixel is sampled alike.

@@ -35,12 +35,12 @@ std::vector<SettingInfo> conditionSettings() {
 }
 
 /// What a condition changes: the setting that it stands in for, and its place in a case.
-struct Condition {
+struct SweptCondition {
     irsg::Quantity quantity;
     RealKey setting;
     std::optional<double> AnalysisCase::*value;
 };
-Condition conditionNamed(const std::string& name) {
+SweptCondition conditionNamed(const std::string& name) {
     if (name == "power")
         return {irsg::Quantity::power, key::statePower, &AnalysisCase::power};
     if (name == "mach")
@@ -50,7 +50,7 @@ Condition conditionNamed(const std::string& name) {
 
 void planCondition(AnalysisPlan& plan, const Project&, const Settings& settings,
                    std::vector<irsg::Diagnostic>& diagnostics) {
-    const Condition condition = conditionNamed(settings.text(key::conditionOver));
+    const SweptCondition condition = conditionNamed(settings.text(key::conditionOver));
     const double from = settings[key::conditionFrom], to = settings[key::conditionTo];
     const int points = settings[key::conditionPoints];
     const bool isLogarithmic = settings[key::conditionLog];
@@ -83,7 +83,7 @@ void planCondition(AnalysisPlan& plan, const Project&, const Settings& settings,
         return;
     const double step = (to - from) / (points - 1);
     for (int i = 0; i < points; ++i) {
-        AnalysisCase one = standingCase(settings);
+        AnalysisCase one = startingCase(settings);
         one.coordinate = i == points - 1 ? to
                          : isLogarithmic ? from * std::pow(to / from, i / (points - 1.0))
                                          : stepped(from, static_cast<std::size_t>(i), step);

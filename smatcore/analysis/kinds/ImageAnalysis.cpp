@@ -24,7 +24,7 @@ std::vector<SettingInfo> imageSettings() {
 void planImage(AnalysisPlan& plan, const Project&, const Settings& settings,
                std::vector<irsg::Diagnostic>&) {
     plan.columns = {irsg::Quantity::range};
-    plan.cases.push_back(standingCase(settings));
+    plan.cases.push_back(startingCase(settings));
 }
 
 } // namespace

@@ -157,7 +157,7 @@ void planPolar(AnalysisPlan& plan, const Project&, const Settings& settings,
         std::vector<AnalysisCase> cases;
         for (const double offset_deg : offsets_deg(settings))
             for (const double angle_deg : axes.front().places) {
-                AnalysisCase one = standingCase(settings);
+                AnalysisCase one = startingCase(settings);
                 one.coordinate = angle_deg;
                 if (type == "camera-azimuth")
                     placeCameraAzimuth(one, angle_deg, offset_deg);

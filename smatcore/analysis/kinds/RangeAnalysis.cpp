@@ -70,7 +70,7 @@ void planRange(AnalysisPlan& plan, const Project&, const Settings& settings,
     const auto casesAt = [settings](const std::vector<RefinedAxis>& axes) {
         std::vector<AnalysisCase> cases;
         for (const double range_m : axes.front().places) {
-            AnalysisCase& one = cases.emplace_back(standingCase(settings));
+            AnalysisCase& one = cases.emplace_back(startingCase(settings));
             one.coordinate = one.range_m = range_m;
         }
         return cases;

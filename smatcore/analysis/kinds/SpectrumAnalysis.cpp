@@ -31,7 +31,7 @@ void planSpectrum(AnalysisPlan& plan, const Project& project, const Settings& se
     const double step_per_cm = settings[key::spectrumResolution];
     plan.coordinate = irsg::Quantity::wavenumber;
     plan.columns = {irsg::Quantity::wavenumber, irsg::Quantity::wavelength};
-    plan.cases.push_back(standingCase(settings));
+    plan.cases.push_back(startingCase(settings));
     const double count = std::floor((highest_per_cm - lowest_per_cm) / step_per_cm + 1e-9) + 1.0;
     if (count > mostCases) {
         diagnostics.push_back(

@@ -306,7 +306,7 @@ std::vector<AnalysisCase> casesOver(const std::vector<Direction>& directions,
                 for (const double time_s : valuesOf(axes[1], settings))
                     for (const double power : valuesOf(axes[2], settings))
                         for (const double mach : valuesOf(axes[3], settings)) {
-                            AnalysisCase one = standingCase(settings);
+                            AnalysisCase one = startingCase(settings);
                             one.coordinate = from.azimuth_deg;
                             one.azimuth_rad = irsg::radians(from.azimuth_deg);
                             one.elevation_rad = irsg::radians(from.elevation_deg);

@@ -50,7 +50,7 @@ void planTime(AnalysisPlan& plan, const Project&, const Settings& settings,
         return;
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-        AnalysisCase one = standingCase(settings);
+        AnalysisCase one = startingCase(settings);
         one.time_s = stepped(from_s, i, step_s);
         one.coordinate = one.time_s;
         plan.cases.push_back(one);

@@ -1,4 +1,4 @@
-#include "smatcore/analysis/AskedAnalysis.h"
+#include "smatcore/analysis/AnalysisOfResult.h"
 
 #include <algorithm>
 #include <optional>
@@ -15,9 +15,9 @@ namespace smat {
 namespace {
 
 /// What a result says of itself, and how to refuse some of it.
-class Told {
+class StatedProvenance {
   public:
-    Told(const Provenance& provenance, const std::filesystem::path& file)
+    StatedProvenance(const Provenance& provenance, const std::filesystem::path& file)
         : provenance_(provenance), file_(file) {}
 
     const Provenance& all() const { return provenance_; }
@@ -52,24 +52,24 @@ std::optional<std::filesystem::path> projectNear(const std::filesystem::path& re
     return std::nullopt;
 }
 
-Project projectOf(const Told& told, const std::vector<Project>& open) {
-    const std::string name = told.text("project");
+Project projectOf(const StatedProvenance& stated, const std::vector<Project>& open) {
+    const std::string name = stated.text("project");
     if (std::filesystem::path(name).extension() != ".smat")
-        told.refuse("project", name.empty() ? "nothing" : "'" + name + "'",
-                    "the file of a project: a result of a bare model does not say how that was "
-                    "opened");
+        stated.refuse("project", name.empty() ? "nothing" : "'" + name + "'",
+                      "the file of a project: a result of a bare model does not say how that was "
+                      "opened");
     const auto known = std::ranges::find(open, name, &Project::displayName);
     if (known != open.end())
         return *known;
-    const auto found = projectNear(told.file(), name);
+    const auto found = projectNear(stated.file(), name);
     if (!found)
-        told.refuse("project", name + ", which is neither open nor beside the result",
-                    "its project beside it, or open");
+        stated.refuse("project", name + ", which is neither open nor beside the result",
+                      "its project beside it, or open");
     return loadProject(*found);
 }
 
 /// Files that the project has now under the names that the result knows.
-void checkModels(const Told& told, const Project& project) {
+void checkModels(const StatedProvenance& stated, const Project& project) {
     std::string models, databases;
     for (const ProjectModel& model : project.models) {
         const auto add = [](std::string& list, const std::filesystem::path& path) {
@@ -79,41 +79,41 @@ void checkModels(const Told& told, const Project& project) {
         add(databases, model.database);
     }
     const std::string now = "those of " + project.displayName() + " now: ";
-    if (told.text("database").find("edits that are not saved") != std::string::npos)
-        told.refuse("database", told.text("database"), "a database as it was saved");
-    if (told.text("model") != models)
-        told.refuse("model", told.text("model"), now + models);
-    if (told.text("database") != databases)
-        told.refuse("database", told.text("database"), now + databases);
+    if (stated.text("database").find("edits that are not saved") != std::string::npos)
+        stated.refuse("database", stated.text("database"), "a database as it was saved");
+    if (stated.text("model") != models)
+        stated.refuse("model", stated.text("model"), now + models);
+    if (stated.text("database") != databases)
+        stated.refuse("database", stated.text("database"), now + databases);
 }
 
-AnalysisData analysisOf(const Told& told, const std::vector<Project>& open) {
-    const std::string analysis = told.text("analysis");
-    if (!told.text("program").starts_with("smat ") || analysis.empty())
-        told.refuse("", "a result that does not say how it was computed",
-                    "one that an analysis of this program wrote");
+AnalysisData analysisOf(const StatedProvenance& stated, const std::vector<Project>& open) {
+    const std::string analysis = stated.text("analysis");
+    if (!stated.text("program").starts_with("smat ") || analysis.empty())
+        stated.refuse("", "a result that does not say how it was computed",
+                      "one that an analysis of this program wrote");
     // Its table names the analysis that was repeated, and a run of that has other numbers.
-    if (const std::string draws = told.text("monte carlo"); !draws.empty())
-        told.refuse("monte carlo", draws,
-                    "a result of one run: Monte Carlo is run again by the command " +
-                        name(AnalysisKind::monteCarlo));
+    if (const std::string draws = stated.text("monte carlo"); !draws.empty())
+        stated.refuse("monte carlo", draws,
+                      "a result of one run: Monte Carlo is run again by the command " +
+                          name(AnalysisKind::monteCarlo));
     const auto kind = analysisKindFromName(analysis);
     if (!kind)
-        told.refuse("analysis", analysis, analysisKindNames());
+        stated.refuse("analysis", analysis, analysisKindNames());
     AnalysisData data;
     data.kind = *kind;
-    data.name = told.text("name");
-    data.project = projectOf(told, open);
-    checkModels(told, data.project);
-    // What is not told had its default.
+    data.name = stated.text("name");
+    data.project = projectOf(stated, open);
+    checkModels(stated, data.project);
+    // What is not stated had its default.
     ResultTable settings;
-    settings.provenance = told.all();
+    settings.provenance = stated.all();
     data.settings = settingsOf(settings);
-    for (const auto& [key, value] : told.all().entries)
+    for (const auto& [key, value] : stated.all().entries)
         if (findSetting(key) != nullptr && !data.settings.isSet(key))
-            told.refuse(key, value, "a value that this version knows");
-    // Where adaptive steps are not told there were none.
-    if (told.text(key::stepsOf(analysis)).empty())
+            stated.refuse(key, value, "a value that this version knows");
+    // Where adaptive steps are not stated there were none.
+    if (stated.text(key::stepsOf(analysis)).empty())
         data.settings = withFixedSteps(data.kind, data.settings);
     data.project.settings = data.settings;
     return data;
@@ -123,7 +123,7 @@ AnalysisData analysisOf(const Told& told, const std::vector<Project>& open) {
 
 AnalysisData analysisOfResult(const AnalysisData& loaded, const std::filesystem::path& file,
                               const std::vector<Project>& open) {
-    return loaded.image.empty() ? analysisOf(Told(loaded.table.provenance, file), open)
+    return loaded.image.empty() ? analysisOf(StatedProvenance(loaded.table.provenance, file), open)
                                 : analysisOfImage(loaded.image, file, open);
 }
 
@@ -132,13 +132,13 @@ AnalysisData analysisOfImage(const irsg::RadianceImage& image, const std::filesy
     Provenance provenance;
     for (const auto& [key, value] : image.attributes)
         provenance.add(key, value);
-    const Told told(provenance, file);
-    AnalysisData data = analysisOf(told, open);
+    const StatedProvenance stated(provenance, file);
+    AnalysisData data = analysisOf(stated, open);
     if (data.kind != AnalysisKind::image)
-        told.refuse("analysis", name(data.kind), "image");
+        stated.refuse("analysis", name(data.kind), "image");
     const int width = data.settings[key::sensorWidth], height = data.settings[key::sensorHeight];
     if (width != image.width() || height != image.height())
-        told.refuse(
+        stated.refuse(
             "", std::to_string(image.width()) + " x " + std::to_string(image.height()) + " pixels",
             "those of its sensor, " + std::to_string(width) + " x " + std::to_string(height));
     return data;

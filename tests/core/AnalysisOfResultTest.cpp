@@ -4,7 +4,7 @@
 
 #include "irsg/scene/trace/RaysBuilt.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
-#include "smatcore/analysis/AskedAnalysis.h"
+#include "smatcore/analysis/AnalysisOfResult.h"
 #include "smatcore/analysis/PixelExplainer.h"
 #include "smatcore/project/ProjectFile.h"
 #include "tests/support/Refusal.h"
@@ -34,7 +34,7 @@ AnalysisData drawn() {
     return data;
 }
 
-TEST(AskedAnalysis, SaysWhatItWasAskedFor) {
+TEST(AnalysisOfResult, SaysWhatItWasAskedFor) {
     if (!irsg::areRaysBuilt()) {
         GTEST_SKIP() << irsg::whyNoRays();
     }
@@ -55,7 +55,7 @@ TEST(AskedAnalysis, SaysWhatItWasAskedFor) {
     }
 }
 
-TEST(AskedAnalysis, SaysWhyItIsNotKnown) {
+TEST(AnalysisOfResult, SaysWhyItIsNotKnown) {
     if (!irsg::areRaysBuilt()) {
         GTEST_SKIP() << irsg::whyNoRays();
     }

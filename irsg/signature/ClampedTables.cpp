@@ -1,16 +1,17 @@
-#include "irsg/signature/HeldTables.h"
+#include "irsg/signature/ClampedTables.h"
 
 #include "irsg/signature/EntryFields.h"
 #include "irsg/signature/EntryPath.h"
 
 namespace irsg {
 
-std::vector<std::string> tablesHeld(const SignatureDatabase& database, const EntityState& state) {
-    std::vector<std::string> held;
+std::vector<std::string> clampedTables(const SignatureDatabase& database,
+                                       const EntityState& state) {
+    std::vector<std::string> clamped;
     const auto check = [&](const std::string& path, const auto& part, auto fields) {
         forEachField<LookupTable>(fields, [&](const auto& field, auto member) {
             if ((part.*member).isOutside(field.table.position(state)))
-                held.push_back(path + "." + field.key);
+                clamped.push_back(path + "." + field.key);
         });
     };
     for (const auto& [index, entry] : database.temperatures) {
@@ -24,7 +25,7 @@ std::vector<std::string> tablesHeld(const SignatureDatabase& database, const Ent
                 check(path + ".factors[" + std::to_string(i) + "]", entry.factors[i],
                       factorFields());
     }
-    return held;
+    return clamped;
 }
 
 } // namespace irsg

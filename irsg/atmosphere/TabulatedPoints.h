@@ -10,8 +10,8 @@
 
 namespace irsg {
 
-/// Tables of the terms that were asked last.
-struct TabulatedAtmosphere::OfTerms {
+/// Tables of the quadrature points that were asked last.
+struct TabulatedAtmosphere::OfPoints {
     static constexpr std::size_t most = 8;
     std::mutex mutex;
     std::map<std::vector<std::uint32_t>, std::shared_ptr<const TabulatedAtmosphere>> known;

@@ -180,7 +180,7 @@ void addFiles(const Results& results, std::vector<Difference>& list) {
 
 } // namespace
 
-std::vector<std::string> tellingNames(const Results& results) {
+std::vector<std::string> distinguishingNames(const Results& results) {
     std::vector<std::string> names(results.size());
     // Results of several kinds are told apart by their kinds, Monte Carlo by what it repeats.
     const auto isOther = [&](const AnalysisData* data) {

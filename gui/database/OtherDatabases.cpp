@@ -9,33 +9,33 @@ namespace smat::gui {
 
 namespace fs = std::filesystem;
 
-void DatabaseSession::keepAside(std::set<fs::path> files) {
+void DatabaseSession::keepOpen(std::set<fs::path> files) {
     keep_ = std::move(files);
     // Their copies of unsaved edits stay, and are offered again with their file.
-    std::erase_if(aside_, [this](const auto& one) { return !keep_.contains(one.first); });
+    std::erase_if(others_, [this](const auto& one) { return !keep_.contains(one.first); });
 }
 
-DatabaseSession::Values DatabaseSession::unsavedAside() const {
+DatabaseSession::Values DatabaseSession::unsavedOthers() const {
     Values values;
-    for (const auto& [file, aside] : aside_)
-        if (aside.dirty)
-            values[file] = aside.value;
+    for (const auto& [file, other] : others_)
+        if (other.dirty)
+            values[file] = other.value;
     return values;
 }
 
-void DatabaseSession::leaveOrPutAside(const fs::path& next) {
+void DatabaseSession::leaveOrKeepOpen(const fs::path& next) {
     if (isOpen() && file_ != next && keep_.contains(file_))
-        putAside();
+        keepCurrentOpen();
     else
         leave();
 }
 
-void DatabaseSession::putAside() {
+void DatabaseSession::keepCurrentOpen() {
     if (dirty_)
         writeRecoveryNow();
     recoveryTimer_.stop();
-    Aside& aside = aside_[file_];
-    aside = {std::move(value_),
+    OpenDatabase& other = others_[file_];
+    other = {std::move(value_),
              std::move(saved_),
              isNew_,
              acceptedOutside_,
@@ -52,30 +52,30 @@ void DatabaseSession::putAside() {
     dirty_ = isNew_ = acceptedOutside_ = false;
 }
 
-bool DatabaseSession::takeFromAside(const fs::path& file) {
-    const auto found = aside_.find(file);
-    if (found == aside_.end())
+bool DatabaseSession::takeFromOthers(const fs::path& file) {
+    const auto found = others_.find(file);
+    if (found == others_.end())
         return false;
-    Aside aside = std::move(found->second);
-    aside_.erase(found);
+    OpenDatabase other = std::move(found->second);
+    others_.erase(found);
     // Nothing is lost by reading a file again that was not edited here.
-    if (!aside.dirty && irsg::stampOf(file) != aside.stamp)
+    if (!other.dirty && irsg::stampOf(file) != other.stamp)
         return false;
-    leaveOrPutAside(file);
+    leaveOrKeepOpen(file);
     file_ = file;
-    value_ = std::move(aside.value);
-    saved_ = std::move(aside.saved);
-    isNew_ = aside.isNew;
-    acceptedOutside_ = aside.acceptedOutside;
-    dirty_ = aside.dirty;
-    access_ = aside.access;
-    otherWindow_ = aside.otherWindow;
-    taken_ = aside.taken;
-    stamp_ = aside.stamp;
-    lock_ = std::move(aside.lock);
-    recovery_ = std::move(aside.recovery);
-    recoveryProblem_ = std::move(aside.recoveryProblem);
-    left_ = std::move(aside.left);
+    value_ = std::move(other.value);
+    saved_ = std::move(other.saved);
+    isNew_ = other.isNew;
+    acceptedOutside_ = other.acceptedOutside;
+    dirty_ = other.dirty;
+    access_ = other.access;
+    otherWindow_ = other.otherWindow;
+    taken_ = other.taken;
+    stamp_ = other.stamp;
+    lock_ = std::move(other.lock);
+    recovery_ = std::move(other.recovery);
+    recoveryProblem_ = std::move(other.recoveryProblem);
+    left_ = std::move(other.left);
     ++gesture_;
     watch();
     emit opened();
@@ -89,13 +89,13 @@ bool DatabaseSession::bring(int taken) {
     if (taken == taken_)
         return true;
     const auto found =
-        std::ranges::find_if(aside_, [&](const auto& one) { return one.second.taken == taken; });
-    if (found == aside_.end())
+        std::ranges::find_if(others_, [&](const auto& one) { return one.second.taken == taken; });
+    if (found == others_.end())
         return false;
     const fs::path file = found->first;
     emit wanted(file);
     if (taken != taken_)
-        takeFromAside(file);
+        takeFromOthers(file);
     return taken == taken_;
 }
 

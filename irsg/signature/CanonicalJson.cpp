@@ -1,4 +1,4 @@
-#include "irsg/signature/JsonText.h"
+#include "irsg/signature/CanonicalJson.h"
 
 #include <algorithm>
 #include <vector>
