@@ -100,7 +100,7 @@ void TabulatedAtmosphere::checkFamily() const {
     if (runs_.empty())
         throw InputError({name_, "", "no runs", "at least one run"});
     std::vector<Diagnostic> diagnostics;
-    const auto offend = [&](const SpectralRun& run, std::string value, std::string expected) {
+    const auto report = [&](const SpectralRun& run, std::string value, std::string expected) {
         diagnostics.push_back({name_, run.source, std::move(value), std::move(expected)});
     };
     const SpectralRun* firstWithSun = nullptr;
@@ -108,7 +108,7 @@ void TabulatedAtmosphere::checkFamily() const {
         const SpectralRun& run = runs_[i];
         const SpectralRun& first = runs_.front();
         if (run.wavenumbers_per_cm != first.wavenumbers_per_cm) {
-            offend(run, gridText(run), gridText(first) + " as " + first.source + " has");
+            report(run, gridText(run), gridText(first) + " as " + first.source + " has");
             continue;
         }
         const auto compareCards = [&](std::span<const char* const> names, const SpectralRun& other,
@@ -118,7 +118,7 @@ void TabulatedAtmosphere::checkFamily() const {
                 const auto its = other.cards.find(card);
                 if (mine != run.cards.end() && its != other.cards.end() &&
                     mine->second != its->second) {
-                    offend(run, std::string(card) + " " + numberText(mine->second),
+                    report(run, std::string(card) + " " + numberText(mine->second),
                            numberText(its->second) + " as in " + other.source + ": " + what);
                 }
             }
@@ -135,7 +135,7 @@ void TabulatedAtmosphere::checkFamily() const {
                 continue;
             }
             if (sameRole(run, other)) {
-                offend(run, "the geometry of " + other.source + " again",
+                report(run, "the geometry of " + other.source + " again",
                        "each geometry once for each kind of run");
                 continue;
             }
@@ -145,7 +145,7 @@ void TabulatedAtmosphere::checkFamily() const {
                     std::max(largest, std::abs(run.transmittance[n] - other.transmittance[n]));
             }
             if (largest > sameTransmittance) {
-                offend(run, "a transmittance that differs by " + numberText(largest),
+                report(run, "a transmittance that differs by " + numberText(largest),
                        "that of " + other.source + ", which is of the same path");
             }
         }

@@ -64,18 +64,18 @@ class TableReader {
             numbers(root_, "wavenumbers [cm-1]", "", 0.0, HUGE_VAL);
         for (std::size_t i = 0; i < wavenumbers.size(); ++i) {
             if (!(wavenumbers[i] > (i == 0 ? 0.0 : wavenumbers[i - 1]))) {
-                offend("wavenumbers [cm-1][" + std::to_string(i) + "]", numberText(wavenumbers[i]),
+                report("wavenumbers [cm-1][" + std::to_string(i) + "]", numberText(wavenumbers[i]),
                        "positive and ascending wavenumbers");
             }
         }
         if (wavenumbers.size() < 2) {
-            offend("wavenumbers [cm-1]", std::to_string(wavenumbers.size()) + " values",
+            report("wavenumbers [cm-1]", std::to_string(wavenumbers.size()) + " values",
                    "at least two");
         }
         std::vector<SpectralRun> runs;
         const json& list = root_.contains("runs") ? root_["runs"] : json();
         if (!list.is_array() || list.empty())
-            offend("runs", list.is_array() ? "an empty array" : "no array", "at least one run");
+            report("runs", list.is_array() ? "an empty array" : "no array", "at least one run");
         for (std::size_t i = 0; list.is_array() && i < list.size(); ++i)
             runs.push_back(readRun(list[i], "runs[" + std::to_string(i) + "]", wavenumbers));
         if (!diagnostics_.empty())
@@ -84,7 +84,7 @@ class TableReader {
     }
 
   private:
-    void offend(const std::string& path, std::string value, std::string expected) {
+    void report(const std::string& path, std::string value, std::string expected) {
         diagnostics_.push_back(
             {file_, places_.position(path), std::move(value), std::move(expected)});
     }
@@ -92,7 +92,7 @@ class TableReader {
     std::string text(const json& object, const char* key, const std::string& path) {
         if (object.contains(key) && object[key].is_string())
             return object[key].get<std::string>();
-        offend(path + key, object.contains(key) ? shownJson(object[key]) : "no such key", "a text");
+        report(path + key, object.contains(key) ? shownJson(object[key]) : "no such key", "a text");
         return "";
     }
 
@@ -104,7 +104,7 @@ class TableReader {
             if (std::isfinite(found) && found >= least && found <= largest)
                 return found;
         }
-        offend(path + key, object.contains(key) ? shownJson(value) : "no such key",
+        report(path + key, object.contains(key) ? shownJson(value) : "no such key",
                "a number of " + numberText(least) + " to " + numberText(largest));
         return 0.0;
     }
@@ -114,13 +114,13 @@ class TableReader {
         std::vector<double> values;
         const json& list = object.contains(key) ? object[key] : json();
         if (!list.is_array()) {
-            offend(path + key, "no array", "numbers");
+            report(path + key, "no array", "numbers");
             return values;
         }
         for (std::size_t i = 0; i < list.size(); ++i) {
             const double value = list[i].is_number() ? list[i].get<double>() : std::nan("");
             if (!(value >= least && value <= largest && std::isfinite(value))) {
-                offend(path + key + "[" + std::to_string(i) + "]", shownJson(list[i]),
+                report(path + key + "[" + std::to_string(i) + "]", shownJson(list[i]),
                        largest == 1.0 ? "0 to 1" : "a finite number of at least 0");
             }
             values.push_back(value);
@@ -133,7 +133,7 @@ class TableReader {
         SpectralRun run;
         run.wavenumbers_per_cm = wavenumbers;
         if (!object.is_object()) {
-            offend(where, shownJson(object), "an object");
+            report(where, shownJson(object), "an object");
             return run;
         }
         const std::string path = where + ".";
@@ -148,7 +148,7 @@ class TableReader {
             }
         }
         if (!known) {
-            offend(path + "kind", kind,
+            report(path + "kind", kind,
                    "transmittance, thermal radiance, thermal and solar radiance or solar "
                    "irradiance");
         }
@@ -160,7 +160,7 @@ class TableReader {
             }
         }
         if (!known)
-            offend(path + "path", line, "horizontal, slant or to space");
+            report(path + "path", line, "horizontal, slant or to space");
         RunGeometry& geometry = run.geometry;
         geometry.sensorAltitude_m = number(object, "sensor_altitude [m]", path, 0.0, 1e8);
         geometry.targetAltitude_m = number(object, "target_altitude [m]", path, -1e8, 1e8);
@@ -181,7 +181,7 @@ class TableReader {
             if (object.contains(spectrum.key) || spectrum.values == &SpectralRun::transmittance) {
                 run.*spectrum.values = numbers(object, spectrum.key, path, 0.0, spectrum.largest);
                 if ((run.*spectrum.values).size() != wavenumbers.size()) {
-                    offend(path + spectrum.key,
+                    report(path + spectrum.key,
                            std::to_string((run.*spectrum.values).size()) + " values",
                            std::to_string(wavenumbers.size()) + ", one for each wavenumber");
                 }
@@ -191,10 +191,10 @@ class TableReader {
             run.kind == RunKind::thermalRadiance || run.kind == RunKind::solarRadiance;
         if (radiates &&
             (run.pathRadiance_W_m2_sr_um.empty() || run.totalRadiance_W_m2_sr_um.empty())) {
-            offend(where, "no radiances", "path and total radiance in a run of this kind");
+            report(where, "no radiances", "path and total radiance in a run of this kind");
         }
         if (run.kind == RunKind::sunlight && run.solarIrradiance_W_m2_um.empty())
-            offend(where, "no solar irradiance", "it in a run of this kind");
+            report(where, "no solar irradiance", "it in a run of this kind");
         return run;
     }
 

@@ -108,7 +108,7 @@ class CsvImageParser {
 
     RadianceImage image() {
         if (width_ == 0 && diagnostics_.empty())
-            offend("", "no number", "rows of numbers separated by commas");
+            report("", "no number", "rows of numbers separated by commas");
         if (diagnostics_.empty())
             checkSize();
         if (!diagnostics_.empty())
@@ -129,7 +129,7 @@ class CsvImageParser {
     bool isFull() const { return isNoImage_ || diagnostics_.size() >= diagnosticsShown; }
 
   private:
-    void offend(std::string position, std::string value, std::string expected) {
+    void report(std::string position, std::string value, std::string expected) {
         diagnostics_.push_back({file_, std::move(position), std::move(value), std::move(expected)});
     }
     std::string here() const { return "line " + std::to_string(line_); }
@@ -143,7 +143,7 @@ class CsvImageParser {
     void row(std::string_view text) {
         if (height_ == 0) {
             if (std::string words = wordsOfHeading(text); !words.empty()) {
-                offend(here(), std::move(words), "an image: rows of numbers");
+                report(here(), std::move(words), "an image: rows of numbers");
                 isNoImage_ = true;
                 return;
             }
@@ -173,7 +173,7 @@ class CsvImageParser {
         if (height_ == 1)
             width_ = columns;
         if (columns != width_)
-            offend(here(), std::to_string(columns) + " values",
+            report(here(), std::to_string(columns) + " values",
                    std::to_string(width_) + " values, as in the first row");
     }
 
@@ -192,7 +192,7 @@ class CsvImageParser {
             return digits.starts_with('-') ? -0.0F : 0.0F;
         const std::string shown =
             text.size() > 40 ? std::string(text.substr(0, 40)) + "..." : std::string(text);
-        offend(here() + ", column " + std::to_string(column),
+        report(here() + ", column " + std::to_string(column),
                shown.empty() ? "an empty field" : shown,
                isOutOfRange ? "a number within the range of 32-bit float" : "a number");
         return 0.0F;
@@ -210,13 +210,13 @@ class CsvImageParser {
         const auto claim = [this](const char* key, std::size_t found) {
             const auto it = header_.plane.find(key);
             if (it != header_.plane.end() && it->second != std::to_string(found))
-                offend(key, std::to_string(found), it->second + ", as the header says");
+                report(key, std::to_string(found), it->second + ", as the header says");
         };
         claim("width", width_);
         claim("height", height_);
         const auto limit = static_cast<std::size_t>(largestImageSide_px);
         if (width_ > limit || height_ > limit)
-            offend("", std::to_string(width_) + " x " + std::to_string(height_) + " pixels",
+            report("", std::to_string(width_) + " x " + std::to_string(height_) + " pixels",
                    "at most " + std::to_string(limit) + " pixels a side");
     }
 

@@ -31,14 +31,14 @@ class Solver {
     }
 
   private:
-    void offend(const char* what, std::string value, std::string expected) {
+    void report(const char* what, std::string value, std::string expected) {
         diagnostics_.push_back({"geometry", what, std::move(value), std::move(expected)});
     }
 
     void checkNumber(const char* what, const std::optional<double>& value, double least,
                      double most, const char* expected) {
         if (value && !(*value >= least && *value <= most))
-            offend(what, irsg::numberText(*value), expected);
+            report(what, irsg::numberText(*value), expected);
     }
 
     void checkNumbers() {
@@ -60,7 +60,7 @@ class Solver {
         for (const auto& [what, value] : {std::pair{"range", input_.range_m},
                                           std::pair{"target altitude", input_.targetAltitude_m}}) {
             if (value) {
-                offend(what, irsg::numberText(*value) + " m with a path to space",
+                report(what, irsg::numberText(*value) + " m with a path to space",
                        "one of them: a path to space has no target");
             }
         }
@@ -68,10 +68,10 @@ class Solver {
              {std::pair{"sensor altitude", input_.sensorAltitude_m},
               std::pair{"elevation of the line of sight", input_.losElevation_deg}}) {
             if (!value)
-                offend(what, "nothing", "a number: a path to space begins with it");
+                report(what, "nothing", "a number: a path to space begins with it");
         }
         if (input_.sensorAltitude_m && *input_.sensorAltitude_m >= spaceAltitude_m) {
-            offend("sensor altitude", irsg::numberText(*input_.sensorAltitude_m) + " m",
+            report("sensor altitude", irsg::numberText(*input_.sensorAltitude_m) + " m",
                    "less than 100 km for a path to space; farther up give a range");
         }
     }
@@ -131,7 +131,7 @@ class Solver {
         const std::optional<double> ground_m = groundRange_m();
         constexpr double rounding = 1.0 + 1e-9;
         if (ground_m && range_m > *ground_m * rounding) {
-            offend("range", irsg::numberText(range_m) + " m",
+            report("range", irsg::numberText(range_m) + " m",
                    fmt::format("at most {:.6g} m: there the line of sight meets the ground",
                                *ground_m));
             return;
@@ -146,7 +146,7 @@ class Solver {
         const double range_m = *input_.range_m;
         const double sensor_m = *input_.sensorAltitude_m;
         if (std::abs(target_m - sensor_m) > range_m * (1.0 + 1e-6)) {
-            offend("range", irsg::numberText(range_m) + " m",
+            report("range", irsg::numberText(range_m) + " m",
                    "at least the difference of the altitudes, " +
                        irsg::numberText(std::abs(target_m - sensor_m)) + " m");
             return;
@@ -162,7 +162,7 @@ class Solver {
         const double slack_m = 0.1 + 1e-3 * range_m + range_m * range_m / (2.0 * earthRadius_m);
         const double seen_m = altitudeAfter_m(range_m);
         if (!(std::abs(seen_m - target_m) <= slack_m)) {
-            offend("elevation of the line of sight",
+            report("elevation of the line of sight",
                    irsg::numberText(*input_.losElevation_deg) + " deg with a target altitude of " +
                        irsg::numberText(target_m) + " m",
                    fmt::format("one of them, or numbers that agree: that line of sight is at "
@@ -173,7 +173,7 @@ class Solver {
 
     void pathToSpace() {
         if (groundRange_m()) {
-            offend("elevation of the line of sight",
+            report("elevation of the line of sight",
                    irsg::numberText(*input_.losElevation_deg) + " deg",
                    "one that misses the ground on its way to space");
             return;

@@ -13,21 +13,21 @@ namespace {
 
 void check(const TemperatureProfileRequest& request) {
     std::vector<irsg::Diagnostic> diagnostics;
-    const auto offend = [&](const char* what, double value, std::string expected) {
+    const auto report = [&](const char* what, double value, std::string expected) {
         diagnostics.push_back(
             {"temperature profile", what, irsg::numberText(value) + " m", std::move(expected)});
     };
     if (!(request.min_m >= 0.0 && std::isfinite(request.min_m)))
-        offend("min", request.min_m, "a finite altitude of at least 0 m: the ground");
+        report("min", request.min_m, "a finite altitude of at least 0 m: the ground");
     if (!std::isfinite(request.max_m))
-        offend("max", request.max_m, "a finite altitude");
+        report("max", request.max_m, "a finite altitude");
     else if (!(request.max_m >= request.min_m) && std::isfinite(request.min_m))
-        offend("max", request.max_m, "at least min, " + irsg::numberText(request.min_m) + " m");
+        report("max", request.max_m, "at least min, " + irsg::numberText(request.min_m) + " m");
     if (!(request.step_m > 0.0 && std::isfinite(request.step_m))) {
-        offend("step", request.step_m, "a finite step above 0 m");
+        report("step", request.step_m, "a finite step above 0 m");
     } else if (!((request.max_m - request.min_m) / request.step_m < maximumProfileRows) &&
                std::isfinite(request.max_m) && std::isfinite(request.min_m)) {
-        offend("step", request.step_m,
+        report("step", request.step_m,
                "a step that gives at most " + std::to_string(maximumProfileRows) + " altitudes");
     }
     if (!diagnostics.empty())

@@ -115,7 +115,7 @@ class Document {
     const std::string& file() const { return file_; }
     const json& cases() const { return root_["MODTRAN"]; }
     std::vector<Diagnostic>& diagnostics() { return diagnostics_; }
-    void offend(const std::string& path, std::string value, std::string expected) {
+    void report(const std::string& path, std::string value, std::string expected) {
         diagnostics_.push_back(
             {file_, places_.position(path), std::move(value), std::move(expected)});
     }
@@ -132,7 +132,7 @@ class Document {
         const json& entry = cases()[number];
         if (!entry.is_object() || !entry.contains("MODTRANINPUT") ||
             !entry["MODTRANINPUT"].is_object()) {
-            offend(path, "no such object",
+            report(path, "no such object",
                    "the input of the case beside its results, or in a document of this folder "
                    "whose FILEOPTIONS.JSONPRNT names this file");
             return {result};
@@ -172,7 +172,7 @@ class Document {
         const json::json_pointer pointer("/GEOMETRY/MLOS");
         const json& sights = input.contains(pointer) ? input[pointer] : none;
         if (!sights.is_array()) {
-            offend(place, shownJson(sights), "an array of lines of sight");
+            report(place, shownJson(sights), "an array of lines of sight");
             return {common};
         }
         if (sights.empty()) {
@@ -184,7 +184,7 @@ class Document {
             const std::string at = place + "[" + std::to_string(i) + "]";
             all.push_back(common);
             if (!sights[i].is_object()) {
-                offend(at, shownJson(sights[i]), "an object with keys of GEOMETRY");
+                report(at, shownJson(sights[i]), "an object with keys of GEOMETRY");
                 continue;
             }
             for (const Key& key : keys)
@@ -199,7 +199,7 @@ class Document {
         for (const auto& [needed, called] :
              {std::pair{"ITYPE", "ITYPE"}, {"IEMSCT", "IEMSCT"}, {"H1", "H1ALT"}})
             if (!cards.contains(needed))
-                offend(path, std::string("no ") + called, "this setting in the input");
+                report(path, std::string("no ") + called, "this setting in the input");
         finishSlant(cards);
     }
 
@@ -224,7 +224,7 @@ class Document {
             if (path.ends_with("IVULCN") || path.ends_with("ICLD"))
                 return std::nullopt;
         }
-        offend(path, shownJson(value), "a finite number or a word of MODTRAN 6");
+        report(path, shownJson(value), "a finite number or a word of MODTRAN 6");
         return std::nullopt;
     }
 
@@ -232,7 +232,7 @@ class Document {
         const auto found = cards.find("IEMSCT");
         const double kind = found == cards.end() ? 0.0 : found->second;
         if (kind != 0.0 && kind != 1.0 && kind != 2.0 && kind != 3.0) {
-            offend(path + ".RTOPTIONS.IEMSCT", numberText(kind),
+            report(path + ".RTOPTIONS.IEMSCT", numberText(kind),
                    "0 (transmittance), 1 or 2 (radiance) or 3 (solar irradiance)");
             return RunKind::transmittance;
         }
@@ -247,7 +247,7 @@ class Document {
         if (flag == "N" || flag == "n")
             return SpectralUnit::nanometre;
         if (!(flag.empty() || flag == " " || flag == "W" || flag == "w"))
-            offend(path + ".SPECTRAL.XFLAG", flag, "W, M or N");
+            report(path + ".SPECTRAL.XFLAG", flag, "W, M or N");
         return SpectralUnit::wavenumber;
     }
 
@@ -294,7 +294,7 @@ std::optional<OutputPlace> placeOf(Document& document, const ModtranCase& settin
             entry.is_object() && entry.contains(place.pointer) ? &entry[place.pointer] : nullptr;
         if (found != nullptr && found->is_array() && !isApart) {
             if (found->size() != sights) {
-                document.offend(place.path, std::to_string(found->size()) + " results",
+                document.report(place.path, std::to_string(found->size()) + " results",
                                 std::to_string(sights) + ", one for each line of sight");
                 return std::nullopt;
             }
@@ -303,13 +303,13 @@ std::optional<OutputPlace> placeOf(Document& document, const ModtranCase& settin
             found = &entry[place.pointer];
         }
         if (found == nullptr || !found->is_object()) {
-            document.offend(place.path, "no such object",
+            document.report(place.path, "no such object",
                             "results of the case (JSONOPT WRT_OUTPUT)");
             return std::nullopt;
         }
     }
     if (sights > 1 && !isApart) {
-        document.offend(place.path, "results of one line of sight",
+        document.report(place.path, "results of one line of sight",
                         "an array of " + std::to_string(sights) +
                             ", one for each of GEOMETRY.MLOS");
         return std::nullopt;
@@ -333,7 +333,7 @@ RunTable spectraOf(Document& document, const OutputPlace& place, const ModtranCa
         if (!column || !values.is_array())
             continue;
         if (values.size() != rows.value_or(values.size())) {
-            document.offend(path + "." + key, std::to_string(values.size()) + " values",
+            document.report(path + "." + key, std::to_string(values.size()) + " values",
                             std::to_string(*rows) + " as in the arrays before");
             continue;
         }
@@ -344,7 +344,7 @@ RunTable spectraOf(Document& document, const OutputPlace& place, const ModtranCa
         for (std::size_t i = 0; i < values.size(); ++i) {
             const bool finite = values[i].is_number() && std::isfinite(values[i].get<double>());
             if (!finite) {
-                document.offend(path + "." + key + "[" + std::to_string(i) + "]",
+                document.report(path + "." + key + "[" + std::to_string(i) + "]",
                                 shownJson(values[i]), "a finite number");
             }
             numbers.push_back(finite ? values[i].get<double>() : 0.0);
@@ -359,7 +359,7 @@ RunTable spectraOf(Document& document, const OutputPlace& place, const ModtranCa
         };
         const double steps = (card("V2") - card("V1")) / card("DV");
         if (!(std::abs(steps + 1.0 - static_cast<double>(*rows)) < 0.5)) {
-            document.offend(path, "no array FREQ, and " + std::to_string(*rows) + " values",
+            document.report(path, "no array FREQ, and " + std::to_string(*rows) + " values",
                             "a spectral axis, or as many values as V1, V2 and DV make");
         }
         for (std::size_t i = 0; i < *rows; ++i) {

@@ -110,7 +110,7 @@ class Filler {
     void fill() {
         const std::size_t before = diagnostics_.size();
         if (rows_ < 2)
-            offend("", std::to_string(rows_) + " rows of numbers", "at least two wavenumbers");
+            report("", std::to_string(rows_) + " rows of numbers", "at least two wavenumbers");
         std::vector<RunColumn> required = {RunColumn::wavenumber, RunColumn::transmittance};
         if (run_.kind == RunKind::sunlight)
             required.push_back(RunColumn::sunTransmitted);
@@ -142,7 +142,7 @@ class Filler {
     }
 
   private:
-    void offend(std::string position, std::string value, std::string expected) {
+    void report(std::string position, std::string value, std::string expected) {
         diagnostics_.push_back(
             {table_.file, std::move(position), std::move(value), std::move(expected)});
     }
@@ -160,14 +160,14 @@ class Filler {
     void require(RunColumn column) {
         const std::vector<double>* values = find(column);
         if (!values) {
-            offend(rows_ ? table_.positions.front() : "",
+            report(rows_ ? table_.positions.front() : "",
                    "no column " + std::string(headerOf(column)),
                    "this column in a run of " + std::string(name(run_.kind)));
             return;
         }
         for (std::size_t i = 0; i < rows_; ++i) {
             if (std::isnan((*values)[i])) {
-                offend(table_.positions[i], "a blank " + std::string(headerOf(column)),
+                report(table_.positions[i], "a blank " + std::string(headerOf(column)),
                        "a number in this column");
             }
         }
@@ -177,9 +177,9 @@ class Filler {
         const std::vector<double>& axis = *find(RunColumn::wavenumber);
         for (std::size_t i = 0; i < rows_; ++i) {
             if (!(axis[i] > 0.0)) {
-                offend(table_.positions[i], numberText(axis[i]), "a positive " + axisName());
+                report(table_.positions[i], numberText(axis[i]), "a positive " + axisName());
             } else if (i > 0 && !(axis[i] > axis[i - 1])) {
-                offend(table_.positions[i], axisName() + " " + numberText(axis[i]),
+                report(table_.positions[i], axisName() + " " + numberText(axis[i]),
                        "ascending, above " + numberText(axis[i - 1]));
             }
             run_.wavenumbers_per_cm.push_back(table_.unit == SpectralUnit::wavenumber ? axis[i]
@@ -199,7 +199,7 @@ class Filler {
         for (std::size_t i = 0; i < rows_; ++i) {
             double tau = printed[i];
             if (!(tau >= -1e-6 && tau <= 1.0 + 1e-4))
-                offend(table_.positions[i], "transmittance " + numberText(tau), "0 to 1");
+                report(table_.positions[i], "transmittance " + numberText(tau), "0 to 1");
             tau = std::clamp(tau, 0.0, 1.0);
             // The depth has more digits where the transmittance is small.
             if (depth && (*depth)[i] > 0.0 && table_.transmittanceRounding >= depthRounding * tau) {
@@ -220,7 +220,7 @@ class Filler {
         for (std::size_t i = 0; found && i < rows_; ++i) {
             const double value = std::isnan((*found)[i]) ? 0.0 : (*found)[i];
             if (value < 0.0) {
-                offend(table_.positions[i], std::string(headerOf(column)) + " " + numberText(value),
+                report(table_.positions[i], std::string(headerOf(column)) + " " + numberText(value),
                        "at least 0");
             }
             const double nu = run_.wavenumbers_per_cm[i];

@@ -69,12 +69,12 @@ std::map<std::string, double> tape7Cards(const TextLines& text, std::size_t firs
 
 void placeRun(SpectralRun& run, const std::string& file, const std::string& position,
               std::vector<Diagnostic>& diagnostics) {
-    const auto offend = [&](std::string value, std::string expected) {
+    const auto report = [&](std::string value, std::string expected) {
         diagnostics.push_back({file, position, std::move(value), std::move(expected)});
     };
     const double type = cardOf(run, "ITYPE");
     if (type != 1.0 && type != 2.0 && type != 3.0) {
-        offend("ITYPE " + numberText(type), "1 (horizontal), 2 (slant) or 3 (to space)");
+        report("ITYPE " + numberText(type), "1 (horizontal), 2 (slant) or 3 (to space)");
         return;
     }
     const double ground_m = 1e3 * cardOf(run, "GNDALT");
@@ -91,12 +91,12 @@ void placeRun(SpectralRun& run, const std::string& file, const std::string& posi
         geometry.targetAltitude_m = geometry.sensorAltitude_m;
         geometry.elevation_rad = 0.0;
     } else if (zenith_deg < 0.0 || zenith_deg > 180.0) {
-        offend("ANGLE " + numberText(zenith_deg), "a zenith angle of 0 to 180 deg");
+        report("ANGLE " + numberText(zenith_deg), "a zenith angle of 0 to 180 deg");
     }
     if (geometry.sensorAltitude_m < 0.0)
-        offend("H1 " + numberText(cardOf(run, "H1")), "at least GNDALT");
+        report("H1 " + numberText(cardOf(run, "H1")), "at least GNDALT");
     if (geometry.path == RunPath::slant && geometry.targetAltitude_m < 0.0)
-        offend("H2 " + numberText(cardOf(run, "H2")), "at least GNDALT");
+        report("H2 " + numberText(cardOf(run, "H2")), "at least GNDALT");
     if (geometry.path == RunPath::slant && !(geometry.range_m > 0.0)) {
         const std::optional<double> chord =
             chord_m(geometry.sensorAltitude_m, geometry.targetAltitude_m, geometry.elevation_rad,
@@ -108,14 +108,14 @@ void placeRun(SpectralRun& run, const std::string& file, const std::string& posi
         }
     }
     if (geometry.path != RunPath::toSpace && !(geometry.range_m > 0.0)) {
-        offend("RANGE " + numberText(cardOf(run, "RANGE")),
+        report("RANGE " + numberText(cardOf(run, "RANGE")),
                "a path of more than 0 km, or H1, H2 and ANGLE that make one");
     }
     if (run.kind == RunKind::sunlight) {
         if (geometry.path == RunPath::toSpace)
             geometry.sunElevation_rad = geometry.elevation_rad;
         else
-            offend("ITYPE " + numberText(type), "3, a path to the sun, for IEMSCT 3");
+            report("ITYPE " + numberText(type), "3, a path to the sun, for IEMSCT 3");
     } else if (run.kind == RunKind::solarRadiance) {
         const double parameters = cardOf(run, "IPARM");
         if (parameters == 2.0 || parameters == 12.0) {

@@ -38,7 +38,7 @@ bool FlightGeometry::visit(const FlightRecord& record) {
     case 7:
     case 8:
     case 9:
-        log_.offend(record.offset,
+        log_.report(record.offset,
                     "a record of a version before 14 (" + flightRecordName(record.opcode) + ")",
                     "records of version 14 to 16");
         return true;
@@ -66,11 +66,11 @@ void FlightGeometry::face(const FlightRecord& record) {
 
     const int type = face.drawType;
     if (!((type >= 0 && type <= 4) || (type >= 8 && type <= 10)))
-        log_.offend(record.offset + 18 + shift, "draw type " + std::to_string(type),
+        log_.report(record.offset + 18 + shift, "draw type " + std::to_string(type),
                     "0 to 4 or 8 to 10");
     const bool white = record.u8(19 + shift) != 0 && record.i16(28 + shift) >= 0;
     if ((flags & packedColour) == 0 && !hasColours_ && !white)
-        log_.offend(record.offset,
+        log_.report(record.offset,
                     "a " + flightRecordName(record.opcode) +
                         " with an indexed colour and no palette",
                     "a colour palette record before it");
@@ -93,14 +93,14 @@ void FlightGeometry::vertexList(const FlightRecord& record) {
     levels_.open(record);
     const bool underFace = parent != nullptr && parent->face >= 0 && parent->opcode == flight::face;
     if (!underFace)
-        return log_.offend(record.offset, "a vertex list", "a face above it");
+        return log_.report(record.offset, "a vertex list", "a face above it");
     if (!palette_.isThere())
-        return log_.offend(record.offset, "a vertex list", "a vertex palette before it");
+        return log_.report(record.offset, "a vertex list", "a vertex palette before it");
 
     auto& face = log_.file().faces[static_cast<std::size_t>(parent->face)];
     const std::size_t stride = record.opcode == flight::vertexList ? 4 : 8;
     if ((record.size() - 4) % stride != 0)
-        log_.offend(record.offset, "a vertex list of " + std::to_string(record.size()) + " bytes",
+        log_.report(record.offset, "a vertex list of " + std::to_string(record.size()) + " bytes",
                     "4 and a multiple of " + std::to_string(stride));
     // Offsets of one vertex each, or of a pair where the vertex morphs.
     std::string kept;
@@ -108,7 +108,7 @@ void FlightGeometry::vertexList(const FlightRecord& record) {
         bool known = true, normal = true;
         for (std::size_t offset = at; offset < at + stride; offset += 4) {
             if (record.u32(offset) >= palette_.size())
-                return log_.offend(record.offset + offset,
+                return log_.report(record.offset + offset,
                                    "vertex offset " + std::to_string(record.u32(offset)),
                                    "an offset inside the vertex palette of " +
                                        std::to_string(palette_.size()) + " bytes");
@@ -132,21 +132,21 @@ void FlightGeometry::localVertexPool(const FlightRecord& record) {
     FlightLevels::Node* const current = levels_.current();
     if (current == nullptr || current->opcode != flight::mesh || current->face < 0 ||
         current->pushed)
-        return log_.offend(record.offset, "a local vertex pool", "a mesh directly before it");
+        return log_.report(record.offset, "a local vertex pool", "a mesh directly before it");
     if (!log_.atLeast(record, 12))
         return;
     const std::uint32_t count = record.u32(4), mask = record.u32(8);
     const std::size_t stride = flightPoolStride(mask);
     if ((mask & 0x80000000) == 0)
-        return log_.offend(record.offset + 8, "a vertex pool without positions",
+        return log_.report(record.offset + 8, "a vertex pool without positions",
                            "bit 0 of its mask");
     if (count > (record.size() - 12) / stride)
-        return log_.offend(record.offset + 4,
+        return log_.report(record.offset + 4,
                            std::to_string(count) + " vertices of " + std::to_string(stride) +
                                " bytes in a record of " + std::to_string(record.size()),
                            "at most " + std::to_string((record.size() - 12) / stride));
     if ((mask & 0x40000000) != 0 && !hasColours_)
-        log_.offend(record.offset, "a vertex pool with indexed colours and no palette",
+        log_.report(record.offset, "a vertex pool with indexed colours and no palette",
                     "a colour palette record before it");
     for (std::size_t i = 0; i < count; ++i)
         log_.coordinate(record, 12 + i * stride);
@@ -162,19 +162,19 @@ void FlightGeometry::meshPrimitive(const FlightRecord& record) {
     levels_.open(record);
     const FlightLevels::Node* const parent = levels_.parent();
     if (parent == nullptr || parent->opcode != flight::mesh || !parent->poolSize)
-        return log_.offend(record.offset, "a mesh primitive",
+        return log_.report(record.offset, "a mesh primitive",
                            "a mesh with a local vertex pool above it");
     if (!log_.atLeast(record, 12))
         return;
     const int type = record.i16(4);
     const std::size_t indexSize = record.u16(6), count = record.u32(8);
     if (type < 1 || type > 4)
-        log_.offend(record.offset + 4, "primitive type " + std::to_string(type), "1 to 4");
+        log_.report(record.offset + 4, "primitive type " + std::to_string(type), "1 to 4");
     if (indexSize != 1 && indexSize != 2 && indexSize != 4)
-        return log_.offend(record.offset + 6, "indices of " + std::to_string(indexSize) + " bytes",
+        return log_.report(record.offset + 6, "indices of " + std::to_string(indexSize) + " bytes",
                            "1, 2 or 4");
     if (count > (record.size() - 12) / indexSize)
-        return log_.offend(record.offset + 8, std::to_string(count) + " indices",
+        return log_.report(record.offset + 8, std::to_string(count) + " indices",
                            "at most " + std::to_string((record.size() - 12) / indexSize) +
                                " in a record of " + std::to_string(record.size()) + " bytes");
     for (std::size_t i = 0; i < count; ++i) {
@@ -183,7 +183,7 @@ void FlightGeometry::meshPrimitive(const FlightRecord& record) {
                                     : indexSize == 2 ? record.u16(at)
                                                      : record.u32(at);
         if (index >= *parent->poolSize)
-            return log_.offend(record.offset + at, "vertex index " + std::to_string(index),
+            return log_.report(record.offset + at, "vertex index " + std::to_string(index),
                                "below " + std::to_string(*parent->poolSize));
     }
 }

@@ -13,7 +13,7 @@ constexpr std::size_t deepest = 256;
 FlightLevels::Node& FlightLevels::open(const FlightRecord& record, FlightTreatment treatment) {
     closeCurrent();
     if (levels_.empty() && record.offset != 0)
-        log_.offend(record.offset, "a " + flightRecordName(record.opcode) + " record",
+        log_.report(record.offset, "a " + flightRecordName(record.opcode) + " record",
                     "a push level record before it");
     log_.keep(record, treatment);
     current_.emplace(record.opcode, record.offset);
@@ -28,7 +28,7 @@ FlightLevels::Node& FlightLevels::open(const FlightRecord& record, FlightTreatme
                          record.opcode != flight::meshPrimitive;
     if (inGraph && parent != levels_.rend() && ++parent->children == parent->childLimit + 1 &&
         parent->childLimit > 0)
-        log_.offend(parent->offset,
+        log_.report(parent->offset,
                     "a switch with masks of " + std::to_string(parent->childLimit) + " bits",
                     "a bit for each of its children");
     return *current_;
@@ -36,10 +36,10 @@ FlightLevels::Node& FlightLevels::open(const FlightRecord& record, FlightTreatme
 
 void FlightLevels::push(const FlightRecord& record) {
     if (levels_.size() >= deepest)
-        log_.offend(record.offset, "more than 256 levels", "at most 256");
+        log_.report(record.offset, "more than 256 levels", "at most 256");
     if (!current_ || current_->pushed) {
         if (levels_.empty())
-            log_.offend(record.offset, "a push level record",
+            log_.report(record.offset, "a push level record",
                         "a node before it that has no children yet");
         closeCurrent();
         // What is in a level without a node belongs to the node above, as if it were not there.
@@ -63,10 +63,10 @@ void FlightLevels::pop(const FlightRecord& record) {
     const bool anonymous = !levels_.empty() && levels_.back().anonymous;
     log_.keep(record, anonymous ? FlightTreatment::drop : FlightTreatment::keep);
     if (levels_.empty())
-        return log_.offend(record.offset, "a pop level record", "a push level record before it");
+        return log_.report(record.offset, "a pop level record", "a push level record before it");
     closeCurrent();
     if (levels_.back().subfaces != 0)
-        log_.offend(record.offset, "a pop level record", "a pop subface record before it");
+        log_.report(record.offset, "a pop level record", "a pop subface record before it");
     Node node = std::move(levels_.back());
     levels_.pop_back();
     close(std::move(node));
@@ -75,15 +75,15 @@ void FlightLevels::pop(const FlightRecord& record) {
 void FlightLevels::pushSubface(const FlightRecord& record) {
     log_.keep(record);
     if (levels_.empty())
-        log_.offend(record.offset, "a push subface record", "a push level record before it");
+        log_.report(record.offset, "a push subface record", "a push level record before it");
     else if (++levels_.back().subfaces > static_cast<int>(deepest))
-        log_.offend(record.offset, "subfaces nested more than 256 deep", "at most 256");
+        log_.report(record.offset, "subfaces nested more than 256 deep", "at most 256");
 }
 
 void FlightLevels::popSubface(const FlightRecord& record) {
     log_.keep(record);
     if (levels_.empty() || --levels_.back().subfaces < 0)
-        log_.offend(record.offset, "a pop subface record",
+        log_.report(record.offset, "a pop subface record",
                     "a push subface record before it at the same level");
 }
 
@@ -96,7 +96,7 @@ void FlightLevels::instance(const FlightRecord& record) {
         return;
     const auto found = instances_.find(node.number);
     if (found == instances_.end())
-        return log_.offend(record.offset + 6,
+        return log_.report(record.offset + 6,
                            "a reference to instance " + std::to_string(node.number),
                            "its definition before it");
     node.placements = found->second.placements;
@@ -105,7 +105,7 @@ void FlightLevels::instance(const FlightRecord& record) {
 
 void FlightLevels::finish(std::size_t end) {
     if (!levels_.empty())
-        log_.offend(end, "the end of the file",
+        log_.report(end, "the end of the file",
                     std::to_string(levels_.size()) +
                         " more pop level records: the file is truncated");
     closeCurrent();
@@ -152,7 +152,7 @@ void FlightLevels::close(Node node) {
     for (const auto& [index, times] : node.placements)
         parent.placements[index] += times;
     if (node.placements[-1] > mostFaces || parent.height > 4 * static_cast<int>(deepest))
-        log_.offend(node.offset, "instances that multiply without end", "at most 20 million faces");
+        log_.report(node.offset, "instances that multiply without end", "at most 20 million faces");
 }
 
 } // namespace irsg

@@ -12,7 +12,7 @@ void FlightLog::keep(const FlightRecord& record, FlightTreatment treatment) {
 bool FlightLog::atLeast(const FlightRecord& record, std::size_t size) {
     if (record.size() >= size)
         return true;
-    offend(record.offset,
+    report(record.offset,
            "a " + flightRecordName(record.opcode) + " record of " + std::to_string(record.size()) +
                " bytes",
            "at least " + std::to_string(size));
@@ -25,7 +25,7 @@ void FlightLog::coordinate(const FlightRecord& record, std::size_t at) {
         file_.least[axis] = std::min(file_.least[axis], value);
         file_.most[axis] = std::max(file_.most[axis], value);
         if (!(std::abs(value) * file_.unit_m <= 1e9))
-            offend(record.offset + at + 8 * axis, "coordinate " + std::to_string(value),
+            report(record.offset + at + 8 * axis, "coordinate " + std::to_string(value),
                    "a finite number within 1e9 m");
     }
 }
@@ -33,13 +33,13 @@ void FlightLog::coordinate(const FlightRecord& record, std::size_t at) {
 void FlightLog::finite(const FlightRecord& record, std::size_t at, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i)
         if (!std::isfinite(record.f64(at + 8 * i)))
-            return offend(record.offset + at + 8 * i,
+            return report(record.offset + at + 8 * i,
                           std::to_string(record.f64(at + 8 * i)) + " in a " +
                               flightRecordName(record.opcode) + " record",
                           "a finite number");
 }
 
-void FlightLog::offend(std::size_t offset, const std::string& value, const std::string& expected) {
+void FlightLog::report(std::size_t offset, const std::string& value, const std::string& expected) {
     diagnostics_.push_back(
         {file_.path.string(), "byte " + std::to_string(offset), value, expected});
 }

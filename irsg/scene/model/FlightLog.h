@@ -19,7 +19,7 @@ class FlightLog {
     FlightFile& file() { return file_; }
     std::vector<Diagnostic>& diagnostics() { return diagnostics_; }
 
-    void offend(std::size_t offset, const std::string& value, const std::string& expected);
+    void report(std::size_t offset, const std::string& value, const std::string& expected);
     void remark(const std::string& text) { file_.remarks.push_back(text); }
     void remarkOnce(const std::string& key, const std::string& text);
     void keep(const FlightRecord& record, FlightTreatment treatment = FlightTreatment::keep);

@@ -67,12 +67,12 @@ void FlightValidator::switchNode(const FlightRecord& record) {
     const std::uint32_t present = record.u32(16), masks = record.u32(20), words = record.u32(24);
     if (masks == 0 || words == 0 || masks > record.size() || words > record.size() ||
         std::size_t{masks} * words > (record.size() - 28) / 4)
-        return log_.offend(record.offset + 20,
+        return log_.report(record.offset + 20,
                            std::to_string(masks) + " switch masks of " + std::to_string(words) +
                                " words in a record of " + std::to_string(record.size()) + " bytes",
                            "one mask of one word or more, all inside the record");
     if (present >= masks)
-        log_.offend(record.offset + 16, "switch mask " + std::to_string(present),
+        log_.report(record.offset + 16, "switch mask " + std::to_string(present),
                     "below " + std::to_string(masks));
     node.childLimit = 32 * std::size_t{words};
 }
@@ -83,7 +83,7 @@ void FlightValidator::external(const FlightRecord& record) {
         return;
     const auto path = record.text(4, 200);
     if (path.empty())
-        return log_.offend(record.offset + 4, "an external reference without a path",
+        return log_.report(record.offset + 4, "an external reference without a path",
                            "a file name");
 
     // Bit 0 of the mask keeps the palette of the other file.

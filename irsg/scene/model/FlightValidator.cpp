@@ -49,7 +49,7 @@ void FlightValidator::visit(const FlightRecord& record) {
         palette_.endAt(record.offset);
     const bool continued = record.fileLength > record.size();
     if (continued && !mayContinue(record.opcode))
-        log_.offend(record.offset, "a continued " + flightRecordName(record.opcode) + " record",
+        log_.report(record.offset, "a continued " + flightRecordName(record.opcode) + " record",
                     "continuation of mesh, extension and name table records only");
 
     // What stands between push and pop extension is for other programs.
@@ -57,7 +57,7 @@ void FlightValidator::visit(const FlightRecord& record) {
         ++extensionDepth_;
     } else if (record.opcode == flight::popExtension) {
         if (--extensionDepth_ < 0)
-            log_.offend(record.offset, "a pop extension record",
+            log_.report(record.offset, "a pop extension record",
                         "a push extension record before it");
         extensionDepth_ = std::max(extensionDepth_, 0);
     } else if (extensionDepth_ > 0) {
@@ -87,7 +87,7 @@ bool FlightValidator::visitControl(const FlightRecord& record) {
         levels_.popSubface(record);
         return true;
     case flight::continuation:
-        log_.offend(record.offset, "a continuation record", "a record before it to continue");
+        log_.report(record.offset, "a continuation record", "a record before it to continue");
         return true;
     default:
         return false;
@@ -96,20 +96,20 @@ bool FlightValidator::visitControl(const FlightRecord& record) {
 
 void FlightValidator::header(const FlightRecord& record) {
     if (record.offset != 0)
-        return log_.offend(record.offset, "a second header record", "one header a file");
+        return log_.report(record.offset, "a second header record", "one header a file");
     if (!log_.atLeast(record, 64))
         return;
     log_.file().version = record.i32(12);
     const bool known =
         log_.file().version == 14 || (log_.file().version >= 1400 && log_.file().version < 1700);
     if (!known)
-        log_.offend(12, "version " + std::to_string(log_.file().version), "14, or 1400 to 1699");
+        log_.report(12, "version " + std::to_string(log_.file().version), "14, or 1400 to 1699");
 
     static const std::map<int, double> units = {
         {0, 1.0}, {1, 1000.0}, {4, 0.3048}, {5, 0.0254}, {8, 1852.0}};
     const auto unit = units.find(record.u8(62));
     if (unit == units.end())
-        log_.offend(62, "unit " + std::to_string(record.u8(62)),
+        log_.report(62, "unit " + std::to_string(record.u8(62)),
                     "0 (metre), 1 (kilometre), 4 (foot), 5 (inch) or 8 (nautical mile)");
     else
         log_.file().unit_m = unit->second;
@@ -204,12 +204,12 @@ void FlightValidator::matrix(const FlightRecord& record) {
         return;
     for (std::size_t i = 0; i < 16; ++i)
         if (!(std::abs(record.f32(4 + 4 * i)) <= 1e9f))
-            return log_.offend(record.offset + 4 + 4 * i,
+            return log_.report(record.offset + 4 + 4 * i,
                                std::to_string(record.f32(4 + 4 * i)) + " in a matrix",
                                "a finite number within 1e9");
     for (std::size_t row = 0; row < 4; ++row)
         if (std::abs(record.f32(4 + 16 * row + 12) - (row == 3 ? 1.0f : 0.0f)) > 1e-5f)
-            return log_.offend(record.offset + 4 + 16 * row + 12, "a matrix with perspective",
+            return log_.report(record.offset + 4 + 16 * row + 12, "a matrix with perspective",
                                "0, 0, 0, 1 in its last column");
     const FlightLevels::Node* const node = levels_.current();
     if (node == nullptr || node->opcode == flight::header ||
@@ -223,7 +223,7 @@ void FlightValidator::replicate(const FlightRecord& record) {
     if (!log_.atLeast(record, 6))
         return;
     if (record.i16(4) < 0)
-        return log_.offend(record.offset + 4, std::to_string(record.i16(4)) + " replications",
+        return log_.report(record.offset + 4, std::to_string(record.i16(4)) + " replications",
                            "0 or more");
     if (record.i16(4) > 0)
         log_.remark("of the part replicated " + std::to_string(record.i16(4)) + " times at byte " +

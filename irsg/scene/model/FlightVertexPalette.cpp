@@ -30,7 +30,7 @@ void FlightVertexPalette::begin(const FlightRecord& record) {
         return;
     const std::size_t size = record.u32(4);
     if (record.size() != 8 || size < 8 || size > log_.file().bytes.size() - record.offset)
-        return log_.offend(record.offset + 4,
+        return log_.report(record.offset + 4,
                            "a vertex palette of " + std::to_string(size) +
                                " bytes in a record of " + std::to_string(record.size()),
                            "8 to " + std::to_string(log_.file().bytes.size() - record.offset) +
@@ -44,7 +44,7 @@ void FlightVertexPalette::begin(const FlightRecord& record) {
 
 void FlightVertexPalette::vertex(const FlightRecord& record) {
     if (!isOpen_ || record.offset + record.size() > end_)
-        return log_.offend(record.offset, "a vertex record outside the vertex palette",
+        return log_.report(record.offset, "a vertex record outside the vertex palette",
                            "vertices within the length the palette states");
     if (!log_.atLeast(record, vertexSize(record.opcode)))
         return;
@@ -56,7 +56,7 @@ void FlightVertexPalette::vertex(const FlightRecord& record) {
 
 void FlightVertexPalette::endAt(std::size_t offset) {
     if (isOpen_ && std::exchange(isOpen_, false) && offset != end_ && offset != start_)
-        log_.offend(start_ + 4, "a vertex palette that ends at byte " + std::to_string(end_),
+        log_.report(start_ + 4, "a vertex palette that ends at byte " + std::to_string(end_),
                     "byte " + std::to_string(offset) + ", where its vertices end");
 }
 

@@ -27,7 +27,7 @@ class TextWords {
 
     /// About the line that was read last.
     Diagnostic diagnostic(std::string value, std::string expected) const;
-    /// The finite numbers of `count` words from one on; notes an diagnostic where one is not.
+    /// The finite numbers of `count` words from one on; notes a diagnostic where one is not.
     bool numbers(std::size_t from, std::size_t count, double* into,
                  std::vector<Diagnostic>& diagnostics) const;
 
