@@ -49,6 +49,8 @@ int doElsewhere(const std::function<void()>& work) {
 
 namespace {
 
+/// Calls that are let through: what memory, threads, signals and clocks need (sigaltstack: a
+/// sanitizer ends the program where that fails).
 const std::set<long> never = {SYS_mmap,           SYS_munmap,
                               SYS_mprotect,       SYS_mremap,
                               SYS_madvise,        SYS_brk,
@@ -58,7 +60,7 @@ const std::set<long> never = {SYS_mmap,           SYS_munmap,
                               SYS_clock_gettime,  SYS_clock_nanosleep,
                               SYS_gettimeofday,   SYS_getpid,
                               SYS_gettid,         SYS_rseq,
-                              SYS_close};
+                              SYS_close,          SYS_sigaltstack};
 
 /// Whether a call, on its way in, opens a file that may be written.
 bool opensForWriting(const user_regs_struct& registers) {
