@@ -28,19 +28,13 @@ struct Options {
     std::string database;
 };
 
-[[noreturn]] void refuse(const char* option, const std::string& value,
-                         const std::string& expected) {
-    throw irsg::InputError(
-        irsg::Diagnostic{.file = option, .position = "", .value = value, .expected = expected});
-}
-
 std::optional<int> indexOf(const std::string& text, const std::string& rule) {
     if (text.empty())
         return std::nullopt;
     int index = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
     if (error != std::errc() || end != text.data() + text.size())
-        refuse("--rule", rule, ruleExpected);
+        throw refusal("--rule", rule, ruleExpected);
     return index;
 }
 
@@ -50,7 +44,7 @@ CodeRule nameOf(const char* option, const std::string& text, const std::string& 
     const auto& kinds = irsg::codeRuleNames();
     const auto kind = std::ranges::find(kinds, text.substr(0, colon));
     if (colon == text.npos || kind == kinds.end())
-        refuse(option, text, expected);
+        throw refusal(option, text, expected);
     return {.of = static_cast<CodeRule::Of>(kind - kinds.begin()),
             .pattern = text.substr(colon + 1),
             .codes = {}};
@@ -60,12 +54,12 @@ CodeRule ruleOf(const std::string& text) {
     const std::size_t equals = text.rfind('=');
     const std::size_t comma = equals == text.npos ? text.npos : text.find(',', equals);
     if (comma == text.npos)
-        refuse("--rule", text, ruleExpected);
+        throw refusal("--rule", text, ruleExpected);
     CodeRule rule = nameOf("--rule", text.substr(0, equals), ruleExpected);
     rule.codes.temperature = indexOf(text.substr(equals + 1, comma - equals - 1), text);
     rule.codes.material = indexOf(text.substr(comma + 1), text);
     if (!rule.codes.temperature && !rule.codes.material)
-        refuse("--rule", text, ruleExpected);
+        throw refusal("--rule", text, ruleExpected);
     return rule;
 }
 
@@ -81,7 +75,7 @@ ModelCodes changed(const Options& options) {
         const CodeRule name = nameOf("--remove", text, "KIND:PATTERN of a rule that there is");
         if (std::erase_if(codes.rules,
                           [&](const CodeRule& rule) { return sameName(rule, name); }) == 0)
-            refuse("--remove", text, "KIND:PATTERN of a rule that there is");
+            throw refusal("--remove", text, "KIND:PATTERN of a rule that there is");
     }
     for (const std::string& text : options.rules) {
         const CodeRule rule = ruleOf(text);
@@ -121,8 +115,8 @@ nlohmann::ordered_json jsonOf(const std::string& name, const irsg::NamedFaces& f
 /// Codes and entries that the names in the model suggest, in place of what there is.
 ModelCodes suggested(const Options& options) {
     if (options.database.empty())
-        refuse("--suggest", options.model,
-               "--database FILE.sigdb for the entries that it suggests");
+        throw refusal("--suggest", options.model,
+                      "--database FILE.sigdb for the entries that it suggests");
     const auto surfaces = irsg::suggestedSurfaces(irsg::namesOf(options.model, ModelCodes()).names);
     const auto first =
         irsg::firstSignatureOf(surfaces, std::filesystem::path(options.model).stem().string());
@@ -134,9 +128,9 @@ int showCodes(const Options& options, Context& context) {
     const bool changes =
         options.suggest || options.clear || !options.rules.empty() || !options.removed.empty();
     if (!options.suggest && !options.database.empty())
-        refuse("--database", options.database, "--suggest, which makes one");
+        throw refusal("--database", options.database, "--suggest, which makes one");
     if (options.suggest && !(options.rules.empty() && options.removed.empty()))
-        refuse("--suggest", options.model, "no --rule and no --remove beside it");
+        throw refusal("--suggest", options.model, "no --rule and no --remove beside it");
     const ModelCodes codes = options.suggest ? suggested(options) : changed(options);
     // The model is looked at first: nothing is written beside what cannot be read.
     const auto [names, remarks] = irsg::namesOf(options.model, codes);

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/smat-batch/Command.h"
 #include "irsg/radiometry/Errors.h"
 #include "irsg/scene/model/PlacingGuess.h"
 #include "smatcore/project/JsonFields.h"
@@ -16,18 +17,12 @@ namespace smat::batch {
 
 namespace {
 
-[[noreturn]] void refuse(const char* option, const std::string& value,
-                         const std::string& expected) {
-    throw irsg::InputError(
-        irsg::Diagnostic{.file = option, .position = "", .value = value, .expected = expected});
-}
-
 irsg::ModelAxis axisOf(const char* option, const std::string& text) {
     const auto& names = irsg::modelAxisNames();
     for (std::size_t i = 0; i < names.size(); ++i)
         if (text == names[i] || "+" + text == names[i])
             return static_cast<irsg::ModelAxis>(i);
-    refuse(option, text, "+x, -x, +y, -y, +z or -z");
+    throw refusal(option, text, "+x, -x, +y, -y, +z or -z");
 }
 
 std::optional<double> numberOf(const std::string& text) {
@@ -54,7 +49,7 @@ irsg::ModelOrigin originOf(const std::string& text) {
         begin = end + 1;
     }
     if (count != 3 || begin != text.size() + 1)
-        refuse("--origin", text, "file, centre, base or x,y,z in the unit of the file");
+        throw refusal("--origin", text, "file, centre, base or x,y,z in the unit of the file");
     return {irsg::ModelOrigin::At::point, {point[0], point[1], point[2]}};
 }
 
@@ -112,9 +107,9 @@ irsg::ModelOptions PlacingOptions::over(irsg::ModelOptions options) const {
             placing.unit_m = numberOf(unit_);
         if (!placing.unit_m ||
             !(*placing.unit_m >= leastModelUnit_m && *placing.unit_m <= mostModelUnit_m))
-            refuse("--unit", unit_,
-                   fmt::format("m, cm, mm, in, ft, km or metres from {} to {}", leastModelUnit_m,
-                               mostModelUnit_m));
+            throw refusal("--unit", unit_,
+                          fmt::format("m, cm, mm, in, ft, km or metres from {} to {}",
+                                      leastModelUnit_m, mostModelUnit_m));
     }
     if (!origin_.empty())
         placing.origin = originOf(origin_);
