@@ -69,7 +69,9 @@ TEST(SmatBatchRun, NeedsNoOpenGlWithRays) {
     const Ran ran = smatBatch({"run", sphere, "--engine", "rays", "--out", folder / "out",
                                "--width", "64", "--height", "64", "--json"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
-    for (const auto& analysis : nlohmann::json::parse(ran.out)["analyses"]) {
+    const nlohmann::json said = nlohmann::json::parse(ran.out);
+    ASSERT_FALSE(said.at("analyses").empty());
+    for (const auto& analysis : said["analyses"]) {
         EXPECT_EQ(analysis["state"], "complete");
         EXPECT_THAT(analysis["renderer"].get<std::string>(), HasSubstr("Embree"));
     }
