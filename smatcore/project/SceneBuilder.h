@@ -65,7 +65,7 @@ class SceneBuilder {
 irsg::Environment environmentOf(const Project& project, const Settings& settings);
 /// A text that changes with every setting that environmentOf reads, for who keeps an environment:
 /// of the sun's azimuth and elevation with whether they are set, since `sun` can be moved without
-/// the air being read again. What the files hold is no part of it.
+/// the air being read again; and when a file of the air is written again.
 std::string environmentKey(const Project& project, const Settings& settings);
 /// The sensor with the first of its bands.
 irsg::Sensor sensorOf(const Project& project, const Settings& settings);

@@ -6,6 +6,7 @@
 #include "irsg/atmosphere/Vacuum.h"
 #include "irsg/atmosphere/import/EnvironmentXml.h"
 #include "irsg/radiometry/Errors.h"
+#include "irsg/radiometry/FileStamp.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/data/ColumnName.h"
 #include "smatcore/project/AtmosphereInput.h"
@@ -101,6 +102,12 @@ std::string environmentKey(const Project& project, const Settings& settings) {
         else
             text += settings.text(setting.key);
     }
+    std::vector<std::filesystem::path> files = resolvedAir(project, settings);
+    for (const std::filesystem::path& mtf : settings[key::environmentMtf])
+        files.push_back(project.resolve(mtf));
+    for (const std::filesystem::path& file : files)
+        if (const auto stamp = irsg::stampOf(file))
+            text += "|" + stamp->text();
     return text;
 }
 

@@ -217,6 +217,16 @@ TEST_F(SceneBuilderTest, TheKeyOfAnEnvironmentChangesWithEverySettingThatItIsMad
               environmentKey(project, project.settings));
 }
 
+TEST_F(SceneBuilderTest, TheKeyOfAnEnvironmentChangesWhenAFileOfTheAirIsWrittenAgain) {
+    const auto air = folder / "air.csv";
+    writeTextFile(air, "one");
+    project.settings.set("environment.atmospheres", air.string());
+    const std::string before = environmentKey(project, project.settings);
+    EXPECT_EQ(environmentKey(project, project.settings), before);
+    writeTextFile(air, "another");
+    EXPECT_NE(environmentKey(project, project.settings), before);
+}
+
 // The place of the sun that is set costs no reading of the air.
 TEST_F(SceneBuilderTest, TheKeyOfAnEnvironmentSaysOfTheSunWhetherItsPlaceIsSet) {
     Settings& settings = project.settings;
