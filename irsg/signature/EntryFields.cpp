@@ -416,10 +416,10 @@ const std::array spectrumRows = {
         .key = "notes", .column = "notes", .member = &UserSpectrum::notes, .label = "Notes"},
 };
 
-constexpr std::array modes = {NamedChoice{EmissionMode::temperature, "temperature"},
-                              NamedChoice{EmissionMode::userSpectrum, "userSpectrum"}};
-constexpr std::array selections = {NamedChoice{FactorSelection::table, "table"},
-                                   NamedChoice{FactorSelection::constant, "constant"}};
+constexpr NamedChoice<EmissionMode> modes[] = {{EmissionMode::temperature, "temperature"},
+                                               {EmissionMode::userSpectrum, "userSpectrum"}};
+constexpr NamedChoice<FactorSelection> selections[] = {{FactorSelection::table, "table"},
+                                                       {FactorSelection::constant, "constant"}};
 
 template <typename Entry>
 int versionOf(const Entry& entry, std::span<const EntryField<Entry>> fields) {
