@@ -175,7 +175,7 @@ TEST(HotSpots, KeepTheirIntensityHoweverManyTheyAre) {
     constexpr double known = 5e-5;
     for (const auto& [size, most] : {std::pair{128, 0.007}, {256, 0.003}, {512, 0.001}}) {
         double before = 0.0;
-        for (const int count : {1, 16, 17, 200}) {
+        for (const int count : {1, 4, 16, 17, 40, 90, 200}) {
             const Spots spots(count);
             irsg.setEntities({hotAndCold(spots.mesh)});
             irsg.setSettings(settingsOf(size));
@@ -189,7 +189,7 @@ TEST(HotSpots, KeepTheirIntensityHoweverManyTheyAre) {
             // Nor do some more spots make it three times as bad, but for few, which are drawn as
             // finely as can be.
             if (before > 0.0) {
-                EXPECT_LT(errors.all.rms(), 3.0 * std::max(before, 0.15 * most) + 1e-4) << name;
+                EXPECT_LT(errors.all.rms(), 3.0 * std::max(before, 0.1 * most) + 1e-4) << name;
             }
             before = errors.all.rms();
         }
@@ -342,6 +342,7 @@ TEST(HotAircraft, TurnsWithoutAJump) {
     constexpr int first_deg = 82, aspects = 10, phases = 4;
     // It is seen from the same place at every phase.
     std::vector<double> truth_W_sr;
+    truth_W_sr.reserve(aspects);
     for (int i = 0; i < aspects; ++i) {
         truth_W_sr.push_back(intensityAt(first_deg + i, 2048, i));
     }
@@ -349,6 +350,7 @@ TEST(HotAircraft, TurnsWithoutAJump) {
         CurveErrors errors;
         for (int i = 0; i < aspects; ++i) {
             std::vector<double> ofPhases;
+            ofPhases.reserve(phases);
             for (int phase = 0; phase < phases; ++phase) {
                 ofPhases.push_back(intensityAt(first_deg + i, size, phases * i + phase) /
                                        truth_W_sr[static_cast<std::size_t>(i)] -
