@@ -29,8 +29,8 @@ struct AnalysisEngine {
     SceneBuilder scenes;
 };
 
-/// What is asked of a job: an analysis, with options the Monte Carlo run of one or time against
-/// error of its view, the frames of a scenario, or a film of them.
+/// What is asked of a job: an analysis and, with options, its Monte Carlo run or time
+/// against error of its view; the frames of a scenario, or a film of them.
 struct JobOrder {
     AnalysisData analysis;
     std::optional<MonteCarloOptions> monteCarlo = {};

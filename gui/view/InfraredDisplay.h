@@ -33,7 +33,7 @@ class InfraredDisplay : public QObject {
 
   signals:
     void drawn(const smat::gui::InfraredPicture& picture);
-    /// One sentence a diagnostic.
+    /// One sentence for each diagnostic.
     void failed(const QStringList& sentences, bool ourFault);
     /// After every request that was begun, before its signal above.
     void answered(long number);

@@ -187,8 +187,7 @@ std::vector<RenderReport> Renderer::Impl::reports(const Frame& frame, const View
             report.totalIrradiance_W_m2 =
                 totalIrradiance_W_m2(frame, band, report.all.irradiance_W_m2);
         }
-        const RenderSettings& settings = frame.scene.settings;
-        if (settings.zoomWindow > 0 && settings.zoomStrategy == ZoomStrategy::sills)
+        if (frame.scene.settings.zoomsAsPublished())
             for (RenderReport& report : all)
                 report.warnings.push_back(sillsInSums);
         if (frame.withErrors)

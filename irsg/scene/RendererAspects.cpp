@@ -187,10 +187,8 @@ Vec3 Renderer::Impl::towardsSensor(const Frame& frame, int entity) {
 }
 
 void Renderer::Impl::planAlongRange(Frame& frame) {
-    const RenderSettings& settings = frame.scene.settings;
-    const bool isAligned =
-        settings.zoomWindow > 0 && settings.zoomStrategy == ZoomStrategy::aligned;
-    if (!isAligned || !std::ranges::all_of(frame.backgrounds, &FrameBackground::isUniform))
+    if (!frame.scene.settings.zoomsAligned() ||
+        !std::ranges::all_of(frame.backgrounds, &FrameBackground::isUniform))
         return;
     for (const ZoomEntityInfo& object : frame.seen)
         if (isAlongRange(frame, object))

@@ -185,8 +185,7 @@ FrameReduction Renderer::Impl::followedPixels(const Frame& frame,
                                               int& layersLeftOver) {
     // Points are not drawn here, and the published antialiasing resamples what it draws.
     const RenderSettings& settings = frame.scene.settings;
-    const bool isSum = frame.points.empty() &&
-                       (settings.zoomWindow == 0 || settings.zoomStrategy == ZoomStrategy::aligned);
+    const bool isSum = frame.points.empty() && !settings.zoomsAsPublished();
     std::optional<ViewKey> key;
     if (isSum)
         key = viewKey(frame);

@@ -200,8 +200,7 @@ PixelExplanation Renderer::explain(Explainer& explainer, int x, int y) {
                                  "is done here, by some 1e-5 of the picture");
     if (frame.scene.settings.scattering)
         result.remarks.push_back("the haze that droplets add to the image is not explained");
-    if (frame.scene.settings.zoomWindow > 0 &&
-        frame.scene.settings.zoomStrategy == ZoomStrategy::sills)
+    if (frame.scene.settings.zoomsAsPublished())
         result.remarks.push_back("the antialiasing as published resamples what it draws; these are "
                                  "samples of the pixel");
     return result;

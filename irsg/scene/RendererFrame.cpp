@@ -232,8 +232,7 @@ void Renderer::Impl::fillItems(Frame& frame) {
     const RenderSettings& settings = frame.scene.settings;
     const SurfaceRows& rows = frame.surfaceRows();
     frame.hot.assign(rows.keys().size(), false);
-    if (settings.hotParts && settings.zoomWindow > 0 &&
-        settings.zoomStrategy == ZoomStrategy::aligned)
+    if (settings.hotParts && settings.zoomsAligned())
         frame.hot = hotRows(frame);
     for (int e = 0; e < static_cast<int>(frame.scene.entities.size()); ++e) {
         const Entity& entity = frame.entity(e);
@@ -259,9 +258,7 @@ void Renderer::Impl::fillItems(Frame& frame) {
 
 void Renderer::Impl::planPoints(Frame& frame) const {
     const RenderSettings& settings = frame.scene.settings;
-    const bool mayBePoints = settings.zoomWindow > 0 &&
-                             settings.zoomStrategy == ZoomStrategy::aligned &&
-                             settings.pointSourceBelow_px > 0.0;
+    const bool mayBePoints = settings.zoomsAligned() && settings.pointSourceBelow_px > 0.0;
     for (const ZoomEntityInfo& object : frame.seen) {
         const bool isOneSlice =
             frame.geometry[static_cast<std::size_t>(object.entity)].slices_m.size() < 2;

@@ -159,7 +159,7 @@ void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeo
     if (settings.zoomWindow != 0 && (settings.zoomWindow < 8 || settings.zoomWindow > 2048))
         diagnostics.push_back({"settings", "zoom window", std::to_string(settings.zoomWindow),
                                "0, or 8 to 2048 samples"});
-    if (settings.zoomStrategy == ZoomStrategy::sills && settings.zoomWindow > 0 &&
+    if (settings.zoomsAsPublished() &&
         !std::has_single_bit(static_cast<unsigned>(settings.zoomWindow)))
         diagnostics.push_back({"settings", "zoom window", std::to_string(settings.zoomWindow),
                                "a power of two for the published zoom"});

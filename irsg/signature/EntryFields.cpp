@@ -22,6 +22,11 @@ constexpr double steepestN = 100.0;
 using Terms = TemperatureTerms;
 constexpr double none = NumberRules::none;
 
+constexpr NumberRules opticalConstant{
+    .expected = "a number of at least 0", .least = 0.0, .step = 0.1};
+constexpr NumberRules reflectivity{
+    .expected = "a number of at least 0", .least = 0.0, .step = 0.01, .isFraction = true};
+
 template <typename Entry>
 bool always(const Entry& /*entry*/) {
     return true;
@@ -290,28 +295,26 @@ const std::array materialRows = {
                    .most = 1.0,
                    .step = 0.05},
         .since = 4},
-    EntryField<Material>{
-        .key = "refractiveIndex",
-        .column = "refractive_index",
-        .member = &Material::refractiveIndex,
-        .label = "Refractive index n",
-        .word = "refractive index",
-        .help = "n of the bulk, in place of the emissivity; 0: not known",
-        .page = "surface",
-        .csv = "n",
-        .number = {.expected = "a number of at least 0", .least = 0.0, .step = 0.1},
-        .since = 4},
-    EntryField<Material>{
-        .key = "extinction",
-        .column = "extinction",
-        .member = &Material::extinction,
-        .label = "Extinction k",
-        .word = "extinction",
-        .help = "k of the bulk, beside its refractive index",
-        .page = "surface",
-        .csv = "k",
-        .number = {.expected = "a number of at least 0", .least = 0.0, .step = 0.1},
-        .since = 4},
+    EntryField<Material>{.key = "refractiveIndex",
+                         .column = "refractive_index",
+                         .member = &Material::refractiveIndex,
+                         .label = "Refractive index n",
+                         .word = "refractive index",
+                         .help = "n of the bulk, in place of the emissivity; 0: not known",
+                         .page = "surface",
+                         .csv = "n",
+                         .number = opticalConstant,
+                         .since = 4},
+    EntryField<Material>{.key = "extinction",
+                         .column = "extinction",
+                         .member = &Material::extinction,
+                         .label = "Extinction k",
+                         .word = "extinction",
+                         .help = "k of the bulk, beside its refractive index",
+                         .page = "surface",
+                         .csv = "k",
+                         .number = opticalConstant,
+                         .since = 4},
     EntryField<Material>{.key = "diffuseReflectivity",
                          .column = "diffuse_reflectivity",
                          .member = &Material::diffuseReflectivity,
@@ -320,10 +323,7 @@ const std::array materialRows = {
                          .help = "The diffuse part of Sandford and Robertson's model and of "
                                  "Shell's, over the hemisphere",
                          .page = "surface",
-                         .number = {.expected = "a number of at least 0",
-                                    .least = 0.0,
-                                    .step = 0.01,
-                                    .isFraction = true},
+                         .number = reflectivity,
                          .since = 6},
     EntryField<Material>{.key = "volumeReflectivity",
                          .column = "volume_reflectivity",
@@ -333,10 +333,7 @@ const std::array materialRows = {
                          .help = "The part of Shell's model that comes from below the surface, pi "
                                  "times that per steradian",
                          .page = "surface",
-                         .number = {.expected = "a number of at least 0",
-                                    .least = 0.0,
-                                    .step = 0.01,
-                                    .isFraction = true},
+                         .number = reflectivity,
                          .since = 6},
     EntryField<Material>{
         .key = "grazingFactor",

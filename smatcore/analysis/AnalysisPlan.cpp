@@ -156,6 +156,10 @@ double stepped(double first, std::size_t i, double step) {
     return irsg::parseNumber(fmt::format("{:.13g}", first + static_cast<double>(i) * step)).value();
 }
 
+double byEqualRatios(double first, double last, double part) {
+    return first * std::pow(last / first, part);
+}
+
 std::string AnalysisPlan::place(const AnalysisCase& one) const {
     if (!axes.empty()) {
         std::string places;

@@ -20,9 +20,9 @@ SupersamplingStrategy samplesInAll(int samples) {
 }
 
 std::unique_ptr<AbstractZoomAntialiasingStrategy> make(const RenderSettings& settings) {
-    if (settings.zoomWindow > 0 && settings.zoomStrategy == ZoomStrategy::sills)
+    if (settings.zoomsAsPublished())
         return std::make_unique<SillsBasedStrategy>(settings.zoomWindow);
-    if (settings.zoomWindow > 0)
+    if (settings.zoomsAligned())
         return std::make_unique<PixelAlignedStrategy>(settings.zoomWindow);
     const int n = settings.samplesPerAxis;
     return std::make_unique<SupersamplingStrategy>(

@@ -67,6 +67,8 @@ struct RenderSettings {
     /// for modes 3 to 5 of the report, any from 8 to 2048. 0: every pixel is sampled alike.
     int zoomWindow = 256;
     ZoomStrategy zoomStrategy = ZoomStrategy::aligned;
+    bool zoomsAligned() const { return zoomWindow > 0 && zoomStrategy == ZoomStrategy::aligned; }
+    bool zoomsAsPublished() const { return zoomWindow > 0 && zoomStrategy == ZoomStrategy::sills; }
     /// Objects narrower than this are drawn once per aspect and then stand for any range as points,
     /// with the aligned zoom, before no terrain and apart from other objects; see PointSources.
     /// Pixels, 0 (never) to `largestPointSource_px`.

@@ -1,4 +1,3 @@
-#include <cmath>
 #include <optional>
 
 #include "smatcore/analysis/AnalysisDefinition.h"
@@ -85,7 +84,7 @@ void planCondition(AnalysisPlan& plan, const Project&, const Settings& settings,
     for (int i = 0; i < points; ++i) {
         AnalysisCase one = startingCase(settings);
         one.coordinate = i == points - 1 ? to
-                         : isLogarithmic ? from * std::pow(to / from, i / (points - 1.0))
+                         : isLogarithmic ? byEqualRatios(from, to, i / (points - 1.0))
                                          : stepped(from, static_cast<std::size_t>(i), step);
         one.*condition.value = one.coordinate;
         plan.cases.push_back(one);

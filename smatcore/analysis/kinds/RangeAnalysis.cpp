@@ -64,7 +64,7 @@ void planRange(AnalysisPlan& plan, const Project&, const Settings& settings,
     for (int i = 0; i < static_cast<int>(points); ++i) {
         const double share = i / intervals;
         axis.places.push_back(share == 1.0  ? to_m
-                              : logarithmic ? from_m * std::pow(to_m / from_m, share)
+                              : logarithmic ? byEqualRatios(from_m, to_m, share)
                                             : from_m + (to_m - from_m) * share);
     }
     const auto casesAt = [settings](const std::vector<RefinedAxis>& axes) {
