@@ -12,19 +12,9 @@ struct Ran {
     int exitCode = -1; ///< 128 + signal where a signal ended it
     std::string out, err;
     double processor_s = 0.0; ///< with that of its children
-    double peak_MB = 0.0;     ///< the most memory it had at any time
+    double peak_MB =
+        0.0; ///< the most memory it had at any time, or more: see Sanitized.h
 };
-
-/// Whether peak_MB is that of the program: sanitizers take several times as much.
-constexpr bool memoryIsTold() {
-#if defined(__SANITIZE_ADDRESS__)
-    return false;
-#elif defined(__has_feature)
-    return !__has_feature(address_sanitizer);
-#else
-    return true;
-#endif
-}
 
 /// Runs smat-batch with these arguments, from `folder`. With `interruptAfter`, a signal is sent
 /// once that text has appeared on standard error.

@@ -15,6 +15,7 @@
 #include "gui/widgets/Theme.h"
 #include "irsg/radiometry/Errors.h"
 #include "tests/gui/AirFixture.h"
+#include "tests/support/Sanitized.h"
 
 namespace smat::gui {
 namespace {
@@ -413,7 +414,7 @@ TEST_F(AirPageTest, AChangeShowsInThePlotWithinAFifthOfASecond) {
         }
         RecordProperty(name, std::to_string(best.wall_s) + " s");
         // Other programs are at work, too: what counts is what this one takes.
-        EXPECT_LE(best.processor_s, 0.2) << name;
+        EXPECT_LE(best.processor_s, smat::test::isSanitized() ? 0.6 : 0.2) << name;
         EXPECT_LE(best.wall_s, 1.0) << name;
     }
 }
