@@ -122,7 +122,7 @@ TEST_F(WindowDefectsTest, TheReadOutCallsSurfacesByTheirNames) {
     SceneView& view = *window->sceneView();
     int faces = 0;
     for (int x = 20; x < view.width(); x += 40) {
-        const QPointF at(x, view.height() / 2);
+        const QPointF at(x, 0.5 * view.height());
         const auto hits = view.facesAt(at);
         if (hits.empty()) {
             continue;

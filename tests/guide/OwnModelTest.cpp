@@ -35,7 +35,7 @@ class OwnModelTest : public test::GuideFixture {
         }
     }
     std::filesystem::path copyOfSample() {
-        const auto file = folder / "helicopter.gltf";
+        auto file = folder / "helicopter.gltf";
         std::filesystem::copy_file(std::filesystem::path(SMAT_SOURCE_DIR) /
                                        "samples/helicopter/helicopter.gltf",
                                    file, std::filesystem::copy_options::overwrite_existing);

@@ -159,7 +159,8 @@ TEST_F(PlotsWalkTest, ZoomReadExportAndOverlay) {
     selectResults({0});
     act("saveResultAction");
     const auto ran = smat::test::runProgram(
-        {SMAT_BINARY_DIR "/bin/smat", "plot", "RESULT.csv", "-o", "FILE.svg"}, folder);
+        {std::string(SMAT_BINARY_DIR) + "/bin/smat", "plot", "RESULT.csv", "-o", "FILE.svg"},
+        folder);
     EXPECT_EQ(ran.exitCode, 0) << ran.err;
     EXPECT_GT(std::filesystem::file_size(folder / "FILE.svg"), 1000U);
     EXPECT_TRUE(told.isEmpty()) << said();

@@ -162,7 +162,8 @@ TEST(CompleteLines, TellTheCarbonDioxideOfTheRun) {
         const std::vector<double> cross_cm2 = crossSection_cm2(
             list, partition, grid, temperature_K, pressure_hPa, 409e-6, defaultLineShape(Gas::CO2));
         double best_ppmv = 0.0, least = 1.0;
-        for (double ppmv = 360.0; ppmv <= 450.0; ppmv += 1.0) {
+        for (int i = 360; i <= 450; ++i) {
+            const double ppmv = i;
             const SlitMean slit(grid, cross_cm2, ppmv * 1e-6 * air_per_cm2);
             double squares = 0.0, count = 0.0;
             for (const auto& row : rows) {

@@ -233,7 +233,8 @@ TEST(OzoneLines, AbsorbAsCrossSectionsComputedFromHITRAN) {
 double distanceOfOrigins(const std::vector<std::pair<double, double>>& moved, double sumOfB,
                          double differenceOfB, double ratioOfOrigins) {
     double best = 0.0, least = HUGE_VAL;
-    for (double r = 0.9; r < 1.05; r += 1e-5) {
+    for (int i = 0; i < 15000; ++i) {
+        const double r = 0.9 + 1e-5 * i;
         double sum = 0.0, squares = 0.0;
         for (const auto& [m, distance] : moved) {
             const double rest = distance - (r - 1.0) * sumOfB * m -

@@ -48,6 +48,7 @@ TEST(SumsOfProducts, AreThoseOfEveryVectorWithEveryOther) {
         others.push_back(wholeNumbers(from + most, 7.0 * static_cast<double>(k) - 30.0));
     }
     std::vector<const double*> ofOthers;
+    ofOthers.reserve(others.size());
     for (const std::vector<double>& other : others) {
         ofOthers.push_back(other.data());
     }

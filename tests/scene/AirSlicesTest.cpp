@@ -56,7 +56,7 @@ struct SlicedWalls {
     std::shared_ptr<const SampledScene> sampled;
     std::unique_ptr<SceneRadiometry> radiometry;
 
-    explicit SlicedWalls(std::vector<Band> bands) {
+    explicit SlicedWalls(const std::vector<Band>& bands) {
         answers.setEnvironment(airWithABand());
         geometry[0].path = {standingAltitude_m, standingAltitude_m, 40.0, 0.0};
         geometry[0].nearest_m = 35.0;
@@ -179,6 +179,7 @@ TEST(SlicesOfBands, SumUpLightBetweenSurfacesToWhatTheirAirSays) {
     const LightIntegrals integrals(radiometry, fronts, knots, sources, -1, light);
     const std::vector<double>& taken_W_m2_um = *radiometry.air(0).light[light];
     std::vector<FactorKind> kinds;
+    kinds.reserve(static_cast<std::size_t>(radiometry.rows().size()));
     for (int row = 0; row < radiometry.rows().size(); ++row) {
         kinds.push_back({0, row});
     }

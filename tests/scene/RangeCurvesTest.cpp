@@ -109,6 +109,7 @@ struct Curves {
     }
     std::vector<double> drawn() {
         std::vector<double> values;
+        values.reserve(ranges_m.size());
         for (const double range_m : ranges_m) {
             values.push_back(drawnAt(range_m));
         }
