@@ -121,6 +121,8 @@ function(smat_configure_target target)
         target_compile_options(${target} PRIVATE -fsanitize=${SMAT_SANITIZE} -fno-omit-frame-pointer
                                                  -fno-sanitize-recover=undefined)
         target_link_options(${target} PUBLIC -fsanitize=${SMAT_SANITIZE})
+        # What sanitizers add hides from gcc what is initialised.
+        target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     endif()
     if(SMAT_FUZZ)
         target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
