@@ -12,8 +12,7 @@ struct Ran {
     int exitCode = -1; ///< 128 + signal where a signal ended it
     std::string out, err;
     double processor_s = 0.0; ///< with that of its children
-    double peak_MB =
-        0.0; ///< the most memory it had at any time, or more: see Sanitized.h
+    double peak_MB = 0.0;     ///< the most memory it had at any time, or more: see Sanitized.h
 };
 
 /// Runs smat-batch with these arguments, from `folder`. With `interruptAfter`, a signal is sent

@@ -79,7 +79,7 @@ class EveryWriter : public testing::TestWithParam<Writer> {
             (stands ? " over a file" : " where nothing was");
         if (mishap.kind == Mishap::fails) {
             EXPECT_TRUE(ended.exitCode == 0 || ended.exitCode == 2) << where << ended.exitCode;
-        } else if (mishap.kind == Mishap::callerKilled) {
+        } else if (mishap.kind == Mishap::helperKilled) {
             EXPECT_EQ(ended.exitCode, 0) << where;
         }
         const bool isThere = fs::exists(file);
@@ -115,9 +115,11 @@ class EveryWriter : public testing::TestWithParam<Writer> {
                 meets(mishap, stands);
                 mishap.kind = Mishap::fails;
                 mishap.error = call % 2 == 0 ? ENOSPC : EIO;
-                if (meets(mishap, stands).wasOther) {
-                    mishap.kind = Mishap::callerKilled;
-                    meets(mishap, stands);
+                const Ended failed = meets(mishap, stands);
+                if (failed.wasOther) {
+                    mishap.kind = Mishap::helperKilled;
+                    mishap.call = failed.callsOfOthers;
+                    EXPECT_TRUE(meets(mishap, stands).wasOther);
                 }
             }
         }

@@ -123,15 +123,19 @@ void Watch::entersCall(pid_t process, user_regs_struct& registers) {
     if (!counting_) {
         return;
     }
-    ended_.callsOfOthers += process != worker_;
-    if (++ended_.calls != mishap_.call) {
+    const bool isOther = process != worker_;
+    ++ended_.calls;
+    ended_.callsOfOthers += isOther;
+    const bool isCounted = isOther || mishap_.kind != Mishap::helperKilled;
+    const long call = mishap_.kind == Mishap::helperKilled ? ended_.callsOfOthers : ended_.calls;
+    if (!isCounted || call != mishap_.call) {
         return;
     }
     ended_.name = std::to_string(number);
-    ended_.wasOther = process != worker_;
+    ended_.wasOther = isOther;
     if (mishap_.kind == Mishap::killed) {
         kill(worker_, SIGKILL);
-    } else if (mishap_.kind == Mishap::callerKilled) {
+    } else if (mishap_.kind == Mishap::helperKilled) {
         kill(process, SIGKILL);
     }
     hasMet_ = mishap_.kind != Mishap::fails || never.contains(number);

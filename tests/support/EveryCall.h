@@ -8,8 +8,9 @@ namespace smat::test {
 /// What happens to a process at one of its calls of the system, or at one of those of a process
 /// that shares its memory for a moment (vfork).
 struct Mishap {
-    /// Killed is the process itself, whoever calls; callerKilled is who calls.
-    enum Kind { none, killed, callerKilled, fails } kind = none;
+    /// Killed is the process itself, whoever calls; helperKilled is the one that shares its memory,
+    /// whose calls alone count.
+    enum Kind { none, killed, helperKilled, fails } kind = none;
     long call = 0;            ///< which call, from 1
     int error = 0;            ///< of a call that fails
     bool onlyWriting = false; ///< calls count from the first that opens a file for writing
@@ -21,7 +22,7 @@ struct Mishap {
 struct Ended {
     int exitCode = -1;      ///< 0 done, 2 refused, 3 something else; -1 where it was killed
     long calls = 0;         ///< of the system, from the beginning of the work or of writing
-    long callsOfOthers = 0; ///< those of them that others made for it
+    long callsOfOthers = 0; ///< those of them that others made for it, up to the mishap
     bool wasOther = false;  ///< who made the call that met the mishap
     std::string name;       ///< number of the call that met the mishap
 };
