@@ -12,19 +12,22 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The variable of the environment, for as long as this lives.
-class Surroundings {
+/// Where programs are looked for, for as long as this lives.
+class SearchPath {
   public:
-    Surroundings(const char* name, const std::string& value)
-        : name_(name), before_(std::getenv(name)) {
-        setenv(name, value.c_str(), 1);
+    explicit SearchPath(const std::string& path) : before_(now()) {
+        setenv("PATH", path.c_str(), 1);
     }
-    ~Surroundings() { setenv(name_, before_.c_str(), 1); }
-    Surroundings(const Surroundings&) = delete;
-    Surroundings& operator=(const Surroundings&) = delete;
+    ~SearchPath() { setenv("PATH", before_.c_str(), 1); }
+    SearchPath(const SearchPath&) = delete;
+    SearchPath& operator=(const SearchPath&) = delete;
+
+    static std::string now() {
+        const char* path = std::getenv("PATH");
+        return path == nullptr ? "" : path;
+    }
 
   private:
-    const char* name_;
     std::string before_;
 };
 
@@ -86,7 +89,7 @@ TEST(SmatBatchSimulate, AFilmIsEncodedByFfmpegWithoutAShell) {
   "sensor": {"band": "3-5,8-12"}})"));
     write(folder / "sphere.csv", approachPath);
     writeEncoder(folder / "bin/ffmpeg", encoder);
-    const Surroundings path("PATH", (folder / "bin").string() + ":" + std::getenv("PATH"));
+    const SearchPath path((folder / "bin").string() + ":" + SearchPath::now());
     const Ran ran = simulated(folder, {"--film", "a film; of $(touch broken).mp4"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
     EXPECT_FALSE(std::filesystem::exists(folder / "broken"));
@@ -122,7 +125,7 @@ TEST(SmatBatchSimulate, AFilmThatCannotBeIsRefusedBeforeTheFirstFrame) {
                    {{"--film", "a"}, "no extension"},
                    {{"--film", "a.png", "--format", "csv"}, "--format exr"}};
     std::filesystem::create_directories(folder / "empty");
-    const Surroundings path("PATH", (folder / "empty").string());
+    const SearchPath path((folder / "empty").string());
     for (const auto& one : refused) {
         const Ran ran = simulated(folder, one.words);
         EXPECT_EQ(ran.exitCode, 2) << one.told;
