@@ -10,6 +10,7 @@ import json
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 
@@ -51,6 +52,18 @@ def clang_command(command):
     return kept
 
 
+def config_folder(source):
+    """Where a group of sources beside this one finds the checks that hold for it."""
+    nearest = os.path.dirname(source)
+    while not os.path.exists(os.path.join(nearest, ".clang-tidy")):
+        nearest = os.path.dirname(nearest)
+    path = os.path.normpath(os.path.join(folder, os.path.relpath(nearest, root)))
+    os.makedirs(path, exist_ok=True)
+    for config in {os.path.join(root, ".clang-tidy"), os.path.join(nearest, ".clang-tidy")}:
+        shutil.copy(config, os.path.join(folder, os.path.relpath(config, root)))
+    return path
+
+
 written, groups = [], {}
 
 
@@ -69,7 +82,7 @@ for source in sorted(name for name in lines if name.endswith(".cpp")):
 for unity, paths in sorted(groups.items()):
     paths.sort(key=lambda path: place[os.path.realpath(path)])
     for first in range(0, len(paths), together):
-        group = os.path.join(folder, f"group-{len(written)}.cpp")
+        group = os.path.join(config_folder(paths[first]), f"group-{len(written)}.cpp")
         with open(group, "w") as file:
             file.writelines(f'#include "{path}"\n' for path in paths[first : first + together])
         write(group, of_unity[os.path.realpath(paths[first])])
