@@ -108,7 +108,7 @@ void addPixelSurface(PixelHeads& heads, const irsg::ExplainedSurface& surface) {
 
 QList<QTreeWidgetItem*> pixelHeads(QFont bold, const ExplainedPixel& pixel) {
     bold.setBold(true);
-    PixelHeads heads{std::move(bold), {}};
+    PixelHeads heads{bold, {}};
     const auto tr = [](const char* text) { return PixelPanel::tr(text); };
     const irsg::PixelExplanation& of = pixel.computed;
     for (const irsg::ExplainedSurface& surface : of.surfaces)

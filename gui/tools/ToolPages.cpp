@@ -44,7 +44,7 @@ constexpr std::array pages = {
 
 void addToolPages(
     QMenu& menu, Workbench& workbench, const Dialogs& dialogs,
-    std::function<void(QWidget* page, const QIcon& icon, const QString& title)> addPage) {
+    const std::function<void(QWidget* page, const QIcon& icon, const QString& title)>& addPage) {
     for (const AnalysisKind kind : allTools()) {
         const auto* const page =
             std::ranges::find(pages, std::string_view(kind->name), &ToolPage::tool);

@@ -18,6 +18,6 @@ class Workbench;
 /// has none here: it is run on the page of its scenario.
 void addToolPages(
     QMenu& menu, Workbench& workbench, const Dialogs& dialogs,
-    std::function<void(QWidget* page, const QIcon& icon, const QString& title)> addPage);
+    const std::function<void(QWidget* page, const QIcon& icon, const QString& title)>& addPage);
 
 } // namespace smat::gui

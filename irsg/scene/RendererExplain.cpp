@@ -57,6 +57,7 @@ std::vector<SampleRun> withNeighbours(const std::vector<SampleRun>& runs,
                                  std::max(known->second.second, end)};
         }
     std::vector<SampleRun> all;
+    all.reserve(columns.size());
     for (const auto& [row, range] : columns)
         all.push_back({row, range.first, range.second - range.first, 1.0});
     return all;

@@ -140,6 +140,7 @@ SampledScenes::Sampler Renderer::Impl::sampler(const Frame& frame, AtmosphericQu
         if (scene.settings.mode != CalculationMode::wideband)
             return sampling.spectral(answers, scene, bands);
         std::vector<SampledBand> sampled;
+        sampled.reserve(bands.size());
         for (const Band& band : bands)
             sampled.push_back(SceneSampling::wideband(answers, scene, wideband(frame.scene, band)));
         return sampled;

@@ -51,6 +51,7 @@ std::string quoted(const std::string& name) {
 /// Names that a column may have.
 std::string columnsExpected() {
     std::vector<std::string> names;
+    names.reserve(std::size(properties) + opticals().size());
     for (const char* const property : properties)
         names.push_back(quoted(property));
     for (const Optical& optical : opticals())

@@ -151,6 +151,7 @@ std::vector<std::string> settingsOn(SettingPage page) {
             rows.push_back(&row);
     std::ranges::stable_sort(rows, {}, &SettingInfo::place);
     std::vector<std::string> keys;
+    keys.reserve(rows.size());
     for (const SettingInfo* row : rows)
         keys.push_back(row->key);
     return keys;

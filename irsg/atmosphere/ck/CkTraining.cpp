@@ -210,6 +210,7 @@ class Cases {
             for (const AtmosphericPath& path : some)
                 lights_[path.targetAltitude_m];
         std::vector<decltype(lights_)::value_type*> places;
+        places.reserve(lights_.size());
         for (auto& light : lights_)
             places.push_back(&light);
         parallelFor(places.size(), [&](std::size_t i) {
@@ -364,7 +365,7 @@ SparseWeights trainedPoints(const CkAir& air, const CkRequest& request, CkErrors
         const bool withOwn = cases.ownCount() <= 8 || i < request.paths.size() || i % 4 == 0;
         cases.along(paths[i], withOwn, take);
     });
-    const SparseWeights chosen = solved(air.nodes, parts, request.largestError, request.mostPoints);
+    SparseWeights chosen = solved(air.nodes, parts, request.largestError, request.mostPoints);
     if (chosen.columns.empty())
         throw InputError(Diagnostic{"band " + request.band.name(), "", "no light in it",
                                     "a band with a response where the atmosphere answers"});

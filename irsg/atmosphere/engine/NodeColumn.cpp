@@ -172,6 +172,7 @@ std::span<const double> NodeColumn::planck(std::size_t index) const {
 std::span<const double> NodeColumn::sun() const {
     sunOnce_.call([&] {
         std::vector<double> sun;
+        sun.reserve(wavenumbers_per_cm_.size());
         for (const double wavenumber_per_cm : wavenumbers_per_cm_)
             sun.push_back(solarIrradiance_W_m2_per_cm(wavenumber_per_cm - 0.5 * sunWidth_per_cm_,
                                                       wavenumber_per_cm + 0.5 * sunWidth_per_cm_) *

@@ -332,8 +332,10 @@ RunTable spectraOf(Document& document, const OutputPlace& place, const ModtranCa
         const std::optional<RunColumn> column = runColumn(key);
         if (!column || !values.is_array())
             continue;
+        std::string ofKey = path;
+        ofKey.append(".").append(key);
         if (values.size() != rows.value_or(values.size())) {
-            document.report(path + "." + key, std::to_string(values.size()) + " values",
+            document.report(ofKey, std::to_string(values.size()) + " values",
                             std::to_string(*rows) + " as in the arrays before");
             continue;
         }
@@ -344,8 +346,9 @@ RunTable spectraOf(Document& document, const OutputPlace& place, const ModtranCa
         for (std::size_t i = 0; i < values.size(); ++i) {
             const bool finite = values[i].is_number() && std::isfinite(values[i].get<double>());
             if (!finite) {
-                document.report(path + "." + key + "[" + std::to_string(i) + "]",
-                                shownJson(values[i]), "a finite number");
+                std::string where = ofKey;
+                where.append("[").append(std::to_string(i)).append("]");
+                document.report(where, shownJson(values[i]), "a finite number");
             }
             numbers.push_back(finite ? values[i].get<double>() : 0.0);
         }

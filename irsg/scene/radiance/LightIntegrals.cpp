@@ -97,6 +97,7 @@ std::vector<std::vector<double>> LightIntegrals::sumsOf(std::span<const FactorKi
     // What is to be summed with all kinds: the sources, and what sky and ground give where that is
     // the same for all of them.
     std::vector<const double*> others;
+    others.reserve(columns);
     for (const std::vector<double>& source : sources_W_m2_um_)
         others.push_back(source.data());
     std::vector<std::pair<int, std::size_t>> apart;
