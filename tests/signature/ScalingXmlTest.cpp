@@ -2,6 +2,7 @@
 
 #include "irsg/radiometry/Errors.h"
 #include "tests/signature/Support.h"
+#include "tests/support/SharedMaterial.h"
 
 namespace irsg {
 
@@ -43,11 +44,8 @@ SignatureDatabase small() {
 } // namespace
 
 TEST(ScalingXml, ReadsTheFilesThatBelongToTheReport) {
-    const std::filesystem::path folder =
-        std::getenv("SMAT_SHARED")
-            ? std::filesystem::path(std::getenv("SMAT_SHARED")) / "data/karma"
-            : "/none";
-    if (!std::filesystem::exists(folder)) {
+    const std::filesystem::path folder = smat::test::sharedMaterial("data/karma");
+    if (folder.empty()) {
         GTEST_SKIP() << "the sample files of the report are not on this machine";
     }
     const Scalings scalings = loadScalings(folder / "turboprop4.flt");
