@@ -13,9 +13,9 @@
 #include "irsg/atmosphere/AtmosphereSmart.h"
 #include "irsg/radiometry/Quadrature.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/background/BackgroundGrid.h"
-#include "irsg/scene/background/Skybox.h"
-#include "irsg/scene/background/SunDisc.h"
+#include "irsg/render/background/BackgroundGrid.h"
+#include "irsg/render/background/Skybox.h"
+#include "irsg/render/background/SunDisc.h"
 
 using namespace irsg;
 

@@ -1,4 +1,4 @@
-#include "irsg/scene/draw/GlFunctions.h"
+#include "irsg/render/opengl/GlFunctions.h"
 
 #include "benchmarks/ConstantShaderDrawing.h"
 
@@ -8,10 +8,10 @@
 #include <osg/RenderInfo>
 #include <osgUtil/SceneView>
 
+#include "irsg/geometry/view/CameraFrame.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/draw/FloatTarget.h"
-#include "irsg/scene/draw/OffscreenContext.h"
-#include "irsg/scene/view/CameraFrame.h"
+#include "irsg/render/opengl/FloatTarget.h"
+#include "irsg/render/opengl/OffscreenContext.h"
 
 namespace irsg::bench {
 

@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
-#include "irsg/scene/model/Model.h"
-#include "irsg/scene/view/Pose.h"
-#include "irsg/scene/view/Sensor.h"
+#include "irsg/geometry/model/Model.h"
+#include "irsg/geometry/view/Pose.h"
+#include "irsg/geometry/view/Sensor.h"
 
 namespace irsg::bench {
 

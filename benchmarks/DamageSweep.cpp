@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/SignatureFile.h"
 
 namespace {

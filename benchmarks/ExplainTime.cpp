@@ -20,7 +20,7 @@
 #include <QApplication>
 
 #include "gui/image/PixelPanel.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/analysis/PixelExplainer.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/settings/SettingKeys.h"

@@ -15,8 +15,8 @@
 #include <osgDB/WriteFile>
 #include <sys/resource.h>
 
-#include "irsg/scene/model/ModelLoader.h"
-#include "irsg/scene/model/apart/PluginReading.h"
+#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/reading/sandbox/PluginReading.h"
 
 namespace {
 

@@ -14,12 +14,12 @@
 #include <string>
 #include <vector>
 
+#include "irsg/geometry/model/DrawList.h"
+#include "irsg/geometry/model/DrawPieces.h"
+#include "irsg/radiance/exchange/BodyLight.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/render/rays/RaysBuilt.h"
 #include "irsg/scene/Irsg.h"
-#include "irsg/scene/model/DrawList.h"
-#include "irsg/scene/model/DrawPieces.h"
-#include "irsg/scene/trace/BodyLight.h"
-#include "irsg/scene/trace/RaysBuilt.h"
 #include "irsg/signature/SignatureFile.h"
 #include "tests/support/SceneFixtures.h"
 

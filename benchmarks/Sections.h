@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg::bench {
 

@@ -1,6 +1,6 @@
 # smat_embed_shaders(irsg_scene FILES surface.vert.glsl surface.frag.glsl)
 # puts the texts of shaders/*.glsl into the library, so that it needs no file when it runs; they are
-# asked for by file name through irsg/scene/draw/ShaderSource.h. A shader that changes is embedded anew by
+# asked for by file name through irsg/render/opengl/ShaderSource.h. A shader that changes is embedded anew by
 # the next build.
 
 set(SMAT_EMBED_SHADERS_SCRIPT "${CMAKE_CURRENT_LIST_FILE}")
@@ -28,7 +28,7 @@ if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
         string(APPEND entries "    {\"${name}\", R\"GLSL(${text})GLSL\"},\n")
     endforeach()
     file(WRITE "${OUTPUT}"
-"#include \"irsg/scene/draw/ShaderSource.h\"
+"#include \"irsg/render/opengl/ShaderSource.h\"
 
 namespace irsg {
 

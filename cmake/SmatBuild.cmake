@@ -91,6 +91,18 @@ function(smat_split target part)
     smat_configure_target(${target}_${part})
 endfunction()
 
+# smat_add_rooms(smat_gui image plot): the sources in these folders of a target become object libraries of their own,
+# smat_gui_image and smat_gui_plot, compiled as the target is.
+function(smat_add_rooms target)
+    foreach(room ${ARGN})
+        string(REPLACE "/" "_" part "${room}")
+        smat_split(${target} ${part} "^${room}/")
+        get_target_property(options ${target} COMPILE_OPTIONS)
+        list(FILTER options INCLUDE REGEX "^-Og$|maybe-uninitialized")
+        target_compile_options(${target}_${part} PRIVATE ${options})
+    endforeach()
+endfunction()
+
 # smat_compile_loops(irsg_radiometry PATTERN...): of a target the sources whose long loops the compiler is to make
 # vectors of. None of the flags changes a result; without contraction it is the same on processors with and
 # without fused multiply-add. (No -fassociative-math: it would break VectorExp.h.)

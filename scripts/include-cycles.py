@@ -18,7 +18,7 @@ parser.add_argument("--limit", type=int, default=3)
 parser.add_argument("tree", nargs="?", default=os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 asked = parser.parse_args()
 sys.setrecursionlimit(10000)
-product = ("irsg", "smatcore", "gui", "apps")
+product = ("irsg", "smatcore", "gui", "apps", "tools")
 
 
 def files():

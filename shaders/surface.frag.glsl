@@ -2,7 +2,7 @@
 // Apparent radiance of one sample of a surface (docs/physics.md, equations 1 to 3), or its factors.
 // All radiances are in-band, W m-2 sr-1, computed in double on the CPU.
 //
-// The lines before this text come from irsg/scene/radiance/RadianceTerms.cpp, the one list of what a
+// The lines before this text come from irsg/radiance/RadianceTerms.cpp, the one list of what a
 // surface can send: the frame's directions, FACTOR_COUNT (1 to 7) and FILL_FACTORS(f), which sets
 // every factor. Compiled once for each combination of what a drawing needs:
 //   PRODUCT     0 radiance, where nothing is transparent; 1 factors, 2 factors and distance

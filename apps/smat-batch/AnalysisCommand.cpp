@@ -4,7 +4,7 @@
 #include "apps/smat-batch/PartOptions.h"
 #include "apps/smat-batch/ProjectInput.h"
 #include "apps/smat-batch/SettingOptions.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 
 namespace smat::batch {

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "irsg/atmosphere/SmartParameterText.h"
+#include "irsg/core/FileReading.h"
 #include "irsg/karma/KarmaXml.h"
-#include "irsg/radiometry/FileReading.h"
 
 namespace smat::batch {
 

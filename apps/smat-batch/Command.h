@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/data/ImageSource.h"
 #include "smatcore/project/AnalysisKind.h"

@@ -8,10 +8,10 @@
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/NumberOptions.h"
 #include "apps/smat-batch/Output.h"
+#include "irsg/core/Errors.h"
 #include "irsg/image/ComparisonFigures.h"
 #include "irsg/image/ImageFile.h"
 #include "irsg/image/ImageFormat.h"
-#include "irsg/radiometry/Errors.h"
 
 namespace smat::batch {
 

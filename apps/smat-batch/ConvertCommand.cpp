@@ -3,7 +3,7 @@
 
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/Output.h"
-#include "irsg/scene/model/ModelConverter.h"
+#include "irsg/geometry/model/ModelConverter.h"
 
 namespace smat::batch {
 

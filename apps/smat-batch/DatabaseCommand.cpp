@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "apps/smat-batch/Output.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReplacement.h"
-#include "irsg/scene/model/IndexNames.h"
-#include "irsg/scene/model/Model.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReplacement.h"
+#include "irsg/geometry/model/IndexNames.h"
+#include "irsg/geometry/model/Model.h"
 #include "irsg/signature/MaterialCsv.h"
 #include "irsg/signature/ReflectanceCsv.h"
 #include "irsg/signature/ScalingXml.h"

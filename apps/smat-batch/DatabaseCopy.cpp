@@ -4,8 +4,8 @@
 
 #include "apps/smat-batch/DatabaseCommand.h"
 #include "apps/smat-batch/Output.h"
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/CopyEntries.h"
 
 namespace smat::batch {

@@ -4,7 +4,7 @@
 
 #include "apps/smat-batch/DatabaseCommand.h"
 #include "apps/smat-batch/Output.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/Lint.h"
 #include "irsg/signature/MaterialCsv.h"
 #include "irsg/signature/ScalingXml.h"

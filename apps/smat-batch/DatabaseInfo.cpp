@@ -3,7 +3,7 @@
 
 #include "apps/smat-batch/DatabaseCommand.h"
 #include "apps/smat-batch/Output.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/EntryFields.h"
 #include "irsg/signature/SurfaceTemperature.h"
 

@@ -5,9 +5,9 @@
 
 #include "apps/smat-batch/DatabaseCommand.h"
 #include "apps/smat-batch/Output.h"
+#include "irsg/core/Errors.h"
+#include "irsg/geometry/model/ModelUse.h"
 #include "irsg/radiometry/Band.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/scene/model/ModelUse.h"
 #include "irsg/signature/LintScalings.h"
 #include "smatcore/analysis/ProjectLint.h"
 #include "smatcore/project/ProjectFile.h"

@@ -2,7 +2,7 @@
 
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/Output.h"
-#include "irsg/radiometry/FileReading.h"
+#include "irsg/core/FileReading.h"
 #include "smatcore/analysis/CaseFile.h"
 
 namespace smat::batch {

@@ -6,7 +6,7 @@
 
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/Output.h"
-#include "irsg/scene/model/FirstSignature.h"
+#include "irsg/geometry/model/FirstSignature.h"
 #include "irsg/signature/SignatureFile.h"
 
 namespace smat::batch {

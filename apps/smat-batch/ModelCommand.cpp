@@ -4,8 +4,8 @@
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/Output.h"
 #include "apps/smat-batch/PlacingOptions.h"
-#include "irsg/scene/model/Model.h"
-#include "irsg/scene/model/PlacingGuess.h"
+#include "irsg/geometry/model/Model.h"
+#include "irsg/geometry/model/PlacingGuess.h"
 #include "smatcore/project/JsonWriting.h"
 
 namespace smat::batch {

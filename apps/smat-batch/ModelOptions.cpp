@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include "apps/smat-batch/Command.h"
-#include "irsg/radiometry/Collect.h"
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Collect.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::batch {
 

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::batch {
 

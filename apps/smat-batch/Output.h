@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisData.h"
 #include "smatcore/support/Progress.h"
 

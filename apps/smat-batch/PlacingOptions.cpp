@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "apps/smat-batch/Command.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/scene/model/PlacingGuess.h"
+#include "irsg/core/Errors.h"
+#include "irsg/geometry/model/PlacingGuess.h"
 #include "smatcore/project/JsonFields.h"
 #include "smatcore/project/Project.h"
 

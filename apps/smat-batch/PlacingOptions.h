@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "irsg/scene/model/ModelValues.h"
+#include "irsg/geometry/reading/ModelValues.h"
 
 namespace smat::batch {
 

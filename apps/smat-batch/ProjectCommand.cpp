@@ -7,8 +7,8 @@
 #include "apps/smat-batch/ModelOptions.h"
 #include "apps/smat-batch/Output.h"
 #include "apps/smat-batch/SettingOptions.h"
-#include "irsg/radiometry/FileReading.h"
-#include "irsg/scene/model/Model.h"
+#include "irsg/core/FileReading.h"
+#include "irsg/geometry/model/Model.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/project/SceneModels.h"
 

@@ -1,7 +1,7 @@
 #include "apps/smat-batch/ProjectInput.h"
 
 #include "apps/smat-batch/Output.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/project/ProjectFile.h"
 
 namespace smat::batch {

@@ -4,9 +4,9 @@
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/NumberOptions.h"
 #include "apps/smat-batch/SunOptions.h"
+#include "irsg/core/Collect.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Band.h"
-#include "irsg/radiometry/Collect.h"
-#include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/tools/RadiativeOutput.h"
 

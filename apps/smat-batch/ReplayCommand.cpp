@@ -6,7 +6,7 @@
 
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/Output.h"
-#include "irsg/radiometry/Wording.h"
+#include "irsg/core/Wording.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
 #include "smatcore/analysis/Replay.h"
 #include "smatcore/analysis/ResultFile.h"

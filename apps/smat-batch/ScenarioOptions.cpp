@@ -1,6 +1,6 @@
 #include "apps/smat-batch/ScenarioOptions.h"
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/simulate/Scenario.h"
 
 namespace smat::batch {

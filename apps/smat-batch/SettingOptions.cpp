@@ -5,9 +5,9 @@
 
 #include "apps/smat-batch/Output.h"
 #include "apps/smat-batch/PlacingOptions.h"
-#include "irsg/radiometry/Collect.h"
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Collect.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/project/ModelFields.h"
 #include "smatcore/settings/AnalysisSections.h"

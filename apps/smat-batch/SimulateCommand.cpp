@@ -16,7 +16,7 @@
 #include "apps/smat-batch/ScenarioOptions.h"
 #include "apps/smat-batch/SettingOptions.h"
 #include "apps/smat-batch/StopSignal.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/analysis/CaseFile.h"
 #include "smatcore/simulate/Film.h"
 #include "smatcore/simulate/FrameFiles.h"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 
 namespace smat::batch {

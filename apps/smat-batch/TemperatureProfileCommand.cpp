@@ -1,7 +1,7 @@
 #include "apps/smat-batch/AirInput.h"
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/NumberOptions.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/tools/TemperatureProfile.h"
 
 namespace smat::batch {

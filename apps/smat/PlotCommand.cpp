@@ -9,7 +9,7 @@
 #include "gui/plot/PolarPlot.h"
 #include "gui/plot/ResultPlot.h"
 #include "gui/plot/TablePlot.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/analysis/Conditions.h"
 
 namespace smat {

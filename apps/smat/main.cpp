@@ -14,7 +14,7 @@
 #include "gui/settings/Preferences.h"
 #include "gui/widgets/Theme.h"
 #include "gui/workbench/Workbench.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/data/ImageSource.h"
 #include "smatcore/data/Provenance.h"
 #include "smatcore/support/FreedMemory.h"

@@ -5,7 +5,7 @@
 
 #include "benchmarks/antialiasing/Bodies.h"
 #include "benchmarks/antialiasing/Study.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg::study {

@@ -4,12 +4,12 @@
 #include <numbers>
 #include <sstream>
 
-#include "apps/atmosphere-tables/lines/LineListFile.h"
-#include "apps/atmosphere-tables/lines/TruthPaths.h"
 #include "benchmarks/atmosphere/Table.h"
 #include "irsg/atmosphere/engine/RadiativeTransfer.h"
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Errors.h"
+#include "tools/atmosphere-tables/lines/LineListFile.h"
+#include "tools/atmosphere-tables/lines/TruthPaths.h"
 
 namespace irsg::accuracy {
 

@@ -4,12 +4,12 @@
 #include <numbers>
 #include <sstream>
 
-#include "apps/atmosphere-tables/lines/LineListFile.h"
 #include "benchmarks/atmosphere/Table.h"
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "tests/atmosphere/ModtranRuns.h"
+#include "tools/atmosphere-tables/lines/LineListFile.h"
 
 namespace irsg::accuracy {
 

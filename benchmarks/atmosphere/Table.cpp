@@ -4,7 +4,7 @@
 #include <fstream>
 #include <iostream>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg::accuracy {
 

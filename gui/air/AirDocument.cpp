@@ -2,7 +2,7 @@
 
 #include "gui/start/DataFolder.h"
 #include "gui/widgets/Readable.h"
-#include "irsg/radiometry/FileReading.h"
+#include "irsg/core/FileReading.h"
 
 namespace smat::gui {
 namespace {

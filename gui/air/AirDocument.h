@@ -12,7 +12,7 @@
 
 #include "gui/workbench/DocumentStep.h"
 #include "irsg/atmosphere/AtmosphereSmartParameters.h"
-#include "irsg/radiometry/FileStamp.h"
+#include "irsg/core/FileStamp.h"
 
 namespace smat::gui {
 

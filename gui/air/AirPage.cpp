@@ -15,7 +15,7 @@
 #include "gui/widgets/ThemeColors.h"
 #include "gui/widgets/VerticalScrollArea.h"
 #include "gui/workbench/Workbench.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {

@@ -9,7 +9,7 @@
 #include "gui/widgets/Theme.h"
 #include "gui/workbench/PageTabs.h"
 #include "gui/workbench/Workbench.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/project/AtmosphereInput.h"
 #include "smatcore/settings/SettingKeys.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "irsg/atmosphere/AtmosphereSmartParameters.h"
-#include "irsg/atmosphere/AtmosphericQuery.h"
+#include "irsg/atmosphere/path/AtmosphericQuery.h"
 #include "smatcore/tools/PathGeometry.h"
 
 namespace smat::gui {

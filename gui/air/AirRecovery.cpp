@@ -5,7 +5,7 @@
 #include "gui/air/AirDocument.h"
 #include "gui/start/DataFolder.h"
 #include "gui/widgets/Sentences.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/support/TextFile.h"
 
 namespace smat::gui {

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "irsg/atmosphere/AtmosphericQuery.h"
+#include "irsg/atmosphere/path/AtmosphericQuery.h"
 #include "smatcore/tools/PathGeometry.h"
 
 class QCheckBox;

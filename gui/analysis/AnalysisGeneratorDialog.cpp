@@ -18,7 +18,7 @@
 #include "gui/widgets/DialogButtons.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/SettingWords.h"

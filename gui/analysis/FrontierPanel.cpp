@@ -22,7 +22,7 @@
 #include "gui/plot/PlotPanel.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Theme.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/analysis/Conditions.h"
 #include "smatcore/analysis/Frontier.h"
 

@@ -2,7 +2,7 @@
 
 #include "gui/analysis/ResultStore.h"
 #include "gui/widgets/Sentences.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/results/ResultFolder.h"
 
 namespace smat::gui {

@@ -24,7 +24,7 @@
 #include "gui/plot/PlotLook.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Theme.h"
-#include "irsg/radiometry/Quantity.h"
+#include "irsg/core/Quantity.h"
 #include "smatcore/analysis/MonteCarloFile.h"
 #include "smatcore/data/ColumnName.h"
 

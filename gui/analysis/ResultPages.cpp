@@ -10,7 +10,7 @@
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
 #include "gui/workbench/Workbench.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 
 namespace smat::gui {

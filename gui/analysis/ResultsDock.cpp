@@ -20,7 +20,7 @@
 #include "gui/widgets/Theme.h"
 #include "gui/workbench/UnsavedNote.h"
 #include "gui/workbench/Workbench.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/MonteCarloFile.h"
 

@@ -5,8 +5,8 @@
 #include "gui/database/QuestionDialog.h"
 #include "gui/start/DataFolder.h"
 #include "gui/widgets/Sentences.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/scene/model/Model.h"
+#include "irsg/core/Errors.h"
+#include "irsg/geometry/model/Model.h"
 #include "irsg/signature/ScalingXml.h"
 
 namespace smat::gui {

@@ -6,7 +6,7 @@
 #include "gui/database/EditorContext.h"
 #include "gui/widgets/LatestTask.h"
 #include "gui/workbench/ModelStore.h"
-#include "irsg/scene/model/IndexNames.h"
+#include "irsg/geometry/model/IndexNames.h"
 
 namespace smat::gui {
 

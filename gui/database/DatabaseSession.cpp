@@ -8,9 +8,9 @@
 
 #include "gui/start/DataFolder.h"
 #include "gui/widgets/Sentences.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReading.h"
-#include "irsg/radiometry/FileReplacement.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReading.h"
+#include "irsg/core/FileReplacement.h"
 
 namespace smat::gui {
 namespace {

@@ -14,7 +14,7 @@
 #include <QTimer>
 
 #include "gui/database/DatabaseChange.h"
-#include "irsg/radiometry/FileStamp.h"
+#include "irsg/core/FileStamp.h"
 #include "irsg/signature/SignatureFile.h"
 
 class QUndoStack;

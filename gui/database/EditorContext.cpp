@@ -1,9 +1,9 @@
 #include "gui/database/EditorContext.h"
 
 #include "gui/widgets/Sentences.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/scene/model/Model.h"
-#include "irsg/scene/model/ModelUse.h"
+#include "irsg/core/Errors.h"
+#include "irsg/geometry/model/Model.h"
+#include "irsg/geometry/model/ModelUse.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
 

@@ -17,7 +17,7 @@
 #include "gui/database/NodePlot.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/SpectrumCsv.h"
 
 namespace smat::gui {

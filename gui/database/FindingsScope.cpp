@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/LintScalings.h"
 #include "smatcore/analysis/ProjectLint.h"
 

@@ -10,7 +10,7 @@
 #include "gui/widgets/DialogButtons.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/ThemeColors.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::gui {
 

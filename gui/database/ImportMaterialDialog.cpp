@@ -7,7 +7,7 @@
 #include <QLineEdit>
 
 #include "gui/database/Nodes.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/EntryFields.h"
 #include "irsg/signature/MaterialCsv.h"
 #include "irsg/signature/ReflectanceCsv.h"

@@ -8,7 +8,7 @@
 #include <QLineEdit>
 
 #include "gui/database/Nodes.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/signature/SpectrumCsv.h"
 

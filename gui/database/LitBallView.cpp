@@ -8,7 +8,7 @@
 #include <QPainter>
 
 #include "gui/widgets/Theme.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/LitBall.h"
 
 namespace smat::gui {

@@ -17,7 +17,7 @@
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/ThemeColors.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::gui {
 

@@ -17,7 +17,7 @@
 #include "gui/database/ReflectanceEditor.h"
 #include "gui/database/SpectrumField.h"
 #include "gui/widgets/Sentences.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/LitBall.h"
 #include "irsg/signature/SurfaceModels.h"
 

@@ -1,7 +1,7 @@
 #include "gui/database/TargetDatabase.h"
 
 #include "gui/widgets/Sentences.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/SignatureFile.h"
 
 namespace smat::gui {

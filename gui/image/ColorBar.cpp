@@ -14,7 +14,7 @@
 
 #include "gui/image/ColorBarScale.h"
 #include "gui/widgets/Readable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::gui {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "irsg/core/Errors.h"
 #include "irsg/image/ImageStatistics.h"
-#include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
 namespace {

@@ -8,9 +8,9 @@
 #include "gui/image/ImageExport.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
+#include "irsg/core/Errors.h"
 #include "irsg/image/ComparisonFigures.h"
 #include "irsg/image/ImageFile.h"
-#include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
 

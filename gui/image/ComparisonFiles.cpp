@@ -7,8 +7,8 @@
 
 #include "gui/image/ImageExport.h"
 #include "gui/widgets/Sentences.h"
+#include "irsg/core/Errors.h"
 #include "irsg/image/ImageFile.h"
-#include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
 namespace {

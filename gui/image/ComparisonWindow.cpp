@@ -25,7 +25,7 @@
 #include "gui/image/ThresholdForm.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/analysis/Conditions.h"
 #include "smatcore/support/ShellText.h"
 

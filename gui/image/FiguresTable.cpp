@@ -9,7 +9,7 @@
 #include <QStyle>
 #include <QStyledItemDelegate>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::gui {
 namespace {

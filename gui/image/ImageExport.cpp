@@ -11,10 +11,10 @@
 #include <QPixmap>
 
 #include "gui/widgets/Readable.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReplacement.h"
 #include "irsg/image/ApparentTemperature.h"
 #include "irsg/image/ImageFormat.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReplacement.h"
 #include "smatcore/analysis/ResultFile.h"
 
 namespace smat::gui {

@@ -17,9 +17,9 @@
 #include "gui/image/ImageInspector.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
+#include "irsg/core/Errors.h"
 #include "irsg/image/ApparentTemperature.h"
 #include "irsg/image/ImageFormat.h"
-#include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::gui {
 namespace {

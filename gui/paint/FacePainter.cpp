@@ -11,8 +11,8 @@
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
 #include "gui/workbench/Workbench.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/scene/model/Painting.h"
+#include "irsg/core/Errors.h"
+#include "irsg/geometry/model/Painting.h"
 
 namespace smat::gui {
 namespace {

@@ -11,7 +11,7 @@
 #include "gui/view/SceneView.h"
 #include "gui/widgets/Dialogs.h"
 #include "gui/widgets/LatestTask.h"
-#include "irsg/scene/model/FaceChoice.h"
+#include "irsg/geometry/model/FaceChoice.h"
 
 namespace smat::gui {
 

@@ -11,7 +11,7 @@
 #include "gui/widgets/DialogButtons.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Widgets.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::gui {
 namespace {

@@ -18,7 +18,7 @@
 #include "gui/plot/PlotLook.h"
 #include "gui/plot/PlotNavigator.h"
 #include "gui/widgets/Readable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::gui {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <limits>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::gui {
 namespace {

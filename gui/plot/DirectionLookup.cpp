@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "irsg/geometry/view/Pose.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/view/Pose.h"
 
 namespace smat::gui {
 

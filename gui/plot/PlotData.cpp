@@ -7,7 +7,7 @@
 #include <QStringList>
 
 #include "gui/widgets/Readable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/data/CurveThrough.h"
 
 namespace smat::gui {

@@ -16,8 +16,8 @@
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PolarPlot.h"
 #include "gui/widgets/ThemeColors.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReplacement.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReplacement.h"
 
 namespace smat::gui {
 namespace {

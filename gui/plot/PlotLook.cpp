@@ -11,9 +11,9 @@
 #include <QwtScaleDraw>
 #include <QwtScaleWidget>
 
+#include "irsg/core/Errors.h"
 #include "irsg/image/AxisTicks.h"
 #include "irsg/image/PictureFont.h"
-#include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
 

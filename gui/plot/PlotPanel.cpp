@@ -16,7 +16,7 @@
 #include "gui/plot/PolarPlot.h"
 #include "gui/widgets/FlowBar.h"
 #include "gui/widgets/Sentences.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::gui {
 

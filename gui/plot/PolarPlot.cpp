@@ -20,7 +20,7 @@
 #include "gui/plot/PlotNavigator.h"
 #include "gui/plot/PolarItems.h"
 #include "gui/widgets/Readable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::gui {
 namespace {

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "gui/widgets/Readable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/analysis/Conditions.h"
 #include "smatcore/analysis/ResultFile.h"
 #include "smatcore/data/ColumnName.h"

@@ -10,10 +10,10 @@
 #include "gui/plot/PlotLook.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/ThemeColors.h"
+#include "irsg/core/Errors.h"
+#include "irsg/geometry/view/Pose.h"
 #include "irsg/image/AxisTicks.h"
-#include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/view/Pose.h"
 
 namespace smat::gui {
 

@@ -14,7 +14,7 @@
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Widgets.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::gui {
 

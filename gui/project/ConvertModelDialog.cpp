@@ -22,7 +22,7 @@
 #include "gui/widgets/BackgroundPool.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
-#include "irsg/scene/model/ModelConverter.h"
+#include "irsg/geometry/model/ModelConverter.h"
 
 namespace smat::gui {
 namespace {

@@ -6,7 +6,7 @@
 #include <QDialog>
 
 #include "gui/widgets/LatestTask.h"
-#include "irsg/scene/model/FirstSignature.h"
+#include "irsg/geometry/model/FirstSignature.h"
 #include "smatcore/project/Project.h"
 
 class QComboBox;

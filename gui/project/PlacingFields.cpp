@@ -13,7 +13,7 @@
 #include "gui/project/PlacingPicture.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/project/Project.h"
 
 namespace smat::gui {

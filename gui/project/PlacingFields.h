@@ -7,7 +7,7 @@
 #include <QWidget>
 
 #include "gui/widgets/LatestTask.h"
-#include "irsg/scene/model/ModelPlacing.h"
+#include "irsg/geometry/model/ModelPlacing.h"
 
 class QComboBox;
 class QFormLayout;

@@ -5,7 +5,7 @@
 #include <QImage>
 #include <QWidget>
 
-#include "irsg/scene/model/ModelPlacing.h"
+#include "irsg/geometry/model/ModelPlacing.h"
 
 namespace smat::gui {
 

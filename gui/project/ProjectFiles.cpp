@@ -14,7 +14,7 @@
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/workbench/Workbench.h"
-#include "irsg/scene/model/OpenableFiles.h"
+#include "irsg/geometry/reading/OpenableFiles.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/settings/SettingKeys.h"
 

@@ -10,8 +10,8 @@
 #include "gui/project/ModelOpening.h"
 #include "gui/project/RecoveryCopy.h"
 #include "gui/widgets/Dialogs.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileStamp.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileStamp.h"
 
 namespace smat::gui {
 

@@ -19,8 +19,8 @@
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Widgets.h"
+#include "irsg/core/Errors.h"
 #include "irsg/image/ImageStatistics.h"
-#include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "irsg/scene/view/Pose.h"
+#include "irsg/geometry/view/Pose.h"
 
 class QLabel;
 

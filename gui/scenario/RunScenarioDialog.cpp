@@ -17,8 +17,8 @@
 #include "gui/widgets/DialogButtons.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
+#include "irsg/core/Errors.h"
 #include "irsg/image/ImageFormat.h"
-#include "irsg/radiometry/Errors.h"
 #include "smatcore/support/ShellText.h"
 
 namespace smat::gui {

@@ -4,7 +4,7 @@
 
 #include "gui/start/DataFolder.h"
 #include "gui/widgets/Readable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/simulate/ScenarioFile.h"
 #include "smatcore/support/TextFile.h"
 

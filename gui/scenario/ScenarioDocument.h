@@ -9,7 +9,7 @@
 #include <QUndoStack>
 
 #include "gui/workbench/DocumentStep.h"
-#include "irsg/radiometry/FileStamp.h"
+#include "irsg/core/FileStamp.h"
 #include "smatcore/simulate/LoadedScenario.h"
 
 namespace smat::gui {

@@ -2,7 +2,7 @@
 
 #include "gui/settings/SettingsDialog.h"
 #include "gui/widgets/Readable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
 
 namespace smat::gui {

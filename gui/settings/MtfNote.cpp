@@ -1,7 +1,7 @@
 #include "gui/settings/MtfNote.h"
 
 #include "gui/widgets/Sentences.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/scene/scattering/SceneScattering.h"
 
 namespace smat::gui {

@@ -12,8 +12,8 @@
 #include <QVBoxLayout>
 
 #include "gui/widgets/DialogButtons.h"
+#include "irsg/core/Errors.h"
 #include "irsg/image/ColorMap.h"
-#include "irsg/radiometry/Errors.h"
 
 namespace smat::gui {
 namespace {

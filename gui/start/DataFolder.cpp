@@ -6,7 +6,7 @@
 #include <QCoreApplication>
 #include <QStandardPaths>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::gui {
 namespace {

@@ -9,7 +9,7 @@
 #include <QRegularExpression>
 
 #include "gui/widgets/Readable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::gui {
 namespace {

@@ -1,7 +1,7 @@
 #include "gui/tools/Calculation.h"
 
 #include "gui/widgets/Sentences.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::gui {
 

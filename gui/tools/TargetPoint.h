@@ -6,7 +6,7 @@
 #include <QObject>
 
 #include "gui/widgets/LatestTask.h"
-#include "irsg/scene/view/Vec3.h"
+#include "irsg/geometry/view/Vec3.h"
 #include "smatcore/project/Project.h"
 
 namespace smat::gui {

@@ -9,7 +9,7 @@
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Widgets.h"
 #include "gui/workbench/Workbench.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/project/EnvironmentInput.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/tools/ViewerGeometry.h"

@@ -5,7 +5,7 @@
 #include <QColor>
 
 #include "gui/widgets/ThemeColors.h"
-#include "irsg/scene/model/ModelValues.h"
+#include "irsg/geometry/reading/ModelValues.h"
 
 namespace smat::gui {
 

@@ -11,11 +11,11 @@
 #include <osg/NodeVisitor>
 #include <osg/StateSet>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/scene/model/ModelLoader.h"
-#include "irsg/scene/model/ModelPlacing.h"
-#include "irsg/scene/model/TextureCut.h"
-#include "irsg/scene/radiance/SceneRadiometry.h"
+#include "irsg/core/Errors.h"
+#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/model/ModelPlacing.h"
+#include "irsg/geometry/model/TextureCut.h"
+#include "irsg/radiance/SceneRadiometry.h"
 
 namespace smat::gui {
 namespace {

@@ -12,7 +12,7 @@
 #include "gui/view/InfraredRequest.h"
 #include "gui/view/ModelFaces.h"
 #include "gui/workbench/OrbitCamera.h"
-#include "irsg/scene/view/Pose.h"
+#include "irsg/geometry/view/Pose.h"
 #include "smatcore/project/Project.h"
 
 namespace smat::gui {

@@ -4,7 +4,7 @@
 
 #include "gui/view/InfraredScene.h"
 #include "gui/widgets/Sentences.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::gui {
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "irsg/core/Errors.h"
+#include "irsg/core/Stopwatch.h"
 #include "irsg/image/ApparentTemperature.h"
 #include "irsg/image/ImageStatistics.h"
-#include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/draw/Stopwatch.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {

@@ -12,7 +12,7 @@
 #include <osgUtil/LineSegmentIntersector>
 
 #include "gui/view/FaceMarks.h"
-#include "irsg/scene/model/IrCodes.h"
+#include "irsg/geometry/reading/IrCodes.h"
 
 namespace smat::gui {
 

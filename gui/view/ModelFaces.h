@@ -8,7 +8,7 @@
 #include <osg/ref_ptr>
 
 #include "gui/view/CodeColors.h"
-#include "irsg/scene/model/Model.h"
+#include "irsg/geometry/model/Model.h"
 
 namespace smat::gui {
 

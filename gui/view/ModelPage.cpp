@@ -21,7 +21,7 @@
 #include "gui/widgets/FlowBar.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Theme.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/analysis/Conditions.h"
 #include "smatcore/settings/SettingKeys.h"
 

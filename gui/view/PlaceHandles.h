@@ -6,7 +6,7 @@
 #include <QString>
 
 #include "gui/view/ViewProjection.h"
-#include "irsg/scene/view/Pose.h"
+#include "irsg/geometry/view/Pose.h"
 
 class QPainter;
 

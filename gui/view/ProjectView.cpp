@@ -11,7 +11,7 @@
 #include "gui/view/PlaceMouse.h"
 #include "gui/view/SceneLoader.h"
 #include "gui/workbench/Workbench.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/project/ModelFields.h"
 
 namespace smat::gui {

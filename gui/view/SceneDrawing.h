@@ -14,7 +14,7 @@
 #include "gui/view/DisplayScene.h"
 #include "gui/view/FaceOverlay.h"
 #include "gui/view/InfraredSheet.h"
-#include "irsg/scene/view/Pose.h"
+#include "irsg/geometry/view/Pose.h"
 
 class QOpenGLContext;
 

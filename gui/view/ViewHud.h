@@ -6,7 +6,7 @@
 #include "gui/view/SensorFrusta.h"
 #include "gui/view/ViewProjection.h"
 #include "gui/workbench/OrbitCamera.h"
-#include "irsg/scene/view/Pose.h"
+#include "irsg/geometry/view/Pose.h"
 
 class QPainter;
 

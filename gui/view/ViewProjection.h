@@ -7,7 +7,7 @@
 #include <QRectF>
 #include <QSizeF>
 
-#include "irsg/scene/view/Pose.h"
+#include "irsg/geometry/view/Pose.h"
 
 namespace smat::gui {
 

@@ -6,7 +6,7 @@
 
 #include "gui/view/ViewHud.h"
 #include "gui/widgets/Readable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/project/EnvironmentInput.h"
 #include "smatcore/project/ModelFields.h"

@@ -7,8 +7,8 @@
 
 #include <QRegularExpression>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/Quantity.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/Quantity.h"
 
 namespace smat::gui {
 namespace {

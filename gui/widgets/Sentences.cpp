@@ -4,7 +4,7 @@
 
 #include <QCoreApplication>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/settings/SettingInfo.h"
 
 namespace smat::gui {

@@ -11,7 +11,7 @@
 #include <QStyleFactory>
 #include <QSvgRenderer>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::gui {
 namespace {

@@ -14,7 +14,7 @@
 #include <QTabWidget>
 #include <QToolButton>
 
-#include "irsg/radiometry/CsvTable.h"
+#include "irsg/core/CsvTable.h"
 
 namespace smat::gui {
 

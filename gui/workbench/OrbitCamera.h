@@ -1,6 +1,6 @@
 #pragma once
 
-#include "irsg/scene/view/Pose.h"
+#include "irsg/geometry/view/Pose.h"
 
 namespace smat::gui {
 

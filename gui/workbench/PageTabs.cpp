@@ -8,7 +8,7 @@
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/Widgets.h"
 #include "gui/workbench/DocumentPage.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::gui {
 

@@ -6,9 +6,9 @@
 #include <QUndoStack>
 
 #include "gui/start/DataFolder.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReading.h"
-#include "irsg/radiometry/FileReplacement.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReading.h"
+#include "irsg/core/FileReplacement.h"
 
 namespace smat::gui {
 namespace {

@@ -4,7 +4,7 @@
 #include <QStringList>
 
 #include "gui/workbench/Workbench.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/project/ProjectFile.h"
 
 namespace smat::gui {

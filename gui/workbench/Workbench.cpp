@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "gui/widgets/Readable.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/scene/model/OpenableFiles.h"
+#include "irsg/core/Errors.h"
+#include "irsg/geometry/reading/OpenableFiles.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/project/SceneModels.h"
 #include "smatcore/results/ResultFolder.h"

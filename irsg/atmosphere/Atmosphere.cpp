@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "irsg/atmosphere/AirNodes.h"
-#include "irsg/atmosphere/Earth.h"
-#include "irsg/atmosphere/SunDiscGeometry.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/atmosphere/path/Earth.h"
+#include "irsg/atmosphere/path/SunDiscGeometry.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {

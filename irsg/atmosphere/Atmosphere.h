@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "irsg/atmosphere/AtmosphereDescription.h"
-#include "irsg/atmosphere/AtmosphericQuery.h"
+#include "irsg/atmosphere/path/AtmosphericQuery.h"
 #include "irsg/radiometry/SpectralSampling.h"
 #include "irsg/radiometry/Spectrum.h"
 

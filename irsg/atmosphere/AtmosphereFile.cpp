@@ -7,7 +7,7 @@
 #include "irsg/atmosphere/BeerLambert.h"
 #include "irsg/atmosphere/SpectraAtmosphere.h"
 #include "irsg/atmosphere/TabulatedAtmosphere.h"
-#include "irsg/radiometry/Wording.h"
+#include "irsg/core/Wording.h"
 
 namespace irsg {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

@@ -5,13 +5,13 @@
 
 #include "irsg/atmosphere/AirNodes.h"
 #include "irsg/atmosphere/SmartAdapter.h"
-#include "irsg/atmosphere/SunDiscGeometry.h"
 #include "irsg/atmosphere/ck/CkKept.h"
 #include "irsg/atmosphere/ck/CkStore.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/atmosphere/engine/ResourceFile.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileStamp.h"
+#include "irsg/atmosphere/path/SunDiscGeometry.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileStamp.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "irsg/atmosphere/Vacuum.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/CurveSampling.h"
-#include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Planck.h"
 
 namespace irsg {

@@ -8,7 +8,7 @@
 
 #include "irsg/atmosphere/BeerLambert.h"
 #include "irsg/atmosphere/Vacuum.h"
-#include "irsg/radiometry/CsvTable.h"
+#include "irsg/core/CsvTable.h"
 #include "irsg/radiometry/CurveSampling.h"
 #include "irsg/radiometry/Units.h"
 

@@ -6,8 +6,8 @@
 #include "irsg/atmosphere/NearestRun.h"
 #include "irsg/atmosphere/Vacuum.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Band.h"
-#include "irsg/radiometry/Errors.h"
 
 namespace irsg {
 

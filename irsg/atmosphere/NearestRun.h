@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/atmosphere/AtmosphericQuery.h"
+#include "irsg/atmosphere/path/AtmosphericQuery.h"
 
 namespace irsg {
 

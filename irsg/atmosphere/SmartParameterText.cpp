@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "irsg/radiometry/CsvTable.h"
+#include "irsg/core/CsvTable.h"
 
 namespace irsg {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "irsg/atmosphere/AtmosphereSmartParameters.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "irsg/atmosphere/SolarPositionTerms.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {

@@ -7,9 +7,9 @@
 #include <sstream>
 #include <utility>
 
-#include "irsg/atmosphere/Earth.h"
 #include "irsg/atmosphere/Vacuum.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/atmosphere/path/Earth.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "irsg/atmosphere/SpectraAtmosphere.h"
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/FileReading.h"
-#include "irsg/radiometry/Quantity.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/FileReading.h"
+#include "irsg/core/Quantity.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {

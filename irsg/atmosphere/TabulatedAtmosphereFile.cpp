@@ -9,8 +9,8 @@
 #include "irsg/atmosphere/import/ModtranCsv.h"
 #include "irsg/atmosphere/import/ModtranJson.h"
 #include "irsg/atmosphere/import/Tape7.h"
-#include "irsg/radiometry/FileReplacement.h"
-#include "irsg/radiometry/JsonText.h"
+#include "irsg/core/FileReplacement.h"
+#include "irsg/core/JsonText.h"
 
 namespace irsg {
 

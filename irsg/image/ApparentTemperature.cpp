@@ -5,8 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "irsg/core/Errors.h"
 #include "irsg/image/NotANumber.h"
-#include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Planck.h"
 
 namespace irsg {

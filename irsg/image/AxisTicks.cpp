@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

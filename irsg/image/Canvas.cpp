@@ -6,8 +6,8 @@
 
 #include <png.h>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReplacement.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReplacement.h"
 
 namespace irsg {
 

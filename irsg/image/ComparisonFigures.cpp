@@ -4,8 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "irsg/core/Errors.h"
 #include "irsg/image/ImageFile.h"
-#include "irsg/radiometry/Errors.h"
 
 namespace irsg {
 

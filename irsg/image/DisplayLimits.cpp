@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "irsg/core/Errors.h"
 #include "irsg/image/ImageStatistics.h"
-#include "irsg/radiometry/Errors.h"
 
 namespace irsg {
 

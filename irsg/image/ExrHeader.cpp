@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <utility>
 
+#include "irsg/core/Errors.h"
 #include "irsg/image/ExrFile.h"
 #include "irsg/image/PixelBound.h"
-#include "irsg/radiometry/Errors.h"
 
 namespace irsg {
 

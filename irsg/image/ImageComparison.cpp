@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "irsg/core/Errors.h"
 #include "irsg/image/CompensatedSum.h"
 #include "irsg/image/ImageFile.h"
 #include "irsg/image/ImageIntensity.h"
 #include "irsg/image/NotANumber.h"
-#include "irsg/radiometry/Errors.h"
 
 namespace irsg {
 

@@ -4,11 +4,11 @@
 #include <string_view>
 #include <vector>
 
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReading.h"
+#include "irsg/core/Wording.h"
 #include "irsg/image/CsvImage.h"
 #include "irsg/image/ImageFormat.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReading.h"
-#include "irsg/radiometry/Wording.h"
 
 namespace irsg {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <sstream>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/Wording.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/Wording.h"
 
 namespace irsg {
 

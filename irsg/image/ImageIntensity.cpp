@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "irsg/core/Quantity.h"
 #include "irsg/image/CompensatedSum.h"
-#include "irsg/radiometry/Quantity.h"
 
 namespace irsg {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "irsg/core/Errors.h"
 #include "irsg/image/CompensatedSum.h"
 #include "irsg/image/NotANumber.h"
-#include "irsg/radiometry/Errors.h"
 
 namespace irsg {
 

@@ -10,8 +10,8 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/Utf8.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/Utf8.h"
 
 namespace irsg {
 

@@ -1,6 +1,6 @@
 #include "irsg/image/PixelBound.h"
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

@@ -7,10 +7,10 @@
 
 #include <png.h>
 
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReading.h"
 #include "irsg/image/ExrFile.h"
 #include "irsg/image/PixelBound.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReading.h"
 
 namespace irsg {
 

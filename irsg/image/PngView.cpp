@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "irsg/core/Errors.h"
+#include "irsg/core/Quantity.h"
 #include "irsg/image/ApparentTemperature.h"
 #include "irsg/image/AxisTicks.h"
 #include "irsg/image/ImageFormat.h"
 #include "irsg/image/PictureFont.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/Quantity.h"
 
 namespace irsg {
 

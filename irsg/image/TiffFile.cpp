@@ -9,12 +9,12 @@
 
 #include <tiffio.h>
 
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReading.h"
+#include "irsg/core/FileReplacement.h"
 #include "irsg/image/AttributeText.h"
 #include "irsg/image/ExrFile.h"
 #include "irsg/image/ImageFormat.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReading.h"
-#include "irsg/radiometry/FileReplacement.h"
 
 namespace irsg {
 

@@ -5,9 +5,9 @@
 #include <sstream>
 #include <utility>
 
+#include "irsg/core/FileReading.h"
+#include "irsg/core/FileReplacement.h"
 #include "irsg/karma/KarmaXmlReader.h"
-#include "irsg/radiometry/FileReading.h"
-#include "irsg/radiometry/FileReplacement.h"
 
 namespace irsg {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "irsg/radiometry/Wording.h"
+#include "irsg/core/Wording.h"
 
 namespace irsg::karma {
 

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "irsg/core/CsvTable.h"
 #include "irsg/radiometry/Band.h"
-#include "irsg/radiometry/CsvTable.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {

@@ -6,7 +6,7 @@
 
 #include <boost/math/special_functions/legendre.hpp>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "irsg/core/Errors.h"
+#include "irsg/core/VectorClones.h"
 #include "irsg/radiometry/Band.h"
-#include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/GaussLegendre.h"
 #include "irsg/radiometry/PlanckPanels.h"
-#include "irsg/radiometry/VectorClones.h"
 #include "irsg/radiometry/VectorExp.h"
 
 namespace irsg {

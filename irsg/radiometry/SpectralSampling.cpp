@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Planck.h"
 
 namespace irsg {

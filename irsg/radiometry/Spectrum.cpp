@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/GaussLegendre.h"
 
 namespace irsg {

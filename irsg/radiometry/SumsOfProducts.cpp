@@ -3,8 +3,8 @@
 #include <array>
 #include <cstring>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/VectorClones.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/VectorClones.h"
 
 namespace irsg {
 

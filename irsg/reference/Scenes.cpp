@@ -6,7 +6,7 @@
 #include <osg/CullFace>
 #include <osgSim/ShapeAttribute>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg::reference {

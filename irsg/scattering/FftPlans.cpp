@@ -7,10 +7,10 @@
 
 #include <fftw3.h>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReading.h"
-#include "irsg/radiometry/FileReplacement.h"
-#include "irsg/radiometry/ParallelFor.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReading.h"
+#include "irsg/core/FileReplacement.h"
+#include "irsg/core/ParallelFor.h"
 
 namespace irsg {
 

@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReading.h"
-#include "irsg/radiometry/FileReplacement.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReading.h"
+#include "irsg/core/FileReplacement.h"
 
 namespace irsg {
 

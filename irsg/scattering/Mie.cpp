@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

@@ -6,8 +6,8 @@
 #include <mutex>
 #include <sstream>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/ParallelFor.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/ParallelFor.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scattering/FinishedBatches.h"
 #include "irsg/scattering/PhotonTracer.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/MonotoneCubic.h"
 #include "irsg/radiometry/Units.h"
 

@@ -4,9 +4,9 @@
 #include <cstring>
 #include <functional>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReading.h"
-#include "irsg/radiometry/FileReplacement.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReading.h"
+#include "irsg/core/FileReplacement.h"
 #include "irsg/scattering/MtfDatabase.h"
 
 namespace irsg {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "irsg/radiometry/RecentlyUsed.h"
+#include "irsg/core/RecentlyUsed.h"
 #include "irsg/scattering/FftPlans.h"
 #include "irsg/scattering/PixelHaze.h"
 

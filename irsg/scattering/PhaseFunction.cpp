@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/ParallelFor.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/ParallelFor.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scattering/BesselIntegral.h"
 #include "irsg/scattering/Mie.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/ParallelFor.h"
 #include "irsg/radiometry/GaussLegendre.h"
-#include "irsg/radiometry/ParallelFor.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {

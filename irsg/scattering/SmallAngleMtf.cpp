@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/ParallelFor.h"
 #include "irsg/radiometry/GaussLegendre.h"
-#include "irsg/radiometry/ParallelFor.h"
 
 namespace irsg {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

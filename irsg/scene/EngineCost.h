@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "irsg/scene/values/RenderSettings.h"
+#include "irsg/render/values/RenderSettings.h"
 
 namespace irsg {
 

@@ -1,6 +1,6 @@
 #include "irsg/scene/Irsg.h"
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

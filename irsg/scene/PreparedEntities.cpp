@@ -4,8 +4,8 @@
 #include <cmath>
 #include <mutex>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/scene/model/DrawPieces.h"
+#include "irsg/core/Errors.h"
+#include "irsg/geometry/model/DrawPieces.h"
 
 namespace irsg {
 

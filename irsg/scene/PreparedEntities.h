@@ -5,13 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include "irsg/radiometry/RecentlyUsed.h"
-#include "irsg/scene/model/DrawList.h"
-#include "irsg/scene/model/LongEdges.h"
-#include "irsg/scene/sampling/HotParts.h"
-#include "irsg/scene/trace/BodyLight.h"
-#include "irsg/scene/trace/RayMesh.h"
-#include "irsg/scene/values/Entity.h"
+#include "irsg/core/RecentlyUsed.h"
+#include "irsg/geometry/Entity.h"
+#include "irsg/geometry/model/DrawList.h"
+#include "irsg/geometry/model/LongEdges.h"
+#include "irsg/radiance/exchange/BodyLight.h"
+#include "irsg/render/rays/RayMesh.h"
+#include "irsg/render/sampling/HotParts.h"
 
 namespace irsg {
 

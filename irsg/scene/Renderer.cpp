@@ -6,12 +6,12 @@
 #include <iterator>
 
 #include "irsg/atmosphere/NearestRun.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/Wording.h"
+#include "irsg/geometry/view/PixelGrid.h"
+#include "irsg/radiance/SceneScaledView.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/radiometry/Wording.h"
 #include "irsg/scene/RendererImpl.h"
-#include "irsg/scene/radiance/SceneScaledView.h"
-#include "irsg/scene/view/PixelGrid.h"
 
 namespace irsg {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "irsg/render/values/PixelExplanation.h"
 #include "irsg/scene/Scene.h"
-#include "irsg/scene/values/PixelExplanation.h"
 
 namespace irsg {
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "irsg/render/sampling/LayerSort.h"
+#include "irsg/render/sampling/PixelAlignedStrategy.h"
 #include "irsg/scene/RendererImpl.h"
-#include "irsg/scene/draw/LayerSort.h"
-#include "irsg/scene/sampling/PixelAlignedStrategy.h"
 
 namespace irsg {
 

@@ -2,13 +2,13 @@
 #include <optional>
 #include <utility>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
+#include "irsg/radiance/SampleRadiances.h"
+#include "irsg/radiance/TruthLayers.h"
+#include "irsg/render/sampling/LayerSort.h"
+#include "irsg/render/sampling/PixelAlignedStrategy.h"
+#include "irsg/render/sampling/SampleSheet.h"
 #include "irsg/scene/RendererImpl.h"
-#include "irsg/scene/draw/LayerSort.h"
-#include "irsg/scene/radiance/SampleRadiances.h"
-#include "irsg/scene/radiance/TruthLayers.h"
-#include "irsg/scene/sampling/PixelAlignedStrategy.h"
-#include "irsg/scene/sampling/SampleSheet.h"
 
 namespace irsg {
 

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
+#include "irsg/render/background/TerrainPass.h"
+#include "irsg/render/opengl/GlEngine.h"
+#include "irsg/render/rays/RayEngine.h"
+#include "irsg/render/sampling/LayerSort.h"
 #include "irsg/scene/RendererImpl.h"
-#include "irsg/scene/background/TerrainPass.h"
-#include "irsg/scene/draw/GlEngine.h"
-#include "irsg/scene/draw/LayerSort.h"
-#include "irsg/scene/trace/RayEngine.h"
 
 namespace irsg {
 

@@ -4,9 +4,9 @@
 #include <limits>
 
 #include "irsg/atmosphere/ck/SensorCkData.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
+#include "irsg/render/background/FieldRays.h"
 #include "irsg/scene/RendererImpl.h"
-#include "irsg/scene/background/FieldRays.h"
 
 namespace irsg {
 

@@ -3,13 +3,13 @@
 #include <map>
 #include <utility>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
+#include "irsg/radiance/PixelTerms.h"
+#include "irsg/render/rays/RayEngine.h"
+#include "irsg/render/rays/WindowRays.h"
+#include "irsg/render/rays/WindowSamples.h"
+#include "irsg/render/sampling/SampleSheet.h"
 #include "irsg/scene/RendererImpl.h"
-#include "irsg/scene/radiance/PixelTerms.h"
-#include "irsg/scene/sampling/SampleSheet.h"
-#include "irsg/scene/trace/RayEngine.h"
-#include "irsg/scene/trace/WindowRays.h"
-#include "irsg/scene/trace/WindowSamples.h"
 
 namespace irsg {
 

@@ -2,12 +2,12 @@
 #include <cmath>
 
 #include "irsg/atmosphere/NearestRun.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/NewLines.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/NewLines.h"
+#include "irsg/radiance/HotSurfaces.h"
+#include "irsg/render/background/BandSky.h"
+#include "irsg/render/rays/RayEngine.h"
 #include "irsg/scene/RendererImpl.h"
-#include "irsg/scene/background/BandSky.h"
-#include "irsg/scene/radiance/HotSurfaces.h"
-#include "irsg/scene/trace/RayEngine.h"
 
 namespace irsg {
 

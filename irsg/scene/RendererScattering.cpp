@@ -2,10 +2,10 @@
 
 #include "irsg/atmosphere/AtmosphereScatteringLut.h"
 #include "irsg/atmosphere/NearestRun.h"
-#include "irsg/radiometry/NewLines.h"
-#include "irsg/radiometry/Wording.h"
+#include "irsg/core/NewLines.h"
+#include "irsg/core/Wording.h"
+#include "irsg/radiance/ScatteringDepth.h"
 #include "irsg/scene/RendererImpl.h"
-#include "irsg/scene/radiance/ScatteringDepth.h"
 
 namespace irsg {
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
+#include "irsg/radiance/SceneScaledView.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/RendererImpl.h"
-#include "irsg/scene/radiance/SceneScaledView.h"
 
 namespace irsg {
 

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "irsg/atmosphere/Environment.h"
-#include "irsg/scene/radiance/ScaledView.h"
-#include "irsg/scene/values/Entity.h"
-#include "irsg/scene/values/RenderReport.h"
-#include "irsg/scene/values/RenderSettings.h"
-#include "irsg/scene/view/Pose.h"
-#include "irsg/scene/view/Sensor.h"
+#include "irsg/geometry/Entity.h"
+#include "irsg/geometry/view/Pose.h"
+#include "irsg/geometry/view/Sensor.h"
+#include "irsg/radiance/ScaledView.h"
+#include "irsg/render/values/RenderReport.h"
+#include "irsg/render/values/RenderSettings.h"
 
 namespace irsg {
 

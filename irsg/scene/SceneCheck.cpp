@@ -6,10 +6,10 @@
 #include <map>
 
 #include "irsg/atmosphere/AtmosphereScatteringLut.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/Wording.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/Wording.h"
+#include "irsg/render/rays/RaysBuilt.h"
 #include "irsg/scene/scattering/SceneScattering.h"
-#include "irsg/scene/trace/RaysBuilt.h"
 #include "irsg/signature/SurfaceModels.h"
 #include "irsg/signature/SurfaceTemperature.h"
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "irsg/scene/radiance/SceneAir.h"
-#include "irsg/scene/view/Sensor.h"
+#include "irsg/geometry/view/Sensor.h"
+#include "irsg/radiance/SceneAir.h"
 
 namespace irsg {
 

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "irsg/radiometry/Utf8.h"
+#include "irsg/core/Utf8.h"
 
 namespace irsg {
 

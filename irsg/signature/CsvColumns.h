@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/radiometry/CsvTable.h"
+#include "irsg/core/CsvTable.h"
 
 namespace irsg {
 

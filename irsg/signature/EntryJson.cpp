@@ -1,6 +1,6 @@
 #include "irsg/signature/EntryJson.h"
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/CanonicalJson.h"
 #include "irsg/signature/EntryFields.h"
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/CsvColumns.h"
 #include "irsg/signature/SpectrumCsv.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/EntryPath.h"
 #include "irsg/signature/Finding.h"
 

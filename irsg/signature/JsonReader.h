@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/JsonText.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/JsonText.h"
 #include "irsg/radiometry/Spectrum.h"
 #include "irsg/signature/LookupTable.h"
 

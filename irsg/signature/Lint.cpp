@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/Findings.h"
 #include "irsg/signature/LintEntries.h"
 #include "irsg/signature/LintErrors.h"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/SignatureDatabase.h"
 
 namespace irsg {

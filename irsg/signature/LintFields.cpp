@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "irsg/radiometry/Utf8.h"
+#include "irsg/core/Utf8.h"
 
 namespace irsg {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/Lint.h"
 #include "irsg/signature/ScalingXml.h"
 

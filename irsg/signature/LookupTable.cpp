@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReplacement.h"
-#include "irsg/radiometry/Wording.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReplacement.h"
+#include "irsg/core/Wording.h"
 #include "irsg/signature/CsvAxis.h"
 #include "irsg/signature/EntryFields.h"
 #include "irsg/signature/ReflectanceCsv.h"

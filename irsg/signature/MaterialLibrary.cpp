@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/MaterialLibraryText.h"
 #include "irsg/signature/SignatureFile.h"
 

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/FileReading.h"
-#include "irsg/radiometry/FileReplacement.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/FileReading.h"
+#include "irsg/core/FileReplacement.h"
 
 namespace irsg {
 

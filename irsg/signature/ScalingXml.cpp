@@ -5,9 +5,9 @@
 #include <cmath>
 #include <optional>
 
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReplacement.h"
 #include "irsg/karma/KarmaXml.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReplacement.h"
 #include "irsg/signature/random/Philox.h"
 
 namespace irsg {

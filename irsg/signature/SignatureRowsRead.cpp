@@ -2,7 +2,7 @@
 #include <utility>
 #include <vector>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/EntryColumns.h"
 #include "irsg/signature/EntryPath.h"
 #include "irsg/signature/SignatureRows.h"

@@ -2,8 +2,8 @@
 #include <string_view>
 #include <utility>
 
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/SpectrumCsv.h"
 
 namespace irsg {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReplacement.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReplacement.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/CsvAxis.h"
 

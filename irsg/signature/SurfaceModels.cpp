@@ -4,7 +4,7 @@
 #include <map>
 #include <mutex>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/FacetModel.h"
 #include "irsg/signature/SandfordRobertson.h"

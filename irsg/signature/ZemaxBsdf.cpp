@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "irsg/radiometry/CsvTable.h"
+#include "irsg/core/CsvTable.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/Microfacets.h"
 #include "irsg/signature/ReflectanceCsv.h"

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/Wording.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/Wording.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/data/ColumnName.h"
 

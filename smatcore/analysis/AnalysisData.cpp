@@ -1,6 +1,6 @@
 #include "smatcore/analysis/AnalysisData.h"
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/analysis/CommandSettings.h"
 #include "smatcore/settings/AnalysisSections.h"
 #include "smatcore/support/ShellText.h"

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/Quantity.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/Quantity.h"
 #include "smatcore/project/AnalysisKind.h"
 #include "smatcore/settings/SettingInfo.h"
 #include "smatcore/settings/Settings.h"

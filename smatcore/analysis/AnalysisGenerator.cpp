@@ -9,9 +9,9 @@
 
 #include "irsg/atmosphere/EnvironmentVariants.h"
 #include "irsg/atmosphere/NearestRun.h"
-#include "irsg/radiometry/NewLines.h"
-#include "irsg/radiometry/Quantity.h"
-#include "irsg/radiometry/Wording.h"
+#include "irsg/core/NewLines.h"
+#include "irsg/core/Quantity.h"
+#include "irsg/core/Wording.h"
 #include "smatcore/analysis/AdaptiveSweep.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisProvenance.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <system_error>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/Conditions.h"
 #include "smatcore/project/ProjectFile.h"

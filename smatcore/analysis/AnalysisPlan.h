@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "irsg/radiometry/Quantity.h"
-#include "irsg/scene/view/Pose.h"
+#include "irsg/core/Quantity.h"
+#include "irsg/geometry/view/Pose.h"
 #include "irsg/signature/EntityState.h"
 #include "smatcore/analysis/ErrorColumns.h"
 #include "smatcore/project/Project.h"

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "irsg/atmosphere/AtmosphereSmart.h"
+#include "irsg/radiance/WidebandAir.h"
+#include "irsg/radiance/WidebandPoints.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/radiance/WidebandAir.h"
-#include "irsg/scene/radiance/WidebandPoints.h"
 
 namespace smat {
 

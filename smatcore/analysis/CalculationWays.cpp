@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "irsg/atmosphere/EnvironmentVariants.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/Wording.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/Wording.h"
 
 namespace smat {
 

@@ -10,10 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "irsg/atmosphere/NearestRun.h"
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReading.h"
-#include "irsg/radiometry/NewLines.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReading.h"
+#include "irsg/core/NewLines.h"
 #include "smatcore/analysis/InputFiles.h"
 #include "smatcore/analysis/ResultFile.h"
 #include "smatcore/data/CheckedJson.h"

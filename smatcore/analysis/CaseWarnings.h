@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/scene/values/RenderReport.h"
+#include "irsg/render/values/RenderReport.h"
 #include "smatcore/data/ImageSource.h"
 
 namespace smat {

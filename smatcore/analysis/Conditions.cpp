@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/Quantity.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/Quantity.h"
 #include "smatcore/analysis/SettingWords.h"
 #include "smatcore/settings/SettingKeys.h"
 

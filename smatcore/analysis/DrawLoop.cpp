@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/ParallelFor.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/ParallelFor.h"
 
 namespace smat {
 

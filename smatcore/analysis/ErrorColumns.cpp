@@ -3,8 +3,8 @@
 #include <limits>
 #include <string>
 
-#include "irsg/radiometry/Quantity.h"
-#include "irsg/radiometry/Wording.h"
+#include "irsg/core/Quantity.h"
+#include "irsg/core/Wording.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat {

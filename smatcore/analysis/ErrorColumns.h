@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "irsg/image/RadianceImage.h"
-#include "irsg/scene/values/RenderReport.h"
+#include "irsg/render/values/RenderReport.h"
 #include "smatcore/settings/Settings.h"
 
 namespace smat {

@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 
 #include "irsg/atmosphere/NearestRun.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/NewLines.h"
-#include "irsg/radiometry/Wording.h"
-#include "irsg/scene/radiance/WidebandAir.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/NewLines.h"
+#include "irsg/core/Wording.h"
+#include "irsg/radiance/WidebandAir.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/AnalysisProvenance.h"

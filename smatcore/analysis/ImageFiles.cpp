@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "irsg/core/Errors.h"
+#include "irsg/geometry/view/ImageQuantity.h"
 #include "irsg/image/ImageFormat.h"
 #include "irsg/image/ImageStatistics.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/scene/view/ImageQuantity.h"
 #include "smatcore/analysis/Conditions.h"
 #include "smatcore/settings/SettingKeys.h"
 

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "irsg/geometry/view/Sensor.h"
 #include "irsg/image/RadianceImage.h"
-#include "irsg/scene/view/Sensor.h"
 #include "smatcore/analysis/Conditions.h"
 #include "smatcore/settings/Settings.h"
 

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "irsg/atmosphere/import/EnvironmentXml.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReading.h"
-#include "irsg/radiometry/FileStamp.h"
-#include "irsg/scene/model/ModelCodes.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReading.h"
+#include "irsg/core/FileStamp.h"
+#include "irsg/geometry/model/ModelCodes.h"
 #include "irsg/signature/ScalingXml.h"
 #include "irsg/signature/Sha256.h"
 #include "smatcore/analysis/AnalysisDefinition.h"

@@ -1,4 +1,4 @@
-#include "irsg/radiometry/ParallelFor.h"
+#include "irsg/core/ParallelFor.h"
 #include "smatcore/data/ImageSource.h"
 
 namespace smat {

@@ -8,8 +8,8 @@
 
 #include "irsg/atmosphere/EnvironmentVariants.h"
 #include "irsg/atmosphere/NearestRun.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/NewLines.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/NewLines.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
 #include "smatcore/analysis/DrawLoop.h"

@@ -3,7 +3,7 @@
 #include <stop_token>
 #include <string>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
 #include "smatcore/analysis/CaseStore.h"
 #include "smatcore/analysis/MonteCarloData.h"

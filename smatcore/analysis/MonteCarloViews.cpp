@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "irsg/atmosphere/NearestRun.h"
-#include "irsg/radiometry/NewLines.h"
+#include "irsg/core/NewLines.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/CaseChecks.h"
 #include "smatcore/analysis/SceneRestorer.h"

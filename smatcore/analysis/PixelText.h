@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/scene/values/PixelExplanation.h"
+#include "irsg/render/values/PixelExplanation.h"
 
 namespace smat {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <system_error>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/scene/model/ModelUse.h"
+#include "irsg/core/Errors.h"
+#include "irsg/geometry/model/ModelUse.h"
 #include "smatcore/analysis/AnalysisData.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/settings/SettingKeys.h"

@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/Wording.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/Wording.h"
 #include "smatcore/analysis/AnalysisOfResult.h"
 #include "smatcore/analysis/InputFiles.h"
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "irsg/core/Errors.h"
+#include "irsg/core/Wording.h"
 #include "irsg/image/ImageFile.h"
 #include "irsg/image/ImageFormat.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/Wording.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
 
 namespace smat {

@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "irsg/core/Errors.h"
+#include "irsg/core/Wording.h"
 #include "irsg/image/ImageFormat.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/Wording.h"
 #include "smatcore/analysis/AnalysisData.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/ImageFiles.h"

@@ -1,6 +1,6 @@
 #include "smatcore/analysis/ScalingDraws.h"
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/random/Philox.h"
 
 namespace smat {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "irsg/radiometry/ParallelFor.h"
+#include "irsg/core/ParallelFor.h"
 
 namespace smat {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/data/ColumnName.h"
 #include "smatcore/project/SceneBuilder.h"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "irsg/radiometry/Wording.h"
+#include "irsg/core/Wording.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/CalculationChoice.h"
 #include "smatcore/settings/SettingKeys.h"

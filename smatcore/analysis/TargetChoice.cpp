@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "irsg/radiometry/Wording.h"
+#include "irsg/core/Wording.h"
 
 namespace smat {
 

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/JsonText.h"
-#include "irsg/radiometry/Wording.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/JsonText.h"
+#include "irsg/core/Wording.h"
 
 namespace smat {
 

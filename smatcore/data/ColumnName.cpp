@@ -5,7 +5,7 @@
 #include <cctype>
 #include <set>
 
-#include "irsg/radiometry/Quantity.h"
+#include "irsg/core/Quantity.h"
 #include "smatcore/data/ResultDifference.h"
 #include "smatcore/data/ResultTable.h"
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <limits>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace smat {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
+#include "irsg/radiance/ScaledView.h"
 #include "irsg/scene/Irsg.h"
-#include "irsg/scene/radiance/ScaledView.h"
 #include "smatcore/data/OwnState.h"
 
 namespace smat {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <set>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/data/CurveThrough.h"
 
 namespace smat {

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/data/CheckedJson.h"
 #include "smatcore/data/ColumnName.h"
 #include "smatcore/support/TextFile.h"

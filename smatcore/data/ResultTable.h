@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "irsg/radiometry/Quantity.h"
+#include "irsg/core/Quantity.h"
 #include "smatcore/data/Provenance.h"
 
 namespace smat {

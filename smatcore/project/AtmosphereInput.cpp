@@ -4,7 +4,7 @@
 
 #include "irsg/atmosphere/AtmosphereFile.h"
 #include "irsg/atmosphere/Vacuum.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/support/Log.h"
 
 namespace smat {

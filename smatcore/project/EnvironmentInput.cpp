@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "irsg/atmosphere/import/EnvironmentXml.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/project/AtmosphereInput.h"
 #include "smatcore/support/Log.h"
 

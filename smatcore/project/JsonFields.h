@@ -6,10 +6,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/JsonText.h"
-#include "irsg/scene/model/Model.h"
-#include "irsg/scene/view/Pose.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/JsonText.h"
+#include "irsg/geometry/model/Model.h"
+#include "irsg/geometry/view/Pose.h"
 #include "smatcore/settings/Settings.h"
 
 namespace smat {

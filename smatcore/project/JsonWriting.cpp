@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/project/JsonFields.h"
 

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "irsg/scene/model/ModelValues.h"
-#include "irsg/scene/view/Pose.h"
+#include "irsg/geometry/reading/ModelValues.h"
+#include "irsg/geometry/view/Pose.h"
 #include "smatcore/settings/Settings.h"
 
 namespace smat {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <system_error>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/background/Skybox.h"
-#include "irsg/scene/background/Terrain.h"
+#include "irsg/render/background/Skybox.h"
+#include "irsg/render/background/Terrain.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/project/SceneScalings.h"
 #include "smatcore/settings/SettingKeys.h"

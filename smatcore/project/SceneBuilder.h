@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "irsg/radiometry/FileStamp.h"
-#include "irsg/scene/model/ModelCodes.h"
+#include "irsg/core/FileStamp.h"
+#include "irsg/geometry/model/ModelCodes.h"
 #include "smatcore/data/ImageSource.h"
 #include "smatcore/project/Project.h"
 

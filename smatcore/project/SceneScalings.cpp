@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/random/Philox.h"
 #include "smatcore/settings/SettingKeys.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/scene/radiance/ScaledView.h"
+#include "irsg/radiance/ScaledView.h"
 #include "smatcore/data/ImageSource.h"
 #include "smatcore/data/Provenance.h"
 #include "smatcore/project/Project.h"

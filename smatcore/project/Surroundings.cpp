@@ -2,9 +2,9 @@
 #include <array>
 #include <system_error>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/scene/background/Skybox.h"
-#include "irsg/scene/background/Terrain.h"
+#include "irsg/core/Errors.h"
+#include "irsg/render/background/Skybox.h"
+#include "irsg/render/background/Terrain.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/Log.h"

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "irsg/core/Errors.h"
 #include "irsg/image/ExrFile.h"
-#include "irsg/radiometry/Errors.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/MonteCarloFile.h"

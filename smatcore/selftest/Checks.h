@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/selftest/SelfTest.h"
 
 namespace smat::selftest {

@@ -4,7 +4,7 @@
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/reference/Scenes.h"
-#include "irsg/scene/trace/RaysBuilt.h"
+#include "irsg/render/rays/RaysBuilt.h"
 #include "smatcore/selftest/CheckParts.h"
 #include "smatcore/selftest/Checks.h"
 

@@ -1,8 +1,8 @@
 #include "smatcore/settings/SettingAvailability.h"
 #include "smatcore/settings/SettingKeys.h"
 
+#include "irsg/render/rays/RaysBuilt.h"
 #include "irsg/scene/scattering/SceneScattering.h"
-#include "irsg/scene/trace/RaysBuilt.h"
 
 namespace smat {
 

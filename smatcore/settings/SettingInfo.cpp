@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/Wording.h"
 #include "irsg/radiometry/Band.h"
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/Wording.h"
 #include "smatcore/settings/AnalysisSections.h"
 
 namespace smat {

@@ -1,9 +1,9 @@
 #include <utility>
 
 #include "irsg/atmosphere/AtmosphereFile.h"
+#include "irsg/geometry/view/Sensor.h"
 #include "irsg/image/ColorMap.h"
-#include "irsg/scene/values/RenderSettings.h"
-#include "irsg/scene/view/Sensor.h"
+#include "irsg/render/values/RenderSettings.h"
 #include "smatcore/settings/AnalysisSections.h"
 #include "smatcore/settings/SettingRows.h"
 

@@ -16,11 +16,11 @@
 
 #include <fmt/format.h>
 
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReading.h"
+#include "irsg/core/FileReplacement.h"
 #include "irsg/image/ColorMap.h"
 #include "irsg/image/ExrFile.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReading.h"
-#include "irsg/radiometry/FileReplacement.h"
 #include "smatcore/settings/SettingKeys.h"
 
 extern char** environ; // NOLINT(readability-redundant-declaration)

@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "irsg/core/Errors.h"
+#include "irsg/core/Wording.h"
 #include "irsg/image/ImageFormat.h"
-#include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/radiometry/Wording.h"
 #include "smatcore/analysis/ImageFiles.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/project/SceneScalings.h"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace smat {
 

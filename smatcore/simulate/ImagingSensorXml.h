@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "irsg/core/Errors.h"
 #include "irsg/karma/KarmaXml.h"
-#include "irsg/radiometry/Errors.h"
 #include "smatcore/settings/Settings.h"
 
 namespace smat {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "irsg/atmosphere/EnvironmentVariants.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/ScalingXml.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
 #include "smatcore/support/Log.h"

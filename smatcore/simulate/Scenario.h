@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "irsg/scene/model/Model.h"
-#include "irsg/scene/view/Pose.h"
+#include "irsg/geometry/model/Model.h"
+#include "irsg/geometry/view/Pose.h"
 #include "smatcore/settings/Settings.h"
 
 namespace smat {

@@ -1,6 +1,6 @@
 #include "smatcore/simulate/ScenarioFile.h"
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/project/JsonFields.h"
 #include "smatcore/project/JsonWriting.h"
 #include "smatcore/simulate/ScenarioReader.h"

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/NewLines.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/NewLines.h"
 #include "smatcore/analysis/CaseChecks.h"
 #include "smatcore/analysis/ErrorColumns.h"
 

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "irsg/atmosphere/NearestRun.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/NewLines.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/NewLines.h"
 #include "smatcore/analysis/CaseWarnings.h"
 #include "smatcore/analysis/ErrorColumns.h"
 #include "smatcore/data/ColumnName.h"

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/Diagnostics.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Diagnostics.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 
 namespace smat {

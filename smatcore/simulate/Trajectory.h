@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "irsg/scene/view/Pose.h"
+#include "irsg/geometry/view/Pose.h"
 
 namespace smat {
 

@@ -1,6 +1,6 @@
 #include "smatcore/support/Folders.h"
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace smat {
 

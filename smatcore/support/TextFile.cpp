@@ -1,7 +1,7 @@
 #include "smatcore/support/TextFile.h"
 
-#include "irsg/radiometry/FileReading.h"
-#include "irsg/radiometry/FileReplacement.h"
+#include "irsg/core/FileReading.h"
+#include "irsg/core/FileReplacement.h"
 
 namespace smat {
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <matio.h>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/data/ColumnName.h"
 #include "smatcore/tables/TableFormats.h"
 #include "smatcore/tables/TableWriters.h"

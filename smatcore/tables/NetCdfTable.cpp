@@ -9,7 +9,7 @@
 #include <netcdf.h>
 #include <netcdf_mem.h>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/tables/TableFormats.h"
 #include "smatcore/tables/TableWriters.h"
 

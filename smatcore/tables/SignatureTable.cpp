@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/data/ColumnName.h"
 
 namespace smat {

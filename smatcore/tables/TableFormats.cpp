@@ -8,8 +8,8 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReplacement.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReplacement.h"
 #include "smatcore/data/ColumnName.h"
 
 namespace smat {

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "irsg/atmosphere/Earth.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/atmosphere/path/Earth.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 
 namespace smat {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "irsg/atmosphere/AtmosphericQuery.h"
+#include "irsg/atmosphere/path/AtmosphericQuery.h"
 
 namespace smat {
 

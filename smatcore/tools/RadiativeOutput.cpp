@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 
 namespace smat {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/project/AnalysisKind.h"
 
 namespace smat {

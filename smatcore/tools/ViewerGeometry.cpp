@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
+#include "irsg/radiance/SceneRadiometry.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/radiance/SceneRadiometry.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/support/ShellText.h"
 

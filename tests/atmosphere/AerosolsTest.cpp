@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/engine/ParticleParts.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/atmosphere/AerosolSupport.h"
 
 namespace irsg {

@@ -7,7 +7,7 @@
 #include "irsg/atmosphere/AtmosphereSmart.h"
 #include "irsg/atmosphere/BeerLambert.h"
 #include "irsg/atmosphere/Environment.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Quadrature.h"
 

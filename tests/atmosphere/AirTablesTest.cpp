@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/tables/AirTables.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/atmosphere/SyntheticAir.h"
 
 namespace irsg {

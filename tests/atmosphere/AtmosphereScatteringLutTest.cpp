@@ -9,7 +9,7 @@
 #include "irsg/atmosphere/AtmosphereFile.h"
 #include "irsg/atmosphere/Vacuum.h"
 #include "irsg/atmosphere/import/EnvironmentXml.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace irsg {

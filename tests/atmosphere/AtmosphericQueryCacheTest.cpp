@@ -13,7 +13,7 @@
 #include "irsg/atmosphere/SpectraAtmosphere.h"
 #include "irsg/atmosphere/Vacuum.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Quadrature.h"
 #include "tests/atmosphere/SyntheticAir.h"
 #include "tests/atmosphere/TabulatedSupport.h"

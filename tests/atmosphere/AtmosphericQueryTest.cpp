@@ -1,4 +1,4 @@
-#include "irsg/atmosphere/AtmosphericQuery.h"
+#include "irsg/atmosphere/path/AtmosphericQuery.h"
 
 #include <map>
 #include <set>

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/ck/CkStore.h"
-#include "irsg/radiometry/FileReading.h"
+#include "irsg/core/FileReading.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace irsg {

@@ -7,7 +7,7 @@
 
 #include "irsg/atmosphere/engine/ParticleParts.h"
 #include "irsg/atmosphere/engine/Particles.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 namespace {

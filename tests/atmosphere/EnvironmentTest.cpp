@@ -9,7 +9,7 @@
 
 #include "irsg/atmosphere/BeerLambert.h"
 #include "irsg/atmosphere/Vacuum.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 using namespace irsg;
 using testing::AllOf;

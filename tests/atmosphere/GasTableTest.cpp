@@ -7,7 +7,7 @@
 
 #include "irsg/atmosphere/engine/GasTable.h"
 #include "irsg/atmosphere/engine/NodeAbsorption.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace irsg {

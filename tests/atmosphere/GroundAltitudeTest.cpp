@@ -7,7 +7,7 @@
 #include "irsg/atmosphere/AtmosphereSmart.h"
 #include "irsg/atmosphere/SmartAdapter.h"
 #include "irsg/atmosphere/engine/Particles.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/TemporaryFolder.h"
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/AtmosphereSmart.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 

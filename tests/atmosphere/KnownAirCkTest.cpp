@@ -9,7 +9,7 @@
 #include "irsg/atmosphere/SpectraAtmosphere.h"
 #include "irsg/atmosphere/TabulatedAtmosphere.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Quadrature.h"
 #include "tests/support/TemporaryFolder.h"

@@ -5,7 +5,7 @@
 
 #include "irsg/atmosphere/engine/ParticleTable.h"
 #include "irsg/atmosphere/engine/ResourceFile.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace irsg {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/engine/Profile.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 using namespace irsg;
 using testing::HasSubstr;

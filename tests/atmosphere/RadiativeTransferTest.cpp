@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/BeerLambert.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "tests/atmosphere/SyntheticAir.h"
 

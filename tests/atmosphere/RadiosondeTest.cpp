@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/engine/Profile.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/support/TemporaryFolder.h"
 
 using namespace irsg;

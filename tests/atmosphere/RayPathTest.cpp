@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/engine/RayPath.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "tests/atmosphere/RayPathSupport.h"
 

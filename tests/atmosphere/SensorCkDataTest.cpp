@@ -7,7 +7,7 @@
 #include "irsg/atmosphere/ck/CkNodes.h"
 #include "irsg/atmosphere/ck/CkStore.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Quadrature.h"
 #include "tests/support/DecimalCommas.h"

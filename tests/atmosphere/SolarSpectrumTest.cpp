@@ -8,7 +8,7 @@
 
 #include "irsg/atmosphere/engine/SolarSpectrum.h"
 #include "irsg/atmosphere/engine/SolarTable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace irsg {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/AtmosphereSmart.h"
-#include "irsg/atmosphere/SunDiscGeometry.h"
 #include "irsg/atmosphere/Vacuum.h"
+#include "irsg/atmosphere/path/SunDiscGeometry.h"
 #include "tests/atmosphere/RayPathSupport.h"
 #include "tests/atmosphere/SyntheticAir.h"
 

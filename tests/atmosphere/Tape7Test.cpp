@@ -9,7 +9,7 @@
 
 #include "irsg/atmosphere/TabulatedAtmosphere.h"
 #include "irsg/atmosphere/import/Tape7.h"
-#include "irsg/radiometry/CsvTable.h"
+#include "irsg/core/CsvTable.h"
 #include "tests/atmosphere/SyntheticTape7.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/SharedMaterial.h"

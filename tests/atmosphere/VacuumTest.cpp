@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Band.h"
-#include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 

@@ -15,7 +15,7 @@
 #include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/trace/RaysBuilt.h"
+#include "irsg/render/rays/RaysBuilt.h"
 #include "smatcore/data/ResultTable.h"
 #include "tests/cli/Program.h"
 #include "tests/support/TemporaryFolder.h"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "irsg/radiometry/FileReading.h"
+#include "irsg/core/FileReading.h"
 #include "tests/cli/Program.h"
 #include "tests/support/Sanitized.h"
 #include "tests/support/SharedMaterial.h"

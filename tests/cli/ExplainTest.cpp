@@ -12,7 +12,7 @@
 
 #include "irsg/image/ImageFile.h"
 #include "irsg/image/ImageFormat.h"
-#include "irsg/scene/trace/RaysBuilt.h"
+#include "irsg/render/rays/RaysBuilt.h"
 #include "tests/cli/Program.h"
 #include "tests/support/TemporaryFolder.h"
 

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "irsg/image/ImageFile.h"
-#include "irsg/scene/trace/RaysBuilt.h"
+#include "irsg/render/rays/RaysBuilt.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/analysis/ResultFile.h"
 #include "smatcore/analysis/SampleStatistics.h"

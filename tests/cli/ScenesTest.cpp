@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "irsg/geometry/view/Pose.h"
 #include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/view/Pose.h"
 #include "smatcore/data/ResultTable.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/project/SceneBuilder.h"

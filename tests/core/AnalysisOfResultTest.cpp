@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "irsg/scene/trace/RaysBuilt.h"
+#include "irsg/render/rays/RaysBuilt.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
 #include "smatcore/analysis/AnalysisOfResult.h"
 #include "smatcore/analysis/PixelExplainer.h"

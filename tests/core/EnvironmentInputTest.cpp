@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/AtmosphereSmart.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/tools/RadiativeOutput.h"
 #include "tests/atmosphere/KarmaSupport.h"

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "irsg/radiometry/FileReading.h"
+#include "irsg/core/FileReading.h"
 #include "tests/core/Writers.h"
 #include "tests/support/EveryCall.h"
 #include "tests/support/TemporaryFolder.h"

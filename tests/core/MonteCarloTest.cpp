@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/analysis/MonteCarloFile.h"
 #include "tests/core/AnalyticSource.h"
 #include "tests/support/Refusal.h"

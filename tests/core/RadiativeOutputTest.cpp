@@ -9,7 +9,7 @@
 #include "irsg/atmosphere/BeerLambert.h"
 #include "irsg/atmosphere/SpectraAtmosphere.h"
 #include "irsg/atmosphere/Vacuum.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 #include "tests/support/TemporaryFolder.h"

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/ScalingXml.h"
 #include "smatcore/analysis/MonteCarloFile.h"
 #include "smatcore/analysis/ResultFile.h"

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "irsg/radiometry/ParallelFor.h"
+#include "irsg/core/ParallelFor.h"
 #include "irsg/signature/random/Philox.h"
 #include "smatcore/analysis/SobolIndices.h"
 

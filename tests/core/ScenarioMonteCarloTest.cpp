@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/ParallelFor.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/ParallelFor.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/support/TextFile.h"
 #include "tests/core/AnalyticSource.h"

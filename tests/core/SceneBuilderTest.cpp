@@ -6,10 +6,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/background/Skybox.h"
-#include "irsg/scene/background/Terrain.h"
+#include "irsg/render/background/Skybox.h"
+#include "irsg/render/background/Terrain.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/support/TextFile.h"
 #include "tests/support/Refusal.h"

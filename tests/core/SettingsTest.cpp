@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/support/TextFile.h"
 
 namespace smat {

@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReading.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReading.h"
 #include "smatcore/analysis/AnalysisData.h"
 #include "smatcore/tables/TableFormats.h"
 #include "tests/support/Refusal.h"

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "irsg/core/Errors.h"
 #include "irsg/image/ExrFile.h"
-#include "irsg/radiometry/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/ScalingXml.h"
 #include "irsg/signature/SignatureFile.h"

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
 #include "smatcore/analysis/Frontier.h"
 #include "smatcore/analysis/TargetChoice.h"

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/engine/Profile.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace smat {
 namespace {

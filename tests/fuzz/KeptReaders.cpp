@@ -6,8 +6,8 @@
 #include "irsg/atmosphere/ck/CkNodes.h"
 #include "irsg/atmosphere/ck/CkStore.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReading.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReading.h"
 #include "tests/fuzz/Readers.h"
 #ifdef SMAT_HAS_SCATTERING
 #include "irsg/scattering/FinishedBatches.h"

@@ -11,22 +11,22 @@
 #include <unistd.h>
 #include <zlib.h>
 
-#include "apps/atmosphere-tables/lines/LineListFile.h"
 #include "irsg/atmosphere/engine/GasTable.h"
 #include "irsg/atmosphere/engine/Profile.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReading.h"
-#include "irsg/scene/model/IrCodes.h"
-#include "irsg/scene/model/Model.h"
-#include "irsg/scene/model/apart/AxesCoding.h"
-#include "irsg/scene/model/apart/GltfFile.h"
-#include "irsg/scene/model/apart/GraphCoding.h"
-#include "irsg/scene/model/apart/ReaderMessages.h"
-#include "irsg/scene/model/apart/StatedModel.h"
-#include "irsg/scene/model/apart/WholeFile.h"
-#include "irsg/scene/model/read/ObjReader.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReading.h"
+#include "irsg/geometry/model/Model.h"
+#include "irsg/geometry/reading/IrCodes.h"
+#include "irsg/geometry/reading/sandbox/AxesCoding.h"
+#include "irsg/geometry/reading/sandbox/GltfFile.h"
+#include "irsg/geometry/reading/sandbox/GraphCoding.h"
+#include "irsg/geometry/reading/sandbox/ReaderMessages.h"
+#include "irsg/geometry/reading/sandbox/StatedModel.h"
+#include "irsg/geometry/reading/sandbox/WholeFile.h"
+#include "irsg/geometry/reading/text/ObjReader.h"
 #include "irsg/scene/scattering/SceneScattering.h"
 #include "tests/fuzz/Readers.h"
+#include "tools/atmosphere-tables/lines/LineListFile.h"
 
 // Readers of binary files and messages, and of what other files name.
 

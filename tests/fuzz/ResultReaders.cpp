@@ -3,8 +3,8 @@
 
 #include <unistd.h>
 
+#include "irsg/core/FileReading.h"
 #include "irsg/image/ExrFile.h"
-#include "irsg/radiometry/FileReading.h"
 #include "smatcore/analysis/MonteCarlo.h"
 #include "smatcore/analysis/MonteCarloFile.h"
 #include "smatcore/results/ResultFolder.h"

@@ -13,7 +13,7 @@
 #include "gui/air/AirPlots.h"
 #include "gui/air/AirRecovery.h"
 #include "gui/widgets/Theme.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/gui/AirFixture.h"
 #include "tests/support/Sanitized.h"
 

@@ -11,7 +11,7 @@
 #include "gui/tools/AirToolPage.h"
 #include "gui/widgets/BackgroundPool.h"
 #include "gui/workbench/Workbench.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/gui/GuiEnvironment.h"
 #include "tests/gui/SampleProject.h"
 

@@ -13,7 +13,7 @@
 
 #include "gui/plot/CartesianItems.h"
 #include "gui/plot/PlotLook.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/gui/GuiEnvironment.h"
 
 namespace smat::gui {

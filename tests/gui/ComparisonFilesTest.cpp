@@ -10,9 +10,9 @@
 #include <QToolButton>
 
 #include "gui/plot/PlotLook.h"
+#include "irsg/core/Errors.h"
 #include "irsg/image/CsvImage.h"
 #include "irsg/image/ExrFile.h"
-#include "irsg/radiometry/Errors.h"
 #include "tests/gui/ComparisonFixture.h"
 
 namespace smat::gui {

@@ -19,7 +19,7 @@
 #include "gui/database/NodeEditor.h"
 #include "gui/project/SceneTreeDock.h"
 #include "gui/widgets/Theme.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/MaterialLibrary.h"
 #include "irsg/signature/ScalingXml.h"
 #include "smatcore/analysis/ProjectLint.h"

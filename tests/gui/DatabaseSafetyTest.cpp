@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "gui/database/DatabaseBanner.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/ScalingXml.h"
 #include "tests/gui/DatabaseFixture.h"
 

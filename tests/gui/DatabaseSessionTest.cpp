@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "gui/database/DatabaseEdits.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/MaterialLibrary.h"
 #include "tests/gui/GuiEnvironment.h"
 #include "tests/gui/SampleProject.h"

@@ -10,7 +10,7 @@
 #include <QTest>
 
 #include "gui/paint/FacePainter.h"
-#include "irsg/scene/model/Painting.h"
+#include "irsg/geometry/model/Painting.h"
 #include "irsg/signature/SignatureFile.h"
 #include "tests/cli/Program.h"
 #include "tests/gui/WindowFixture.h"

@@ -15,7 +15,7 @@
 #include "gui/database/DatabaseDock.h"
 #include "gui/paint/FacePainter.h"
 #include "gui/project/SceneTreeDock.h"
-#include "irsg/scene/model/Painting.h"
+#include "irsg/geometry/model/Painting.h"
 #include "irsg/signature/SignatureFile.h"
 #include "tests/gui/FacePainterFixture.h"
 

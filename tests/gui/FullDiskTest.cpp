@@ -7,7 +7,7 @@
 #include "gui/image/ImageView.h"
 #include "gui/view/ModelPage.h"
 #include "gui/widgets/Exportable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/support/TextFile.h"
 #include "tests/gui/ResultTables.h"
 #include "tests/gui/SmallDisk.h"

@@ -10,8 +10,8 @@
 #include <QWheelEvent>
 
 #include "gui/view/InfraredScene.h"
+#include "irsg/geometry/view/ImageQuantity.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/view/ImageQuantity.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
 #include "tests/gui/GuiEnvironment.h"

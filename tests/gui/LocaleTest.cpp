@@ -1,7 +1,7 @@
 #include <clocale>
 #include <fstream>
 
-#include "irsg/scene/model/Model.h"
+#include "irsg/geometry/model/Model.h"
 #include "tests/gui/WindowFixture.h"
 #include "tests/support/DecimalCommas.h"
 #include "tests/support/TemporaryFolder.h"

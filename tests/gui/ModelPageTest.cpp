@@ -4,10 +4,10 @@
 
 #include "gui/image/ColorBar.h"
 #include "gui/plot/PlotLook.h"
+#include "irsg/core/Errors.h"
 #include "irsg/image/CsvImage.h"
 #include "irsg/image/ExrFile.h"
 #include "irsg/image/TiffFile.h"
-#include "irsg/radiometry/Errors.h"
 #include "tests/gui/WindowFixture.h"
 
 namespace smat::gui {

@@ -7,7 +7,7 @@
 #include "gui/tools/RadiativePage.h"
 #include "gui/widgets/BackgroundPool.h"
 #include "gui/workbench/ModelStore.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/gui/DatabaseFixture.h"
 
 namespace smat::gui {

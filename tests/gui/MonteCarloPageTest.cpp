@@ -21,7 +21,7 @@
 #include "gui/analysis/MonteCarloPlots.h"
 #include "gui/analysis/RankingBars.h"
 #include "gui/plot/CartesianPlot.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/support/TextFile.h"
 #include "tests/gui/SmallDisk.h"

@@ -12,7 +12,7 @@
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ImageView.h"
 #include "irsg/image/ExrFile.h"
-#include "irsg/scene/trace/RaysBuilt.h"
+#include "irsg/render/rays/RaysBuilt.h"
 #include "smatcore/project/ProjectFile.h"
 #include "tests/gui/WindowFixture.h"
 

@@ -8,7 +8,7 @@
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PolarPlot.h"
 #include "gui/plot/ResultPlot.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/gui/GuiEnvironment.h"
 #include "tests/gui/ResultTables.h"
 

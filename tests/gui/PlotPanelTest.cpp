@@ -21,7 +21,7 @@
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PolarPlot.h"
 #include "gui/widgets/Theme.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/gui/GuiEnvironment.h"
 
 namespace smat::gui {

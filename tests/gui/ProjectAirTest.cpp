@@ -10,7 +10,7 @@
 
 #include "gui/air/ImportAirDialog.h"
 #include "gui/air/ProjectAirPage.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/atmosphere/SyntheticTape7.h"
 #include "tests/gui/AirFixture.h"
 #include "tests/support/SharedMaterial.h"

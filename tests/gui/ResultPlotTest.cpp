@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/data/ResultDifference.h"
 #include "tests/gui/ResultTables.h"
 

@@ -18,7 +18,7 @@
 #include "gui/plot/PlotPanel.h"
 #include "gui/plot/PolarPlot.h"
 #include "gui/widgets/Theme.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/gui/GuiEnvironment.h"
 #include "tests/gui/ResultList.h"
 #include "tests/gui/WindowFixture.h"

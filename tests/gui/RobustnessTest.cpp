@@ -3,7 +3,7 @@
 #include <QToolButton>
 
 #include "gui/project/ProjectFiles.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/support/TextFile.h"
 #include "tests/gui/SmallDisk.h"

@@ -5,7 +5,7 @@
 #include "gui/database/DatabaseDock.h"
 #include "gui/project/ProjectFiles.h"
 #include "gui/start/DataFolder.h"
-#include "irsg/radiometry/FileReading.h"
+#include "irsg/core/FileReading.h"
 #include "tests/gui/WindowFixture.h"
 
 namespace smat::gui {

@@ -9,7 +9,7 @@
 #include "gui/analysis/ResultPage.h"
 #include "gui/plot/PlotLook.h"
 #include "gui/plot/TablePanel.h"
-#include "irsg/radiometry/FileReading.h"
+#include "irsg/core/FileReading.h"
 #include "smatcore/tables/TableFormats.h"
 #include "tests/gui/WindowFixture.h"
 

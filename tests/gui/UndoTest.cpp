@@ -2,7 +2,7 @@
 #include <QMenu>
 
 #include "gui/workbench/Workbench.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/gui/WindowFixture.h"
 
 namespace smat::gui {

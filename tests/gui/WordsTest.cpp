@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "irsg/radiometry/FileReading.h"
+#include "irsg/core/FileReading.h"
 
 namespace smat::gui {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "gui/database/CopyEntriesDialog.h"
 #include "gui/plot/PolarPlot.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/guide/GuideFixture.h"
 
 namespace smat::gui {

@@ -15,7 +15,7 @@
 #include "gui/paint/PaintDock.h"
 #include "gui/project/FirstSignatureDialog.h"
 #include "gui/project/PlacingFields.h"
-#include "irsg/scene/model/PlacingGuess.h"
+#include "irsg/geometry/model/PlacingGuess.h"
 #include "smatcore/project/ProjectFile.h"
 #include "tests/guide/GuideFixture.h"
 

@@ -6,10 +6,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "irsg/core/Errors.h"
 #include "irsg/image/AxisTicks.h"
 #include "irsg/image/ColorMap.h"
 #include "irsg/image/ImageStatistics.h"
-#include "irsg/radiometry/Errors.h"
 
 namespace irsg {
 namespace {

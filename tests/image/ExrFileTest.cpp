@@ -11,8 +11,8 @@
 #include <OpenEXR/ImfTiledOutputFile.h>
 #include <gmock/gmock.h>
 
-#include "irsg/radiometry/FileReading.h"
-#include "irsg/radiometry/FileReplacement.h"
+#include "irsg/core/FileReading.h"
+#include "irsg/core/FileReplacement.h"
 #include "tests/image/ImageFixtures.h"
 
 namespace irsg {

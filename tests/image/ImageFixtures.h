@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "irsg/core/Errors.h"
 #include "irsg/image/RadianceImage.h"
-#include "irsg/radiometry/Errors.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace irsg::test {

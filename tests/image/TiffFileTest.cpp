@@ -7,9 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "irsg/core/FileReading.h"
 #include "irsg/image/ExrFile.h"
 #include "irsg/image/ImageFile.h"
-#include "irsg/radiometry/FileReading.h"
 #include "tests/image/ImageFixtures.h"
 
 namespace irsg {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "apps/atmosphere-tables/lines/Voigt.h"
+#include "tools/atmosphere-tables/lines/Voigt.h"
 
 namespace irsg::lbl {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "apps/atmosphere-tables/lines/Line.h"
-#include "apps/atmosphere-tables/lines/PartitionSums.h"
+#include "tools/atmosphere-tables/lines/Line.h"
+#include "tools/atmosphere-tables/lines/PartitionSums.h"
 
 namespace irsg::lbl {
 

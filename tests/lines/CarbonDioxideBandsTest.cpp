@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/atmosphere-tables/lines/CarbonDioxideBands.h"
-#include "apps/atmosphere-tables/lines/CarbonDioxideLines.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
+#include "tools/atmosphere-tables/lines/CarbonDioxideBands.h"
+#include "tools/atmosphere-tables/lines/CarbonDioxideLines.h"
 
 namespace irsg::lbl {
 namespace {

@@ -5,14 +5,14 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/atmosphere-tables/lines/CompleteLines.h"
-#include "apps/atmosphere-tables/lines/LineAbsorption.h"
-#include "apps/atmosphere-tables/lines/LineListFile.h"
-#include "apps/atmosphere-tables/lines/PublishedRun.h"
 #include "irsg/atmosphere/engine/Continuum.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/lines/ModtranColumns.h"
 #include "tests/support/SharedMaterial.h"
+#include "tools/atmosphere-tables/lines/CompleteLines.h"
+#include "tools/atmosphere-tables/lines/LineAbsorption.h"
+#include "tools/atmosphere-tables/lines/LineListFile.h"
+#include "tools/atmosphere-tables/lines/PublishedRun.h"
 
 namespace irsg::lbl {
 namespace {

@@ -10,15 +10,15 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/atmosphere-tables/lines/AngularMomentum.h"
-#include "apps/atmosphere-tables/lines/AsymmetricTop.h"
-#include "apps/atmosphere-tables/lines/LineAbsorption.h"
-#include "apps/atmosphere-tables/lines/LineListFile.h"
-#include "apps/atmosphere-tables/lines/MethaneLines.h"
-#include "apps/atmosphere-tables/lines/OzoneLines.h"
-#include "apps/atmosphere-tables/lines/SymmetricEigen.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/support/SharedMaterial.h"
+#include "tools/atmosphere-tables/lines/AngularMomentum.h"
+#include "tools/atmosphere-tables/lines/AsymmetricTop.h"
+#include "tools/atmosphere-tables/lines/LineAbsorption.h"
+#include "tools/atmosphere-tables/lines/LineListFile.h"
+#include "tools/atmosphere-tables/lines/MethaneLines.h"
+#include "tools/atmosphere-tables/lines/OzoneLines.h"
+#include "tools/atmosphere-tables/lines/SymmetricEigen.h"
 
 // The bands of ozone and methane that no list at hand has, and the mechanics that generates them.
 

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/atmosphere-tables/lines/LineAbsorption.h"
-#include "apps/atmosphere-tables/lines/LineListFile.h"
 #include "tests/support/SharedMaterial.h"
+#include "tools/atmosphere-tables/lines/LineAbsorption.h"
+#include "tools/atmosphere-tables/lines/LineListFile.h"
 
 namespace irsg::lbl {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/atmosphere-tables/lines/LineAbsorption.h"
-#include "apps/atmosphere-tables/lines/Voigt.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
+#include "tools/atmosphere-tables/lines/LineAbsorption.h"
+#include "tools/atmosphere-tables/lines/Voigt.h"
 
 namespace irsg::lbl {
 namespace {

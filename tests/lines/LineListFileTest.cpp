@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
-#include "apps/atmosphere-tables/lines/LineListFile.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/support/SharedMaterial.h"
 #include "tests/support/TemporaryFolder.h"
+#include "tools/atmosphere-tables/lines/LineListFile.h"
 
 namespace irsg::lbl {
 namespace {

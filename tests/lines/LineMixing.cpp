@@ -7,7 +7,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "apps/atmosphere-tables/lines/LineAbsorption.h"
+#include "tools/atmosphere-tables/lines/LineAbsorption.h"
 
 namespace irsg::lbl {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "apps/atmosphere-tables/lines/Line.h"
+#include "tools/atmosphere-tables/lines/Line.h"
 
 namespace irsg::lbl {
 

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/atmosphere-tables/lines/CompleteLines.h"
 #include "tests/lines/LineMixing.h"
 #include "tests/lines/ModtranColumns.h"
 #include "tests/support/SharedMaterial.h"
+#include "tools/atmosphere-tables/lines/CompleteLines.h"
 
 // What line mixing would make of the wing beyond the head of CO2's band at 4.3 um.
 

@@ -5,9 +5,9 @@
 #include <sstream>
 #include <vector>
 
-#include "apps/atmosphere-tables/lines/LineAbsorption.h"
-#include "apps/atmosphere-tables/lines/LineListFile.h"
-#include "irsg/radiometry/CsvTable.h"
+#include "irsg/core/CsvTable.h"
+#include "tools/atmosphere-tables/lines/LineAbsorption.h"
+#include "tools/atmosphere-tables/lines/LineListFile.h"
 
 namespace irsg::lbl {
 

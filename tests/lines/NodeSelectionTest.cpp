@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/atmosphere-tables/lines/NodeSelection.h"
+#include "tools/atmosphere-tables/lines/NodeSelection.h"
 
 namespace irsg::lbl {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/atmosphere-tables/lines/NodeTraining.h"
+#include "tools/atmosphere-tables/lines/NodeTraining.h"
 
 namespace irsg::lbl {
 namespace {

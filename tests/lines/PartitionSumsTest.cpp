@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/atmosphere-tables/lines/PartitionSums.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/support/SharedMaterial.h"
 #include "tests/support/TemporaryFolder.h"
+#include "tools/atmosphere-tables/lines/PartitionSums.h"
 
 namespace irsg::lbl {
 namespace {

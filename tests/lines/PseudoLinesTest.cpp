@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/atmosphere-tables/lines/PseudoLines.h"
-#include "apps/atmosphere-tables/lines/RandomNumbers.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/support/TemporaryFolder.h"
+#include "tools/atmosphere-tables/lines/PseudoLines.h"
+#include "tools/atmosphere-tables/lines/RandomNumbers.h"
 
 namespace irsg::lbl {
 namespace {

@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/atmosphere-tables/lines/CompleteLines.h"
-#include "apps/atmosphere-tables/lines/Voigt.h"
 #include "tests/lines/BandModel.h"
 #include "tests/lines/ModtranColumns.h"
 #include "tests/support/SharedMaterial.h"
+#include "tools/atmosphere-tables/lines/CompleteLines.h"
+#include "tools/atmosphere-tables/lines/Voigt.h"
 
 // What the bins of MODTRAN's band model make of our lines, where its columns differ from them line
 // by line.

@@ -5,12 +5,12 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/atmosphere-tables/lines/CarbonDioxideLines.h"
-#include "apps/atmosphere-tables/lines/CompleteLines.h"
-#include "apps/atmosphere-tables/lines/LineAbsorption.h"
-#include "apps/atmosphere-tables/lines/LineListFile.h"
-#include "apps/atmosphere-tables/lines/NitrousOxideLines.h"
 #include "tests/support/SharedMaterial.h"
+#include "tools/atmosphere-tables/lines/CarbonDioxideLines.h"
+#include "tools/atmosphere-tables/lines/CompleteLines.h"
+#include "tools/atmosphere-tables/lines/LineAbsorption.h"
+#include "tools/atmosphere-tables/lines/LineListFile.h"
+#include "tools/atmosphere-tables/lines/NitrousOxideLines.h"
 
 namespace irsg::lbl {
 namespace {

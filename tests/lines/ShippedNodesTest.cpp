@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/atmosphere-tables/lines/CompleteLines.h"
-#include "apps/atmosphere-tables/lines/LineAbsorption.h"
 #include "irsg/atmosphere/engine/GasTable.h"
 #include "tests/support/SharedMaterial.h"
+#include "tools/atmosphere-tables/lines/CompleteLines.h"
+#include "tools/atmosphere-tables/lines/LineAbsorption.h"
 
 namespace irsg::lbl {
 namespace {

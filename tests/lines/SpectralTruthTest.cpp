@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/atmosphere-tables/lines/LineListFile.h"
-#include "apps/atmosphere-tables/lines/TruthPaths.h"
 #include "irsg/atmosphere/engine/RadiativeTransfer.h"
+#include "tools/atmosphere-tables/lines/LineListFile.h"
+#include "tools/atmosphere-tables/lines/TruthPaths.h"
 
 // The spectral mode, with the table that is shipped, against line by line at 43 levels without any
 // table (tests/data/atmosphere/line-by-line.csv.gz, written by `atmosphere-tables truth`).

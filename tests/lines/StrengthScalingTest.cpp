@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/atmosphere-tables/lines/LineAbsorption.h"
-#include "apps/atmosphere-tables/lines/RandomNumbers.h"
-#include "apps/atmosphere-tables/lines/StrengthScaling.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
+#include "tools/atmosphere-tables/lines/LineAbsorption.h"
+#include "tools/atmosphere-tables/lines/RandomNumbers.h"
+#include "tools/atmosphere-tables/lines/StrengthScaling.h"
 
 namespace irsg::lbl {
 namespace {

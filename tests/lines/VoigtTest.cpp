@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "apps/atmosphere-tables/lines/Voigt.h"
+#include "tools/atmosphere-tables/lines/Voigt.h"
 
 namespace irsg::lbl {
 namespace {

@@ -1,4 +1,4 @@
-#include "irsg/radiometry/CsvTable.h"
+#include "irsg/core/CsvTable.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/TemporaryFolder.h"
 

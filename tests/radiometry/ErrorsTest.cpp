@@ -1,10 +1,10 @@
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "irsg/radiometry/Diagnostics.h"
+#include "irsg/core/Diagnostics.h"
 
 using namespace irsg;
 

@@ -1,11 +1,11 @@
-#include "irsg/radiometry/FileReading.h"
+#include "irsg/core/FileReading.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "irsg/radiometry/FileReplacement.h"
+#include "irsg/core/FileReplacement.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/TemporaryFolder.h"
 

@@ -1,4 +1,4 @@
-#include "irsg/radiometry/FileReplacement.h"
+#include "irsg/core/FileReplacement.h"
 
 #include <fstream>
 #include <set>
@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "irsg/radiometry/FileReading.h"
+#include "irsg/core/FileReading.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/TemporaryFolder.h"
 

@@ -1,4 +1,4 @@
-#include "irsg/radiometry/JsonText.h"
+#include "irsg/core/JsonText.h"
 
 #include <ctime>
 #include <utility>
@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/support/Refusal.h"
 
 namespace irsg {

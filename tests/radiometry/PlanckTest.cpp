@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/reference/PlanckReference.h"
 
 using namespace irsg;

@@ -1,11 +1,11 @@
-#include "irsg/radiometry/Quantity.h"
+#include "irsg/core/Quantity.h"
 
 #include <set>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 using namespace irsg;
 

@@ -1,4 +1,4 @@
-#include "irsg/radiometry/RecentlyUsed.h"
+#include "irsg/core/RecentlyUsed.h"
 
 #include <string>
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 using namespace irsg;
 

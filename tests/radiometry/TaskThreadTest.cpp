@@ -1,4 +1,4 @@
-#include "irsg/radiometry/TaskThread.h"
+#include "irsg/core/TaskThread.h"
 
 #include <stdexcept>
 #include <thread>

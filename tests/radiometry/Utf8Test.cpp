@@ -1,4 +1,4 @@
-#include "irsg/radiometry/Utf8.h"
+#include "irsg/core/Utf8.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReading.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReading.h"
 #include "irsg/scattering/FinishedBatches.h"
 #include "tests/support/TemporaryFolder.h"
 

@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/BeerLambert.h"
+#include "irsg/radiance/KindRadiances.h"
+#include "irsg/radiance/SampledScene.h"
+#include "irsg/radiance/exchange/LightIntegrals.h"
 #include "irsg/radiometry/SumsOfProducts.h"
 #include "irsg/scene/Irsg.h"
-#include "irsg/scene/radiance/KindRadiances.h"
-#include "irsg/scene/radiance/LightIntegrals.h"
-#include "irsg/scene/radiance/SampledScene.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;

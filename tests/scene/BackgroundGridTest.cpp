@@ -7,14 +7,14 @@
 
 #include "irsg/atmosphere/AtmosphereSmart.h"
 #include "irsg/atmosphere/BeerLambert.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Quadrature.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/background/BackgroundGrid.h"
-#include "irsg/scene/background/FastAngle.h"
-#include "irsg/scene/background/FieldExtent.h"
-#include "irsg/scene/background/SceneBackground.h"
-#include "irsg/scene/background/TerrainPass.h"
+#include "irsg/render/background/BackgroundGrid.h"
+#include "irsg/render/background/FastAngle.h"
+#include "irsg/render/background/FieldExtent.h"
+#include "irsg/render/background/SceneBackground.h"
+#include "irsg/render/background/TerrainPass.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;

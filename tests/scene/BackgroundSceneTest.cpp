@@ -8,11 +8,11 @@
 #include <osg/Geometry>
 #include <osg/Texture2D>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/background/Skybox.h"
-#include "irsg/scene/background/Terrain.h"
+#include "irsg/render/background/Skybox.h"
+#include "irsg/render/background/Terrain.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;

@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include "irsg/render/opengl/GlEngine.h"
+#include "irsg/render/opengl/WindowStream.h"
 #include "irsg/scene/Irsg.h"
-#include "irsg/scene/draw/GlEngine.h"
-#include "irsg/scene/draw/WindowStream.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "irsg/scene/model/Model.h"
+#include "irsg/geometry/model/Model.h"
 #include "tests/scene/PlacedPolygons.h"
 #include "tests/support/FlightBytes.h"
 #include "tests/support/Refusal.h"

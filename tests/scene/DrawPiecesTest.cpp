@@ -1,4 +1,4 @@
-#include "irsg/scene/model/DrawPieces.h"
+#include "irsg/geometry/model/DrawPieces.h"
 
 #include <gtest/gtest.h>
 

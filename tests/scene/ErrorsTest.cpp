@@ -6,9 +6,9 @@
 #include <functional>
 #include <vector>
 
+#include "irsg/radiance/RangeFactors.h"
+#include "irsg/radiance/ViewFactors.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/radiance/RangeFactors.h"
-#include "irsg/scene/radiance/ViewFactors.h"
 #include "tests/support/RandomScenes.h"
 #include "tests/support/SampleAircraft.h"
 #include "tests/support/SceneFixtures.h"

@@ -1,5 +1,5 @@
 // What the factors of a view are kept in: fields, fronts, rows, and the walk through layers.
-#include "irsg/scene/radiance/FactorField.h"
+#include "irsg/radiance/FactorField.h"
 
 #include <bit>
 #include <tuple>
@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "irsg/scene/draw/LayerSort.h"
-#include "irsg/scene/radiance/Fronts.h"
-#include "irsg/scene/radiance/LayerWalk.h"
-#include "irsg/scene/radiance/SurfaceRows.h"
+#include "irsg/radiance/Fronts.h"
+#include "irsg/radiance/LayerWalk.h"
+#include "irsg/radiance/SurfaceRows.h"
+#include "irsg/render/sampling/LayerSort.h"
 
 using namespace irsg;
 

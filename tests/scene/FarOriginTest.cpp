@@ -1,4 +1,4 @@
-#include "irsg/scene/model/FarOrigin.h"
+#include "irsg/geometry/reading/FarOrigin.h"
 
 #include <cmath>
 
@@ -8,9 +8,9 @@
 #include <osg/Geometry>
 #include <osg/MatrixTransform>
 
-#include "irsg/scene/model/GeometryCollector.h"
-#include "irsg/scene/model/ModelLoader.h"
-#include "irsg/scene/model/SurfaceMesh.h"
+#include "irsg/geometry/model/GeometryCollector.h"
+#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/model/SurfaceMesh.h"
 #include "tests/support/FlightBytes.h"
 
 using namespace irsg;

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/scene/model/Model.h"
+#include "irsg/core/Errors.h"
+#include "irsg/geometry/model/Model.h"
 #include "tests/support/FlightBytes.h"
 
 using namespace irsg;

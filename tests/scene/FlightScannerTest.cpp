@@ -1,4 +1,4 @@
-#include "irsg/scene/model/FlightScanner.h"
+#include "irsg/geometry/flight/FlightScanner.h"
 
 #include <cstdio>
 #include <functional>
@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "irsg/scene/model/Model.h"
+#include "irsg/geometry/model/Model.h"
 #include "tests/support/FlightBytes.h"
 
 using namespace irsg;

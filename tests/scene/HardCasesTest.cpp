@@ -3,7 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 #include "tests/support/HeldByContext.h"

@@ -1,5 +1,5 @@
-#include "irsg/scene/sampling/HotParts.h"
-#include "irsg/scene/radiance/HotSurfaces.h"
+#include "irsg/render/sampling/HotParts.h"
+#include "irsg/radiance/HotSurfaces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/sampling/HotParts.h"
+#include "irsg/render/sampling/HotParts.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;

@@ -1,4 +1,4 @@
-#include "irsg/scene/model/IndexNames.h"
+#include "irsg/geometry/model/IndexNames.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Fragments come in whatever order they were drawn and leave by sample, near to far.
-#include "irsg/scene/draw/LayerSort.h"
+#include "irsg/render/sampling/LayerSort.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "irsg/scene/trace/LightBalance.h"
+#include "irsg/radiance/exchange/LightBalance.h"
 #include "irsg/signature/random/Philox.h"
 
 using namespace irsg;

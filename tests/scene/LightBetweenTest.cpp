@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "irsg/radiometry/ParallelFor.h"
+#include "irsg/core/ParallelFor.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/random/Philox.h"
 #include "tests/support/LightScenes.h"

@@ -7,9 +7,9 @@
 #include <memory>
 #include <vector>
 
+#include "irsg/radiance/LobeTables.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/radiance/LobeTables.h"
-#include "irsg/scene/trace/RayVectors.h"
+#include "irsg/render/rays/RayVectors.h"
 #include "irsg/signature/FacetAlbedos.h"
 #include "irsg/signature/SurfaceModels.h"
 

@@ -1,4 +1,4 @@
-#include "irsg/scene/model/LongEdges.h"
+#include "irsg/geometry/model/LongEdges.h"
 
 #include <gtest/gtest.h>
 

@@ -7,10 +7,10 @@
 #include <osg/Material>
 #include <osg/MatrixTransform>
 
-#include "irsg/scene/model/CodedGraph.h"
-#include "irsg/scene/model/FirstSignature.h"
-#include "irsg/scene/model/ModelConverter.h"
-#include "irsg/scene/model/ModelLoader.h"
+#include "irsg/geometry/model/CodedGraph.h"
+#include "irsg/geometry/model/FirstSignature.h"
+#include "irsg/geometry/model/ModelConverter.h"
+#include "irsg/geometry/model/ModelLoader.h"
 #include "tests/support/ModelAccess.h"
 #include "tests/support/TemporaryFolder.h"
 

@@ -1,4 +1,4 @@
-#include "irsg/scene/model/ModelConverter.h"
+#include "irsg/geometry/model/ModelConverter.h"
 
 #include <functional>
 
@@ -13,10 +13,10 @@
 #include <osgSim/MultiSwitch>
 #include <osgSim/ShapeAttribute>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/scene/model/IrCodes.h"
-#include "irsg/scene/model/ModelLoader.h"
-#include "irsg/scene/model/ModelSummary.h"
+#include "irsg/core/Errors.h"
+#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/model/ModelSummary.h"
+#include "irsg/geometry/reading/IrCodes.h"
 #include "tests/support/FlightBytes.h"
 
 using namespace irsg;

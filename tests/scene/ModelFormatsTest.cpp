@@ -11,9 +11,9 @@
 #include <osg/Texture2D>
 #include <osgDB/WriteFile>
 
-#include "irsg/scene/model/MaterialNames.h"
-#include "irsg/scene/model/Model.h"
-#include "irsg/scene/model/ModelLoader.h"
+#include "irsg/geometry/model/Model.h"
+#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/reading/MaterialNames.h"
 #include "tests/scene/PlacedPolygons.h"
 #include "tests/support/FlightBytes.h"
 #include "tests/support/ForeignModels.h"

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <osg/MatrixTransform>
 
-#include "irsg/scene/model/ModelPlacing.h"
+#include "irsg/geometry/model/ModelPlacing.h"
 #include "tests/support/ModelAccess.h"
 #include "tests/support/TemporaryFolder.h"
 

@@ -1,4 +1,4 @@
-#include "irsg/scene/model/Model.h"
+#include "irsg/geometry/model/Model.h"
 
 #include <cmath>
 #include <limits>
@@ -9,7 +9,7 @@
 #include <osgDB/WriteFile>
 #include <osgSim/ShapeAttribute>
 
-#include "irsg/scene/model/FlightScanner.h"
+#include "irsg/geometry/flight/FlightScanner.h"
 #include "tests/support/FlightBytes.h"
 #include "tests/support/ModelAccess.h"
 

@@ -1,4 +1,4 @@
-#include "irsg/scene/model/OpenableFiles.h"
+#include "irsg/geometry/reading/OpenableFiles.h"
 
 #include <filesystem>
 #include <fstream>
@@ -16,10 +16,10 @@
 #include <osgDB/Registry>
 #include <osgDB/WriteFile>
 
-#include "irsg/scene/background/Terrain.h"
-#include "irsg/scene/background/TextureImage.h"
-#include "irsg/scene/model/GuardedReading.h"
-#include "irsg/scene/model/ModelLoader.h"
+#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/reading/GuardedReading.h"
+#include "irsg/render/background/Terrain.h"
+#include "irsg/render/background/TextureImage.h"
 #include "tests/support/FlightBytes.h"
 #include "tests/support/Refusal.h"
 

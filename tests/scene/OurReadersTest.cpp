@@ -7,9 +7,9 @@
 #include <osg/Geometry>
 #include <osg/Material>
 
-#include "irsg/scene/model/MaterialNames.h"
-#include "irsg/scene/model/Model.h"
-#include "irsg/scene/model/ModelLoader.h"
+#include "irsg/geometry/model/Model.h"
+#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/reading/MaterialNames.h"
 #include "tests/support/DecimalCommas.h"
 #include "tests/support/FlightBytes.h"
 #include "tests/support/Refusal.h"

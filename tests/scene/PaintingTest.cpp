@@ -9,8 +9,8 @@
 #include <osg/Material>
 #include <osg/MatrixTransform>
 
-#include "irsg/scene/model/CodedGraph.h"
-#include "irsg/scene/model/Painting.h"
+#include "irsg/geometry/model/CodedGraph.h"
+#include "irsg/geometry/model/Painting.h"
 #include "tests/support/ModelAccess.h"
 
 using namespace irsg;

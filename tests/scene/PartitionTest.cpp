@@ -1,4 +1,4 @@
-#include "irsg/scene/sampling/Partition.h"
+#include "irsg/render/sampling/Partition.h"
 
 #include <gtest/gtest.h>
 

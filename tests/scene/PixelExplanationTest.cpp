@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/reference/PlanckReference.h"
-#include "irsg/scene/trace/RaysBuilt.h"
+#include "irsg/render/rays/RaysBuilt.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;

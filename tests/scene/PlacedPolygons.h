@@ -9,8 +9,8 @@
 #include <osg/Geometry>
 #include <osg/NodeVisitor>
 
-#include "irsg/scene/model/MaterialNames.h"
-#include "irsg/scene/model/ModelLoader.h"
+#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/reading/MaterialNames.h"
 #include "tests/support/ForeignModels.h"
 
 namespace irsg::test {

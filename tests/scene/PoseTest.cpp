@@ -1,11 +1,11 @@
-#include "irsg/scene/view/Pose.h"
+#include "irsg/geometry/view/Pose.h"
 
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {

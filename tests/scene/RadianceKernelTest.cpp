@@ -7,13 +7,13 @@
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/BeerLambert.h"
-#include "irsg/radiometry/ParallelFor.h"
+#include "irsg/core/ParallelFor.h"
+#include "irsg/radiance/RadianceTerms.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/render/rays/RaysBuilt.h"
 #include "irsg/scene/Irsg.h"
 #include "irsg/scene/Renderer.h"
-#include "irsg/scene/radiance/RadianceTerms.h"
-#include "irsg/scene/trace/RaysBuilt.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;

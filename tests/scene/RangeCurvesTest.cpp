@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "irsg/atmosphere/BeerLambert.h"
-#include "irsg/radiometry/ParallelFor.h"
+#include "irsg/core/ParallelFor.h"
+#include "irsg/radiance/RangeFactors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/radiance/RangeFactors.h"
 #include "tests/support/SampleAircraft.h"
 #include "tests/support/SceneFixtures.h"
 

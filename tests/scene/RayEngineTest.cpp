@@ -8,12 +8,12 @@
 
 #include <osg/Texture2D>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/ParallelFor.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/ParallelFor.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/render/background/Terrain.h"
+#include "irsg/render/rays/RayMesh.h"
 #include "irsg/scene/PreparedEntities.h"
-#include "irsg/scene/background/Terrain.h"
-#include "irsg/scene/trace/RayMesh.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/SceneFixtures.h"
 

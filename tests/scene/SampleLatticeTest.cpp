@@ -1,11 +1,11 @@
-#include "irsg/scene/sampling/SampleLattice.h"
+#include "irsg/render/sampling/SampleLattice.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/sampling/PixelAlignedStrategy.h"
+#include "irsg/render/sampling/PixelAlignedStrategy.h"
 
 using namespace irsg;
 

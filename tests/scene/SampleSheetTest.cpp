@@ -1,5 +1,5 @@
 // Windows share drawings, and neither samples nor numbers know of it.
-#include "irsg/scene/sampling/SampleSheet.h"
+#include "irsg/render/sampling/SampleSheet.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "irsg/render/sampling/PixelAlignedStrategy.h"
 #include "irsg/scene/Irsg.h"
-#include "irsg/scene/sampling/PixelAlignedStrategy.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;

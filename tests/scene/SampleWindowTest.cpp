@@ -1,4 +1,4 @@
-#include "irsg/scene/sampling/SampleWindow.h"
+#include "irsg/render/sampling/SampleWindow.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <random>
 #include <set>
 
-#include "irsg/scene/sampling/PixelAlignedStrategy.h"
-#include "irsg/scene/sampling/SupersamplingStrategy.h"
+#include "irsg/render/sampling/PixelAlignedStrategy.h"
+#include "irsg/render/sampling/SupersamplingStrategy.h"
 
 using namespace irsg;
 

@@ -1,5 +1,5 @@
 // The closed form of what a surface adds against the sum over wavelengths that it stands for.
-#include "irsg/scene/radiance/ScaledSum.h"
+#include "irsg/radiance/ScaledSum.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "irsg/scene/radiance/ScaledView.h"
+#include "irsg/radiance/ScaledView.h"
 
 #include <cmath>
 

@@ -8,7 +8,7 @@
 
 #include "irsg/atmosphere/AtmosphereScatteringLut.h"
 #include "irsg/atmosphere/BeerLambert.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/scattering/SceneScattering.h"

@@ -1,10 +1,10 @@
-#include "irsg/scene/view/Sensor.h"
+#include "irsg/geometry/view/Sensor.h"
 
 #include <cmath>
 
 #include <gmock/gmock.h>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "irsg/radiance/ScaledView.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/radiance/ScaledView.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;

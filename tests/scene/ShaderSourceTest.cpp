@@ -1,4 +1,4 @@
-#include "irsg/scene/draw/ShaderSource.h"
+#include "irsg/render/opengl/ShaderSource.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace {
 

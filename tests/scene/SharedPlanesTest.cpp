@@ -5,9 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "irsg/geometry/model/ModelUse.h"
 #include "irsg/radiometry/Planck.h"
-#include "irsg/scene/model/ModelUse.h"
-#include "irsg/scene/trace/RayMesh.h"
+#include "irsg/render/rays/RayMesh.h"
 #include "tests/support/ModelAccess.h"
 #include "tests/support/SceneFixtures.h"
 

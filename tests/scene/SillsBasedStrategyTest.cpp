@@ -1,4 +1,4 @@
-#include "irsg/scene/sampling/SillsBasedStrategy.h"
+#include "irsg/render/sampling/SillsBasedStrategy.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,11 +6,11 @@
 #include <cmath>
 #include <random>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/sampling/MultipassComposer.h"
-#include "irsg/scene/sampling/ZoomCamera.h"
+#include "irsg/render/sampling/MultipassComposer.h"
+#include "irsg/render/sampling/ZoomCamera.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;

@@ -10,10 +10,10 @@
 
 #include <png.h>
 
+#include "irsg/core/Errors.h"
 #include "irsg/image/ExrFile.h"
 #include "irsg/image/PngPlane.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/scene/background/Skybox.h"
+#include "irsg/render/background/Skybox.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/TemporaryFolder.h"
 

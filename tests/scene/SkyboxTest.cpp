@@ -5,9 +5,9 @@
 #include <functional>
 
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/background/SceneBackground.h"
-#include "irsg/scene/background/Skybox.h"
-#include "irsg/scene/background/TerrainPass.h"
+#include "irsg/render/background/SceneBackground.h"
+#include "irsg/render/background/Skybox.h"
+#include "irsg/render/background/TerrainPass.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/background/CircleArea.h"
-#include "irsg/scene/background/SceneBackground.h"
-#include "irsg/scene/background/SunDisc.h"
-#include "irsg/scene/background/TerrainPass.h"
+#include "irsg/render/background/CircleArea.h"
+#include "irsg/render/background/SceneBackground.h"
+#include "irsg/render/background/SunDisc.h"
+#include "irsg/render/background/TerrainPass.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;

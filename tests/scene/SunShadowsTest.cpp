@@ -7,8 +7,8 @@
 #include <osg/Geode>
 
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/background/Terrain.h"
-#include "irsg/scene/trace/SunShadows.h"
+#include "irsg/render/background/Terrain.h"
+#include "irsg/render/rays/SunShadows.h"
 #include "tests/support/SceneFixtures.h"
 
 namespace irsg {

@@ -6,12 +6,12 @@
 #include <random>
 #include <vector>
 
+#include "irsg/geometry/model/DrawList.h"
+#include "irsg/geometry/model/DrawPieces.h"
+#include "irsg/geometry/view/Pose.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/model/DrawList.h"
-#include "irsg/scene/model/DrawPieces.h"
-#include "irsg/scene/trace/SunShadows.h"
-#include "irsg/scene/trace/SunlitFacets.h"
-#include "irsg/scene/view/Pose.h"
+#include "irsg/render/rays/SunShadows.h"
+#include "irsg/render/rays/SunlitFacets.h"
 #include "tests/support/RaysTest.h"
 #include "tests/support/SceneFixtures.h"
 

@@ -8,10 +8,10 @@
 
 #include "irsg/atmosphere/engine/GasTable.h"
 #include "irsg/atmosphere/engine/ResourceFile.h"
+#include "irsg/radiance/PlanckTable.h"
+#include "irsg/radiance/SampledScene.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/scene/Renderer.h"
-#include "irsg/scene/radiance/PlanckTable.h"
-#include "irsg/scene/radiance/SampledScene.h"
 #include "tests/support/SceneFixtures.h"
 #include "tests/support/WidebandScenes.h"
 

@@ -12,10 +12,10 @@
 #include <osg/Texture2D>
 #include <osgDB/WriteFile>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/background/SceneBackground.h"
-#include "irsg/scene/background/TerrainPass.h"
+#include "irsg/render/background/SceneBackground.h"
+#include "irsg/render/background/TerrainPass.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/SceneFixtures.h"
 #include "tests/support/TemporaryFolder.h"

@@ -8,7 +8,7 @@
 #include <osg/Texture2D>
 #include <osgDB/WriteFile>
 
-#include "irsg/scene/trace/RayMesh.h"
+#include "irsg/render/rays/RayMesh.h"
 #include "tests/support/ModelAccess.h"
 #include "tests/support/SceneFixtures.h"
 #include "tests/support/TemporaryFolder.h"

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "irsg/geometry/model/DrawList.h"
+#include "irsg/geometry/model/DrawPieces.h"
+#include "irsg/radiance/exchange/BodyLight.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/PreparedEntities.h"
-#include "irsg/scene/model/DrawList.h"
-#include "irsg/scene/model/DrawPieces.h"
-#include "irsg/scene/trace/BodyLight.h"
 #include "tests/support/RaysTest.h"
 #include "tests/support/RevolvedMeshes.h"
 

@@ -5,7 +5,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/ClampedTables.h"
 #include "irsg/signature/EntryJson.h"
 #include "irsg/signature/Lint.h"

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/ReflectanceCsv.h"
 #include "tests/signature/SurfaceSums.h"

@@ -1,6 +1,6 @@
 #include <set>
 
-#include "irsg/radiometry/CsvTable.h"
+#include "irsg/core/CsvTable.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/signature/Lint.h"
 #include "irsg/signature/SignatureFile.h"

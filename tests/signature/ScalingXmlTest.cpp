@@ -1,6 +1,6 @@
 #include "irsg/signature/ScalingXml.h"
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "tests/signature/Support.h"
 #include "tests/support/SharedMaterial.h"
 

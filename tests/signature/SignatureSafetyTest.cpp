@@ -13,7 +13,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
-#include "irsg/radiometry/FileReplacement.h"
+#include "irsg/core/FileReplacement.h"
 #include "irsg/signature/SignatureFile.h"
 
 #include "Support.h"

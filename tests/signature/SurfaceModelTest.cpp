@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/FacetModel.h"
 #include "irsg/signature/Fresnel.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/scene/model/FlightRecords.h"
+#include "irsg/geometry/flight/FlightRecords.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace irsg::test {

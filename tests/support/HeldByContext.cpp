@@ -5,8 +5,8 @@
 #include <osg/GraphicsContext>
 #include <osg/RenderInfo>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/scene/draw/OffscreenContext.h"
+#include "irsg/core/Errors.h"
+#include "irsg/render/opengl/OffscreenContext.h"
 
 namespace irsg::test {
 

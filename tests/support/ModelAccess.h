@@ -7,9 +7,9 @@
 #include <osg/Geode>
 #include <osg/Geometry>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/scene/model/IrCodes.h"
-#include "irsg/scene/model/Model.h"
+#include "irsg/core/Errors.h"
+#include "irsg/geometry/model/Model.h"
+#include "irsg/geometry/reading/IrCodes.h"
 
 namespace irsg::test {
 

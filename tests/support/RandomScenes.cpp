@@ -6,8 +6,8 @@
 #include <random>
 
 #include "irsg/atmosphere/AirIdentity.h"
+#include "irsg/geometry/model/ModelLoader.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/model/ModelLoader.h"
 #include "irsg/signature/SignatureFile.h"
 #include "tests/support/WidebandScenes.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "irsg/scene/trace/RaysBuilt.h"
+#include "irsg/render/rays/RaysBuilt.h"
 
 namespace irsg::test {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::test {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/scene/radiance/SceneRadiometry.h"
-#include "irsg/scene/radiance/SceneSampling.h"
+#include "irsg/core/Errors.h"
+#include "irsg/radiance/SceneRadiometry.h"
+#include "irsg/radiance/SceneSampling.h"
 
 namespace irsg::test {
 

@@ -9,8 +9,8 @@
 #include <fmt/ranges.h>
 #include <mpi.h>
 
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::batch {
 

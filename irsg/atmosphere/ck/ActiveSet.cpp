@@ -3,8 +3,8 @@
 #include <array>
 #include <numeric>
 
+#include "irsg/core/VectorClones.h"
 #include "irsg/radiometry/SumsOfProducts.h"
-#include "irsg/radiometry/VectorClones.h"
 
 namespace irsg {
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "irsg/atmosphere/ck/CkTraining.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

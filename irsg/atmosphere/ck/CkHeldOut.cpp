@@ -7,7 +7,7 @@
 #include "irsg/atmosphere/Atmosphere.h"
 #include "irsg/atmosphere/ck/CkTraining.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Quadrature.h"
 
 namespace irsg {

@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <vector>
 
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReading.h"
-#include "irsg/radiometry/FileReplacement.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReading.h"
+#include "irsg/core/FileReplacement.h"
 
 namespace irsg {
 

@@ -10,10 +10,10 @@
 
 #include "irsg/atmosphere/ck/ActiveSet.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/ParallelFor.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/ParallelFor.h"
+#include "irsg/core/VectorClones.h"
 #include "irsg/radiometry/Planck.h"
-#include "irsg/radiometry/VectorClones.h"
 
 namespace irsg {
 

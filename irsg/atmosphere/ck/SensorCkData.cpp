@@ -6,8 +6,8 @@
 
 #include "irsg/atmosphere/ck/CkStore.h"
 #include "irsg/atmosphere/ck/CkTraining.h"
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "irsg/atmosphere/ck/ActiveSet.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

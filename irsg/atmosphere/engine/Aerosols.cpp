@@ -4,7 +4,7 @@
 
 #include "irsg/atmosphere/engine/ParticleParts.h"
 #include "irsg/atmosphere/engine/ResourceFile.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg::particles {
 

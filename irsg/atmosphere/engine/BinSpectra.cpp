@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "irsg/atmosphere/engine/RadiativeTransfer.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

@@ -20,7 +20,7 @@ inline constexpr std::array<const char*, continuumCount> continuumNames = {
 ///
 /// Water: LOWTRAN 7 corrected towards a published MODTRAN run, 200 to 20000 cm-1. It holds the
 /// line wings beyond 25 cm-1; lines are cut there and have their pedestal removed (see
-/// apps/atmosphere-tables/lines/LineAbsorption.h). Nitrogen: rotation below 550 cm-1 and the
+/// tools/atmosphere-tables/lines/LineAbsorption.h). Nitrogen: rotation below 550 cm-1 and the
 /// fundamental, 2010 to 2720 cm-1 (Richard et al. 2012), with N2, O2 and H2O; not the first
 /// overtone. Oxygen: the fundamental, the bands at 1.27 and 1.06 um, the pair bands of the visible,
 /// the Herzberg continuum; not the Schumann-Runge bands above 49600 cm-1. Ozone: Chappuis, Huggins

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "irsg/atmosphere/engine/PathIntegrator.h"
-#include "irsg/radiometry/VectorClones.h"
+#include "irsg/core/VectorClones.h"
 #include "irsg/radiometry/VectorExp.h"
 
 namespace irsg {

@@ -8,7 +8,7 @@
 #include "irsg/atmosphere/engine/NodeColumn.h"
 #include "irsg/atmosphere/engine/SunPaths.h"
 #include "irsg/atmosphere/engine/TwoStream.h"
-#include "irsg/radiometry/RecentlyUsed.h"
+#include "irsg/core/RecentlyUsed.h"
 #include "irsg/radiometry/Spectrum.h"
 
 namespace irsg {

@@ -6,7 +6,7 @@
 
 #include "irsg/atmosphere/engine/NodeAbsorption.h"
 #include "irsg/atmosphere/engine/ResourceFile.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

@@ -5,9 +5,9 @@
 #include <zlib.h>
 
 #include "irsg/atmosphere/engine/GasTable.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/FileReading.h"
-#include "irsg/radiometry/FileReplacement.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReading.h"
+#include "irsg/core/FileReplacement.h"
 
 // A .gastable is little-endian: the magic, then text, numbers and arrays, each array after its
 // number of elements (64 bit), and at the end the CRC-32 of everything before it.

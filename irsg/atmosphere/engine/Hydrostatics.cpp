@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "irsg/atmosphere/Earth.h"
+#include "irsg/atmosphere/path/Earth.h"
 
 namespace irsg {
 

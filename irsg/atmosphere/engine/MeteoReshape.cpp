@@ -5,7 +5,7 @@
 
 #include "irsg/atmosphere/engine/Hydrostatics.h"
 #include "irsg/atmosphere/engine/Profile.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

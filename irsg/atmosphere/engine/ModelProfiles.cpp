@@ -7,8 +7,8 @@
 
 #include "irsg/atmosphere/engine/Profile.h"
 #include "irsg/atmosphere/engine/ResourceFile.h"
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "irsg/radiometry/VectorClones.h"
+#include "irsg/core/VectorClones.h"
 #include "irsg/radiometry/VectorExp.h"
 
 namespace irsg {

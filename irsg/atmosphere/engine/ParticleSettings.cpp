@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "irsg/atmosphere/engine/ParticleParts.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg::particles {
 

@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "irsg/atmosphere/engine/ParticleParts.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

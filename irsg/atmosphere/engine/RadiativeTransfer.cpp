@@ -13,8 +13,8 @@
 #include "irsg/atmosphere/engine/NodeColumn.h"
 #include "irsg/atmosphere/engine/PathIntegrator.h"
 #include "irsg/atmosphere/engine/SunPaths.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/radiometry/RecentlyUsed.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/RecentlyUsed.h"
 
 namespace irsg {
 

@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "irsg/atmosphere/AtmosphericQuery.h"
 #include "irsg/atmosphere/engine/GasTable.h"
 #include "irsg/atmosphere/engine/Particles.h"
 #include "irsg/atmosphere/engine/Profile.h"
 #include "irsg/atmosphere/engine/RayPath.h"
+#include "irsg/atmosphere/path/AtmosphericQuery.h"
 #include "irsg/radiometry/Spectrum.h"
 
 namespace irsg {

@@ -8,8 +8,8 @@
 
 #include "irsg/atmosphere/engine/Hydrostatics.h"
 #include "irsg/atmosphere/engine/Profile.h"
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "irsg/atmosphere/SunDiscGeometry.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/atmosphere/path/SunDiscGeometry.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {

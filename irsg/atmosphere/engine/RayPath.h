@@ -3,10 +3,10 @@
 #include <optional>
 #include <vector>
 
-#include "irsg/atmosphere/AtmosphericQuery.h"
-#include "irsg/atmosphere/Earth.h"
 #include "irsg/atmosphere/engine/Profile.h"
 #include "irsg/atmosphere/engine/RayLayers.h"
+#include "irsg/atmosphere/path/AtmosphericQuery.h"
+#include "irsg/atmosphere/path/Earth.h"
 
 namespace irsg {
 

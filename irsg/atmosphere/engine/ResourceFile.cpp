@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

@@ -2,7 +2,7 @@
 
 #include "irsg/atmosphere/engine/ResourceFile.h"
 #include "irsg/atmosphere/engine/SolarTable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

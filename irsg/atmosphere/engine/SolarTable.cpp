@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "irsg/radiometry/VectorClones.h"
+#include "irsg/core/VectorClones.h"
 #include "irsg/radiometry/VectorExp.h"
 
 namespace irsg {

@@ -1,6 +1,6 @@
 #include "irsg/atmosphere/import/Interpolation.h"
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

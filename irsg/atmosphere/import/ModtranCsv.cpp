@@ -8,7 +8,7 @@
 
 #include "irsg/atmosphere/import/ModtranJson.h"
 #include "irsg/atmosphere/import/Tape7.h"
-#include "irsg/radiometry/CsvTable.h"
+#include "irsg/core/CsvTable.h"
 
 namespace irsg {
 

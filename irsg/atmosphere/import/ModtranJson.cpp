@@ -9,9 +9,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "irsg/atmosphere/Earth.h"
 #include "irsg/atmosphere/import/Tape7.h"
-#include "irsg/radiometry/JsonText.h"
+#include "irsg/atmosphere/path/Earth.h"
+#include "irsg/core/JsonText.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/MonotoneCubic.h"
 
 namespace irsg {

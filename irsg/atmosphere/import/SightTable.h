@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "irsg/atmosphere/AtmosphericQuery.h"
 #include "irsg/atmosphere/NearestRun.h"
 #include "irsg/atmosphere/import/Interpolation.h"
+#include "irsg/atmosphere/path/AtmosphericQuery.h"
 
 namespace irsg {
 

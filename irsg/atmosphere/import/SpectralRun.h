@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "irsg/atmosphere/AtmosphericQuery.h"
-#include "irsg/radiometry/Errors.h"
+#include "irsg/atmosphere/path/AtmosphericQuery.h"
+#include "irsg/core/Errors.h"
 
 namespace irsg {
 

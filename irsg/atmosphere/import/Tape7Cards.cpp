@@ -2,8 +2,8 @@
 #include <span>
 #include <string_view>
 
-#include "irsg/atmosphere/Earth.h"
 #include "irsg/atmosphere/import/Tape7.h"
+#include "irsg/atmosphere/path/Earth.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {

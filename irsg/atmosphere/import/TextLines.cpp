@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "irsg/radiometry/CsvTable.h"
-#include "irsg/radiometry/FileReading.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/FileReading.h"
 
 namespace irsg {
 

@@ -9,7 +9,7 @@
 
 #include "irsg/atmosphere/engine/RadiativeTransfer.h"
 #include "irsg/atmosphere/tables/AdaptiveTable.h"
-#include "irsg/radiometry/RecentlyUsed.h"
+#include "irsg/core/RecentlyUsed.h"
 
 namespace irsg {
 

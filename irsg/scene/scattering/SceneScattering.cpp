@@ -6,9 +6,9 @@
 #include <optional>
 #include <system_error>
 
-#include "irsg/radiometry/FileStamp.h"
-#include "irsg/radiometry/NewLines.h"
-#include "irsg/radiometry/RecentlyUsed.h"
+#include "irsg/core/FileStamp.h"
+#include "irsg/core/NewLines.h"
+#include "irsg/core/RecentlyUsed.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scattering/MtfFilter.h"
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "irsg/core/Errors.h"
+#include "irsg/geometry/view/FrameBackground.h"
+#include "irsg/geometry/view/Sensor.h"
 #include "irsg/image/RadianceImage.h"
-#include "irsg/radiometry/Errors.h"
-#include "irsg/scene/view/FrameBackground.h"
-#include "irsg/scene/view/Sensor.h"
 
 namespace irsg {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "irsg/radiometry/Errors.h"
+#include "irsg/core/Errors.h"
 #include "irsg/signature/random/Philox.h"
 
 namespace irsg {

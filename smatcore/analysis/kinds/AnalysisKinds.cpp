@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "irsg/radiometry/Wording.h"
+#include "irsg/core/Wording.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/settings/AnalysisSections.h"
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "irsg/geometry/view/Vec3.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/view/Vec3.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/settings/SettingKeys.h"

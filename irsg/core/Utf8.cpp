@@ -1,0 +1,67 @@
+#include "irsg/core/Utf8.h"
+
+namespace irsg {
+
+namespace {
+
+/// The bytes of the character at the beginning of a text; 0 where there is none.
+std::size_t lengthOfFirst(std::string_view text) {
+    const auto lead = static_cast<unsigned char>(text[0]);
+    const std::size_t length = lead < 0x80                   ? 1
+                               : lead >= 0xc2 && lead < 0xe0 ? 2
+                               : lead >= 0xe0 && lead < 0xf0 ? 3
+                               : lead >= 0xf0 && lead < 0xf5 ? 4
+                                                             : 0;
+    if (length == 0 || length > text.size())
+        return 0;
+    for (std::size_t k = 1; k < length; ++k)
+        if ((static_cast<unsigned char>(text[k]) & 0xc0) != 0x80)
+            return 0;
+    const auto second = length > 1 ? static_cast<unsigned char>(text[1]) : 0;
+    const bool isForbidden = (lead == 0xe0 && second < 0xa0) || (lead == 0xed && second > 0x9f) ||
+                             (lead == 0xf0 && second < 0x90) || (lead == 0xf4 && second > 0x8f);
+    return isForbidden ? 0 : length;
+}
+
+} // namespace
+
+bool isUtf8(std::string_view text) {
+    while (!text.empty()) {
+        const std::size_t length = lengthOfFirst(text);
+        if (length == 0)
+            return false;
+        text.remove_prefix(length);
+    }
+    return true;
+}
+
+std::u32string charactersOf(std::string_view text) {
+    std::u32string characters;
+    while (!text.empty()) {
+        const std::size_t length = lengthOfFirst(text);
+        const auto lead = static_cast<unsigned char>(text[0]);
+        char32_t character = length == 0   ? 0xFFFD
+                             : length == 1 ? lead
+                                           : lead & (0xFFU >> (length + 1));
+        for (std::size_t k = 1; k < length; ++k)
+            character = (character << 6) | (static_cast<unsigned char>(text[k]) & 0x3FU);
+        characters += character;
+        text.remove_prefix(length == 0 ? 1 : length);
+    }
+    return characters;
+}
+
+std::string asciiText(std::string_view text) {
+    constexpr char digits[] = "0123456789abcdef";
+    std::string result;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte >= 0x20 && byte < 0x7f)
+            result += c;
+        else
+            (result += "\\x") += {digits[byte >> 4], digits[byte & 15]};
+    }
+    return result;
+}
+
+} // namespace irsg

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "irsg/geometry/model/ModelNames.h"
+#include "irsg/signature/SignatureDatabase.h"
+
+namespace irsg {
+
+/// How warm a surface is, as one says it before anything is measured.
+struct FirstTemperature {
+    enum class Kind {
+        air,      ///< as the air around it
+        aboveAir, ///< by so many kelvin warmer than it
+        recovery, ///< that of air brought to rest: air where it stands, warmer with the Mach number
+        fixed     ///< so many kelvin
+    };
+    Kind kind = Kind::air;
+    double kelvin = 0.0; ///< of aboveAir and fixed
+    auto operator<=>(const FirstTemperature&) const = default;
+};
+/// "air + 400 K", for names of entries.
+std::string nameOf(const FirstTemperature& temperature);
+
+/// A surface of a model that has names and no codes, and what it might be.
+struct FirstSurface {
+    CodeRule::Of of = CodeRule::Of::material;
+    std::string name; ///< in the file
+    long polygons = 0;
+    double area = 0.0;       ///< in squares of the file's unit
+    int libraryMaterial = 0; ///< index in materialLibrary()
+    FirstTemperature temperature;
+    std::string because; ///< the word of the name that says so; empty where none does
+};
+
+/// The surfaces of a model by the names of its materials, or, where it has none, of its objects or
+/// its groups, if they are not more than 100, or else all as one, "*"; each with a material of the
+/// library and a temperature that its name suggests. Largest first.
+std::vector<FirstSurface> suggestedSurfaces(const NamesOfKinds& names);
+
+/// Codes and entries for surfaces: an index for each material and each temperature that occurs,
+/// from 1, in the order of the surfaces.
+struct FirstSignature {
+    ModelCodes codes;
+    SignatureDatabase database;
+};
+FirstSignature firstSignatureOf(const std::vector<FirstSurface>& surfaces,
+                                const std::string& title);
+
+} // namespace irsg

@@ -1,0 +1,137 @@
+#include "irsg/geometry/model/ModelConverter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include <osgDB/FileNameUtils>
+#include <osgDB/Registry>
+
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReplacement.h"
+#include "irsg/geometry/model/CodeSafeMerge.h"
+#include "irsg/geometry/model/GeometryCollector.h"
+#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/reading/IrCodes.h"
+#include "irsg/geometry/reading/OsgNotices.h"
+
+namespace irsg {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Kinds of one plug-in that are told from each other by a word, where there is no file name.
+const char* fileType(const std::string& extension) {
+    return extension == "osgt"   ? "Ascii"
+           : extension == "osgx" ? "XML"
+           : extension == "osgb" ? "Binary"
+                                 : "";
+}
+
+std::string checkedExtension(const fs::path& in, const fs::path& out) {
+    const auto extension = osgDB::getLowerCaseFileExtension(out.string());
+    static const std::vector<std::string> known = {"osgt", "osgb", "ive", "osg", "osgx"};
+    if (std::find(known.begin(), known.end(), extension) == known.end())
+        throw InputError({out.string(), "", "output of type \"." + extension + "\"",
+                          extension == "flt" ? ".osgt, .osgb, .ive, .osg or .osgx: OpenSceneGraph "
+                                               "writes OpenFlight without its infrared codes"
+                                             : ".osgt, .osgb, .ive, .osg or .osgx"});
+    std::error_code ignored;
+    if (fs::equivalent(in, out, ignored))
+        throw InputError({out.string(), "", "the input itself as output", "another file"});
+    const auto folder = out.parent_path();
+    if (!folder.empty() && !fs::is_directory(folder, ignored))
+        throw InputError({folder.string(), "", "no such folder", "a folder to write to"});
+    return extension;
+}
+
+std::map<IrCodes, double> areas(osg::Node& graph, const std::string& name) {
+    SurfaceMesh mesh;
+    GeometryCollector(mesh, osg::Matrixd::identity(), name, {.forceTwoSided = true}).collect(graph);
+    std::map<IrCodes, double> areas;
+    for (const auto& [key, part] : mesh.parts())
+        areas[key.codes] += part.area_m2;
+    return areas;
+}
+
+/// Single precision and another cut through the same polygon are all that may differ.
+bool sameAreas(const std::map<IrCodes, double>& a, const std::map<IrCodes, double>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+        return x.first == y.first && std::abs(x.second - y.second) <= 1e-4 * x.second;
+    });
+}
+
+std::string bytesOf(const osg::Node& graph, const fs::path& out, const std::string& extension) {
+    const std::scoped_lock lock(osgRegistryMutex());
+    OsgNotices notices;
+    osg::ref_ptr<osgDB::Options> options = new osgDB::Options;
+    const std::string type = fileType(extension);
+    if (!type.empty()) {
+        // Textures go into the file where its kind can hold them.
+        options->setOptionString("WriteImageHint=IncludeFile");
+        options->setPluginStringData("fileType", type);
+    }
+    std::ostringstream stream;
+    bool written = false;
+    std::string complaint;
+    try {
+        auto* writer = osgDB::Registry::instance()->getReaderWriterForExtension(extension);
+        written = writer && writer->writeNode(graph, stream, options).success() && stream;
+    } catch (const std::exception& error) {
+        complaint = error.what();
+    }
+    for (const auto& line : notices.take())
+        complaint += (complaint.empty() ? "" : "; ") + line;
+    if (!written)
+        throw InputError({out.string(), "", "a graph that cannot be written (" + complaint + ")",
+                          "another kind of output"});
+    return std::move(stream).str();
+}
+
+} // namespace
+
+ConversionReport convertModel(const fs::path& in, const fs::path& out,
+                              const std::stop_token& stop) {
+    const auto extension = checkedExtension(in, out);
+    auto loaded = loadGraph(in, LoadPurpose::visible);
+    if (stop.stop_requested())
+        return {};
+    const bool flight = !loaded.faces.empty();
+    osg::ref_ptr<osg::Group> graph = new osg::Group;
+    graph->addChild(loaded.node);
+
+    ConversionReport report;
+    report.remarks = std::move(loaded.remarks);
+    report.polygonsRead = polygonCounts(*graph);
+    const auto areasRead = areas(*graph, in.string());
+    int misfits = 0;
+    const auto counts = mergeKeepingCodes(*graph, flight, misfits);
+    report.drawablesRead = counts.before;
+    report.drawablesWritten = counts.after;
+    report.polygonsWritten = polygonCounts(*graph);
+    if (misfits > 0)
+        report.remarks.push_back(
+            std::to_string(misfits) +
+            " drawables had normals, colours or texture coordinates for some of "
+            "their vertices only: removed");
+
+    if (stop.stop_requested())
+        return {};
+
+    const std::string bytes = bytesOf(*graph->getChild(0), out, extension);
+    if (stop.stop_requested())
+        return {};
+
+    // What is written is worth what can be read from it.
+    const auto back = loadWritten(bytes, out);
+    if (polygonCounts(*back.node) != report.polygonsWritten ||
+        !sameAreas(areas(*back.node, out.string()), areasRead))
+        throw InputError({out.string(), "", "a file that lost codes or faces of " + in.string(),
+                          "codes and areas as read; another kind of output may keep them"});
+    if (stop.stop_requested())
+        return {};
+    writeFileDurably(out, bytes);
+    return report;
+}
+
+} // namespace irsg

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "irsg/geometry/model/Model.h"
+
+namespace irsg {
+
+/// What a conversion did.
+struct ConversionReport {
+    /// Polygons per pair of codes as read and as written, every copy that instances draw and hidden
+    /// ones included. Where they differ, concave polygons were cut into triangles.
+    std::map<IrCodes, long> polygonsRead, polygonsWritten;
+    int drawablesRead = 0, drawablesWritten = 0;
+    std::vector<std::string> remarks;
+};
+
+/// Reads a model and writes it as .osgt, .osgb, .ive, .osg or .osgx with its codes as a
+/// ShapeAttributeList (IRColor, IRMaterial) in the UserData of each drawable, so that the stock
+/// viewer shows the file and the codes survive. Visible appearance, levels of detail, switches and
+/// hidden faces stay; external references become part of the file. Drawables of OpenFlight files
+/// are merged where neither state nor codes differ. The written file is read back: unless its codes
+/// and their areas are those of the input it is removed and an InputError thrown. Throws InputError
+/// for an input that cannot be read, a kind of output that loses codes and a place that cannot be
+/// written. A stop that is asked for before the end leaves `out` as it was and gives an empty
+/// report.
+ConversionReport convertModel(const std::filesystem::path& in, const std::filesystem::path& out,
+                              const std::stop_token& stop = {});
+
+} // namespace irsg

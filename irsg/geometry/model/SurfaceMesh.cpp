@@ -1,0 +1,180 @@
+#include "irsg/geometry/model/SurfaceMesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+#include <osg/CullFace>
+#include <osg/PolygonOffset>
+
+#include "irsg/geometry/reading/IrCodes.h"
+#include "irsg/geometry/reading/Triangulation.h"
+
+namespace irsg {
+namespace {
+
+Vec3 asVec3(const osg::Vec3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+/// A zero has one sign, so that equal places are one vertex.
+osg::Vec3 withOneZero(const osg::Vec3d& v) {
+    const osg::Vec3 rounded(v);
+    return {rounded.x() + 0.0f, rounded.y() + 0.0f, rounded.z() + 0.0f};
+}
+
+/// Bit by bit: colours may be no numbers.
+template <typename Vector>
+bool areSame(const Vector& a, const Vector& b) {
+    return std::memcmp(a.ptr(), b.ptr(), sizeof a) == 0;
+}
+
+/// Of all bits of a vertex: each word is multiplied in, and what is above folded down.
+std::size_t hashOf(const osg::Vec3& p, const osg::Vec3& n, const osg::Vec4& c) {
+    std::array<std::uint64_t, 5> words{};
+    std::memcpy(words.data(), p.ptr(), sizeof p);
+    std::memcpy(reinterpret_cast<char*>(words.data()) + sizeof p, n.ptr(), sizeof n);
+    std::memcpy(reinterpret_cast<char*>(words.data()) + sizeof p + sizeof n, c.ptr(), sizeof c);
+    std::uint64_t hash = 0;
+    for (const std::uint64_t word : words) {
+        hash = (hash ^ word) * 0x9E3779B97F4A7C15u;
+        hash ^= hash >> 32;
+    }
+    return static_cast<std::size_t>(hash);
+}
+
+template <typename Array, typename Values>
+osg::ref_ptr<Array> perVertex(const Values& values) {
+    osg::ref_ptr<Array> array = new Array(values.begin(), values.end());
+    array->setBinding(osg::Array::BIND_PER_VERTEX);
+    return array;
+}
+
+} // namespace
+
+void SurfaceMesh::VertexTable::grow(const Part& part) {
+    slots_.assign(std::max<std::size_t>(1024, 2 * slots_.size()), 0);
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t i = 0; i < part.vertices.size(); ++i) {
+        std::size_t slot = hashOf(part.vertices[i], part.normals[i], part.colours[i]) & mask;
+        while (slots_[slot] != 0)
+            slot = (slot + 1) & mask;
+        slots_[slot] = static_cast<unsigned int>(i) + 1;
+    }
+}
+
+unsigned int SurfaceMesh::VertexTable::index(Part& part, const PolygonCorner& corner) {
+    if (2 * part.vertices.size() >= slots_.size())
+        grow(part);
+    const osg::Vec3 p = withOneZero(corner.position), n = withOneZero(corner.normal);
+    const osg::Vec4& c = corner.colour;
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t slot = hashOf(p, n, c) & mask;
+    for (; slots_[slot] != 0; slot = (slot + 1) & mask) {
+        const unsigned int known = slots_[slot] - 1;
+        if (areSame(part.vertices[known], p) && areSame(part.normals[known], n) &&
+            areSame(part.colours[known], c))
+            return known;
+    }
+    part.vertices.push_back(p);
+    part.normals.push_back(n);
+    part.colours.push_back(c);
+    part.bounds.include(asVec3(p));
+    slots_[slot] = static_cast<unsigned int>(part.vertices.size());
+    return slots_[slot] - 1;
+}
+
+void SurfaceMesh::add(const Key& key, std::vector<PolygonCorner>& corners) {
+    const auto cut = triangulate(corners);
+    if (cut.triangles.empty()) {
+        ++degenerate_;
+        return;
+    }
+    folded_ += cut.folded;
+
+    // Each corner gets a unit normal; together they must face as the polygon does.
+    osg::Vec3d sum;
+    bool made = false;
+    for (auto& corner : corners) {
+        const double size = corner.normal.length();
+        const bool usable = std::isfinite(size) && size > 1e-12;
+        corner.normal = usable ? corner.normal / size : cut.normal;
+        made = made || !usable;
+        sum += corner.normal;
+    }
+    normalsMade_ += made;
+    if (sum * cut.normal < 0.0) {
+        ++normalsTurned_;
+        for (auto& corner : corners)
+            corner.normal = -corner.normal;
+    }
+
+    Part& part = parts_[key];
+    VertexTable& table = tables_[key];
+    ++part.polygons;
+    part.area_m2 += cut.area;
+    for (const auto& triangle : cut.triangles) {
+        part.polygonOf.push_back(polygons_);
+        for (const auto corner : triangle)
+            part.triangles.push_back(table.index(part, corners[corner]));
+    }
+    ++polygons_;
+}
+
+void SurfaceMesh::setLayers(const std::vector<int>& layers) {
+    const std::map<Key, Part> before = std::exchange(parts_, {});
+    tables_.clear();
+    for (const auto& [key, part] : before) {
+        unsigned int last = polygons_;
+        for (std::size_t i = 0; i < part.polygonOf.size(); ++i) {
+            const unsigned int polygon = part.polygonOf[i];
+            Key to = key;
+            if (layers[polygon] >= 0)
+                to.layer = layers[polygon];
+            Part& into = parts_[to];
+            VertexTable& table = tables_[to];
+            into.polygonOf.push_back(polygon);
+            std::array<osg::Vec3d, 3> places;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::size_t vertex = part.triangles[3 * i + k];
+                PolygonCorner corner;
+                corner.position = places[k] = part.vertices[vertex];
+                corner.normal = part.normals[vertex];
+                corner.colour = part.colours[vertex];
+                into.triangles.push_back(table.index(into, corner));
+            }
+            into.area_m2 += 0.5 * ((places[1] - places[0]) ^ (places[2] - places[0])).length();
+            into.polygons += polygon != std::exchange(last, polygon);
+        }
+    }
+}
+
+osg::ref_ptr<osg::Geometry> SurfaceMesh::drawable(const Key& key, const Part& part) {
+    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    geometry->setDataVariance(osg::Object::STATIC);
+    geometry->setUseDisplayList(false);
+    geometry->setUseVertexBufferObjects(true);
+    geometry->setVertexArray(perVertex<osg::Vec3Array>(part.vertices));
+    geometry->setNormalArray(perVertex<osg::Vec3Array>(part.normals));
+    geometry->setColorArray(perVertex<osg::Vec4Array>(part.colours));
+    geometry->addPrimitiveSet(
+        new osg::DrawElementsUInt(GL_TRIANGLES, part.triangles.begin(), part.triangles.end()));
+
+    auto* state = geometry->getOrCreateStateSet();
+    state->setDataVariance(osg::Object::STATIC);
+    if (key.culled)
+        state->setAttributeAndModes(new osg::CullFace(osg::CullFace::BACK));
+    else
+        state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
+    if (key.layer > 0) {
+        const auto layer = static_cast<float>(-key.layer);
+        state->setAttributeAndModes(new osg::PolygonOffset(layer, layer));
+    }
+    setCodes(*geometry, key.codes);
+    return geometry;
+}
+
+} // namespace irsg

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+
+#include "irsg/geometry/reading/OpenableFiles.h"
+
+namespace irsg {
+
+/// The bytes that a process handed over.
+class ReaderAnswer {
+  public:
+    explicit ReaderAnswer(std::size_t size)
+        : bytes_(std::make_unique_for_overwrite<char[]>(size)), size_(size) {}
+    char* data() { return bytes_.get(); }
+    std::string_view bytes() const { return {bytes_.get(), size_}; }
+
+  private:
+    std::unique_ptr<char[]> bytes_;
+    std::size_t size_;
+};
+
+/// A process of its own in which OpenSceneGraph reads what others made: with little memory and
+/// time, and without the means to write a file, to open a connection or to start a program. It is
+/// started by the first question and ends with this object; one that crashes or takes too long is
+/// ended, and the next question starts another.
+class ReaderProcess {
+  public:
+    ReaderProcess();
+    ~ReaderProcess();
+    ReaderProcess(const ReaderProcess&) = delete;
+    ReaderProcess& operator=(const ReaderProcess&) = delete;
+
+    /// What the process makes of a model or a picture, as ReaderService writes it. With `name` the
+    /// bytes of `file` are read as those of a file of that name. Throws InputError, naming it,
+    /// where the process refuses, crashes, or needs more than ReadingLimits.
+    ReaderAnswer read(FileKind kind, const std::filesystem::path& file,
+                      const std::filesystem::path& name = {});
+    /// Nothing more will be asked: it ends while its answer is made use of.
+    void dismiss();
+
+  private:
+    class Child;
+    std::unique_ptr<Child> child_;
+};
+
+} // namespace irsg

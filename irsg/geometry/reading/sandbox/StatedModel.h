@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "irsg/geometry/reading/FileAxes.h"
+
+namespace irsg {
+
+/// What a file says of itself, read without the library that reads its geometry: what that gives is
+/// held against it.
+struct StatedModel {
+    FileAxes axes;
+    /// Polygons of three corners or more with every copy that is placed.
+    std::optional<double> placedPolygons;
+    /// Corners of polygons, each mesh once however often it is placed.
+    std::optional<std::uint64_t> corners;
+    std::vector<std::string> remarks; ///< what the file has and places nowhere
+};
+
+/// Of .fbx, as text or binary. Throws InputError for records that are longer than what is left, a
+/// list without its end, brackets that stay open and a version that is not read.
+StatedModel readFbxFile(const std::filesystem::path& place, const std::filesystem::path& file);
+
+/// Of .dae. Throws InputError for a text that is no whole XML, lists of polygons that are shorter
+/// than they say, references to what is not there and nodes in a circle.
+StatedModel readColladaFile(const std::filesystem::path& place, const std::filesystem::path& file);
+
+} // namespace irsg

@@ -1,0 +1,201 @@
+#include "irsg/geometry/reading/sandbox/WholeFile.h"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReading.h"
+#include "irsg/core/Wording.h"
+#include "irsg/geometry/reading/OpenableFiles.h"
+
+namespace irsg {
+
+namespace {
+
+struct Shortage {
+    std::size_t at = 0; ///< byte; lines are counted where the file is a text
+    std::string value, expected;
+};
+
+[[noreturn]] void refuse(std::size_t at, std::string value, std::string expected) {
+    throw Shortage{at, std::move(value), std::move(expected)};
+}
+
+/// Texts in quotation marks may hold brackets.
+void checkBrackets(std::string_view text) {
+    long open = 0;
+    std::size_t last = 0;
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i)
+        if (quoted && text[i] == '\\')
+            ++i;
+        else if (text[i] == '"')
+            quoted = !quoted;
+        else if (!quoted && text[i] == '{')
+            ++open, last = i;
+        else if (!quoted && text[i] == '}' && --open < 0)
+            refuse(i, "a bracket \"}\" that nothing opened", "as many \"{\" before it");
+    if (quoted)
+        refuse(text.size(), "the end of the file in a text in quotation marks", "its end");
+    if (open > 0)
+        refuse(last,
+               "the end of the file before " + std::to_string(open) + " brackets \"{\" are closed",
+               "a whole file");
+}
+
+void checkTags(std::string_view text) {
+    const auto end = text.find_last_not_of(" \t\r\n");
+    const auto begin = end == text.npos ? text.npos : text.rfind('<', end);
+    if (begin == text.npos || text[end] != '>' || text.substr(begin, 2) != "</")
+        refuse(text.size(), "the end of the file before its outermost tag is closed",
+               "a whole file");
+}
+
+std::size_t number(std::string_view bytes, std::size_t at, bool bigEndian) {
+    std::size_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto byte = static_cast<unsigned char>(bytes[at + (bigEndian ? i : 3 - i)]);
+        value = value << 8 | byte;
+    }
+    return value;
+}
+
+/// Chunks of 3D Studio: two bytes of kind, four of length with all that is in it. Those that hold
+/// others stand in two levels, so that more of them are no model but a way to run out of stack.
+void checkChunks(std::string_view bytes, std::size_t begin, std::size_t end, int levels = 8) {
+    if (levels == 0 && begin < end)
+        refuse(begin, "a chunk in 8 others", "chunks in at most 7 others");
+    for (std::size_t at = begin; at < end;) {
+        if (end - at < 6)
+            refuse(at, "a chunk of " + std::to_string(end - at) + " bytes", "6 bytes or more");
+        const std::size_t kind = static_cast<unsigned char>(bytes[at]) |
+                                 static_cast<unsigned>(static_cast<unsigned char>(bytes[at + 1]))
+                                     << 8;
+        const std::size_t length = number(bytes, at + 2, false);
+        if (length < 6 || length > end - at)
+            refuse(at, "a chunk of " + std::to_string(length) + " bytes",
+                   "6 to " + std::to_string(end - at) + " bytes, which are left");
+        // Those with chunks in them and nothing before.
+        if (kind == 0x4D4D || kind == 0x3D3D || kind == 0x4100)
+            checkChunks(bytes, at + 6, at + length, levels - 1);
+        at += length;
+    }
+}
+
+void checkStudio(std::string_view bytes) {
+    if (bytes.size() < 6)
+        refuse(bytes.size(), "the end of the file", "a chunk of 6 bytes or more");
+    checkChunks(bytes, 0,
+                std::min(bytes.size(), std::max<std::size_t>(6, number(bytes, 2, false))));
+    if (number(bytes, 2, false) > bytes.size())
+        refuse(2, "a file of " + std::to_string(number(bytes, 2, false)) + " bytes",
+               "at most " + std::to_string(bytes.size()) + ", which there are");
+}
+
+void checkForm(std::string_view bytes) {
+    if (bytes.size() < 12 || bytes.substr(0, 4) != "FORM")
+        refuse(0, "a file that does not begin with FORM", "a Lightwave object");
+    if (number(bytes, 4, true) + 8 > bytes.size())
+        refuse(4, "a form of " + std::to_string(number(bytes, 4, true)) + " bytes",
+               "at most " + std::to_string(bytes.size() - 8) + ", which are left");
+}
+
+void checkDrawing(std::string_view text) {
+    const auto end = text.find_last_not_of(" \t\r\n");
+    if (end == text.npos || end < 2 || text.substr(end - 2, 3) != "EOF")
+        refuse(text.size(), "the end of the file", "EOF, which ends a drawing");
+}
+
+/// Objects with so many others in them, lines of vertices and of corners, surfaces: as many of each
+/// as an AC3D file says.
+void checkObjects(std::string_view text) {
+    double objects = 1.0, surfaces = 0.0;
+    long open = 0; ///< objects whose last line, "kids", has not come
+    std::size_t at = 0, lastCount = 0;
+    const auto line = [&] {
+        const std::size_t begin = at;
+        at = std::min(text.find('\n', at), text.size() - 1) + 1;
+        return text.substr(begin, at - begin);
+    };
+    while (at < text.size()) {
+        const std::size_t begin = at;
+        const std::string_view whole = line();
+        const auto space = whole.find(' ');
+        const std::string_view word = whole.substr(0, std::min(space, whole.find_first_of("\r\n")));
+        std::string_view rest = space == whole.npos ? "" : whole.substr(space);
+        rest = rest.substr(std::min(rest.find_first_not_of(' '), rest.size()));
+        rest = rest.substr(0, rest.find_first_of(" \t\r\n"));
+        const double count = parseNumber(rest).value_or(0.0);
+        if (word == "OBJECT") {
+            objects -= 1.0;
+            ++open;
+            lastCount = begin;
+        } else if (word == "SURF") {
+            surfaces -= 1.0;
+        } else if (word == "kids" || word == "numsurf") {
+            (word == "kids" ? objects : surfaces) += count;
+            open -= word == "kids";
+            lastCount = begin;
+        } else if (word == "data") {
+            at = count < static_cast<double>(text.size() - at)
+                     ? at + static_cast<std::size_t>(std::max(count, 0.0))
+                     : text.size();
+        } else if (word == "numvert" || word == "refs") {
+            double found = 0.0;
+            while (found < count && at < text.size()) {
+                line();
+                ++found;
+            }
+            if (found < count || (count > 0.0 && text.back() != '\n' && at >= text.size()))
+                refuse(begin, "the end of the file within " + numberText(count) + " lines",
+                       "all of them");
+        }
+    }
+    if (surfaces > 0.0 || objects > 0.0 || open > 0)
+        refuse(lastCount,
+               "the end of the file before " + (surfaces > 0.0  ? numberText(surfaces) + " surfaces"
+                                                : objects > 0.0 ? numberText(objects) + " objects"
+                                                                : "the end of an object"),
+               "a whole file");
+}
+
+struct Check {
+    const char* extension;
+    void (*check)(std::string_view);
+    bool isText;
+};
+
+constexpr Check checks[] = {
+    {".osg", checkBrackets, true}, {".osgt", checkBrackets, true}, {".x", checkBrackets, true},
+    {".osgx", checkTags, true},    {".3ds", checkStudio, false},   {".lwo", checkForm, false},
+    {".dxf", checkDrawing, true},  {".ac", checkObjects, true},
+};
+
+} // namespace
+
+void checkWhole(const std::filesystem::path& place, const std::filesystem::path& file) {
+    const std::string extension = lowerCase(file.extension().string());
+    const auto* check = std::ranges::find_if(
+        checks, [&](const Check& known) { return extension == known.extension; });
+    if (check == std::end(checks))
+        return;
+    const std::string bytes = readFile(place, largestModel_B);
+    // Binary files of some kinds have the extension of text.
+    if (check->isText && bytes.substr(0, 256).find('\0') != bytes.npos)
+        return;
+    try {
+        check->check(bytes);
+    } catch (const Shortage& shortage) {
+        const std::size_t at = std::min(shortage.at, bytes.size());
+        const auto lines =
+            1 + std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+        throw InputError(
+            {file.string(),
+             check->isText ? "line " + std::to_string(lines) : "byte " + std::to_string(at),
+             shortage.value, shortage.expected});
+    }
+}
+
+} // namespace irsg

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cmath>
+
+#include "irsg/geometry/view/Sensor.h"
+
+namespace irsg {
+
+/// Solid angles of pixels and cosines off the axis: what many pixels share is computed once.
+class PixelGrid {
+  public:
+    PixelGrid() = default;
+    explicit PixelGrid(const Sensor& sensor)
+        : pitch_(sensor.pixelPitch()),
+          centreX_(0.5 * sensor.width_px - 0.5),
+          centreY_(0.5 * sensor.height_px - 0.5),
+          width_(sensor.width_px),
+          height_(sensor.height_px) {}
+
+    struct Pixel {
+        double solidAngle_sr = 0.0;
+        double cosOffAxis = 0.0;
+    };
+    Pixel at(int x, int y) const {
+        const double u = (x - centreX_) * pitch_, v = (y - centreY_) * pitch_;
+        const double cosine = 1.0 / std::sqrt(1.0 + u * u + v * v);
+        return {pitch_ * pitch_ * cosine * cosine * cosine, cosine};
+    }
+
+    /// Sum of solid angle times cosine over all pixels, sr.
+    double projectedSolidAngle_sr() const {
+        double sum = 0.0;
+        for (int y = 0; y < height_; ++y)
+            for (int x = 0; x < width_; ++x) {
+                const Pixel pixel = at(x, y);
+                sum += pixel.solidAngle_sr * pixel.cosOffAxis;
+            }
+        return sum;
+    }
+
+  private:
+    double pitch_ = 0.0, centreX_ = 0.0, centreY_ = 0.0;
+    int width_ = 0, height_ = 0;
+};
+
+} // namespace irsg

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "irsg/radiance/SceneRadiometry.h"
+
+namespace irsg {
+
+/// True for each drawn row of a scene that shines out of its object in any of the bands: its
+/// in-band thermal radiance at the sensor is at least `hotFrom` times the mean of the object's
+/// area, and it holds at least `shareFrom` of what that area emits. An exhaust pipe is one, skin in
+/// the sun is not. The samples of a window that holds the whole object are too far apart for such
+/// surfaces where they are small.
+std::vector<bool> hotSurfaces(const SceneRadiometry& radiometry,
+                              const std::vector<Entity>& entities);
+inline constexpr double hotFrom = 4.0;
+inline constexpr double shareFrom = 0.01;
+
+} // namespace irsg

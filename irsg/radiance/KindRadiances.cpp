@@ -1,0 +1,348 @@
+#include "irsg/radiance/KindRadiances.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "irsg/core/Errors.h"
+#include "irsg/core/ParallelFor.h"
+#include "irsg/radiance/NodeBlocks.h"
+#include "irsg/radiometry/SumsOfProducts.h"
+
+namespace irsg {
+
+namespace {
+
+/// Pieces that kinds are divided into.
+constexpr std::size_t combineParts = 8;
+
+double sumOf(const double* a, std::size_t count) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+        sum += a[i];
+    return sum;
+}
+
+/// A place of a table that grows as it is asked.
+template <typename Entry>
+Entry& at(std::vector<std::vector<Entry>>& table, int front, int row, std::size_t rows) {
+    const auto number = static_cast<std::size_t>(front);
+    if (number >= table.size())
+        table.resize(number + 1);
+    if (table[number].empty())
+        table[number].resize(rows);
+    return table[number][static_cast<std::size_t>(row)];
+}
+
+} // namespace
+
+KindRadiances::KindRadiances(const SceneRadiometry& radiometry, const Fronts& fronts)
+    : radiometry_(radiometry),
+      fronts_(fronts),
+      outputs_(radiometry.outputs().size()),
+      factorCount_(radiometry.terms().factorCount()) {
+    for (const auto& [first, last] : radiometry.outputs())
+        area_um_.push_back(sumOf(&radiometry.weights_um()[first], last - first));
+    for (std::size_t drawn = 0; drawn < radiometry.surfaces().size(); ++drawn)
+        termGroups_.push_back(termGroupsOf(static_cast<int>(drawn)));
+    setBackground(
+        std::make_shared<const std::vector<double>>(radiometry.wavelengths_um().size(), 0.0));
+}
+
+void KindRadiances::setBackground(SharedValues background) {
+    if (areEqual(background, background_)) {
+        background_ = std::move(background);
+        return;
+    }
+    background_ = std::move(background);
+    inBand_.clear();
+    for (std::size_t output = 0; output < outputs_; ++output)
+        inBand_.push_back(radiometry_.integrate(*background_, output));
+    for (std::vector<HiddenPlace>& ofFront : hiddenPlaces_)
+        for (HiddenPlace& place : ofFront)
+            place.isKnown = false;
+}
+
+void KindRadiances::turn(const std::vector<int>& drawn) {
+    for (std::vector<Place>& ofFront : places_)
+        for (const int one : drawn)
+            for (int row = radiometry_.rows().first(one);
+                 row < radiometry_.rows().first(one + 1) && !ofFront.empty(); ++row)
+                ofFront[static_cast<std::size_t>(row)].isCombined = false;
+}
+
+std::vector<KindRadiances::TermGroup> KindRadiances::termGroupsOf(int drawn) const {
+    const SurfaceSpectra& surface = radiometry_.surfaces()[static_cast<std::size_t>(drawn)];
+    const AirSamples& air = radiometry_.air(radiometry_.rows().first(drawn));
+    std::vector<TermGroup> groups;
+    const auto add = [&](std::size_t term, double sign, TermGroup group) {
+        auto known = std::ranges::find_if(groups, [&](const TermGroup& other) {
+            return other.slot == group.slot && other.part == group.part &&
+                   other.passesAir == group.passesAir && other.pathLight == group.pathLight;
+        });
+        if (known == groups.end())
+            known = groups.insert(groups.end(), std::move(group));
+        known->terms.emplace_back(term, sign);
+    };
+    for (std::size_t k = 0; k < radiometry_.terms().terms.size(); ++k) {
+        const RadianceTerm& term = radiometry_.terms().terms[k];
+        if ((term.light && !air.light[k]) || surface.isWithout(term.surface))
+            continue;
+        const bool isEmission = term.surface == SurfaceQuantity::emission;
+        TermGroup group;
+        group.passesAir = term.passesAir || (isEmission && surface.emissionPassesAir);
+        if (term.light && irsg::geometryOf(*term.light) == QueryGeometry::path)
+            group.pathLight = static_cast<int>(k);
+        const auto parts = static_cast<int>(surface.emission.size());
+        for (int part = isEmission ? 0 : -1; part < (isEmission ? parts : 0); ++part) {
+            group.part = part;
+            group.slot = factorCount_;
+            if (term.factor.drawn < 0 || term.factor.complement)
+                add(k, 1.0, group);
+            group.slot = static_cast<std::size_t>(term.factor.drawn);
+            if (term.factor.drawn >= 0)
+                add(k, term.factor.complement ? -1.0 : 1.0, group);
+        }
+    }
+    return groups;
+}
+
+KindRadiances::Place& KindRadiances::placeOf(const FactorKind& kind) {
+    return at(places_, kind.front, kind.row, static_cast<std::size_t>(radiometry_.rows().size()));
+}
+
+KindRadiances::HiddenPlace& KindRadiances::hiddenPlaceOf(int front, int drawn) {
+    return at(hiddenPlaces_, front, drawn, termGroups_.size());
+}
+
+std::vector<double> KindRadiances::passed(int front,
+                                          std::pair<std::size_t, std::size_t> nodes) const {
+    const auto& [first, last] = nodes;
+    std::vector<double> product(last - first);
+    radiometry_.fillPassed(fronts_.materials(front), first, product.size(), product.data());
+    return product;
+}
+
+std::map<std::pair<int, int>, KindRadiances::Work>
+KindRadiances::plan(const std::vector<FactorKind>& kinds) {
+    std::map<std::pair<int, int>, Work> all;
+    for (const FactorKind& kind : kinds) {
+        const int drawn = radiometry_.rows().drawnOf(kind.row);
+        Place& place = placeOf(kind);
+        HiddenPlace& hidden = hiddenPlaceOf(kind.front, drawn);
+        if (place.isKnown && hidden.isKnown)
+            continue;
+        Work& work = all[{kind.front, drawn}];
+        if (!place.isKnown) {
+            place.groupSums = groupSums_.size();
+            groupSums_.resize(groupSums_.size() +
+                              outputs_ * termGroups_[static_cast<std::size_t>(drawn)].size());
+            place.sent = sent_.size();
+            sent_.resize(sent_.size() + outputs_ * valuesOfKind());
+            work.rows.push_back(kind.row);
+        }
+        if (!hidden.isKnown) {
+            if (!hidden.hasRoom) {
+                hidden.at = hidden_.size();
+                hidden_.resize(hidden_.size() + 2 * outputs_);
+            }
+            work.hidden = true;
+        }
+        place.isKnown = hidden.isKnown = hidden.hasRoom = true;
+    }
+    return all;
+}
+
+void KindRadiances::prepare(const std::vector<FactorKind>& kinds) {
+    const std::map<std::pair<int, int>, Work> wanted = plan(kinds);
+    std::vector<std::pair<int, std::vector<double>>> through; // by front
+    std::vector<std::pair<std::size_t, const std::pair<const std::pair<int, int>, Work>*>> all;
+    for (const auto& one : wanted) {
+        if (through.empty() || through.back().first != one.first.first)
+            through.emplace_back(one.first.first, std::vector<double>());
+        all.emplace_back(through.size() - 1, &one);
+    }
+    parallelFor(through.size(), [&](std::size_t i) {
+        through[i].second = passed(through[i].first, {0, radiometry_.weights_um().size()});
+    });
+    parallelFor(all.size(), [&](std::size_t i) {
+        const auto& [surface, work] = *all[i].second;
+        evaluate(surface.first, surface.second, work, through[all[i].first].second);
+    });
+    std::vector<FactorKind> changed;
+    for (const FactorKind& kind : kinds)
+        if (!std::exchange(placeOf(kind).isCombined, true))
+            changed.push_back(kind);
+    parallelFor(combineParts, [&](std::size_t part) {
+        for (std::size_t i = beginOfPart(part, combineParts, changed.size());
+             i < beginOfPart(part + 1, combineParts, changed.size()); ++i)
+            combine(changed[i]);
+    });
+}
+
+void KindRadiances::evaluate(int front, int drawn, const Work& work,
+                             const std::vector<double>& passed) {
+    if (work.hidden)
+        evaluateHidden(drawn, passed, &hidden_[hiddenPlaceOf(front, drawn).at]);
+    if (work.rows.empty())
+        return;
+    const std::size_t groups = termGroups_[static_cast<std::size_t>(drawn)].size();
+    std::vector<SliceBetween> about(work.rows.size());
+    std::vector<int> taken; // rows that are summed for them, ascending
+    std::vector<double> sums;
+    for (std::size_t output = 0; output < outputs_; ++output) {
+        taken.clear();
+        for (std::size_t r = 0; r < work.rows.size(); ++r) {
+            about[r] = radiometry_.rowsAbout(work.rows[r], output);
+            taken.push_back(about[r].below);
+            taken.push_back(about[r].above);
+        }
+        std::ranges::sort(taken);
+        taken.erase(std::ranges::unique(taken).begin(), taken.end());
+        const auto& [first, last] = radiometry_.outputs()[output];
+        sums.assign(taken.size() * groups, 0.0);
+        for (std::size_t begin = first; begin < last; begin += nodesOfBlock)
+            addBlock(drawn, taken, passed, begin, std::min(nodesOfBlock, last - begin), sums);
+        const auto sumsOf = [&](int row) {
+            return &sums[static_cast<std::size_t>(std::ranges::lower_bound(taken, row) -
+                                                  taken.begin()) *
+                         groups];
+        };
+        for (std::size_t r = 0; r < work.rows.size(); ++r) {
+            const double *below = sumsOf(about[r].below), *above = sumsOf(about[r].above);
+            double* const own =
+                &groupSums_[placeOf({front, work.rows[r]}).groupSums + output * groups];
+            for (std::size_t s = 0; s < groups; ++s)
+                own[s] = std::lerp(below[s], above[s], about[r].part);
+        }
+    }
+}
+
+void KindRadiances::addBlock(int drawn, const std::vector<int>& rows,
+                             const std::vector<double>& passed, std::size_t begin,
+                             std::size_t count, std::vector<double>& sums) const {
+    double values[nodesOfBlock], through[nodesOfBlock];
+    const std::vector<TermGroup>& groups = termGroups_[static_cast<std::size_t>(drawn)];
+    for (std::size_t s = 0; s < groups.size(); ++s) {
+        const TermGroup& group = groups[s];
+        fillGroup(drawn, group, &passed[begin], begin, count, values);
+        for (std::size_t r = 0; r < rows.size(); ++r) {
+            const AirSamples& air = radiometry_.air(rows[r]);
+            const double* of = group.passesAir ? air.transmittance->data() + begin : nullptr;
+            if (group.pathLight >= 0) {
+                const double* light =
+                    air.light[static_cast<std::size_t>(group.pathLight)]->data() + begin;
+                if (of)
+                    fillProducts(of, light, count, through);
+                of = of ? through : light;
+            }
+            sums[r * groups.size() + s] +=
+                of ? sumOfProducts(values, of, count) : sumOf(values, count);
+        }
+    }
+}
+
+void KindRadiances::fillGroup(int drawn, const TermGroup& group, const double* passed,
+                              std::size_t begin, std::size_t count, double* values) const {
+    const SurfaceSpectra& surface = radiometry_.surfaces()[static_cast<std::size_t>(drawn)];
+    const AirSamples& air = radiometry_.air(radiometry_.rows().first(drawn));
+    bool isFirst = true;
+    const auto add = [&](const auto& make) {
+        if (std::exchange(isFirst, false))
+            fillBlock(values, count, make);
+        else
+            fillBlock(values, count, [&](std::size_t i) { return values[i] + make(i); });
+    };
+    for (const auto& [k, sign] : group.terms) {
+        const RadianceTerm& term = radiometry_.terms().terms[k];
+        const double* own =
+            (group.part < 0 ? surface.quantity(term.surface)
+                            : surface.emission[static_cast<std::size_t>(group.part)].radiance)
+                .data() +
+            begin;
+        const double of = sign;
+        if (term.surface == SurfaceQuantity::mirrored) {
+            const double* mirrored = surface.lobeLight->data() + begin;
+            add([=](std::size_t i) { return of * passed[i] * (own[i] * mirrored[i]); });
+        } else if (term.light && group.pathLight < 0) {
+            const double* light = air.light[k]->data() + begin;
+            add([=](std::size_t i) { return of * passed[i] * own[i] * light[i]; });
+        } else {
+            add([=](std::size_t i) { return of * passed[i] * own[i]; });
+        }
+    }
+}
+
+void KindRadiances::combine(const FactorKind& kind) {
+    const int drawn = radiometry_.rows().drawnOf(kind.row);
+    const std::vector<TermGroup>& groups = termGroups_[static_cast<std::size_t>(drawn)];
+    const std::vector<SurfaceSpectra::Emission>& emission =
+        radiometry_.surfaces()[static_cast<std::size_t>(drawn)].emission;
+    const Place& place = placeOf(kind);
+    for (std::size_t output = 0; output < outputs_; ++output) {
+        double* sent = &sent_[place.sent + output * valuesOfKind()];
+        std::fill_n(sent, valuesOfKind(), 0.0);
+        for (std::size_t s = 0; s < groups.size(); ++s)
+            sent[groups[s].slot] +=
+                groupSums_[place.groupSums + output * groups.size() + s] *
+                (groups[s].part < 0 ? 1.0
+                                    : emission[static_cast<std::size_t>(groups[s].part)].factor);
+    }
+}
+
+void KindRadiances::evaluateHidden(int drawn, const std::vector<double>& passed,
+                                   double* into) const {
+    const std::vector<double>& opacity =
+        radiometry_.surfaces()[static_cast<std::size_t>(drawn)].opacity;
+    if (opacity.empty()) { // a lobe
+        std::fill_n(into, 2 * outputs_, 0.0);
+        return;
+    }
+    for (std::size_t output = 0; output < outputs_; ++output) {
+        const auto& [first, last] = radiometry_.outputs()[output];
+        // As radiance, and as a part of the background, or of the response where there is none.
+        double hidden = 0.0, part = 0.0;
+        for (std::size_t i = first; i < last; ++i) {
+            const double stopped = passed[i] * opacity[i];
+            hidden += stopped * (*background_)[i];
+            part += stopped;
+        }
+        *into++ = hidden;
+        *into++ = inBand_[output] > 0.0 ? hidden / inBand_[output] : part / area_um_[output];
+    }
+}
+
+bool KindRadiances::isPrepared(const FactorKind& kind) const {
+    const auto front = static_cast<std::size_t>(kind.front);
+    const auto row = static_cast<std::size_t>(kind.row);
+    const auto drawn = static_cast<std::size_t>(radiometry_.rows().drawnOf(kind.row));
+    return front < places_.size() && !places_[front].empty() && places_[front][row].isCombined &&
+           hiddenPlaces_[front][drawn].isKnown;
+}
+
+KindRadiances::InOutputs KindRadiances::inOutputs(const FactorKind& kind) const {
+    if (!isPrepared(kind))
+        throw LogicError("a kind of surface was evaluated that was not prepared");
+    const auto front = static_cast<std::size_t>(kind.front);
+    const auto row = static_cast<std::size_t>(kind.row);
+    const auto drawn = static_cast<std::size_t>(radiometry_.rows().drawnOf(kind.row));
+    InOutputs found;
+    found.sent_ = &sent_[places_[front][row].sent];
+    found.hidden_ = &hidden_[hiddenPlaces_[front][drawn].at];
+    found.factorCount_ = factorCount_;
+    return found;
+}
+
+std::vector<double> KindRadiances::terms(const FactorKind& kind, std::size_t output) const {
+    const auto& [first, last] = radiometry_.outputs()[output];
+    const std::vector<double> through = passed(kind.front, {first, last});
+    std::vector<double> sums;
+    for (std::size_t k = 0; k < radiometry_.terms().terms.size(); ++k) {
+        const std::vector<double> sent = apparentTerm(
+            radiometry_.surface(kind.row), radiometry_.terms(), k, radiometry_.air(kind.row));
+        sums.push_back(sent.empty() ? 0.0
+                                    : sumOfProducts(through.data(), &sent[first], last - first));
+    }
+    return sums;
+}
+
+} // namespace irsg

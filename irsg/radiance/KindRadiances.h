@@ -1,0 +1,132 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "irsg/radiance/FactorField.h"
+#include "irsg/radiance/Fronts.h"
+#include "irsg/radiance/SceneRadiometry.h"
+
+namespace irsg {
+
+/// What one kind of surface sends through what lies before it, in one of the outputs of a sampling.
+/// A sum of factors F makes of it: constant F_coverage + sum of perFactor[f] F_f.
+struct KindRadiance {
+    std::span<const double> perFactor; ///< W m-2 sr-1 at each drawn factor of 1
+    double constant = 0.0;             ///< whatever the factors are
+    double hidden = 0.0;               ///< of the background at the field's centre, that it hides
+    double opacity = 0.0;              ///< the same as a part of that background
+};
+
+/// The only place where factors meet radiances: products of all transmissivities in front of a
+/// surface with its terms, node by node, summed over the outputs of the sampling last. In-band
+/// radiances, spectra, images and sums over objects are reductions of it. Kinds are evaluated once
+/// each, when they are first asked for; `prepare` does it for many of them, on all cores.
+///
+/// A kind is a set of sums over nodes, one for each group of terms: weight times what lies in front
+/// times what the surface makes of light, times the air of the row. The first three are one vector
+/// for all rows of a surface. Each part of the emission has groups of its own, so that factors of
+/// measured spectra change without a sum over nodes.
+class KindRadiances {
+  public:
+    /// `radiometry` and `fronts` must live as long; `fronts` may grow.
+    KindRadiances(const SceneRadiometry& radiometry, const Fronts& fronts);
+
+    /// Spectral radiance behind the objects at the field's centre, by node; 0 at first. Another one
+    /// leaves what surfaces send as it is.
+    void setBackground(SharedValues background);
+    /// Tells of drawn rows whose factors of emission have become others.
+    void turn(const std::vector<int>& drawn);
+    /// Of the background in an output, W m-2 sr-1.
+    double background_W_m2_sr(std::size_t output = 0) const { return inBand_[output]; }
+
+    std::size_t outputs() const { return outputs_; }
+    std::size_t factorCount() const { return factorCount_; }
+
+    void prepare(const std::vector<FactorKind>& kinds);
+    bool isPrepared(const FactorKind& kind) const;
+    /// LogicError for a kind that was not prepared.
+    KindRadiance of(const FactorKind& kind, std::size_t output = 0) const {
+        return inOutputs(kind).at(output);
+    }
+
+    /// A kind in all outputs, found once; valid until the next `prepare`.
+    class InOutputs {
+      public:
+        KindRadiance at(std::size_t output) const {
+            const double* sent = sent_ + output * (factorCount_ + 1);
+            const double* hidden = hidden_ + 2 * output;
+            return {{sent, factorCount_}, sent[factorCount_], hidden[0], hidden[1]};
+        }
+
+      private:
+        friend class KindRadiances;
+        const double *sent_ = nullptr, *hidden_ = nullptr;
+        std::size_t factorCount_ = 0;
+    };
+    InOutputs inOutputs(const FactorKind& kind) const;
+
+    /// In an output: one value for each term at factor 1 (truth layers).
+    std::vector<double> terms(const FactorKind& kind, std::size_t output = 0) const;
+    /// By node, first and before last: weight times what the materials in front let through.
+    std::vector<double> passed(int front, std::pair<std::size_t, std::size_t> nodes) const;
+
+  private:
+    /// Terms of the radiance that one sum over nodes serves: they share their drawn factor, their
+    /// part of the emission and the air that they pass.
+    struct TermGroup {
+        std::size_t slot = 0;   ///< a drawn factor, or behind them for what has none
+        int part = -1;          ///< of the emission; none
+        bool passesAir = false; ///< multiplied with the transmittance of the row
+        int pathLight = -1;     ///< with the light of this term, where it differs between rows
+        std::vector<std::pair<std::size_t, double>> terms; ///< that it sums, and their signs
+    };
+    /// Where a kind's numbers lie, output by output.
+    struct Place {
+        bool isKnown = false, isCombined = false;
+        std::size_t groupSums = 0, sent = 0;
+    };
+    /// The same for what is the same in all rows of a surface.
+    struct HiddenPlace {
+        bool isKnown = false, hasRoom = false;
+        std::size_t at = 0;
+    };
+    /// What is to be evaluated of a surface behind a front.
+    struct Work {
+        std::vector<int> rows;
+        bool hidden = false;
+    };
+
+    /// Per factor, then constant.
+    std::size_t valuesOfKind() const { return factorCount_ + 1; }
+    std::vector<TermGroup> termGroupsOf(int drawn) const;
+    HiddenPlace& hiddenPlaceOf(int front, int drawn);
+    /// Gives new kinds their places, and lists what they need, by front and drawn row.
+    std::map<std::pair<int, int>, Work> plan(const std::vector<FactorKind>& kinds);
+    void evaluate(int front, int drawn, const Work& work, const std::vector<double>& passed);
+    /// Adds a block of nodes to the sums of rows of a surface, group by group.
+    void addBlock(int drawn, const std::vector<int>& rows, const std::vector<double>& passed,
+                  std::size_t begin, std::size_t count, std::vector<double>& sums) const;
+    void fillGroup(int drawn, const TermGroup& group, const double* passed, std::size_t begin,
+                   std::size_t count, double* values) const;
+    void evaluateHidden(int drawn, const std::vector<double>& passed, double* into) const;
+    void combine(const FactorKind& kind);
+    Place& placeOf(const FactorKind& kind);
+
+    const SceneRadiometry& radiometry_;
+    const Fronts& fronts_;
+    std::size_t outputs_, factorCount_;
+    std::vector<std::vector<TermGroup>> termGroups_;     // by drawn row
+    SharedValues background_;                            // by node
+    std::vector<double> inBand_, area_um_;               // by output
+    std::vector<std::vector<Place>> places_;             // [front][row]
+    std::vector<std::vector<HiddenPlace>> hiddenPlaces_; // [front][drawn row]
+    /// Sums of groups of terms; what their sum sends; of the background its in-band radiance and
+    /// part.
+    std::vector<double> groupSums_, sent_, hidden_;
+};
+
+} // namespace irsg

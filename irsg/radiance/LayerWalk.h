@@ -1,0 +1,229 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "irsg/radiance/FactorField.h"
+#include "irsg/radiance/Fronts.h"
+#include "irsg/radiance/SurfaceRows.h"
+#include "irsg/render/sampling/Samples.h"
+
+namespace irsg {
+
+/// Goes through the layers of samples from front to back and knows what lies before each. One for
+/// each thread: its numbers of fronts are its own.
+class LayerWalk {
+  public:
+    explicit LayerWalk(const SurfaceRows& rows) : rows_(rows), drawn_(rows.keys().size()) {}
+
+    const Fronts& fronts() const { return fronts_; }
+
+    /// Calls visit(front, between, layer) for every layer of a sample, front to back. Light that a
+    /// layer gets through something comes after it, as if that stood before the layer, too, and
+    /// with no coverage: what materials let through is multiplied, wherever they stand. Lobes of
+    /// directional surfaces come after their layer in the same way, place by place of what they
+    /// mirror.
+    template <typename Visit>
+    void forEachPlace(const FactorSamples& samples, std::size_t sample, const Visit& visit) {
+        forEachPlace(
+            samples, sample, visit,
+            [&](int front, const FactorSamples::Layer& layer, const FactorSamples::Mirror& mirror) {
+                forEachShare(samples, mirror, [&](std::size_t place, float coverage) {
+                    const int row = mirror.row + static_cast<int>(place);
+                    visit(front, rows_.at(row, layer.distance_m),
+                          FactorSamples::Layer{row,
+                                               layer.distance_m,
+                                               {noFactors.data(), layer.factors.size()},
+                                               coverage,
+                                               nullptr,
+                                               true});
+                });
+            });
+    }
+    /// The same, with visitMirror(front, layer, mirror) for what lobes mirror.
+    template <typename Visit, typename VisitMirror>
+    void forEachPlace(const FactorSamples& samples, std::size_t sample, const Visit& visit,
+                      const VisitMirror& visitMirror) {
+        if (samples.through.empty() && samples.lobes.empty() && samples.mirrors.empty())
+            return forEachLayerAlone(samples, sample, visit);
+        int front = 0;
+        OfLayers<FactorSamples::Through> light(samples.through, sample, lightFrom_);
+        OfLayers<FactorSamples::Lobe> lobes(samples.lobes, sample, lobesFrom_);
+        OfLayers<FactorSamples::Mirror> mirrors(samples.mirrors, sample, mirrorsFrom_);
+        samples.forEachLayer(sample, [&](const FactorSamples::Layer& layer) {
+            const SurfaceRows::Between between = rows_.at(layer.row, layer.distance_m);
+            visit(front, between, layer);
+            const auto throughOf = [&](const FactorSamples::Layer& of,
+                                       const SurfaceRows::Between& at, double scale) {
+                light.ofThisLayer([&](const FactorSamples::Through& one) {
+                    visit(behindSet(front, samples.throughSets[one.set]), at,
+                          lightAlone(of, one, static_cast<float>(scale)));
+                });
+            };
+            throughOf(layer, between, 1.0);
+            lobes.ofThisLayer([&](const FactorSamples::Lobe& one) {
+                const FactorSamples::Layer lobe = lobeOf(samples, layer, one);
+                const SurfaceRows::Between at = rows_.at(lobe.row, lobe.distance_m);
+                visit(front, at, lobe);
+                if (one.sun != 0.0f)
+                    throughOf(lobe, at, static_cast<double>(one.sun));
+            });
+            mirrors.ofThisLayer(
+                [&](const FactorSamples::Mirror& one) { visitMirror(front, layer, one); });
+            light.goOn();
+            lobes.goOn();
+            mirrors.goOn();
+            if (rows_.isTransparent(layer.row))
+                front = behind(front, layer.row);
+        });
+    }
+    /// Calls visit(kind, weight, layer) for every layer of a sample, front to back; twice for one
+    /// between two nodes of its entity's slices.
+    template <typename Visit>
+    void forEachLayer(const FactorSamples& samples, std::size_t sample, const Visit& visit) {
+        forEachPlace(samples, sample, byRows(visit));
+    }
+    /// The same, with visitMirror(front, layer, mirror) for what lobes mirror.
+    template <typename Visit, typename VisitMirror>
+    void forEachLayer(const FactorSamples& samples, std::size_t sample, const Visit& visit,
+                      const VisitMirror& visitMirror) {
+        forEachPlace(samples, sample, byRows(visit), visitMirror);
+    }
+
+    /// Calls visit(place, coverage) for the places of what a lobe mirrors, by component.
+    template <typename Visit>
+    static void forEachShare(const FactorSamples& samples, const FactorSamples::Mirror& mirror,
+                             Visit visit) {
+        const MirrorTable& table = *samples.mirrorTables[mirror.table];
+        const float* const nodes[] = {table.of(mirror.nodes[0]), table.of(mirror.nodes[1]),
+                                      table.of(mirror.nodes[2])};
+        for (std::size_t k = 0; k < table.components; ++k)
+            for (std::size_t i = k * table.places; i < (k + 1) * table.places; ++i) {
+                const float share = mirror.weights[0] * nodes[0][i] +
+                                    mirror.weights[1] * nodes[1][i] +
+                                    mirror.weights[2] * nodes[2][i];
+                if (share != 0.0f)
+                    visit(i, samples.mirrorScales[mirror.scales + k] * share);
+            }
+    }
+
+  private:
+    static constexpr std::array<float, mostFactors> noFactors{};
+
+    /// Of samples that nothing of the light belongs to.
+    template <typename Visit>
+    [[gnu::always_inline]] void forEachLayerAlone(const FactorSamples& samples, std::size_t sample,
+                                                  const Visit& visit) {
+        int front = 0;
+        samples.forEachLayer(
+            sample, [&](const FactorSamples::Layer& layer) __attribute__((always_inline)) {
+                visit(front, rows_.at(layer.row, layer.distance_m), layer);
+                if (rows_.isTransparent(layer.row))
+                    front = behind(front, layer.row);
+            });
+    }
+
+    template <typename Visit>
+    auto byRows(const Visit& visit) const {
+        return [ this, &visit ](int front, const SurfaceRows::Between& between,
+                                const FactorSamples::Layer& layer) __attribute__((always_inline)) {
+            visit(FactorKind{front, between.row}, 1.0f - between.next, layer);
+            if (rows_.isSliced(layer.row))
+                visit(FactorKind{front, between.row + 1}, between.next, layer);
+        };
+    }
+
+    /// What a list has of a sample's layers, one layer after the other.
+    template <typename One>
+    class OfLayers {
+      public:
+        /// `from`: where those of the sample before it ended, as a rule; where its own end from now
+        /// on.
+        OfLayers(const std::vector<One>& all, std::size_t sample, std::size_t& from) {
+            if (all.empty())
+                return;
+            end_ = all.data() + all.size();
+            sample_ = sample;
+            const auto isBefore = [](const One& one, std::size_t number) {
+                return one.sample < number;
+            };
+            const bool isThere = from <= all.size() &&
+                                 (from == 0 || isBefore(all[from - 1], sample)) &&
+                                 (from == all.size() || !isBefore(all[from], sample));
+            next_ =
+                isThere ? all.data() + from : std::lower_bound(all.data(), end_, sample, isBefore);
+            const One* last = next_;
+            while (last != end_ && last->sample == sample_)
+                ++last;
+            from = static_cast<std::size_t>(last - all.data());
+        }
+        template <typename Visit>
+        void ofThisLayer(const Visit& visit) const {
+            for (const One* one = next_;
+                 one != end_ && one->sample == sample_ && one->layer == layer_; ++one)
+                visit(*one);
+        }
+        void goOn() {
+            while (next_ != end_ && next_->sample == sample_ && next_->layer == layer_)
+                ++next_;
+            ++layer_;
+        }
+
+      private:
+        const One *next_ = nullptr, *end_ = nullptr;
+        std::size_t sample_ = 0;
+        std::uint32_t layer_ = 0;
+    };
+
+    FactorSamples::Layer lightAlone(const FactorSamples::Layer& layer,
+                                    const FactorSamples::Through& light, float scale) {
+        light_.fill(0.0f);
+        light_[light.factor] = scale * light.value;
+        return {layer.row, layer.distance_m, {light_.data(), layer.factors.size()},
+                0.0f,      nullptr,          layer.isLobe};
+    }
+    FactorSamples::Layer lobeOf(const FactorSamples& samples, const FactorSamples::Layer& layer,
+                                const FactorSamples::Lobe& lobe) {
+        for (std::size_t f = 0; f < layer.factors.size(); ++f) {
+            const LobeRole role = samples.lobeRoles[f];
+            lobe_[f] = layer.factors[f] * (role == LobeRole::emission ? lobe.emission
+                                           : role == LobeRole::sun    ? lobe.sun
+                                                                      : lobe.flux);
+        }
+        // What lobes reflect of the air is nothing of other surfaces.
+        return {lobe.row,
+                layer.distance_m,
+                {lobe_.data(), layer.factors.size()},
+                lobe.flux,
+                rows_.lobe(lobe.row).light < 0 ? layer.place : nullptr,
+                true};
+    }
+    int behindSet(int front, const std::vector<FrontMaterial>& set) {
+        for (const FrontMaterial& material : set)
+            front = fronts_.behind(front, material);
+        return front;
+    }
+    [[gnu::always_inline]] int behind(int front, int drawn) {
+        const std::size_t place =
+            static_cast<std::size_t>(front) * drawn_ + static_cast<std::size_t>(drawn);
+        return place < next_.size() && next_[place] >= 0 ? next_[place]
+                                                         : newBehind(place, front, drawn);
+    }
+    [[gnu::noinline]] int newBehind(std::size_t place, int front, int drawn) {
+        if (place >= next_.size())
+            next_.resize((static_cast<std::size_t>(front) + 1) * drawn_, -1);
+        return next_[place] = fronts_.behind(front, rows_.material(drawn));
+    }
+
+    const SurfaceRows& rows_;
+    std::size_t drawn_; // rows of the drawing
+    Fronts fronts_;
+    std::vector<int> next_; // by front and drawn row
+    std::array<float, mostFactors> light_{}, lobe_{};
+    std::size_t lightFrom_ = 0, lobesFrom_ = 0, mirrorsFrom_ = 0;
+};
+
+} // namespace irsg

@@ -1,0 +1,78 @@
+#include "irsg/radiance/MirrorGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "irsg/radiometry/Units.h"
+
+namespace irsg {
+
+namespace {
+
+/// Angles from the horizon, degrees; the last row is straight up or down.
+constexpr double skyRows_deg[] = {0.02, 1.0, 3.0, 8.0, 20.0, 45.0};
+constexpr double groundRows_deg[] = {0.02, 0.5, 2.5, 10.0, 35.0};
+/// Angles from the sun's azimuth, degrees.
+constexpr double columns_deg[] = {0.0, 15.0, 45.0, 90.0, 180.0};
+constexpr double bend_rad = 0.02;
+
+double skyCoordinate(double above_rad) {
+    return std::log1p(std::max(above_rad, 0.0) / bend_rad);
+}
+double groundCoordinate(double below_rad) {
+    return std::log1p(std::sqrt(std::max(below_rad, 0.0) / bend_rad));
+}
+
+/// The interval of ascending nodes that holds a value, or the nearest, and how far it is in it.
+std::pair<std::size_t, double> placeIn(std::span<const double> nodes, double value) {
+    std::size_t i = 0;
+    while (i + 2 < nodes.size() && value > nodes[i + 1])
+        ++i;
+    return {i, std::clamp((value - nodes[i]) / (nodes[i + 1] - nodes[i]), 0.0, 1.0)};
+}
+
+} // namespace
+
+MirrorGrid::MirrorGrid(double horizon_rad, bool byAzimuth)
+    : horizon_rad_(horizon_rad), columns_(byAzimuth ? std::size(columns_deg) : 1) {
+    const auto addRow = [&](double elevation_rad) {
+        for (std::size_t c = 0; c < columns_; ++c)
+            places_.push_back({elevation_rad, radians(columns_deg[c])});
+    };
+    for (const double row_deg : skyRows_deg) {
+        sky_.push_back(skyCoordinate(radians(row_deg)));
+        addRow(horizon_rad + radians(row_deg));
+    }
+    sky_.push_back(skyCoordinate(0.5 * pi - horizon_rad));
+    addRow(0.5 * pi);
+    for (const double row_deg : groundRows_deg) {
+        ground_.push_back(groundCoordinate(radians(row_deg)));
+        addRow(horizon_rad - radians(row_deg));
+    }
+    ground_.push_back(groundCoordinate(0.5 * pi + horizon_rad));
+    addRow(-0.5 * pi);
+}
+
+std::array<std::pair<std::size_t, double>, 4> MirrorGrid::about(double elevation_rad,
+                                                                double fromSun_rad) const {
+    const double above_rad = elevation_rad - horizon_rad_;
+    const auto [row, down] = above_rad >= 0.0 ? placeIn(sky_, skyCoordinate(above_rad))
+                                              : placeIn(ground_, groundCoordinate(-above_rad));
+    const std::size_t first = (above_rad >= 0.0 ? row : sky_.size() + row) * columns_;
+    std::size_t column = 0, next = 0;
+    double across = 0.0;
+    if (columns_ > 1) {
+        while (column + 2 < columns_ && fromSun_rad > radians(columns_deg[column + 1]))
+            ++column;
+        next = column + 1;
+        const double low = radians(columns_deg[column]), high = radians(columns_deg[next]);
+        across = std::clamp((fromSun_rad - low) / (high - low), 0.0, 1.0);
+    }
+    return {{{first + column, (1.0 - down) * (1.0 - across)},
+             {first + next, (1.0 - down) * across},
+             {first + columns_ + column, down * (1.0 - across)},
+             {first + columns_ + next, down * across}}};
+}
+
+} // namespace irsg

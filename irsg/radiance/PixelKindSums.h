@@ -1,0 +1,125 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "irsg/geometry/view/ImageRectangle.h"
+#include "irsg/radiance/FactorField.h"
+#include "irsg/radiance/LayerWalk.h"
+#include "irsg/radiance/SurfaceRows.h"
+#include "irsg/radiance/exchange/SceneLight.h"
+
+namespace irsg {
+
+/// Sums of a part of a view's samples by pixel and kind: coverage and factors as parts of a pixel.
+/// Takes what ViewKindSums takes.
+class PixelKindSums {
+  public:
+    /// `pixels`: those of the part. `share`: a sample's part of a pixel.
+    PixelKindSums(const SurfaceRows& rows, const PixelWindow& pixels, std::size_t factorCount,
+                  const LightExchange* exchange, const ReceiverRows& receivers, double share)
+        : rows_(static_cast<std::size_t>(rows.size())),
+          surfaces_(rows),
+          pixels_(pixels),
+          factorCount_(factorCount),
+          exchange_(exchange),
+          receivers_(receivers),
+          share_(share),
+          field_(cellsOf(pixels), factorCount + 1),
+          light_(exchange ? cellsOf(pixels) : 0, 1) {}
+
+    void goTo(int x, int y, double weight) {
+        part_ = weight * share_;
+        cell_ = static_cast<std::size_t>(y - pixels_.y) * static_cast<std::size_t>(pixels_.width) +
+                static_cast<std::size_t>(x - pixels_.x);
+    }
+
+    void add(int front, const SurfaceRows::Between& between, const FactorSamples::Layer& layer) {
+        const float* factors = layer.factors.data();
+        const auto next = static_cast<double>(between.next);
+        addTo({front, between.row}, 1.0 - next, factors);
+        if (next > 0.0)
+            addTo({front, between.row + 1}, next, factors);
+        if (!layer.place || layer.place->triangle == FactorSamples::Place::none)
+            return;
+        addReceivers({front, between.row}, 1.0 - next, *layer.place);
+        if (next > 0.0)
+            addReceivers({front, between.row + 1}, next, *layer.place);
+    }
+
+    void addLight(int front, const SurfaceRows::Between& between,
+                  const FactorSamples::Layer& layer) {
+        const auto next = static_cast<double>(between.next);
+        const auto coverage = static_cast<double>(layer.coverage);
+        const auto addTo = [&](int row, double weight) {
+            this->addTo({front, row}, weight, layer.factors.data(), coverage);
+            if (layer.place && layer.place->triangle != FactorSamples::Place::none)
+                addReceivers({front, row}, weight * coverage, *layer.place);
+        };
+        addTo(between.row, 1.0 - next);
+        if (next > 0.0)
+            addTo(between.row + 1, next);
+    }
+
+    void addMirror(int front, const FactorSamples& samples, const FactorSamples::Layer& layer,
+                   const FactorSamples::Mirror& mirror) {
+        static constexpr std::array<float, mostFactors> none{};
+        LayerWalk::forEachShare(samples, mirror, [&](std::size_t place, float coverage) {
+            const SurfaceRows::Between between =
+                surfaces_.at(mirror.row + static_cast<int>(place), layer.distance_m);
+            const auto next = static_cast<double>(between.next);
+            addTo({front, between.row}, 1.0 - next, none.data(), static_cast<double>(coverage));
+            if (next > 0.0)
+                addTo({front, between.row + 1}, next, none.data(), static_cast<double>(coverage));
+        });
+    }
+    void finish() {}
+
+    const FactorField<double>& field() const { return field_; }
+    /// Of receivers of light, whose kinds are numbered by ReceiverRows.
+    const FactorField<double>& light() const { return light_; }
+    const PixelWindow& pixels() const { return pixels_; }
+
+  private:
+    static std::size_t cellsOf(const PixelWindow& pixels) {
+        return static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height);
+    }
+    void addReceivers(const FactorKind& kind, double weight, const FactorSamples::Place& at) {
+        exchange_->forEachReceiver(
+            at.triangle, at.u, at.v, [&](std::uint32_t receiver, float part) {
+                const int number = receivers_.numberOf(kind.row, exchange_->localOf(receiver));
+                *light_.at(cell_, light_.kindOf({kind.front, number})) +=
+                    weight * part_ * static_cast<double>(part);
+            });
+    }
+    void addTo(const FactorKind& kind, double weight, const float* factors, double coverage = 1.0) {
+        const std::size_t place =
+            static_cast<std::size_t>(kind.front) * rows_ + static_cast<std::size_t>(kind.row);
+        if (place >= numbers_.size())
+            numbers_.resize((static_cast<std::size_t>(kind.front) + 1) * rows_, -1);
+        int& number = numbers_[place];
+        if (number < 0)
+            number = field_.kindOf(kind);
+        double* sums = field_.at(cell_, number);
+        const double own = weight * part_;
+        sums[0] += coverage * own;
+        for (std::size_t f = 0; f < factorCount_; ++f)
+            sums[1 + f] += own * static_cast<double>(factors[f]);
+    }
+
+    std::size_t rows_;
+    const SurfaceRows& surfaces_;
+    PixelWindow pixels_;
+    std::size_t factorCount_;
+    const LightExchange* exchange_;
+    const ReceiverRows& receivers_;
+    double share_;
+    FactorField<double> field_; // float would round thousands of samples of a pixel
+    FactorField<double> light_;
+    std::vector<int> numbers_; // of the field, by front and row
+    double part_ = 0.0;
+    std::size_t cell_ = 0;
+};
+
+} // namespace irsg

@@ -1,0 +1,23 @@
+#include "irsg/radiance/PointSources.h"
+
+#include <cmath>
+
+namespace irsg {
+
+Vec3 PointSources::onGrid(const Vec3& direction, double step) {
+    const auto rounded = [step](double component) { return step * std::round(component / step); };
+    return normalized({rounded(direction.x), rounded(direction.y), rounded(direction.z)});
+}
+
+const PointFactors& PointSources::of(int entity, const PointAspect& aspect,
+                                     const std::function<PointFactors()>& draw) {
+    RecentlyUsed<Kept>& kept = kept_.try_emplace(entity, mostKept).first->second;
+    return kept
+        .of([&](const Kept& known) { return known.aspect == aspect; },
+            [&] {
+                return Kept{aspect, draw()};
+            })
+        .factors;
+}
+
+} // namespace irsg

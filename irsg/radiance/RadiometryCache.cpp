@@ -1,0 +1,89 @@
+#include "irsg/radiance/RadiometryCache.h"
+
+#include <algorithm>
+
+namespace irsg {
+
+namespace {
+
+/// The same nodes and the same air on the way to the objects: of one sampled scene, or of two that
+/// lie behind paths of equal air.
+bool areAlike(const SampledScene& a, const SampledScene& b) {
+    return &a == &b || (a.slices_m == b.slices_m &&
+                        std::ranges::equal(
+                            a.bands, b.bands, [](const SampledBand& one, const SampledBand& two) {
+                                return one.sampling == two.sampling && one.outputs == two.outputs &&
+                                       one.air.objects == two.air.objects;
+                            }));
+}
+
+std::vector<double> aspectsOf(const std::vector<ObjectGeometry>& geometry) {
+    std::vector<double> aspects_rad;
+    for (const ObjectGeometry& object : geometry)
+        aspects_rad.push_back(object.aspectAngle_rad);
+    return aspects_rad;
+}
+
+} // namespace
+
+EvaluatedScene::EvaluatedScene(const RadianceTerms& terms, const std::vector<Entity>& entities,
+                               const std::vector<ObjectGeometry>& geometry,
+                               const std::vector<SampledBand>& bands, const Fronts& fronts)
+    : radiometry(terms, entities, geometry, bands),
+      radiances(radiometry, fronts),
+      planck(radiometry.wavelengths_um()),
+      aspects_rad_(aspectsOf(geometry)) {}
+
+void EvaluatedScene::turnTo(const std::vector<Entity>& entities,
+                            const std::vector<ObjectGeometry>& geometry) {
+    std::vector<double> aspects_rad = aspectsOf(geometry);
+    if (aspects_rad == aspects_rad_)
+        return;
+    const std::vector<int> turned = radiometry.turn(entities, geometry);
+    radiances.turn(turned);
+    if (light && !turned.empty())
+        light->turn();
+    aspects_rad_ = std::move(aspects_rad);
+}
+
+std::shared_ptr<EvaluatedScene>
+RadiometryCache::of(const RadianceTerms& terms, const std::vector<Entity>& entities,
+                    const std::vector<ObjectGeometry>& geometry,
+                    const std::shared_ptr<const SampledScene>& sampled, const Fronts& fronts) {
+    Kept key;
+    for (std::size_t e = 0; e < entities.size(); ++e) {
+        key.entities.push_back(EntityKey::of(entities[e]));
+        key.altitudes_m.push_back(geometry[e].path.targetAltitude_m);
+    }
+    Kept* const known = kept_.find([&](const Kept& kept) {
+        return kept.entities == key.entities && kept.altitudes_m == key.altitudes_m &&
+               areAlike(*kept.sampled, *sampled);
+    });
+    if (known != nullptr) {
+        known->sampled = sampled; // which is found without a look at its values from now on
+        known->scene->turnTo(entities, geometry);
+        return known->scene;
+    }
+    key.sampled = sampled;
+    key.scene = std::make_shared<EvaluatedScene>(terms, entities, geometry, sampled->bands, fronts);
+    const std::shared_ptr<EvaluatedScene> scene = kept_.add(std::move(key)).scene;
+    forget();
+    return scene;
+}
+
+void RadiometryCache::forget() {
+    std::vector<EntityKey> latest;
+    std::size_t ofState = 0, others = 0;
+    kept_.letGo([&](const Kept& kept) {
+        if (latest.empty())
+            latest = kept.entities;
+        if (kept.entities == latest)
+            return ++ofState > mostOfState;
+        const bool isOfSame = std::ranges::equal(
+            kept.entities, latest,
+            [](const EntityKey& one, const EntityKey& other) { return one.isLike(other); });
+        return !isOfSame && ofState + ++others > mostOfState;
+    });
+}
+
+} // namespace irsg

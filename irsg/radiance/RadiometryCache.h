@@ -1,0 +1,65 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "irsg/core/RecentlyUsed.h"
+#include "irsg/radiance/EntityKey.h"
+#include "irsg/radiance/KindRadiances.h"
+#include "irsg/radiance/PlanckTable.h"
+#include "irsg/radiance/SampledScene.h"
+#include "irsg/radiance/SceneRadiometry.h"
+#include "irsg/radiance/exchange/SceneLight.h"
+
+namespace irsg {
+
+/// A scene's spectra with what was evaluated of them.
+struct EvaluatedScene {
+    EvaluatedScene(const RadianceTerms& terms, const std::vector<Entity>& entities,
+                   const std::vector<ObjectGeometry>& geometry,
+                   const std::vector<SampledBand>& bands, const Fronts& fronts);
+
+    /// Makes it that of other aspects.
+    void turnTo(const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry);
+
+    SceneRadiometry radiometry;
+    KindRadiances radiances;
+    PlanckTable planck; ///< of scaled views
+    /// Between the surfaces of this scene, as the renderer set it; null for none.
+    std::shared_ptr<SceneLight> light;
+
+  private:
+    std::vector<double> aspects_rad_; // by entity
+};
+
+/// Evaluated scenes by all that their spectra depend on: samplings, air, databases, states, scales.
+/// Cases of a sweep that differ in geometry alone share one; where factors of measured spectra
+/// depend on the aspect these become others, so that whoever asked for a scene before turns it
+/// back.
+class RadiometryCache {
+  public:
+    /// `geometry` has the slices of `sampled`.
+    std::shared_ptr<EvaluatedScene> of(const RadianceTerms& terms,
+                                       const std::vector<Entity>& entities,
+                                       const std::vector<ObjectGeometry>& geometry,
+                                       const std::shared_ptr<const SampledScene>& sampled,
+                                       const Fronts& fronts);
+
+  private:
+    struct Kept {
+        std::vector<EntityKey> entities;
+        std::vector<double> altitudes_m;
+        std::shared_ptr<const SampledScene> sampled;
+        std::shared_ptr<EvaluatedScene> scene;
+    };
+    /// Of each state of the entities two: a table goes through its states at each aspect.
+    static constexpr std::size_t mostKept = 16, mostOfState = 2;
+
+    /// Lets go of scenes of other models or databases than the latest, and of old ones of its
+    /// state.
+    void forget();
+
+    RecentlyUsed<Kept> kept_{mostKept};
+};
+
+} // namespace irsg

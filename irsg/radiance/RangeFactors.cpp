@@ -1,0 +1,119 @@
+#include "irsg/radiance/RangeFactors.h"
+
+#include <algorithm>
+
+namespace irsg {
+
+namespace {
+
+/// Adds the weights of the parabola through three nodes from `first` on.
+void addParabola(double nearness, std::size_t first, double share,
+                 std::array<double, RangeFactors::nodes.size()>& weights) {
+    for (std::size_t i = first; i < first + 3; ++i) {
+        double weight = share;
+        for (std::size_t j = first; j < first + 3; ++j)
+            if (j != i)
+                weight *= (nearness - RangeFactors::nodes[j]) /
+                          (RangeFactors::nodes[i] - RangeFactors::nodes[j]);
+        weights[i] += weight;
+    }
+}
+
+/// The node that an interval between two of them begins with.
+std::size_t intervalOf(double nearness) {
+    const auto& nodes = RangeFactors::nodes;
+    const auto above = std::ranges::upper_bound(nodes, nearness);
+    return std::clamp<std::size_t>(static_cast<std::size_t>(above - nodes.begin()), 1,
+                                   nodes.size() - 1) -
+           1;
+}
+
+} // namespace
+
+std::vector<RangeFactors::Weight> RangeFactors::errorWeightsAt(double nearness) {
+    constexpr std::size_t last = nodes.size() - 1;
+    const std::size_t first = std::clamp<std::size_t>(intervalOf(nearness), 1, last - 2) - 1;
+    std::vector<Weight> result;
+    std::array<double, nodes.size()> mean{};
+    for (const Weight& one : weightsAt(nearness))
+        mean[one.node] = one.weight;
+    for (std::size_t i = first; i < first + 4; ++i) {
+        double cubic = 1.0;
+        for (std::size_t j = first; j < first + 4; ++j)
+            if (j != i)
+                cubic *= (nearness - nodes[j]) / (nodes[i] - nodes[j]);
+        if (cubic != mean[i])
+            result.push_back({i, cubic - mean[i]});
+    }
+    return result;
+}
+
+std::vector<RangeFactors::Weight> RangeFactors::weightsAt(double nearness) {
+    constexpr std::size_t last = nodes.size() - 1;
+    const std::size_t begin = intervalOf(nearness);
+    const double part =
+        std::clamp((nearness - nodes[begin]) / (nodes[begin + 1] - nodes[begin]), 0.0, 1.0);
+
+    std::array<double, nodes.size()> weights{};
+    const std::size_t left = begin > 0 ? begin - 1 : 0;
+    const std::size_t right = std::min(begin, last - 2);
+    addParabola(nearness, left, 1.0 - part, weights);
+    addParabola(nearness, right, part, weights);
+    std::vector<Weight> result;
+    for (std::size_t i = 0; i <= last; ++i)
+        if (weights[i] != 0.0)
+            result.push_back({i, weights[i]});
+    return result;
+}
+
+const ViewFactors& RangeFactors::at(int entity, const PointAspect& aspect, std::size_t node,
+                                    const std::function<ViewFactors()>& draw) {
+    Kept& kept = kept_.try_emplace(entity, mostKept)
+                     .first->second.of([&](const Kept& known) { return known.aspect == aspect; },
+                                       [&] {
+                                           return Kept{aspect, {}};
+                                       });
+    std::optional<ViewFactors>& own = kept.atNode[node];
+    if (!own)
+        own = draw();
+    return *own;
+}
+
+void addAtRange(const ViewFactors& atUnitDistance, double weight, const SurfaceRows& drawn,
+                double drawn_m, const SurfaceRows& rows, const RangePlace& place,
+                ViewFactors& view) {
+    const double scale = weight / (place.range_m * place.range_m);
+    const ViewLayout& layout = view.layout;
+    view.layersLeftOver = std::max(view.layersLeftOver, atUnitDistance.layersLeftOver);
+    // The rows of the view that one of the drawing is, and their parts of it.
+    const auto forEachRowOf = [&](int drawnRow, const auto& visit) {
+        const int surface = drawn.drawnOf(drawnRow);
+        const auto entity = static_cast<std::size_t>(drawn.keyOf(surface).first);
+        const SliceNodes& slices_m = drawn.slices()[entity];
+        const double before_m =
+            slices_m.empty() ? 0.0
+                             : slices_m[static_cast<std::size_t>(drawn.nodeOf(drawnRow))] - drawn_m;
+        rows.forEachRow(surface, static_cast<float>(place.range_m + before_m), visit);
+    };
+    for (const auto& [kind, sums] : atUnitDistance.light)
+        forEachRowOf(kind.second, [&](int row, float part) {
+            addLight({{{kind.first, row}, sums}}, scale * static_cast<double>(part), view.light);
+        });
+    atUnitDistance.field.forEach(0, [&](std::size_t number, std::span<const double> source) {
+        const FactorKind& kind = atUnitDistance.field.kinds()[number];
+        forEachRowOf(kind.row, [&](int row, float part) {
+            double* sums = view.field.at(0, view.field.kindOf({kind.front, row}));
+            const double share = scale * static_cast<double>(part);
+            for (std::size_t i = 0; i < layout.pixels(); ++i)
+                sums[i] += share * source[i];
+            sums[layout.pixels()] +=
+                share * source[layout.pixels()] / (place.pixel_rad * place.pixel_rad);
+        });
+    });
+    for (std::size_t k = 0; k < std::min(view.contrasts.size(), atUnitDistance.contrasts.size());
+         ++k)
+        addAtRange(atUnitDistance.contrasts[k], weight, drawn, drawn_m, rows, place,
+                   view.contrasts[k]);
+}
+
+} // namespace irsg

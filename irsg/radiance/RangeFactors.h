@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "irsg/core/RecentlyUsed.h"
+#include "irsg/radiance/PointSources.h"
+#include "irsg/radiance/SurfaceRows.h"
+#include "irsg/radiance/ViewFactors.h"
+
+namespace irsg {
+
+/// The factors of an object along a straight line of sight. Times the square of the distance d they
+/// are smooth functions of its nearness h / d, where h is how far the object reaches from its
+/// reference point, so that those of a few distances, the nodes, give those of any other.
+///
+/// Between two nodes they are the mean of the parabolas through either and their neighbours,
+/// weighted so that the slope has no steps. Errors of the intensity beside those of sampling, up to
+/// the nearness `closest`: 1e-4 RMS for the sample aircraft; 2e-3 at most where a side as large as
+/// the front comes into sight at some distance, because that corner of the curve is rounded.
+/// Nearer by objects are drawn.
+class RangeFactors {
+  public:
+    static constexpr double closest = 1.0 / 16.0;
+    /// Nearness of the nodes. The first is the farthest that float tells depths at, and stands for
+    /// those beyond as well.
+    static constexpr std::array<double, 5> nodes = {1.0 / 4096, 1.0 / 64, 2.0 / 64, 3.0 / 64,
+                                                    closest};
+    /// Slices that an object has in a node's drawing where its air is sliced.
+    static constexpr std::size_t slices = 64;
+    /// The same line of sight from another range: of the components of a unit vector.
+    static constexpr double directionStep = 1e-8;
+
+    struct Weight {
+        std::size_t node;
+        double weight;
+    };
+    /// The nodes that a nearness from 0 to `closest` takes its factors from; their weights add
+    /// to 1.
+    static std::vector<Weight> weightsAt(double nearness);
+
+    /// Weights of what the mean of the parabolas is likely to leave wrong: the cubic through four
+    /// nodes less that mean. They take one node more beyond the first and the last but one.
+    static std::vector<Weight> errorWeightsAt(double nearness);
+
+    /// Factors of an entity at a node, kept for its aspect, as they are at unit distance: coverage
+    /// and factors in sr m2, pixels in those of pixels 1 m wide at 1 m.
+    const ViewFactors& at(int entity, const PointAspect& aspect, std::size_t node,
+                          const std::function<ViewFactors()>& draw);
+
+  private:
+    struct Kept {
+        PointAspect aspect;
+        std::array<std::optional<ViewFactors>, nodes.size()> atNode;
+    };
+    static constexpr std::size_t mostKept = 4; ///< aspects of an entity
+    std::map<int, RecentlyUsed<Kept>> kept_;   // by entity
+};
+
+/// Where along its line of sight an object is seen.
+struct RangePlace {
+    double range_m = 0.0;   ///< to the reference point
+    double pixel_rad = 0.0; ///< width of a pixel at unit depth
+};
+
+/// Adds factors as RangeFactors keeps them to a view. Slices of the object are those of `drawn`
+/// around `drawn_m`; they move to the object's range and are shared among the slices of `rows`.
+void addAtRange(const ViewFactors& atUnitDistance, double weight, const SurfaceRows& drawn,
+                double drawn_m, const SurfaceRows& rows, const RangePlace& place,
+                ViewFactors& view);
+
+} // namespace irsg

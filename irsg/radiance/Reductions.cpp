@@ -1,0 +1,207 @@
+#include "irsg/radiance/Reductions.h"
+
+#include <algorithm>
+#include <array>
+
+#include "irsg/core/ParallelFor.h"
+
+namespace irsg {
+
+namespace {
+
+/// Pieces that samples are divided into, whatever the number of cores.
+constexpr std::size_t reductionParts = 16;
+
+/// Sum of what factors make of a kind; `numbers` begin with the coverage.
+template <typename Real>
+double radianceOf(const KindRadiance& kind, const Real* numbers) {
+    double sum = kind.constant * static_cast<double>(numbers[0]);
+    for (std::size_t f = 0; f < kind.perFactor.size(); ++f)
+        sum += kind.perFactor[f] * static_cast<double>(numbers[1 + f]);
+    return sum;
+}
+
+double dotProduct(std::span<const double> a, std::span<const double> b) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+/// Adds the light between surfaces to the sums over objects.
+void addLightBetween(const LightSums& sums, SceneLight& light, const SurfaceRows& rows,
+                     const std::vector<double>& ranges_m, std::vector<ObjectSums>& result) {
+    const std::vector<FactorKind> kinds = light.inOrder(sums);
+    light.prepare(kinds);
+    std::vector<std::array<std::vector<double>, 2>> all(kinds.size());
+    parallelFor(kinds.size(), [&](std::size_t k) {
+        const std::vector<double>& own = sums.at({kinds[k].front, kinds[k].row});
+        for (const bool withCosine : {false, true})
+            all[k][withCosine ? 1 : 0] = light.contracted(kinds[k].row, own, withCosine);
+    });
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+        const auto entity = static_cast<std::size_t>(rows.keyOf(rows.drawnOf(kinds[k].row)).first);
+        const double square_m2 = ranges_m[entity] * ranges_m[entity];
+        for (std::size_t output = 0; output < result.size(); ++output) {
+            const std::span<const double> integrals = light.integrals(kinds[k], output);
+            const double plain_W_m2 = dotProduct(all[k][0], integrals);
+            ObjectRadiometry& object = result[output].objects[entity];
+            object.intensity_W_sr += plain_W_m2 * square_m2;
+            object.contrastIntensity_W_sr += plain_W_m2 * square_m2;
+            object.irradiance_W_m2 += dotProduct(all[k][1], integrals);
+        }
+    }
+}
+
+} // namespace
+
+namespace {
+
+/// Of factors whose kinds are prepared.
+std::vector<ObjectSums> sumsOf(const ViewFactors& view, const KindRadiances& radiances,
+                               SceneLight* light, const SurfaceRows& rows,
+                               const std::vector<double>& ranges_m,
+                               const std::vector<int>& varying) {
+    const ViewLayout& layout = view.layout;
+    struct Seen {
+        std::size_t entity;
+        const double* numbers;
+        KindRadiances::InOutputs radiance;
+    };
+    std::vector<Seen> seen;
+    view.field.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
+        const FactorKind& kind = view.field.kinds()[number];
+        const int drawn = rows.drawnOf(kind.row);
+        seen.push_back({static_cast<std::size_t>(rows.keyOf(drawn).first), numbers.data(),
+                        radiances.inOutputs(kind)});
+    });
+    std::vector<ObjectSums> result(radiances.outputs());
+    for (ObjectSums& sums : result)
+        sums.objects.resize(ranges_m.size());
+
+    const auto add = [&](const Seen& one, std::size_t output) {
+        const KindRadiance radiance = one.radiance.at(output);
+        const double* plain = one.numbers + layout.coverage();
+        const double* cosine = one.numbers + layout.withCosine(layout.coverage());
+
+        // The background that this surface hides, as seen through what is in front of it.
+        double hidden_W_m2 = radiance.hidden * *plain;
+        double hiddenCos_W_m2 = radiance.hidden * *cosine;
+        if (const int k = varying[output]; k >= 0) {
+            const auto background = static_cast<std::size_t>(k);
+            hidden_W_m2 = radiance.opacity * one.numbers[layout.background(background)];
+            hiddenCos_W_m2 = radiance.opacity * one.numbers[layout.backgroundCosine(background)];
+        }
+        const double square_m2 = ranges_m[one.entity] * ranges_m[one.entity];
+        const double sent_W_m2 = radianceOf(radiance, plain);
+        ObjectRadiometry& object = result[output].objects[one.entity];
+        object.intensity_W_sr += sent_W_m2 * square_m2;
+        object.contrastIntensity_W_sr += (sent_W_m2 - hidden_W_m2) * square_m2;
+        object.irradiance_W_m2 += radianceOf(radiance, cosine) - hiddenCos_W_m2;
+        object.coveredPixels += radiance.opacity * one.numbers[layout.pixels()];
+        object.solidAngle_sr += radiance.opacity * *plain;
+    };
+    // Outputs do not meet, so that some can be summed on a core of their own.
+    parallelFor(reductionParts, [&](std::size_t part) {
+        const std::size_t first = beginOfPart(part, reductionParts, result.size());
+        const std::size_t last = beginOfPart(part + 1, reductionParts, result.size());
+        for (const Seen& one : seen)
+            for (std::size_t output = first; output < last; ++output)
+                add(one, output);
+    });
+    if (light)
+        addLightBetween(view.light, *light, rows, ranges_m, result);
+    for (ObjectSums& sums : result)
+        for (const ObjectRadiometry& object : sums.objects)
+            sums.all.addSums(object);
+    return result;
+}
+
+} // namespace
+
+std::vector<ObjectSums> objectSums(const ViewFactors& view, KindRadiances& radiances,
+                                   SceneLight* light, const SurfaceRows& rows,
+                                   const std::vector<double>& ranges_m,
+                                   const std::vector<int>& varying) {
+    radiances.prepare(view.field.kinds());
+    return sumsOf(view, radiances, light, rows, ranges_m, varying);
+}
+
+std::vector<std::vector<ObjectSums>> contrastSums(const ViewFactors& view, KindRadiances& radiances,
+                                                  SceneLight* light, const SurfaceRows& rows,
+                                                  const std::vector<double>& ranges_m,
+                                                  const std::vector<int>& varying) {
+    for (const ViewFactors& contrast : view.contrasts)
+        radiances.prepare(contrast.field.kinds());
+    std::vector<std::vector<ObjectSums>> all(view.contrasts.size());
+    const auto sum = [&](std::size_t k) {
+        all[k] = sumsOf(view.contrasts[k], radiances, light, rows, ranges_m, varying);
+    };
+    // Light between surfaces is prepared as it is asked for.
+    if (light == nullptr)
+        parallelFor(all.size(), sum);
+    for (std::size_t k = 0; light != nullptr && k < all.size(); ++k)
+        sum(k);
+    return all;
+}
+
+void addPixels(const PixelFactors& pixels, int width_px, KindRadiances& radiances,
+               SceneLight* light, FrameReduction& frame) {
+    radiances.prepare(pixels.field.kinds());
+    std::vector<KindRadiance> known;
+    for (const FactorKind& kind : pixels.field.kinds())
+        known.push_back(radiances.of(kind));
+    std::vector<double> ofReceivers;
+    if (light)
+        ofReceivers = radiancesOf(pixels.light.kinds(), pixels.receivers, *light);
+    for (std::size_t cell = 0; cell < pixels.field.cells(); ++cell) {
+        double sent = 0.0, opacity = 0.0;
+        bool isSeen = false;
+        if (light)
+            pixels.light.forEach(cell, [&](std::size_t kind, std::span<const float> numbers) {
+                sent += ofReceivers[kind] * static_cast<double>(numbers[0]);
+            });
+        pixels.field.forEach(cell, [&](std::size_t kind, std::span<const float> numbers) {
+            sent += radianceOf(known[kind], numbers.data());
+            opacity += known[kind].opacity * static_cast<double>(numbers[0]);
+            isSeen = true;
+        });
+        if (isSeen)
+            frame.addPoint(static_cast<int>(cell) % width_px, static_cast<int>(cell) / width_px,
+                           sent, opacity);
+    }
+}
+
+double lightOfPoint(const PointFactors& atUnitDistance, const SurfaceRows& rows,
+                    SceneLight& light) {
+    double sent = 0.0;
+    for (const auto& [drawn, sums] : atUnitDistance.light_sr_m2) {
+        const FactorKind kind{drawn.first, rows.first(drawn.second)};
+        if (!light.matters(rows.drawnOf(kind.row)))
+            continue;
+        light.prepare({kind});
+        sent += dotProduct(light.contracted(kind.row, sums, false), light.integrals(kind, 0));
+    }
+    return sent;
+}
+
+void addPointToPixel(const PointFactors& atUnitDistance, const SurfaceRows& rows,
+                     const PointPlace& place, KindRadiances& radiances, SceneLight* light,
+                     FrameReduction& frame) {
+    const double scale = 1.0 / (place.distance_m * place.distance_m * place.solidAngle_sr);
+    double sent = 0.0, opacity = 0.0;
+    if (light)
+        sent += scale * lightOfPoint(atUnitDistance, rows, *light);
+    const FactorField<double>& field = atUnitDistance.sums_sr_m2;
+    field.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
+        const FactorKind& drawn = field.kinds()[number];
+        const FactorKind kind{drawn.front, rows.first(drawn.row)};
+        radiances.prepare({kind});
+        const KindRadiance radiance = radiances.of(kind);
+        sent += scale * radianceOf(radiance, numbers.data());
+        opacity += scale * radiance.opacity * numbers[0];
+    });
+    frame.addPoint(place.x, place.y, sent, opacity);
+}
+
+} // namespace irsg

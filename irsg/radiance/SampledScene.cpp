@@ -1,0 +1,125 @@
+#include "irsg/radiance/SampledScene.h"
+
+#include <algorithm>
+
+#include "irsg/atmosphere/NearestRun.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/NewLines.h"
+#include "irsg/radiance/AirSlices.h"
+#include "irsg/radiance/SceneRadiometry.h"
+
+namespace irsg {
+
+namespace {
+
+std::size_t sizeOf(const SampledScene& scene) {
+    std::size_t numbers = 0;
+    for (const SampledBand& band : scene.bands)
+        for (const ObjectAir& object : band.air.objects)
+            for (const AirSamples& node : object.nodes)
+                numbers +=
+                    band.sampling->size() *
+                    (1 + static_cast<std::size_t>(std::ranges::count_if(
+                             node.light, [](const SharedValues& v) { return v != nullptr; })));
+    return numbers;
+}
+
+} // namespace
+
+const SampledBand& SampledScene::ofOutput(std::size_t output) const {
+    for (const SampledBand& band : bands) {
+        if (output < band.outputs.size())
+            return band;
+        output -= band.outputs.size();
+    }
+    throw LogicError("a scene was asked for an output that it has not");
+}
+
+SampledScenes::Key SampledScenes::keyOf(const AtmosphericQueryCache& answers, const AirScene& scene,
+                                        const std::vector<Band>& bands, bool withSources,
+                                        const std::vector<SliceNodes>& slices) {
+    const Environment& environment = answers.environment();
+    const RenderSettings& settings = scene.settings;
+    Key key{AirIdentity(environment),
+            environment.defaultBackground,
+            environment.defaultAmbient_K,
+            airQueries(environment, scene.terms, scene.geometry, settings, scene.centre),
+            {environment.sun.azimuth_rad, environment.sun.elevation_rad,
+             environment.sun.distance_au, settings.airSliceFrom, settings.background_W_m2_sr,
+             static_cast<double>(settings.background), static_cast<double>(settings.mode),
+             settings.widebandError, static_cast<double>(settings.referenceAir)},
+            bands,
+            withSources,
+            {},
+            slices};
+    for (const RadianceTerm& term : scene.terms.terms)
+        key.numbers.push_back(term.isOn(settings) ? 1.0 : 0.0);
+    for (const ObjectGeometry& object : scene.geometry)
+        key.numbers.insert(key.numbers.end(), {object.nearest_m, object.farthest_m});
+    // Of the states the nodes depend on the coldest alone, and the air on none.
+    key.numbers.push_back(coldestOf_K(answers, scene));
+    for (const Entity& entity : scene.entities) {
+        key.entities.push_back(EntityKey::of(entity));
+        key.entities.back().state = {};
+    }
+    return key;
+}
+
+std::shared_ptr<const SampledScene> SampledScenes::make(AtmosphericQueryCache& answers,
+                                                        const AirScene& scene,
+                                                        const std::vector<Band>& bands,
+                                                        bool withSources, const Sampler& sample,
+                                                        const std::vector<SliceNodes>& slices) {
+    std::vector<ObjectGeometry> geometry = scene.geometry;
+    for (ObjectGeometry& object : geometry)
+        object.slices_m.clear();
+    const AirScene own{scene.terms, scene.entities, geometry, scene.settings, scene.centre};
+    auto made = std::make_shared<SampledScene>();
+    made->bands = sample(own, bands);
+    for (SampledBand& band : made->bands)
+        band.sliceSteps.resize(geometry.size());
+    bool isSliced = false;
+    for (std::size_t e = 0; e < geometry.size(); ++e) {
+        if (slices.empty())
+            planSlicesOf(answers, made->bands, e, scene.settings, geometry[e]);
+        else
+            geometry[e].slices_m = slices[e];
+        isSliced = isSliced || geometry[e].slices_m.size() > 1;
+        made->slices_m.push_back(geometry[e].slices_m);
+        made->airError.push_back(geometry[e].airError);
+        made->likelyAirError.push_back(geometry[e].likelyAirError);
+    }
+    for (SampledBand& band : made->bands) {
+        if (isSliced)
+            SceneSampling::takeAir(answers, own, band);
+        addAnswer(made->answeredBy, band.air.answeredBy);
+        addNew(made->warnings, band.air.warnings);
+    }
+    const std::size_t seen = made->bands.size();
+    for (std::size_t k = 0; withSources && k < seen; ++k)
+        made->bands.push_back(made->bands[k].ofSource(scene.terms));
+    made->background = backgroundOf(made->bands, scene.settings);
+    return made;
+}
+
+std::shared_ptr<const SampledScene> SampledScenes::of(AtmosphericQueryCache& answers,
+                                                      const AirScene& scene,
+                                                      const std::vector<Band>& bands,
+                                                      bool withSources, const Sampler& sample,
+                                                      const std::vector<SliceNodes>& slices) {
+    kept_.letGo([](const Kept& kept) { return kept.key.atmospheres.isGone(); });
+    Key key = keyOf(answers, scene, bands, withSources, slices);
+    if (const Kept* known = kept_.find([&](const Kept& kept) { return kept.key == key; }))
+        return known->scene;
+    auto made = make(answers, scene, bands, withSources, sample, slices);
+    const std::size_t size = sizeOf(*made);
+    const Kept& latest = kept_.add({std::move(key), std::move(made), size});
+    std::size_t numbers = 0;
+    kept_.letGo([&](const Kept& kept) {
+        numbers += kept.size;
+        return &kept != &latest && numbers > mostNumbers;
+    });
+    return latest.scene;
+}
+
+} // namespace irsg

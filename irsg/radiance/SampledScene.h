@@ -1,0 +1,78 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "irsg/atmosphere/AirIdentity.h"
+#include "irsg/core/RecentlyUsed.h"
+#include "irsg/radiance/EntityKey.h"
+#include "irsg/radiance/SceneSampling.h"
+
+namespace irsg {
+
+/// A scene's bands with their nodes and air, sliced where the air changes over an object.
+struct SampledScene {
+    /// Several bands may be in one. Then their sources, where these are asked for.
+    std::vector<SampledBand> bands;
+    // By entity: see ObjectGeometry.
+    std::vector<SliceNodes> slices_m;
+    std::vector<double> airError, likelyAirError;
+    SharedValues background; ///< see backgroundOf
+    std::vector<std::string> answeredBy, warnings;
+
+    /// That has an output, counted through all bands.
+    const SampledBand& ofOutput(std::size_t output) const;
+};
+
+/// Sampled scenes by what they follow from: few numbers, so that cases of a sweep that share their
+/// paths find theirs without a look at a spectrum. Aspect and azimuth count only where the air
+/// answers by them.
+class SampledScenes {
+  public:
+    /// Samples the bands of a scene whose objects have one slice each, in their order.
+    using Sampler =
+        std::function<std::vector<SampledBand>(const AirScene&, const std::vector<Band>&)>;
+
+    /// `scene.geometry` may hold any slices: they come out. With `slices`, by entity, it has these.
+    std::shared_ptr<const SampledScene> of(AtmosphericQueryCache& answers, const AirScene& scene,
+                                           const std::vector<Band>& bands, bool withSources,
+                                           const Sampler& sample,
+                                           const std::vector<SliceNodes>& slices = {});
+
+  private:
+    struct Key {
+        AirIdentity atmospheres;
+        std::optional<Spectrum> defaultBackground;
+        std::optional<double> defaultAmbient_K;
+        std::vector<AtmosphericQueryKey> queries;
+        /// The sun, the extent of each object, settings, and which terms are on.
+        std::vector<double> numbers;
+        std::vector<Band> bands;
+        bool withSources = false;
+        std::vector<EntityKey> entities;
+        std::vector<SliceNodes> slices;
+        bool operator==(const Key&) const = default;
+    };
+    struct Kept {
+        Key key;
+        std::shared_ptr<const SampledScene> scene;
+        std::size_t size; ///< numbers in it
+    };
+    /// As many as a Monte Carlo analysis has phases and more; of large scenes as many as hold so
+    /// many numbers (8 MiB), and the last one.
+    static constexpr std::size_t mostKept = 16, mostNumbers = std::size_t{1} << 20;
+
+    static Key keyOf(const AtmosphericQueryCache& answers, const AirScene& scene,
+                     const std::vector<Band>& bands, bool withSources,
+                     const std::vector<SliceNodes>& slices);
+    static std::shared_ptr<const SampledScene>
+    make(AtmosphericQueryCache& answers, const AirScene& scene, const std::vector<Band>& bands,
+         bool withSources, const Sampler& sample, const std::vector<SliceNodes>& slices);
+
+    RecentlyUsed<Kept> kept_{mostKept};
+};
+
+} // namespace irsg

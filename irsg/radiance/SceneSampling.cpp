@@ -1,0 +1,315 @@
+#include "irsg/radiance/SceneSampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "irsg/atmosphere/AirNodes.h"
+#include "irsg/core/Errors.h"
+#include "irsg/radiometry/Quadrature.h"
+#include "irsg/signature/SurfaceModels.h"
+
+namespace irsg {
+
+namespace {
+
+/// Colder bodies give nothing that a float keeps, in any band this program has data for.
+constexpr double coldestThatMatters_K = 30.0;
+/// Temperatures that share a quadrature: it is made for the coldest of them.
+constexpr double coldestStep_K = 10.0;
+
+double scaleOf(const std::map<int, double>& scales, int index) {
+    const auto found = scales.find(index);
+    return found == scales.end() ? 1.0 : found->second;
+}
+
+/// The spectra of a scene's surfaces, for their kinks.
+void addSurfaceSpectra(const std::vector<Entity>& entities, std::vector<const Spectrum*>& spectra) {
+    for (const auto& [e, codes] : surfaceKeys(entities)) {
+        const Entity& entity = entities[static_cast<std::size_t>(e)];
+        if (const Material* material = materialEntry(entity, codes.material)) {
+            spectra.push_back(&material->emissivity);
+            spectra.push_back(&material->transmissivity);
+            if (const auto model = surfaceModelOf(*material))
+                for (const Spectrum* input : model->inputs(*material))
+                    spectra.push_back(input);
+        }
+        if (const TemperatureEntry* entry = temperatureEntry(entity, codes.temperature))
+            if (const UserSpectrum* user = userSpectrumOf(entity, *entry))
+                for (const SpectrumComponent& component : user->components)
+                    spectra.push_back(&component.radiance);
+    }
+}
+
+/// Bands from one on, to before another, that a sampling may have in one: they ascend, and what
+/// lies between them is not more than they are.
+std::size_t endOfRun(const std::vector<Band>& bands, std::size_t first) {
+    std::size_t end = first + 1;
+    double held_um = bands[first].range().width_um();
+    for (; end < bands.size(); ++end) {
+        const SpectralRange& next = bands[end].range();
+        held_um += next.width_um();
+        if (next.min_um < bands[end - 1].range().max_um ||
+            next.max_um - bands[first].range().min_um > 2.0 * held_um)
+            break;
+    }
+    return end;
+}
+
+SampledBand sampledBand(std::shared_ptr<const SpectralSampling> sampling) {
+    SampledBand band;
+    band.outputs = {{0, sampling->size()}};
+    band.areas_um = {sampling->area_um()};
+    band.sample = [sampling](const Spectrum& spectrum) { return sampling->sampled(spectrum); };
+    band.sampling = std::move(sampling);
+    return band;
+}
+
+/// The nodes of an entity's slices that some output takes; none where all outputs take all.
+std::vector<bool> nodesTaken(const SampledBand& band, std::size_t entity, std::size_t nodes) {
+    const auto last = static_cast<int>(nodes) - 1;
+    std::vector<bool> taken;
+    for (int node = 0; node <= last; ++node) {
+        bool isTaken = false;
+        for (std::size_t k = 0; k < band.outputs.size() && !isTaken; ++k)
+            isTaken = sliceBetween(node, band.sliceStep(entity, k), last).below == node;
+        taken.push_back(isTaken);
+    }
+    return std::ranges::all_of(taken, std::identity()) ? std::vector<bool>() : taken;
+}
+
+/// What the air has between the nodes that an output takes is linear in range.
+void fillBetween(const RadianceTerms& terms, SampledBand& band, std::size_t entity) {
+    std::vector<AirSamples>& nodes = band.air.objects[entity].nodes;
+    const auto last = static_cast<int>(nodes.size()) - 1;
+    // `of(samples)` of all nodes.
+    const auto fill = [&](const auto& of) {
+        std::vector<SharedValues> filled;
+        for (int node = 0; node <= last; ++node) {
+            std::vector<double> values(band.sampling->size());
+            for (std::size_t k = 0; k < band.outputs.size(); ++k) {
+                const auto [below, above, part] =
+                    sliceBetween(node, band.sliceStep(entity, k), last);
+                const std::vector<double>& a = *of(nodes[static_cast<std::size_t>(below)]);
+                const std::vector<double>& b = *of(nodes[static_cast<std::size_t>(above)]);
+                for (std::size_t i = band.outputs[k].first; i < band.outputs[k].second; ++i)
+                    values[i] = (1.0 - part) * a[i] + part * b[i];
+            }
+            filled.push_back(std::make_shared<const std::vector<double>>(std::move(values)));
+        }
+        for (std::size_t node = 0; node < nodes.size(); ++node)
+            of(nodes[node]) = std::move(filled[node]);
+    };
+    fill([](AirSamples& node) -> SharedValues& { return node.transmittance; });
+    for (std::size_t k = 0; k < terms.terms.size(); ++k) {
+        if (!nodes.front().light[k])
+            continue;
+        if (geometryOf(*terms.terms[k].light) == QueryGeometry::path)
+            fill([k](AirSamples& node) -> SharedValues& { return node.light[k]; });
+        else // light onto the object is the same at all nodes
+            for (AirSamples& node : nodes)
+                node.light[k] = nodes.front().light[k];
+    }
+}
+
+} // namespace
+
+SampledBand SampledBand::ofSource(const RadianceTerms& terms) const {
+    const auto all = [this](double value) {
+        return std::make_shared<const std::vector<double>>(sampling->size(), value);
+    };
+    const SharedValues one = all(1.0), none = all(0.0);
+    SampledBand source = *this;
+    source.isSource = true;
+    source.air.background = air.background ? none : nullptr;
+    for (ObjectAir& object : source.air.objects) {
+        // What the air has taken of a measured spectrum cannot be given back where it took all.
+        for (auto& [name, transmittance] : object.toReference)
+            transmittance = one;
+        for (AirSamples& node : object.nodes) {
+            node.transmittance = one;
+            for (std::size_t k = 0; k < terms.terms.size(); ++k) {
+                const auto& light = terms.terms[k].light;
+                if (light && node.light[k] && geometryOf(*light) == QueryGeometry::path)
+                    node.light[k] = none;
+            }
+        }
+    }
+    return source;
+}
+
+std::vector<SurfaceKey> surfaceKeys(const std::vector<Entity>& entities) {
+    std::vector<SurfaceKey> keys;
+    for (std::size_t e = 0; e < entities.size(); ++e)
+        for (const auto& [codes, use] : entities[e].model->codes())
+            keys.emplace_back(static_cast<int>(e), codes);
+    return keys;
+}
+
+SurfaceInput surfaceInput(const Entity& entity, const IrCodes& codes,
+                          const ObjectGeometry& geometry, double ambient_K) {
+    SurfaceInput input;
+    input.temperature = temperatureEntry(entity, codes.temperature);
+    input.material = materialEntry(entity, codes.material);
+    if (!input.temperature || !input.material)
+        throw LogicError("a surface without an entry reached the radiometry");
+    input.userSpectrum = userSpectrumOf(entity, *input.temperature);
+    input.state = entity.state;
+    input.state.altitude_m = geometry.path.targetAltitude_m;
+    input.state.ambient_K = ambient_K;
+    input.state.aspectAngle_rad = geometry.aspectAngle_rad;
+    input.temperatureScale = scaleOf(entity.temperatureScale, codes.temperature);
+    input.emissivityScale = scaleOf(entity.emissivityScale, codes.material);
+    return input;
+}
+
+double coldestOf_K(const AtmosphericQueryCache& answers, const AirScene& scene) {
+    double coldest_K = 300.0;
+    std::vector<double> ambient_K;
+    ambient_K.reserve(scene.geometry.size());
+    for (const ObjectGeometry& object : scene.geometry)
+        ambient_K.push_back(ambientOf(answers, object).value);
+    for (const auto& [e, codes] : surfaceKeys(scene.entities)) {
+        const auto index = static_cast<std::size_t>(e);
+        const SurfaceInput input =
+            surfaceInput(scene.entities[index], codes, scene.geometry[index], ambient_K[index]);
+        if (input.temperature->mode == EmissionMode::temperature)
+            coldest_K = std::min(coldest_K, surfaceTemperature_K(input));
+    }
+    return std::max(coldestStep_K * std::floor(coldest_K / coldestStep_K), coldestThatMatters_K);
+}
+
+std::shared_ptr<const SpectralSampling>
+SceneSampling::quadrature(AtmosphericQueryCache& answers, const AirScene& scene, const Band& band) {
+    std::vector<const Spectrum*> spectra =
+        airSpectra(answers, scene.terms, scene.entities, scene.geometry, scene.settings,
+                   scene.centre, band.range());
+    addSurfaceSpectra(scene.entities, spectra);
+    std::ranges::sort(spectra);
+    spectra.erase(std::ranges::unique(spectra).begin(), spectra.end());
+    std::vector<double> edges_um = mergeAxes(spectra, band.range());
+    const double finest_K = coldestOf_K(answers, scene);
+
+    const Kept* const known = kept_.find([&](const Kept& kept) {
+        return kept.band == band && kept.coldest_K == finest_K && kept.edges_um == edges_um;
+    });
+    if (known != nullptr)
+        return known->sampling;
+    auto made = std::make_shared<const SpectralQuadrature>(band, spectra, finest_K);
+    const Kept& latest = kept_.add({band, finest_K, std::move(edges_um), std::move(made)});
+    std::size_t numbers = 0;
+    kept_.letGo([&](const Kept& kept) {
+        numbers += kept.edges_um.size() + kept.sampling->size();
+        return &kept != &latest && numbers > mostNumbers;
+    });
+    return latest.sampling;
+}
+
+void SceneSampling::takeAir(AtmosphericQueryCache& answers, const AirScene& scene,
+                            SampledBand& band) {
+    std::vector<std::vector<bool>> taken(scene.geometry.size());
+    for (std::size_t e = 0; e < taken.size(); ++e)
+        taken[e] = nodesTaken(band, e, scene.geometry[e].slices_m.size());
+    band.air = sceneAir(answers, scene.terms, scene.entities, scene.geometry, scene.settings,
+                        scene.centre, band.sampling, taken);
+    for (std::size_t e = 0; e < taken.size(); ++e)
+        if (!taken[e].empty())
+            fillBetween(scene.terms, band, e);
+    if (!band.description.empty())
+        band.air.answeredBy.insert(band.air.answeredBy.begin(), band.description);
+}
+
+std::vector<double> SampledSpectra::of(const Spectrum& spectrum) {
+    if (spectrum.isConstant())
+        return sampling_->sampled(spectrum);
+    const std::scoped_lock lock(mutex_);
+    return kept_
+        .of([&](const Kept& kept) { return kept.spectrum == spectrum; },
+            [&] {
+                return Kept{spectrum, sampling_->sampled(spectrum)};
+            })
+        .values;
+}
+
+const SceneSampling::KeptNodes* SceneSampling::nodesKept(const Environment& environment,
+                                                         std::vector<Band> bands) {
+    keptNodes_.letGo([](const KeptNodes& kept) { return kept.atmospheres.isGone(); });
+    const KeptNodes* const known = keptNodes_.find([&](const KeptNodes& kept) {
+        return kept.bands == bands && kept.atmospheres.isOf(environment);
+    });
+    if (known != nullptr)
+        return known;
+    auto made = bands.size() == 1 ? environment.nodesOf(bands.front()) : environment.nodesOf(bands);
+    if (!made)
+        return nullptr;
+    auto spectra = std::make_shared<SampledSpectra>(made);
+    return &keptNodes_.add(
+        {std::move(bands), AirIdentity(environment), std::move(made), std::move(spectra)});
+}
+
+std::shared_ptr<const SpectralSampling> SceneSampling::nodes(const Environment& environment,
+                                                             const Band& band) {
+    const KeptNodes* const kept = nodesKept(environment, {band});
+    return kept == nullptr ? nullptr : kept->sampling;
+}
+
+std::vector<SampledBand> SceneSampling::spectral(AtmosphericQueryCache& answers,
+                                                 const AirScene& scene,
+                                                 const std::vector<Band>& bands) {
+    std::vector<SampledBand> all;
+    for (std::size_t first = 0; first < bands.size();) {
+        std::size_t end = endOfRun(bands, first);
+        const auto at = [&](std::size_t band) {
+            return bands.begin() + static_cast<std::ptrdiff_t>(band);
+        };
+        const KeptNodes* kept = nodesKept(answers.environment(), {at(first), at(end)});
+        if (!kept && end > first + 1)
+            kept = nodesKept(answers.environment(), {at(first), at(end = first + 1)});
+        SampledBand made =
+            sampledBand(kept ? kept->sampling : quadrature(answers, scene, bands[first]));
+        if (kept)
+            made.sample = [spectra = kept->spectra](const Spectrum& spectrum) {
+                return spectra->of(spectrum);
+            };
+        if (const AirNodes* nodes = AirNodes::of(*made.sampling))
+            made.outputs = nodes->outputs();
+        made.areas_um.clear();
+        for (; first < end; ++first)
+            made.areas_um.push_back(bands[first].area_um());
+        takeAir(answers, scene, made);
+        all.push_back(std::move(made));
+    }
+    return all;
+}
+
+SampledBand SceneSampling::wideband(AtmosphericQueryCache& answers, const AirScene& scene,
+                                    const std::shared_ptr<const WidebandPoints>& points) {
+    SampledBand made = sampledBand(points->sampling());
+    made.sample = [points](const Spectrum& spectrum) { return points->sampled(spectrum); };
+    made.description = points->description();
+    takeAir(answers, scene, made);
+    return made;
+}
+
+SampledBand SceneSampling::wavelengths(AtmosphericQueryCache& answers, const AirScene& scene,
+                                       const std::vector<double>& wavelengths_um) {
+    if (wavelengths_um.empty())
+        throw LogicError("a spectrum without wavelengths was asked for");
+    std::shared_ptr<const SpectralSampling> sampling =
+        answers.environment().nodesAt(wavelengths_um);
+    if (!sampling)
+        sampling = std::make_shared<const SpectralPoints>(wavelengths_um);
+    SampledBand made = sampledBand(sampling);
+    if (const AirNodes* nodes = AirNodes::of(*sampling)) {
+        made.outputs = nodes->outputs();
+    } else {
+        made.outputs.clear();
+        for (std::size_t i = 0; i < wavelengths_um.size(); ++i)
+            made.outputs.emplace_back(i, i + 1);
+    }
+    made.areas_um.assign(made.outputs.size(), sampling->range().width_um());
+    takeAir(answers, scene, made);
+    return made;
+}
+
+} // namespace irsg

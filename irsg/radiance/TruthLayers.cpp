@@ -1,0 +1,159 @@
+#include "irsg/radiance/TruthLayers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace irsg {
+
+namespace {
+
+const char* const backgroundChannel = "background";
+const char* const sunVisibilityChannel = "sun_visibility";
+const char* const skyVisibilityChannel = "sky_visibility";
+const char* const interReflectionChannel = "inter_reflection";
+const char* const radianceUnit = "W m-2 sr-1";
+
+} // namespace
+
+TruthLayers::TruthLayers(const SceneRadiometry& radiometry, KindRadiances& radiances,
+                         Fronts& fronts, const FrameBackground& background, SceneLight* light,
+                         RadianceImage& image)
+    : radiometry_(radiometry),
+      radiances_(radiances),
+      fronts_(fronts),
+      background_(background),
+      light_(light),
+      image_(image),
+      walk_(radiometry.rows()) {
+    constexpr float none = std::numeric_limits<float>::quiet_NaN();
+    for (const char* index : {"temperature_index", "material_index"})
+        std::ranges::fill(image_.channel(index).values, none);
+    std::ranges::fill(image_.channel("range", "m").values, none);
+    const std::vector<RadianceTerm>& list = radiometry.terms().terms;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+        if (list[k].surface == SurfaceQuantity::mirrored && radiometry.rows().lobes().empty())
+            continue;
+        shown_.push_back(k);
+        image_.channel(list[k].name, radianceUnit);
+    }
+    if (light_)
+        image_.channel(interReflectionChannel, radianceUnit);
+    std::vector<float>& behind = image_.channel(backgroundChannel, radianceUnit).values;
+    for (int y = 0; y < image_.height(); ++y)
+        for (int x = 0; x < image_.width(); ++x)
+            behind[image_.offset(x, y)] = static_cast<float>(background_.at(x, y));
+    offMiddle_px_.assign(behind.size(), std::numeric_limits<float>::infinity());
+}
+
+const TruthLayers::KindTerms& TruthLayers::termsOf(const FactorKind& kind) {
+    const auto number = static_cast<std::size_t>(kinds_.kindOf(kind));
+    if (number >= terms_.size()) {
+        const FactorKind shared{fronts_.numberOf(walk_.fronts().materials(kind.front)), kind.row};
+        radiances_.prepare({shared});
+        terms_.push_back({radiances_.terms(shared), radiances_.of(shared).opacity});
+        if (light_ && light_->matters(radiometry_.rows().drawnOf(kind.row)))
+            terms_.back().light = &light_->atReceivers(shared);
+    }
+    return terms_[number];
+}
+
+void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) {
+    const std::vector<RadianceTerm>& list = radiometry_.terms().terms;
+    const SurfaceRows& rows = radiometry_.rows();
+    const double share = window.share();
+    const ImageRectangle place = window.rectangle();
+    const double across_px = window.tileSide_px() / window.samplesAcross;
+    const double down_px = window.tileSide_px() / window.samplesDown;
+    std::vector<float>& temperatureIndex = image_.channel("temperature_index").values;
+    std::vector<float>& materialIndex = image_.channel("material_index").values;
+    std::vector<float>& range = image_.channel("range").values;
+    std::vector<std::vector<float>*> planes; // of the terms, then of the background
+    std::vector<float> unseen(shown_.size() < list.size() ? temperatureIndex.size() : 0);
+    for (std::size_t k = 0; k < list.size(); ++k)
+        planes.push_back(std::ranges::find(shown_, k) == shown_.end()
+                             ? &unseen
+                             : &image_.channel(list[k].name).values);
+    const std::size_t ofOthers = planes.size();
+    if (light_)
+        planes.push_back(&image_.channel(interReflectionChannel).values);
+    planes.push_back(&image_.channel(backgroundChannel).values);
+
+    std::vector<float>* skyVisibility = nullptr;
+    if (!samples.skyVisibility.empty())
+        skyVisibility = &image_.channel(skyVisibilityChannel).values;
+    std::vector<float>* sunVisibility = nullptr;
+    if (!samples.sunVisibility.empty())
+        sunVisibility = &image_.channel(sunVisibilityChannel).values;
+
+    std::vector<double> sums(planes.size());
+    window.forEachRun([&](std::size_t first, int count, int x, int y, double weight) {
+        const std::size_t pixel = image_.offset(x, y);
+        const std::size_t last = first + static_cast<std::size_t>(count);
+        std::ranges::fill(sums, 0.0);
+        for (std::size_t i = first; i < last; ++i) {
+            if (samples.isEmpty(i))
+                continue;
+            std::optional<FactorSamples::Layer> nearest;
+            walk_.forEachLayer(
+                samples, i,
+                [&](const FactorKind& kind, float part, const FactorSamples::Layer& layer) {
+                    if (!nearest)
+                        nearest = layer;
+                    const KindTerms& known = termsOf(kind);
+                    for (std::size_t k = 0; k < list.size(); ++k) {
+                        const TermFactor& factor = list[k].factor;
+                        const auto coverage = static_cast<double>(layer.coverage);
+                        double drawn = coverage;
+                        if (factor.drawn >= 0)
+                            drawn = static_cast<double>(
+                                layer.factors[static_cast<std::size_t>(factor.drawn)]);
+                        if (factor.complement)
+                            drawn = coverage - drawn;
+                        sums[k] += static_cast<double>(part) * drawn * known.terms[k];
+                    }
+                    if (known.light && layer.place) {
+                        const SceneLight::AtReceiver at =
+                            lightAt(light_->exchange(), *known.light, *layer.place);
+                        const double of =
+                            static_cast<double>(part) * static_cast<double>(layer.coverage);
+                        if (light_->skyTerm() >= 0)
+                            sums[static_cast<std::size_t>(light_->skyTerm())] += of * at[0];
+                        if (light_->groundTerm() >= 0)
+                            sums[static_cast<std::size_t>(light_->groundTerm())] += of * at[1];
+                        sums[ofOthers] += of * at[2];
+                    }
+                    sums.back() -= static_cast<double>(part * layer.coverage) * known.opacity *
+                                   background_.at(x, y);
+                });
+
+            // GL's rows run from the bottom up.
+            const std::size_t drawn = i - window.firstSample;
+            const int row = window.height() - 1 - static_cast<int>(drawn / window.stride());
+            const auto drawnColumn = static_cast<double>(drawn % window.stride());
+            const double column = drawnColumn - window.shift(row);
+            const double right_px = place.left + (column + 0.5) * across_px - (x + 0.5);
+            const double below_px =
+                place.top + (row + 0.5 + window.drop(drawnColumn)) * down_px - (y + 0.5);
+            const auto off_px = static_cast<float>(std::hypot(right_px, below_px));
+            if (off_px < offMiddle_px_[pixel]) {
+                offMiddle_px_[pixel] = off_px;
+                const IrCodes& codes = rows.keys()[static_cast<std::size_t>(nearest->row)].second;
+                temperatureIndex[pixel] = static_cast<float>(codes.temperature);
+                materialIndex[pixel] = static_cast<float>(codes.material);
+                range[pixel] = nearest->distance_m;
+            }
+        }
+        for (std::size_t i = first; skyVisibility && i < last; ++i)
+            (*skyVisibility)[pixel] +=
+                static_cast<float>(weight * share) * samples.skyVisibility[i];
+        for (std::size_t i = first; sunVisibility && i < last; ++i)
+            (*sunVisibility)[pixel] +=
+                static_cast<float>(weight * share) * samples.sunVisibility[i];
+        for (std::size_t term = 0; term < planes.size(); ++term)
+            (*planes[term])[pixel] += static_cast<float>(sums[term] * weight * share);
+    });
+}
+
+} // namespace irsg

@@ -1,0 +1,243 @@
+#include "irsg/radiance/ViewFactors.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "irsg/core/ParallelFor.h"
+#include "irsg/radiance/ContrastSums.h"
+#include "irsg/radiance/LayerWalk.h"
+#include "irsg/radiance/PixelKindSums.h"
+#include "irsg/radiance/ViewKindSums.h"
+
+namespace irsg {
+
+namespace {
+
+/// Pieces that the rows of a window are divided into, whatever the number of cores.
+constexpr std::size_t lightParts = 8;
+/// Parts whose contrasts are kept apart: what edges far from each other do is not lost between
+/// them.
+constexpr std::size_t contrastBands = 4;
+
+/// Adds the samples of some rows of a window, counted from the top, to sums of theirs.
+template <typename Sums>
+void addRows(const SampleWindow& window, const FactorSamples& samples, std::size_t firstRow,
+             std::size_t lastRow, LayerWalk& walk, Sums& sums) {
+    window.forEachRun(static_cast<int>(firstRow), static_cast<int>(lastRow),
+                      [&](std::size_t first, int count, int x, int y, double weight) {
+                          const std::size_t last = first + static_cast<std::size_t>(count);
+                          while (first < last && samples.isEmpty(first))
+                              ++first;
+                          if (first == last)
+                              return;
+                          sums.goTo(x, y, weight);
+                          for (std::size_t i = first; i < last; ++i) {
+                              if constexpr (requires { sums.at(i); })
+                                  sums.at(i);
+                              walk.forEachPlace(
+                                  samples, i,
+                                  [&](int front, const SurfaceRows::Between& between,
+                                      const FactorSamples::Layer& layer)
+                                      __attribute__((always_inline)) {
+                                          if (layer.coverage > 0.0f && !layer.isLobe)
+                                              sums.add(front, between, layer);
+                                          else
+                                              sums.addLight(front, between, layer);
+                                      },
+                                  [&](int front, const FactorSamples::Layer& layer,
+                                      const FactorSamples::Mirror& mirror) {
+                                      sums.addMirror(front, samples, layer, mirror);
+                                  });
+                          }
+                      });
+    sums.finish();
+}
+
+/// Samples of a window, which may share the drawing, that have more layers than are kept.
+int layersLeftOver(const SampleWindow& window, const FactorSamples& samples) {
+    int count = 0;
+    if (samples.layersLeftOver > 0)
+        window.forEachRun([&](std::size_t first, int length, int, int, double) {
+            for (std::size_t i = first; i < first + static_cast<std::size_t>(length); ++i)
+                count += samples.isLeftOver(i);
+        });
+    return count;
+}
+
+/// The numbers that a walk's fronts have in a common list.
+std::vector<int> numbersOf(const Fronts& own, Fronts& common) {
+    std::vector<int> numbers;
+    for (std::size_t front = 0; front < own.size(); ++front)
+        numbers.push_back(common.numberOf(own.materials(static_cast<int>(front))));
+    return numbers;
+}
+
+} // namespace
+
+FactorSums::FactorSums(const Sensor& sensor, const SurfaceRows& rows, Fronts& fronts,
+                       std::size_t factorCount, std::vector<const FrameBackground*> varying,
+                       std::shared_ptr<const LightExchange> exchange, bool withContrasts)
+    : width_px_(sensor.width_px),
+      height_px_(sensor.height_px),
+      grid_(sensor),
+      rows_(rows),
+      fronts_(fronts),
+      layout_{factorCount, varying.size()},
+      varying_(std::move(varying)),
+      exchange_(std::move(exchange)),
+      withContrasts_(withContrasts) {}
+
+ViewFactors FactorSums::emptyView() const {
+    const ViewFactors empty{layout_, FactorField<double>(1, layout_.width()), {}, 0, {}};
+    ViewFactors view = empty;
+    if (withContrasts_)
+        view.contrasts.assign(contrastBands * contrastKinds + 1, empty);
+    return view;
+}
+
+PixelFactors FactorSums::emptyPixels() const {
+    const std::size_t pixels =
+        static_cast<std::size_t>(width_px_) * static_cast<std::size_t>(height_px_);
+    return {FactorField<float>(pixels, layout_.factorCount + 1),
+            FactorField<float>(exchange_ ? pixels : 0, 1),
+            exchange_ ? ReceiverRows(rows_, *exchange_) : ReceiverRows()};
+}
+
+template <std::size_t Factors>
+void FactorSums::addFactorsToView(const SampleWindow& window, const FactorSamples& samples,
+                                  ViewFactors& view) {
+    const auto rows = static_cast<std::size_t>(window.height());
+    std::vector<LayerWalk> walks(lightParts, LayerWalk(rows_));
+    const ViewKindSums<Factors> none(rows_, grid_, varying_, exchange_.get(), window.share());
+    std::array<std::optional<ViewKindSums<Factors>>, lightParts> sums;
+    std::array<std::optional<ContrastSums<Factors>>, lightParts> contrasts;
+    parallelFor(lightParts, [&](std::size_t p) {
+        const std::size_t begin = beginOfPart(p, lightParts, rows),
+                          end = beginOfPart(p + 1, lightParts, rows);
+        const auto addTo = [&](auto& own) {
+            addRows(window, samples, begin, end, walks[p], own);
+            own.finishLight();
+        };
+        if (withContrasts_)
+            addTo(contrasts[p].emplace(window, begin, end, none));
+        else
+            addTo(sums[p].emplace(none));
+    });
+    for (std::size_t p = 0; p < lightParts; ++p) {
+        const std::vector<int> fronts = numbersOf(walks[p].fronts(), fronts_);
+        const auto addTo = [&](ViewFactors& to) {
+            return [&](const ViewKindSums<Factors>& own, double sign) {
+                const auto frontOf = [&](int front) {
+                    return fronts[static_cast<std::size_t>(front)];
+                };
+                own.addTo(to.field, layout_, frontOf, sign);
+                own.addLightTo(to.light, frontOf, sign);
+            };
+        };
+        if (!withContrasts_) {
+            addTo(view)(*sums[p], 1.0);
+            continue;
+        }
+        contrasts[p]->forEachOfSum(addTo(view));
+        for (std::size_t k = 0; k < contrastKinds; ++k)
+            contrasts[p]->forEachOf(static_cast<Contrast>(k),
+                                    addTo(view.contrasts[contrastKinds * (p % contrastBands) + k]));
+    }
+}
+
+void addScaled(const std::vector<double>& sums, double scale, std::vector<double>& to) {
+    to.resize(sums.size());
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        to[i] += scale * sums[i];
+}
+
+void addLight(const LightSums& light, double scale, LightSums& to) {
+    for (const auto& [kind, sums] : light)
+        addScaled(sums, scale, to[kind]);
+}
+
+void FactorSums::addToView(const SampleWindow& window, const FactorSamples& samples,
+                           ViewFactors& view) {
+    view.layersLeftOver += layersLeftOver(window, samples);
+    const auto addFor = [&]<std::size_t... I>(std::index_sequence<I...>) {
+        ((layout_.factorCount == I + 1 ? addFactorsToView<I + 1>(window, samples, view) : void()),
+         ...);
+    };
+    addFor(std::make_index_sequence<mostFactors>());
+}
+
+void FactorSums::addToPixels(const SampleWindow& window, const FactorSamples& samples,
+                             PixelFactors& pixels) {
+    const auto rows = static_cast<std::size_t>(window.height());
+    std::vector<LayerWalk> walks(lightParts, LayerWalk(rows_));
+    std::array<std::optional<PixelKindSums>, lightParts> sums;
+    parallelFor(lightParts, [&](std::size_t p) {
+        const std::size_t begin = beginOfPart(p, lightParts, rows),
+                          end = beginOfPart(p + 1, lightParts, rows);
+        if (begin == end)
+            return;
+        const auto pixelRow = [&](std::size_t row) {
+            return static_cast<int>((window.tileY + static_cast<int>(row) / window.samplesDown) >>
+                                    window.level);
+        };
+        PixelWindow own = window.pixels();
+        own.y = pixelRow(begin);
+        own.height = pixelRow(end - 1) - own.y + 1;
+        sums[p].emplace(rows_, own, layout_.factorCount, exchange_.get(), pixels.receivers,
+                        window.share());
+        addRows(window, samples, begin, end, walks[p], *sums[p]);
+    });
+    for (std::size_t p = 0; p < lightParts; ++p) {
+        if (!sums[p])
+            continue;
+        const std::vector<int> fronts = numbersOf(walks[p].fronts(), fronts_);
+        const PixelWindow& own = sums[p]->pixels();
+        const auto width = static_cast<std::size_t>(own.width);
+        const auto cellOf = [&](std::size_t cell) {
+            return (static_cast<std::size_t>(own.y) + cell / width) *
+                       static_cast<std::size_t>(width_px_) +
+                   static_cast<std::size_t>(own.x) + cell % width;
+        };
+        const auto frontOf = [&](int front) { return fronts[static_cast<std::size_t>(front)]; };
+        pixels.field.add(sums[p]->field(), cellOf, frontOf);
+        pixels.light.add(sums[p]->light(), cellOf, frontOf);
+    }
+}
+
+void addPointToView(const PointFactors& atUnitDistance, const SurfaceRows& rows,
+                    const PointPlace& place, const std::vector<const FrameBackground*>& varying,
+                    ViewFactors& view) {
+    const double scale = 1.0 / (place.distance_m * place.distance_m);
+    const ViewLayout& layout = view.layout;
+    LightSums light;
+    for (const auto& [kind, sums] : atUnitDistance.light_sr_m2) {
+        std::vector<double>& own = light[{kind.first, rows.first(kind.second)}] = sums;
+        for (std::size_t i = 0; i < own.size(); i += 2)
+            own[i + 1] = own[i] * place.cosOffAxis;
+    }
+    addLight(light, scale, view.light);
+    const FactorField<double>& field = atUnitDistance.sums_sr_m2;
+    field.forEach(0, [&](std::size_t number, std::span<const double> source) {
+        const FactorKind& drawn = field.kinds()[number];
+        double* sums = view.field.at(0, view.field.kindOf({drawn.front, rows.first(drawn.row)}));
+        for (std::size_t i = 0; i <= layout.factorCount; ++i) {
+            sums[i] += scale * source[i];
+            sums[layout.withCosine(i)] += scale * source[i] * place.cosOffAxis;
+        }
+        const double coverage_sr = scale * source[0];
+        sums[layout.pixels()] += coverage_sr / place.solidAngle_sr;
+        for (std::size_t k = 0; k < varying.size(); ++k) {
+            const double behind_W_m2 = coverage_sr * varying[k]->at(place.x, place.y);
+            sums[layout.background(k)] += behind_W_m2;
+            sums[layout.backgroundCosine(k)] += behind_W_m2 * place.cosOffAxis;
+        }
+    });
+    for (std::size_t k = 0; k < std::min(view.contrasts.size(), atUnitDistance.contrasts.size());
+         ++k)
+        addPointToView(atUnitDistance.contrasts[k], rows, place, varying, view.contrasts[k]);
+}
+
+} // namespace irsg

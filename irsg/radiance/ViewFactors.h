@@ -1,0 +1,112 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "irsg/geometry/view/FrameBackground.h"
+#include "irsg/geometry/view/PixelGrid.h"
+#include "irsg/radiance/FactorField.h"
+#include "irsg/radiance/Fronts.h"
+#include "irsg/radiance/SurfaceRows.h"
+#include "irsg/radiance/exchange/SceneLight.h"
+#include "irsg/render/sampling/SampleWindow.h"
+#include "irsg/render/sampling/Samples.h"
+
+namespace irsg {
+
+/// Where the numbers of an entry lie that is summed over a whole view: coverage and each drawn
+/// factor, weighted with the solid angle of their pixels (sr), then the same times cos(off-axis),
+/// then the coverage in pixels, then for every background that varies over the frame the coverage
+/// times its radiance, W m-2, without and with the cosine.
+struct ViewLayout {
+    std::size_t factorCount = 0;
+    std::size_t backgrounds = 0;
+
+    std::size_t coverage() const { return 0; }
+    std::size_t factor(std::size_t f) const { return 1 + f; }
+    /// Of a number above, the one with the cosine.
+    std::size_t withCosine(std::size_t number) const { return number + factorCount + 1; }
+    std::size_t pixels() const { return 2 * (factorCount + 1); }
+    std::size_t background(std::size_t k) const { return pixels() + 1 + 2 * k; }
+    std::size_t backgroundCosine(std::size_t k) const { return background(k) + 1; }
+    std::size_t width() const { return background(backgrounds); }
+};
+
+/// The factors of a view, summed over all its pixels.
+struct ViewFactors {
+    ViewLayout layout;
+    FactorField<double> field; ///< of one cell
+    LightSums light;           ///< of receivers of light, where surfaces light each other
+    int layersLeftOver = 0;
+    /// The same sums with signs, by which interleaved lattices of the samples differ
+    /// (ContrastSums): what the error of the sums follows from; the last is what interpolation
+    /// between distances is likely to leave wrong (RangeFactors). None where nobody asked for it.
+    std::vector<ViewFactors> contrasts = {};
+};
+
+/// The factors of each pixel: coverage and each drawn factor, as parts of a pixel, and the
+/// receivers of light in it.
+struct PixelFactors {
+    FactorField<float> field;
+    FactorField<float> light; ///< of width 1, its rows numbered by `receivers`
+    ReceiverRows receivers;
+};
+
+/// Sums the factors of a view, or of each of its pixels, on all cores; the sums do not depend on
+/// their number. What is in front has the numbers of `fronts`.
+class FactorSums {
+  public:
+    /// `varying`: backgrounds that are not uniform. All must live as long.
+    FactorSums(const Sensor& sensor, const SurfaceRows& rows, Fronts& fronts,
+               std::size_t factorCount, std::vector<const FrameBackground*> varying = {},
+               std::shared_ptr<const LightExchange> exchange = nullptr, bool withContrasts = false);
+
+    /// To the sums of the view.
+    void addToView(const SampleWindow& window, const FactorSamples& samples, ViewFactors& view);
+    ViewFactors emptyView() const;
+
+    /// To the sums of the pixels, row by row: coverage and each drawn factor, as parts of a pixel.
+    void addToPixels(const SampleWindow& window, const FactorSamples& samples,
+                     PixelFactors& pixels);
+    PixelFactors emptyPixels() const;
+
+  private:
+    template <std::size_t Factors>
+    void addFactorsToView(const SampleWindow& window, const FactorSamples& samples,
+                          ViewFactors& view);
+
+    int width_px_, height_px_;
+    PixelGrid grid_;
+    const SurfaceRows& rows_;
+    Fronts& fronts_;
+    ViewLayout layout_;
+    std::vector<const FrameBackground*> varying_;
+    std::shared_ptr<const LightExchange> exchange_;
+    bool withContrasts_;
+};
+
+/// Adds sums of receivers times a scale.
+void addScaled(const std::vector<double>& sums, double scale, std::vector<double>& to);
+void addLight(const LightSums& light, double scale, LightSums& to);
+
+/// The pixel of a point source and what it is to it.
+struct PointPlace {
+    int x = 0, y = 0;
+    double distance_m = 0.0, solidAngle_sr = 0.0, cosOffAxis = 1.0;
+};
+
+/// Factors of one source at unit distance: coverage and factors in sr m2, in the one cell of a
+/// field, and its receivers of light likewise, by drawn row.
+struct PointFactors {
+    FactorField<double> sums_sr_m2;
+    LightSums light_sr_m2;
+    std::vector<PointFactors> contrasts = {}; ///< see ViewFactors
+};
+
+/// Such a source, seen from farther away in the middle of one pixel, added to a view.
+void addPointToView(const PointFactors& atUnitDistance, const SurfaceRows& rows,
+                    const PointPlace& place, const std::vector<const FrameBackground*>& varying,
+                    ViewFactors& view);
+
+} // namespace irsg

@@ -1,0 +1,422 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "irsg/geometry/view/FrameBackground.h"
+#include "irsg/geometry/view/PixelGrid.h"
+#include "irsg/radiance/FactorField.h"
+#include "irsg/radiance/LayerWalk.h"
+#include "irsg/radiance/SurfaceRows.h"
+#include "irsg/radiance/ViewFactors.h"
+#include "irsg/radiance/exchange/SceneLight.h"
+
+namespace irsg {
+
+/// Sums of a part of a view's samples by kind, as ViewLayout has them, for `Factors` drawn factors.
+/// Every layer of every sample comes here: sums are dense, and their number is known when this is
+/// compiled.
+template <std::size_t Factors>
+class ViewKindSums {
+  public:
+    /// All must live as long. `share`: a sample's part of a pixel.
+    ViewKindSums(const SurfaceRows& rows, const PixelGrid& grid,
+                 const std::vector<const FrameBackground*>& varying, const LightExchange* exchange,
+                 double share)
+        : rows_(static_cast<std::size_t>(rows.size())),
+          surfaces_(rows),
+          grid_(grid),
+          varying_(varying),
+          exchange_(exchange),
+          share_(share),
+          behind_W_m2_sr_(varying.size()) {}
+
+    /// Samples that are added now lie in a pixel and count with `weight`.
+    void goTo(int x, int y, double weight) {
+        endRun();
+        const PixelGrid::Pixel pixel = pixelAt(x, y);
+        part_ = weight * share_;
+        omega_sr_ = pixel.solidAngle_sr * part_;
+        projected_sr_ = omega_sr_ * pixel.cosOffAxis;
+        for (std::size_t k = 0; k < varying_.size(); ++k)
+            behind_W_m2_sr_[k] = varying_[k]->at(x, y);
+    }
+
+    /// The same as others, times a factor.
+    void goTo(const ViewKindSums& others, double factor) {
+        endRun();
+        part_ = factor * others.part_;
+        omega_sr_ = factor * others.omega_sr_;
+        projected_sr_ = factor * others.projected_sr_;
+        behind_W_m2_sr_ = others.behind_W_m2_sr_;
+    }
+
+    [[gnu::always_inline]] void add(int front, const SurfaceRows::Between& between,
+                                    const FactorSamples::Layer& layer) {
+        const std::size_t place = placeOf(front, between.row);
+        const float* factors = layer.factors.data();
+        if (layer.place && layer.place->triangle != FactorSamples::Place::none) {
+            addReceivers(place, between.row, 1.0 - static_cast<double>(between.next), *layer.place);
+            if (between.next > 0.0f)
+                addReceivers(place + 1, between.row, static_cast<double>(between.next),
+                             *layer.place);
+        }
+        addToRun(place, static_cast<double>(between.next), factors,
+                 std::make_index_sequence<Factors>());
+    }
+
+    /// Factors of what is covered already, and what lobes have for coverage.
+    void addLight(int front, const SurfaceRows::Between& between,
+                  const FactorSamples::Layer& layer) {
+        const std::size_t place = placeOf(front, between.row);
+        const auto coverage = static_cast<double>(layer.coverage);
+        const auto addTo = [&](std::size_t to, double weight) {
+            Sums& sums = sums_[slotOf(to)];
+            sums.plain[0] += weight * omega_sr_ * coverage;
+            sums.cosine[0] += weight * projected_sr_ * coverage;
+            for (std::size_t f = 0; f < Factors; ++f) {
+                const auto factor = static_cast<double>(layer.factors[f]);
+                sums.plain[1 + f] += weight * omega_sr_ * factor;
+                sums.cosine[1 + f] += weight * projected_sr_ * factor;
+            }
+            if (layer.place && layer.place->triangle != FactorSamples::Place::none)
+                addReceivers(to, between.row, weight * coverage, *layer.place);
+        };
+        addTo(place, 1.0 - static_cast<double>(between.next));
+        if (between.next > 0.0f)
+            addTo(place + 1, static_cast<double>(between.next));
+    }
+
+    /// What lobes mirror of the air, which is divided among its places once all is added.
+    void addMirror(int front, const FactorSamples& samples, const FactorSamples::Layer& layer,
+                   const FactorSamples::Mirror& mirror) {
+        const SurfaceRows::Between between = surfaces_.at(mirror.row, layer.distance_m);
+        const MirrorTable& table = *samples.mirrorTables[mirror.table];
+        const float* scales = &samples.mirrorScales[mirror.scales];
+        const auto addTo = [&](int row, double weight) {
+            Mirrors& mirrors = mirrorsOf(front, row, samples, mirror);
+            for (std::size_t n = 0; n < mirror.nodes.size(); ++n) {
+                double* sums = mirrors.of(mirror.nodes[n], 2 * table.components);
+                const double ofNode = weight * static_cast<double>(mirror.weights[n]);
+                for (std::size_t k = 0; k < table.components; ++k) {
+                    const double own = ofNode * static_cast<double>(scales[k]);
+                    sums[2 * k] += own * omega_sr_;
+                    sums[2 * k + 1] += own * projected_sr_;
+                }
+            }
+        };
+        addTo(between.row, 1.0 - static_cast<double>(between.next));
+        if (between.next > 0.0f)
+            addTo(between.row + 1, static_cast<double>(between.next));
+    }
+    /// Divides it; nothing is added afterwards.
+    void finish() {
+        endRun();
+        for (const auto& [key, mirrors] : mirrors_) {
+            const auto& [front, row, number] = key;
+            const std::shared_ptr<const MirrorTable>& table = mirrors.table;
+            const std::size_t first = placeOf(front, row);
+            std::array<double, 2>* const sums = mirroredFrom(
+                first, table->valuesOfNode(), static_cast<std::size_t>(mirrors.rowsOfPlace));
+            // In an order that what was seen before does not change.
+            std::vector<std::uint32_t> nodes = mirrors.nodes;
+            std::ranges::sort(nodes, {}, [&](std::uint32_t node) { return table->keys[node]; });
+            for (const std::uint32_t node : nodes)
+                for (std::size_t k = 0; k < table->components; ++k) {
+                    const double* seen = mirrors.sumsOf(node, 2 * table->components) + 2 * k;
+                    if (seen[0] == 0.0)
+                        continue;
+                    const float* shares = table->of(node);
+                    for (std::size_t i = k * table->places; i < (k + 1) * table->places; ++i) {
+                        sums[i][0] += static_cast<double>(shares[i]) * seen[0];
+                        sums[i][1] += static_cast<double>(shares[i]) * seen[1];
+                    }
+                }
+        }
+        mirrors_.clear();
+        lastMirrors_ = nullptr;
+    }
+
+    /// Ends the runs of receivers; no sample comes after it.
+    void finishLight() {
+        for (std::size_t slot = 0; slot < receivers_.size(); ++slot)
+            if (!receivers_[slot].empty())
+                addRun(std::exchange(runs_[slot], {}), receivers_[slot]);
+    }
+    /// Adds what was seen of receivers of light, finished, times a sign; see addTo.
+    template <typename FrontOf>
+    void addLightTo(LightSums& light, FrontOf frontOf, double sign) const {
+        for (std::size_t place = 0; place < slots_.size() && !receivers_.empty(); ++place) {
+            const auto slot = static_cast<std::size_t>(slots_[place]);
+            if (slots_[place] == none || slot >= receivers_.size() || receivers_[slot].empty())
+                continue;
+            const FactorKind kind = kindOf(place, frontOf);
+            addScaled(receivers_[slot], sign, light[{kind.front, kind.row}]);
+        }
+    }
+
+    /// Adds what was seen times a sign to the one cell of a field. `frontOf(front)` is the number
+    /// there of one here.
+    template <typename FrontOf>
+    void addTo(FactorField<double>& field, const ViewLayout& layout, FrontOf frontOf,
+               double sign) const {
+        for (std::size_t place = 0; place < slots_.size(); ++place) {
+            if (slots_[place] != none)
+                addSumsTo(field, layout, kindOf(place, frontOf),
+                          static_cast<std::size_t>(slots_[place]), sign);
+            if (place >= mirrorSlots_.size() || mirrorSlots_[place] == none)
+                continue;
+            const auto& [plain, cosine] = mirrored_[static_cast<std::size_t>(mirrorSlots_[place])];
+            if (plain == 0.0)
+                continue;
+            double* numbers = field.at(0, field.kindOf(kindOf(place, frontOf)));
+            numbers[layout.coverage()] += sign * plain;
+            numbers[layout.withCosine(layout.coverage())] += sign * cosine;
+        }
+    }
+
+  private:
+    static constexpr std::int32_t none = -1;
+    using Numbers = std::array<double, Factors + 1>;
+    /// Coverage and factors, times solid angle and times projected solid angle, sr.
+    struct Sums {
+        Numbers plain{}, cosine{};
+        double pixels = 0.0;
+    };
+
+    /// Rows of samples go through the same pixels again and again.
+    PixelGrid::Pixel pixelAt(int x, int y) {
+        if (x < 0)
+            return grid_.at(x, y);
+        if (y != y_) {
+            y_ = y;
+            pixels_.assign(pixels_.size(), {});
+        }
+        const auto place = static_cast<std::size_t>(x);
+        if (place >= pixels_.size())
+            pixels_.resize(place + 1);
+        PixelGrid::Pixel& pixel = pixels_[place];
+        if (pixel.solidAngle_sr == 0.0)
+            pixel = grid_.at(x, y);
+        return pixel;
+    }
+
+    /// Coverage and factors of the samples of one pixel, whose solid angle is that of all: without
+    /// and with the weights of the row behind. Aligned, so that what was stored in pairs is read
+    /// in the same ones: processors wait for others.
+    struct alignas(32) OfRun {
+        Numbers all{}, next{};
+        std::size_t place = 0;
+    };
+
+    /// Of a front and a row, for which there is a place from now on, and for the rows behind it.
+    [[gnu::always_inline]] std::size_t placeOf(int front, int row) {
+        const std::size_t place =
+            static_cast<std::size_t>(front) * rows_ + static_cast<std::size_t>(row);
+        if (place >= slots_.size())
+            growTo(front);
+        return place;
+    }
+    [[gnu::noinline]] void growTo(int front) {
+        slots_.resize((static_cast<std::size_t>(front) + 1) * rows_, none);
+    }
+    template <typename FrontOf>
+    FactorKind kindOf(std::size_t place, FrontOf frontOf) const {
+        return {frontOf(static_cast<int>(place / rows_)), static_cast<int>(place % rows_)};
+    }
+    /// Where the sums of a place are: few of them are seen in a part of a view, of lobes above all.
+    [[gnu::always_inline]] std::size_t slotOf(std::size_t place) {
+        const std::int32_t slot = slots_[place];
+        return slot != none ? static_cast<std::size_t>(slot) : newSlotOf(place);
+    }
+    [[gnu::noinline]] std::size_t newSlotOf(std::size_t place) {
+        slots_[place] = static_cast<std::int32_t>(sums_.size());
+        sums_.emplace_back();
+        ofRun_.emplace_back().place = place;
+        behind_W_m2_.resize(2 * sums_.size() * varying_.size());
+        return sums_.size() - 1;
+    }
+
+    void addSumsTo(FactorField<double>& field, const ViewLayout& layout, const FactorKind& kind,
+                   std::size_t slot, double sign) const {
+        const Sums& sums = sums_[slot];
+        if (std::ranges::all_of(sums.plain, [](double sum) { return sum == 0.0; }))
+            return;
+        double* numbers = field.at(0, field.kindOf(kind));
+        for (std::size_t i = 0; i <= Factors; ++i) {
+            numbers[i] += sign * sums.plain[i];
+            numbers[layout.withCosine(i)] += sign * sums.cosine[i];
+        }
+        numbers[layout.pixels()] += sign * sums.pixels;
+        for (std::size_t k = 0; k < varying_.size(); ++k) {
+            const double* behind_W_m2 = &behind_W_m2_[2 * (slot * varying_.size() + k)];
+            numbers[layout.background(k)] += sign * behind_W_m2[0];
+            numbers[layout.backgroundCosine(k)] += sign * behind_W_m2[1];
+        }
+    }
+
+    /// Each number in a register of its own: an array would go through memory twice, in pieces of
+    /// different sizes, for which processors wait.
+    template <std::size_t... I>
+    [[gnu::always_inline]] void addToRun(std::size_t place, double next, const float* factors,
+                                         std::index_sequence<I...>) {
+        const std::size_t slot = slotOf(place);
+        OfRun& run = ofRun_[slot];
+        if (run.all[0] == 0.0)
+            noteSeen(slot);
+        run.all[0] += 1.0;
+        ((run.all[1 + I] += static_cast<double>(factors[I])), ...);
+        if (next == 0.0)
+            return;
+        run.next[0] += next;
+        ((run.next[1 + I] += next * static_cast<double>(factors[I])), ...);
+    }
+    [[gnu::noinline]] void noteSeen(std::size_t slot) { seen_.push_back(slot); }
+    /// Adds what was seen in the pixel to the sums.
+    void endRun() {
+        for (const std::size_t slot : seen_) {
+            const OfRun run = ofRun_[slot];
+            ofRun_[slot].all.fill(0.0);
+            ofRun_[slot].next.fill(0.0);
+            Numbers here;
+            for (std::size_t i = 0; i <= Factors; ++i)
+                here[i] = run.all[i] - run.next[i];
+            addPixel(slot, here);
+            if (run.next[0] > 0.0)
+                addPixel(slotOf(run.place + 1), run.next);
+        }
+        seen_.clear();
+    }
+    void addPixel(std::size_t slot, const Numbers& samples) {
+        Sums& sums = sums_[slot];
+        for (std::size_t i = 0; i <= Factors; ++i) {
+            sums.plain[i] += omega_sr_ * samples[i];
+            sums.cosine[i] += projected_sr_ * samples[i];
+        }
+        sums.pixels += part_ * samples[0];
+        for (std::size_t k = 0; k < behind_W_m2_sr_.size(); ++k) {
+            double* behind_W_m2 = &behind_W_m2_[2 * (slot * behind_W_m2_sr_.size() + k)];
+            behind_W_m2[0] += omega_sr_ * samples[0] * behind_W_m2_sr_[k];
+            behind_W_m2[1] += projected_sr_ * samples[0] * behind_W_m2_sr_[k];
+        }
+    }
+
+    /// Samples that follow each other in one triangle, by the weights of its corners.
+    struct Run {
+        std::uint32_t triangle = FactorSamples::Place::none;
+        std::array<double, 3> plain{}, cosine{};
+    };
+    void addReceivers(std::size_t place, int row, double weight, const FactorSamples::Place& at) {
+        const std::size_t slot = slotOf(place);
+        if (slot >= receivers_.size()) {
+            receivers_.resize(sums_.size());
+            runs_.resize(sums_.size());
+        }
+        Run& run = runs_[slot];
+        if (run.triangle != at.triangle) {
+            std::vector<double>& sums = receivers_[slot];
+            if (sums.empty())
+                sums.resize(2 *
+                            exchange_->ofRow(surfaces_.surfaceOf(surfaces_.drawnOf(row))).size());
+            addRun(run, sums);
+            run = {};
+            run.triangle = at.triangle;
+        }
+        const auto u = static_cast<double>(at.u), v = static_cast<double>(at.v);
+        const std::array<double, 3> parts{1.0 - u - v, u, v};
+        for (std::size_t c = 0; c < 3; ++c) {
+            run.plain[c] += weight * omega_sr_ * parts[c];
+            run.cosine[c] += weight * projected_sr_ * parts[c];
+        }
+    }
+    void addRun(const Run& run, std::vector<double>& sums) const {
+        if (run.triangle == FactorSamples::Place::none)
+            return;
+        exchange_->forEachReceiver(
+            run.triangle, [&](std::uint32_t receiver, std::size_t corner, float part) {
+                const std::size_t own = 2 * static_cast<std::size_t>(exchange_->localOf(receiver));
+                sums[own] += run.plain[corner] * static_cast<double>(part);
+                sums[own + 1] += run.cosine[corner] * static_cast<double>(part);
+            });
+    }
+
+    /// Of the nodes of a table that were seen, by component, and without and with cosine: a table
+    /// has those of all frames, of which a part of a view sees few.
+    struct Mirrors {
+        std::shared_ptr<const MirrorTable> table;
+        int rowsOfPlace = 1;
+        std::vector<std::uint32_t> nodes;
+        std::vector<std::int32_t> numbers; // by node: place in the list
+        std::vector<double> sums;          // by that
+
+        const double* sumsOf(std::uint32_t node, std::size_t width) const {
+            return &sums[static_cast<std::size_t>(numbers[node]) * width];
+        }
+        double* of(std::uint32_t node, std::size_t width) {
+            if (node >= numbers.size())
+                numbers.resize(std::max<std::size_t>(node + 1, table->keys.size()), none);
+            std::int32_t& number = numbers[node];
+            if (number == none) {
+                number = static_cast<std::int32_t>(nodes.size());
+                nodes.push_back(node);
+                sums.resize(sums.size() + width);
+            }
+            return &sums[static_cast<std::size_t>(number) * width];
+        }
+    };
+    using MirrorKey = std::tuple<int, int, std::uint32_t>; // front, row of the first place, table
+    Mirrors& mirrorsOf(int front, int row, const FactorSamples& samples,
+                       const FactorSamples::Mirror& mirror) {
+        const MirrorKey key{front, row, mirror.table};
+        if (lastMirrors_ == nullptr || key != lastKey_) {
+            lastKey_ = key;
+            lastMirrors_ = &mirrors_[key];
+            lastMirrors_->table = samples.mirrorTables[mirror.table];
+            lastMirrors_->rowsOfPlace =
+                surfaces_.first(mirror.row + 1) - surfaces_.first(mirror.row);
+        }
+        return *lastMirrors_;
+    }
+    /// The sums of what is mirrored in so many places from one on, one behind the other.
+    std::array<double, 2>* mirroredFrom(std::size_t place, std::size_t count, std::size_t step) {
+        mirrorSlots_.resize(slots_.size(), none);
+        if (mirrorSlots_[place] == none)
+            for (std::size_t i = 0; i < count; ++i) {
+                mirrorSlots_[place + i * step] = static_cast<std::int32_t>(mirrored_.size());
+                mirrored_.emplace_back();
+            }
+        return &mirrored_[static_cast<std::size_t>(mirrorSlots_[place])];
+    }
+
+    std::size_t rows_;
+    const SurfaceRows& surfaces_;
+    const PixelGrid& grid_;
+    const std::vector<const FrameBackground*>& varying_;
+    const LightExchange* exchange_;
+    std::vector<std::vector<double>> receivers_; // by slot
+    std::vector<Run> runs_;                      // likewise
+    int y_ = -1;
+    std::vector<PixelGrid::Pixel> pixels_; // of that row, by x; no solid angle: not known yet
+    double share_;
+    double part_ = 0.0, omega_sr_ = 0.0, projected_sr_ = 0.0; // of a sample in its pixel
+    std::vector<double> behind_W_m2_sr_;                      // by varying background
+    std::vector<std::int32_t> slots_, mirrorSlots_;           // by place: front, then row
+    std::vector<Sums> sums_;                                  // by slot
+    std::vector<OfRun> ofRun_;                                // likewise
+    std::vector<std::size_t> seen_;                           // slots, since the pixel was gone to
+    std::vector<std::array<double, 2>> mirrored_; // by slot of a mirror: without and with cosine
+    std::map<MirrorKey, Mirrors> mirrors_;
+    MirrorKey lastKey_{};
+    Mirrors* lastMirrors_ = nullptr;
+    std::vector<double> behind_W_m2_; // by slot and background: without and with cosine
+};
+
+} // namespace irsg

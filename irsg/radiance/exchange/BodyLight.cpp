@@ -1,0 +1,251 @@
+#include "irsg/radiance/exchange/BodyLight.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "irsg/core/ParallelFor.h"
+#include "irsg/radiance/exchange/LightBalance.h"
+
+namespace irsg {
+
+/// Facets as a sensor meets them, and with all their backs.
+struct BodyLight::Uses {
+    const PieceUses& own;
+    PieceUses withBacks = own.withBacks();
+};
+
+/// What a side of a patch has sent.
+struct BodyLight::Sending {
+    /// How many rays meet the body, their directions, and how many meet each of some halves of its
+    /// pieces, of which any two are told apart: in a cavity all rays meet something.
+    static constexpr std::size_t halves = 4;
+    using Moments = std::array<double, 4 + halves>;
+
+    std::uint32_t sent = 0;
+    std::vector<LightRay> hits;
+    std::vector<double> weights; ///< by near node: its parts of the places where rays begin
+    Moments moments{}, ofFirstHalf{};
+
+    /// The variances of a single ray's moments: of all of them, and the greatest. Never 0, however
+    /// few rays have met anything so far.
+    struct Variance {
+        double sum = 0.0, most = 0.0;
+    };
+    Variance variance() const {
+        Variance variance;
+        const double met = (moments[0] + 1.0) / (sent + 2.0);
+        for (std::size_t i = 0; i < moments.size(); ++i) {
+            const double mean = moments[i] / sent;
+            const bool isDirection = i > 0 && i < 4;
+            // A third of the squares of the coordinates of directions that go everywhere.
+            const double square = isDirection ? met / 3.0 : (moments[i] + 1.0) / (sent + 2.0);
+            const double own = std::max(square - mean * mean, 0.5 / sent);
+            variance.sum += own;
+            variance.most = std::max(variance.most, own);
+        }
+        return variance;
+    }
+    /// Squares of what the halves of the rays differ by, of all moments.
+    double squareOfDifference() const {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < moments.size(); ++i)
+            sum += std::pow((2.0 * ofFirstHalf[i] - moments[i]) / sent, 2.0);
+        return sum;
+    }
+};
+
+/// What the mean of some rays is off by, as a part of what single ones are: by what the halves of
+/// all patches that have sent as many differ by. The halves of one may be equal by chance, and the
+/// rays that such a patch did not send would be missed, always on the same side.
+class BodyLight::Errors {
+  public:
+    void add(const Sending& sending) {
+        Pool& pool = pools_[sending.sent];
+        pool.differences += sending.squareOfDifference();
+        pool.variances += sending.variance().sum;
+    }
+    /// Square of the error of the part of its hemisphere that it sees.
+    double squareOf(const Sending& sending) const {
+        const auto pool = pools_.find(sending.sent);
+        return pool == pools_.end()
+                   ? 0.0
+                   : pool->second.differences / pool->second.variances * sending.variance().most;
+    }
+
+  private:
+    struct Pool {
+        double differences = 0.0, variances = 0.0;
+    };
+    std::map<std::uint32_t, Pool> pools_; // by rays sent
+};
+
+BodyLight::Rays::Rays(const LightNodes& nodes, std::uint32_t side)
+    : nodes_(nodes), side_(side), points_(side) {}
+
+BodyLight::LightStart BodyLight::Rays::at(std::uint32_t index) const {
+    const LightPoint point = points_.at(index);
+    LightStart start{nodes_.start(side_, point[0], point[1], point[2]), {}};
+    start.ray = {start.from.at_m, cosineDirection(start.from.normal, point[3], point[4])};
+    return start;
+}
+
+BodyLight::BodyLight(std::shared_ptr<const LightNodes> nodes, const PieceUses& uses, double error)
+    : nodes_(std::move(nodes)) {
+    std::vector<Sending> sendings(nodes_->receivers());
+    refine(sendings, Uses{uses}, error);
+    gather(sendings);
+}
+
+void BodyLight::refine(std::vector<Sending>& sendings, const Uses& uses, double error) {
+    std::vector<std::uint32_t> active;
+    double area_m2 = 0.0;
+    for (std::uint32_t side = 0; side < sendings.size(); ++side) {
+        const PieceUse& use = uses.own[static_cast<std::size_t>(nodes_->pieceOf(side / 2))];
+        const bool isSeen =
+            use.isThere && (side % 2 == 0 || use.transparent || !use.cullsBackFaces);
+        if (isSeen && nodes_->patchArea_m2(side / 2) > 0.0 && nodes_->seesAnything(side)) {
+            active.push_back(side);
+            area_m2 += nodes_->patchArea_m2(side / 2);
+        }
+    }
+    const std::vector<std::uint32_t> all = active;
+    // A node has the mean of the patches near it, whose errors know nothing of each other.
+    Errors errors;
+    const auto partsOfError_m2 = [&](std::uint32_t side) {
+        double sum_m2 = 0.0;
+        for (const LightNodes::Near& near : nodes_->near(side / 2))
+            sum_m2 +=
+                std::pow(static_cast<double>(near.area_m2), 2.0) / nodes_->areaOf_m2(near.node);
+        return sum_m2 * errors.squareOf(sendings[side]);
+    };
+    while (!active.empty()) {
+        parallelForSmall(active.size(), [&](std::uint32_t i) {
+            Sending& sending = sendings[active[i]];
+            send(sending, active[i], uses, std::max(fewestRays, 2 * sending.sent));
+        });
+        errors = {};
+        for (const std::uint32_t side : all)
+            errors.add(sendings[side]);
+        double squares_m2 = 0.0;
+        allSent_ = 0;
+        for (const std::uint32_t side : all) {
+            squares_m2 += partsOfError_m2(side);
+            allSent_ += sendings[side].sent;
+        }
+        error_ = std::sqrt(squares_m2 / area_m2);
+        if (error_ <= error)
+            return;
+        std::erase_if(active, [&](std::uint32_t side) {
+            return sendings[side].sent >= mostRays ||
+                   partsOfError_m2(side) <= error * error * nodes_->patchArea_m2(side / 2);
+        });
+        // Where there is no room for all, those come first that matter most.
+        std::ranges::stable_sort(active, std::greater<>(), partsOfError_m2);
+        std::size_t next = allSent_;
+        std::erase_if(active, [&](std::uint32_t side) {
+            const bool fits = next + sendings[side].sent <= mostSent;
+            next += fits ? sendings[side].sent : 0;
+            return !fits;
+        });
+        isLimited_ = active.empty();
+    }
+}
+
+void BodyLight::send(Sending& sending, std::uint32_t side, const Uses& uses,
+                     std::uint32_t wanted) const {
+    const Rays rays(*nodes_, side);
+    const bool isTransparent =
+        uses.own[static_cast<std::size_t>(nodes_->pieceOf(side / 2))].transparent;
+    RayHit hit;
+    std::vector<RayHit> through;
+    sending.weights.resize(nodes_->near(side / 2).size());
+    const auto sendUpTo = [&](std::uint32_t end) {
+        for (; sending.sent < end; ++sending.sent) {
+            const LightStart start = rays.at(sending.sent);
+            for (const LightNodes::Share& own : LightNodes::OfPlace(*nodes_, start.from.place))
+                sending.weights[nodes_->placeNear(side / 2, own.node)] +=
+                    static_cast<double>(own.part);
+            bool isMet = mesh().rays().meet(start.ray, uses.withBacks, 0.0, hit, through);
+            const bool isCulled = isMet && uses.own.isCulled(hit);
+            if (isCulled)
+                isMet = mesh().rays().meet(start.ray, uses.own, 0.0, hit, through);
+            if (!isMet)
+                continue;
+            sending.hits.push_back({static_cast<std::uint16_t>(sending.sent),
+                                    isCulled || isTransparent, static_cast<float>(hit.distance_m),
+                                    mesh().placeOf(hit)});
+            sending.moments[0] += 1.0;
+            sending.moments[1] += start.ray.direction.x;
+            sending.moments[2] += start.ray.direction.y;
+            sending.moments[3] += start.ray.direction.z;
+            for (std::size_t i = 0; i < Sending::halves; ++i)
+                sending.moments[4 + i] += (hit.piece >> i) % 2;
+        }
+    };
+    sendUpTo(wanted / 2);
+    sending.ofFirstHalf = sending.moments;
+    sendUpTo(wanted);
+}
+
+void BodyLight::gather(std::vector<Sending>& sendings) {
+    // The surface that a receiver's numbers come from: nodes that no ray has begun near are not
+    // known there.
+    std::vector<double> known_m2(nodes_->receivers(), 0.0);
+    raysFrom_.assign(nodes_->receivers(), 0.0);
+    for (std::uint32_t side = 0; side < sendings.size(); ++side) {
+        const auto near = nodes_->near(side / 2);
+        for (std::size_t i = 0; i < near.size(); ++i) {
+            const std::uint32_t receiver = 2 * near[i].node + side % 2;
+            if (sendings[side].sent == 0 || sendings[side].weights[i] > 0.0)
+                known_m2[receiver] += static_cast<double>(near[i].area_m2);
+            if (sendings[side].sent > 0)
+                raysFrom_[receiver] += sendings[side].weights[i];
+        }
+    }
+    first_.push_back(0);
+    firstScale_.push_back(0);
+    std::size_t hits = 0;
+    for (const Sending& sending : sendings)
+        hits += sending.hits.size();
+    rays_.reserve(hits);
+    for (std::uint32_t side = 0; side < sendings.size(); ++side) {
+        const Sending sending = std::move(sendings[side]);
+        sent_.push_back(sending.sent);
+        rays_.insert(rays_.end(), sending.hits.begin(), sending.hits.end());
+        first_.push_back(rays_.size());
+        const auto near = nodes_->near(side / 2);
+        for (std::size_t i = 0; i < near.size() && sending.sent > 0; ++i) {
+            const double whole_m2 = sending.weights[i] * known_m2[2 * near[i].node + side % 2];
+            scales_.push_back(whole_m2 > 0.0 ? near[i].area_m2 / static_cast<float>(whole_m2)
+                                             : 0.0f);
+        }
+        firstScale_.push_back(scales_.size());
+    }
+    std::vector<std::vector<LightPart>> parts(sendings.size()), oneWay(sendings.size());
+    parallelForSmall(sendings.size(), [&](std::uint32_t side) {
+        const Rays rays(*nodes_, side);
+        for (const LightRay& ray : raysOf(side)) {
+            const LightNodes::OfPlace senders(*nodes_, ray.place);
+            for (const LightNodes::Share& own :
+                 LightNodes::OfPlace(*nodes_, rays.at(ray.index).from.place)) {
+                const float scale =
+                    own.part * scalesOf(side)[nodes_->placeNear(side / 2, own.node)];
+                for (const LightNodes::Share& sender : senders)
+                    (ray.isOneWay ? oneWay : parts)[side].push_back(
+                        {2 * own.node + side % 2, 2 * sender.node + ray.place.triangle % 2,
+                         scale * sender.part});
+            }
+        }
+        mergeParts(parts[side]);
+        mergeParts(oneWay[side]);
+    });
+    std::vector<ReceiverRays> receivers;
+    for (std::uint32_t r = 0; r < nodes_->receivers(); ++r)
+        receivers.push_back({nodes_->areaOf_m2(r / 2), raysFrom_[r]});
+    pairs_ = balanced(LightPairs(nodes_->receivers(), std::move(parts)),
+                      LightPairs(nodes_->receivers(), std::move(oneWay)), receivers);
+}
+
+} // namespace irsg

@@ -1,0 +1,119 @@
+#include "irsg/radiance/exchange/LightBalance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "irsg/core/ParallelFor.h"
+#include "irsg/radiance/exchange/LightNodes.h"
+
+namespace irsg {
+
+namespace {
+
+/// Until sums are right: of what is left each step takes half and more.
+constexpr int mostSteps = 40;
+constexpr double wellBalanced = 1e-5;
+
+/// Rays per area.
+double densityOf(const ReceiverRays& receiver) {
+    return receiver.area_m2 > 0.0 ? receiver.rays / receiver.area_m2 : 0.0;
+}
+
+/// A F of all pairs from the hits of both ends.
+LightPairs exchanged(const LightPairs& pairs, const std::vector<ReceiverRays>& receivers) {
+    std::vector<std::vector<LightPart>> parts(pairs.receivers());
+    parallelForSmall(pairs.receivers(), [&](std::uint32_t r) {
+        const double own = densityOf(receivers[r]);
+        const auto [first, last] = pairs.of(r);
+        for (const LightPair* pair = first; pair != last; ++pair) {
+            const double other = densityOf(receivers[pair->sender]);
+            const auto part = static_cast<float>(own / (own + other) * receivers[r].area_m2 *
+                                                 static_cast<double>(pair->factor));
+            parts[r].push_back({r, pair->sender, part});
+            parts[r].push_back({pair->sender, r, part});
+        }
+    });
+    return LightPairs(pairs.receivers(), std::move(parts));
+}
+
+/// What a receiver sees of others, as an area: the mean of what its own rays say and of what the
+/// rays of both ends do.
+double wantedSum_m2(const LightPairs& pairs, const LightPairs& exchange, double oneWay,
+                    std::uint32_t receiver, const std::vector<ReceiverRays>& receivers) {
+    const ReceiverRays& own = receivers[receiver];
+    if (!(own.area_m2 > 0.0))
+        return 0.0;
+    const double most_m2 = own.area_m2 * std::max(1.0 - oneWay, 0.0);
+    double sum_m2 = 0.0, variance_m4 = 0.0;
+    const auto [first, last] = exchange.of(receiver);
+    for (const LightPair* pair = first; pair != last; ++pair) {
+        const auto exchanged_m2 = static_cast<double>(pair->factor);
+        sum_m2 += exchanged_m2;
+        variance_m4 += exchanged_m2 / (densityOf(own) + densityOf(receivers[pair->sender]));
+    }
+    if (!(own.rays > 0.0))
+        return std::min(sum_m2, most_m2);
+    const double seen = pairs.sumOf(receiver);
+    // None of so many rays may be one of the next.
+    const double variance = (seen + 1.0 / own.rays) * std::max(1.0 - seen - oneWay, 0.0) / own.rays;
+    const double area2_m4 = own.area_m2 * own.area_m2;
+    const double trust =
+        variance_m4 > 0.0 ? variance_m4 / (variance_m4 + variance * area2_m4) : 1.0;
+    return std::min(sum_m2 + trust * (seen * own.area_m2 - sum_m2), most_m2);
+}
+
+LightPairs joined(const LightPairs& some, const LightPairs& others) {
+    std::vector<std::vector<LightPart>> parts(some.receivers());
+    for (std::uint32_t r = 0; r < some.receivers(); ++r)
+        for (const LightPairs* pairs : {&some, &others}) {
+            const auto [first, last] = pairs->of(r);
+            for (const LightPair* pair = first; pair != last; ++pair)
+                parts[r].push_back({r, pair->sender, pair->factor});
+        }
+    return LightPairs(some.receivers(), std::move(parts));
+}
+
+} // namespace
+
+LightPairs balanced(const LightPairs& pairs, const LightPairs& oneWay,
+                    const std::vector<ReceiverRays>& receivers) {
+    if (pairs.size() == 0)
+        return oneWay;
+    LightPairs exchange = exchanged(pairs, receivers);
+    std::vector<double> wanted_m2(receivers.size()), scale(receivers.size(), 1.0),
+        next(receivers.size()), off(receivers.size());
+    parallelForSmall(receivers.size(), [&](std::uint32_t r) {
+        wanted_m2[r] = wantedSum_m2(pairs, exchange, oneWay.sumOf(r), r, receivers);
+    });
+    const auto sum_m2 = [&](std::uint32_t r) {
+        double sum = 0.0;
+        const auto [first, last] = exchange.of(r);
+        for (const LightPair* pair = first; pair != last; ++pair)
+            sum += static_cast<double>(pair->factor) * scale[pair->sender];
+        return sum;
+    };
+    for (int step = 0; step < mostSteps; ++step) {
+        parallelForSmall(receivers.size(), [&](std::uint32_t r) {
+            const double sum = scale[r] * sum_m2(r);
+            off[r] = sum > 0.0 ? std::abs(wanted_m2[r] / sum - 1.0) : 0.0;
+            next[r] = sum > 0.0 ? scale[r] * std::sqrt(wanted_m2[r] / sum) : scale[r];
+        });
+        scale.swap(next);
+        if (std::ranges::max(off) < wellBalanced)
+            break;
+    }
+    // What is left of it, each receiver takes on itself.
+    parallelForSmall(receivers.size(), [&](std::uint32_t r) {
+        const double sum = sum_m2(r);
+        next[r] = sum > 0.0 ? wanted_m2[r] / (sum * receivers[r].area_m2) : 0.0;
+    });
+    exchange.scale([&](std::uint32_t receiver, const LightPair& pair) {
+        return static_cast<float>(next[receiver] * scale[pair.sender] *
+                                  static_cast<double>(pair.factor));
+    });
+    return oneWay.size() == 0 ? exchange : joined(exchange, oneWay);
+}
+
+} // namespace irsg

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "irsg/radiance/exchange/LightPairs.h"
+
+namespace irsg {
+
+/// What is known of a receiver beside its pairs.
+struct ReceiverRays {
+    double area_m2 = 0.0;
+    double rays = 0.0; ///< that began on it; 0 where it sent none
+};
+
+/// The pairs of receivers after each has learnt what the others' rays found. Light goes either way
+/// (A_i F_ij = A_j F_ji), so that rays from both ends of a pair count for both: a small hot nozzle
+/// is seldom met by the rays of a wing, and well by its own of the wing.
+///
+/// Where hits are rare their number is Poisson's, and the best that is to be had of A F is all hits
+/// of both ends over all rays per area of both. Sums over the senders of a receiver are brought to
+/// the mean of the sum so found and that of its own rays, each by its certainty: in a closed room
+/// every ray hits something, and the sum stays 1 to the last digit. What that takes is spread so
+/// that pairs stay reciprocal (van Leersum, Int. J. Heat and Fluid Flow 10, 83, 1989, has the same
+/// aim).
+///
+/// `oneWay`: what is seen through the backs of facets that have none, from the inside of a body,
+/// from where the receiver is not seen; it stays as it is.
+LightPairs balanced(const LightPairs& pairs, const LightPairs& oneWay,
+                    const std::vector<ReceiverRays>& receivers);
+
+} // namespace irsg

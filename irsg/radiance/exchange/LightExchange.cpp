@@ -1,0 +1,462 @@
+#include "irsg/radiance/exchange/LightExchange.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "irsg/core/ParallelFor.h"
+#include "irsg/radiance/exchange/LightBalance.h"
+
+namespace irsg {
+
+namespace {
+
+/// Rays of a patch that sees nothing of its own body, but of others, at the usual error.
+constexpr double raysToOthers = 256.0, usualError = 0.005;
+/// Rays to the sun from a patch.
+constexpr std::uint32_t raysToSun = 16;
+/// Of the error that is asked for: bodies that fill less of a hemisphere are left out.
+constexpr double negligibleSize = 0.02;
+
+/// A bounding sphere in the world.
+struct Sphere {
+    Vec3 centre_m;
+    double radius_m = 0.0;
+
+    bool isMetBy(const Vec3& from_m, const Vec3& along) const {
+        const Vec3 to = centre_m - from_m;
+        const double ahead_m = dot(to, along), square_m2 = dot(to, to);
+        const double radius2_m2 = radius_m * radius_m;
+        return square_m2 <= radius2_m2 ||
+               (ahead_m > 0.0 && square_m2 - ahead_m * ahead_m <= radius2_m2);
+    }
+};
+
+} // namespace
+
+/// What is at hand while an exchange is made.
+struct LightExchange::Making {
+    /// What a side of a patch tells a node near it: what is lost of sky and ground and, as areas in
+    /// m2, how much of it sees the sky, with published weights or without, and the sun.
+    struct Told {
+        double sky = 0.0, ground = 0.0;
+        double rays = 0.0; ///< that began there, of patches that see nothing of their own body
+        double open_m2 = 0.0, weighted_m2 = 0.0, sun_m2 = 0.0, sunKnown_m2 = 0.0;
+    };
+    const std::vector<SunShadows::Caster>& casters;
+    const LightSources& sources;
+    std::vector<Rotation> toWorld{}, toMesh{};    ///< by caster
+    std::vector<Sphere> spheres{};                ///< by body
+    std::vector<std::vector<std::size_t>> near{}; ///< bodies that a body may see
+    std::vector<bool> meetsTerrain{};             ///< by body
+    const SunShadows::Caster* terrain = nullptr;
+    std::size_t terrainNumber = 0;
+    std::uint32_t raysToOthers = 0;
+    std::vector<PieceUses> withBacks{};                    ///< by caster, see PieceUses
+    std::vector<std::vector<LightPart>> parts{}, oneWay{}; ///< by side of a patch
+    std::vector<std::vector<Told>> told{};                 ///< by side of a patch and near node
+
+    /// Height of the highest place of the terrain, m.
+    double terrainTop_m() const {
+        double top_m = -1e300;
+        for (std::size_t piece = 0; piece < terrain->mesh->pieces(); ++piece)
+            for (unsigned f = 0; f < terrain->mesh->facetsOf(piece); ++f)
+                for (const Vec3& corner : terrain->mesh->facet(piece, f).corners_m)
+                    top_m = std::max(top_m, terrain->pose.toWorld(corner).z);
+        return top_m;
+    }
+    bool isAlone(std::size_t body) const { return near[body].empty() && !meetsTerrain[body]; }
+    /// Whether light falls on a side at all.
+    bool isSeen(const Body& body, std::size_t number, std::uint32_t side) const {
+        const LightNodes& nodes = body.light->nodes();
+        const PieceUse& use =
+            casters[number].uses[static_cast<std::size_t>(nodes.pieceOf(side / 2))];
+        return use.isThere && (side % 2 == 0 || use.transparent || !use.cullsBackFaces) &&
+               nodes.patchArea_m2(side / 2) > 0.0;
+    }
+};
+
+LightExchange::LightExchange(std::vector<Body> bodies,
+                             const std::vector<SunShadows::Caster>& casters,
+                             const LightSources& sources, double error)
+    : bodies_(std::move(bodies)) {
+    Making making{casters, sources};
+    // What rays of a sequence are off by falls as their number to the power of 2/3.
+    making.raysToOthers =
+        static_cast<std::uint32_t>(std::clamp(raysToOthers * std::pow(usualError / error, 1.5),
+                                              64.0, static_cast<double>(BodyLight::mostRays)));
+    for (const SunShadows::Caster& caster : casters) {
+        making.toWorld.push_back(caster.pose.attitude.rotation());
+        making.toMesh.push_back(making.toWorld.back().transposed());
+        making.withBacks.push_back(caster.uses.withBacks());
+        if (caster.entity < 0) {
+            making.terrain = &caster;
+            making.terrainNumber = making.toWorld.size() - 1;
+        }
+    }
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        making.spheres.push_back(
+            {casters[b].pose.toWorld(bodies_[b].box.centre()), 0.5 * bodies_[b].box.diagonal_m()});
+    for (std::size_t a = 0; a < bodies_.size(); ++a) {
+        std::vector<std::size_t>& near = making.near.emplace_back();
+        for (std::size_t b = 0; b < bodies_.size(); ++b) {
+            const Sphere &own = making.spheres[a], &other = making.spheres[b];
+            if (a != b &&
+                areNear(own.centre_m, own.radius_m, other.centre_m, other.radius_m, error))
+                near.push_back(b);
+        }
+    }
+    const double top_m = making.terrain ? making.terrainTop_m() : 0.0;
+    for (const Sphere& sphere : making.spheres)
+        making.meetsTerrain.push_back(making.terrain &&
+                                      top_m > sphere.centre_m.z - sphere.radius_m);
+    number(casters);
+    takePairs(making);
+    takeLight(making);
+}
+
+bool LightExchange::areNear(const Vec3& centre_m, double radius_m, const Vec3& otherCentre_m,
+                            double otherRadius_m, double error) {
+    const double apart_m = length(otherCentre_m - centre_m) - radius_m;
+    return apart_m <= otherRadius_m ||
+           otherRadius_m * otherRadius_m > negligibleSize * error * apart_m * apart_m;
+}
+
+void LightExchange::number(const std::vector<SunShadows::Caster>& casters) {
+    std::uint32_t allNodes = 0, vertices = 0;
+    firstShare_.push_back(0);
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const LightNodes& nodes = bodies_[b].light->nodes();
+        const LightMesh& mesh = nodes.mesh();
+        firstTriangle_.push_back(static_cast<std::uint32_t>(corners_.size()));
+        firstReceiver_.push_back(2 * allNodes);
+        for (std::uint32_t t = 0; t < mesh.triangles(); ++t) {
+            const auto& own = mesh.corners(t);
+            corners_.push_back({own[0] + vertices, own[1] + vertices, own[2] + vertices});
+        }
+        for (std::uint32_t v = 0; v < mesh.vertices().size(); ++v) {
+            for (const LightNodes::Share& share : nodes.sharesOf(v))
+                shares_.push_back({share.node + allNodes, share.part});
+            firstShare_.push_back(static_cast<std::uint32_t>(shares_.size()));
+        }
+        for (std::uint32_t r = 0; r < nodes.receivers(); ++r) {
+            const int row = casters[b].rows[static_cast<std::size_t>(nodes.pieceOf(r / 2))];
+            rows_.push_back(row);
+            if (static_cast<std::size_t>(row) >= ofRow_.size())
+                ofRow_.resize(static_cast<std::size_t>(row) + 1);
+            std::vector<std::uint32_t>& ofRow = ofRow_[static_cast<std::size_t>(row)];
+            local_.push_back(static_cast<std::uint32_t>(ofRow.size()));
+            ofRow.push_back(static_cast<std::uint32_t>(rows_.size() - 1));
+        }
+        allNodes += static_cast<std::uint32_t>(nodes.nodes());
+        vertices += static_cast<std::uint32_t>(mesh.vertices().size());
+    }
+    firstReceiver_.push_back(2 * allNodes);
+}
+
+std::array<float, 3> LightExchange::openAt(std::uint32_t triangle) const {
+    std::array<float, 3> open{};
+    for (std::size_t c = 0; c < 3; ++c)
+        forEachReceiver(triangle, c == 1 ? 1.0f : 0.0f, c == 2 ? 1.0f : 0.0f,
+                        [&](std::uint32_t receiver, float part) {
+                            open[c] += part * static_cast<float>(1.0 - seen(receiver));
+                        });
+    return open;
+}
+
+void LightExchange::takePairs(Making& making) {
+    losses_.resize(rows_.size());
+    making.parts.resize(rows_.size());
+    making.oneWay.resize(rows_.size());
+    making.told.resize(rows_.size());
+    std::vector<ReceiverRays> known;
+    for (const Body& body : bodies_)
+        for (std::uint32_t r = 0; r < body.light->nodes().receivers(); ++r)
+            known.push_back({body.light->nodes().areaOf_m2(r / 2), body.light->raysFrom(r)});
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const LightNodes& nodes = bodies_[b].light->nodes();
+        parallelForSmall(nodes.receivers(), [&](std::uint32_t side) {
+            making.told[firstReceiver_[b] + side].resize(nodes.near(side / 2).size());
+            if (!making.isSeen(bodies_[b], b, side))
+                return;
+            if (making.isAlone(b))
+                takeOwn(making, b, side);
+            else
+                takeWithOthers(making, b, side);
+        });
+        if (bodies_.size() > 1 && making.isAlone(b))
+            copyPairs(making, b);
+        for (std::uint32_t side = 0; side < nodes.receivers(); ++side) {
+            const auto near = nodes.near(side / 2);
+            for (std::size_t i = 0; i < near.size(); ++i) {
+                const Making::Told& told = making.told[firstReceiver_[b] + side][i];
+                Loss& loss = losses_[firstReceiver_[b] + 2 * near[i].node + side % 2];
+                loss.sky += told.sky;
+                loss.ground += told.ground;
+                known[firstReceiver_[b] + 2 * near[i].node + side % 2].rays += told.rays;
+            }
+        }
+    }
+    if (bodies_.size() == 1 && making.isAlone(0))
+        pairs_ = {bodies_.front().light, &bodies_.front().light->pairs()};
+    else
+        pairs_ = std::make_shared<const LightPairs>(
+            balanced(LightPairs(rows_.size(), std::move(making.parts)),
+                     LightPairs(rows_.size(), std::move(making.oneWay)), known));
+    sees_.assign(ofRow_.size(), false);
+    isSender_.assign(rows_.size(), false);
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        const auto [first, last] = pairs_->of(r);
+        if (first != last || losses_[r].sky != 0.0)
+            sees_[static_cast<std::size_t>(rows_[r])] = true;
+        for (const LightPair* pair = first; pair != last; ++pair)
+            isSender_[pair->sender] = true;
+    }
+}
+
+void LightExchange::takeOwn(Making& making, std::size_t body, std::uint32_t side) const {
+    const BodyLight& light = *bodies_[body].light;
+    const LightNodes& nodes = light.nodes();
+    const std::uint32_t first = firstReceiver_[body];
+    const BodyLight::Rays rays(nodes, side);
+    for (const BodyLight::LightRay& ray : light.raysOf(side)) {
+        const BodyLight::LightStart start = rays.at(ray.index);
+        const bool isUp = (making.toWorld[body] * start.ray.direction).z > 0.0;
+        for (const LightNodes::Share& own : LightNodes::OfPlace(nodes, start.from.place)) {
+            const std::size_t near = nodes.placeNear(side / 2, own.node);
+            Making::Told& told = making.told[first + side][near];
+            (isUp ? told.sky : told.ground) +=
+                static_cast<double>(own.part * light.scalesOf(side)[near]);
+        }
+    }
+}
+
+void LightExchange::copyPairs(Making& making, std::size_t body) const {
+    const LightPairs& pairs = bodies_[body].light->pairs();
+    const std::uint32_t before = firstReceiver_[body];
+    for (std::uint32_t r = 0; r < pairs.receivers(); ++r) {
+        const auto [first, last] = pairs.of(r);
+        for (const LightPair* pair = first; pair != last; ++pair)
+            making.oneWay[before + r].push_back({before + r, before + pair->sender, pair->factor});
+    }
+}
+
+bool LightExchange::leavesThroughBack(const Making& making, std::size_t body, Ray ray,
+                                      double upTo_m) {
+    const SunShadows::Caster& caster = making.casters[body];
+    ray.to_m = upTo_m;
+    RayHit hit;
+    std::vector<RayHit> through;
+    return caster.mesh->meet(ray, making.withBacks[body], 0.0, hit, through) &&
+           caster.uses.isCulled(hit);
+}
+
+void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32_t side) const {
+    const BodyLight& light = *bodies_[body].light;
+    const LightNodes& nodes = light.nodes();
+    const SunShadows::Caster& caster = making.casters[body];
+    const std::uint32_t number = firstReceiver_[body] + side;
+    const auto near = nodes.near(side / 2);
+    const std::uint32_t count = light.sent(side) > 0 ? light.sent(side) : making.raysToOthers;
+    const BodyLight::Rays rays(nodes, side);
+    std::vector<float> scales(light.scalesOf(side).begin(), light.scalesOf(side).end());
+    if (scales.empty()) {
+        std::vector<double> weights(near.size());
+        for (std::uint32_t i = 0; i < count; ++i)
+            for (const LightNodes::Share& own : LightNodes::OfPlace(nodes, rays.at(i).from.place))
+                weights[nodes.placeNear(side / 2, own.node)] += static_cast<double>(own.part);
+        for (std::size_t i = 0; i < near.size(); ++i) {
+            making.told[number][i].rays = weights[i];
+            scales.push_back(static_cast<float>(
+                weights[i] > 0.0 ? static_cast<double>(near[i].area_m2) /
+                                       (weights[i] * nodes.areaOf_m2(near[i].node))
+                                 : 0.0));
+        }
+    }
+    const bool isTransparent =
+        caster.uses[static_cast<std::size_t>(nodes.pieceOf(side / 2))].transparent;
+    RayHit hit;
+    std::vector<RayHit> through;
+    auto met = light.raysOf(side).begin();
+    const auto lastMet = light.raysOf(side).end();
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const BodyLight::LightStart start = rays.at(i);
+        const Vec3 from_m = caster.pose.toWorld(start.ray.origin_m);
+        const Vec3 along = making.toWorld[body] * start.ray.direction;
+        double nearest_m = std::numeric_limits<double>::infinity();
+        double nearestBack_m = std::numeric_limits<double>::infinity();
+        LightMesh::Place place;
+        std::size_t metBody = body;
+        bool isOneWay = false;
+        if (met != lastMet && met->index == i) {
+            place = met->place;
+            isOneWay = met->isOneWay;
+            nearest_m = static_cast<double>(met->distance_m);
+            ++met;
+        }
+        const auto isBefore = [&](std::size_t c) {
+            const SunShadows::Caster& other = making.casters[c];
+            const Rotation& toMesh = making.toMesh[c];
+            const Ray there{toMesh * (from_m - other.pose.position_m), toMesh * along, 0.0,
+                            nearest_m};
+            bool isMet = other.mesh->meet(there, making.withBacks[c], 0.0, hit, through);
+            if (isMet && other.uses.isCulled(hit)) {
+                nearestBack_m = std::min(nearestBack_m, hit.distance_m);
+                isMet = other.mesh->meet(there, other.uses, 0.0, hit, through);
+            }
+            return isMet && hit.distance_m < nearest_m;
+        };
+        for (const std::size_t other : making.near[body])
+            if (making.spheres[other].isMetBy(from_m, along) && isBefore(other)) {
+                nearest_m = hit.distance_m;
+                place = bodies_[other].light->mesh().placeOf(hit);
+                metBody = other;
+            }
+        const LightNodes::OfPlace own(nodes, start.from.place);
+        const auto tell = [&](auto add) {
+            for (const LightNodes::Share& share : own) {
+                const std::size_t n = nodes.placeNear(side / 2, share.node);
+                add(share.node, making.told[number][n], share.part * scales[n]);
+            }
+        };
+        if (making.meetsTerrain[body] && along.z > 0.0 && isBefore(making.terrainNumber)) {
+            // Terrain is ground, wherever it stands.
+            tell([](std::uint32_t, Making::Told& told, float part) {
+                told.sky += static_cast<double>(part);
+                told.ground -= static_cast<double>(part);
+            });
+            continue;
+        }
+        if (place.triangle == LightMesh::none)
+            continue;
+        if (metBody != body)
+            isOneWay = isTransparent || leavesThroughBack(making, body, start.ray, nearest_m);
+        isOneWay = isOneWay || nearestBack_m < nearest_m;
+        std::vector<LightPart>& parts = (isOneWay ? making.oneWay : making.parts)[number];
+        const LightNodes::OfPlace senders(bodies_[metBody].light->nodes(), place);
+        tell([&](std::uint32_t node, Making::Told& told, float part) {
+            (along.z > 0.0 ? told.sky : told.ground) += static_cast<double>(part);
+            for (const LightNodes::Share& sender : senders)
+                parts.push_back({firstReceiver_[body] + 2 * node + side % 2,
+                                 firstReceiver_[metBody] + 2 * sender.node + place.triangle % 2,
+                                 part * sender.part});
+        });
+    }
+    mergeParts(making.parts[number]);
+    mergeParts(making.oneWay[number]);
+}
+
+void LightExchange::takeLight(Making& making) {
+    const LightSources& sources = making.sources;
+    sky_.assign(rows_.size(), 0.0);
+    ground_.assign(rows_.size(), 0.0);
+    sun_.assign(rows_.size(), 0.0);
+    std::vector<Making::Told> sums(rows_.size());
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const LightNodes& nodes = bodies_[b].light->nodes();
+        parallelForSmall(nodes.receivers(), [&](std::uint32_t side) {
+            if (making.isSeen(bodies_[b], b, side))
+                lightSide(making, b, side);
+        });
+        for (std::uint32_t side = 0; side < nodes.receivers(); ++side) {
+            const auto near = nodes.near(side / 2);
+            for (std::size_t i = 0; i < near.size(); ++i) {
+                const Making::Told& told = making.told[firstReceiver_[b] + side][i];
+                Making::Told& sum = sums[firstReceiver_[b] + 2 * near[i].node + side % 2];
+                sum.open_m2 += told.open_m2;
+                sum.weighted_m2 += told.weighted_m2;
+                sum.sun_m2 += told.sun_m2;
+                sum.sunKnown_m2 += told.sunKnown_m2;
+            }
+        }
+    }
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        for (std::uint32_t r = firstReceiver_[b]; r < firstReceiver_[b + 1]; ++r) {
+            const double area_m2 = bodies_[b].light->nodes().areaOf_m2((r - firstReceiver_[b]) / 2);
+            if (!(area_m2 > 0.0))
+                continue;
+            const double open = sums[r].open_m2 / area_m2;
+            const double weighted = sums[r].weighted_m2 / area_m2;
+            // Published weights are those of what is seen, in the same ratio for what is not.
+            Loss& loss = losses_[r];
+            // Its own rays tell where others stand, those of all how much of it they fill.
+            const double lost = loss.sky + loss.ground, more = seen(r) - lost;
+            const double up = lost > 1e-9 ? std::clamp(loss.sky / lost, 0.0, 1.0) : open;
+            loss.sky += up * more;
+            loss.ground += (1.0 - up) * more;
+            loss.sky *= open > 0.0 ? weighted / open : 0.0;
+            loss.ground *= open < 1.0 ? (1.0 - weighted) / (1.0 - open) : 0.0;
+            if (!isSender_[r])
+                continue;
+            if (sources.isSkyOn) {
+                sky_[r] = weighted - loss.sky;
+                ground_[r] = 1.0 - weighted - loss.ground;
+            }
+            if (sources.isSunOn && sources.sunAlways >= 0.0)
+                sun_[r] = sources.sunAlways;
+            else if (sources.isSunOn && sums[r].sunKnown_m2 > 0.0)
+                sun_[r] = sums[r].sun_m2 / sums[r].sunKnown_m2;
+        }
+}
+
+void LightExchange::lightSide(Making& making, std::size_t body, std::uint32_t side) const {
+    const LightNodes& nodes = bodies_[body].light->nodes();
+    const LightSources& sources = making.sources;
+    const SunShadows::Caster& caster = making.casters[body];
+    const Rotation& toWorld = making.toWorld[body];
+    const auto near = nodes.near(side / 2);
+    std::vector<Making::Told>& told = making.told[firstReceiver_[body] + side];
+    bool isSender = false, isOfMatter = false;
+    for (const LightNodes::Near& one : near) {
+        const std::uint32_t receiver = firstReceiver_[body] + 2 * one.node + side % 2;
+        isSender = isSender || isSender_[receiver];
+        isOfMatter = isOfMatter || isSender || !pairs_->isEmpty(receiver) ||
+                     losses_[receiver].sky != 0.0 || losses_[receiver].ground != 0.0;
+    }
+    if (!isOfMatter)
+        return;
+    for (const std::uint32_t triangle : nodes.trianglesOf(side / 2)) {
+        const double up =
+            (side % 2 == 0 ? 1.0 : -1.0) * (toWorld * nodes.mesh().normal(triangle)).z;
+        const double open_m2 = nodes.mesh().area_m2(triangle) / 3.0 * 0.5 * (1.0 + up);
+        const double weighted_m2 = nodes.mesh().area_m2(triangle) / 3.0 * sources.skyOf(up);
+        for (const std::uint32_t corner : nodes.mesh().corners(triangle))
+            for (const LightNodes::Share& share : nodes.sharesOf(corner)) {
+                Making::Told& own = told[nodes.placeNear(side / 2, share.node)];
+                own.open_m2 += static_cast<double>(share.part) * open_m2;
+                own.weighted_m2 += static_cast<double>(share.part) * weighted_m2;
+            }
+    }
+    if (!isSender || !sources.isSunOn || sources.sunAlways >= 0.0)
+        return;
+    const BodyLight::Rays rays(nodes, side);
+    std::vector<double> lit(near.size()), all(near.size());
+    std::vector<int> through;
+    for (std::uint32_t i = 0; i < raysToSun; ++i) {
+        const LightNodes::Start start = rays.at(i).from;
+        double light = std::max(dot(toWorld * start.normal, sources.towardsSun), 0.0);
+        const Vec3 from_m = caster.pose.toWorld(start.at_m);
+        for (std::size_t c = 0; sources.isSunShadowed && light > 0.0 && c < making.casters.size();
+             ++c) {
+            const SunShadows::Caster& other = making.casters[c];
+            const Rotation& toMesh = making.toMesh[c];
+            if (!other.mesh->letsPass(
+                    {toMesh * (from_m - other.pose.position_m), toMesh * sources.towardsSun},
+                    other.uses, nullptr, through))
+                light = 0.0;
+        }
+        for (const LightNodes::Share& own : LightNodes::OfPlace(nodes, start.place)) {
+            const std::size_t n = nodes.placeNear(side / 2, own.node);
+            lit[n] += static_cast<double>(own.part) * light;
+            all[n] += static_cast<double>(own.part);
+        }
+    }
+    for (std::size_t i = 0; i < near.size(); ++i)
+        if (all[i] > 0.0) {
+            told[i].sun_m2 += static_cast<double>(near[i].area_m2) * lit[i] / all[i];
+            told[i].sunKnown_m2 += static_cast<double>(near[i].area_m2);
+        }
+}
+
+} // namespace irsg

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "irsg/geometry/view/Pose.h"
+#include "irsg/radiance/exchange/BodyLight.h"
+#include "irsg/render/rays/SunShadows.h"
+
+namespace irsg {
+
+/// How light of sky, ground and sun falls on the surfaces of a scene: weights as the factors of
+/// RadianceTerms have them.
+struct LightSources {
+    Vec3 towardsSun; ///< unit, world
+    /// How much of sky a surface of a cosine to the zenith sees where nothing is in the way.
+    double (*skyOf)(double cosine) = nullptr;
+    bool isSkyOn = true, isSunOn = true, isSunShadowed = true;
+    double sunAlways = -1.0; ///< factor of the sun whatever the surface, where not negative
+};
+
+/// The surfaces of a scene and what they see of each other, of sky, ground and sun, as numbers
+/// that know no wavelength. Receivers of all entities follow each other.
+class LightExchange {
+  public:
+    struct Body {
+        int entity = 0;
+        std::shared_ptr<const BodyLight> light;
+        BoundingBox box; ///< model axes
+    };
+    /// What a receiver loses of sky and ground to what stands before it.
+    struct Loss {
+        double sky = 0.0, ground = 0.0;
+    };
+
+    /// `casters`: as SunShadows has them, of the bodies in their order, and of the terrain behind
+    /// them. `error`: of view factors; what is farther away than that is seen is left out.
+    LightExchange(std::vector<Body> bodies, const std::vector<SunShadows::Caster>& casters,
+                  const LightSources& sources, double error);
+
+    const LightPairs& pairs() const { return *pairs_; }
+    std::size_t receivers() const { return rows_.size(); }
+    /// The drawn row of a receiver, and its number among those of the row.
+    int rowOf(std::size_t receiver) const { return rows_[receiver]; }
+    std::uint32_t localOf(std::size_t receiver) const { return local_[receiver]; }
+    const std::vector<std::uint32_t>& ofRow(int row) const {
+        return ofRow_[static_cast<std::size_t>(row)];
+    }
+    std::size_t rows() const { return ofRow_.size(); }
+    /// Whether any receiver of the row gets light of others.
+    bool seesAnything(int row) const { return sees_[static_cast<std::size_t>(row)]; }
+    /// Nothing stands before any of them.
+    bool changesNothing() const {
+        return std::ranges::none_of(sees_, [](bool sees) { return sees; });
+    }
+
+    const Loss& loss(std::size_t receiver) const { return losses_[receiver]; }
+    /// Sky, ground and sun that falls on a sender, as factors.
+    double sky(std::size_t receiver) const { return sky_[receiver]; }
+    double ground(std::size_t receiver) const { return ground_[receiver]; }
+    double sun(std::size_t receiver) const { return sun_[receiver]; }
+    bool isSender(std::size_t receiver) const { return isSender_[receiver]; }
+    /// Part of the hemisphere of a receiver in which others stand.
+    double seen(std::size_t receiver) const { return pairs_->sumOf(receiver); }
+
+    /// Triangles of a body's mesh begin at this number.
+    std::uint32_t firstTriangle(std::size_t body) const { return firstTriangle_[body]; }
+    const std::vector<Body>& bodies() const { return bodies_; }
+    /// Calls visit(receiver, part) for the receivers of a place as samples name it: twice the
+    /// triangle, + 1 for the back, and the weights of its second and third corner. Parts add up
+    /// to 1; a receiver may come more than once.
+    template <typename Visit>
+    void forEachReceiver(std::uint32_t triangle, float u, float v, Visit visit) const {
+        const std::array<float, 3> parts{1.0f - u - v, u, v};
+        forEachReceiver(triangle, [&](std::uint32_t receiver, std::size_t corner, float part) {
+            visit(receiver, parts[corner] * part);
+        });
+    }
+    /// Calls visit(receiver, corner, part) for those of its corners, whose parts add up to 1 each.
+    template <typename Visit>
+    void forEachReceiver(std::uint32_t triangle, Visit visit) const {
+        const std::array<std::uint32_t, 3>& corners = corners_[triangle / 2];
+        for (std::size_t c = 0; c < 3; ++c)
+            for (std::uint32_t i = firstShare_[corners[c]]; i < firstShare_[corners[c] + 1]; ++i)
+                visit(2 * shares_[i].node + triangle % 2, c, shares_[i].part);
+    }
+    /// Parts of the hemispheres over the corners of a place in which nothing stands.
+    std::array<float, 3> openAt(std::uint32_t triangle) const;
+
+    /// Whether a body is so near that light between it and another counts; boxes in the world by
+    /// their balls.
+    static bool areNear(const Vec3& centre_m, double radius_m, const Vec3& otherCentre_m,
+                        double otherRadius_m, double error);
+
+  private:
+    struct Making;
+    void number(const std::vector<SunShadows::Caster>& casters);
+    void takePairs(Making& making);
+    void takeOwn(Making& making, std::size_t body, std::uint32_t side) const;
+    void copyPairs(Making& making, std::size_t body) const;
+    void takeWithOthers(Making& making, std::size_t body, std::uint32_t side) const;
+    /// Whether a ray from a body, in its axes, meets one of its backs that are not there.
+    static bool leavesThroughBack(const Making& making, std::size_t body, Ray ray, double upTo_m);
+    void takeLight(Making& making);
+    /// Light that falls on the nodes near a patch's side.
+    void lightSide(Making& making, std::size_t body, std::uint32_t side) const;
+
+    std::vector<Body> bodies_;
+    std::vector<std::uint32_t> firstTriangle_, firstReceiver_;
+    std::vector<std::array<std::uint32_t, 3>> corners_; // vertices of the scene, by triangle
+    std::vector<std::uint32_t> firstShare_;             // by vertex, and behind the last
+    std::vector<LightNodes::Share> shares_;             // of nodes of the scene
+    std::vector<int> rows_;
+    std::vector<std::uint32_t> local_;
+    std::vector<std::vector<std::uint32_t>> ofRow_;
+    std::vector<bool> sees_, isSender_;
+    std::shared_ptr<const LightPairs> pairs_;
+    std::vector<Loss> losses_;
+    std::vector<double> sky_, ground_, sun_;
+};
+
+} // namespace irsg

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "irsg/core/RecentlyUsed.h"
+#include "irsg/radiance/exchange/LightExchange.h"
+
+namespace irsg {
+
+/// What a column of sources gives every sender of a drawn row.
+enum class LightPattern { emission, sun, sky, ground };
+
+/// Light of one kind that the surfaces of one drawn row send of themselves, or reflect at first.
+struct LightColumn {
+    int row = 0;
+    std::size_t term = 0; ///< of RadianceTerms
+    LightPattern pattern = LightPattern::emission;
+    bool operator==(const LightColumn&) const = default;
+};
+
+/// What receivers get of each column, at a radiance of 1: directly, after some reflections, or
+/// after all of them. With F the view factors, rho the reflectivities of the rows and S a column,
+///   L = S + rho F L,  G = F L,
+/// the linear system of pairs, by iteration. Reflectivities come as knots, sets of one for each row
+/// between which G is linear.
+class LightSolution {
+  public:
+    /// `bounces`: 1 is light that comes from where it was sent or first reflected; -1 is all.
+    /// `error`: of all, as a part of the largest.
+    LightSolution(const LightExchange& exchange, const std::vector<LightColumn>& columns,
+                  const std::vector<std::vector<double>>& knots, int bounces, double error);
+
+    /// The number of a receiver among those that get anything; `none` for one that gets nothing.
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+    std::size_t placeOf(std::size_t receiver) const { return places_[receiver]; }
+    std::size_t places() const { return receiver_.size(); }
+    std::size_t columns() const { return columns_; }
+    std::size_t knots() const { return knots_; }
+    /// Of a receiver, columns of the first knot first; empty where it gets nothing.
+    std::span<const float> of(std::size_t receiver) const {
+        const std::size_t at = places_[receiver];
+        return at == none ? std::span<const float>()
+                          : std::span(gathered_).subspan(at * columns_ * knots_, columns_ * knots_);
+    }
+    /// What arrives at the places, after `bounces` or after all, of columns that senders send, by
+    /// receiver; by place, columns first.
+    std::vector<float> arriving(const LightExchange& exchange,
+                                const std::vector<double>& reflectivities,
+                                const std::vector<float>& sent, std::size_t width, int bounces,
+                                double error) const;
+
+  private:
+    /// The same, beginning with what leaves senders, unless it is empty; `leaving` is then what
+    /// leaves them in the end.
+    std::vector<float> arriving(const LightExchange& exchange,
+                                const std::vector<double>& reflectivities,
+                                const std::vector<float>& sent, std::size_t width, int bounces,
+                                double error, std::vector<float>& leaving) const;
+
+    std::size_t columns_, knots_;
+    std::vector<std::size_t> places_;   // by receiver
+    std::vector<std::size_t> receiver_; // by place
+    std::vector<float> gathered_;
+};
+
+/// Solutions that were asked for lately. They know neither bands nor temperatures: steps of time
+/// and edited temperatures find the last one.
+class LightSolutions {
+  public:
+    std::shared_ptr<const LightSolution> of(const std::shared_ptr<const LightExchange>& exchange,
+                                            const std::vector<LightColumn>& columns,
+                                            const std::vector<std::vector<double>>& knots,
+                                            int bounces, double error);
+
+  private:
+    struct Known {
+        std::shared_ptr<const LightExchange> exchange;
+        std::vector<LightColumn> columns;
+        std::vector<std::vector<double>> knots;
+        int bounces = 0;
+        double error = 0.0;
+        std::shared_ptr<const LightSolution> solution;
+    };
+    RecentlyUsed<Known> known_{4};
+};
+
+} // namespace irsg

@@ -1,0 +1,439 @@
+#include "irsg/radiance/exchange/SceneLight.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "irsg/core/Errors.h"
+#include "irsg/core/ParallelFor.h"
+#include "irsg/radiometry/Units.h"
+
+namespace irsg {
+
+namespace {
+
+/// Bands in which integrals are kept, some kB a kind and band; a spectrum has too many outputs.
+constexpr std::size_t mostOutputsKept = 128;
+/// What reflects less, sr-1, is black.
+constexpr double leastReflectance_per_sr = 1e-9;
+
+LightPattern patternOf(LightOrigin origin) {
+    switch (origin) {
+    case LightOrigin::sun:
+        return LightPattern::sun;
+    case LightOrigin::sky:
+        return LightPattern::sky;
+    default:
+        return LightPattern::ground;
+    }
+}
+
+/// What a cos^N lobe sends on the whole, as a part of what it would for N = 0.
+double hemispherical(double nAngleFactor) {
+    return 2.0 / (2.0 + nAngleFactor);
+}
+
+/// Divides a curve of vectors at the fewest places between which it is straight.
+class CurveDivision {
+  public:
+    /// `curve[i]`: all of equal length. `off`: most distance from a straight line, `step`: most
+    /// change along one, in any coordinate.
+    CurveDivision(const std::vector<std::vector<double>>& curve, double off, double step)
+        : curve_(curve), off_(off), step_(step) {}
+
+    std::vector<std::size_t> places() {
+        places_.push_back(0);
+        if (curve_.size() > 1)
+            divide(0, curve_.size() - 1);
+        return std::move(places_);
+    }
+    /// Where between two points of the curve another lies, 0 to 1.
+    double partOf(std::size_t a, std::size_t b, std::size_t i) const {
+        double along = 0.0, square = 0.0;
+        for (std::size_t k = 0; k < curve_[a].size(); ++k) {
+            const double step = curve_[b][k] - curve_[a][k];
+            along += step * (curve_[i][k] - curve_[a][k]);
+            square += step * step;
+        }
+        return square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
+    }
+
+  private:
+    void divide(std::size_t a, std::size_t b) {
+        double worst = 0.0, length = 0.0;
+        std::size_t at = a + (b - a) / 2;
+        for (std::size_t k = 0; k < curve_[a].size(); ++k)
+            length = std::max(length, std::abs(curve_[b][k] - curve_[a][k]));
+        for (std::size_t i = a + 1; i < b; ++i) {
+            const double part = partOf(a, b, i);
+            for (std::size_t k = 0; k < curve_[i].size(); ++k) {
+                const double line = curve_[a][k] + part * (curve_[b][k] - curve_[a][k]);
+                const double off = std::abs(curve_[i][k] - line);
+                if (off > worst) {
+                    worst = off;
+                    at = i;
+                }
+            }
+        }
+        if (b - a > 1 && (worst > off_ || length > step_)) {
+            if (worst <= off_)
+                at = a + (b - a) / 2;
+            divide(a, at);
+            divide(at, b);
+            return;
+        }
+        places_.push_back(b);
+    }
+
+    const std::vector<std::vector<double>>& curve_;
+    double off_, step_;
+    std::vector<std::size_t> places_;
+};
+
+} // namespace
+
+SceneLight::SceneLight(std::shared_ptr<const LightExchange> exchange,
+                       const SceneRadiometry& radiometry, const Fronts& fronts,
+                       const RenderSettings& settings, LightSolutions& solutions)
+    : exchange_(std::move(exchange)),
+      radiometry_(radiometry),
+      fronts_(fronts),
+      bounces_(settings.bounces) {
+    findColumns();
+    findKnots(settings);
+    knotsOfNodes_.count = knots_.size();
+    fillSources();
+    solution_ =
+        solutions.of(exchange_, columns_, knots_, settings.bounces, 0.02 * settings.lightError);
+}
+
+bool SceneLight::matters(int drawn) const {
+    const SurfaceRows& rows = radiometry_.rows();
+    if (rows.isLobe(drawn))
+        return rows.lobe(drawn).light < 0 && matters(rows.surfaceOf(drawn));
+    return static_cast<std::size_t>(drawn) < exchange_->rows() && exchange_->seesAnything(drawn) &&
+           std::ranges::any_of(radiometry_.surfaces()[static_cast<std::size_t>(drawn)].reflectance,
+                               [](double value) { return value > leastReflectance_per_sr; });
+}
+
+void SceneLight::findColumns() {
+    const std::vector<RadianceTerm>& terms = radiometry_.terms().terms;
+    for (int row = 0; row < static_cast<int>(exchange_->rows()); ++row) {
+        if (exchange_->ofRow(row).empty())
+            continue;
+        const bool sends = std::ranges::any_of(exchange_->ofRow(row), [&](std::uint32_t receiver) {
+            return exchange_->isSender(receiver);
+        });
+        const SurfaceSpectra& surface = radiometry_.surfaces()[static_cast<std::size_t>(row)];
+        const AirSamples& air = radiometry_.air(radiometry_.rows().first(row));
+        for (std::size_t t = 0; t < terms.size(); ++t) {
+            if (terms[t].surface == SurfaceQuantity::emission && sends)
+                columns_.push_back({row, t, LightPattern::emission});
+            if (terms[t].origin == LightOrigin::none || !terms[t].light || !air.light[t])
+                continue;
+            if (terms[t].origin == LightOrigin::sky)
+                skyTerm_ = static_cast<int>(t);
+            if (terms[t].origin == LightOrigin::ground)
+                groundTerm_ = static_cast<int>(t);
+            const bool reflects = std::ranges::any_of(
+                surface.reflectance, [](double value) { return value > leastReflectance_per_sr; });
+            if (sends && reflects)
+                columns_.push_back({row, t, patternOf(terms[t].origin)});
+        }
+    }
+}
+
+void SceneLight::findKnots(const RenderSettings& settings) {
+    const std::size_t nodes = radiometry_.wavelengths_um().size();
+    knotsOfNodes_.between.assign(nodes, {});
+    knotsOfNodes_.parts.assign(nodes, 0.0);
+    const std::vector<double> black(radiometry_.surfaces().size(), 0.0);
+    if (settings.bounces == 1) {
+        knots_.push_back(black);
+        return;
+    }
+    // Rows that light is reflected at on its way, and how much of what they send comes back at
+    // most.
+    std::vector<std::pair<std::size_t, double>> rows;
+    for (int row = 0; row < static_cast<int>(exchange_->rows()); ++row) {
+        double most = 0.0;
+        for (const std::uint32_t receiver : exchange_->ofRow(row))
+            if (exchange_->isSender(receiver))
+                most = std::max(most, exchange_->seen(receiver));
+        if (most > 0.0)
+            rows.emplace_back(static_cast<std::size_t>(row), std::min(most, 1.0));
+    }
+    const auto reflectivity = [&](std::size_t row, std::size_t node) {
+        return pi * radiometry_.surfaces()[row].reflectance[node];
+    };
+    std::vector<std::size_t> order(nodes);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {},
+                             [&](std::size_t i) { return radiometry_.wavelengths_um()[i]; });
+    // L grows as 1 / (1 - rho F): straight enough in the logarithm of that.
+    std::vector<std::vector<double>> curve;
+    std::vector<std::size_t> places(nodes), first;
+    for (const std::size_t node : order) {
+        std::vector<double> at;
+        for (const auto& [row, most] : rows)
+            at.push_back(-std::log(1.0 - std::min(reflectivity(row, node), 0.9999) * most));
+        if (curve.empty() || curve.back() != at) {
+            curve.push_back(std::move(at));
+            first.push_back(node);
+        }
+        places[node] = curve.size() - 1;
+    }
+    CurveDivision division(curve, 0.1 * settings.lightError, std::sqrt(settings.lightError));
+    const std::vector<std::size_t> divided = division.places();
+    std::vector<std::size_t> knotOf; // by division
+    for (const std::size_t place : divided) {
+        std::vector<double> own = black;
+        for (const auto& [row, most] : rows)
+            own[row] = reflectivity(row, first[place]);
+        const auto known = std::ranges::find(knots_, own);
+        knotOf.push_back(static_cast<std::size_t>(known - knots_.begin()));
+        if (known == knots_.end())
+            knots_.push_back(std::move(own));
+    }
+    for (std::size_t node = 0; node < nodes; ++node) {
+        const auto above = std::ranges::lower_bound(divided, places[node]);
+        const auto high = static_cast<std::size_t>(above - divided.begin());
+        const std::size_t low = high > 0 ? high - 1 : 0;
+        knotsOfNodes_.between[node] = {knotOf[low], knotOf[high]};
+        knotsOfNodes_.parts[node] = division.partOf(divided[low], divided[high], places[node]);
+    }
+}
+
+const std::vector<std::uint32_t>& SceneLight::receiversOf(int row) const {
+    const SurfaceRows& rows = radiometry_.rows();
+    return exchange_->ofRow(rows.surfaceOf(rows.drawnOf(row)));
+}
+
+const std::vector<double>& SceneLight::lightOn(int drawn, int term) const {
+    return *radiometry_.air(radiometry_.rows().first(drawn)).light[static_cast<std::size_t>(term)];
+}
+
+void SceneLight::fillSources() {
+    sources_W_m2_um_.assign(columns_.size(), {});
+    parallelFor(columns_.size(), [&](std::size_t c) {
+        const LightColumn& column = columns_[c];
+        const SurfaceSpectra& surface =
+            radiometry_.surfaces()[static_cast<std::size_t>(column.row)];
+        std::vector<double>& source = sources_W_m2_um_[c];
+        source.assign(radiometry_.wavelengths_um().size(), 0.0);
+        if (column.pattern == LightPattern::emission) {
+            const double whole = pi * hemispherical(surface.nAngleFactor);
+            for (const SurfaceSpectra::Emission& part : surface.emission)
+                for (std::size_t i = 0; i < source.size(); ++i)
+                    source[i] += whole * part.factor * part.radiance[i];
+            return;
+        }
+        const std::vector<double>& light = lightOn(column.row, static_cast<int>(column.term));
+        for (std::size_t i = 0; i < source.size(); ++i)
+            source[i] = pi * surface.reflectance[i] * light[i];
+    });
+}
+
+void SceneLight::turn() {
+    fillSources();
+    known_.clear();
+    atReceivers_.clear();
+    responses_.clear();
+}
+
+std::vector<FactorKind> SceneLight::inOrder(const LightSums& sums) const {
+    std::vector<FactorKind> kinds;
+    for (const auto& [kind, numbers] : sums)
+        kinds.push_back({kind.first, kind.second});
+    std::ranges::sort(kinds, [&](const FactorKind& a, const FactorKind& b) {
+        const auto &before = fronts_.materials(a.front), &after = fronts_.materials(b.front);
+        return before == after ? a.row < b.row : before < after;
+    });
+    return kinds;
+}
+
+void SceneLight::prepare(const std::vector<FactorKind>& kinds) {
+    if (radiometry_.outputs().size() > mostOutputsKept)
+        return;
+    std::vector<FactorKind> missing;
+    std::vector<std::vector<std::vector<double>>*> places;
+    for (const FactorKind& kind : kinds)
+        if (matters(radiometry_.rows().drawnOf(kind.row))) {
+            const auto [place, isNew] = known_.try_emplace({kind.front, kind.row});
+            if (isNew) {
+                missing.push_back(kind);
+                places.push_back(&place->second);
+            }
+        }
+    std::vector<std::vector<std::vector<double>>> found = integrator().ofAll(missing);
+    for (std::size_t k = 0; k < missing.size(); ++k)
+        *places[k] = std::move(found[k]);
+}
+
+std::span<const double> SceneLight::integrals(const FactorKind& kind, std::size_t output) {
+    if (radiometry_.outputs().size() > mostOutputsKept)
+        return passing_ = integrator().of(kind, output);
+    const auto known = known_.find({kind.front, kind.row});
+    if (known == known_.end())
+        throw LogicError("light between surfaces was asked for of a kind that was not prepared");
+    return known->second[output];
+}
+
+std::vector<double> SceneLight::contracted(int row, std::span<const double> sums,
+                                           bool withCosine) const {
+    std::vector<double> all(width(), 0.0);
+    const std::vector<std::uint32_t>& receivers = receiversOf(row);
+    for (std::size_t n = 0; n < receivers.size(); ++n) {
+        const double weight = sums[2 * n + (withCosine ? 1 : 0)];
+        if (weight == 0.0)
+            continue;
+        const LightExchange::Loss& loss = exchange_->loss(receivers[n]);
+        all[0] += weight * loss.sky;
+        all[1] += weight * loss.ground;
+        const std::span<const float> gathered = solution_->of(receivers[n]);
+        for (std::size_t k = 0; k < gathered.size(); ++k)
+            all[2 + k] += weight * static_cast<double>(gathered[k]);
+    }
+    return all;
+}
+
+const std::vector<SceneLight::AtReceiver>*
+SceneLight::findAtReceivers(const FactorKind& kind) const {
+    const auto place = atReceivers_.find({kind.front, kind.row});
+    return place == atReceivers_.end() ? nullptr : &place->second;
+}
+
+const std::vector<SceneLight::AtReceiver>& SceneLight::atReceivers(const FactorKind& kind) {
+    const auto [place, isNew] = atReceivers_.try_emplace({kind.front, kind.row});
+    if (!isNew)
+        return place->second;
+    prepare({kind});
+    const std::span<const double> sums = integrals(kind, 0);
+    const std::vector<std::uint32_t>& receivers = receiversOf(kind.row);
+    std::vector<AtReceiver>& all = place->second;
+    all.resize(receivers.size());
+    for (std::size_t n = 0; n < receivers.size(); ++n) {
+        const LightExchange::Loss& loss = exchange_->loss(receivers[n]);
+        const std::span<const float> gathered = solution_->of(receivers[n]);
+        double ofOthers = 0.0;
+        for (std::size_t k = 0; k < gathered.size(); ++k)
+            ofOthers += static_cast<double>(gathered[k]) * sums[2 + k];
+        all[n] = {loss.sky * sums[0], loss.ground * sums[1], ofOthers};
+    }
+    return all;
+}
+
+ReceiverRows::ReceiverRows(const SurfaceRows& rows, const LightExchange& exchange) {
+    first_.push_back(0);
+    for (int row = 0; row < rows.size(); ++row) {
+        const int drawn = rows.surfaceOf(rows.drawnOf(row));
+        const std::size_t own =
+            static_cast<std::size_t>(drawn) < exchange.rows() ? exchange.ofRow(drawn).size() : 0;
+        first_.push_back(first_.back() + static_cast<int>(own));
+    }
+}
+
+std::pair<int, std::size_t> ReceiverRows::receiverOf(int number) const {
+    const auto behind = std::ranges::upper_bound(first_, number);
+    const auto row = static_cast<int>(behind - first_.begin()) - 1;
+    return {row, static_cast<std::size_t>(number - first_[static_cast<std::size_t>(row)])};
+}
+
+std::vector<double> radiancesOf(const std::vector<FactorKind>& receivers, const ReceiverRows& rows,
+                                SceneLight& light) {
+    std::vector<double> all;
+    for (const FactorKind& kind : receivers) {
+        const auto [row, local] = rows.receiverOf(kind.row);
+        const SceneLight::AtReceiver& at = light.atReceivers({kind.front, row})[local];
+        all.push_back(at[0] + at[1] + at[2]);
+    }
+    return all;
+}
+
+SceneLight::AtReceiver lightAt(const LightExchange& exchange,
+                               const std::vector<SceneLight::AtReceiver>& atReceivers,
+                               const FactorSamples::Place& place) {
+    SceneLight::AtReceiver all{};
+    if (place.triangle == FactorSamples::Place::none)
+        return all;
+    exchange.forEachReceiver(
+        place.triangle, place.u, place.v, [&](std::uint32_t receiver, float part) {
+            const SceneLight::AtReceiver& at = atReceivers[exchange.localOf(receiver)];
+            for (std::size_t k = 0; k < all.size(); ++k)
+                all[k] += static_cast<double>(part) * at[k];
+        });
+    return all;
+}
+
+double SceneLight::partOf(std::span<const double> contracted, std::size_t column,
+                          std::size_t node) const {
+    const LightKnots::Between& at = knotsOfNodes_.between[node];
+    const std::size_t columns = columns_.size();
+    return (1.0 - knotsOfNodes_.parts[node]) * contracted[2 + at.low * columns + column] +
+           knotsOfNodes_.parts[node] * contracted[2 + at.high * columns + column];
+}
+
+SceneLight::Falling SceneLight::fallsOn(int row, std::span<const double> contracted,
+                                        std::size_t first, std::size_t count) const {
+    const int drawn = radiometry_.rows().drawnOf(row);
+    Falling falling;
+    falling.lost.assign(count, 0.0);
+    for (const auto& [place, term] : {std::pair{0, skyTerm_}, std::pair{1, groundTerm_}})
+        for (std::size_t i = 0; term >= 0 && i < count; ++i)
+            falling.lost[i] -=
+                contracted[static_cast<std::size_t>(place)] * lightOn(drawn, term)[first + i];
+    falling.emitted.resize(exchange_->rows());
+    falling.perReflectivity.resize(exchange_->rows());
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+        const LightColumn& column = columns_[c];
+        const bool isEmission = column.pattern == LightPattern::emission;
+        const std::vector<double>& source =
+            isEmission ? sources_W_m2_um_[c] : lightOn(column.row, static_cast<int>(column.term));
+        auto& byRow = isEmission ? falling.emitted : falling.perReflectivity;
+        std::vector<double>& sum = byRow[static_cast<std::size_t>(column.row)];
+        sum.resize(count, 0.0);
+        for (std::size_t i = 0; i < count; ++i)
+            sum[i] += source[first + i] * partOf(contracted, c, first + i);
+    }
+    return falling;
+}
+
+std::vector<double> SceneLight::contractedEvenly(int drawn) const {
+    std::vector<double> all(width(), 0.0);
+    for (const std::uint32_t receiver : exchange_->ofRow(drawn)) {
+        const std::span<const float> gathered = solution_->of(receiver);
+        for (std::size_t k = 0; k < gathered.size(); ++k)
+            all[2 + k] += static_cast<double>(gathered[k]);
+    }
+    return all;
+}
+
+void SceneLight::addFromOthers(std::span<const double> contracted, std::size_t first,
+                               std::vector<double>& all_W_m2_um) const {
+    for (std::size_t c = 0; c < columns_.size(); ++c)
+        for (std::size_t i = 0; i < all_W_m2_um.size(); ++i)
+            all_W_m2_um[i] += sources_W_m2_um_[c][first + i] * partOf(contracted, c, first + i);
+}
+
+std::vector<double> SceneLight::summedSources(std::span<const std::size_t> nodes) const {
+    std::vector<double> sums(width() - 2, 0.0);
+    for (std::size_t c = 0; c < columns_.size(); ++c)
+        for (const std::size_t i : nodes) {
+            const LightKnots::Between& at = knotsOfNodes_.between[i];
+            const double sent = radiometry_.weights_um()[i] * sources_W_m2_um_[c][i];
+            sums[at.low * columns_.size() + c] += (1.0 - knotsOfNodes_.parts[i]) * sent;
+            sums[at.high * columns_.size() + c] += knotsOfNodes_.parts[i] * sent;
+        }
+    return sums;
+}
+
+const LightResponse& SceneLight::response(const std::vector<std::vector<int>>& reflectors,
+                                          std::pair<std::size_t, std::size_t> nodes) {
+    auto& kept = responses_[{reflectors, nodes}];
+    if (!kept)
+        kept = std::make_unique<const LightResponse>(*this, radiometry_, reflectors, nodes);
+    return *kept;
+}
+
+} // namespace irsg

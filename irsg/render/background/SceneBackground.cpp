@@ -1,0 +1,111 @@
+#include "irsg/render/background/SceneBackground.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "irsg/core/Errors.h"
+#include "irsg/geometry/view/CameraFrame.h"
+#include "irsg/radiometry/Units.h"
+#include "irsg/render/background/BackgroundGrid.h"
+#include "irsg/render/background/Horizon.h"
+#include "irsg/render/background/SunDisc.h"
+
+namespace irsg {
+
+namespace {
+
+/// Of the pixel in the middle, or of the two or four that touch it.
+double middleOf(const std::vector<double>& pixels, const Sensor& sensor) {
+    double sum = 0.0;
+    for (const int y : {(sensor.height_px - 1) / 2, sensor.height_px / 2})
+        for (const int x : {(sensor.width_px - 1) / 2, sensor.width_px / 2})
+            sum += pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(sensor.width_px) +
+                          static_cast<std::size_t>(x)];
+    return 0.25 * sum;
+}
+
+} // namespace
+
+FrameBackground SceneBackground::draw(const Sensor& sensor, const Viewpoint& viewpoint,
+                                      const BandSky& sky, const BackgroundSettings& settings,
+                                      TerrainPainter& painter, BackgroundReport& report) {
+    layers_ = {};
+    const FieldRays rays(sensor, viewpoint);
+    const double altitude_m = std::max(viewpoint.position_m.z, 0.0);
+    const bool grid = settings.asksEnvironment && settings.rows * settings.columns != 1;
+    if (!grid && !settings.sunDisc && !skybox_ && !terrain_)
+        return FrameBackground(settings.uniform_W_m2_sr);
+
+    if (skybox_)
+        layers_.sky = skybox_->pixels(rays, settings.skybox);
+    if (skybox_ && settings.sunDisc && skybox_->brightSpot_rad())
+        report.warnings.push_back(
+            "the skybox has a bright spot of " +
+            numberText(std::round(degrees(*skybox_->brightSpot_rad()) * 100) / 100) +
+            " deg, as a sun would be, and the disc of the sun is drawn, too");
+    const double horizon_rad = sky.horizon_rad(altitude_m);
+    if (settings.sunDisc)
+        drawSun(rays, Horizon(rays, horizon_rad), sky, altitude_m);
+    if (grid) {
+        const BackgroundGrid nodes(
+            sensor, viewpoint, horizon_rad, settings.rows, settings.columns,
+            [&](const LineOfSight& sight) { return sky.radiance_W_m2_sr(sight); });
+        layers_.environment = nodes.pixels();
+    }
+    report.answeredBy = sky.answeredBy();
+    if (terrain_)
+        drawTerrain(sensor, viewpoint, settings.terrain, painter);
+    if (layers_.sky.empty() && layers_.terrain.empty() && !grid)
+        return FrameBackground(settings.uniform_W_m2_sr);
+
+    // Terrain hides the sky, the environment is added upon both, and nothing radiates less than
+    // nothing.
+    std::vector<double> pixels = layers_.sky;
+    pixels.resize(static_cast<std::size_t>(sensor.width_px) *
+                      static_cast<std::size_t>(sensor.height_px),
+                  0.0);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (!layers_.terrain.empty())
+            pixels[i] = layers_.terrain[i] + (1.0 - layers_.coverage[i]) * pixels[i];
+        pixels[i] += grid ? layers_.environment[i] : settings.uniform_W_m2_sr;
+        if (pixels[i] < 0.0) {
+            pixels[i] = 0.0;
+            ++report.flooredPixels;
+        }
+    }
+    const double centre_W_m2_sr = middleOf(pixels, sensor);
+    return FrameBackground(sensor.width_px, std::move(pixels), centre_W_m2_sr);
+}
+
+void SceneBackground::drawTerrain(const Sensor& sensor, const Viewpoint& viewpoint,
+                                  const TextureScale& scale, TerrainPainter& painter) {
+    TerrainImage image = painter.paint(terrain_, CameraFrame(sensor, viewpoint), scale.offset);
+    layers_.coverage = std::move(image.coverage);
+    layers_.terrain = std::move(image.texel);
+    for (double& value : layers_.terrain)
+        value *= scale.slope_W_m2_sr;
+}
+
+void SceneBackground::drawSun(const FieldRays& rays, const Horizon& horizon, const BandSky& sky,
+                              double altitude_m) {
+    const SunPosition& sun = sky.sun();
+    // Where air bends its light to, and as bright as the part of it that gives the irradiance.
+    const SunView seen = sky.sunView(altitude_m);
+    const SunDisc disc(rays, horizon, direction(sun.azimuth_rad, seen.elevation_rad));
+    if (disc.pixels().empty() || seen.part <= 0.0)
+        return;
+    const double radiance = disc.radiance_W_m2_sr(sky.sun_W_m2(altitude_m) / seen.part);
+    if (layers_.sky.empty())
+        layers_.sky.assign(static_cast<std::size_t>(rays.width_px) *
+                               static_cast<std::size_t>(rays.height_px),
+                           0.0);
+    for (const SunDisc::Pixel& pixel : disc.pixels()) {
+        double& behind =
+            layers_
+                .sky[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(rays.width_px) +
+                     static_cast<std::size_t>(pixel.x)];
+        behind += pixel.coverage * (radiance - behind);
+    }
+}
+
+} // namespace irsg

@@ -1,0 +1,142 @@
+#include "irsg/render/background/TerrainRays.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "irsg/core/Errors.h"
+#include "irsg/core/ParallelFor.h"
+#include "irsg/render/background/TerrainImpl.h"
+#include "irsg/render/background/TexturePyramid.h"
+#include "irsg/render/rays/RayMesh.h"
+
+namespace irsg {
+
+namespace {
+
+using GroundPlace = std::array<double, 2>;
+
+/// Texture coordinates of the corners of a piece's triangles, as RayMesh numbers them.
+struct PiecePlaces {
+    std::vector<GroundPlace> corners; ///< three for each facet
+};
+
+PiecePlaces placesOf(const osg::Geometry& geometry) {
+    PiecePlaces places;
+    const auto* coordinates = dynamic_cast<const osg::Vec2Array*>(geometry.getTexCoordArray(0));
+    if (!coordinates)
+        return places;
+    for (const auto& primitives : geometry.getPrimitiveSetList())
+        for (unsigned i = 0; i < primitives->getNumIndices(); ++i) {
+            const osg::Vec2& place = (*coordinates)[primitives->index(i)];
+            places.corners.push_back(
+                {static_cast<double>(place.x()), static_cast<double>(place.y())});
+        }
+    return places;
+}
+
+} // namespace
+
+struct TerrainRays::Kept {
+    std::shared_ptr<const Terrain> terrain;
+    std::shared_ptr<const RayMesh> mesh;
+    PieceUses uses{0};
+    std::vector<PiecePlaces> places;      // by piece
+    std::vector<TexturePyramid> textures; // of the terrain
+
+    /// Where a ray that need not meet a facet meets its plane, in the texture.
+    GroundPlace placeAt(const RayHit& hit, const Ray& ray) const {
+        const auto& corners = places[static_cast<std::size_t>(hit.piece)].corners;
+        const RayHit there = mesh->onPlaneOf(hit, ray);
+        GroundPlace place{};
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t axis = 0; axis < 2; ++axis)
+                place[axis] +=
+                    there.weights[i] * corners[3 * static_cast<std::size_t>(hit.facet) + i][axis];
+        return place;
+    }
+};
+
+TerrainRays::TerrainRays() = default;
+TerrainRays::~TerrainRays() = default;
+
+const TerrainRays::Kept& TerrainRays::keep(const std::shared_ptr<const Terrain>& terrain) {
+    if (kept_ && kept_->terrain == terrain)
+        return *kept_;
+    auto kept = std::make_unique<Kept>();
+    kept->terrain = terrain;
+    std::vector<RayMesh::Piece> pieces;
+    for (const Terrain::Impl::Piece& piece : terrain->parts().pieces) {
+        pieces.push_back({piece.geometry.get(), {}});
+        kept->places.push_back(placesOf(*piece.geometry));
+    }
+    kept->mesh = RayMesh::of(pieces);
+    kept->uses = PieceUses(pieces.size());
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        kept->uses.set(i, {.isThere = true});
+    for (const Terrain::Impl::Texture& texture : terrain->parts().textures)
+        kept->textures.emplace_back(texture.image, texture.wrapS, texture.wrapT);
+    kept_ = std::move(kept);
+    return *kept_;
+}
+
+std::shared_ptr<const RayMesh> TerrainRays::meshOf(const std::shared_ptr<const Terrain>& terrain) {
+    return keep(terrain).mesh;
+}
+
+TerrainImage TerrainRays::paint(const std::shared_ptr<const Terrain>& terrain,
+                                const CameraFrame& camera, double offset) {
+    const Kept& kept = keep(terrain);
+    const Sensor& sensor = camera.sensor();
+    const Rotation toMesh = terrain->pose().attitude.rotation().transposed();
+    const Viewpoint& eye = camera.viewpoint();
+    const Vec3 eye_m = toMesh * (eye.position_m - terrain->pose().position_m);
+    const double pitch = sensor.pixelPitch();
+    constexpr double step_px = 1.0 / samplesPerAxis;
+    constexpr double share = 1.0 / (samplesPerAxis * samplesPerAxis);
+    const auto rayAt = [&](double x_px, double y_px) {
+        const Vec3 along = eye.forward() + eye.right * ((x_px - 0.5 * sensor.width_px) * pitch) +
+                           eye.up * ((0.5 * sensor.height_px - y_px) * pitch);
+        return Ray{eye_m, normalized(toMesh * along)};
+    };
+    /// What a sample shows above the offset; nothing where there is no terrain.
+    const auto texelAt = [&](double x_px, double y_px) -> std::optional<double> {
+        const Ray ray = rayAt(x_px, y_px);
+        RayHit hit;
+        std::vector<RayHit> none;
+        if (!kept.mesh->meet(ray, kept.uses, 0.0, hit, none))
+            return std::nullopt;
+        const int texture = terrain->parts().pieces[static_cast<std::size_t>(hit.piece)].texture;
+        if (texture < 0)
+            return 0.0;
+        const GroundPlace here = kept.placeAt(hit, ray);
+        const GroundPlace right = kept.placeAt(hit, rayAt(x_px + step_px, y_px));
+        const GroundPlace below = kept.placeAt(hit, rayAt(x_px, y_px + step_px));
+        return kept.textures[static_cast<std::size_t>(texture)].at(
+                   here[0], here[1], {right[0] - here[0], right[1] - here[1]},
+                   {below[0] - here[0], below[1] - here[1]}) -
+               offset;
+    };
+
+    TerrainImage image;
+    const auto width = static_cast<std::size_t>(sensor.width_px);
+    image.texel.resize(width * static_cast<std::size_t>(sensor.height_px));
+    image.coverage.resize(image.texel.size());
+    parallelFor(static_cast<std::size_t>(sensor.height_px), [&](std::size_t y) {
+        for (std::size_t x = 0; x < width; ++x)
+            for (int s = 0; s < samplesPerAxis * samplesPerAxis; ++s) {
+                const double x_px = static_cast<double>(x) + (s % samplesPerAxis + 0.5) * step_px;
+                const double y_px = static_cast<double>(y) + (s / samplesPerAxis + 0.5) * step_px;
+                if (const std::optional<double> texel = texelAt(x_px, y_px)) {
+                    image.texel[y * width + x] += *texel * share;
+                    image.coverage[y * width + x] += share;
+                }
+            }
+    });
+    for (double& coverage : image.coverage)
+        coverage = std::min(coverage, 1.0);
+    return image;
+}
+
+} // namespace irsg

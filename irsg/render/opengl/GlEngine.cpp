@@ -1,0 +1,59 @@
+#include "irsg/render/opengl/GlEngine.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <osg/GLObjects>
+#include <osg/RenderInfo>
+
+#include "irsg/render/opengl/OffscreenContext.h"
+#include "irsg/render/opengl/SurfacePass.h"
+
+namespace irsg {
+
+struct GlEngine::Impl {
+    OffscreenContext& context = OffscreenContext::shared();
+    osg::RenderInfo* info = nullptr;   // of the work under way
+    std::unique_ptr<SurfacePass> pass; // made and destroyed on the context's thread
+};
+
+GlEngine::GlEngine() : impl_(std::make_unique<Impl>()) {}
+GlEngine::~GlEngine() {
+    impl_->context.run([&](osg::RenderInfo&) { impl_->pass.reset(); });
+}
+
+std::future<void> GlEngine::post(std::function<void()> work) {
+    return impl_->context.post([p = impl_.get(), work = std::move(work)](osg::RenderInfo& info) {
+        osg::flushAllDeletedGLObjects(info.getContextID());
+        if (!p->pass)
+            p->pass = std::make_unique<SurfacePass>();
+        p->info = &info;
+        work();
+    });
+}
+
+std::string GlEngine::description() const {
+    return impl_->context.rendererDescription();
+}
+int GlEngine::largestSide() const {
+    return std::min(largestDrawing, impl_->context.maximumTargetSize());
+}
+
+void GlEngine::drawRadiance(const SheetScene& sheet, RadianceSamples& samples) {
+    impl_->pass->drawRadiance(*impl_->info, sheet, samples);
+}
+void GlEngine::drawFactors(const SheetScene& sheet, bool withDistance, FactorSamples& samples) {
+    impl_->pass->drawFactors(*impl_->info, sheet, withDistance, samples);
+}
+
+double GlEngine::takeDrawSeconds() {
+    return impl_->pass->takeDrawSeconds();
+}
+double GlEngine::takeReadSeconds() {
+    return impl_->pass->takeReadSeconds();
+}
+std::size_t GlEngine::bytes() const {
+    return impl_->pass ? impl_->pass->bytes() : 0;
+}
+
+} // namespace irsg

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "irsg/render/sampling/SurfaceScene.h"
+
+namespace osg {
+class RenderInfo;
+}
+
+namespace irsg {
+
+/// Draws surfaces into float targets. Opaque ones by depth; transparent ones into a list of
+/// fragments that sortLayers sorts per sample, so that their order is exact also where they
+/// cross. Lives on the context's thread.
+class SurfacePass {
+  public:
+    SurfacePass();
+    ~SurfacePass();
+
+    /// Radiances of rows; LogicError where an item is transparent.
+    void drawRadiance(osg::RenderInfo& info, const SheetScene& sheet, RadianceSamples& samples);
+    /// Factors of all layers, the transparent ones not sorted yet.
+    void drawFactors(osg::RenderInfo& info, const SheetScene& sheet, bool withDistance,
+                     FactorSamples& samples);
+
+    /// Memory of the targets and the list, which every drawing shares.
+    std::size_t bytes() const;
+
+    /// Seconds spent drawing and reading back since the last call.
+    double takeDrawSeconds();
+    double takeReadSeconds();
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace irsg

@@ -1,0 +1,219 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "irsg/render/rays/RayMeshImpl.h"
+
+// What rays meet: the searches that Embree does for a mesh, and their filters.
+
+namespace irsg {
+
+namespace {
+
+/// What Embree hands to the filter of a search.
+struct Search {
+    RTCIntersectContext context; // first: Embree knows no other part
+    const PieceUse* uses = nullptr;
+    std::vector<Candidate>* passed = nullptr;
+    bool takesAll = false; ///< opaque facets do not end the search, either
+};
+
+/// How far a ray goes along the side of a facet whose corners are seen counter-clockwise from
+/// there.
+float towards(const RTCFilterFunctionNArguments& arguments) {
+    RTCHitN* const hit = arguments.hit;
+    RTCRayN* const ray = arguments.ray;
+    return RTCHitN_Ng_x(hit, 1, 0) * RTCRayN_dir_x(ray, 1, 0) +
+           RTCHitN_Ng_y(hit, 1, 0) * RTCRayN_dir_y(ray, 1, 0) +
+           RTCHitN_Ng_z(hit, 1, 0) * RTCRayN_dir_z(ray, 1, 0);
+}
+
+void filterHits(const RTCFilterFunctionNArguments* arguments) {
+    const auto& search = *reinterpret_cast<const Search*>(arguments->context);
+    const unsigned piece = RTCHitN_geomID(arguments->hit, arguments->N, 0);
+    const PieceUse& use = search.uses[piece];
+    bool isTaken = use.isThere;
+    if (isTaken && use.cullsBackFaces && !use.transparent)
+        isTaken = towards(*arguments) < 0.0f;
+    if (isTaken && (use.transparent || search.takesAll))
+        search.passed->push_back({piece, RTCHitN_primID(arguments->hit, 1, 0)});
+    if (!isTaken || use.transparent || search.takesAll)
+        arguments->valid[0] = 0;
+}
+
+/// The same of a search for what takes light away.
+struct LightSearch {
+    RTCIntersectContext context; // first, likewise
+    const PieceUse* uses = nullptr;
+    const TracedPiece* pieces = nullptr;
+    const TracedPiece* own = nullptr;  ///< of the facet that the light falls on, or none
+    const unsigned* corners = nullptr; ///< of that facet
+    std::vector<int>* through = nullptr;
+
+    /// The facet itself, or one that continues it smoothly.
+    bool isOwn(unsigned piece, unsigned facet) const {
+        if (!own || pieces[piece].corners != own->corners)
+            return false;
+        const unsigned* others = &pieces[piece].triangles[3 * static_cast<std::size_t>(facet)];
+        return std::any_of(corners, corners + 3, [&](unsigned corner) {
+            return std::find(others, others + 3, corner) != others + 3;
+        });
+    }
+};
+
+void filterLight(const RTCFilterFunctionNArguments* arguments) {
+    const auto& search = *reinterpret_cast<const LightSearch*>(arguments->context);
+    const unsigned piece = RTCHitN_geomID(arguments->hit, arguments->N, 0);
+    const unsigned facet = RTCHitN_primID(arguments->hit, arguments->N, 0);
+    const PieceUse& use = search.uses[piece];
+    bool isTaken = use.isThere && !search.isOwn(piece, facet);
+    if (isTaken && use.cullsBackFaces && !use.transparent)
+        isTaken = towards(*arguments) > 0.0f; // its front is seen from the light
+    if (isTaken && use.transparent)
+        search.through->push_back(static_cast<int>(piece));
+    if (!isTaken || use.transparent)
+        arguments->valid[0] = 0;
+}
+
+/// The candidate is the nearest facet that ends a search.
+std::optional<Candidate> searchIn(const RayMesh::Impl& impl, const Ray& ray, double from_m,
+                                  double to_m, Search& search) {
+    RTCRayHit found;
+    found.ray = impl.rayFrom(ray, from_m, to_m);
+    found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(impl.scene, &search.context, &found);
+    if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID)
+        return std::nullopt;
+    return Candidate{found.hit.geomID, found.hit.primID};
+}
+
+/// Of the angle between a facet and a ray, for how far a subface is lifted.
+constexpr double leastCosine = 0.05;
+
+/// How far a facet is lifted towards the eye: by as much as its depth changes over a sample, and by
+/// rounding, for each layer.
+double lift_m(const Ray& ray, const RayHit& hit, int layer, const Vec3& plane, double sampleWidth,
+              double rounding_m) {
+    if (layer == 0)
+        return 0.0;
+    const double cosine = std::max(std::abs(dot(plane, ray.direction)), leastCosine);
+    const double slope = std::sqrt(std::max(1.0 - cosine * cosine, 0.0)) / cosine;
+    return layer * (sampleWidth * hit.distance_m * slope + 4.0 * rounding_m / cosine);
+}
+
+double mostLift_m(const RayHit& hit, int layers, double sampleWidth, double rounding_m) {
+    return layers * (sampleWidth * hit.distance_m + 4.0 * rounding_m) / leastCosine;
+}
+
+} // namespace
+
+bool RayMesh::meet(const Ray& ray, const PieceUses& uses, double sampleWidth, RayHit& opaque,
+                   std::vector<RayHit>& through) const {
+    through.clear();
+    double from_m = 0.0, to_m = 0.0;
+    if (impl_->facets == 0 || !impl_->clip(ray, from_m, to_m))
+        return false;
+    thread_local std::vector<Candidate> passed;
+    passed.clear();
+    Search search;
+    rtcInitIntersectContext(&search.context);
+    search.context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    search.uses = uses.data();
+    search.passed = &passed;
+    if (!uses.arePlain())
+        search.context.filter = filterHits;
+    const std::optional<Candidate> nearest = searchIn(*impl_, ray, from_m, to_m, search);
+    if (nearest)
+        opaque = impl_->refined(ray, *nearest);
+    if (uses.layers() == 0) {
+        for (const Candidate& candidate : passed) {
+            const RayHit hit = impl_->refined(ray, candidate);
+            if (!nearest || hit.distance_m < opaque.distance_m)
+                through.push_back(hit);
+        }
+        return nearest.has_value();
+    }
+
+    // What lies in the plane of the nearest, or almost, may stand on it.
+    if (nearest)
+        to_m = std::min(to_m, opaque.distance_m + mostLift_m(opaque, uses.layers(), sampleWidth,
+                                                             impl_->rounding_m));
+    passed.clear();
+    search.takesAll = true;
+    search.context.filter = filterHits;
+    searchIn(*impl_, ray, from_m, to_m, search);
+    std::vector<RayHit> hits;
+    for (const Candidate& candidate : passed) {
+        RayHit& hit = hits.emplace_back(impl_->refined(ray, candidate));
+        hit.order_m -= lift_m(ray, hit, uses[candidate.piece].layer, planeNormal(hit), sampleWidth,
+                              impl_->rounding_m);
+    }
+    const auto isTransparent = [&](const RayHit& hit) {
+        return uses[static_cast<std::size_t>(hit.piece)].transparent;
+    };
+    bool isMet = false;
+    for (const RayHit& hit : hits)
+        if (!isTransparent(hit) && (!isMet || hit.order_m < opaque.order_m)) {
+            opaque = hit;
+            isMet = true;
+        }
+    for (const RayHit& hit : hits)
+        if (isTransparent(hit) && (!isMet || hit.order_m < opaque.order_m))
+            through.push_back(hit);
+    return isMet;
+}
+
+std::optional<RayHit> RayMesh::nearestTo(const Ray& ray, double distance_m, double off_m,
+                                         const std::function<bool(int)>& isWanted) const {
+    Ray part = ray;
+    part.from_m = std::max(distance_m - off_m - impl_->rounding_m, 0.0);
+    part.to_m = distance_m + off_m + impl_->rounding_m;
+    double from_m = 0.0, to_m = 0.0;
+    if (impl_->facets == 0 || !impl_->clip(part, from_m, to_m))
+        return std::nullopt;
+    thread_local std::vector<Candidate> passed;
+    passed.clear();
+    thread_local std::vector<PieceUse> any;
+    if (any.size() < impl_->pieces.size())
+        any.resize(impl_->pieces.size(), {.isThere = true});
+    Search search;
+    rtcInitIntersectContext(&search.context);
+    search.context.filter = filterHits;
+    search.uses = any.data();
+    search.passed = &passed;
+    search.takesAll = true;
+    searchIn(*impl_, part, from_m, to_m, search);
+    std::optional<RayHit> nearest;
+    for (const Candidate& candidate : passed) {
+        if (!isWanted(static_cast<int>(candidate.piece)))
+            continue;
+        const RayHit hit = impl_->refined(ray, candidate);
+        if (!nearest ||
+            std::abs(hit.distance_m - distance_m) < std::abs(nearest->distance_m - distance_m))
+            nearest = hit;
+    }
+    return nearest;
+}
+
+bool RayMesh::letsPass(const Ray& ray, const PieceUses& uses, const RayHit* own,
+                       std::vector<int>& through) const {
+    double from_m = 0.0, to_m = 0.0;
+    if (impl_->facets == 0 || !impl_->clip(ray, from_m, to_m))
+        return true;
+    LightSearch search;
+    rtcInitIntersectContext(&search.context);
+    search.context.filter = filterLight;
+    search.uses = uses.data();
+    search.pieces = impl_->pieces.data();
+    search.through = &through;
+    if (own) {
+        search.own = &impl_->pieces[static_cast<std::size_t>(own->piece)];
+        search.corners = &search.own->triangles[3 * static_cast<std::size_t>(own->facet)];
+    }
+    RTCRay along = impl_->rayFrom(ray, from_m, to_m);
+    rtcOccluded1(impl_->scene, &search.context, &along);
+    return along.tfar >= 0.0f; // Embree sets it below where something is met
+}
+
+} // namespace irsg

@@ -1,0 +1,351 @@
+#include "irsg/render/rays/SunShadows.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "irsg/core/ParallelFor.h"
+#include "irsg/radiometry/Units.h"
+#include "irsg/render/rays/LightDirections.h"
+#include "irsg/render/rays/WindowSamples.h"
+
+namespace irsg {
+
+namespace {
+
+constexpr std::size_t raysOfDisc = 64;
+
+using MaterialSet = std::vector<std::pair<int, int>>;
+
+/// Places on the unit disc, evenly spread (Vogel's spiral) and turned by part of a circle that
+/// differs from sample to sample.
+std::array<double, 2> onDisc(std::size_t i, std::size_t turn) {
+    const double golden = pi * (3.0 - std::sqrt(5.0));
+    const double turned = static_cast<double>(turn % 4096) * 0.6180339887498949;
+    const double angle = golden * static_cast<double>(i) + 2.0 * pi * (turned - std::floor(turned));
+    const double radius = std::sqrt((static_cast<double>(i) + 0.5) / raysOfDisc);
+    return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+/// Where light from the sun passes, in the order of some rows.
+struct Passages {
+    std::vector<FactorSamples::Through> through;
+    std::vector<MaterialSet> sets;
+    std::map<MaterialSet, std::uint32_t> numbers;
+
+    std::uint32_t numberOf(const MaterialSet& set) {
+        const auto [place, isNew] =
+            numbers.try_emplace(set, static_cast<std::uint32_t>(sets.size()));
+        if (isNew)
+            sets.push_back(set);
+        return place->second;
+    }
+};
+
+/// The factors of a layer where they lie.
+float* factorOf(FactorSamples& samples, std::size_t sample, std::optional<std::size_t> fragment,
+                std::size_t f) {
+    if (fragment)
+        return &samples.words[*fragment * samples.wordsPerFragment + 4 + f];
+    return f < 3 ? &samples.opaque[4 * sample + 1 + f] : &samples.moreFactors[4 * sample + f - 3];
+}
+
+} // namespace
+
+/// Who looks, and at what.
+struct SunShadows::Source {
+    const SurfaceScene* scene = nullptr;
+    const SampleWindow* window = nullptr;
+    Viewpoint eye;
+    EyeDirections directions;
+    double sampleWidth = 0.0;
+    std::vector<std::size_t> casters;  ///< by row of the drawing
+    std::vector<Vec3> towards;         ///< world, by factor
+    std::vector<const Sunlit*> sunlit; ///< by factor, null where nothing is known
+    std::vector<std::size_t> shadowed; ///< factors
+
+    Vec3 worldOf(const Vec3& eyeDirection) const {
+        return eye.right * eyeDirection.x + eye.up * eyeDirection.y + eye.backward * eyeDirection.z;
+    }
+};
+
+struct SunShadows::Shaded {
+    double free = 0.0; ///< part of the light that nothing weakens
+    std::map<MaterialSet, double> through;
+
+    double visible() const {
+        double sum = free;
+        for (const auto& [set, part] : through)
+            sum += part;
+        return sum;
+    }
+};
+
+SunShadows::SunShadows(std::vector<Caster> casters, std::vector<bool> reflects, bool isDisc)
+    : casters_(std::move(casters)), reflects_(std::move(reflects)), isDisc_(isDisc) {
+    for (const Caster& caster : casters_) {
+        toWorld_.push_back(caster.pose.attitude.rotation());
+        toMesh_.push_back(toWorld_.back().transposed());
+    }
+}
+
+SunShadows::Source SunShadows::sourceOf(const SurfaceScene& scene,
+                                        const SampleWindow& window) const {
+    Source source;
+    source.scene = &scene;
+    source.window = &window;
+    source.eye = scene.camera->viewpoint();
+    source.directions = {scene.camera->sensor(), window};
+    source.sampleWidth = sampleWidthOf(scene.camera->sensor(), window);
+    source.casters.resize(scene.rows.size());
+    for (std::size_t c = 0; c < casters_.size(); ++c)
+        for (const int row : casters_[c].rows)
+            source.casters[static_cast<std::size_t>(row)] = c;
+    for (std::size_t f = 0; f < scene.factors.shadowedFrom.size(); ++f) {
+        const int from = scene.factors.shadowedFrom[f];
+        source.towards.push_back(
+            from < 0 ? Vec3{}
+                     : source.worldOf(
+                           scene.factors.directionsEye[static_cast<std::size_t>(from)].second));
+        if (from >= 0)
+            source.shadowed.push_back(f);
+        constexpr double rounding = 1e-12; // into eye space and back
+        const auto known = std::ranges::find_if(sunlit_, [&](const Sunlit& one) {
+            return length(one.towards - source.towards.back()) <= rounding;
+        });
+        source.sunlit.push_back(known != sunlit_.end() ? &*known : nullptr);
+    }
+    return source;
+}
+
+SunShadows::OpenPaths SunShadows::openPaths(const SurfaceScene& scene,
+                                            const SampleWindow& window) const {
+    OpenPaths paths;
+    paths.shadows_ = this;
+    paths.source_ = std::make_shared<const Source>(sourceOf(scene, window));
+    return paths;
+}
+
+bool SunShadows::OpenPaths::isOpen(const Vec3& eyeDirection, int row, double distance_m,
+                                   const Vec3& towardsEye, int column,
+                                   Neighbours& neighbours) const {
+    thread_local std::vector<std::pair<int, int>> through;
+    through.clear();
+    const Place place =
+        shadows_->placeOf(*source_, eyeDirection, row, distance_m, column, neighbours);
+    return shadows_->reaches(place, shadows_->startOf_m(place), source_->worldOf(towardsEye), false,
+                             through);
+}
+
+SunShadows::Place SunShadows::placeOf(const Source& source, const Vec3& eyeDirection, int row,
+                                      double distance_m, int column, Neighbours& neighbours) const {
+    const std::size_t number = source.casters[static_cast<std::size_t>(row)];
+    const Caster& caster = casters_[number];
+    const Rotation& toMesh = toMesh_[number];
+    Place place;
+    place.caster = number;
+    place.distance_m = distance_m;
+    place.ray.origin_m = turned(toMesh, source.eye.position_m - caster.pose.position_m);
+    place.ray.direction = turned(toMesh, source.worldOf(eyeDirection));
+    // Distances come in float, and OpenGL snaps corners to a part of a sample.
+    constexpr double snap = 1.0 / 64.0;
+    const double off_m = distance_m * (4e-6 + 2.0 * source.sampleWidth);
+    const double near_m = distance_m * (4e-7 + snap * source.sampleWidth);
+    const auto again = [&](const Neighbours::Known& nearby) {
+        if (nearby.row != row)
+            return false;
+        const PieceUse& use = caster.uses[static_cast<std::size_t>(nearby.piece)];
+        place.isFound = caster.mesh->again(place.ray, nearby.piece, nearby.facet, use, distance_m,
+                                           near_m, place.hit);
+        return place.isFound;
+    };
+    if (neighbours.last_.empty()) {
+        neighbours.last_.resize(source.casters.size());
+        neighbours.above_.resize(static_cast<std::size_t>(source.window->width()));
+    }
+    Neighbours::Known& last = neighbours.last_[static_cast<std::size_t>(row)];
+    Neighbours::Known& above = neighbours.above_[static_cast<std::size_t>(column)];
+    if (!again(last) && !again(above)) {
+        const auto isOfRow = [&](int piece) {
+            return caster.rows[static_cast<std::size_t>(piece)] == row;
+        };
+        if (const auto hit = caster.mesh->nearestTo(place.ray, distance_m, off_m, isOfRow)) {
+            place.hit = *hit;
+            place.isFound = true;
+        }
+    }
+    if (place.isFound)
+        last = above = {row, place.hit.piece, place.hit.facet};
+    return place;
+}
+
+bool SunShadows::isAllLit(const Place& place, const Sunlit* known) const {
+    if (known == nullptr || !place.isFound)
+        return false;
+    const SunlitFacets* const facets = known->facets[place.caster].get();
+    return facets != nullptr && facets->isLit(place.hit);
+}
+
+Vec3 SunShadows::startOf_m(const Place& place) const {
+    const Caster& caster = casters_[place.caster];
+    const Vec3 start = place.isFound ? caster.mesh->lifted(place.hit, place.ray)
+                                     : place.ray.origin_m + place.ray.direction * place.distance_m;
+    return caster.pose.position_m + turned(toWorld_[place.caster], start);
+}
+
+bool SunShadows::reaches(const Place& place, const Vec3& start_m, const Vec3& towards, bool isLit,
+                         std::vector<std::pair<int, int>>& through) const {
+    thread_local std::vector<int> pieces;
+    for (std::size_t c = 0; c < casters_.size(); ++c) {
+        const bool isOwn = place.isFound && c == place.caster;
+        if (isOwn && isLit)
+            continue;
+        const Caster& caster = casters_[c];
+        const Rotation& toMesh = toMesh_[c];
+        const Ray ray{turned(toMesh, start_m - caster.pose.position_m), turned(toMesh, towards)};
+        pieces.clear();
+        if (!caster.mesh->letsPass(ray, caster.uses, isOwn ? &place.hit : nullptr, pieces))
+            return false;
+        for (const int piece : pieces)
+            through.emplace_back(caster.entity, caster.materials[static_cast<std::size_t>(piece)]);
+    }
+    std::ranges::sort(through);
+    return true;
+}
+
+SunShadows::Shaded SunShadows::lightAt(const Place& place, const Vec3& towardsSun, bool isLit,
+                                       std::size_t turn) const {
+    Shaded light;
+    const std::size_t rays = isDisc_ ? raysOfDisc : 1;
+    const double part = 1.0 / static_cast<double>(rays);
+    Vec3 right, up;
+    double radius = 0.0;
+    if (isDisc_) {
+        std::tie(right, up) = acrossTo(towardsSun);
+        radius = std::tan(discRadius_rad);
+    }
+    const Vec3 start_m = startOf_m(place);
+    MaterialSet through;
+    for (std::size_t i = 0; i < rays; ++i) {
+        Vec3 towards = towardsSun;
+        if (isDisc_) {
+            const auto [x, y] = onDisc(i, turn);
+            towards = normalized(towardsSun + right * (x * radius) + up * (y * radius));
+        }
+        through.clear();
+        if (!reaches(place, start_m, towards, isLit, through))
+            continue;
+        if (through.empty())
+            light.free += part;
+        else
+            light.through[through] += part;
+    }
+    return light;
+}
+
+void SunShadows::apply(const SheetScene& sheet, bool withVisibility, FactorSamples& samples) const {
+    samples.through.clear();
+    samples.throughSets.clear();
+    samples.sunVisibility.assign(withVisibility ? samples.size() : 0, 0.0f);
+    const bool withPlaces = !places_.matters.empty();
+    samples.skyVisibility.assign(withVisibility && withPlaces ? samples.size() : 0, 0.0f);
+    samples.opaquePlaces.assign(withPlaces ? samples.size() : 0, {});
+    samples.fragmentPlaces.assign(withPlaces ? samples.words.size() / samples.wordsPerFragment : 0,
+                                  {});
+    std::vector<Source> sources;
+    for (std::size_t w = 0; w < sheet.scenes.size(); ++w)
+        sources.push_back(sourceOf(sheet.scenes[w], sheet.sheet.windows[w]));
+
+    const auto shade = [&](const Source& source, Passages& passages, Neighbours& neighbours,
+                           int row, int column) {
+        const std::size_t sample = indexOf(*source.window, column, row);
+        if (samples.isEmpty(sample))
+            return;
+        const Vec3 eyeDirection = source.directions.at(column, row);
+        std::uint32_t number = 0;
+        const auto [firstFragment, endOfFragments] = samples.fragmentsOf(sample);
+        samples.forEachLayer(sample, [&](const FactorSamples::Layer& layer) {
+            const std::uint32_t own = number++;
+            const auto drawnRow = static_cast<std::size_t>(layer.row);
+            const bool isOfMatter = withVisibility || reflects_.empty() || reflects_[drawnRow];
+            if (!isOfMatter)
+                return;
+            std::optional<std::size_t> fragment;
+            if (firstFragment + own < endOfFragments)
+                fragment = firstFragment + own;
+            std::optional<Place> place;
+            if (withVisibility && withPlaces && own == 0)
+                samples.skyVisibility[sample] = 1.0f;
+            if (withPlaces && places_.matters[drawnRow]) {
+                place = placeOf(source, eyeDirection, layer.row,
+                                static_cast<double>(layer.distance_m), column, neighbours);
+                if (place->isFound) {
+                    FactorSamples::Place& told =
+                        fragment ? samples.fragmentPlaces[*fragment] : samples.opaquePlaces[sample];
+                    const LightMesh::Place on = places_.meshes[place->caster]->placeOf(place->hit);
+                    told = {2 * places_.firstTriangle[place->caster] + on.triangle, on.u, on.v};
+                    if (withVisibility && own == 0) {
+                        const std::array<float, 3> open = places_.openAt(told.triangle);
+                        samples.skyVisibility[sample] =
+                            (1.0f - on.u - on.v) * open[0] + on.u * open[1] + on.v * open[2];
+                    }
+                }
+            }
+            for (const std::size_t f : source.shadowed) {
+                float* factor = factorOf(samples, sample, fragment, f);
+                if (!(*factor > 0.0f))
+                    continue;
+                if (!place)
+                    place = placeOf(source, eyeDirection, layer.row,
+                                    static_cast<double>(layer.distance_m), column, neighbours);
+                const bool isLit = isAllLit(*place, source.sunlit[f]);
+                if (isLit && casters_.size() == 1) {
+                    if (withVisibility && own == 0)
+                        samples.sunVisibility[sample] = 1.0f;
+                    continue;
+                }
+                const Shaded light = lightAt(*place, source.towards[f], isLit, sample);
+                const auto whole = static_cast<double>(*factor);
+                *factor = static_cast<float>(whole * light.free);
+                for (const auto& [set, part] : light.through)
+                    passages.through.push_back(
+                        {static_cast<std::uint32_t>(sample), own, passages.numberOf(set),
+                         static_cast<std::uint32_t>(f), static_cast<float>(whole * part)});
+                if (withVisibility && own == 0)
+                    samples.sunVisibility[sample] = static_cast<float>(light.visible());
+            }
+        });
+    };
+    const std::vector<WindowRows> pieces = rowsOf(sheet.sheet);
+    std::vector<Passages> found(pieces.size());
+    parallelFor(pieces.size(), [&](std::size_t i) {
+        const Source& source = sources[pieces[i].window];
+        Neighbours neighbours;
+        for (int row = pieces[i].first; row < pieces[i].last; ++row)
+            for (int column = 0; column < source.window->width(); ++column)
+                shade(source, found[i], neighbours, row, column);
+    });
+
+    std::map<MaterialSet, std::uint32_t> numbers;
+    for (Passages& passages : found)
+        for (FactorSamples::Through& one : passages.through) {
+            const MaterialSet& set = passages.sets[one.set];
+            const auto [known, isNew] =
+                numbers.try_emplace(set, static_cast<std::uint32_t>(samples.throughSets.size()));
+            if (isNew)
+                samples.throughSets.push_back(set);
+            one.set = known->second;
+            samples.through.push_back(one);
+        }
+    std::ranges::sort(samples.through, [](const auto& a, const auto& b) {
+        return std::tie(a.sample, a.layer, a.factor, a.set) <
+               std::tie(b.sample, b.layer, b.factor, b.set);
+    });
+}
+
+} // namespace irsg

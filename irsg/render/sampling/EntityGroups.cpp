@@ -1,0 +1,48 @@
+#include "irsg/render/sampling/EntityGroups.h"
+
+#include <cmath>
+
+#include "irsg/render/sampling/Uniting.h"
+
+namespace irsg {
+
+std::vector<int> EntityGroup::entities() const {
+    std::vector<int> result;
+    for (const ZoomEntityInfo& member : members)
+        result.push_back(member.entity);
+    std::ranges::sort(result);
+    return result;
+}
+
+std::vector<EntityGroup> overlappingGroups(const std::vector<ZoomEntityInfo>& objects) {
+    std::vector<EntityGroup> groups;
+    for (const ZoomEntityInfo& object : objects)
+        groups.push_back({object.extent, {object}});
+
+    uniteAll(
+        groups,
+        [](const EntityGroup& a, const EntityGroup& b) { return a.extent.intersects(b.extent); },
+        [](EntityGroup a, const EntityGroup& b) {
+            a.extent = a.extent.unitedWith(b.extent);
+            a.members.insert(a.members.end(), b.members.begin(), b.members.end());
+            return a;
+        });
+    return groups;
+}
+
+SampleWindow windowOnTiles(const ImageRectangle& extent, int level) {
+    const auto tile = [&](double place_px) { return std::ldexp(place_px, level); };
+    SampleWindow window;
+    window.level = level;
+    window.tileX = static_cast<std::int64_t>(std::floor(tile(extent.left)));
+    window.tileY = static_cast<std::int64_t>(std::floor(tile(extent.top)));
+    const auto past = [&](double place_px, std::int64_t first) {
+        const auto end = static_cast<std::int64_t>(std::ceil(tile(place_px)));
+        return static_cast<int>(std::max<std::int64_t>(end - first, 1));
+    };
+    window.tilesWide = past(extent.right, window.tileX);
+    window.tilesHigh = past(extent.bottom, window.tileY);
+    return window;
+}
+
+} // namespace irsg

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "irsg/render/sampling/SampleWindow.h"
+#include "irsg/render/sampling/ZoomEntityInfo.h"
+
+namespace irsg {
+
+/// Objects whose extents overlap, directly or through others: what may hide one another.
+struct EntityGroup {
+    ImageRectangle extent; ///< of all together
+    std::vector<ZoomEntityInfo> members;
+
+    std::vector<int> entities() const;
+};
+
+std::vector<EntityGroup> overlappingGroups(const std::vector<ZoomEntityInfo>& objects);
+
+/// The tiles of a level that an extent touches, with one sample each.
+SampleWindow windowOnTiles(const ImageRectangle& extent, int level);
+
+} // namespace irsg

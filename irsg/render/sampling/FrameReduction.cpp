@@ -1,0 +1,165 @@
+#include "irsg/render/sampling/FrameReduction.h"
+
+#include <algorithm>
+#include <array>
+
+#include "irsg/core/Errors.h"
+#include "irsg/core/ParallelFor.h"
+#include "irsg/geometry/view/PixelGrid.h"
+
+namespace irsg {
+
+namespace {
+
+/// Bands that the rows of pixels are divided into, whatever the number of cores.
+constexpr std::size_t bands = 8;
+
+/// Calls work(band, first row, row behind the last) on all cores, for pixels of the frame.
+template <typename Work>
+void forEachBand(const PixelWindow& pixels, const Work& work) {
+    const auto rows = static_cast<std::size_t>(pixels.height);
+    parallelFor(bands, [&](std::size_t band) {
+        work(band, pixels.y + static_cast<int>(beginOfPart(band, bands, rows)),
+             pixels.y + static_cast<int>(beginOfPart(band + 1, bands, rows)));
+    });
+}
+
+} // namespace
+
+FrameReduction::FrameReduction(const Sensor& sensor, const std::vector<SampleWindow>& windows)
+    : sensor_(sensor) {
+    // Windows that share pixels share a patch; a grown patch may reach others.
+    for (const SampleWindow& window : windows) {
+        Patch patch{window.pixels(), {}, {}};
+        for (auto other = patches_.begin(); other != patches_.end();) {
+            if (!other->pixels.intersects(patch.pixels)) {
+                ++other;
+                continue;
+            }
+            patch.pixels = patch.pixels.unitedWith(other->pixels);
+            patches_.erase(other);
+            other = patches_.begin();
+        }
+        patches_.push_back(std::move(patch));
+    }
+    for (Patch& patch : patches_)
+        patch.makeRoom();
+}
+
+void FrameReduction::Patch::makeRoom() {
+    const auto count =
+        static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height);
+    radiance.resize(count);
+    opacity.resize(count);
+}
+
+FrameReduction::Patch* FrameReduction::find(const PixelWindow& pixels) {
+    const auto found = std::ranges::find_if(
+        patches_, [&](const Patch& patch) { return patch.pixels.intersects(pixels); });
+    return found == patches_.end() ? nullptr : &*found;
+}
+
+FrameReduction::Patch& FrameReduction::patchOf(const PixelWindow& pixels) {
+    Patch* patch = find(pixels);
+    if (!patch)
+        throw LogicError("a window was drawn that the frame was not told of");
+    return *patch;
+}
+
+void FrameReduction::add(const SampleWindow& window, const RadianceSamples& samples) {
+    const PixelWindow pixels = window.pixels();
+    Patch& patch = patchOf(pixels);
+    const double share = window.share();
+    const auto addRun = [&](std::size_t first, int count, int x, int y, double weight)
+        __attribute__((always_inline)) {
+        const float* sample = &samples.planes[2 * first];
+        double radiance = 0.0, opacity = 0.0;
+        for (int s = 0; s < count; ++s, sample += 2) {
+            radiance += static_cast<double>(sample[0]);
+            opacity += static_cast<double>(sample[1]);
+        }
+        if (radiance == 0.0 && opacity == 0.0)
+            return;
+        const std::size_t pixel = patch.offset(x, y);
+        patch.radiance[pixel] += radiance * (weight * share);
+        patch.opacity[pixel] += opacity * (weight * share);
+    };
+    forEachBand(pixels, [&](std::size_t, int top, int bottom) {
+        window.forEachRun(window.firstRowOf(top), window.firstRowOf(bottom), addRun);
+    });
+}
+
+void FrameReduction::addPoint(int x, int y, double radiance_W_m2_sr, double opacity) {
+    Patch* patch = find({x, y, 1, 1});
+    if (!patch) {
+        patch = &patches_.emplace_back(Patch{{x, y, 1, 1}, {}, {}});
+        patch->makeRoom();
+    }
+    const std::size_t pixel = patch->offset(x, y);
+    patch->radiance[pixel] += radiance_W_m2_sr;
+    patch->opacity[pixel] += opacity;
+}
+
+void FrameReduction::cover(int x, int y, double radiance_W_m2_sr, double opacity) {
+    Patch& patch = patchOf({x, y, 1, 1});
+    const std::size_t pixel = patch.offset(x, y);
+    patch.radiance[pixel] = radiance_W_m2_sr + (1.0 - opacity) * patch.radiance[pixel];
+    patch.opacity[pixel] = opacity + (1.0 - opacity) * patch.opacity[pixel];
+}
+
+ObjectRadiometry FrameReduction::objects(const FrameBackground& background, double range_m) const {
+    ObjectRadiometry sum;
+    sum.name = "all";
+    sum.range_m = range_m;
+    const PixelGrid grid(sensor_);
+    for (const Patch& patch : patches_) {
+        const auto add = [&](int x, int y, ObjectRadiometry& to) {
+            const std::size_t i = patch.offset(x, y);
+            const double radiance = patch.radiance[i], opacity = patch.opacity[i];
+            if (opacity == 0.0 && radiance == 0.0)
+                return;
+            const auto [omega_sr, cosOffAxis] = grid.at(x, y);
+            const double contrast = radiance - opacity * background.at(x, y);
+            to.intensity_W_sr += radiance * omega_sr;
+            to.contrastIntensity_W_sr += contrast * omega_sr;
+            to.irradiance_W_m2 += contrast * omega_sr * cosOffAxis;
+            to.coveredPixels += opacity;
+            to.solidAngle_sr += opacity * omega_sr;
+        };
+        std::array<ObjectRadiometry, bands> ofBands;
+        forEachBand(patch.pixels, [&](std::size_t band, int top, int bottom) {
+            for (int y = top; y < bottom; ++y)
+                for (int x = patch.pixels.x; x < patch.pixels.x + patch.pixels.width; ++x)
+                    add(x, y, ofBands[band]);
+        });
+        for (const ObjectRadiometry& one : ofBands)
+            sum.addSums(one);
+    }
+    sum.intensity_W_sr *= range_m * range_m;
+    sum.contrastIntensity_W_sr *= range_m * range_m;
+    return sum;
+}
+
+RadianceImage FrameReduction::compose(const FrameBackground& background) const {
+    RadianceImage image(sensor_.width_px, sensor_.height_px);
+    std::vector<float>& pixels = image.primary().values;
+    if (background.isUniform())
+        std::ranges::fill(pixels, static_cast<float>(background.centre_W_m2_sr()));
+    else
+        for (int y = 0; y < sensor_.height_px; ++y)
+            for (int x = 0; x < sensor_.width_px; ++x)
+                pixels[image.offset(x, y)] = static_cast<float>(background.at(x, y));
+
+    for (const Patch& patch : patches_)
+        forEachBand(patch.pixels, [&](std::size_t, int top, int bottom) {
+            for (int y = top; y < bottom; ++y)
+                for (int x = patch.pixels.x; x < patch.pixels.x + patch.pixels.width; ++x) {
+                    const std::size_t i = patch.offset(x, y);
+                    pixels[image.offset(x, y)] = static_cast<float>(
+                        patch.radiance[i] + (1.0 - patch.opacity[i]) * background.at(x, y));
+                }
+        });
+    return image;
+}
+
+} // namespace irsg

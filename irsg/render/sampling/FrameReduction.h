@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include "irsg/geometry/view/CameraFrame.h"
+#include "irsg/geometry/view/FrameBackground.h"
+#include "irsg/image/RadianceImage.h"
+#include "irsg/render/sampling/SampleWindow.h"
+#include "irsg/render/sampling/Samples.h"
+#include "irsg/render/values/RenderReport.h"
+
+namespace irsg {
+
+/// Reduces samples to pixels by exact averaging of premultiplied radiance and opacity, in double,
+/// and sums the radiometry of the objects on their own windows before anything is rounded to float.
+class FrameReduction {
+  public:
+    /// `windows`: what will be added, whole or in pieces.
+    FrameReduction(const Sensor& sensor, const std::vector<SampleWindow>& windows);
+
+    void add(const SampleWindow& window, const RadianceSamples& samples);
+    /// Adds what a point source adds to one pixel.
+    void addPoint(int x, int y, double radiance_W_m2_sr, double opacity);
+    /// Lays a premultiplied radiance over what a pixel holds.
+    void cover(int x, int y, double radiance_W_m2_sr, double opacity);
+
+    /// Sums over all pixels added, for objects at a range.
+    ObjectRadiometry objects(const FrameBackground& background, double range_m) const;
+    /// A_pre + (1 - alpha) L_bg of every pixel of the frame.
+    RadianceImage compose(const FrameBackground& background) const;
+
+  private:
+    /// Pixels that windows touch together.
+    struct Patch {
+        PixelWindow pixels;
+        std::vector<double> radiance, opacity; // top row first
+
+        void makeRoom();
+        std::size_t offset(int x, int y) const {
+            return static_cast<std::size_t>(y - pixels.y) * static_cast<std::size_t>(pixels.width) +
+                   static_cast<std::size_t>(x - pixels.x);
+        }
+    };
+    Patch* find(const PixelWindow& pixels);
+    Patch& patchOf(const PixelWindow& pixels);
+
+    Sensor sensor_;
+    std::vector<Patch> patches_; // no two share a pixel
+};
+
+} // namespace irsg

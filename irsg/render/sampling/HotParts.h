@@ -1,0 +1,50 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "irsg/geometry/model/DrawList.h"
+#include "irsg/geometry/view/CameraFrame.h"
+#include "irsg/render/sampling/SampleWindow.h"
+#include "irsg/render/sampling/Samples.h"
+
+namespace irsg {
+
+/// Boxes, in model axes, around the connected pieces of what carries a pair of codes: triangles
+/// with a common place of a vertex are connected, and pieces whose boxes meet are one. At most
+/// `mostPieces`; of more, neighbours share a box.
+std::vector<BoundingBox> connectedPieces(const std::vector<DrawItem>& items, const IrCodes& codes);
+inline constexpr std::size_t mostPieces = 256;
+
+/// A hot piece of an object as a camera sees it.
+struct HotPart {
+    ImageRectangle extent;  ///< what the frame shows of the box around it
+    double nearest_m = 0.0; ///< from the camera to that box
+};
+
+/// One sample a tile around all the parts, some hundred along the longer side: to find out which of
+/// them are hidden.
+SampleWindow probeOf(const std::vector<HotPart>& parts, int entity);
+/// The tiles of a probe in which a part and a tile around it lie, both ends among them.
+struct ProbedTiles {
+    int left = 0, right = 0, top = 0, bottom = 0;
+};
+ProbedTiles tilesAround(const HotPart& part, const SampleWindow& probe);
+/// True where a probe, drawn with distances around the part at least, finds an opaque surface
+/// before all of a part and a tile around it. What is seen through a gap narrower than a tile is
+/// hidden, too: it is left to the window around.
+bool isHidden(const HotPart& part, const SampleWindow& probe, const FactorSamples& samples);
+
+/// The hot parts of one object, found once for each pair of codes that was ever hot.
+class HotParts {
+  public:
+    /// The hot pieces of an object that stands at `pose`.
+    std::vector<HotPart> seenBy(const CameraFrame& camera, const Pose& pose,
+                                const std::vector<DrawItem>& items,
+                                const std::vector<IrCodes>& hot);
+
+  private:
+    std::map<IrCodes, std::vector<BoundingBox>> pieces_;
+};
+
+} // namespace irsg

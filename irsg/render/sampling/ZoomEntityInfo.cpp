@@ -1,0 +1,23 @@
+#include "irsg/render/sampling/ZoomEntityInfo.h"
+
+namespace irsg {
+
+std::optional<ZoomEntityInfo> zoomEntityInfo(int entity, const CameraFrame& camera,
+                                             const BoundingBox& box, const BoundingSphere& sphere,
+                                             const Pose& pose) {
+    if (!camera.depthOf(box, pose))
+        return std::nullopt;
+    const Vec3 centre_m = pose.toWorld(sphere.centre_m);
+    const Sensor& sensor = camera.sensor();
+    ImageRectangle extent{0.0, 0.0, static_cast<double>(sensor.width_px),
+                          static_cast<double>(sensor.height_px)};
+    if (const auto ofBox = camera.extentOf(box, pose))
+        extent = extent.intersectedWith(*ofBox);
+    if (const auto ofSphere = camera.extentOfSphere(centre_m, sphere.radius_m))
+        extent = extent.intersectedWith(*ofSphere);
+    if (extent.empty())
+        return std::nullopt;
+    return ZoomEntityInfo{entity, extent, centre_m, sphere.radius_m};
+}
+
+} // namespace irsg

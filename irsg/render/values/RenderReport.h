@@ -1,0 +1,92 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "irsg/image/RadianceImage.h"
+#include "irsg/image/SampledWindows.h"
+#include "irsg/render/values/RadiometryError.h"
+
+namespace irsg {
+
+/// The radiometry of one object as the sensor sees it, summed in double over its samples.
+struct ObjectRadiometry {
+    std::string name;
+    double range_m = 0.0;                ///< sensor to reference point
+    double intensity_W_sr = 0.0;         ///< sum of A_pre omega d^2
+    double contrastIntensity_W_sr = 0.0; ///< sum of (A_pre - alpha L_bg) omega d^2
+    double irradiance_W_m2 = 0.0;        ///< sum of (A_pre - alpha L_bg) omega cos theta
+    double coveredPixels = 0.0;          ///< sum of the coverage
+    double solidAngle_sr = 0.0;          ///< sum of coverage omega
+    /// Bound of what the air's change over the object's extent leaves wrong, as a part of what
+    /// arrives from it.
+    double airError = 0.0;
+    std::optional<RadiometryErrors> errors; ///< where they were asked for (Wanted::errors)
+
+    /// Adds what another has seen to its sums.
+    void addSums(const ObjectRadiometry& other) {
+        intensity_W_sr += other.intensity_W_sr;
+        contrastIntensity_W_sr += other.contrastIntensity_W_sr;
+        irradiance_W_m2 += other.irradiance_W_m2;
+        coveredPixels += other.coveredPixels;
+        solidAngle_sr += other.solidAngle_sr;
+    }
+};
+
+struct RenderReport {
+    double totalIrradiance_W_m2 = 0.0; ///< of the whole frame, background included
+    double background_W_m2_sr = 0.0;
+    std::vector<ObjectRadiometry> objects;
+    /// Of all objects together: each sum is that of the objects, whose intensities are each at
+    /// their own range; `range_m` is that of the first.
+    ObjectRadiometry all;
+    std::vector<std::string> answeredBy; ///< "transmittance: vacuum"
+    std::vector<std::string> warnings;   ///< each said once
+    std::vector<SampledWindow> windows;  ///< what the antialiasing sampled by itself
+    long flooredPixels = 0;              ///< of the background, whose sum was below 0
+    int layersLeftOver = 0;              ///< samples with more transparent layers than are kept
+    std::string renderer;                ///< GL renderer and version
+};
+
+struct RenderedImage {
+    RadianceImage image; ///< "L"; with truth layers the other planes (TruthLayers.h)
+    RenderReport report;
+};
+
+/// One object's part of an IntensitySpectrum, at its own range.
+struct ObjectSpectrum {
+    std::string name;
+    std::vector<double> intensity_W_sr_um;
+    std::vector<double> contrastIntensity_W_sr_um;
+    std::vector<double> irradiance_W_m2_um;
+    std::vector<RadiometryErrors> errors; ///< as those of IntensitySpectrum
+};
+
+/// Spectral quantities as they arrive at the sensor, through the air but without the sensor's
+/// response: the sums of the objects, each at its own range.
+struct IntensitySpectrum {
+    std::vector<double> wavenumbers_per_cm; ///< as asked for
+    std::vector<double> wavelengths_um;     ///< 1e4 / wavenumber
+    std::vector<double> intensity_W_sr_um;
+    std::vector<double> contrastIntensity_W_sr_um;
+    std::vector<double> irradiance_W_m2_um; ///< of the contrast
+    /// A wavenumber each, per um, where they were asked for (Wanted::errors). What of the air they
+    /// hold is its change over the objects' extent: its bins are the resolution of a spectrum.
+    std::vector<RadiometryErrors> errors;
+    std::vector<ObjectSpectrum> objects; ///< where there are several
+    double coveredPixels = 0.0;
+    std::vector<std::string> warnings;
+};
+
+/// Time spent in each stage since the last reset, s.
+struct StageTimes {
+    struct Stage {
+        std::string name;
+        double seconds = 0.0;
+        long calls = 0;
+    };
+    std::vector<Stage> stages;
+};
+
+} // namespace irsg

@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+"""Includes that go up: include-order.py [--counts] [TREE]
+
+Every folder of the product stands in the list below, lowest first, and includes what stands in its own line or in lines
+before it. Prints each include that goes up, and each of OpenSceneGraph, OpenGL or Qt where a floor does without it, and
+ends with 1 where there is one, or where a folder with sources is missing in the list. --counts prints the files of each
+line, too.
+"""
+import argparse
+import os
+import re
+import sys
+
+# Folders of a line may include each other.
+ORDER = [
+    ["irsg/core"],
+    ["irsg/radiometry"],
+    ["irsg/karma"],
+    ["irsg/atmosphere/path"],
+    ["irsg/atmosphere/engine"],
+    ["irsg/atmosphere/tables"],
+    ["irsg/atmosphere", "irsg/atmosphere/ck", "irsg/atmosphere/import"],
+    ["irsg/signature", "irsg/signature/random"],
+    ["irsg/image"],
+    ["irsg/scattering"],
+    ["irsg/geometry/view"],
+    ["irsg/geometry/reading", "irsg/geometry/reading/sandbox", "irsg/geometry/reading/text",
+     "irsg/geometry/reading/assimp"],
+    ["irsg/geometry/reader"],
+    ["irsg/geometry/flight"],
+    ["irsg/geometry/model"],
+    ["irsg/geometry"],
+    ["irsg/render/values"],
+    ["irsg/render/sampling"],
+    ["irsg/render/rays", "irsg/render/opengl"],
+    ["irsg/render/background"],
+    ["irsg/radiance", "irsg/radiance/exchange"],
+    ["irsg/scene", "irsg/scene/scattering"],
+    ["irsg/reference"],
+    ["smatcore/support"],
+    ["smatcore/settings"],
+    ["smatcore/data"],
+    ["smatcore/project"],
+    ["smatcore/tables"],
+    ["smatcore/analysis", "smatcore/analysis/kinds"],
+    ["smatcore/results"],
+    ["smatcore/simulate", "smatcore/tools"],
+    ["smatcore/selftest"],
+    ["gui"],
+    ["apps", "tools"],
+]
+# What the sources of a folder, and of those below it, must not name.
+OSG = r"osg[A-Za-z]*/|GL/|EGL/"
+QT = r"Q[A-Z]|qwt"
+WITHOUT = {
+    "irsg/core": OSG, "irsg/radiometry": OSG, "irsg/karma": OSG, "irsg/atmosphere": OSG, "irsg/signature": OSG,
+    "irsg/image": OSG, "irsg/scattering": OSG, "irsg/radiance": OSG, "irsg/thermal": OSG, "irsg/sensor": OSG,
+    "smatcore": OSG, "irsg": QT, "smatcore/": QT,
+}
+
+parser = argparse.ArgumentParser()
+parser.add_argument("--counts", action="store_true")
+parser.add_argument("tree", nargs="?", default=os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+asked = parser.parse_args()
+level = {folder: number for number, line in enumerate(ORDER) for folder in line}
+complaints, counts = [], [0] * len(ORDER)
+
+
+def level_of(folder):
+    """Of the folder, or of gui, apps and tools that it lies in."""
+    top = folder.split("/")[0]
+    return level.get(folder, level.get(top) if top in ("gui", "apps", "tools") else None)
+
+
+for top in ("irsg", "smatcore", "gui", "apps", "tools"):
+    for place, _, names in os.walk(os.path.join(asked.tree, top)):
+        folder = os.path.relpath(place, asked.tree)
+        own = level_of(folder)
+        for name in sorted(n for n in names if n.endswith((".h", ".cpp"))):
+            path = os.path.join(folder, name)
+            if own is None:
+                complaints.append(f"{path}: the folder {folder} has no place in the order of scripts/include-order.py")
+                continue
+            counts[own] += 1
+            with open(os.path.join(asked.tree, path), encoding="utf-8") as source:
+                for number, line in enumerate(source, 1):
+                    if match := re.match(r'\s*#\s*include\s+"([^"]+/[^"]+)"', line):
+                        other = level_of(os.path.dirname(match[1]))
+                        if other is not None and other > own:
+                            complaints.append(f"{path}:{number}: {match[1]} lies above {folder}")
+                    elif match := re.match(r"\s*#\s*include\s+<([^>]+)>", line):
+                        for without, names_of in WITHOUT.items():
+                            if (folder + "/").startswith(without.rstrip("/") + "/") and re.match(names_of, match[1]):
+                                complaints.append(f"{path}:{number}: {without.rstrip('/')} does without <{match[1]}>")
+
+for complaint in complaints:
+    print(complaint)
+if asked.counts:
+    for line, count in zip(ORDER, counts):
+        print(f"{count:5} {' '.join(line)}")
+sys.exit(1 if complaints else 0)
