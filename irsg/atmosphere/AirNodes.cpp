@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
@@ -96,17 +97,12 @@ AirNodes::AirNodes(std::shared_ptr<const RadiativeTransfer> transfer,
         firsts.push_back(first);
     for (const double wavelength_um : wavelengths_um) {
         // Linear in wavelength between the centres, and clamped beyond the last.
-        std::size_t upper = 0;
-        while (upper < bins.size() && 1e4 / bins[upper].centre_per_cm() > wavelength_um)
-            ++upper;
-        const std::size_t lower = upper > 0 ? upper - 1 : 0;
-        upper = std::min(upper, bins.size() - 1);
-        const double from_um = 1e4 / bins[lower].centre_per_cm();
-        const double to_um = 1e4 / bins[upper].centre_per_cm();
-        const double part = upper > lower ? (wavelength_um - from_um) / (to_um - from_um) : 0.0;
+        const auto [below, above, part] =
+            bracket(bins, wavelength_um, Beyond::clamp,
+                    [](const SpectralBin& bin) { return 1e4 / bin.centre_per_cm(); });
         groups_.push_back({.wavelength_um = wavelength_um, .first = ofSet_.size()});
-        addNodes(bins[lower], 1.0 - part, firsts[lower]);
-        addNodes(bins[upper], part, firsts[upper]);
+        addNodes(bins[below], 1.0 - part, firsts[below]);
+        addNodes(bins[above], part, firsts[above]);
         outputs_.emplace_back(groups_.back().first, ofSet_.size());
     }
     finish(range);

@@ -4,6 +4,7 @@
 #include "irsg/atmosphere/BeerLambert.h"
 #include "irsg/atmosphere/ck/CkKept.h"
 #include "irsg/atmosphere/ck/CkTraining.h"
+#include "irsg/core/Interpolation.h"
 #include "irsg/radiometry/Planck.h"
 
 namespace irsg {
@@ -56,7 +57,7 @@ std::vector<double> BeerLambert::candidates(const SpectralRange& range) const {
         for (std::size_t k = 1; k <= outer; ++k) {
             const double part = static_cast<double>(k) / static_cast<double>(outer);
             const double grown =
-                std::abs(b - a) > 1e-6 * a ? (a * std::pow(b / a, part) - a) / (b - a) : part;
+                std::abs(b - a) > 1e-6 * a ? (lerpByRatio(a, b, part) - a) / (b - a) : part;
             const double to_um = k == outer ? kinks[i + 1] : kinks[i] + grown * step_um;
             for (std::size_t n = 1; n <= inner; ++n)
                 wavelengths_um.push_back(n == inner ? to_um

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <span>
 
+#include "irsg/core/Interpolation.h"
+
 namespace irsg {
 
 /// Piecewise cubic interpolation through (x, y) that is monotone where the data are (Fritsch and
@@ -13,9 +15,7 @@ namespace irsg {
 template <typename Values>
 double monotoneCubic(std::span<const double> x, const Values& y, double at) {
     const std::size_t n = x.size();
-    std::size_t i = 0;
-    while (i + 2 < n && at > x[i + 1])
-        ++i;
+    const auto [i, above, t] = bracket(x, at, Beyond::extrapolate);
     const auto step = [&](std::size_t k) { return x[k + 1] - x[k]; };
     const auto rise = [&](std::size_t k) { return (y(k + 1) - y(k)) / step(k); };
     if (n == 2 || at < x.front() || at > x.back())
@@ -40,10 +40,9 @@ double monotoneCubic(std::span<const double> x, const Values& y, double at) {
         return (w0 + w1) / (w0 / before + w1 / after);
     };
     const double h = step(i);
-    const double t = (at - x[i]) / h;
     const double s = 1.0 - t;
-    return y(i) * s * s * (1.0 + 2.0 * t) + y(i + 1) * t * t * (1.0 + 2.0 * s) +
-           h * t * s * (slope(i) * s - slope(i + 1) * t);
+    return y(i) * s * s * (1.0 + 2.0 * t) + y(above) * t * t * (1.0 + 2.0 * s) +
+           h * t * s * (slope(i) * s - slope(above) * t);
 }
 
 } // namespace irsg

@@ -5,6 +5,7 @@
 #include "irsg/atmosphere/engine/ParticleParts.h"
 #include "irsg/atmosphere/engine/ResourceFile.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 
 namespace irsg::particles {
 
@@ -88,7 +89,7 @@ Vertical withExponentials(const Vertical& coarse) {
         for (int piece = 1; piece < pieces; ++piece) {
             const double part = static_cast<double>(piece) / pieces;
             fine.altitudes_m.push_back(coarse.altitudes_m[i] + part * thickness_m);
-            fine.extinction_per_m.push_back(a * std::pow(b / a, part));
+            fine.extinction_per_m.push_back(lerpByRatio(a, b, part));
         }
     }
     return fine;
@@ -100,7 +101,7 @@ std::vector<double> blend(const std::vector<double>& far, double far_km,
     const double part = (1.0 / visibility_km - 1.0 / far_km) / (1.0 / near_km - 1.0 / far_km);
     std::vector<double> result(far.size());
     for (std::size_t i = 0; i < far.size(); ++i)
-        result[i] = std::lerp(far[i], near[i], part);
+        result[i] = lerp(far[i], near[i], part);
     return result;
 }
 
@@ -110,11 +111,10 @@ Vertical boundaryLayer(double extinction550_per_m) {
     const ParticleTable& table = profileTable();
     const double visibility_km = std::min(koschmiederVisibility_m(extinction550_per_m) / 1e3,
                                           boundaryColumns[0].visibility_km);
-    std::size_t near = 1;
-    while (near + 1 < boundaryColumns.size() && visibility_km < boundaryColumns[near].visibility_km)
-        ++near;
-    const BoundaryColumn& a = boundaryColumns[near - 1];
-    const BoundaryColumn& b = boundaryColumns[near];
+    const Bracket at =
+        bracket(boundaryColumns, visibility_km, Beyond::clamp, &BoundaryColumn::visibility_km);
+    const BoundaryColumn& a = boundaryColumns[at.below];
+    const BoundaryColumn& b = boundaryColumns[at.above];
     std::vector<double> values = blend(table.column(a.name), a.visibility_km, table.column(b.name),
                                        b.visibility_km, visibility_km);
     const double scale = extinction550_per_m / values.front();
@@ -201,13 +201,11 @@ Optics humidOptics(const std::string& model, double relativeHumidity) {
     constexpr std::array<double, 4> percents = {0.0, 70.0, 80.0, 99.0};
     constexpr std::array<const char*, 4> suffixes = {"_rh0", "_rh70", "_rh80", "_rh99"};
     const double percent = std::clamp(100.0 * relativeHumidity, 0.0, 99.0);
-    std::size_t i = 1;
-    while (i + 1 < percents.size() && percent > percents[i])
-        ++i;
-    const double part = std::log((100.0 - percent) / (100.0 - percents[i - 1])) /
-                        std::log((100.0 - percents[i]) / (100.0 - percents[i - 1]));
-    Optics result = opticsOf(humidTable(), model, suffixes[i - 1]);
-    const Optics moister = opticsOf(humidTable(), model, suffixes[i]);
+    const Bracket at = bracket(percents, percent);
+    const double part =
+        fractionByRatio(100.0 - percents[at.below], 100.0 - percents[at.above], 100.0 - percent);
+    Optics result = opticsOf(humidTable(), model, suffixes[at.below]);
+    const Optics moister = opticsOf(humidTable(), model, suffixes[at.above]);
     for (std::size_t k = 0; k < result.values.size(); ++k)
         result.values[k] = between(result.values[k], moister.values[k], part);
     return normalised(std::move(result));

@@ -1,8 +1,7 @@
 #include "irsg/atmosphere/engine/AtmosphericColumn.h"
 
-#include <algorithm>
-
 #include "irsg/atmosphere/engine/AltitudeGrid.h"
+#include "irsg/core/Interpolation.h"
 
 namespace irsg {
 
@@ -20,12 +19,8 @@ AtmosphericColumn::AtmosphericColumn(Profile profile, std::vector<ParticleLayer>
 }
 
 AtmosphericColumn::Place AtmosphericColumn::placeOf(double altitude_m) const {
-    const double z = std::clamp(altitude_m, altitudes_m_.front(), altitudes_m_.back());
-    const auto above = std::ranges::upper_bound(altitudes_m_, z);
-    const auto upper =
-        std::clamp<std::ptrdiff_t>(above - altitudes_m_.begin(), 1, std::ssize(altitudes_m_) - 1);
-    const auto layer = static_cast<std::size_t>(upper - 1);
-    return {layer, (z - altitudes_m_[layer]) / (altitudes_m_[layer + 1] - altitudes_m_[layer])};
+    const Bracket at = bracket(altitudes_m_, altitude_m);
+    return {at.below, at.fraction};
 }
 
 } // namespace irsg

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 
 namespace irsg {
 
@@ -13,25 +14,15 @@ namespace {
 /// Lagrange's weights of `count` neighbouring nodes of an ascending or descending axis, clamped to
 /// it.
 template <std::size_t count>
+    requires(count == 3 || count == 4)
 std::size_t lagrange(const std::vector<double>& axis, double x,
                      std::array<double, count>& weights) {
-    const bool descending = axis.front() > axis.back();
-    const double low = std::min(axis.front(), axis.back());
-    const double high = std::max(axis.front(), axis.back());
-    x = std::clamp(x, low, high);
-    const auto above = descending ? std::ranges::lower_bound(axis, x, std::greater<>())
-                                  : std::ranges::lower_bound(axis, x);
-    const auto upper = static_cast<std::ptrdiff_t>(above - axis.begin());
-    std::ptrdiff_t first = upper - static_cast<std::ptrdiff_t>(count) / 2;
-    if constexpr (count == 3) { // the middle node is the nearest one
-        first = upper - 1;
-        if (upper > 0 && upper < static_cast<std::ptrdiff_t>(axis.size()) &&
-            std::abs(axis[static_cast<std::size_t>(upper - 1)] - x) <
-                std::abs(axis[static_cast<std::size_t>(upper)] - x))
-            first = upper - 2;
-    }
-    first = std::clamp<std::ptrdiff_t>(first, 0, static_cast<std::ptrdiff_t>(axis.size() - count));
-    const auto start = static_cast<std::size_t>(first);
+    x = std::clamp(x, std::min(axis.front(), axis.back()), std::max(axis.front(), axis.back()));
+    const Bracket at = bracket(axis, x);
+    // Nodes before the one below: two on either side, or one on either side of the nearest.
+    const std::size_t before =
+        count == 3 ? (at.fraction < 0.5 ? 1 : 0) : (at.fraction > 0.0 ? 1 : 2);
+    const std::size_t start = std::min(at.below - std::min(before, at.below), axis.size() - count);
     for (std::size_t i = 0; i < count; ++i) {
         weights[i] = 1.0;
         for (std::size_t j = 0; j < count; ++j)

@@ -5,6 +5,7 @@
 
 #include "irsg/atmosphere/engine/ParticleParts.h"
 #include "irsg/atmosphere/engine/ResourceFile.h"
+#include "irsg/core/Interpolation.h"
 
 namespace irsg::particles {
 
@@ -48,19 +49,16 @@ WindAerosol navyMaritime(int airMass, double wind_m_s, double wind24h_m_s,
     const double factor_per_m = 1e-3 * std::numbers::pi / 1000.0 / growth;
 
     // The logarithms of the modes' sums are linear in humidity.
-    std::size_t i = 1;
-    while (i + 1 < percents.size() && percent > percents[i])
-        ++i;
-    const double part = (percent - percents[i - 1]) / (percents[i] - percents[i - 1]);
+    const auto [below, above, part] = bracket(percents, percent);
     const std::size_t count = navyTable().first().size();
     auto sum = [&](const char* quantity) {
         std::vector<double> result(count, 0.0);
         for (int mode = 1; mode <= 3; ++mode) {
-            const auto& drier = navyTable().column(column(quantity, mode, humidities[i - 1]));
-            const auto& moister = navyTable().column(column(quantity, mode, humidities[i]));
+            const auto& drier = navyTable().column(column(quantity, mode, humidities[below]));
+            const auto& moister = navyTable().column(column(quantity, mode, humidities[above]));
             for (std::size_t k = 0; k < count; ++k)
                 result[k] += factor_per_m * amplitudes[static_cast<std::size_t>(mode - 1)] *
-                             std::pow(10.0, std::lerp(drier[k], moister[k], part));
+                             std::pow(10.0, lerp(drier[k], moister[k], part));
         }
         return result;
     };

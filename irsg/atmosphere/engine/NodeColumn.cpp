@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "irsg/atmosphere/engine/SolarSpectrum.h"
+#include "irsg/core/Interpolation.h"
 #include "irsg/radiometry/Planck.h"
 
 namespace irsg {
@@ -44,16 +45,14 @@ NodeColumn::NodeColumn(const AtmosphericColumn& air, std::vector<std::uint32_t> 
       smoothPoints_per_cm_(smoothPointsOf(wavenumbers_per_cm_)),
       continua_(smoothPoints_per_cm_),
       levels_(air.levelCount()) {
+    Bracket at;
     for (const double wavenumber_per_cm : wavenumbers_per_cm_) {
         wavelengths_um_.push_back(1e4 / wavenumber_per_cm);
-        const auto above = std::ranges::upper_bound(smoothPoints_per_cm_, wavenumber_per_cm);
-        const auto below = std::max<std::ptrdiff_t>(above - smoothPoints_per_cm_.begin() - 1, 0);
-        const auto i = static_cast<std::size_t>(below);
-        const bool isLast = i + 1 >= smoothPoints_per_cm_.size();
-        smoothBelow_.push_back(static_cast<std::uint32_t>(i));
-        smoothPart_.push_back(isLast ? 0.0
-                                     : (wavenumber_per_cm - smoothPoints_per_cm_[i]) /
-                                           (smoothPoints_per_cm_[i + 1] - smoothPoints_per_cm_[i]));
+        at = bracketNear(at.below, smoothPoints_per_cm_, wavenumber_per_cm);
+        // The last point begins no interval: it is taken alone.
+        const bool isLast = at.fraction == 1.0;
+        smoothBelow_.push_back(static_cast<std::uint32_t>(isLast ? at.above : at.below));
+        smoothPart_.push_back(isLast ? 0.0 : at.fraction);
     }
     for (const ParticleLayer& kind : air_.particles()) {
         Optics optics;

@@ -6,17 +6,11 @@
 
 #include "irsg/atmosphere/engine/ParticleParts.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 
 namespace irsg {
 
 namespace {
-
-/// 0 to 1 of the way from a to b, in logarithms where both are positive.
-double mix(double a, double b, double part) {
-    if (a > 0.0 && b > 0.0)
-        return a == b ? a : a * std::exp(part * std::log(b / a));
-    return a + part * (b - a);
-}
 
 /// One less the single scattering albedo.
 double absorbedPart(const ParticleOptics& optics) {
@@ -28,31 +22,25 @@ double absorbedPart(const ParticleOptics& optics) {
 double ParticleLayer::extinction550At(double altitude_m) const {
     if (altitudes_m.empty() || altitude_m < altitudes_m.front() || altitude_m > altitudes_m.back())
         return 0.0;
-    const auto above = std::ranges::upper_bound(altitudes_m, altitude_m);
-    if (above == altitudes_m.end())
-        return extinction550_per_m.back();
-    const auto i = static_cast<std::size_t>(above - altitudes_m.begin());
-    const double part = (altitude_m - altitudes_m[i - 1]) / (altitudes_m[i] - altitudes_m[i - 1]);
-    return std::lerp(extinction550_per_m[i - 1], extinction550_per_m[i], part);
+    return interpolate(altitudes_m, extinction550_per_m, altitude_m);
 }
 
 ParticleOptics ParticleLayer::opticsAt(double wavelength_um) const {
     if (optics.empty() || optics.size() != wavelengths_um.size())
         throw LogicError("particles without optical properties: " + name);
-    const auto above = std::ranges::upper_bound(wavelengths_um, wavelength_um);
-    if (above == wavelengths_um.begin())
-        return optics.front();
-    if (above == wavelengths_um.end())
-        return optics.back();
-    const auto i = static_cast<std::size_t>(above - wavelengths_um.begin());
-    const double part = std::log(wavelength_um / wavelengths_um[i - 1]) /
-                        std::log(wavelengths_um[i] / wavelengths_um[i - 1]);
-    const ParticleOptics& a = optics[i - 1];
-    const ParticleOptics& b = optics[i];
+    const Bracket at = bracket(wavelengths_um, wavelength_um);
+    const ParticleOptics& a = optics[at.below];
+    const ParticleOptics& b = optics[at.above];
+    if (at.fraction == 0.0)
+        return a;
+    if (at.fraction == 1.0)
+        return b;
+    const double part =
+        fractionByRatio(wavelengths_um[at.below], wavelengths_um[at.above], wavelength_um);
     ParticleOptics result;
-    result.extinction = mix(a.extinction, b.extinction, part);
-    result.absorption = result.extinction * std::lerp(absorbedPart(a), absorbedPart(b), part);
-    result.asymmetry = std::lerp(a.asymmetry, b.asymmetry, part);
+    result.extinction = lerpByRatio(a.extinction, b.extinction, part);
+    result.absorption = result.extinction * lerp(absorbedPart(a), absorbedPart(b), part);
+    result.asymmetry = lerp(a.asymmetry, b.asymmetry, part);
     return result;
 }
 
@@ -76,9 +64,9 @@ namespace particles {
 
 ParticleOptics between(const ParticleOptics& a, const ParticleOptics& b, double part) {
     ParticleOptics result;
-    result.extinction = mix(a.extinction, b.extinction, part);
-    result.absorption = std::min(mix(a.absorption, b.absorption, part), result.extinction);
-    result.asymmetry = std::lerp(a.asymmetry, b.asymmetry, part);
+    result.extinction = lerpByRatio(a.extinction, b.extinction, part);
+    result.absorption = std::min(lerpByRatio(a.absorption, b.absorption, part), result.extinction);
+    result.asymmetry = lerp(a.asymmetry, b.asymmetry, part);
     return result;
 }
 

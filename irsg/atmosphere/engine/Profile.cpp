@@ -5,19 +5,11 @@
 #include <utility>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 
 namespace irsg {
 
 namespace {
-
-double between(double a, double b, double fraction) {
-    return a + fraction * (b - a);
-}
-
-/// Linear in the logarithm, or linear where an end has none.
-double logarithmicBetween(double a, double b, double fraction) {
-    return a > 0.0 && b > 0.0 ? a * std::pow(b / a, fraction) : between(a, b, fraction);
-}
 
 bool isWithin(double value, double least, double most) {
     return value >= least && value <= most; // false for nan
@@ -102,23 +94,16 @@ Profile Profile::withGroundAt(double ground_m) const {
 }
 
 AtmosphericState Profile::at(double altitude_m) const {
-    const auto upper = std::ranges::upper_bound(
-        levels_, altitude_m, {}, [](const AtmosphericState& level) { return level.altitude_m; });
-    if (upper == levels_.begin() || upper == levels_.end()) {
-        AtmosphericState held = upper == levels_.end() ? levels_.back() : levels_.front();
-        held.altitude_m = altitude_m;
-        return held;
-    }
-    const AtmosphericState& a = *(upper - 1);
-    const AtmosphericState& b = *upper;
-    const double fraction = (altitude_m - a.altitude_m) / (b.altitude_m - a.altitude_m);
+    const auto [below, above, fraction] =
+        bracket(levels_, altitude_m, Beyond::clamp, &AtmosphericState::altitude_m);
+    const AtmosphericState& a = levels_[below];
+    const AtmosphericState& b = levels_[above];
     AtmosphericState result;
     result.altitude_m = altitude_m;
-    result.pressure_hPa = logarithmicBetween(a.pressure_hPa, b.pressure_hPa, fraction);
-    result.temperature_K = between(a.temperature_K, b.temperature_K, fraction);
+    result.pressure_hPa = lerpByRatio(a.pressure_hPa, b.pressure_hPa, fraction);
+    result.temperature_K = lerp(a.temperature_K, b.temperature_K, fraction);
     for (std::size_t gas = 0; gas < gasCount; ++gas)
-        result.moleFraction[gas] =
-            logarithmicBetween(a.moleFraction[gas], b.moleFraction[gas], fraction);
+        result.moleFraction[gas] = lerpByRatio(a.moleFraction[gas], b.moleFraction[gas], fraction);
     return result;
 }
 

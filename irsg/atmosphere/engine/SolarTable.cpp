@@ -1,10 +1,10 @@
 #include "irsg/atmosphere/engine/SolarTable.h"
 
-#include <algorithm>
 #include <array>
 
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 
 namespace irsg {
 
@@ -59,13 +59,7 @@ SolarTable SolarTable::read(const std::filesystem::path& file) {
 }
 
 double SolarTable::below(double wavenumber_per_cm) const {
-    const double x = std::clamp(wavenumber_per_cm, edges_per_cm_.front(), edges_per_cm_.back());
-    const auto upper = std::clamp<std::ptrdiff_t>(
-        std::ranges::upper_bound(edges_per_cm_, x) - edges_per_cm_.begin(), 1,
-        static_cast<std::ptrdiff_t>(edges_per_cm_.size()) - 1);
-    const auto i = static_cast<std::size_t>(upper);
-    const double part = (x - edges_per_cm_[i - 1]) / (edges_per_cm_[i] - edges_per_cm_[i - 1]);
-    return sums_[i - 1] + part * (sums_[i] - sums_[i - 1]);
+    return interpolate(edges_per_cm_, sums_, wavenumber_per_cm);
 }
 
 } // namespace irsg

@@ -7,14 +7,12 @@ namespace irsg {
 std::optional<Bracket> bracketOf(std::span<const double> axis, double value, double tolerance) {
     if (axis.empty() || value < axis.front() - tolerance || value > axis.back() + tolerance)
         return std::nullopt;
-    if (value <= axis.front())
-        return Bracket{0, 0, 0.0};
-    if (value >= axis.back())
-        return Bracket{axis.size() - 1, axis.size() - 1, 0.0};
-    const std::size_t upper =
-        static_cast<std::size_t>(std::ranges::upper_bound(axis, value) - axis.begin());
-    const double weight = (value - axis[upper - 1]) / (axis[upper] - axis[upper - 1]);
-    return weight > 0.0 ? Bracket{upper - 1, upper, weight} : Bracket{upper - 1, upper - 1, 0.0};
+    const Bracket at = bracket(axis, value);
+    if (at.fraction == 0.0)
+        return Bracket{at.below, at.below, 0.0};
+    if (at.fraction == 1.0)
+        return Bracket{at.above, at.above, 0.0};
+    return at;
 }
 
 std::string metresText(double length_m) {

@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "irsg/core/Interpolation.h"
+
 namespace irsg {
 
 /// How well a table predicts its own nodes: each interior node along an axis is left out and
@@ -46,14 +48,8 @@ class ErrorSum {
     std::size_t nodes_ = 0;
 };
 
-/// A value between two nodes of an axis.
-struct Bracket {
-    std::size_t lower = 0;
-    std::size_t upper = 0;
-    double weight = 0.0; ///< of the upper node, 0 to 1
-};
 /// Where `value` lies on an ascending axis; no value where it is outside by more than `tolerance`,
-/// else it is clamped.
+/// else it is clamped. At a node, above is below: no neighbour takes part.
 std::optional<Bracket> bracketOf(std::span<const double> axis, double value, double tolerance);
 
 /// A length to the millimetre, without exponent: "100000", "9235.9".

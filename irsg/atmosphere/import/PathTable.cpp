@@ -133,9 +133,10 @@ std::vector<PathTable::Corner> PathTable::corners(double sensor_m, double target
         if (const auto place =
                 bracketOf(heights, 0.5 * (sensor_m + target_m), altitudeTolerance_m)) {
             std::vector<Corner> ends = {
-                {pair(heights[place->lower], heights[place->lower]), 1.0 - place->weight}};
-            if (place->weight > 0.0)
-                ends.push_back({pair(heights[place->upper], heights[place->upper]), place->weight});
+                {pair(heights[place->below], heights[place->below]), 1.0 - place->fraction}};
+            if (place->fraction > 0.0)
+                ends.push_back(
+                    {pair(heights[place->above], heights[place->above]), place->fraction});
             return ends;
         }
     }
@@ -151,8 +152,9 @@ std::vector<PathTable::Corner> PathTable::between(double sensor_m, double target
     if (!s || !t)
         return {};
     std::vector<Corner> found;
-    for (const auto& [i, ws] : {std::pair{s->lower, 1.0 - s->weight}, {s->upper, s->weight}}) {
-        for (const auto& [j, wt] : {std::pair{t->lower, 1.0 - t->weight}, {t->upper, t->weight}}) {
+    for (const auto& [i, ws] : {std::pair{s->below, 1.0 - s->fraction}, {s->above, s->fraction}}) {
+        for (const auto& [j, wt] :
+             {std::pair{t->below, 1.0 - t->fraction}, {t->above, t->fraction}}) {
             if (ws * wt > 0.0) {
                 const Pair* const one = pair(sensors[i], targets[j]);
                 if (!one || one == without)
@@ -340,11 +342,11 @@ std::vector<InterpolationError> PathTable::errors(const std::string& quantity) c
             std::ranges::sort(heights);
             varies = varies || !heights.empty();
             const auto place = bracketOf(heights, heightOf(one), 0.0);
-            if (!place || place->weight == 0.0)
+            if (!place || place->fraction == 0.0)
                 continue;
             const std::vector<Corner> ends = {
-                {pairAt(one, heights[place->lower]), 1.0 - place->weight},
-                {pairAt(one, heights[place->upper]), place->weight}};
+                {pairAt(one, heights[place->below]), 1.0 - place->fraction},
+                {pairAt(one, heights[place->above]), place->fraction}};
             for (const std::size_t k : one.nodes) {
                 if (reaches(ends, nodes_[k].path.range_m)) {
                     compare(blend(ends, nodes_[k].path.range_m, 0, nodes_[k].depth.size()),

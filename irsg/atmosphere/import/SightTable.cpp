@@ -73,8 +73,8 @@ bool SightTable::blend(double altitude_m, double elevation_rad, const Row* witho
     if (!vertical)
         return false;
     out.assign(last - first, 0.0);
-    for (const auto& [index, weight] : {std::pair{vertical->lower, 1.0 - vertical->weight},
-                                        {vertical->upper, vertical->weight}}) {
+    for (const auto& [index, weight] : {std::pair{vertical->below, 1.0 - vertical->fraction},
+                                        {vertical->above, vertical->fraction}}) {
         if (weight == 0.0)
             continue;
         const Row& row = *rows[index];
@@ -82,8 +82,8 @@ bool SightTable::blend(double altitude_m, double elevation_rad, const Row* witho
         if (!place)
             return false;
         for (std::size_t i = first; i < last; ++i) {
-            out[i - first] += weight * ((1.0 - place->weight) * row.values[place->lower][i] +
-                                        place->weight * row.values[place->upper][i]);
+            out[i - first] += weight * ((1.0 - place->fraction) * row.values[place->below][i] +
+                                        place->fraction * row.values[place->above][i]);
         }
     }
     return true;
