@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 #include "irsg/image/NotANumber.h"
 #include "irsg/radiometry/Planck.h"
 
@@ -96,9 +97,8 @@ double ApparentTemperatureTable::at(double radiance_W_m2_sr) const {
         logRadiance > nodes_.back().logRadiance)
         return apparentTemperature_K(band_, radiance_W_m2_sr).value_or(notANumber);
 
-    const auto high = std::ranges::upper_bound(nodes_.begin() + 1, nodes_.end() - 1, logRadiance,
-                                               {}, &Node::logRadiance);
-    return 1.0 / interpolate(*(high - 1), *high, logRadiance);
+    const Bracket at = bracket(nodes_, logRadiance, Beyond::clamp, &Node::logRadiance);
+    return 1.0 / interpolate(nodes_[at.below], nodes_[at.above], logRadiance);
 }
 
 std::size_t addApparentTemperature(RadianceImage& image, const Band& band) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 
 namespace irsg {
 
@@ -156,21 +157,20 @@ ColorMap::ColorMap(const Definition& definition)
         // The two control points around this entry.
         const double t = static_cast<double>(i) / static_cast<double>(size - 1);
         const auto& points = definition.points;
-        const auto high = std::ranges::lower_bound(points.begin() + 1, points.end() - 1, t, {},
-                                                   &ControlPoint::position);
-        const auto low = high - 1;
-        const double part = (t - low->position) / (high->position - low->position);
+        const auto [below, above, part] =
+            bracket(points, t, Beyond::clamp, &ControlPoint::position);
+        const Rgb& low = points[below].color;
+        const Rgb& high = points[above].color;
 
         if (definition.isGrey) {
-            const auto grey = static_cast<std::uint8_t>(
-                std::lround(low->color.red + part * (high->color.red - low->color.red)));
+            const auto grey = static_cast<std::uint8_t>(std::lround(lerp(low.red, high.red, part)));
             table_[i] = {grey, grey, grey};
             continue;
         }
-        const Triple from = labFromRgb(low->color), to = labFromRgb(high->color);
+        const Triple from = labFromRgb(low), to = labFromRgb(high);
         Triple lab;
         for (std::size_t k = 0; k < 3; ++k)
-            lab[k] = from[k] + part * (to[k] - from[k]);
+            lab[k] = lerp(from[k], to[k], part);
         table_[i] = rgbFromLab(lab);
     }
 }

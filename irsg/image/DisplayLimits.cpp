@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 #include "irsg/image/ImageStatistics.h"
 
 namespace irsg {
@@ -55,14 +56,8 @@ ColorScale scaleFor(const DisplayLimits& limits, const std::vector<std::span<con
 
 /// Where a value lies among ascending levels, 0 at the first to 1 at the last.
 double positionAmong(const std::vector<double>& levels, double value) {
-    const auto above = std::ranges::upper_bound(levels, value);
-    if (above == levels.begin())
-        return 0.0;
-    if (above == levels.end())
-        return 1.0;
-    const double below = *(above - 1);
-    const auto step = static_cast<double>(above - 1 - levels.begin());
-    return (step + (value - below) / (*above - below)) / static_cast<double>(levels.size() - 1);
+    const Bracket at = bracket(levels, value);
+    return (static_cast<double>(at.below) + at.fraction) / static_cast<double>(levels.size() - 1);
 }
 
 } // namespace

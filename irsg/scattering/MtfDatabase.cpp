@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 #include "irsg/radiometry/MonotoneCubic.h"
 #include "irsg/radiometry/Units.h"
 
@@ -73,15 +74,14 @@ MtfCurve MtfDatabase::at(double opticalDepth, const std::string& what) const {
                           "at most the " + numberText(largestOpticalDepth()) +
                               " that the MTF database reaches"});
     // ln MTF between the neighbours; below the first curve that of no scattering, which is 0.
-    const auto above = static_cast<std::size_t>(
-        std::ranges::lower_bound(opticalDepths_, opticalDepth) - opticalDepths_.begin());
-    const std::size_t upper = std::min(above, opticalDepths_.size() - 1);
-    const double below = upper == 0 ? 0.0 : opticalDepths_[upper - 1];
-    const double t = std::min((opticalDepth - below) / (opticalDepths_[upper] - below), 1.0);
+    const double first = opticalDepths_.front();
+    const bool isBelow = opticalDepth < first;
+    const Bracket place =
+        isBelow ? Bracket{0, 0, opticalDepth / first} : bracket(opticalDepths_, opticalDepth);
     std::vector<double> values;
     for (std::size_t i = 0; i < frequencies_per_rad_.size(); ++i) {
-        const double low = upper == 0 ? 0.0 : std::log(values_[upper - 1][i]);
-        values.push_back(std::exp(low + t * (std::log(values_[upper][i]) - low)));
+        const double low = isBelow ? 0.0 : std::log(values_[place.below][i]);
+        values.push_back(std::exp(lerp(low, std::log(values_[place.above][i]), place.fraction)));
     }
     return {frequencies_per_rad_, std::move(values)};
 }

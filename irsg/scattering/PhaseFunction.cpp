@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 #include "irsg/core/ParallelFor.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scattering/BesselIntegral.h"
@@ -59,11 +60,7 @@ PhaseFunction::PhaseFunction(std::vector<double> angles_rad, std::vector<double>
 }
 
 double PhaseFunction::at(double angle_rad) const {
-    const auto above = std::ranges::upper_bound(angles_rad_, angle_rad) - angles_rad_.begin();
-    const auto i = static_cast<std::size_t>(
-        std::clamp<std::ptrdiff_t>(above - 1, 0, std::ssize(angles_rad_) - 2));
-    const double t = (angle_rad - angles_rad_[i]) / (angles_rad_[i + 1] - angles_rad_[i]);
-    return values_[i] + t * (values_[i + 1] - values_[i]);
+    return interpolate(angles_rad_, values_, angle_rad, Beyond::extrapolate);
 }
 
 double PhaseFunction::asymmetry() const {
@@ -97,14 +94,9 @@ double PhaseFunction::transform(double frequency_per_rad) const {
 }
 
 double PhaseFunction::cosineAt(double u) const {
-    const auto above = std::ranges::upper_bound(below_, u) - below_.begin();
-    const auto i =
-        static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above - 1, 0, std::ssize(below_) - 2));
     // Uniform in the cosine within a piece, which is narrow beside the rings.
-    const double t =
-        below_[i + 1] > below_[i] ? (u - below_[i]) / (below_[i + 1] - below_[i]) : 0.5;
-    const double c0 = std::cos(angles_rad_[i]), c1 = std::cos(angles_rad_[i + 1]);
-    return c0 + t * (c1 - c0);
+    const Bracket at = bracket(below_, u);
+    return lerp(std::cos(angles_rad_[at.below]), std::cos(angles_rad_[at.above]), at.fraction);
 }
 
 DropletOptics dropletOptics(const SizeDistribution& sizes, std::complex<double> index,

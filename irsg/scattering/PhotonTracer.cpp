@@ -5,6 +5,7 @@
 #include <random>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
@@ -66,12 +67,7 @@ PhotonTracer::PhotonTracer(const PhaseFunction& phase, const std::vector<Scatter
 }
 
 double PhotonTracer::placeOf(double depth) const {
-    const auto above = std::ranges::upper_bound(depths_, depth) - depths_.begin();
-    const auto i =
-        static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above - 1, 0, std::ssize(depths_) - 2));
-    const double width = depths_[i + 1] - depths_[i];
-    return width > 0.0 ? places_[i] + (places_[i + 1] - places_[i]) * (depth - depths_[i]) / width
-                       : places_[i + 1];
+    return interpolate(depths_, places_, depth);
 }
 
 template <typename Random>

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 #include "irsg/core/ParallelFor.h"
 #include "irsg/radiometry/GaussLegendre.h"
 #include "irsg/radiometry/Units.h"
@@ -47,13 +48,10 @@ class RadialTable {
     }
 
     double at(double r) const {
-        const auto above = std::ranges::upper_bound(at_px_, r) - at_px_.begin();
-        const auto i = static_cast<std::size_t>(
-            std::clamp<std::ptrdiff_t>(above - 1, 0, std::ssize(at_px_) - 2));
-        const double h = at_px_[i + 1] - at_px_[i];
-        const double t = (r - at_px_[i]) / h, s = 1.0 - t;
-        return values_[i] * s * s * (1.0 + 2.0 * t) + values_[i + 1] * t * t * (1.0 + 2.0 * s) +
-               h * t * s * (slopes_[i] * s - slopes_[i + 1] * t);
+        const auto [i, k, t] = bracket(at_px_, r, Beyond::extrapolate);
+        const double h = at_px_[k] - at_px_[i], s = 1.0 - t;
+        return values_[i] * s * s * (1.0 + 2.0 * t) + values_[k] * t * t * (1.0 + 2.0 * s) +
+               h * t * s * (slopes_[i] * s - slopes_[k] * t);
     }
 
   private:

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 #include "irsg/core/ParallelFor.h"
 #include "irsg/radiometry/GaussLegendre.h"
 
@@ -60,14 +61,11 @@ SmallAngleMtf::SmallAngleMtf(const PhaseFunction& phase, const std::vector<Scatt
 }
 
 double SmallAngleMtf::integral(double frequency_per_rad) const {
-    const auto above = std::ranges::upper_bound(nodes_, frequency_per_rad) - nodes_.begin();
-    const auto i =
-        static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above - 1, 0, std::ssize(nodes_) - 2));
     // A cubic through the integrals and their derivatives, which are P itself.
-    const double h = nodes_[i + 1] - nodes_[i];
-    const double t = (frequency_per_rad - nodes_[i]) / h, s = 1.0 - t;
-    return integrals_[i] * s * s * (1.0 + 2.0 * t) + integrals_[i + 1] * t * t * (1.0 + 2.0 * s) +
-           h * t * s * (transforms_[i] * s - transforms_[i + 1] * t);
+    const auto [i, k, t] = bracket(nodes_, frequency_per_rad, Beyond::extrapolate);
+    const double h = nodes_[k] - nodes_[i], s = 1.0 - t;
+    return integrals_[i] * s * s * (1.0 + 2.0 * t) + integrals_[k] * t * t * (1.0 + 2.0 * s) +
+           h * t * s * (transforms_[i] * s - transforms_[k] * t);
 }
 
 double SmallAngleMtf::meanTransform(double frequency_per_rad) const {
@@ -100,7 +98,7 @@ std::vector<double> mtfFrequencies(double lowest, double highest, int count) {
                           "0 < lowest < highest, cycles per radian, and 3 points or more"});
     std::vector<double> result{0.0};
     for (int i = 0; i < count - 1; ++i)
-        result.push_back(lowest * std::pow(highest / lowest, static_cast<double>(i) / (count - 2)));
+        result.push_back(lerpByRatio(lowest, highest, static_cast<double>(i) / (count - 2)));
     return result;
 }
 

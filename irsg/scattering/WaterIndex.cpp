@@ -1,10 +1,9 @@
 #include "irsg/scattering/WaterIndex.h"
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 
 namespace irsg {
 
@@ -140,12 +139,9 @@ std::complex<double> waterIndex(double wavelength_um) {
           wavelength_um <= std::rbegin(rows)->wavelength_um))
         throw InputError({"", "wavelength", numberText(wavelength_um) + " um",
                           "0.4 to 14 um, where the index of water is known"});
-    const auto above = std::ranges::lower_bound(rows, wavelength_um, {}, &Row::wavelength_um);
-    if (above == std::begin(rows))
-        return {above->n, above->k};
-    const Row &a = *(above - 1), &b = *above;
-    const double t = (wavelength_um - a.wavelength_um) / (b.wavelength_um - a.wavelength_um);
-    return {a.n + t * (b.n - a.n), a.k * std::pow(b.k / a.k, t)};
+    const Bracket at = bracket(rows, wavelength_um, Beyond::clamp, &Row::wavelength_um);
+    const Row &a = rows[at.below], &b = rows[at.above];
+    return {lerp(a.n, b.n, at.fraction), lerpByRatio(a.k, b.k, at.fraction)};
 }
 
 } // namespace irsg

@@ -1,11 +1,10 @@
 #include "irsg/signature/LookupTable.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 
 namespace irsg {
 
@@ -54,15 +53,7 @@ double LookupTable::at(double x) const {
         x = x_.front() + (phase < 0.0 ? phase + period : phase);
     }
 
-    if (std::isnan(x))
-        return std::numeric_limits<double>::quiet_NaN();
-    const auto above = std::upper_bound(x_.begin(), x_.end(), x);
-    if (above == x_.begin())
-        return y_.front();
-    if (above == x_.end())
-        return y_.back();
-    const auto i = static_cast<std::size_t>(above - x_.begin());
-    return std::lerp(y_[i - 1], y_[i], (x - x_[i - 1]) / (x_[i] - x_[i - 1]));
+    return interpolate(x_, y_, x);
 }
 
 bool LookupTable::isOutside(double x) const {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 
 namespace irsg {
 
@@ -52,16 +53,6 @@ void check(const ReflectanceTable::Row& row, bool isBrdf, std::size_t wavelength
         if (!(value >= 0.0 && (isBrdf ? std::isfinite(value) : value <= 1.0)))
             refuse(numberText(value),
                    isBrdf ? "a BRDF of at least 0 sr-1" : "a reflectance from 0 to 1");
-}
-
-/// The interval of a value on an axis, and the part of it; one node has one of no width.
-std::pair<std::size_t, double> placeIn(const std::vector<double>& axis, double value) {
-    if (axis.size() == 1)
-        return {0, 0.0};
-    const auto above = std::ranges::upper_bound(axis, value);
-    const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
-        above - axis.begin() - 1, 0, static_cast<std::ptrdiff_t>(axis.size()) - 2));
-    return {i, std::clamp((value - axis[i]) / (axis[i + 1] - axis[i]), 0.0, 1.0)};
 }
 
 } // namespace
@@ -150,18 +141,20 @@ const ReflectanceTable::Data& ReflectanceTable::data() const {
 double ReflectanceTable::at(std::size_t w, double incidence_deg, double reflection_deg,
                             double azimuth_deg) const {
     const Data& d = data();
-    const auto [i, alongI] = placeIn(d.incidences_deg, incidence_deg);
-    const auto [r, alongR] = placeIn(d.reflections_deg, reflection_deg);
-    const auto [a, alongA] = placeIn(d.azimuths_deg, azimuth_deg);
+    const Bracket i = bracket(d.incidences_deg, incidence_deg);
+    const Bracket r = bracket(d.reflections_deg, reflection_deg);
+    const Bracket a = bracket(d.azimuths_deg, azimuth_deg);
     double sum = 0.0;
     for (int corner = 0; corner < 8; ++corner) {
         const bool nextI = corner & 1, nextR = corner & 2, nextA = corner & 4;
-        const double weight = (nextI ? alongI : 1.0 - alongI) * (nextR ? alongR : 1.0 - alongR) *
-                              (nextA ? alongA : 1.0 - alongA);
+        const double weight = (nextI ? i.fraction : 1.0 - i.fraction) *
+                              (nextR ? r.fraction : 1.0 - r.fraction) *
+                              (nextA ? a.fraction : 1.0 - a.fraction);
         if (weight > 0.0)
-            sum += weight * d.rows[((i + nextI) * d.reflections_deg.size() + r + nextR) *
+            sum += weight * d.rows[((nextI ? i.above : i.below) * d.reflections_deg.size() +
+                                    (nextR ? r.above : r.below)) *
                                        d.azimuths_deg.size() +
-                                   a + nextA]
+                                   (nextA ? a.above : a.below)]
                                 .values[w];
     }
     return sum;

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "irsg/core/CsvTable.h"
+#include "irsg/core/Interpolation.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/Microfacets.h"
 #include "irsg/signature/ReflectanceCsv.h"
@@ -118,26 +119,14 @@ struct Measured {
     std::vector<double> values;
 
     double at(std::size_t incidence, double azimuth_deg, double radial_deg) const {
-        const auto place = [](const std::vector<double>& axis, double value) {
-            std::size_t i = 0;
-            while (i + 2 < axis.size() && value > axis[i + 1])
-                ++i;
-            const double part =
-                axis.size() == 1
-                    ? 0.0
-                    : std::clamp((value - axis[i]) / (axis[i + 1] - axis[i]), 0.0, 1.0);
-            return std::pair(i, part);
+        const Bracket a = bracket(azimuths_deg, azimuth_deg);
+        const Bracket r = bracket(radials_deg, radial_deg);
+        const auto atAzimuth = [&](std::size_t azimuth) {
+            const std::size_t row =
+                (incidence * azimuths_deg.size() + azimuth) * radials_deg.size();
+            return lerp(values[row + r.below], values[row + r.above], r.fraction);
         };
-        const auto [a, alongA] = place(azimuths_deg, azimuth_deg);
-        const auto [r, alongR] = place(radials_deg, radial_deg);
-        const auto value = [&](std::size_t azimuth, std::size_t radial) {
-            azimuth = std::min(azimuth, azimuths_deg.size() - 1);
-            radial = std::min(radial, radials_deg.size() - 1);
-            return values[(incidence * azimuths_deg.size() + azimuth) * radials_deg.size() +
-                          radial];
-        };
-        return (1.0 - alongA) * ((1.0 - alongR) * value(a, r) + alongR * value(a, r + 1)) +
-               alongA * ((1.0 - alongR) * value(a + 1, r) + alongR * value(a + 1, r + 1));
+        return lerp(atAzimuth(a.below), atAzimuth(a.above), a.fraction);
     }
 };
 
