@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "irsg/core/Interpolation.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
@@ -22,14 +23,6 @@ double skyCoordinate(double above_rad) {
 }
 double groundCoordinate(double below_rad) {
     return std::log1p(std::sqrt(std::max(below_rad, 0.0) / bend_rad));
-}
-
-/// The interval of ascending nodes that holds a value, or the nearest, and how far it is in it.
-std::pair<std::size_t, double> placeIn(std::span<const double> nodes, double value) {
-    std::size_t i = 0;
-    while (i + 2 < nodes.size() && value > nodes[i + 1])
-        ++i;
-    return {i, std::clamp((value - nodes[i]) / (nodes[i + 1] - nodes[i]), 0.0, 1.0)};
 }
 
 } // namespace
@@ -57,18 +50,12 @@ MirrorGrid::MirrorGrid(double horizon_rad, bool byAzimuth)
 std::array<std::pair<std::size_t, double>, 4> MirrorGrid::about(double elevation_rad,
                                                                 double fromSun_rad) const {
     const double above_rad = elevation_rad - horizon_rad_;
-    const auto [row, down] = above_rad >= 0.0 ? placeIn(sky_, skyCoordinate(above_rad))
-                                              : placeIn(ground_, groundCoordinate(-above_rad));
-    const std::size_t first = (above_rad >= 0.0 ? row : sky_.size() + row) * columns_;
-    std::size_t column = 0, next = 0;
-    double across = 0.0;
-    if (columns_ > 1) {
-        while (column + 2 < columns_ && fromSun_rad > radians(columns_deg[column + 1]))
-            ++column;
-        next = column + 1;
-        const double low = radians(columns_deg[column]), high = radians(columns_deg[next]);
-        across = std::clamp((fromSun_rad - low) / (high - low), 0.0, 1.0);
-    }
+    const Bracket row = above_rad >= 0.0 ? bracket(sky_, skyCoordinate(above_rad))
+                                         : bracket(ground_, groundCoordinate(-above_rad));
+    const double down = row.fraction;
+    const std::size_t first = (above_rad >= 0.0 ? row.below : sky_.size() + row.below) * columns_;
+    const auto [column, next, across] =
+        bracket(std::span(columns_deg).first(columns_), fromSun_rad, Beyond::clamp, radians);
     return {{{first + column, (1.0 - down) * (1.0 - across)},
              {first + next, (1.0 - down) * across},
              {first + columns_ + column, down * (1.0 - across)},

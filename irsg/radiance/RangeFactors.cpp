@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "irsg/core/Interpolation.h"
+
 namespace irsg {
 
 namespace {
@@ -19,20 +21,12 @@ void addParabola(double nearness, std::size_t first, double share,
     }
 }
 
-/// The node that an interval between two of them begins with.
-std::size_t intervalOf(double nearness) {
-    const auto& nodes = RangeFactors::nodes;
-    const auto above = std::ranges::upper_bound(nodes, nearness);
-    return std::clamp<std::size_t>(static_cast<std::size_t>(above - nodes.begin()), 1,
-                                   nodes.size() - 1) -
-           1;
-}
-
 } // namespace
 
 std::vector<RangeFactors::Weight> RangeFactors::errorWeightsAt(double nearness) {
     constexpr std::size_t last = nodes.size() - 1;
-    const std::size_t first = std::clamp<std::size_t>(intervalOf(nearness), 1, last - 2) - 1;
+    const std::size_t first =
+        std::clamp<std::size_t>(bracket(nodes, nearness).below, 1, last - 2) - 1;
     std::vector<Weight> result;
     std::array<double, nodes.size()> mean{};
     for (const Weight& one : weightsAt(nearness))
@@ -50,15 +44,14 @@ std::vector<RangeFactors::Weight> RangeFactors::errorWeightsAt(double nearness) 
 
 std::vector<RangeFactors::Weight> RangeFactors::weightsAt(double nearness) {
     constexpr std::size_t last = nodes.size() - 1;
-    const std::size_t begin = intervalOf(nearness);
-    const double part =
-        std::clamp((nearness - nodes[begin]) / (nodes[begin + 1] - nodes[begin]), 0.0, 1.0);
+    const Bracket place = bracket(nodes, nearness);
+    const std::size_t begin = place.below;
 
     std::array<double, nodes.size()> weights{};
     const std::size_t left = begin > 0 ? begin - 1 : 0;
     const std::size_t right = std::min(begin, last - 2);
-    addParabola(nearness, left, 1.0 - part, weights);
-    addParabola(nearness, right, part, weights);
+    addParabola(nearness, left, 1.0 - place.fraction, weights);
+    addParabola(nearness, right, place.fraction, weights);
     std::vector<Weight> result;
     for (std::size_t i = 0; i <= last; ++i)
         if (weights[i] != 0.0)

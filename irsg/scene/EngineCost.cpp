@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <iterator>
+
+#include "irsg/core/Interpolation.h"
 
 namespace irsg {
 
@@ -23,13 +24,9 @@ constexpr Hit hits[] = {{1e3, 330.0}, {1e4, 355.0}, {1e5, 470.0}, {1e6, 950.0}};
 
 /// Linear in the logarithm of the number of facets, and beyond the ends.
 double hit_ns(double facets) {
-    const double x = std::log10(std::max(facets, 1.0));
-    std::size_t i = 0;
-    while (i + 2 < std::size(hits) && facets > hits[i + 1].facets)
-        ++i;
-    const double low = std::log10(hits[i].facets), high = std::log10(hits[i + 1].facets);
-    const double ns = hits[i].ns + (x - low) / (high - low) * (hits[i + 1].ns - hits[i].ns);
-    return std::max(ns, 0.5 * hits[0].ns);
+    const Bracket at = bracket(hits, std::log10(std::max(facets, 1.0)), Beyond::extrapolate,
+                               [](const Hit& hit) { return std::log10(hit.facets); });
+    return std::max(lerp(hits[at.below].ns, hits[at.above].ns, at.fraction), 0.5 * hits[0].ns);
 }
 
 std::string rounded(double value) {
