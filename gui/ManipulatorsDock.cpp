@@ -22,6 +22,7 @@
 #include "gui/widgets/ThemeColors.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
@@ -211,10 +212,9 @@ void ManipulatorsDock::addViews(QGridLayout* grid) {
 
 int ManipulatorsDock::positionOf(const Reach& reach, double value) {
     const double inside = std::clamp(value, reach.minimum, reach.maximum);
-    const double part =
-        reach.isLogarithmic
-            ? std::log(inside / reach.minimum) / std::log(reach.maximum / reach.minimum)
-            : (inside - reach.minimum) / (reach.maximum - reach.minimum);
+    const double part = reach.isLogarithmic
+                            ? irsg::fractionByRatio(reach.minimum, reach.maximum, inside)
+                            : (inside - reach.minimum) / (reach.maximum - reach.minimum);
     return static_cast<int>(std::lround(part * sliderSteps));
 }
 
@@ -223,7 +223,7 @@ double ManipulatorsDock::valueAt(const Reach& reach, int position) {
     if (!reach.isLogarithmic)
         return std::round(10.0 * (reach.minimum + part * (reach.maximum - reach.minimum))) / 10.0;
     // Three digits, so that a drag passes by numbers people like.
-    const double value = reach.minimum * std::pow(reach.maximum / reach.minimum, part);
+    const double value = irsg::lerpByRatio(reach.minimum, reach.maximum, part);
     const double digit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
     return std::round(value / digit) * digit;
 }

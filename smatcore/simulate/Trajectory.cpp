@@ -9,6 +9,7 @@
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Diagnostics.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 #include "irsg/radiometry/Units.h"
 
 namespace smat {
@@ -25,10 +26,6 @@ std::string allHeaders() {
     for (const Column& column : Table::columns())
         text += (text.empty() ? "" : ", ") + column.header();
     return text;
-}
-
-double mixed(double a, double b, double share) {
-    return a + (b - a) * share;
 }
 
 /// From a towards b the shorter way round.
@@ -239,7 +236,7 @@ Trajectory Trajectory::parse(std::string_view text, const std::string& name) {
 std::optional<TrajectoryPoint> Trajectory::at(double time_s, bool hold) const {
     TrajectoryPoint point = points_.front();
     const TrajectoryPoint& last = points_.back();
-    const bool isBefore = time_s<point.time_s, isAfter = time_s> last.time_s;
+    const bool isBefore = time_s < point.time_s, isAfter = time_s >= last.time_s;
     if (standsStill_ || isBefore || isAfter) {
         const double outside_s = isBefore ? point.time_s - time_s : time_s - last.time_s;
         if (!standsStill_ && !hold && outside_s > sameTime_s)
@@ -248,21 +245,21 @@ std::optional<TrajectoryPoint> Trajectory::at(double time_s, bool hold) const {
         point.time_s = time_s;
         return point;
     }
-    const auto after = std::upper_bound(
-        points_.begin(), points_.end(), time_s,
-        [](double value, const TrajectoryPoint& one) { return value < one.time_s; });
-    if (after == points_.end())
-        return last;
-    const TrajectoryPoint &a = *(after - 1), &b = *after;
-    const double share = (time_s - a.time_s) / (b.time_s - a.time_s);
+    const irsg::Bracket place =
+        irsg::bracket(points_, time_s, irsg::Beyond::clamp, &TrajectoryPoint::time_s);
+    const TrajectoryPoint &a = points_[place.below], &b = points_[place.above];
+    const double share = place.fraction;
+    const irsg::Vec3 &left_m = a.pose.position_m, &right_m = b.pose.position_m;
     const irsg::Attitude &from = a.pose.attitude, &to = b.pose.attitude;
     point.time_s = time_s;
-    point.pose.position_m = a.pose.position_m + (b.pose.position_m - a.pose.position_m) * share;
+    point.pose.position_m = {irsg::lerp(left_m.x, right_m.x, share),
+                             irsg::lerp(left_m.y, right_m.y, share),
+                             irsg::lerp(left_m.z, right_m.z, share)};
     point.pose.attitude = {mixedAngle_rad(from.yaw_rad, to.yaw_rad, share),
-                           mixed(from.pitch_rad, to.pitch_rad, share),
+                           irsg::lerp(from.pitch_rad, to.pitch_rad, share),
                            mixedAngle_rad(from.roll_rad, to.roll_rad, share)};
-    point.power = mixed(a.power, b.power, share);
-    point.mach = mixed(a.mach, b.mach, share);
+    point.power = irsg::lerp(a.power, b.power, share);
+    point.mach = irsg::lerp(a.mach, b.mach, share);
     return point;
 }
 

@@ -7,6 +7,7 @@
 
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 
 namespace smat::tables {
 
@@ -36,12 +37,7 @@ double Table::at(const std::string& name, double first) const {
     const std::vector<double>& values = column(name);
     if (axis.empty() || first < axis.front() || first > axis.back())
         return 0.0;
-    const auto upper =
-        std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(axis, first) - axis.begin(), 1,
-                                   static_cast<std::ptrdiff_t>(axis.size()) - 1);
-    const auto i = static_cast<std::size_t>(upper);
-    const double part = (first - axis[i - 1]) / (axis[i] - axis[i - 1]);
-    return (1.0 - part) * values[i - 1] + part * values[i];
+    return irsg::interpolate(axis, values, first);
 }
 
 Table readTable(const std::filesystem::path& file) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "irsg/core/Interpolation.h"
 #include "tools/atmosphere-tables/DataTable.h"
 
 namespace smat::tables {
@@ -32,13 +33,10 @@ class Spectrum {
   private:
     double below(double nu) const {
         const double x = std::clamp(nu, nu_.front(), nu_.back());
-        const auto upper =
-            std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(nu_, x) - nu_.begin(), 1,
-                                       static_cast<std::ptrdiff_t>(nu_.size()) - 1);
-        const auto i = static_cast<std::size_t>(upper);
-        const double part = (x - nu_[i - 1]) / (nu_[i] - nu_[i - 1]);
-        const double here = value_[i - 1] + part * (value_[i] - value_[i - 1]);
-        return sum_[i - 1] + 0.5 * (x - nu_[i - 1]) * (value_[i - 1] + here);
+        const irsg::Bracket at = irsg::bracket(nu_, x);
+        const double from = value_[at.below];
+        const double here = irsg::lerp(from, value_[at.above], at.fraction);
+        return sum_[at.below] + 0.5 * (x - nu_[at.below]) * (from + here);
     }
 
     std::vector<double> nu_, value_, sum_;

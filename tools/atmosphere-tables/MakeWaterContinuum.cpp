@@ -5,6 +5,7 @@
 
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 #include "tools/atmosphere-tables/ContinuumTables.h"
 #include "tools/atmosphere-tables/DataTable.h"
 #include "tools/atmosphere-tables/NodeCurve.h"
@@ -62,7 +63,7 @@ class PublishedPath {
     Depths at(double nu) const {
         const double radiation = nu * std::tanh(1.438776877 * nu / (2.0 * temperature_K_));
         const double warm = continuum_.self296(nu), cool = continuum_.self260(nu);
-        const double self = warm * std::pow(cool / warm, (296.0 - temperature_K_) / 36.0);
+        const double self = irsg::lerpByRatio(warm, cool, (296.0 - temperature_K_) / 36.0);
         return {self * perSelf_ * radiation, continuum_.foreign(nu) * perForeign_ * radiation};
     }
 

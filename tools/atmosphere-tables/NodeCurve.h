@@ -1,9 +1,10 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
+
+#include "irsg/core/Interpolation.h"
 
 namespace smat::tables {
 
@@ -19,15 +20,8 @@ class NodeCurve {
     };
     /// The two nodes about a wavenumber and what each contributes.
     std::array<Share, 2> shares(double wavenumber_per_cm) const {
-        if (wavenumber_per_cm <= nodes_per_cm_.front())
-            return {{{0, 1.0}, {1, 0.0}}};
-        if (wavenumber_per_cm >= nodes_per_cm_.back())
-            return {{{nodes_per_cm_.size() - 2, 0.0}, {nodes_per_cm_.size() - 1, 1.0}}};
-        const auto above = static_cast<std::size_t>(
-            std::ranges::upper_bound(nodes_per_cm_, wavenumber_per_cm) - nodes_per_cm_.begin());
-        const double part = (wavenumber_per_cm - nodes_per_cm_[above - 1]) /
-                            (nodes_per_cm_[above] - nodes_per_cm_[above - 1]);
-        return {{{above - 1, 1.0 - part}, {above, part}}};
+        const auto [below, above, part] = irsg::bracket(nodes_per_cm_, wavenumber_per_cm);
+        return {{{below, 1.0 - part}, {above, part}}};
     }
     double at(double wavenumber_per_cm) const {
         double sum = 0.0;

@@ -5,6 +5,8 @@
 #include <map>
 #include <numbers>
 
+#include "irsg/core/Interpolation.h"
+
 namespace smat {
 
 using irsg::Vec3;
@@ -24,17 +26,11 @@ Curve::Curve(std::initializer_list<Knot> knots) : knots_(knots), slopes_(knots.s
 }
 
 double Curve::operator()(double x) const {
-    if (x <= knots_.front().x)
-        return knots_.front().y;
-    if (x >= knots_.back().x)
-        return knots_.back().y;
-    const auto above = std::ranges::upper_bound(knots_, x, {}, &Knot::x);
-    const auto i = static_cast<std::size_t>(above - knots_.begin()) - 1;
-    const double width = knots_[i + 1].x - knots_[i].x;
-    const double t = (x - knots_[i].x) / width;
+    const auto [i, k, t] = irsg::bracket(knots_, x, irsg::Beyond::clamp, &Knot::x);
+    const double width = knots_[k].x - knots_[i].x;
     const double t2 = t * t, t3 = t2 * t;
     return (2 * t3 - 3 * t2 + 1) * knots_[i].y + (t3 - 2 * t2 + t) * width * slopes_[i] +
-           (-2 * t3 + 3 * t2) * knots_[i + 1].y + (t3 - t2) * width * slopes_[i + 1];
+           (-2 * t3 + 3 * t2) * knots_[k].y + (t3 - t2) * width * slopes_[k];
 }
 
 std::vector<double> edges(double first, double last, double step, std::span<const double> marks) {

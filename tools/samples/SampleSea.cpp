@@ -12,6 +12,7 @@
 #include <png.h>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 #include "tools/samples/Noise.h"
 #include "tools/samples/TexturedGround.h"
 
@@ -39,7 +40,7 @@ std::vector<Wave> waves(int count, double longest, double shortest, std::mt19937
         const double along = std::numbers::pi * (uniform() - 0.5);
         if (uniform() > std::cos(along) * std::cos(along))
             continue;
-        const double lengths = tile_m / (longest * std::pow(shortest / longest, uniform()));
+        const double lengths = tile_m / (irsg::lerpByRatio(longest, shortest, uniform()));
         const double direction = along + std::numbers::pi / 4.0;
         const Wave wave{static_cast<int>(std::lround(lengths * std::sin(direction))),
                         static_cast<int>(std::lround(lengths * std::cos(direction))),

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "irsg/core/CsvTable.h"
+#include "irsg/core/Interpolation.h"
 
 namespace irsg::lbl {
 
@@ -84,13 +85,7 @@ double PartitionSums::ratioTo296(Gas gas, int isotopologue, double temperature_K
     if (index >= own.size() || own[index].empty())
         index = 0;
     auto at = [&](double temperature) {
-        const auto above = std::ranges::lower_bound(temperatures_K_, temperature);
-        const auto upper =
-            std::clamp<std::size_t>(static_cast<std::size_t>(above - temperatures_K_.begin()), 1,
-                                    temperatures_K_.size() - 1);
-        const double part = (temperature - temperatures_K_[upper - 1]) /
-                            (temperatures_K_[upper] - temperatures_K_[upper - 1]);
-        return (1.0 - part) * own[index][upper - 1] + part * own[index][upper];
+        return interpolate(temperatures_K_, own[index], temperature, Beyond::extrapolate);
     };
     return at(296.0) / at(temperature_K);
 }

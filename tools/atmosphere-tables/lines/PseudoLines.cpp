@@ -6,6 +6,7 @@
 #include <span>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 #include "tools/atmosphere-tables/lines/RandomNumbers.h"
 
 namespace irsg::lbl {
@@ -35,7 +36,7 @@ double coefficientBetween(const std::vector<BandPoint>& points, std::size_t i, d
     if (other <= 0.0)
         return own;
     const double part = std::abs(nu_per_cm - points[i].wavenumber_per_cm) / step_per_cm;
-    return own * std::pow(other / own, part);
+    return lerpByRatio(own, other, part);
 }
 
 /// E'' for which, at 273 K, absorption follows T^-m as the model's W does: the widths, ~ T^-x,
