@@ -8,7 +8,7 @@
 
 #include "gui/widgets/Readable.h"
 #include "irsg/core/Errors.h"
-#include "smatcore/data/CurveThrough.h"
+#include "smatcore/data/AkimaInterpolant.h"
 
 namespace smat::gui {
 
@@ -22,7 +22,7 @@ namespace {
 /// A run of finite samples of a smooth curve, `first` to `last`, and what lies between them.
 struct SmoothRun {
     std::size_t first, last;
-    CurveThrough curve;
+    AkimaInterpolant curve;
 };
 
 /// None where the curve is not smooth or cannot be. A turn without gaps is one run that closes.
@@ -43,9 +43,9 @@ std::vector<SmoothRun> smoothRuns(const Curve& curve, double period) {
             return std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(i),
                                        values.begin() + static_cast<std::ptrdiff_t>(last) + 1);
         };
-        runs.push_back(
-            {i, last,
-             CurveThrough(part(x), part(y), isWhole && curve.goesRound(period) ? period : 0.0)});
+        runs.push_back({i, last,
+                        AkimaInterpolant(part(x), part(y),
+                                         isWhole && curve.goesRound(period) ? period : 0.0)});
         i = last;
     }
     return runs;

@@ -12,8 +12,8 @@ struct Curve {
     QString name;
     std::vector<double> x, y;
     std::vector<double> error = {}; ///< half the width of a band about y; empty for none
-    /// Its samples follow it, so that it is CurveThrough between them, not straight lines; where x
-    /// ascends.
+    /// Its samples follow it, so that it is AkimaInterpolant between them, not straight lines;
+    /// where x ascends.
     bool isSmooth = false;
 
     /// LogicError where the columns differ in length.

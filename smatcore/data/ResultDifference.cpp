@@ -9,7 +9,8 @@
 #include <set>
 
 #include "irsg/core/Errors.h"
-#include "smatcore/data/CurveThrough.h"
+#include "irsg/core/Interpolation.h"
+#include "smatcore/data/AkimaInterpolant.h"
 
 namespace smat {
 
@@ -56,21 +57,12 @@ class Sampled {
     double at(double x) const {
         if (smooth_)
             return x <= axis_.back() ? smooth_->at(x) : missing;
-        const auto after = std::lower_bound(axis_.begin(), axis_.end(), x);
-        if (after == axis_.end())
-            return missing;
-        const auto i = static_cast<std::size_t>(after - axis_.begin());
-        if (*after == x)
-            return values_[i];
-        if (i == 0)
-            return missing;
-        const double part = (x - axis_[i - 1]) / (axis_[i] - axis_[i - 1]);
-        return values_[i - 1] + part * (values_[i] - values_[i - 1]);
+        return irsg::interpolate(axis_, values_, x, irsg::Beyond::notANumber);
     }
 
   private:
     std::vector<double> axis_, values_;
-    std::optional<CurveThrough> smooth_;
+    std::optional<AkimaInterpolant> smooth_;
 };
 
 /// Strictly one way, and finite.

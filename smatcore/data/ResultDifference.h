@@ -22,8 +22,8 @@ struct DifferenceSide {
 /// abscissa that turns back, results that do not overlap, and results without a common column.
 ResultTable differenceOf(const DifferenceSide& a, const DifferenceSide& b);
 
-/// True for the table of a plot whose cases followed its curves: it is CurveThrough between its
-/// rows, not straight lines.
+/// True for the table of a plot whose cases followed its curves: between its rows it is an
+/// AkimaInterpolant, not straight lines.
 bool isAdaptive(const ResultTable& table);
 /// Key of the abscissa of plots: wavelength of spectra, else the first column. LogicError for a
 /// table without columns.

@@ -9,7 +9,7 @@
 
 #include "irsg/radiometry/Units.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
-#include "smatcore/data/CurveThrough.h"
+#include "smatcore/data/AkimaInterpolant.h"
 #include "smatcore/data/ResultDifference.h"
 #include "tests/core/AnalyticSource.h"
 #include "tests/support/Refusal.h"
@@ -263,7 +263,7 @@ TEST(AdaptiveSweep, IsWhatAPlotIsByDefaultAndIsDrawnWithinItsError) {
     // Those of 5 degrees and at most as many more.
     EXPECT_GT(angle_deg.size(), 72u);
     EXPECT_LE(angle_deg.size(), 144u);
-    const CurveThrough drawn(angle_deg, column(data, Quantity::intensity), 360.0);
+    const AkimaInterpolant drawn(angle_deg, column(data, Quantity::intensity), 360.0);
     double worst = 0.0;
     for (double a = 0.0; a < 360.0; a += 0.1) {
         worst = std::max(worst, std::abs(drawn.at(a) - Lobed::at(a)) / Lobed::at(a));
@@ -321,7 +321,7 @@ TEST(AdaptiveSweep, CountsPointsOfARangeInWholeNumbers) {
     EXPECT_LE(data.table.rowCount(), 100u);
     const auto& range_m = column(data, Quantity::range);
     const auto& irradiance = column(data, Quantity::irradiance);
-    const CurveThrough drawn(range_m, irradiance);
+    const AkimaInterpolant drawn(range_m, irradiance);
     const double nearest = irradiance.front();
     for (double d = 500.0; d < 10000.0; d *= 1.001) {
         const double truth = nearest * 250000.0 / (d * d);

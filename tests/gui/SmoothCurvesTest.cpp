@@ -10,7 +10,7 @@
 #include "gui/plot/PolarPlot.h"
 #include "gui/plot/ResultPlot.h"
 #include "irsg/radiometry/Units.h"
-#include "smatcore/data/CurveThrough.h"
+#include "smatcore/data/AkimaInterpolant.h"
 #include "tests/gui/GuiEnvironment.h"
 
 namespace smat::gui {
@@ -40,7 +40,7 @@ TEST(SmoothCurve, IsDrawnThroughItsSamplesAndReadAsItIsDrawn) {
     const Curve drawn = curve.drawn();
     drawn.check();
     EXPECT_GT(drawn.x.size(), 30u);
-    const CurveThrough through(curve.x, curve.y);
+    const AkimaInterpolant through(curve.x, curve.y);
     for (std::size_t i = 0; i < drawn.x.size(); ++i) {
         EXPECT_NEAR(drawn.y[i], through.at(drawn.x[i]), 1e-12);
         EXPECT_NEAR(*curve.valueAt(drawn.x[i]), drawn.y[i], 1e-12);

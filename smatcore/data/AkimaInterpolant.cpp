@@ -1,4 +1,4 @@
-#include "smatcore/data/CurveThrough.h"
+#include "smatcore/data/AkimaInterpolant.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 
 namespace smat {
 
@@ -50,8 +51,8 @@ bool goesRound(const std::vector<double>& x, double period) {
     return span < period && span + 1.5 * step >= period;
 }
 
-CurveThrough::CurveThrough(const std::vector<double>& x, const std::vector<double>& y,
-                           double period)
+AkimaInterpolant::AkimaInterpolant(const std::vector<double>& x, const std::vector<double>& y,
+                                   double period)
     : x_(x), y_(y), period_(period) {
     const auto isFinite = [](double value) { return std::isfinite(value); };
     if (x.size() != y.size() || !std::ranges::all_of(x, isFinite) ||
@@ -107,7 +108,7 @@ CurveThrough::CurveThrough(const std::vector<double>& x, const std::vector<doubl
     }
 }
 
-double CurveThrough::between(std::size_t i, double part) const {
+double AkimaInterpolant::between(std::size_t i, double part) const {
     const double step = x_.at(i + 1) - x_[i], rest = 1.0 - part;
     // Hermite's form, about the straight line.
     const double secant = y_[i + 1] - y_[i];
@@ -115,18 +116,17 @@ double CurveThrough::between(std::size_t i, double part) const {
     return y_[i] + part * secant + part * rest * (rest * first - part * last);
 }
 
-double CurveThrough::at(double x) const {
+double AkimaInterpolant::at(double x) const {
     if (x_.empty())
         return std::numeric_limits<double>::quiet_NaN();
     if (period_ > 0.0)
         x -= period_ * std::floor((x - x_.front()) / period_);
     if (!(x >= x_.front() && x <= x_.back()))
         return std::numeric_limits<double>::quiet_NaN();
-    const auto above = std::ranges::upper_bound(x_, x) - x_.begin();
-    if (above == static_cast<std::ptrdiff_t>(x_.size()))
+    if (x == x_.back())
         return y_.back();
-    const auto i = static_cast<std::size_t>(above) - 1;
-    return between(i, (x - x_[i]) / (x_[i + 1] - x_[i]));
+    const irsg::Bracket place = irsg::bracket(x_, x);
+    return between(place.below, place.fraction);
 }
 
 } // namespace smat
