@@ -13,6 +13,8 @@ struct JsonForm {
     std::string expected;    ///< as a sentence names it: "a project file (JSON)"
     int deepest = 100;       ///< levels of lists and objects
     bool mayComment = false; ///< comments as in C++ between the values
+    /// A JsonReader names the members of a list "runs[3]", otherwise "runs.3".
+    bool indexInBrackets = false;
 };
 
 /// The value of a JSON text. Throws InputError with line and column for text that is not JSON in
