@@ -10,7 +10,7 @@
 #include "apps/smat-batch/Command.h"
 #include "irsg/core/Errors.h"
 #include "irsg/geometry/model/PlacingGuess.h"
-#include "smatcore/project/JsonFields.h"
+#include "smatcore/project/JsonReading.h"
 #include "smatcore/project/Project.h"
 
 namespace smat::batch {

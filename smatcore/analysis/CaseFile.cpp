@@ -13,16 +13,17 @@
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
+#include "irsg/core/JsonReader.h"
 #include "irsg/core/NewLines.h"
 #include "smatcore/analysis/InputFiles.h"
 #include "smatcore/analysis/ResultFile.h"
-#include "smatcore/data/CheckedJson.h"
 
 namespace smat {
 
 namespace {
 
 namespace fs = std::filesystem;
+using irsg::JsonReader;
 using OrderedJson = nlohmann::ordered_json;
 
 constexpr const char* format = "smat cases 1";
@@ -46,7 +47,11 @@ std::string rowText(const std::vector<double>& row) {
     return fmt::format("{}", fmt::join(row, ","));
 }
 
-std::vector<double> rowOf(const CheckedJson& json) {
+JsonReader caseLineOf(const std::string& text, const std::string& where) {
+    return {text, where, {.expected = "a line of cases (JSON)"}, irsg::JsonErrors::throwFirst};
+}
+
+std::vector<double> rowOf(const JsonReader& json) {
     const std::string text = json.text();
     std::vector<double> row;
     if (text.empty())
@@ -68,7 +73,7 @@ std::vector<double> rowOf(const CheckedJson& json) {
     return row;
 }
 
-double numberOf(const CheckedJson& json) {
+double numberOf(const JsonReader& json) {
     const std::vector<double> one = rowOf(json);
     if (one.size() != 1)
         json.refuse("a number");
@@ -97,19 +102,15 @@ struct Read {
     std::size_t cases() const { return head["cases"]; }
 };
 
-CaseRecord recordOf(const CheckedJson& json, const std::vector<std::string>& lastAnswers) {
+CaseRecord recordOf(const JsonReader& json, const std::vector<std::string>& lastAnswers) {
     CaseRecord record{json.at("place").text(), rowOf(json.at("row")), lastAnswers, {}};
-    if (json.has("answered")) {
-        record.answeredBy.clear();
-        for (const CheckedJson& answer : json.at("answered").list())
-            record.answeredBy.push_back(answer.text());
+    if (json.has("answered"))
+        record.answeredBy = json.at("answered").texts();
+    for (const JsonReader& remark : json.at("remarks").listOrNone()) {
+        const CaseRemark one{remark.at("kind").text(), remark.at("sentence").text(),
+                             numberOf(remark.at("value"))};
+        record.remarks.push_back(one);
     }
-    if (json.has("remarks"))
-        for (const CheckedJson& remark : json.at("remarks").list()) {
-            const CaseRemark one{remark.at("kind").text(), remark.at("sentence").text(),
-                                 numberOf(remark.at("value"))};
-            record.remarks.push_back(one);
-        }
     return record;
 }
 
@@ -124,21 +125,21 @@ OrderedJson jsonOf(std::size_t i, const CaseRecord& record, bool withAnswers) {
     return json;
 }
 
-void checkHead(const CheckedJson& head) {
-    const CheckedJson version = head.at("format");
+void checkHead(const JsonReader& head) {
+    const JsonReader version = head.at("format");
     if (version.text() != format)
         version.refuse(format);
     for (const char* key : {"part", "parts", "cases"}) {
-        const CheckedJson number = head.at(key);
+        const JsonReader number = head.at(key);
         const double value = number.number();
         if (!(value >= 1.0 && value <= 1e9 && value == std::floor(value)))
             number.refuse("a whole number from 1 to 1e9");
     }
-    for (const CheckedJson& column : head.at("columns").list()) {
+    for (const JsonReader& column : head.at("columns").list()) {
         column.at("name").text();
         column.at("unit").text();
     }
-    for (const CheckedJson& entry : head.at("provenance").list()) {
+    for (const JsonReader& entry : head.at("provenance").list()) {
         entry.at("key").text();
         entry.at("value").text();
     }
@@ -157,13 +158,13 @@ Read readCases(const fs::path& file) {
         if (end == std::string::npos)
             break; // cut off when its run was ended
         const std::string where = fmt::format("{}:{}", file.string(), ++number);
-        const CheckedJson json(text.substr(begin, end - begin), where, "a line of cases (JSON)");
+        const JsonReader json = caseLineOf(text.substr(begin, end - begin), where);
         if (number == 1) {
             checkHead(json);
             read.head = OrderedJson::parse(text.substr(begin, end - begin));
         } else {
             CaseRecord record = recordOf(json, lastAnswers);
-            const CheckedJson place = json.at("case");
+            const JsonReader place = json.at("case");
             const double i = place.number();
             if (!(i >= 0.0 && i < static_cast<double>(read.cases()) && i == std::floor(i)))
                 place.refuse(fmt::format("a case from 0 to {}", read.cases() - 1));
@@ -316,7 +317,7 @@ std::string CaseFile::recordText(std::size_t i, const CaseRecord& record) {
 
 std::pair<std::size_t, CaseRecord> CaseFile::recordFrom(const std::string& text,
                                                         const std::string& who) {
-    const CheckedJson json(text, who, "a line of cases (JSON)");
+    const JsonReader json = caseLineOf(text, who);
     return {static_cast<std::size_t>(json.at("case").number()), recordOf(json, {})};
 }
 

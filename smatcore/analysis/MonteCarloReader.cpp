@@ -2,15 +2,17 @@
 
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/JsonReader.h"
 #include "smatcore/analysis/MonteCarloFile.h"
 #include "smatcore/analysis/ResultFile.h"
-#include "smatcore/data/CheckedJson.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/TextFile.h"
 
 namespace smat {
 
 namespace {
+
+using irsg::JsonReader;
 
 constexpr std::size_t drawsInRow = 4096;
 constexpr std::size_t mostDraws = 10'000'000;
@@ -19,14 +21,14 @@ std::size_t rowsFor(std::size_t values) {
     return (values + drawsInRow - 1) / drawsInRow;
 }
 
-Estimate estimateOf(const CheckedJson& json) {
+Estimate estimateOf(const JsonReader& json) {
     return {json.at("value").numberOrNull(), json.at("standard_error").numberOrNull(),
             json.at("low_95").numberOrNull(), json.at("high_95").numberOrNull()};
 }
 
-MonteCarloOptions optionsOf(const CheckedJson& json) {
+MonteCarloOptions optionsOf(const JsonReader& json) {
     MonteCarloOptions options;
-    const CheckedJson quantity = json.at("quantity"), statistic = json.at("statistic");
+    const JsonReader quantity = json.at("quantity"), statistic = json.at("statistic");
     options.samples = json.at("samples").count(mostDraws);
     options.sequence =
         json.at("sequence").word({name(DrawSequence::plain), name(DrawSequence::sobol)}) == 0
@@ -52,7 +54,7 @@ MonteCarloOptions optionsOf(const CheckedJson& json) {
     return options;
 }
 
-irsg::Distribution distributionOf(const CheckedJson& json) {
+irsg::Distribution distributionOf(const JsonReader& json) {
     std::vector<std::string> words;
     for (const irsg::DistributionInfo& one : irsg::distributionTable())
         words.emplace_back(one.name);
@@ -64,7 +66,7 @@ irsg::Distribution distributionOf(const CheckedJson& json) {
     return distribution;
 }
 
-SceneScaling scalingOf(const CheckedJson& json) {
+SceneScaling scalingOf(const JsonReader& json) {
     SceneScaling scaling;
     scaling.name = json.at("name").text();
     scaling.input.entity = json.at("entity").index();
@@ -99,7 +101,7 @@ void takeColumns(MonteCarloData& data, const std::string& file) {
     }
 }
 
-void takeDraws(MonteCarloData& data, const CheckedJson& count, const irsg::RadianceImage& image) {
+void takeDraws(MonteCarloData& data, const JsonReader& count, const irsg::RadianceImage& image) {
     const std::size_t places = data.statistic.size(), draws = count.count(mostDraws);
     // Both are bounded before they are multiplied: places by the file, draws by what may be asked.
     if (image.empty() || image.width() != static_cast<int>(drawsInRow) ||
@@ -115,9 +117,9 @@ void takeDraws(MonteCarloData& data, const CheckedJson& count, const irsg::Radia
     }
 }
 
-void takeRanking(MonteCarloData& data, const CheckedJson& list) {
-    for (const CheckedJson& one : list.list()) {
-        const CheckedJson scale = one.at("scale");
+void takeRanking(MonteCarloData& data, const JsonReader& list) {
+    for (const JsonReader& one : list.list()) {
+        const JsonReader scale = one.at("scale");
         const std::size_t number = scale.count(mostDraws);
         if (number >= data.scalings.size())
             scale.refuse("the number of one of the scales, from 0");
@@ -127,8 +129,8 @@ void takeRanking(MonteCarloData& data, const CheckedJson& list) {
 }
 
 /// Before anything is made of so many places: a file of some kB could name millions.
-void takeStatistic(MonteCarloData& data, const CheckedJson& list) {
-    for (const CheckedJson& one : list.list())
+void takeStatistic(MonteCarloData& data, const JsonReader& list) {
+    for (const JsonReader& one : list.list())
         data.statistic.push_back(estimateOf(one));
     const std::size_t rows = data.analysis.table.rowCount();
     if (data.bands.empty() || data.statistic.size() != rows * data.bands.size()) {
@@ -152,13 +154,15 @@ irsg::RadianceImage drawsImage(const MonteCarloData& data) {
 
 MonteCarloData loadMonteCarlo(const std::filesystem::path& file, const irsg::RadianceImage& draws) {
     const std::string fileName = file.string();
-    const CheckedJson json(readTextFile(file), fileName, "the JSON form of a Monte Carlo run");
+    const JsonReader json(readTextFile(file), fileName,
+                          {.expected = "the JSON form of a Monte Carlo run"},
+                          irsg::JsonErrors::throwFirst);
     MonteCarloData data;
     data.analysis = resultOf(ResultTable::fromJson(json), fileName);
     // The run is Monte Carlo; its analysis is the one that it repeats.
     data.analysis.kind = resultKindFromName(data.analysis.table.provenance.value("analysis"));
     data.options = optionsOf(json.at("options"));
-    for (const CheckedJson& one : json.at("scales").list())
+    for (const JsonReader& one : json.at("scales").list())
         data.scalings.push_back(scalingOf(one));
     data.abscissaKey = json.at("abscissa").at("name").text();
     data.abscissaUnit = json.at("abscissa").at("unit").text();

@@ -8,7 +8,7 @@
 
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
-#include "smatcore/data/CheckedJson.h"
+#include "irsg/core/JsonReader.h"
 #include "smatcore/data/ColumnName.h"
 #include "smatcore/support/TextFile.h"
 
@@ -117,7 +117,10 @@ void ResultTable::save(const std::filesystem::path& file) const {
 ResultTable ResultTable::load(const std::filesystem::path& file) {
     if (file.extension() != ".json")
         return fromCsv(file);
-    return fromJson(CheckedJson(readTextFile(file), file.string(), "a result table (JSON)"));
+    return fromJson({readTextFile(file),
+                     file.string(),
+                     {.expected = "a result table (JSON)"},
+                     irsg::JsonErrors::throwFirst});
 }
 
 ResultTable ResultTable::fromCsv(const std::filesystem::path& file) {

@@ -8,9 +8,11 @@
 #include "irsg/core/Quantity.h"
 #include "smatcore/data/Provenance.h"
 
-namespace smat {
+namespace irsg {
+class JsonReader;
+}
 
-class CheckedJson;
+namespace smat {
 
 /// One column of numbers with what they mean.
 struct ResultColumn {
@@ -54,7 +56,7 @@ class ResultTable {
     /// rows, cells that are no numbers.
     static ResultTable load(const std::filesystem::path& file);
     /// That of a JSON text, which may hold more besides.
-    static ResultTable fromJson(const CheckedJson& json);
+    static ResultTable fromJson(const irsg::JsonReader& json);
 
     bool operator==(const ResultTable&) const = default;
 

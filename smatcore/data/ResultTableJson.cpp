@@ -3,13 +3,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "smatcore/data/CheckedJson.h"
+#include "irsg/core/JsonReader.h"
 #include "smatcore/data/ResultTable.h"
 
 namespace smat {
 
 namespace {
 
+using irsg::JsonReader;
 using OrderedJson = nlohmann::ordered_json;
 
 } // namespace
@@ -30,15 +31,15 @@ std::string ResultTable::toJson() const {
            "\n";
 }
 
-ResultTable ResultTable::fromJson(const CheckedJson& json) {
+ResultTable ResultTable::fromJson(const JsonReader& json) {
     ResultTable table;
-    for (const CheckedJson& entry : json.at("provenance").list()) {
+    for (const JsonReader& entry : json.at("provenance").list()) {
         const std::string key = entry.at("key").text();
         table.provenance.add(key, entry.at("value").text());
     }
     std::set<std::string> names;
-    for (const CheckedJson& entry : json.at("columns").list()) {
-        const CheckedJson name = entry.at("name"), values = entry.at("values");
+    for (const JsonReader& entry : json.at("columns").list()) {
+        const JsonReader name = entry.at("name"), values = entry.at("values");
         ResultColumn column{name.text(), entry.at("unit").text(), values.numbersOrNull()};
         if (column.key.empty() || !names.insert(column.key).second)
             name.refuse("a name, another for each column");

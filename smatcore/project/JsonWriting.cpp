@@ -4,7 +4,7 @@
 
 #include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
-#include "smatcore/project/JsonFields.h"
+#include "smatcore/project/JsonReading.h"
 
 namespace smat {
 

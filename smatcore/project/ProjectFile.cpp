@@ -63,9 +63,9 @@ void listKeys(const std::string& path, const std::string& unknown, std::vector<s
         for (const SettingInfo& setting : settingTable())
             isSection = isSection || setting.section() == key;
         if (isSection && value.is_object())
-            listKeys(joinedKeyPath(path, key), value.dump(), keys);
+            listKeys(irsg::joinedKeyPath(path, key), value.dump(), keys);
         else
-            keys.push_back(joinedKeyPath(path, key));
+            keys.push_back(irsg::joinedKeyPath(path, key));
     }
 }
 
@@ -76,7 +76,7 @@ Project loadProject(const std::filesystem::path& file) {
 }
 
 Project projectFromJson(const std::string& text, const std::filesystem::path& file) {
-    Project project = ProjectReader(file.string(), text).read();
+    Project project = readProject(text, file.string());
     project.file = file;
     return project;
 }

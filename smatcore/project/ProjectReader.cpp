@@ -1,7 +1,10 @@
 #include "smatcore/project/ProjectReader.h"
 
-#include <fmt/format.h>
+#include <utility>
 
+#include <nlohmann/json.hpp>
+
+#include "smatcore/project/JsonReading.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/settings/SettingKeys.h"
 
@@ -9,139 +12,98 @@ namespace smat {
 
 namespace {
 
-using Json = nlohmann::json;
+using irsg::JsonReader;
 
-/// What is left of an object after everything known was taken out; "" where nothing is.
-std::string leftOver(const Json& json) {
-    return json.empty() ? "" : json.dump();
+/// What nobody asked for of an object; "" where that is nothing.
+std::string leftOver(const JsonReader& json) {
+    const nlohmann::json unknown = json.unknown();
+    return unknown.empty() ? "" : unknown.dump();
 }
 
-} // namespace
-
-ProjectReader::ProjectReader(std::string fileName, const std::string& text)
-    : JsonFields(std::move(fileName), text, "a project file (JSON)") {}
-
-Project ProjectReader::read() {
-    takeVersion(projectFileVersion, "version, models, settings and analyses");
-    Project project;
-    project.title = takeText(root(), "title", "");
-    project.notes = takeText(root(), "notes", "");
-    project.results = takeText(root(), "results", "");
-    if (!project.results.empty() && !isFileName(project.results))
-        refuse("results", project.results, "the name of a folder beside the project");
-    readModels(project);
-    readAnalyses(project);
-    project.settings = takeSettings(root(), "");
-    project.unknownKeys = leftOver(root());
-    throwRefused();
-    return project;
+void refuseOwnOfTarget(const JsonReader& json) {
+    for (const char* key : {"power", "mach", "timeOffset_s"})
+        json.refuseMember(key, "no state of its own: the first model is the target, of which "
+                               "state.power, state.mach and state.time tell");
+    for (const char* key : {"position_m", "yaw_deg", "pitch_deg", "roll_deg"})
+        json.refuseMember(key, "no pose of its own: the first model is the target, which "
+                               "target.altitude, target.yaw, target.pitch and target.roll place");
 }
 
-void ProjectReader::readModels(Project& project) {
-    const auto found = root().find("models");
-    if (found == root().end())
-        return;
-    if (!found->is_array()) {
-        refuse("models", *found, "a list of models");
-    } else {
-        for (std::size_t i = 0; i < found->size(); ++i) {
-            const std::string path = fmt::format("models.{}", i);
-            if (!(*found)[i].is_object()) {
-                refuse(path, (*found)[i], "an object with file and database");
-                continue;
-            }
-            if (i == 0)
-                refuseOwnOfTarget((*found)[i], path);
-            project.models.push_back(readModel((*found)[i], path));
-        }
-    }
-    root().erase("models");
-}
-
-void ProjectReader::refuseOwnOfTarget(const Json& json, const std::string& path) {
-    for (const char* key : {"power", "mach", "timeOffset_s"}) {
-        if (json.contains(key)) {
-            refuse(joinedKeyPath(path, key), json[key],
-                   "no state of its own: the first model is the target, of which state.power, "
-                   "state.mach and state.time tell");
-        }
-    }
-    for (const char* key : {"position_m", "yaw_deg", "pitch_deg", "roll_deg"}) {
-        if (json.contains(key)) {
-            refuse(joinedKeyPath(path, key), json[key],
-                   "no pose of its own: the first model is the target, which target.altitude, "
-                   "target.yaw, target.pitch and target.roll place");
-        }
-    }
-}
-
-ProjectModel ProjectReader::readModel(const Json& given, const std::string& path) {
-    Json json = given;
+ProjectModel readModel(const JsonReader& json) {
     ProjectModel model;
-    model.name = takeText(json, "name", path);
-    const bool hasFile = json.contains("file");
-    model.file = takeText(json, "file", path);
-    if (!hasFile || (model.file.empty() && given["file"].is_string()))
-        refuse(joinedKeyPath(path, "file"), std::string("nothing"), "the file of the model");
-    model.database = takeText(json, "database", path);
-    model.options = takeModelOptions(json, path);
-    if (const auto position = takePoint(json, "position_m", path))
+    model.name = json.at("name").textOr("");
+    model.file = json.at("file").filledText("the file of the model");
+    model.database = json.at("database").textOr("");
+    model.options = readModelOptions(json);
+    if (const auto position = readPoint(json.at("position_m")))
         model.pose.position_m = *position;
-    model.pose.attitude = takeAttitude(json, path);
-    const auto takeWithin = [&](const char* name, std::string_view limits) {
+    model.pose.attitude = readAttitude(json);
+    const auto within = [&](const char* name, std::string_view limits) {
         const SettingInfo& setting = settingInfo(limits);
-        return json.contains(name)
-                   ? std::optional(takeNumber(json, name, path, setting.minimum, setting.maximum))
-                   : std::nullopt;
+        return json.at(name).numberIfAny({setting.minimum, setting.maximum});
     };
-    model.own.power = takeWithin("power", key::statePower);
-    model.own.mach = takeWithin("mach", key::stateMach);
-    model.own.timeOffset_s = takeWithin("timeOffset_s", key::stateTime).value_or(0.0);
-    model.referencePoint_m = takePoint(json, "referencePoint_m", path);
-    model.fallbackTemperature = takeIndex(json, "fallbackTemperature", path);
-    model.fallbackMaterial = takeIndex(json, "fallbackMaterial", path);
+    model.own.power = within("power", key::statePower);
+    model.own.mach = within("mach", key::stateMach);
+    model.own.timeOffset_s = within("timeOffset_s", key::stateTime).value_or(0.0);
+    model.referencePoint_m = readPoint(json.at("referencePoint_m"));
+    model.fallbackTemperature = readEntryIndex(json.at("fallbackTemperature"));
+    model.fallbackMaterial = readEntryIndex(json.at("fallbackMaterial"));
     model.unknownKeys = leftOver(json);
     return model;
 }
 
-void ProjectReader::readAnalyses(Project& project) {
-    const auto found = root().find("analyses");
-    if (found == root().end())
-        return;
-    if (!found->is_object()) {
-        refuse("analyses", *found, "an object of analyses by name");
-    } else {
-        // Objects of this library are sorted by key, which is the order of Project::analyses.
-        for (const auto& [name, json] : found->items()) {
-            const std::string path = "analyses." + name;
-            if (!isFileName(name))
-                refuse(path, Json(name), "a name that can be a file name");
-            if (!json.is_object()) {
-                refuse(path, json, "an object with the kind of the analysis");
-                continue;
-            }
-            project.analyses.push_back(readAnalysis(name, json, path));
-        }
-    }
-    root().erase("analyses");
-}
-
-NamedAnalysis ProjectReader::readAnalysis(const std::string& name, const Json& given,
-                                          const std::string& path) {
-    Json json = given;
+NamedAnalysis readAnalysis(const std::string& name, const JsonReader& json) {
     NamedAnalysis analysis;
     analysis.name = name;
-    const std::string word = takeText(json, "kind", path);
-    const std::optional<AnalysisKind> kind = analysisKindFromName(word);
-    if (!kind && (!given.contains("kind") || given["kind"].is_string())) {
-        refuse(joinedKeyPath(path, "kind"),
-               given.contains("kind") ? shownJson(given["kind"]) : "nothing", analysisKindNames());
-    }
-    analysis.kind = kind.value_or(AnalysisKind::image);
-    analysis.notes = takeText(json, "notes", path);
-    analysis.settings = takeSettings(json, path);
+    const JsonReader kind = json.at("kind");
+    const auto known = analysisKindFromName(kind.textOr(""));
+    if (!known)
+        kind.refuse(analysisKindNames());
+    analysis.kind = known.value_or(AnalysisKind::image);
+    analysis.notes = json.at("notes").textOr("");
+    analysis.settings = readSettings(json);
     analysis.unknownKeys = leftOver(json);
     return analysis;
+}
+
+void readAnalyses(Project& project, const JsonReader& analyses) {
+    if (!analyses.exists())
+        return;
+    // In the order of their names, which is that of Project::analyses.
+    for (const auto& [name, json] : analyses.members("an object of analyses by name")) {
+        if (!isFileName(name))
+            json.refuse(irsg::shownJson(name), "a name that can be a file name");
+        if (json.isObject("an object with the kind of the analysis"))
+            project.analyses.push_back(readAnalysis(name, json));
+    }
+}
+
+} // namespace
+
+Project readProject(const std::string& text, const std::string& file) {
+    const JsonReader root = readVersioned(text, file, "a project file (JSON)", projectFileVersion,
+                                          "version, models, settings and analyses");
+    Project project;
+    project.title = root.at("title").textOr("");
+    project.notes = root.at("notes").textOr("");
+    const JsonReader results = root.at("results");
+    project.results = results.textOr("");
+    if (!project.results.empty() && !isFileName(project.results))
+        results.refuse(project.results, "the name of a folder beside the project");
+    bool isTarget = true;
+    for (const JsonReader& model : root.at("models").listOrNone("a list of models")) {
+        const bool isFirst = std::exchange(isTarget, false);
+        if (!model.isObject("an object with file and database"))
+            continue;
+        if (isFirst)
+            refuseOwnOfTarget(model);
+        project.models.push_back(readModel(model));
+    }
+    readAnalyses(project, root.at("analyses"));
+    project.settings = readSettings(root);
+    project.unknownKeys = leftOver(root);
+    root.throwRefused();
+    return project;
 }
 
 } // namespace smat

@@ -14,7 +14,7 @@
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/MonteCarloFile.h"
 #include "smatcore/analysis/ResultFile.h"
-#include "smatcore/project/JsonFields.h"
+#include "smatcore/project/JsonReading.h"
 #include "smatcore/project/JsonWriting.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/support/Folders.h"
@@ -24,6 +24,7 @@ namespace smat {
 
 namespace {
 
+using irsg::JsonReader;
 using Json = nlohmann::json;
 using Origin = ResultDocument::Origin;
 
@@ -71,41 +72,24 @@ struct Words {
     std::vector<std::shared_ptr<const irsg::SignatureDatabase>> databases;
 };
 
-std::vector<SummaryItem> takeSummary(JsonFields& fields) {
+std::vector<SummaryItem> summaryOf(const JsonReader& list) {
     std::vector<SummaryItem> summary;
-    Json list = fields.root().value("summary", Json::array());
-    if (!list.is_array())
-        fields.refuse("summary", list, "a list");
-    for (std::size_t i = 0; list.is_array() && i < list.size(); ++i) {
-        const std::string path = joinedKeyPath("summary", std::to_string(i));
-        Json& item = list[i];
-        if (!item.is_object() || !item.contains("value")) {
-            fields.refuse(path, item, "an object with label, value and unit");
-            continue;
-        }
-        // JSON has no NaN: it is written as null.
-        const Json value = item["value"];
-        if (!value.is_number() && !value.is_null())
-            fields.refuse(path + ".value", value, "a number or null");
-        summary.push_back({fields.takeText(item, "label", path),
-                           value.is_number() ? value.get<double>() : std::nan(""),
-                           fields.takeText(item, "unit", path)});
-    }
+    for (const JsonReader& item : list.listOrNone())
+        if (item.isObject("an object with label, value and unit"))
+            summary.push_back({item.at("label").textOr(""), item.at("value").numberOrNull(),
+                               item.at("unit").textOr("")});
     return summary;
 }
 
 /// Those of the models as they were; a result of a version that did not keep them has none.
-std::vector<std::shared_ptr<const irsg::SignatureDatabase>> takeDatabases(JsonFields& fields,
-                                                                          const std::string& file) {
+std::vector<std::shared_ptr<const irsg::SignatureDatabase>> databasesOf(const JsonReader& list) {
     std::vector<std::shared_ptr<const irsg::SignatureDatabase>> databases;
-    const auto found = fields.root().find("databases");
-    if (found == fields.root().end() || !found->is_array())
-        return databases;
-    for (const Json& one : *found) {
+    for (const JsonReader& one : list.listOrNone()) {
         databases.push_back(
-            one.is_null() ? nullptr
-                          : std::make_shared<const irsg::SignatureDatabase>(irsg::signatureFromJson(
-                                one.dump(), file, irsg::LintErrors::accept)));
+            one.json().is_null()
+                ? nullptr
+                : std::make_shared<const irsg::SignatureDatabase>(irsg::signatureFromJson(
+                      one.json().dump(), list.file(), irsg::LintErrors::accept)));
     }
     return databases;
 }
@@ -118,34 +102,30 @@ Json databasesJson(const AnalysisData& data) {
 }
 
 Words readWords(const std::filesystem::path& file) {
-    JsonFields fields(file.string(), readTextFile(file), "a result (JSON)");
-    fields.takeVersion(resultFileVersion, "version, title, origin and asked");
-    Json& root = fields.root();
+    const JsonReader root = readVersioned(readTextFile(file), file.string(), "a result (JSON)",
+                                          resultFileVersion, "version, title, origin and asked");
     Words words;
     ResultDocument& document = words.document;
-    document.title = fields.takeText(root, "title", "");
-    document.notes = fields.takeText(root, "notes", "");
-    document.madeAt = fields.takeText(root, "made", "");
-    const std::string origin = fields.takeText(root, "origin", "");
-    const auto known =
-        std::ranges::find_if(originWords, [&](const auto& one) { return one.second == origin; });
-    if (known == originWords.end())
-        fields.refuse("origin", origin, "run, file, difference or tool");
-    else
-        document.origin = known->first;
-    words.name = fields.takeText(root, "name", "");
-    words.analysis = fields.takeText(root, "analysis", "");
-    words.file = fields.takeText(root, "file", "");
-    words.isImage = fields.takeBoolean(root, "image", "");
-    words.isMonteCarlo = fields.takeBoolean(root, "monteCarlo", "");
-    words.elapsed_s = fields.takeNumber(root, "elapsed_s", "", 0.0, 1e12);
-    words.summary = takeSummary(fields);
-    words.databases = takeDatabases(fields, file.string());
-    if (root.contains("asked") && root["asked"].is_object())
-        words.project = root["asked"].dump();
+    document.title = root.at("title").textOr("");
+    document.notes = root.at("notes").textOr("");
+    document.madeAt = root.at("made").textOr("");
+    std::vector<std::string> origins;
+    for (const auto& [origin, word] : originWords)
+        origins.emplace_back(word);
+    document.origin = originWords[root.at("origin").word(origins)].first;
+    words.name = root.at("name").textOr("");
+    words.analysis = root.at("analysis").textOr("");
+    words.file = root.at("file").textOr("");
+    words.isImage = root.at("image").booleanOr(false);
+    words.isMonteCarlo = root.at("monteCarlo").booleanOr(false);
+    words.elapsed_s = root.at("elapsed_s").numberOr(0.0, {0.0, 1e12});
+    words.summary = summaryOf(root.at("summary"));
+    words.databases = databasesOf(root.at("databases"));
+    if (const JsonReader asked = root.at("asked"); asked.json().is_object())
+        words.project = asked.json().dump();
     else if (document.origin == Origin::run)
-        fields.refuse("asked", std::string("nothing"), "the project that was asked");
-    fields.throwRefused();
+        asked.refuse("the project that was asked");
+    root.throwRefused();
     return words;
 }
 

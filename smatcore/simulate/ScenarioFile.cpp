@@ -1,7 +1,6 @@
 #include "smatcore/simulate/ScenarioFile.h"
 
 #include "irsg/core/Errors.h"
-#include "smatcore/project/JsonFields.h"
 #include "smatcore/project/JsonWriting.h"
 #include "smatcore/simulate/ScenarioReader.h"
 #include "smatcore/support/TextFile.h"
@@ -69,7 +68,7 @@ Json sensorJson(const ScenarioSensor& sensor, const JsonPaths& paths) {
 } // namespace
 
 Scenario scenarioFromJson(const std::string& text, const std::filesystem::path& file) {
-    Scenario scenario = ScenarioReader(file.string(), text).read();
+    Scenario scenario = readScenario(text, file.string());
     scenario.file = file;
     return scenario;
 }
