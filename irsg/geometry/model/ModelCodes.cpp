@@ -1,6 +1,6 @@
 #include "irsg/geometry/model/ModelCodes.h"
 
-#include <cmath>
+#include <algorithm>
 #include <sstream>
 #include <system_error>
 
@@ -9,8 +9,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/core/FileReplacement.h"
-#include "irsg/core/JsonText.h"
-#include "irsg/signature/JsonReader.h"
+#include "irsg/core/JsonReader.h"
 
 namespace irsg {
 namespace {
@@ -21,82 +20,45 @@ constexpr const char* formatName = "smat-codes";
 constexpr int newestVersion = 1;
 constexpr double farthest = 1e9;
 
-std::optional<int> indexOf(JsonObject& object, const char* key, JsonProblems& problems) {
-    const json* const value = object.find(key);
-    if (value == nullptr)
-        return std::nullopt;
-    if (value->is_number_integer() && std::abs(value->get<double>()) <= 2147483647.0)
-        return value->get<int>();
-    problems.add(object.pathOf(key), *value, "the index of an entry, a whole number");
-    return std::nullopt;
-}
-
-GivenCodes givenIn(JsonObject& object, JsonProblems& problems) {
-    const GivenCodes codes{indexOf(object, "temperatureIndex", problems),
-                           indexOf(object, "materialIndex", problems)};
-    if (!object.find("temperatureIndex") && !object.find("materialIndex"))
-        problems.addText(object.path(), "no index", "temperatureIndex, materialIndex or both");
+GivenCodes givenIn(const JsonReader& object) {
+    const auto indexOf = [&](const char* key) {
+        return object.at(key).indexIfAny("the index of an entry, a whole number");
+    };
+    const GivenCodes codes{indexOf("temperatureIndex"), indexOf("materialIndex")};
+    if (!object.has("temperatureIndex") && !object.has("materialIndex"))
+        object.refuse("no index", "temperatureIndex, materialIndex or both");
     return codes;
 }
 
-CodeRule ruleOf(const json& value, const std::string& path, JsonProblems& problems) {
-    JsonObject object(value, path, problems);
+CodeRule ruleOf(const JsonReader& object) {
     CodeRule rule;
     int found = 0;
     for (std::size_t i = 0; i < codeRuleNames().size(); ++i)
-        if (object.find(codeRuleNames()[i]) != nullptr) {
+        if (const JsonReader pattern = object.at(codeRuleNames()[i]); pattern.exists()) {
             rule.of = static_cast<CodeRule::Of>(i);
-            rule.pattern = object.text(codeRuleNames()[i], true);
+            rule.pattern = pattern.text();
             ++found;
         }
-    if (found != 1 && value.is_object())
-        problems.addText(path, found == 0 ? "a rule for nothing" : "a rule for several",
-                         "one of material, object and group");
-    rule.codes = givenIn(object, problems);
-    object.finish();
+    if (found != 1)
+        object.refuse(found == 0 ? "a rule for nothing" : "a rule for several",
+                      "one of material, object and group");
+    rule.codes = givenIn(object);
+    object.refuseUnknown();
     return rule;
 }
 
-PaintedSurface surfaceOf(const json& value, const std::string& path, JsonProblems& problems) {
-    JsonObject object(value, path, problems);
+PaintedSurface surfaceOf(const JsonReader& object) {
     PaintedSurface surface;
-    surface.codes = givenIn(object, problems);
-    if (const json* const triangles = object.find("triangles", true)) {
-        if (!triangles->is_array())
-            problems.add(object.pathOf("triangles"), *triangles, "a list of triangles");
-        else
-            for (std::size_t i = 0; i < triangles->size(); ++i) {
-                const json& triangle = (*triangles)[i];
-                bool isRight = triangle.is_array() && triangle.size() == 9;
-                std::array<double, 9> corners{};
-                for (std::size_t k = 0; isRight && k < 9; ++k) {
-                    isRight =
-                        triangle[k].is_number() && std::abs(triangle[k].get<double>()) <= farthest;
-                    if (isRight)
-                        corners[k] = triangle[k].get<double>();
-                }
-                if (!isRight) {
-                    problems.add(object.pathOf("triangles") + "." + std::to_string(i), triangle,
-                                 "nine numbers: x, y, z of three corners");
-                    break;
-                }
-                surface.triangles.push_back(corners);
-            }
+    surface.codes = givenIn(object);
+    for (const JsonReader& triangle : object.at("triangles").list("a list of triangles")) {
+        const auto corners =
+            triangle.numbers(9, farthest, "nine numbers: x, y, z of three corners");
+        if (!corners)
+            break;
+        std::ranges::copy(*corners, surface.triangles.emplace_back().begin());
     }
-    object.finish();
+    object.refuseUnknown();
     return surface;
-}
-
-template <typename Value, typename Read>
-void readList(JsonObject& root, const char* key, std::vector<Value>& values, JsonProblems& problems,
-              const Read& read) {
-    const json* const list = root.find(key);
-    if (list == nullptr)
-        return;
-    if (!list->is_array())
-        return problems.add(key, *list, "a list");
-    for (std::size_t i = 0; i < list->size(); ++i)
-        values.push_back(read((*list)[i], std::string(key) + "." + std::to_string(i), problems));
 }
 
 void writeCodes(json& object, const GivenCodes& codes) {
@@ -139,21 +101,19 @@ std::filesystem::path codesFileOf(const std::filesystem::path& model) {
 
 ModelCodes modelCodesFromJson(const std::string& text, const std::string& fileName) {
     const JsonForm form{.expected = "codes of a model (JSON in UTF-8)", .deepest = 8};
-    const json root = parseJson(text, fileName, form);
-    JsonProblems problems(fileName, text);
+    const JsonReader root(text, fileName, form, JsonErrors::collect);
+    root.at("format").word({formatName});
+    const JsonReader version = root.at("version");
+    if (version.number() != newestVersion)
+        version.refuse(std::to_string(newestVersion));
+    root.throwRefused();
     ModelCodes codes;
-    JsonObject object(root, "", problems);
-    const std::string format = object.text("format", true);
-    if (format != formatName && !format.empty())
-        problems.addText("format", "'" + format + "'", formatName);
-    const double version = object.number("version", newestVersion, true);
-    if (version != newestVersion)
-        problems.addText("version", shownJson(root["version"]), "1");
-    problems.throwIfAny();
-    readList(object, "rules", codes.rules, problems, ruleOf);
-    readList(object, "painted", codes.painted, problems, surfaceOf);
-    object.finish();
-    problems.throwIfAny();
+    for (const JsonReader& rule : root.at("rules").listOrNone())
+        codes.rules.push_back(ruleOf(rule));
+    for (const JsonReader& surface : root.at("painted").listOrNone())
+        codes.painted.push_back(surfaceOf(surface));
+    root.refuseUnknown();
+    root.throwRefused();
     return codes;
 }
 
