@@ -9,14 +9,14 @@
 #include "irsg/atmosphere/import/ModtranCsv.h"
 #include "irsg/atmosphere/import/ModtranJson.h"
 #include "irsg/atmosphere/import/Tape7.h"
+#include "irsg/core/Collect.h"
 #include "irsg/core/FileReplacement.h"
-#include "irsg/core/JsonText.h"
+#include "irsg/core/JsonReader.h"
 
 namespace irsg {
 
 namespace {
 
-using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr const char* formatName = "irsg tabulated atmosphere";
@@ -41,167 +41,85 @@ constexpr const char* pathNames[] = {"", "horizontal", "slant", "to space"};
 class TableReader {
   public:
     TableReader(const std::string& text, const std::string& file)
-        : file_(file),
-          root_(parseJson(text, file, {.expected = "a tabulated atmosphere (JSON)"})),
-          places_(text) {
-        if (!root_.is_object() || root_.value("format", json()) != formatName) {
-            throw InputError({file, "format",
-                              root_.is_object() && root_.contains("format")
-                                  ? shownJson(root_["format"])
-                                  : "no such key",
-                              "\"" + std::string(formatName) + "\""});
-        }
-        if (root_.value("version", json()) != formatVersion) {
-            throw InputError(
-                {file, "version",
-                 root_.contains("version") ? shownJson(root_["version"]) : "no such key",
-                 std::to_string(formatVersion)});
-        }
+        : root_(text, file, {.expected = "a tabulated atmosphere (JSON)", .indexInBrackets = true},
+                JsonErrors::collect) {
+        if (const JsonReader format = root_.at("format"); format.json() != formatName)
+            format.refuse("\"" + std::string(formatName) + "\"");
+        root_.throwRefused();
+        if (const JsonReader version = root_.at("version"); version.json() != formatVersion)
+            version.refuse(std::to_string(formatVersion));
+        root_.throwRefused();
     }
 
     TabulatedAtmosphere read() {
-        const std::vector<double> wavenumbers =
-            numbers(root_, "wavenumbers [cm-1]", "", 0.0, HUGE_VAL);
-        for (std::size_t i = 0; i < wavenumbers.size(); ++i) {
-            if (!(wavenumbers[i] > (i == 0 ? 0.0 : wavenumbers[i - 1]))) {
-                report("wavenumbers [cm-1][" + std::to_string(i) + "]", numberText(wavenumbers[i]),
-                       "positive and ascending wavenumbers");
+        const JsonReader axis = root_.at("wavenumbers [cm-1]");
+        wavenumbers_ = axis.numbers("numbers", {.least = 0.0});
+        for (std::size_t i = 0; i < wavenumbers_.size(); ++i) {
+            if (wavenumbers_[i] <= (i == 0 ? 0.0 : wavenumbers_[i - 1])) {
+                axis.refuse(numberText(wavenumbers_[i]), "positive and ascending wavenumbers",
+                            "[" + std::to_string(i) + "]");
             }
         }
-        if (wavenumbers.size() < 2) {
-            report("wavenumbers [cm-1]", std::to_string(wavenumbers.size()) + " values",
-                   "at least two");
-        }
+        if (wavenumbers_.size() < 2)
+            axis.refuse(std::to_string(wavenumbers_.size()) + " values", "at least two");
+        const JsonReader list = root_.at("runs");
         std::vector<SpectralRun> runs;
-        const json& list = root_.contains("runs") ? root_["runs"] : json();
-        if (!list.is_array() || list.empty())
-            report("runs", list.is_array() ? "an empty array" : "no array", "at least one run");
-        for (std::size_t i = 0; list.is_array() && i < list.size(); ++i)
-            runs.push_back(readRun(list[i], "runs[" + std::to_string(i) + "]", wavenumbers));
-        if (!diagnostics_.empty())
-            throw InputError(std::move(diagnostics_));
-        return {std::move(runs), text(root_, "name", "")};
+        for (const JsonReader& run : list.list("at least one run"))
+            runs.push_back(readRun(run));
+        if (runs.empty())
+            list.refuse("at least one run");
+        std::string name = root_.at("name").text();
+        root_.throwRefused();
+        return {std::move(runs), std::move(name)};
     }
 
   private:
-    void report(const std::string& path, std::string value, std::string expected) {
-        diagnostics_.push_back(
-            {file_, places_.position(path), std::move(value), std::move(expected)});
-    }
-
-    std::string text(const json& object, const char* key, const std::string& path) {
-        if (object.contains(key) && object[key].is_string())
-            return object[key].get<std::string>();
-        report(path + key, object.contains(key) ? shownJson(object[key]) : "no such key", "a text");
-        return "";
-    }
-
-    double number(const json& object, const char* key, const std::string& path, double least,
-                  double largest) {
-        const json value = object.value(key, json());
-        if (value.is_number()) {
-            const double found = value.get<double>();
-            if (std::isfinite(found) && found >= least && found <= largest)
-                return found;
-        }
-        report(path + key, object.contains(key) ? shownJson(value) : "no such key",
-               "a number of " + numberText(least) + " to " + numberText(largest));
-        return 0.0;
-    }
-
-    std::vector<double> numbers(const json& object, const char* key, const std::string& path,
-                                double least, double largest) {
-        std::vector<double> values;
-        const json& list = object.contains(key) ? object[key] : json();
-        if (!list.is_array()) {
-            report(path + key, "no array", "numbers");
-            return values;
-        }
-        for (std::size_t i = 0; i < list.size(); ++i) {
-            const double value = list[i].is_number() ? list[i].get<double>() : std::nan("");
-            if (!(value >= least && value <= largest && std::isfinite(value))) {
-                report(path + key + "[" + std::to_string(i) + "]", shownJson(list[i]),
-                       largest == 1.0 ? "0 to 1" : "a finite number of at least 0");
-            }
-            values.push_back(value);
-        }
-        return values;
-    }
-
-    SpectralRun readRun(const json& object, const std::string& where,
-                        const std::vector<double>& wavenumbers) {
+    SpectralRun readRun(const JsonReader& json) {
         SpectralRun run;
-        run.wavenumbers_per_cm = wavenumbers;
-        if (!object.is_object()) {
-            report(where, shownJson(object), "an object");
+        run.wavenumbers_per_cm = wavenumbers_;
+        if (!json.isObject())
             return run;
-        }
-        const std::string path = where + ".";
-        run.source = text(object, "source", path);
-        const std::string kind = text(object, "kind", path);
-        const std::string line = text(object, "path", path);
-        bool known = false;
-        for (int i = 0; i < 4; ++i) {
-            if (kind == name(static_cast<RunKind>(i))) {
-                run.kind = static_cast<RunKind>(i);
-                known = true;
-            }
-        }
-        if (!known) {
-            report(path + "kind", kind,
-                   "transmittance, thermal radiance, thermal and solar radiance or solar "
-                   "irradiance");
-        }
-        known = false;
-        for (int i = 1; i < 4; ++i) {
-            if (line == pathNames[i]) {
-                run.geometry.path = static_cast<RunPath>(i);
-                known = true;
-            }
-        }
-        if (!known)
-            report(path + "path", line, "horizontal, slant or to space");
+        run.source = json.at("source").text();
+        std::vector<std::string> kinds;
+        for (int i = 0; i < 4; ++i)
+            kinds.push_back(name(static_cast<RunKind>(i)));
+        run.kind = static_cast<RunKind>(json.at("kind").word(kinds));
+        const std::vector<std::string> paths(std::begin(pathNames) + 1, std::end(pathNames));
+        run.geometry.path = static_cast<RunPath>(json.at("path").word(paths) + 1);
         RunGeometry& geometry = run.geometry;
-        geometry.sensorAltitude_m = number(object, "sensor_altitude [m]", path, 0.0, 1e8);
-        geometry.targetAltitude_m = number(object, "target_altitude [m]", path, -1e8, 1e8);
-        geometry.range_m = number(object, "range [m]", path, 0.0, 1e9);
-        geometry.elevation_rad = number(object, "elevation [rad]", path, -1.6, 1.6);
-        if (object.contains("sun_elevation [rad]"))
-            geometry.sunElevation_rad = number(object, "sun_elevation [rad]", path, -1.6, 1.6);
-        if (object.contains("cards") && object["cards"].is_object()) {
-            for (const auto& [card, value] : object["cards"].items()) {
-                run.cards[card] =
-                    number(object["cards"], card.c_str(), path + "cards.", -1e30, 1e30);
-            }
-        }
-        if (object.contains("warnings") && object["warnings"].is_array())
-            for (const json& warning : object["warnings"])
-                run.warnings.push_back(warning.is_string() ? warning.get<std::string>() : "");
+        geometry.sensorAltitude_m = json.at("sensor_altitude [m]").number({0.0, 1e8});
+        geometry.targetAltitude_m = json.at("target_altitude [m]").number({-1e8, 1e8});
+        geometry.range_m = json.at("range [m]").number({0.0, 1e9});
+        geometry.elevation_rad = json.at("elevation [rad]").number({-1.6, 1.6});
+        geometry.sunElevation_rad = json.at("sun_elevation [rad]").numberIfAny({-1.6, 1.6});
+        if (const JsonReader cards = json.at("cards"); cards.exists())
+            for (const auto& [card, value] : cards.members())
+                run.cards[card] = value.number({-1e30, 1e30});
+        for (const JsonReader& warning : json.at("warnings").listOrNone())
+            run.warnings.push_back(warning.text());
         for (const SpectrumKey& spectrum : spectrumKeys) {
-            if (object.contains(spectrum.key) || spectrum.values == &SpectralRun::transmittance) {
-                run.*spectrum.values = numbers(object, spectrum.key, path, 0.0, spectrum.largest);
-                if ((run.*spectrum.values).size() != wavenumbers.size()) {
-                    report(path + spectrum.key,
-                           std::to_string((run.*spectrum.values).size()) + " values",
-                           std::to_string(wavenumbers.size()) + ", one for each wavenumber");
-                }
+            const JsonReader list = json.at(spectrum.key);
+            if (!list.exists() && spectrum.values != &SpectralRun::transmittance)
+                continue;
+            const auto values = list.numbers("numbers", {0.0, spectrum.largest});
+            if (values.size() != wavenumbers_.size()) {
+                list.refuse(std::to_string(values.size()) + " values",
+                            std::to_string(wavenumbers_.size()) + ", one for each wavenumber");
             }
+            run.*spectrum.values = values;
         }
         const bool radiates =
             run.kind == RunKind::thermalRadiance || run.kind == RunKind::solarRadiance;
         if (radiates &&
-            (run.pathRadiance_W_m2_sr_um.empty() || run.totalRadiance_W_m2_sr_um.empty())) {
-            report(where, "no radiances", "path and total radiance in a run of this kind");
-        }
+            (run.pathRadiance_W_m2_sr_um.empty() || run.totalRadiance_W_m2_sr_um.empty()))
+            json.refuse("no radiances", "path and total radiance in a run of this kind");
         if (run.kind == RunKind::sunlight && run.solarIrradiance_W_m2_um.empty())
-            report(where, "no solar irradiance", "it in a run of this kind");
+            json.refuse("no solar irradiance", "it in a run of this kind");
         return run;
     }
 
-    const std::string& file_;
-    json root_;
-    JsonPlaces places_;
-    std::vector<Diagnostic> diagnostics_;
+    JsonReader root_;
+    std::vector<double> wavenumbers_;
 };
 
 /// The first thing in a text that is neither blank nor a byte order mark.
@@ -292,7 +210,7 @@ TabulatedAtmosphere TabulatedAtmosphere::import(std::span<const std::filesystem:
     std::vector<Diagnostic> diagnostics;
     std::vector<SpectralRun> runs;
     for (const std::filesystem::path& file : files) {
-        try {
+        collect(diagnostics, [&] {
             std::vector<SpectralRun> some = readRuns(file);
             const auto isNamesake = [&](const std::filesystem::path& other) {
                 return &other != &file && other.filename() == file.filename();
@@ -301,10 +219,7 @@ TabulatedAtmosphere TabulatedAtmosphere::import(std::span<const std::filesystem:
                 for (SpectralRun& run : some)
                     run.source = (file.parent_path().filename() / run.source).string();
             std::ranges::move(some, std::back_inserter(runs));
-        } catch (const InputError& error) {
-            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
-                               error.diagnostics().end());
-        }
+        });
     }
     if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
