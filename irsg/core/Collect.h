@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "irsg/core/Errors.h"
@@ -15,6 +17,20 @@ void collect(std::vector<Diagnostic>& diagnostics, const Work& work) {
     } catch (const InputError& error) {
         diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
                            error.diagnostics().end());
+    }
+}
+
+/// The same; what is in `diagnostics` already, word for word, is not said again.
+template <typename Work>
+void collectOnce(std::vector<Diagnostic>& diagnostics, const Work& work) {
+    std::vector<Diagnostic> found;
+    collect(found, work);
+    for (Diagnostic& one : found) {
+        const auto isSame = [&](const Diagnostic& other) {
+            return other.message() == one.message();
+        };
+        if (std::ranges::none_of(diagnostics, isSame))
+            diagnostics.push_back(std::move(one));
     }
 }
 

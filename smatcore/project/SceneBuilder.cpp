@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/render/background/Skybox.h"
@@ -16,16 +17,7 @@ namespace smat {
 
 namespace {
 
-/// Runs one piece of the work and keeps what it refuses, so that all pieces are judged in one go.
-template <typename Work>
-void collect(std::vector<irsg::Diagnostic>& diagnostics, const Work& work) {
-    try {
-        work();
-    } catch (const irsg::InputError& error) {
-        diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
-                           error.diagnostics().end());
-    }
-}
+using irsg::collect;
 
 void addRemarks(std::vector<std::string>& remarks, const irsg::Model* model,
                 const std::filesystem::path& file) {

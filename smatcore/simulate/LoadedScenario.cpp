@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "irsg/atmosphere/EnvironmentVariants.h"
+#include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
 #include "irsg/signature/ScalingXml.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
@@ -37,21 +38,10 @@ class Loader {
     }
 
   private:
-    /// Runs one piece of the work and keeps what it refuses. What several sensors share is refused
-    /// once.
+    /// Keeps what a piece of the work refuses. What several sensors share is refused once.
     template <typename Work>
     void collect(const Work& work) {
-        try {
-            work();
-        } catch (const irsg::InputError& error) {
-            for (const irsg::Diagnostic& diagnostic : error.diagnostics()) {
-                const auto isSame = [&](const irsg::Diagnostic& other) {
-                    return other.message() == diagnostic.message();
-                };
-                if (std::none_of(diagnostics_.begin(), diagnostics_.end(), isSame))
-                    diagnostics_.push_back(diagnostic);
-            }
-        }
+        irsg::collectOnce(diagnostics_, work);
     }
 
     Trajectory pathOf(const ScenarioEntity& entity, std::size_t index) {
