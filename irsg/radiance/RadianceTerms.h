@@ -68,7 +68,7 @@ struct RadianceTerm {
 
 /// The one list of what a surface can send (report eqs. 1 to 3, corrected as docs/physics.md says).
 /// The shader's source is made from it, factors are summed by it and spectra are evaluated by it;
-/// nothing else knows a term by name. How to add one: docs/architecture.md.
+/// nothing else knows a term by name. How to add one: CONTRIBUTING.md.
 class RadianceTerms {
   public:
     std::vector<FrameDirection> directions;
