@@ -20,7 +20,7 @@ struct Provenance {
     bool operator==(const Provenance&) const = default;
 };
 
-/// "0.1.0".
+/// "0.3.0".
 std::string programVersion();
 
 } // namespace smat
