@@ -12,6 +12,7 @@
 #include "irsg/image/ComparisonFigures.h"
 #include "irsg/image/ImageFile.h"
 #include "irsg/image/ImageFormat.h"
+#include "smatcore/data/Provenance.h"
 
 namespace smat::batch {
 
@@ -190,8 +191,8 @@ int compare(const CompareOptions& options, Context& context) {
         // The picture is of the whole, whatever part is judged.
         const StageTimer::Scope scope(&context.timer, "write");
         compared.rectangle.reset();
-        const auto image =
-            irsg::differenceImage(a, b, irsg::compareImages(a, b, compared), compared);
+        auto image = irsg::differenceImage(a, b, irsg::compareImages(a, b, compared), compared);
+        image.attributes["program"] = "smat " + programVersion();
         for (const std::string& file : options.out)
             writeDifference(image, file);
     }

@@ -11,6 +11,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/image/ComparisonFigures.h"
 #include "irsg/image/ImageFile.h"
+#include "smatcore/data/Provenance.h"
 
 namespace smat::gui {
 
@@ -226,7 +227,10 @@ QString ComparedPair::readoutAt(int x, int y) const {
 irsg::RadianceImage ComparedPair::exported() const {
     if (!whole_)
         throw irsg::LogicError("two images that were not compared");
-    return irsg::differenceImage(*sides_[0].image, *sides_[1].image, *whole_, options_, mode_);
+    auto image =
+        irsg::differenceImage(*sides_[0].image, *sides_[1].image, *whole_, options_, mode_);
+    image.attributes["program"] = "smat " + programVersion();
+    return image;
 }
 
 } // namespace smat::gui

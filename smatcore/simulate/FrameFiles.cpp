@@ -13,6 +13,7 @@
 #include "smatcore/project/SceneScalings.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
+#include "smatcore/support/BuildId.h"
 #include "smatcore/support/Folders.h"
 
 namespace smat {
@@ -126,6 +127,8 @@ Provenance sensorProvenance(const LoadedScenario& of, std::size_t sensor,
         }
     }
     tellDrawnScales(loaded.scene, loaded.settings, provenance);
+    if (!buildId().empty())
+        provenance.add("build", buildId());
     return provenance;
 }
 
