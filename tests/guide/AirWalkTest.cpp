@@ -61,9 +61,8 @@ class AirWalkTest : public test::GuideFixture {
 TEST_F(AirWalkTest, RadiativeOutput) {
     test::GuideWalk walk("air", "Radiative output");
     openHaze();
-    walk.step(
-        "Tools → Radiative output… computes transmittance, path radiance, background radiance, "
-        "the sun's irradiance and the upward and downward fluxes as spectra");
+    walk.step("Tools → Radiative output… computes transmittance, path radiance, background "
+              "radiance, the sun's irradiance and the upward and downward fluxes as spectra");
     act("radiativeOutput");
     auto* tool = page<RadiativePage>();
     ASSERT_NE(tool, nullptr);
@@ -114,10 +113,9 @@ TEST_F(AirWalkTest, AirOfYourOwn) {
     window->activateWindow();
     workbench.set("target.altitude", "300");
     workbench.set("camera.range", "4000");
-    walk.step(
-        "Tools → New air begins with the report's defaults, File → Open… opens an "
-        "AtmosphereSmart file. All its parameters are fields, each with its unit; the one that "
-        "has the keys is explained below them");
+    walk.step("Tools → New air begins with the report's defaults, File → Open… opens an "
+              "AtmosphereSmart file. All its parameters are fields, each with its unit. The field "
+              "with the focus is explained below them");
     act("newAir");
     auto* air = page<AirPage>();
     ASSERT_NE(air, nullptr);
@@ -134,8 +132,8 @@ TEST_F(AirWalkTest, AirOfYourOwn) {
     EXPECT_TRUE(isBold(*air, "Visibility"));
 
     walk.step(
-        "While you type, the plots follow: transmittance and path radiance over the wavelength "
-        "along the line of sight, and the air's temperature and humidity over the altitude.");
+        "While you type, the plots follow: transmittance and path radiance over the "
+        "wavelength along the line of sight, and temperature and humidity over the altitude.");
     ASSERT_TRUE(settles(*air));
     EXPECT_LT(air->plots().spectra().meanTransmittance, clear);
     EXPECT_FALSE(air->plots().column().temperature_C.empty());
@@ -171,9 +169,8 @@ TEST_F(AirWalkTest, AirOfYourOwn) {
     write(get<QLineEdit>("WindSpeed", air), "9"); // a maritime aerosol alone asks for it
     EXPECT_TRUE(get<QLabel>("airRemarks", air)->text().contains("WindSpeed"));
 
-    walk.step(
-        "What is typed in one go is one step of Edit → Undo. Save air (also Ctrl+S, while the "
-        "page is shown) writes the file");
+    walk.step("Text typed in one go is one step of Edit → Undo. Save air (also Ctrl+S, while the "
+              "page is shown) writes the file");
     EXPECT_EQ(workbench.undoStack().index(), steps + 4);
     while (workbench.undoStack().index() > steps + 1) {
         act("undo");
@@ -231,10 +228,10 @@ TEST_F(AirWalkTest, TheAirOfTheProject) {
     workbench.set("sensor.band", "3-5, 8-12");
     workbench.set("environment.atmospheres",
                   (folder / "own.xml").string() + ";" + (folder / "haze.csv").string());
-    walk.step(
-        "Tools → Air of the project lists the project's atmospheres in the order in which they "
-        "are asked: the first that has a quantity in the whole band answers. Drag them, or use "
-        "Alt+Up and Alt+Down, to order them; Add…, Remove and Edit do what they say");
+    walk.step("Tools → Air of the project lists the project's atmospheres in the order in which "
+              "they are queried: the first that has a quantity in the whole band provides it. Drag "
+              "them, or use Alt+Up and Alt+Down, to order them. Add…, Remove and Edit are each a "
+              "step");
     act("projectAir");
     auto* air = page<ProjectAirPage>();
     ASSERT_NE(air, nullptr);
@@ -287,8 +284,9 @@ TEST_F(AirWalkTest, ResultsOfModtranAndTemperatureProfile) {
     openHaze();
     {
         test::GuideWalk walk("air", "Results of MODTRAN");
-        walk.step("Tools → Import results of MODTRAN… reads runs of MODTRAN as they are added with "
-                  "Add a file… or Add a folder… and says beside each what is wrong with it.");
+        walk.step(
+            "Tools → Import results of MODTRAN… reads runs of MODTRAN as they are added with Add "
+            "a file… or Add a folder… and shows errors beside each.");
         irsg::SyntheticRun run;
         for (const char* name : {"RUN1", "RUN2"}) {
             std::filesystem::create_directories(folder / name);
@@ -329,8 +327,8 @@ TEST_F(AirWalkTest, ResultsOfModtranAndTemperatureProfile) {
     }
     workbench.set("environment.atmospheres", (folder / "haze.csv").string());
     test::GuideWalk walk("air", "Temperature profile");
-    walk.step("Tools → Temperature profile… plots the temperature of the air from a least to a "
-              "largest altitude.");
+    walk.step("Tools → Temperature profile… plots the temperature of the atmosphere from a lowest "
+              "to a highest altitude.");
     act("temperatureProfile");
     auto* tool = page<TemperatureProfilePage>();
     ASSERT_NE(tool, nullptr);

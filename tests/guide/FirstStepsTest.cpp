@@ -141,7 +141,7 @@ class FirstStepsTest : public test::GuideFixture {
 
         walk.step("Keep it. Ctrl+S saves the project, Ctrl+Shift+D the signature database; Export… "
                   "(Ctrl+E) writes the plot as a picture or as numbers. The asterisk in the title "
-                  "goes.");
+                  "disappears.");
         for (const auto& [action, key] : {std::pair{"saveProject", "Ctrl+S"},
                                           {"saveDatabase", "Ctrl+Shift+D"},
                                           {"exportShown", "Ctrl+E"}}) {

@@ -137,10 +137,9 @@ TEST_F(OwnModelTest, FromAFileWithoutCodesToAPolarPlot) {
     dock().raise();
     QTest::qWait(30);
     EXPECT_TRUE(get<QLabel>("bannerText")->isVisible()) << "it has none yet";
-    walk.step(
-        "Name what it is made of. File → First signature from names…, or the button for it in "
-        "the database. Each row is a material of the file with what its name suggests: "
-        "Exhaust_Pipe is oxidised nickel alloy, 400 K warmer than the air");
+    walk.step("Name what it is made of. File → First signature from names…, or the button for it "
+              "in the database. Each row is a material of the file with the suggestion of its "
+              "name: Exhaust_Pipe is oxidised nickel alloy, 400 K warmer than the air");
     onDialog = [&](QDialog& dialog) {
         ASSERT_TRUE(isReady(dialog));
         const auto* table = dialog.findChild<QTableWidget*>("surfaces");
@@ -156,11 +155,11 @@ TEST_F(OwnModelTest, FromAFileWithoutCodesToAPolarPlot) {
         EXPECT_EQ(dialog.findChild<NumberField*>("kelvin." + canopy)->value(), 300.0);
         test::keepScreenshot(dialog, "own-aircraft-surfaces");
         walk.step(
-            "Place it. The tab Placing says how the file's axes and unit are understood, and "
-            "shows the model with a man beside it. glTF is in metres, says its standard; then "
-            "this helicopter were 1.2 km long, so centimetres are proposed. If a guess is wrong, "
-            "choose up, nose, unit or origin by hand; Guess from the model brings the proposal "
-            "back.");
+            "Place it. The tab Placing says how the file's axes and unit are interpreted, and "
+            "shows the model with a man beside it. By its standard glTF is in metres; this "
+            "helicopter would then be 1.2 km long, so centimetres are proposed. If a guess is "
+            "wrong, choose up, nose, unit or origin by hand; Guess from the model restores the "
+            "proposal.");
         dialog.findChild<QTabWidget*>()->setCurrentIndex(1);
         EXPECT_EQ(dialog.findChild<QComboBox*>("placing.unit")->currentText(), "centimetres");
         EXPECT_TRUE(dialog.findChild<QLabel*>("placing.said")->text().contains("1167 m long"));
@@ -215,11 +214,11 @@ TEST_F(OwnModelTest, FromAFileWithoutCodesToAPolarPlot) {
     EXPECT_LT(hot, lit / 8);
     EXPECT_GT(lit, 3000);
 
-    walk.step(
-        "Paint what has no name. View → Paint codes (F4) takes faces by hand. Pick says what a "
-        "click in the view chooses: Single faces, a Connected part, All of one material, a "
-        "Smooth surface, which ends where it bends by more than the angle, or a Box in the view, "
-        "with Also hidden faces on demand. Shift adds to the selection, Ctrl takes away.");
+    walk.step("Paint what has no name. View → Paint codes (F4) takes faces by hand. Pick sets what "
+              "a click in the view selects: Single faces, a Connected part, All of one material, a "
+              "Smooth surface, which ends where it bends by more than the angle, or a Box in the "
+              "view, with Also hidden faces on demand. Shift adds to the selection, Ctrl takes "
+              "away.");
     paint(*view);
 
     walk.step("Plot it. Analysis → New polar analysis… (Ctrl+3), Run. Save the project (Ctrl+S)");

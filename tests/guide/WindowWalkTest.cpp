@@ -49,11 +49,10 @@ class WindowWalkTest : public test::GuideFixture {
 
 TEST_F(WindowWalkTest, StartPageAndDocks) {
     test::GuideWalk walk("window", "");
-    walk.step(
-        "While nothing is open, the start page offers samples, the files of last time, and where "
-        "to begin with a model of one's own; a click on a sample and one on Infrared show the "
-        "first infrared picture. The samples are under File → Samples, too, this guide under "
-        "Help → User guide (Shift+F1). Samples stay as they came");
+    walk.step("While nothing is open, the start page offers samples, recent files and a start with "
+              "a model of your own. A click on a sample and one on Infrared show the first "
+              "infrared picture. The samples are under File → Samples, too, this guide under Help "
+              "→ User guide (Shift+F1). Samples are never overwritten");
     get<QToolButton>("sample-sphere")->click();
     ASSERT_TRUE(waitForModel());
     get<QToolButton>("showInfrared")->click();
@@ -70,9 +69,8 @@ TEST_F(WindowWalkTest, StartPageAndDocks) {
     ASSERT_NE(window->findChild<GuidePage*>(), nullptr);
     EXPECT_TRUE(window->findChild<GuidePage*>()->toPlainText().contains("Your first signature"));
 
-    walk.step(
-        "Docks around it can be moved, floated and hidden (View menu); F6 puts them all away and "
-        "back.");
+    walk.step("Docks around it can be moved, floated and hidden (View menu); F6 hides them all and "
+              "shows them again.");
     const int docks = docksInSight();
     EXPECT_GE(docks, 3);
     EXPECT_EQ(get<QAction>("collapseDocks")->shortcut(), QKeySequence(Qt::Key_F6));
@@ -232,9 +230,8 @@ TEST_F(WindowWalkTest, TheView) {
     }
     EXPECT_EQ(irsg::readExr(folder / "view.exr").primary().values,
               view().shownPicture()->image->primary().values);
-    walk.step(
-        "A large model is read beside the window, which stays alive; the status bar says which "
-        "file and for how long.");
+    walk.step("A large model is read in the background while the window stays responsive; the "
+              "status bar shows the file and the time.");
     // A sound model of many equal triangles, more than is read within a moment.
     constexpr std::uint32_t facets = 90'000;
     std::string stl(80, ' ');
@@ -253,7 +250,7 @@ TEST_F(WindowWalkTest, TheView) {
     QTest::qWait(300);
     ASSERT_TRUE(waitForModel());
     EXPECT_EQ(workbench.project().displayName(), "ship.smat");
-    walk.note("Without OpenGL the view says so; everything else works.");
+    walk.note("Without OpenGL the view shows a message; everything else works.");
     EXPECT_TRUE(told.isEmpty()) << said();
 }
 
@@ -261,9 +258,9 @@ TEST_F(WindowWalkTest, SceneCameraAndModel) {
     test::GuideWalk walk("window", "Scene, camera and model");
     openSample();
     ASSERT_TRUE(test::waitUntil([this] { return !window->tree().isLoading(); }));
-    walk.step(
-        "The tree shows the project: its models with the temperature and material indices their "
-        "faces carry and how many faces each has, the sensor, the air, the sun and the analyses.");
+    walk.step("The tree shows the project: its models with the temperature and material indices of "
+              "their faces and the number of faces of each, the sensor, the atmosphere, the sun "
+              "and the analyses.");
     auto* tree = get<QTreeWidget>("sceneTree");
     QTreeWidgetItem* entry = nullptr;
     int withFaces = 0;
@@ -340,9 +337,8 @@ TEST_F(WindowWalkTest, Projects) {
     };
     act("projectProperties");
     EXPECT_EQ(workbench.project().title, "Another box");
-    walk.step(
-        "File → Import or convert a model… turns OpenFlight into OSG files and back, and says "
-        "what it kept.");
+    walk.step("File → Import or convert a model… turns OpenFlight into OSG files and back, and "
+              "reports what was preserved.");
     QString report;
     onDialog = [&](QDialog& dialog) {
         dialog.findChild<QLineEdit*>("input")->setText(SMAT_SOURCE_DIR "/samples/box/box.flt");
@@ -364,10 +360,10 @@ TEST_F(WindowWalkTest, Projects) {
 TEST_F(WindowWalkTest, SettingsAndHelp) {
     test::GuideWalk walk("window", "Settings");
     openSample();
-    walk.step(
-        "One window has all settings of the project: Analysis → Analysis settings… (F8) opens it "
-        "at band and calculation, Tools → Options… (F9) at the antialiasing. Type any word of a "
-        "setting into Search, field of view or --layers, and only what has it is left.");
+    walk.step("One window has all settings of the project: Analysis → Analysis settings… (F8) "
+              "opens it at band and calculation, Tools → Options… (F9) at the antialiasing. Type "
+              "any word of a setting into Search, field of view or --layers, and only settings "
+              "that contain it remain.");
     QStringList pages;
     onDialog = [&](QDialog& dialog) {
         pages << dialog.findChild<QListWidget*>("pageList")->currentItem()->text();
@@ -424,9 +420,8 @@ TEST_F(WindowWalkTest, SettingsAndHelp) {
     EXPECT_NE(smat::test::contentOf(folder / "ship.smat").find("sunDisc"), std::string::npos);
     terminal("smat-batch image ship.smat --set render.sunDisc=false --set sensor.width=16 --set "
              "sensor.height=16 --out x.exr");
-    walk.step(
-        "Edit → Preferences… (Ctrl+,) holds what belongs to the person and not to the project: "
-        "theme, colour map of new projects, recovery copies.");
+    walk.step("Edit → Preferences… (Ctrl+,) holds settings of the user, not of the project: theme, "
+              "colour map of new projects, recovery copies.");
     EXPECT_EQ(get<QAction>("preferences")->shortcut(), QKeySequence("Ctrl+,"));
     accept = false;
     bool isSeen = false;
@@ -439,8 +434,8 @@ TEST_F(WindowWalkTest, SettingsAndHelp) {
     act("preferences");
     EXPECT_TRUE(isSeen);
     walk.step("Help → Keys and mouse (F1) lists every key; Help → About SMAT the versions and the "
-              "renderers in use. Help → Self-test… holds what this machine and its OpenGL driver "
-              "compute against closed forms and published numbers: Start");
+              "renderers in use. Help → Self-test… compares the results of this machine and its "
+              "OpenGL driver with closed forms and published numbers. Start runs it");
     QString words;
     onDialog = [&](QDialog& dialog) {
         for (const auto* label : dialog.findChildren<QLabel*>()) {
