@@ -50,12 +50,12 @@ TEST_F(AnalysesWalkTest, AnalysesOfEachKind) {
          "polar", "Ctrl+3"},
         {"Time (Ctrl+4) | intensity over time: temperatures and plumes that change", "time",
          "Ctrl+4"},
-        {"Range (Ctrl+5) | intensity over range, through the air", "range", "Ctrl+5"},
+        {"Range (Ctrl+5) | intensity over range, through the atmosphere", "range", "Ctrl+5"},
         {"Condition (Ctrl+6) | intensity over engine power, Mach number or altitude; the camera "
          "climbs with the target",
          "condition", "Ctrl+6"},
-        {"Table (Ctrl+7) | intensity over every direction, range and state that is asked for, for "
-         "other programs",
+        {"Table (Ctrl+7) | intensity over all chosen directions, ranges and states, for other "
+         "programs",
          "table", "Ctrl+7"}};
     std::string command;
     onDialog = [&](QDialog& dialog) {
@@ -95,8 +95,8 @@ TEST_F(AnalysesWalkTest, AnalysesOfEachKind) {
         runAnalysis("condition");
         EXPECT_NE(table().find(over), nullptr) << over;
     }
-    walk.step("Contrast intensity is what the object gives above the background it hides, in W/sr; "
-              "irradiance is that at the sensor.");
+    walk.step("Contrast intensity is the intensity of the object minus that of the background it "
+              "hides, in W/sr; irradiance is that at the sensor.");
     const ResultTable& range = results[4].data->table;
     EXPECT_EQ(range.find("contrast_intensity")->unit, "W sr-1");
     ASSERT_NE(range.find("irradiance"), nullptr);
@@ -112,14 +112,11 @@ TEST_F(AnalysesWalkTest, AnalysesOfEachKind) {
         EXPECT_EQ(window->currentPage()->cartesianPlot() != nullptr, i != 0 && i != 2);
     }
 
-    walk.step(
-        "While nothing is open, or the model has no signature database, the analyses are grey, "
-        "and their tooltips say why.");
+    walk.step("While nothing is open, or the model has no signature database, the analyses are "
+              "grey, and their tooltips give the reason.");
     EXPECT_TRUE(polar->isEnabled());
-    walk.step(
-        "The dialog begins with the project's settings; what is changed in it belongs to this "
-        "analysis alone. The last line is the command that computes the same numbers in a "
-        "terminal.");
+    walk.step("The dialog begins with the project's settings; changes apply to this analysis "
+              "alone. The last line is the command that computes the same numbers in a terminal.");
     onDialog = [&](QDialog& dialog) {
         auto* step = dialog.findChild<QComboBox*>("polar.step")->lineEdit();
         EXPECT_EQ(step->text(), "30");
@@ -142,10 +139,9 @@ TEST_F(AnalysesWalkTest, AnalysesOfEachKind) {
     emit own->aboutToShow();
     EXPECT_GE(own->actions().size(), 1);
 
-    walk.step(
-        "A run never blocks the window. The status bar shows how far it is and about how long "
-        "it will take, whichever dock is in front; Cancel (Esc) stops and keeps what is done, "
-        "marked as partial. What is asked for meanwhile waits in line");
+    walk.step("A run never blocks the window. The status bar shows its progress and the remaining "
+              "time, whichever dock is in front; Cancel (Esc) stops it and keeps the finished "
+              "cases, marked as partial. Further jobs wait in line");
     const auto start = [&](const char* name, const char* step) {
         AnalysisData data =
             AnalysisData::of(workbench.project(), AnalysisKind::polar, workbench.settings());
@@ -185,7 +181,7 @@ TEST_F(AnalysesWalkTest, AnalysesOfEachKind) {
 }
 
 TEST_F(AnalysesWalkTest, HowSureANumberIs) {
-    test::GuideWalk walk("analyses", "How sure a number is");
+    test::GuideWalk walk("analyses", "How accurate a number is");
     openSample();
     const auto ask = [&](const char* key, const QString& value) {
         onDialog = [=](QDialog& dialog) {
@@ -205,8 +201,8 @@ TEST_F(AnalysesWalkTest, HowSureANumberIs) {
         };
     };
     walk.step("Errors of results on the page Rendering gives intensities, contrast and irradiance "
-              "their error, as a sum or by its causes; the plot draws it as a band, the crosshair "
-              "reads it as 12.5 ± 0.3.");
+              "their error, as a sum or by its causes. The plot shows it as a band, and the "
+              "crosshair as 12.5 ± 0.3.");
     workbench.set("render.errors", "causes");
     runAnalysis("range");
     EXPECT_NE(table().find("error_contrast_intensity") != nullptr ||
@@ -217,10 +213,9 @@ TEST_F(AnalysesWalkTest, HowSureANumberIs) {
     EXPECT_TRUE(plot->readoutAt(QPointF(plot->sheet()->rect().center())).contains("±"));
     workbench.set("render.errors", "off");
 
-    walk.step(
-        "Target error beside it goes the other way: the program chooses windows, air, "
-        "background and the light that counts, so that errors stay below it, and the result's "
-        "details say what was chosen");
+    walk.step("Target error beside it works the other way: the program chooses sample tiles, "
+              "spectral resolution, background and the terms that matter, so that errors stay "
+              "below it, and the result's details list the choices");
     workbench.set("render.targetError", "10%");
     runAnalysis("range");
     bool isSaid = false;
@@ -254,9 +249,8 @@ TEST_F(AnalysesWalkTest, TimeAgainstError) {
     test::GuideWalk walk("analyses", "Time against error");
     openSample();
     workbench.set("render.bounces", "0");
-    walk.step(
-        "Tools → Time against error calculates the view of the project in many ways, or in all "
-        "of them, and draws what each costs and how wrong it is.");
+    walk.step("Tools → Time against error calculates the view of the project in many "
+              "configurations, or in all of them, and plots time and true error of each.");
     act("frontier");
     auto* tool = page<FrontierPage>();
     ASSERT_NE(tool, nullptr);
@@ -324,9 +318,8 @@ TEST_F(AnalysesWalkTest, DirectionsOfPolarPlots) {
               "counter-clockwise, seen from above");
     goes("model-yaw", {nose, starboard, tail, port});
 
-    walk.step(
-        "The direction is written on each plot. From and To cut a sector out of the turn; Last "
-        "view offset goes round at several elevations, a curve each.");
+    walk.step("The direction is written on each plot. From and To cut a sector out of the turn; "
+              "Last view offset adds curves at several elevations.");
     EXPECT_FALSE(window->currentPage()->polarPlot()->data().directionNote.isEmpty());
     workbench.set("polar.type", "camera-azimuth");
     bool isGrey = false;
@@ -363,7 +356,7 @@ TEST_F(AnalysesWalkTest, Results) {
     selectResults({0});
     emit list()->itemActivated(list()->item(0));
     EXPECT_EQ(window->currentPage()->resultIds(), QList<int>{workbench.results()[0].id});
-    walk.step("lay several over each other | select them, Overlay");
+    walk.step("overlay several | select them, Overlay");
     selectResults({0, 1});
     act("overlayResultsAction");
     EXPECT_EQ(window->currentPage()->cartesianPlot()->data().curves.size(), 2U);
@@ -421,14 +414,14 @@ TEST_F(AnalysesWalkTest, Results) {
     };
     act("annotateResultAction");
     onDialog = nullptr;
-    walk.step("keep it | File → Save project (Ctrl+S): all results of the list are kept with the "
+    walk.step("save it | File → Save project (Ctrl+S): all results of the list are stored with the "
               "project");
     const auto count = workbench.results().size();
     EXPECT_EQ(get<QDockWidget>("resultsDock")->windowTitle(),
               QString("Results (%1 not saved)").arg(count));
     trigger("saveProject");
     EXPECT_EQ(get<QDockWidget>("resultsDock")->windowTitle(), "Results");
-    walk.step("take it elsewhere | Save result…; Open saved result… makes it a result again");
+    walk.step("export it | Save result…; Open saved result… makes it a result again");
     selectResults({0});
     for (const char* name : {"r.csv", "r.json"}) {
         chosen = path(name);
@@ -455,9 +448,8 @@ TEST_F(AnalysesWalkTest, Results) {
     EXPECT_EQ(exr.primary().values, workbench.results()[2].data->image.primary().values);
     EXPECT_TRUE(exr.attributes.contains("command"));
 
-    walk.step(
-        "are kept in a folder beside the project, ship.results beside ship.smat, and are there "
-        "again when it is opened");
+    walk.step("are stored in a folder beside the project, ship.results beside ship.smat, and are "
+              "available again when it is opened");
     trigger("saveProject");
     EXPECT_TRUE(std::filesystem::is_directory(folder / "ship.results"));
     const auto all = workbench.results().size();

@@ -103,8 +103,8 @@ TEST_F(ComparisonWalkTest, TwoImagesAndTheirDifference) {
     EXPECT_TRUE(get<QCheckBox>("markPixels", compared)->isChecked());
     press(Qt::Key_X);
 
-    walk.step("The table has all numbers together: mean error, MAE, RMSE, PSNR with its peak, "
-              "relMSE with its ε");
+    walk.step("The table has all numbers: mean error, MAE, RMSE, PSNR with its peak, relMSE with "
+              "its ε");
     const QString numbers = compared->numbers()->allText();
     for (const char* word :
          {"Mean error, A − B", "Mean absolute error", "RMS error", "PSNR", "peak 3", "relMSE",
@@ -130,7 +130,7 @@ TEST_F(ComparisonWalkTest, TwoImagesAndTheirDifference) {
     terminal("smat-batch compare a.exr a.exr --warn 1e-6 --fail 1e-3", 0);
 
     walk.step("In fog and spray objects have a haze: Tools → Options…, page Scattering, switches "
-              "it on, names the database");
+              "it on, names its MTF database");
     openSample();
     bool isThere = false;
     onDialog = [&](QDialog& dialog) {

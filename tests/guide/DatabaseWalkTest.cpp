@@ -66,10 +66,9 @@ TEST_F(DatabaseWalkTest, SelectAndSee) {
     EXPECT_NE(sum(), before);
     act("undo");
 
-    walk.step(
-        "Click on a face in the view: its entries are selected. Select an entry: its faces are "
-        "highlighted. Every edit is a step of undo with a name. The number of faces that carry "
-        "an index stands beside it, also when it is renumbered or deleted.");
+    walk.step("Click on a face in the view: its entries are selected. Select an entry: its faces "
+              "are highlighted. Every edit is a step of undo with a name. The number of faces that "
+              "carry an index is shown beside it, also when it is renumbered or deleted.");
     QPoint at;
     std::optional<int> clicked;
     for (int y = 10; y < view.height() && !clicked; y += 7) {
@@ -128,7 +127,7 @@ TEST_F(DatabaseWalkTest, Material) {
     chooseTab("materialTabs", "Emissivity");
     auto* emissivity = panel("emissivity");
     walk.step("Emissivity and transmissivity, grey or spectral, as a table beside its plot; "
-              "reflectivity is what is left to 1 and is shown with them.");
+              "reflectivity is the remainder to 1 and is shown with them.");
     auto* table = emissivity->findChild<NodeTable*>();
     auto* plot = emissivity->findChild<NodePlot*>();
     ASSERT_TRUE(table->model()->setData(table->model()->index(0, 1), "0.5", Qt::EditRole));
@@ -168,10 +167,9 @@ TEST_F(DatabaseWalkTest, Material) {
     type("nAngleFactor", "1.5");
     EXPECT_EQ(material().nAngleFactor, 1.5);
 
-    walk.step(
-        "The page Surface says how the material reflects over directions. Lambertian is alike in "
-        "all; the facets suit metals and glossy coats (roughness 0.02 is a polished sheet, 0.1 "
-        "to 0.3 gloss or metal as it comes, 0.5 and more matt)");
+    walk.step("The page Surface sets how the material reflects over directions. Lambertian is "
+              "equal in all; the facets suit metals and glossy coats (roughness 0.02 is a polished "
+              "sheet, 0.1 to 0.3 gloss or untreated metal, 0.5 and more matt)");
     type("nAngleFactor", "0");
     chooseTab("materialTabs", "Surface");
     const QImage matt = ball();
@@ -244,10 +242,9 @@ TEST_F(DatabaseWalkTest, Material) {
     find<QAction>("menuImportMaterial")->trigger();
     accept = true;
 
-    walk.step(
-        "Add from library… has common paints, metals and grounds with the origin of their "
-        "values. Copy from another database… takes entries over, and shows what becomes of equal "
-        "indices before it does.");
+    walk.step("Add from library… has common paints, metals and grounds with the origin of their "
+              "values. Copy from another database… copies entries, and first shows what happens to "
+              "equal indices.");
     onDialog = [&](QDialog& dialog) {
         auto& copy = dynamic_cast<CopyEntriesDialog&>(dialog);
         copy.choose({EntryKind::material, 1});
@@ -274,11 +271,10 @@ TEST_F(DatabaseWalkTest, Material) {
 
 TEST_F(DatabaseWalkTest, Temperature) {
     test::GuideWalk walk("database", "Temperature");
-    walk.step(
-        "Use temperature: the surface temperature of the report's equation 7. In the tab of its "
-        "terms are T_0, the share of the ambient temperature, the recovery term 0.2 r M², ΔT, "
-        "and tables over time, engine power, altitude, Mach number and the temperature of the "
-        "air. What comes out for the present state is shown below.");
+    walk.step("Use temperature: the surface temperature of the report's equation 7. In the tab of "
+              "its terms are T_0, the share of the ambient temperature, the recovery term 0.2 r "
+              "M², ΔT, and tables over time, engine power, altitude, Mach number and the ambient "
+              "temperature. The result for the present state is shown below.");
     dock().select({EntryKind::temperature, 1});
     chooseTab("temperatureTabs", "Equation terms");
     for (const auto& [field, text] : {std::pair{"base_K", "10"},
@@ -309,7 +305,7 @@ TEST_F(DatabaseWalkTest, Temperature) {
     EXPECT_NEAR(match.captured(1).toDouble(), wanted_K, 0.2) << result.toStdString();
 
     walk.step("User-defined spectrum: the sum of components, each with a constant factor or tables "
-              "over time (which may repeat) and angle. Both are kept; Tables or Constant alone "
+              "over time (which may repeat) and angle. Both are stored; Tables or Constant alone "
               "chooses.");
     int plume = 0;
     for (const auto& [index, entry] : session().value().temperatures) {
@@ -338,7 +334,7 @@ TEST_F(DatabaseWalkTest, SpectrumFindingsAndSafety) {
         test::GuideWalk walk("database", "Spectrum");
         walk.step(
             "Measured or computed radiance, component by component, imported from CSV with um or "
-            "cm-1 in its first cell. Inside its reference distance the air is part of the "
+            "cm-1 in its first cell. Up to its reference distance the atmosphere is part of the "
             "measurement");
         dock().tabs()->setCurrentIndex(2);
         smat::test::write(folder / "gas.csv", "um,CO2,H2O\n3,1,2\n4,3,2\n5,1,2\n");
@@ -356,10 +352,10 @@ TEST_F(DatabaseWalkTest, SpectrumFindingsAndSafety) {
     {
         test::GuideWalk walk("database", "Findings");
         walk.step(
-            "The physics is checked while one types: sums of emissivity and transmissivity, "
-            "spectra that do not cover the band, units that cannot be, tables that do not "
-            "ascend, temperatures out of range, indices without entries, entries without faces, "
-            "and the scaling files beside the model.");
+            "The editor checks the physics as you type: sums of emissivity and transmissivity, "
+            "spectra that do not cover the band, impossible units, tables that do not ascend, "
+            "temperatures out of range, indices without entries, entries without faces, and the "
+            "scaling files beside the model.");
         dock().findings()->look();
         const int before = dock().findings()->errors();
         session().edit("Spoil it", [](irsg::SignatureDatabase& database) {
@@ -405,9 +401,8 @@ TEST_F(DatabaseWalkTest, SpectrumFindingsAndSafety) {
         EXPECT_EQ(material().emissivity, irsg::Spectrum::constant(0.92));
     }
     test::GuideWalk walk("database", "Nothing is lost");
-    walk.step(
-        "A save is one transaction: a crash leaves the old state or the new one. Unsaved edits "
-        "are kept in a copy beside the file and offered the next time");
+    walk.step("A save is one transaction: a crash leaves the old state or the new one. Unsaved "
+              "edits are in a recovery copy beside the file and are offered the next time");
     session().writeRecoveryNow();
     const auto recovery = session().recoveryFile();
     ASSERT_TRUE(std::filesystem::exists(recovery));

@@ -58,8 +58,8 @@ TEST_F(ImagesWalkTest, OpenReadAndColour) {
         QTest::keyClick(&canvas, key, with);
     };
 
-    walk.step("File → Open… and the window, on which it is dropped, take EXR and matrices of "
-              "numbers (.txt, .dat) and show them; Open saved result… makes a result of them");
+    walk.step("File → Open…, or a drop on the window, shows EXR files and matrices of numbers "
+              "(.txt, .dat). Open saved result… adds them, and CSV files, to the results.");
     chosen = path("own.exr");
     act("saveResultAction");
     smat::test::write(folder / "plain.txt", "1 2 3\n4 5 6\n");
@@ -148,7 +148,7 @@ TEST_F(ImagesWalkTest, OpenReadAndColour) {
     view.exportTo(folder / "colored.exr");
     EXPECT_EQ(irsg::readExr(folder / "colored.exr").primary(), computed.primary());
 
-    walk.step("see the antialiasing | W outlines the antialiasing windows");
+    walk.step("see the antialiasing | W outlines the antialiasing tiles");
     press(Qt::Key_W);
     ASSERT_GE(canvas.outlines().size(), 2U) << "the aircraft and a hot part of it";
     const QPointF inside = canvas.outlines().front().center();
@@ -196,7 +196,7 @@ TEST_F(ImagesWalkTest, OpenReadAndColour) {
     write(get<QLineEdit>("limitHigh", &view), "2.5");
     EXPECT_EQ(view.colorBar()->limits().high, 2.5);
 
-    walk.step("By itself the scale shows both skin and exhaust pipes: linear where that is enough, "
+    walk.step("The automatic scale shows both skin and exhaust pipes: linear if that is enough, "
               "else square root or logarithmic");
     setLimits(view, LimitMode::target);
     EXPECT_EQ(view.colorBar()->outOfRange().above, 0U);

@@ -35,8 +35,8 @@ TEST_F(MonteCarloWalkTest, WriteScalingFilesRunAndExport) {
     workbench.edit(project, "Name the analyses");
     trigger("saveProject");
 
-    walk.step("Tools → Monte Carlo repeats an analysis with the scales that two files beside the "
-              "model allow for every index");
+    walk.step("Tools → Monte Carlo repeats an analysis with random scales; two files beside the "
+              "model define their distributions for every index");
     act("monteCarlo");
     shown = page<MonteCarloPage>();
     ASSERT_NE(shown, nullptr);
@@ -49,7 +49,7 @@ TEST_F(MonteCarloWalkTest, WriteScalingFilesRunAndExport) {
     EXPECT_GT(analyses->count(), 2);
     choose(analyses, 0);
 
-    walk.step("Look at the scales. Where there are no scaling files yet, Write scaling files makes "
+    walk.step("Look at the scales. If there are no scaling files yet, Write scaling files makes "
               "them with all scales 1");
     EXPECT_FALSE(get<QPushButton>("run", shown)->isEnabled());
     get<QPushButton>("writeScalingFiles", shown)->click();
@@ -71,7 +71,7 @@ TEST_F(MonteCarloWalkTest, WriteScalingFilesRunAndExport) {
     act("monteCarlo");
     shown = page<MonteCarloPage>();
 
-    walk.step("Run. The plots come at the end; Cancel keeps the draws there are. The run is a "
+    walk.step("Run. The plots come at the end; Cancel keeps the samples so far. The run is a "
               "result like any other");
     auto* draws = get<QSpinBox>("samples", shown);
     draws->setValue(2'000'000);
@@ -95,16 +95,15 @@ TEST_F(MonteCarloWalkTest, WriteScalingFilesRunAndExport) {
     EXPECT_EQ(workbench.results().back().monteCarlo->values, first.values);
     tabs()->setCurrentWidget(shown);
 
-    walk.step(
-        "quantity | what is drawn: contrast intensity, intensity, or irradiance at the sensor");
+    walk.step("quantity | the plotted quantity: contrast intensity, intensity, or irradiance at "
+              "the sensor");
     EXPECT_EQ(get<QComboBox>("quantity", shown)->count(), 3);
     walk.step("percentiles | the bands of the plot");
     write(get<QLineEdit>("percentiles", shown), "10, 90");
     walk.step("renderings of each case | each case is also rendered with the target at other "
-              "places among the pixels");
+              "sub-pixel shifts");
     get<QSpinBox>("phases", shown)->setValue(2);
-    walk.step("draws at most | it stops sooner where the standard error that is asked for is "
-              "reached");
+    walk.step("draws at most | the run stops sooner if it reaches the requested standard error");
     draws->setValue(100'000);
     get<QCheckBox>("stops", shown)->setChecked(true);
     get<QDoubleSpinBox>("standardError", shown)->setValue(20.0);
@@ -112,17 +111,17 @@ TEST_F(MonteCarloWalkTest, WriteScalingFilesRunAndExport) {
     EXPECT_LT(shown->plots().data().draws(), 100'000U);
     get<QCheckBox>("stops", shown)->setChecked(false);
     draws->setValue(256);
-    walk.step("sequence | Sobol' points, which need far fewer draws, or plain ones");
+    walk.step("sequence | Sobol' points, which need far fewer samples, or plain ones");
     EXPECT_EQ(get<QComboBox>("sequence", shown)->count(), 2);
-    walk.step("seed | the same seed gives the same draws on every machine");
+    walk.step("seed | the same seed gives the same samples on every machine");
     get<QSpinBox>("seed", shown)->setValue(7);
     run();
     EXPECT_NE(shown->plots().data().values, first.values);
     const auto seventh = shown->plots().data().values;
     run();
     EXPECT_EQ(shown->plots().data().values, seventh);
-    walk.step("rank by pairs of draws | also asks which indices matter: the more pairs, the more "
-              "closely");
+    walk.step("rank by pairs of draws | also ranks the indices: more pairs give a more accurate "
+              "ranking");
     EXPECT_TRUE(get<QCheckBox>("ranks", shown)->isChecked());
 
     walk.step("The upper plot has the nominal value, the mean and the percentiles over the sweep. "
@@ -132,7 +131,7 @@ TEST_F(MonteCarloWalkTest, WriteScalingFilesRunAndExport) {
     EXPECT_EQ(get<QLabel>("histogramPlaceText", shown)->text(), "90°");
     EXPECT_FALSE(get<RankingBars>("rankingBars", shown)->bars().empty());
 
-    walk.step("error_numerical is the drawing's own error.");
+    walk.step("error_numerical is the error of the rendering itself.");
     chosen = path("bands.csv");
     act("exportShown");
     EXPECT_NE(ResultTable::load(folder / "bands.csv").find("error_numerical"), nullptr);

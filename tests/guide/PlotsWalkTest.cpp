@@ -98,8 +98,8 @@ TEST_F(PlotsWalkTest, ZoomReadExportAndOverlay) {
     EXPECT_GT(std::filesystem::file_size(folder / "all.csv"),
               std::filesystem::file_size(folder / "seen.csv"));
 
-    walk.step(
-        "conditions: band, range, aspect, altitude, air and time, as far as all curves share");
+    walk.step("conditions: band, range, aspect, altitude, atmosphere and time, as far as all "
+              "curves share");
     for (const char* word : {"3-5 µm", "azimuth 60°", "altitude 100 m", "time 0 s"}) {
         EXPECT_TRUE(plot.data().conditions.contains(word))
             << word << " in " << plot.data().conditions.toStdString();
@@ -131,14 +131,14 @@ TEST_F(PlotsWalkTest, ZoomReadExportAndOverlay) {
     act("overlayResultsAction");
     EXPECT_EQ(named(0), "ε 0.9");
     EXPECT_EQ(named(1), "ε 0.3");
-    walk.step("A result that was renamed keeps its name there.");
+    walk.step("A renamed result keeps its name there.");
     workbench.resultStore().rename(workbench.results()[3].id, "as delivered");
     selectResults({3, 4});
     act("overlayResultsAction");
     EXPECT_EQ(named(0), "as delivered");
     workbench.database().discard();
 
-    walk.step("Nothing is drawn for missing points. Where a result has an error");
+    walk.step("Missing points leave a gap. If a result has an error");
     EXPECT_FALSE(page->panel()->action("errorBands")->isEnabled());
     workbench.set("render.errors", "sum");
     workbench.set("range.points", "3");

@@ -121,8 +121,8 @@ TEST_F(ScenariosWalkTest, SeePlayAndKeepIt) {
     EXPECT_EQ(line.time_s(), 2.5);
     press(Qt::Key_Home);
     EXPECT_EQ(line.step(), 0U);
-    walk.step("play it | Space; As the clock goes leaves out steps where pictures take longer, "
-              "Every step shows each");
+    walk.step("play it | Space; As the clock goes skips steps if rendering takes longer, Every "
+              "step shows each");
     choose(get<QComboBox>("speed", shown), 1);
     EXPECT_EQ(get<QComboBox>("speed", shown)->currentText(), "Every step");
     std::vector<std::size_t> seen;
@@ -146,7 +146,7 @@ TEST_F(ScenariosWalkTest, SeePlayAndKeepIt) {
     choose(get<QComboBox>("scenarioSensor", shown), 0);
     ASSERT_TRUE(settles());
 
-    walk.step("the table says of each entity its range, intensity, contrast intensity, pixels, "
+    walk.step("the table gives for each entity its range, intensity, contrast intensity, pixels, "
               "power, Mach number and altitude at this time, or that it is not there");
     EXPECT_EQ(cell(0, 0), "mover");
     EXPECT_NEAR(cell(0, 1).toDouble(), 100.2, 0.1);
@@ -173,9 +173,8 @@ TEST_F(ScenariosWalkTest, SeePlayAndKeepIt) {
     QTest::mouseDClick(plan, Qt::LeftButton, {}, plan->rect().center());
     EXPECT_EQ(plan->pointOf(0, 0), origin);
 
-    walk.step("Write frames…: folder, sensors, forms (OpenEXR, CSV, pictures, TIFF), and the "
-              "command that "
-              "does the same");
+    walk.step("Write frames…: folder, sensors, formats (OpenEXR, CSV, pictures, TIFF), and the "
+              "command that does the same");
     std::string command;
     onDialog = [&](QDialog& dialog) {
         dialog.findChild<QLineEdit*>("folder")->setText(path("frames"));
@@ -211,8 +210,8 @@ TEST_F(ScenariosWalkTest, SeePlayAndKeepIt) {
         choosePart(part);
     }
 
-    walk.step("Frames has a strip of them, of which each shows its time, and the sensor's table as "
-              "curves over time. Export film… writes those");
+    walk.step("Frames has a film strip, in which each frame shows its time, and the sensor's table "
+              "as curves over time. Export film… writes the frames");
     showPanel("Frames");
     auto* strip = get<QListWidget>("filmStrip", shown);
     EXPECT_EQ(strip->count(), 12) << "of both bands";
@@ -231,8 +230,8 @@ TEST_F(ScenariosWalkTest, SeePlayAndKeepIt) {
     ASSERT_TRUE(test::waitUntil([&] { return film->isEnabled(); }));
     EXPECT_TRUE(std::filesystem::exists(folder / "film-000004.png")) << said();
 
-    walk.step("The sun's disc is drawn and scaling files beside the models are applied, unless the "
-              "settings of the scenario say otherwise");
+    walk.step("The sun's disc is rendered and scaling files beside the models are applied, unless "
+              "the settings of the scenario say otherwise");
     EXPECT_EQ(shown->picture().settings.text("render.sunDisc"), "true");
     std::filesystem::rename(folder / "frames", folder / "of-window");
     terminal(command);
@@ -288,9 +287,8 @@ TEST_F(ScenariosWalkTest, EditIt) {
     QTest::keyClick(track, Qt::Key_End); // the buoy
     EXPECT_EQ(two().track, "buoy");
 
-    walk.step(
-        "what moves | Name and a table of its trajectory: time, position, attitude and, where "
-        "the file has them, power and Mach number; Stays at its ends keeps it there");
+    walk.step("what moves | Name and a table of its trajectory: time, position, attitude and, "
+              "where the file has them, power and Mach number; Stays at its ends holds it there");
     choosePart("mover");
     EXPECT_EQ(get<QLineEdit>("partName", shown)->text(), "mover");
     EXPECT_EQ(table().model()->columnCount(), 9);
@@ -299,8 +297,8 @@ TEST_F(ScenariosWalkTest, EditIt) {
     ASSERT_TRUE(settles());
     EXPECT_NE(cell(0, 1), "not there") << "at 3 s, a second after its last row";
     get<QCheckBox>("holdEnds", shown)->click();
-    walk.step("what stands still or rides along | Name, position and attitude; what looks at an "
-              "entity has no attitude of its own");
+    walk.step("what stands still or rides along | Name, position and attitude; a sensor that looks "
+              "at an entity has no attitude of its own");
     choosePart("buoy");
     EXPECT_TRUE(get<QLineEdit>("place.yaw", shown)->isVisible());
     choosePart("lwir (sensor)");
@@ -349,8 +347,8 @@ TEST_F(ScenariosWalkTest, EditIt) {
     get<QToolButton>("removeEntity", shown)->click();
     EXPECT_TRUE(message().contains("two looks at it")) << message().toStdString();
 
-    walk.step("A sensor that is fixed to something else stays where it is at the start; one that "
-              "looks at nothing any more goes on looking there.");
+    walk.step("A sensor that is newly fixed to something else keeps its position at the start; one "
+              "that no longer looks at an entity keeps its direction.");
     choosePart("two (sensor)");
     track->setFocus();
     QTest::keyClick(track, Qt::Key_Home);
@@ -379,9 +377,8 @@ TEST_F(ScenariosWalkTest, EditIt) {
     act("saveProject");
     EXPECT_FALSE(shown->document().isModified());
 
-    walk.step(
-        "Pictures and frames are those of smat-batch simulate, to the last bit, once the edits "
-        "are saved");
+    walk.step("Pictures and frames equal those of smat-batch simulate, to the last bit, once the "
+              "edits are saved");
     terminal("smat-batch simulate other.json --out out");
     shown->showSensor(1);
     shown->timeLine().setStep(2);

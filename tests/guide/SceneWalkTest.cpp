@@ -45,9 +45,8 @@ class SceneWalkTest : public test::GuideFixture {
 TEST_F(SceneWalkTest, AddChooseAndPlace) {
     test::GuideWalk walk("scene", "");
     openSample();
-    walk.step(
-        "The first is the target: it stands at the origin, the camera turns about it, and the "
-        "settings Altitude, Yaw, Pitch and Roll place it.");
+    walk.step("The first is the target: it stands at the origin, the camera turns around it, and "
+              "the settings Altitude, Yaw, Pitch and Roll place it.");
     addModel("box");
     addModel("sphere");
     EXPECT_EQ(window->sceneView()->scene().models.size(), 3U);
@@ -94,9 +93,9 @@ TEST_F(SceneWalkTest, AddChooseRemove) {
     QTest::mouseClick(window->sceneView(), Qt::LeftButton, {}, at);
     EXPECT_EQ(workbench.chosenModel(), 1U);
 
-    walk.step("Edit → Rename the chosen model (or F2 in the tree) gives it another name, by which "
-              "results call it. Edit → Remove the chosen model from the scene takes it out, Edit → "
-              "Make the chosen model the target lets the camera turn about it");
+    walk.step("Edit → Rename the chosen model (or F2 in the tree) gives it another name, which "
+              "results use. Edit → Remove the chosen model from the scene takes it out, Edit → "
+              "Make the chosen model the target lets the camera turn around it");
     auto* tree = get<QTreeWidget>("sceneTree");
     act("renameModel");
     QLineEdit* editor = nullptr;
@@ -142,7 +141,7 @@ TEST_F(SceneWalkTest, Place) {
     write(field("north"), "-40");
     EXPECT_EQ(pose().position_m.x, 320.5);
     EXPECT_EQ(pose().position_m.y, -40.0);
-    walk.step("Altitude | above the ground, m; the air around it follows");
+    walk.step("Altitude | above the ground, m; it sets the ambient atmosphere of the model");
     write(field("altitude"), "250");
     EXPECT_EQ(pose().position_m.z, 250.0);
     walk.step("Heading | where the nose points, clockwise from north");
@@ -157,7 +156,7 @@ TEST_F(SceneWalkTest, Place) {
     EXPECT_LT((pose().attitude.rotation() * irsg::Vec3{1, 0, 0}).z, -0.1);
 
     walk.step("In the view the chosen model has handles while View → Handles to place a model "
-              "(Ctrl+Shift+H) is on, as it is where there are several models");
+              "(Ctrl+Shift+H) is on, which is the default with several models");
     SceneView* view = window->sceneView();
     EXPECT_TRUE(get<QAction>("placeHandles")->isChecked());
     EXPECT_EQ(get<QAction>("placeHandles")->shortcut(), QKeySequence("Ctrl+Shift+H"));
@@ -235,7 +234,7 @@ TEST_F(SceneWalkTest, StateDatabaseAndWhatComesOut) {
         session().discard();
     }
     test::GuideWalk walk("scene", "What comes out");
-    walk.step("Sums are of all objects; with several, tables have columns for each as well");
+    walk.step("Sums are over all objects. With several, tables have columns for each as well");
     const ResultTable& table = workbench.results().back().data->table;
     for (const char* column : {"sphere.contrast_intensity", "sphere.range"}) {
         EXPECT_NE(table.find(column), nullptr) << column;
@@ -270,7 +269,7 @@ TEST_F(SceneWalkTest, StateDatabaseAndWhatComesOut) {
     const ResultTable fleet = ResultTable::load(folder / "range.csv");
     EXPECT_NE(fleet.find("escort.contrast_intensity"), nullptr);
     EXPECT_NE(fleet.find("escort.range"), nullptr);
-    walk.note("How a project file keeps it: format.");
+    walk.note("How a project file stores it: format.");
     EXPECT_TRUE(told.isEmpty()) << said();
 }
 
