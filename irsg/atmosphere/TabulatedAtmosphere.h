@@ -23,7 +23,7 @@ namespace irsg {
 /// It supports what its runs contain: transmittance (every run of radiance or transmittance with a
 /// finite path or a path to space), path radiance (IEMSCT 1 and 2: thermal and scattered), optical
 /// depth of scattering (IEMSCT 0), background radiance (TOTAL_RAD of runs to space, ITYPE 3), solar
-/// irradiance (IEMSCT 3, and SOL@OBS of IEMSCT 2 where the run states the sun's elevation). It has
+/// irradiance (IEMSCT 3, and `SOL@OBS` of IEMSCT 2 if the run states the sun's elevation). It has
 /// no diffuse fluxes and no air temperature. See PathTable and SightTable for how it interpolates;
 /// transmittance also answers for the same path the other way round. Runs of the same path may
 /// complete each other (transmittance and radiance); where both have a transmittance, that of the

@@ -19,7 +19,7 @@ struct AttributeText {
 };
 
 /// "key: value" without its line break: a backslash, a line break and a carriage return are written
-/// \\, \n and \r, a colon in a key \c.
+/// `\\`, `\n` and `\r`, a colon in a key `\c`.
 std::string attributeLine(std::string_view key, std::string_view value);
 /// The same of an attribute of an image: one called channel, unit, width, height or attribute.*
 /// gets `attribute.` in front, which AttributeText::read takes away again.

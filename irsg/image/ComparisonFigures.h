@@ -24,7 +24,7 @@ std::vector<ComparisonFigure> comparisonFigures(const Comparison& comparison,
 /// Six significant digits: "1.23457e-05", "nan", "inf".
 std::string shortNumber(double value);
 
-/// A difference image with what is known of it as attributes (`compare.<key>`): the plane of
+/// A difference image with what is known of it as attributes ("compare.KEY"): the plane of
 /// differencePlane, then A and B. LogicError for images of different size.
 RadianceImage differenceImage(const RadianceImage& a, const RadianceImage& b,
                               const Comparison& comparison, const ComparisonOptions& options,

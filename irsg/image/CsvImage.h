@@ -11,7 +11,7 @@ namespace irsg {
 /// Writes one plane as comma separated values: a `# key: value` line for the channel, its unit, the
 /// size and each attribute, then one line a row, top row first, 9 significant digits (a float comes
 /// back bit for bit), `nan`, `inf` and `-inf` as such. In keys and values a backslash, a line break
-/// and a carriage return are written \\, \n and \r, a colon in a key \c; an attribute called
+/// and a carriage return become `\\`, `\n` and `\r`, a colon in a key `\c`; an attribute called
 /// channel, unit, width, height or attribute.* gets `attribute.` in front.
 /// `channel` empty: the shown plane. Throws InputError where the file cannot be written, LogicError
 /// for an empty image or an unknown channel.

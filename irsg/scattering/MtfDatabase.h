@@ -61,7 +61,7 @@ class MtfDatabase {
                 std::vector<double> opticalDepths, std::vector<std::vector<double>> values);
 
     /// Throws InputError with every diagnostic and its byte offset: a wrong length, big-endian
-    /// bytes, numbers that are not finite, axes that do not ascend, values outside exp(-tau) ..
+    /// bytes, numbers that are not finite, axes that do not ascend, values outside exp(-tau) to
     /// exp(tau).
     static MtfDatabase read(const std::filesystem::path& file);
     static MtfDatabase fromBytes(std::string_view bytes, const std::string& file);

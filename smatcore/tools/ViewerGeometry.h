@@ -12,7 +12,7 @@
 namespace smat {
 
 /// The line of sight from the camera to the target's reference point as settings place them
-/// (`camera.*`, `target.*`), altitudes, range and both angles: what an image with these settings
+/// (camera and target), altitudes, range and both angles: what an image with these settings
 /// asks the air for. `referencePoint_m` is in model axes.
 PathGeometryInput viewerGeometry(const Project& project, const Settings& settings,
                                  const irsg::Vec3& referencePoint_m);

@@ -17,7 +17,7 @@ namespace irsg {
 struct SpectralBin {
     double lower_per_cm = 0.0;
     double upper_per_cm = 0.0;
-    std::uint32_t first = 0; ///< into BinSet::nodes and ::weights
+    std::uint32_t first = 0; ///< into BinSet::nodes and weights
     std::uint32_t count = 0;
 
     double centre_per_cm() const { return 0.5 * (lower_per_cm + upper_per_cm); }

@@ -13,7 +13,7 @@ namespace irsg {
 /// A linked GL program made of files of shaders/. Lives and dies on the context's thread.
 class ShaderProgram {
   public:
-    /// `defines` are lines put after the #version of every file: "#define SUN_MODE 2\n". Throws
+    /// `defines` are lines put after the version of every file: "#define SUN_MODE 2\n". Throws
     /// LogicError with the driver's log when a shader does not compile.
     ShaderProgram(const std::vector<std::string>& vertexFiles,
                   const std::vector<std::string>& fragmentFiles, const std::string& defines = "");
