@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Draws the figures of antialiasing with smat plot from what antialiasing-study wrote, and puts its
-tables into docs/accuracy.md.
+tables into docs/accuracy-sampling.md.
 
     scripts/figures/antialiasing.py RESULTS SMAT
 """
@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGE, FIGURES = ROOT / "docs/accuracy.md", ROOT / "docs/figures"
+PAGE, FIGURES = ROOT / "docs/accuracy-sampling.md", ROOT / "docs/figures"
 BEGIN, END = "<!-- antialiasing: begin -->", "<!-- antialiasing: end -->"
 DRAWN_BODIES = {"sphere": "sphere", "L turned by 7 deg": "plate", "plane at 30 deg": "plane"}
 # A figure holds eight curves that can be told apart; the tables have all methods.

@@ -132,13 +132,13 @@ std::string selfTestCounts(const std::vector<SelfTestResult>& results) {
 
 std::string selfTestPage(const std::vector<SelfTestResult>& results) {
     std::string page =
-        "# What the answer is known of\n\n"
+        "# Known answers\n\n"
         "Made by `smat-batch selftest --hard --page > docs/accuracy.md`, from the catalogue that "
         "[the self-test](selftest.md) runs on any machine:\n"
-        "closed forms, published numbers, and other ways to compute the same. *Found* is what this "
-        "page's machine gave (Mesa's llvmpipe).\n"
-        "What sampling costs has [a page of its own](accuracy-sampling.md), and so has "
-        "[the air](atmosphere-accuracy.md).\n";
+        "closed forms, published numbers, and independent calculations. *Found* are the results of "
+        "this page's machine (Mesa's llvmpipe).\n"
+        "Other pages have the [accuracy and cost of sampling](accuracy-sampling.md) and [of the "
+        "atmosphere](atmosphere-accuracy.md).\n";
     std::string room;
     for (const SelfTestResult& result : results) {
         const SelfTestCheck& check = *result.check;
@@ -146,7 +146,7 @@ std::string selfTestPage(const std::vector<SelfTestResult>& results) {
         if (own != room) {
             room = own;
             page += "\n## " + room +
-                    "\n\n| check | what is held against what | found | known | unit | error | "
+                    "\n\n| check | comparison | found | known | unit | error | "
                     "bound |\n|---|---|---|---|---|---|---|\n";
         }
         const bool isRelative = check.error == SelfTestCheck::Error::relative;

@@ -67,9 +67,8 @@ TEST_F(SignatureFilesWalkTest, TheCommandAndWhatItRepairs) {
                       wrong.replace(wrong.find(right), right.size(), "\"emissivity\": -3"));
     terminal("smat-batch db lint wrong.json", 2);
 
-    walk.step(
-        "Errors are physically impossible; a database with one is not saved, and opened by the "
-        "editor alone, to be repaired.");
+    walk.step("Errors are physically impossible; a database with one is not saved, and only the "
+              "editor opens it, for repair.");
     session().edit("Spoil it", [](SignatureDatabase& value) {
         value.materials.at(1).emissivity = Spectrum::constant(-3.0);
     });
