@@ -6,9 +6,6 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
-#include <QKeyEvent>
-
-#include "gui/widgets/CheckedCell.h"
 
 namespace smat::gui {
 
@@ -118,94 +115,65 @@ QString NodeTableModel::take(const Nodes& nodes, const QString& what) {
     return {};
 }
 
-NodeTable::NodeTable(NodeTableModel& model, QWidget* parent) : QTableView(parent), model_(model) {
+NodeTable::NodeTable(NodeTableModel& model, QWidget* parent)
+    : NumericTableView(
+          model, "nodeCell",
+          [&model](const QModelIndex& cell, const QString& text) {
+              return model.problemOf(cell, text);
+          },
+          parent),
+      model_(model) {
     setObjectName("nodeTable");
-    setModel(&model_);
-    setItemDelegate(new CheckedCell(
-        "nodeCell",
-        [this](const QModelIndex& cell, const QString& text) {
-            return model_.problemOf(cell, text);
-        },
-        [this](const QString& sentence) { report(sentence); }, this));
-    setSelectionMode(QAbstractItemView::ExtendedSelection);
-    setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
-                    QAbstractItemView::AnyKeyPressed);
-    setAlternatingRowColors(true);
-    setFrameShape(QFrame::NoFrame);
-    setShowGrid(false);
-    setTabKeyNavigation(false);
     horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
     horizontalHeader()->setTextElideMode(Qt::ElideRight);
-    horizontalHeader()->setHighlightSections(false);
-    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
-    verticalHeader()->setDefaultAlignment(Qt::AlignCenter);
     setMinimumWidth(215);
 }
 
-void NodeTable::report(const QString& sentence) {
-    emit problem(sentence);
-}
-
-void NodeTable::setReadOnly(bool readOnly) {
-    readOnly_ = readOnly;
-    setEditTriggers(readOnly
-                        ? QAbstractItemView::NoEditTriggers
-                        : QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
-                              QAbstractItemView::AnyKeyPressed);
-}
-
-void NodeTable::paste() {
-    if (readOnly_)
-        return;
-    const PastedRows pasted = rowsOf(QApplication::clipboard()->text());
-    if (!pasted.problem.isEmpty())
-        return report(pasted.problem);
-    const std::size_t columns = pasted.rows.front().size();
-    const QModelIndex from = currentIndex().isValid() ? currentIndex() : model_.index(0, 0);
+QString NodeTable::pasteAt(const QModelIndex& cell, const Rows& block) {
+    const std::size_t columns = block.front().size();
     if (columns > 2)
-        return report(tr("%1 columns do not fit: a table has two").arg(columns));
-    if (columns == 1 && from.row() + pasted.rows.size() > model_.nodes().size())
-        return report(tr("one column of %1 rows does not fit below row %2")
-                          .arg(pasted.rows.size())
-                          .arg(from.row() + 1));
+        return tr("%1 columns do not fit: a table has two").arg(columns);
+    if (columns == 1 && cell.row() + block.size() > model_.nodes().size())
+        return tr("one column of %1 rows does not fit below row %2")
+            .arg(block.size())
+            .arg(cell.row() + 1);
     Nodes nodes = model_.nodes();
-    for (std::size_t i = 0; i < pasted.rows.size(); ++i) {
-        const std::size_t row = static_cast<std::size_t>(from.row()) + i;
+    for (std::size_t i = 0; i < block.size(); ++i) {
+        const std::size_t row = static_cast<std::size_t>(cell.row()) + i;
         if (row >= nodes.size())
             nodes.resize(row + 1);
         if (columns == 2)
-            nodes[row] = {pasted.rows[i][0], pasted.rows[i][1]};
+            nodes[row] = {block[i][0], block[i][1]};
         else
-            (from.column() == 0 ? nodes[row].x : nodes[row].y) = pasted.rows[i][0];
+            (cell.column() == 0 ? nodes[row].x : nodes[row].y) = block[i][0];
     }
-    report(model_.take(nodes, tr("(%1 rows pasted)").arg(pasted.rows.size())));
+    return model_.take(nodes, tr("(%1 rows pasted)").arg(block.size()));
 }
 
 void NodeTable::pasteAll() {
-    if (readOnly_)
+    if (isReadOnly())
         return;
-    const PastedRows pasted = rowsOf(QApplication::clipboard()->text());
-    if (!pasted.problem.isEmpty())
-        return report(pasted.problem);
-    if (pasted.rows.front().size() != 2)
-        return report(tr("two columns are needed, %1 and %2; these rows have %3")
-                          .arg(model_.rules().xName, model_.rules().yName)
-                          .arg(pasted.rows.front().size()));
+    const auto rows = clipboardRows();
+    if (!rows)
+        return;
+    if (rows->front().size() != 2) {
+        emit problem(tr("two columns are needed, %1 and %2; these rows have %3")
+                         .arg(model_.rules().xName, model_.rules().yName)
+                         .arg(rows->front().size()));
+        return;
+    }
     Nodes nodes;
-    for (const auto& row : pasted.rows)
+    for (const auto& row : *rows)
         nodes.push_back({row[0], row[1]});
     if (nodes.size() > 1 && nodes.front().x > nodes.back().x)
         std::reverse(nodes.begin(), nodes.end());
-    report(model_.take(nodes, tr("(%1 rows pasted)").arg(nodes.size())));
+    emit problem(model_.take(nodes, tr("(%1 rows pasted)").arg(nodes.size())));
 }
 
 void NodeTable::copy() const {
-    std::set<int> rows;
-    for (const auto& index : selectionModel()->selectedIndexes())
-        rows.insert(index.row());
     Nodes chosen;
-    for (const int row : rows)
+    for (const int row : chosenRows())
         if (row < static_cast<int>(model_.nodes().size()))
             chosen.push_back(model_.nodes()[static_cast<std::size_t>(row)]);
     QApplication::clipboard()->setText(
@@ -213,7 +181,7 @@ void NodeTable::copy() const {
 }
 
 void NodeTable::insertRow() {
-    if (readOnly_)
+    if (isReadOnly())
         return;
     Nodes nodes = model_.nodes();
     const auto row = static_cast<std::size_t>(std::max(currentIndex().row(), 0));
@@ -232,20 +200,20 @@ void NodeTable::insertRow() {
         between = {middle(nodes[row - 1].x, nodes[row].x), middle(nodes[row - 1].y, nodes[row].y)};
     } else {
         between.x -= nodes.size() > 1 ? nodes[1].x - nodes[0].x : model_.rules().xStep;
-        if (!model_.rules().problemOfX(between.x).isEmpty())
-            return report(tr("there is no room before the first row"));
+        if (!model_.rules().problemOfX(between.x).isEmpty()) {
+            emit problem(tr("there is no room before the first row"));
+            return;
+        }
     }
     nodes.insert(nodes.begin() + static_cast<std::ptrdiff_t>(row), between);
-    report(model_.take(nodes, tr("(row inserted at %1)").arg(textOf(between.x))));
+    emit problem(model_.take(nodes, tr("(row inserted at %1)").arg(textOf(between.x))));
     selectNode(static_cast<int>(row));
 }
 
 void NodeTable::removeRows() {
-    if (readOnly_)
+    if (isReadOnly())
         return;
-    std::set<int> rows;
-    for (const auto& index : selectionModel()->selectedIndexes())
-        rows.insert(index.row());
+    std::set<int> rows = chosenRows();
     if (currentIndex().isValid())
         rows.insert(currentIndex().row());
     Nodes kept;
@@ -255,7 +223,8 @@ void NodeTable::removeRows() {
     const auto gone = model_.nodes().size() - kept.size();
     if (gone == 0)
         return;
-    report(model_.take(kept, gone == 1 ? tr("(row removed)") : tr("(%1 rows removed)").arg(gone)));
+    emit problem(
+        model_.take(kept, gone == 1 ? tr("(row removed)") : tr("(%1 rows removed)").arg(gone)));
 }
 
 void NodeTable::selectNode(int row) {
@@ -263,21 +232,8 @@ void NodeTable::selectNode(int row) {
         setCurrentIndex(model_.index(row, std::max(currentIndex().column(), 0)));
 }
 
-void NodeTable::keyPressEvent(QKeyEvent* event) {
-    if (event->matches(QKeySequence::Copy))
-        copy();
-    else if (event->matches(QKeySequence::Paste))
-        paste();
-    else if (event->key() == Qt::Key_Delete)
-        removeRows();
-    else if (event->key() == Qt::Key_Insert)
-        insertRow();
-    else
-        QTableView::keyPressEvent(event);
-}
-
 void NodeTable::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
-    QTableView::currentChanged(current, previous);
+    NumericTableView::currentChanged(current, previous);
     if (current.row() < static_cast<int>(model_.nodes().size()))
         emit nodeSelected(current.row());
 }

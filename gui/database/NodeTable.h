@@ -1,9 +1,9 @@
 #pragma once
 
 #include <QAbstractTableModel>
-#include <QTableView>
 
 #include "gui/database/Nodes.h"
+#include "gui/widgets/NumericTableView.h"
 
 namespace smat::gui {
 
@@ -42,38 +42,31 @@ class NodeTableModel : public QAbstractTableModel {
     Nodes nodes_;
 };
 
-/// The table as a person edits it: cells are checked while one types, rows are pasted from and
-/// copied to spreadsheets (Ctrl+V, Ctrl+C), inserted (Insert) and removed (Delete).
-class NodeTable : public QTableView {
+/// The table of nodes. A node that becomes current is told of.
+class NodeTable : public NumericTableView {
     Q_OBJECT
 
   public:
     explicit NodeTable(NodeTableModel& model, QWidget* parent = nullptr);
 
-    /// Pastes as spreadsheets do, from the current cell down; rows are added at the end.
-    void paste();
     /// Pastes in place of all rows; a descending axis is turned round.
     void pasteAll();
-    void copy() const;
-    void insertRow();
-    void removeRows();
+    /// The chosen rows, or all where at most one is chosen.
+    void copy() const override;
+    void insertRow() override;
+    void removeRows() override;
     void selectNode(int row);
-    void setReadOnly(bool readOnly);
 
   signals:
-    /// What is wrong with what is being typed or was pasted; empty when all is well again.
-    void problem(const QString& sentence);
     void nodeSelected(int row);
 
   protected:
-    void keyPressEvent(QKeyEvent* event) override;
     void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
 
   private:
-    void report(const QString& sentence);
+    QString pasteAt(const QModelIndex& cell, const Rows& block) override;
 
     NodeTableModel& model_;
-    bool readOnly_ = false;
 };
 
 } // namespace smat::gui

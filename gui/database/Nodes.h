@@ -2,11 +2,11 @@
 
 #include <functional>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include <QString>
 
+#include "gui/widgets/NumberText.h"
 #include "irsg/radiometry/Spectrum.h"
 #include "irsg/signature/EntryFields.h"
 #include "irsg/signature/LookupTable.h"
@@ -57,19 +57,6 @@ struct NodeRules {
 
 /// Those of a lookup table of a signature database.
 NodeRules rulesOf(const irsg::TableRules& rules, const QString& valueUnit);
-
-/// A number as people and spreadsheets write it: "4.2", "4,2", " 1e-3 ". Not "1,234.5".
-std::optional<double> numberOf(const QString& text);
-/// The shortest text that reads back as the number.
-QString textOf(double value);
-
-/// Rows from a spreadsheet or a text file: columns apart by tabs, semicolons, commas or blanks,
-/// with a point or a comma in numbers. A first row without any number is a heading.
-struct PastedRows {
-    std::vector<std::vector<double>> rows; ///< each as long as the first
-    QString problem;                       ///< "row 3, column 2: 'n/a' is not a number", or empty
-};
-PastedRows rowsOf(const QString& text);
 
 /// Tabs between columns, as spreadsheets take it.
 QString spreadsheetText(const Nodes& nodes);

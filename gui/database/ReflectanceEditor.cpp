@@ -2,18 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QTableView>
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/database/Nodes.h"
-#include "gui/widgets/CheckedCell.h"
+#include "gui/widgets/NumberText.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/ThemeColors.h"
@@ -90,12 +87,42 @@ Qt::ItemFlags ReflectanceModel::flags(const QModelIndex& index) const {
 
 std::vector<Direction> ReflectanceModel::with(const QModelIndex& cell, double value) const {
     std::vector<Direction> rows = table_.rows();
-    Direction& row = rows[static_cast<std::size_t>(cell.row())];
-    if (cell.column() < angles())
+    put(rows[static_cast<std::size_t>(cell.row())], cell.column(), value);
+    return rows;
+}
+
+void ReflectanceModel::put(Direction& row, int column, double value) const {
+    if (column < angles())
         row.incidence_deg = value;
     else
-        row.values[static_cast<std::size_t>(cell.column() - angles())] = value;
-    return rows;
+        row.values[static_cast<std::size_t>(column - angles())] = value;
+}
+
+QString ReflectanceModel::pasteAt(const QModelIndex& cell,
+                                  const std::vector<std::vector<double>>& block) {
+    const int columns = static_cast<int>(block.front().size());
+    const int rowsBelow = rowCount() - cell.row(), columnsBeside = columnCount() - cell.column();
+    if (columns > columnsBeside)
+        return tr("%1 columns do not fit: from this one on the table has %2")
+            .arg(columns)
+            .arg(columnsBeside);
+    if (static_cast<int>(block.size()) > rowsBelow)
+        return tr("%1 rows do not fit: from this one on the table has %2")
+            .arg(block.size())
+            .arg(rowsBelow);
+    if (table_.isBrdf() && cell.column() < angles())
+        return tr("the directions of a BRDF stay: paste into its values");
+    std::vector<Direction> rows = table_.rows();
+    for (std::size_t i = 0; i < block.size(); ++i)
+        for (int j = 0; j < columns; ++j)
+            put(rows[static_cast<std::size_t>(cell.row()) + i], cell.column() + j,
+                block[i][static_cast<std::size_t>(j)]);
+    try {
+        take(std::move(rows), tr("(%1 rows pasted)").arg(block.size()));
+    } catch (const irsg::InputError& error) {
+        return sentencesOf(error).join("; ");
+    }
+    return {};
 }
 
 QString ReflectanceModel::problemOf(const QModelIndex& cell, const QString& text) const {
@@ -148,49 +175,50 @@ void ReflectanceModel::insertAfter(int row) {
     take(std::move(rows), tr("(row added)"));
 }
 
-void ReflectanceModel::remove(std::vector<int> rows) {
+void ReflectanceModel::remove(const std::set<int>& rows) {
     if (table_.isBrdf())
         return;
     std::vector<Direction> left = table_.rows();
-    std::ranges::sort(rows, std::greater<>());
-    for (const int row : rows)
+    for (auto row = rows.rbegin(); row != rows.rend(); ++row)
         if (left.size() > 1)
-            left.erase(left.begin() + row);
+            left.erase(left.begin() + *row);
     if (left.size() < table_.rows().size())
         take(std::move(left), tr("(rows removed)"));
+}
+
+ReflectanceView::ReflectanceView(ReflectanceModel& model, QWidget* parent)
+    : NumericTableView(
+          model, "reflectanceCell",
+          [&model](const QModelIndex& cell, const QString& text) {
+              return model.problemOf(cell, text);
+          },
+          parent),
+      model_(model) {
+    setObjectName("reflectanceTable");
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    setMinimumHeight((rowsSeen + 1) * (fontMetrics().height() + 8));
+}
+
+void ReflectanceView::insertRow() {
+    model_.insertAfter(currentIndex().row());
+}
+
+void ReflectanceView::removeRows() {
+    model_.remove(chosenRows());
+}
+
+QString ReflectanceView::pasteAt(const QModelIndex& cell, const Rows& block) {
+    return model_.pasteAt(cell, block);
 }
 
 ReflectanceEditor::ReflectanceEditor(QWidget* parent) : QWidget(parent) {
     setObjectName("reflectanceEditor");
     model_ = new ReflectanceModel(this);
-    view_ = new QTableView(this);
-    view_->setObjectName("reflectanceTable");
-    view_->setModel(model_);
-    view_->setAlternatingRowColors(true);
-    view_->setShowGrid(false);
-    view_->setFrameShape(QFrame::NoFrame);
-    view_->setTabKeyNavigation(false);
-    view_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    view_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
-                           QAbstractItemView::AnyKeyPressed);
-    view_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
-    view_->horizontalHeader()->setHighlightSections(false);
-    view_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    view_->setMinimumHeight((rowsSeen + 1) * (fontMetrics().height() + 8));
+    view_ = new ReflectanceView(*model_, this);
     message_ = new QLabel(this);
     message_->setObjectName("reflectanceMessage");
     message_->setWordWrap(true);
-    view_->setItemDelegate(new CheckedCell(
-        "reflectanceCell",
-        [this](const QModelIndex& cell, const QString& text) {
-            return model_->problemOf(cell, text);
-        },
-        [this](const QString& sentence) {
-            message_->setStyleSheet(
-                QStringLiteral("color: %1").arg(colors::errorText(palette()).name()));
-            message_->setText(sentence);
-        },
-        this));
+    connect(view_, &ReflectanceView::problem, this, &ReflectanceEditor::refuse);
     begin_ = new QPushButton(tr("Start from the emissivity"), this);
     begin_->setObjectName("beginReflectance");
     begin_->setToolTip(tr("Makes a table over angle of what emissivity and transmissivity leave, "
@@ -212,15 +240,8 @@ ReflectanceEditor::ReflectanceEditor(QWidget* parent) : QWidget(parent) {
     };
     insert_ = button("row-insert", "insertReflectance", tr("Add a row after the current one"));
     remove_ = button("row-remove", "removeReflectance", tr("Remove the selected rows"));
-    connect(insert_, &QToolButton::clicked, this,
-            [this] { model_->insertAfter(view_->currentIndex().row()); });
-    connect(remove_, &QToolButton::clicked, this, [this] {
-        std::vector<int> rows;
-        for (const QModelIndex& cell : view_->selectionModel()->selectedIndexes())
-            if (std::ranges::find(rows, cell.row()) == rows.end())
-                rows.push_back(cell.row());
-        model_->remove(std::move(rows));
-    });
+    connect(insert_, &QToolButton::clicked, view_, &ReflectanceView::insertRow);
+    connect(remove_, &QToolButton::clicked, view_, &ReflectanceView::removeRows);
     bar->addWidget(begin_);
     bar->addWidget(message_, 1);
     auto* column = new QVBoxLayout(this);
@@ -233,6 +254,13 @@ ReflectanceEditor::ReflectanceEditor(QWidget* parent) : QWidget(parent) {
                 emit edited(table, what);
                 emit gestureEnded();
             });
+}
+
+void ReflectanceEditor::refuse(const QString& problem) {
+    if (problem.isEmpty())
+        return show(material_, band_);
+    message_->setStyleSheet(QStringLiteral("color: %1").arg(colors::errorText(palette()).name()));
+    message_->setText(problem);
 }
 
 void ReflectanceEditor::show(const irsg::Material& material, const irsg::SpectralRange& band) {

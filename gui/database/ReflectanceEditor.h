@@ -1,16 +1,17 @@
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include <QAbstractTableModel>
 #include <QWidget>
 
+#include "gui/widgets/NumericTableView.h"
 #include "irsg/signature/ReflectanceTable.h"
 #include "irsg/signature/SignatureDatabase.h"
 
 class QLabel;
 class QPushButton;
-class QTableView;
 class QToolButton;
 
 namespace smat::gui {
@@ -31,7 +32,10 @@ class ReflectanceModel : public QAbstractTableModel {
     /// one; of directional-hemispherical reflectance.
     void insertAfter(int row);
     /// Leaves one row at the least.
-    void remove(std::vector<int> rows);
+    void remove(const std::set<int>& rows);
+    /// Puts a block of numbers at a cell, in rows that there are. Answers why it cannot be; empty
+    /// where it is done.
+    QString pasteAt(const QModelIndex& cell, const std::vector<std::vector<double>>& block);
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -47,9 +51,26 @@ class ReflectanceModel : public QAbstractTableModel {
   private:
     int angles() const { return table_.isBrdf() ? 3 : 1; }
     std::vector<irsg::ReflectanceTable::Row> with(const QModelIndex& cell, double value) const;
+    void put(irsg::ReflectanceTable::Row& row, int column, double value) const;
     void take(std::vector<irsg::ReflectanceTable::Row> rows, const QString& what);
 
     irsg::ReflectanceTable table_;
+};
+
+/// The rows of a table of reflectance.
+class ReflectanceView : public NumericTableView {
+    Q_OBJECT
+
+  public:
+    ReflectanceView(ReflectanceModel& model, QWidget* parent);
+
+    void insertRow() override;
+    void removeRows() override;
+
+  private:
+    QString pasteAt(const QModelIndex& cell, const Rows& block) override;
+
+    ReflectanceModel& model_;
 };
 
 /// The table beside its buttons, and where there is none yet, a button that makes one of emissivity
@@ -67,9 +88,10 @@ class ReflectanceEditor : public QWidget {
 
   private:
     irsg::ReflectanceTable ofEmissivity() const;
+    void refuse(const QString& problem);
 
     ReflectanceModel* model_ = nullptr;
-    QTableView* view_ = nullptr;
+    ReflectanceView* view_ = nullptr;
     QPushButton* begin_ = nullptr;
     QToolButton *insert_ = nullptr, *remove_ = nullptr;
     QLabel* message_ = nullptr;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "gui/database/Nodes.h"
+#include "gui/widgets/NumberText.h"
 #include "gui/widgets/Readable.h"
 
 namespace smat::gui {

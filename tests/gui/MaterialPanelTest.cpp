@@ -2,7 +2,9 @@
 #include <algorithm>
 
 #include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
+#include <QItemSelectionModel>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -190,6 +192,23 @@ TEST_F(DatabaseEditorTest, EditsATableOfReflectanceFromTheEmissivityOn) {
                                                               : "editor-surface-table-light");
     }
     applyTheme(*qApp, ThemeMode::light);
+    // As every table of numbers by keys, too.
+    view->setCurrentIndex(view->model()->index(0, 1));
+    QApplication::clipboard()->setText("0.5\n0.6\n");
+    QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
+    EXPECT_NEAR(material().reflectanceTable.rows()[0].values[0], 0.5, 1e-12);
+    EXPECT_NEAR(material().reflectanceTable.rows()[1].values[0], 0.6, 1e-12);
+    view->selectionModel()->select({view->model()->index(0, 0), view->model()->index(1, 1)},
+                                   QItemSelectionModel::ClearAndSelect);
+    QTest::keyClick(view, Qt::Key_C, Qt::ControlModifier);
+    EXPECT_EQ(QApplication::clipboard()->text(), "0\t0.5\n20\t0.6\n");
+    QApplication::clipboard()->setText("1.2\n");
+    view->setCurrentIndex(view->model()->index(0, 1));
+    QTest::keyClick(view, Qt::Key_V, Qt::ControlModifier);
+    EXPECT_NEAR(material().reflectanceTable.rows()[0].values[0], 0.5, 1e-12);
+    EXPECT_FALSE(find<QLabel>("reflectanceMessage")->styleSheet().isEmpty())
+        << "more than all light";
+    workbench.undoStack().undo();
     view->selectRow(last + 1);
     find<QToolButton>("removeReflectance")->click();
     EXPECT_EQ(material().reflectanceTable.rows().size(), begun.rows().size());
