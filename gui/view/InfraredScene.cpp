@@ -6,8 +6,7 @@
 #include "irsg/core/Stopwatch.h"
 #include "irsg/image/ApparentTemperature.h"
 #include "irsg/image/ImageStatistics.h"
-#include "irsg/radiometry/Units.h"
-#include "smatcore/settings/SettingKeys.h"
+#include "smatcore/project/EnvironmentInput.h"
 
 namespace smat::gui {
 
@@ -74,10 +73,7 @@ const irsg::Environment& InfraredScene::environment(const InfraredRequest& reque
         environmentKey_ = key;
     }
     // The sun moves without the air being read again.
-    if (settings.isSet(key::environmentSunAzimuth))
-        environment_.sun.azimuth_rad = irsg::radians(settings[key::environmentSunAzimuth]);
-    if (settings.isSet(key::environmentSunElevation))
-        environment_.sun.elevation_rad = irsg::radians(settings[key::environmentSunElevation]);
+    moveSun(environment_.sun, settings);
     return environment_;
 }
 

@@ -24,6 +24,9 @@ std::optional<irsg::SunPosition> addAir(irsg::Environment& environment,
 /// What the settings list as atmospheres, with paths that hold anywhere; words (see isNoAir) stay.
 std::vector<std::filesystem::path> resolvedAir(const Project& project, const Settings& settings);
 
+/// Gives `sun` the azimuth and elevation that the settings set; what they do not set stays.
+void moveSun(irsg::SunPosition& sun, const Settings& settings);
+
 /// The sun alone of environmentOf (see SceneBuilder.h): what the settings do not set comes from the
 /// first Environment file they list. Reads no other air, and throws nothing: a file that cannot be
 /// read says nothing here.

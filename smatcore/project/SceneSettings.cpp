@@ -18,16 +18,16 @@ namespace smat {
 
 namespace {
 
-/// What the project sets itself goes before the sun of an Environment file.
+/// The sun of an Environment file, or that of the defaults, moved to where the settings put it.
 irsg::SunPosition sunFrom(const Settings& settings, const std::optional<irsg::SunPosition>& file) {
-    irsg::SunPosition sun{.azimuth_rad = irsg::radians(settings[key::environmentSunAzimuth]),
-                          .elevation_rad = irsg::radians(settings[key::environmentSunElevation])};
+    irsg::SunPosition sun{.azimuth_rad = file ? file->azimuth_rad
+                                              : irsg::radians(settings[key::environmentSunAzimuth]),
+                          .elevation_rad =
+                              file ? file->elevation_rad
+                                   : irsg::radians(settings[key::environmentSunElevation])};
     if (const auto day = settings[key::environmentDayOfYear])
         sun.distance_au = irsg::sunDistance_au(static_cast<int>(*day));
-    if (file && !settings.isSet(key::environmentSunAzimuth))
-        sun.azimuth_rad = file->azimuth_rad;
-    if (file && !settings.isSet(key::environmentSunElevation))
-        sun.elevation_rad = file->elevation_rad;
+    moveSun(sun, settings);
     return sun;
 }
 
@@ -39,6 +39,13 @@ irsg::Band bandOf(const Project& project, const Settings& settings) {
 }
 
 } // namespace
+
+void moveSun(irsg::SunPosition& sun, const Settings& settings) {
+    if (settings.isSet(key::environmentSunAzimuth))
+        sun.azimuth_rad = irsg::radians(settings[key::environmentSunAzimuth]);
+    if (settings.isSet(key::environmentSunElevation))
+        sun.elevation_rad = irsg::radians(settings[key::environmentSunElevation]);
+}
 
 irsg::SunPosition sunOf(const Project& project, const Settings& settings) {
     std::optional<irsg::SunPosition> ofFile;
