@@ -3,13 +3,16 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Wording.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/data/ImageSource.h"
 #include "smatcore/project/AnalysisKind.h"
+#include "smatcore/support/NearestNames.h"
 #include "smatcore/support/StageTimer.h"
 
 namespace smat::batch {
@@ -42,6 +45,12 @@ inline irsg::InputError refusal(const char* option, std::string value, std::stri
                              .position = "",
                              .value = std::move(value),
                              .expected = std::move(expected)});
+}
+
+/// The same of an option that takes one of some words: with those that are spelt nearly like it.
+inline irsg::InputError wordRefusal(const char* option, const std::string& value,
+                                    const std::vector<std::string>& words) {
+    return refusal(option, value, irsg::alternatives(words) + didYouMean(value, words));
 }
 
 /// Adds the command `name` of `parent`, whose options and work are those of a Work(command,

@@ -312,7 +312,7 @@ class MonteCarloCommand {
         if (!kind_.empty()) {
             const auto kind = analysisKindFromName(kind_);
             if (!kind || (*kind)->form == AnalysisForm::image)
-                throw refusal("--kind", kind_, "polar, range, time or spectrum");
+                throw wordRefusal("--kind", kind_, {"polar", "range", "time", "spectrum"});
             if (!analysis_.empty())
                 throw refusal("--kind", kind_, "nothing beside --analysis");
             return AnalysisData::of(project, *kind);
@@ -346,11 +346,12 @@ class MonteCarloCommand {
         options.rankingAt = numbers_.value("--ranking-at");
         options.ranking = ranking_ || options.rankingAt || numbers_.value("--ranking-pairs");
         if (sequence_ != "sobol" && sequence_ != "plain")
-            throw refusal("--sequence", sequence_, "sobol or plain");
+            throw wordRefusal("--sequence", sequence_, {"sobol", "plain"});
         options.sequence = sequence_ == "plain" ? DrawSequence::plain : DrawSequence::sobol;
         const auto quantity = monteCarloQuantity(quantity_);
         if (!quantity)
-            throw refusal("--quantity", quantity_, "contrast_intensity, intensity or irradiance");
+            throw wordRefusal("--quantity", quantity_,
+                              {"contrast_intensity", "intensity", "irradiance"});
         options.quantity = *quantity;
         const auto statistic = statisticFromName(statistic_);
         if (!statistic) {

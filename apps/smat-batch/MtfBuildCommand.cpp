@@ -163,7 +163,7 @@ class MtfBuildCommand {
         if (method_ == "monte-carlo")
             recipe.method = irsg::MtfRecipe::Method::monteCarlo;
         else if (method_ != "small-angle")
-            throw refusal("--method", method_, "small-angle or monte-carlo");
+            throw wordRefusal("--method", method_, {"small-angle", "monte-carlo"});
         recipe.sizes = sizes();
         take("--wavelength", recipe.wavelength_um);
         if (!depths_.empty()) {

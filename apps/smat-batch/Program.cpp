@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/UnknownArguments.h"
 #include "apps/smat-batch/Output.h"
 #include "apps/smat-batch/SettingOptions.h"
 #include "apps/smat-batch/Streams.h"
@@ -116,15 +117,18 @@ void checkArguments(int argc, char** argv) {
 
 int parseAndWork(CLI::App& app, Context& context, int argc, char** argv) {
     checkArguments(argc, argv);
+    const std::vector<std::string> arguments = withJoinedFlags({argv + 1, argv + argc});
     try {
-        std::vector<std::string> arguments = withJoinedFlags({argv + 1, argv + argc});
-        std::ranges::reverse(arguments); // as the parser takes them
-        app.parse(std::move(arguments));
+        // As the parser takes them.
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::Success& help) {
         return app.exit(help);
     } catch (const CLI::ParseError& error) {
-        tell(
-            fmt::format("error: {} (smat-batch COMMAND --help lists the options)\n", error.what()));
+        const std::string sentence =
+            unknownArgument(app, arguments)
+                .value_or(std::string(error.what()) +
+                          " (smat-batch COMMAND --help lists the options)");
+        tell("error: " + sentence + "\n");
         return refused;
     }
     if (!context.work) {

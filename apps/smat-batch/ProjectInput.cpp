@@ -24,7 +24,8 @@ Project ProjectInput::load() const {
     refuseOptionsFor("a project");
     Project project = loadProject(file);
     for (const std::string& key : unknownKeys(project))
-        warn(file_ + ": the key " + key + " is not known to this version and has no effect");
+        warn(file_ + ": the key " + key + " is not known to this version and has no effect" +
+             knownKeysLike(key));
     return project;
 }
 

@@ -1,13 +1,16 @@
+#include <algorithm>
+#include <array>
 #include <clocale>
 #include <cstdlib>
 #include <iostream>
-#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <QApplication>
 
+#include "apps/UnknownArguments.h"
 #include "apps/smat/PlotCommand.h"
 #include "gui/Leaving.h"
 #include "gui/MainWindow.h"
@@ -15,9 +18,11 @@
 #include "gui/widgets/Theme.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/Wording.h"
 #include "smatcore/data/ImageSource.h"
 #include "smatcore/data/Provenance.h"
 #include "smatcore/support/FreedMemory.h"
+#include "smatcore/support/NearestNames.h"
 
 namespace {
 
@@ -89,6 +94,21 @@ int runWindow(const std::string& file, std::optional<smat::gui::ThemeMode> theme
     return code;
 }
 
+/// No value for no word. Throws InputError for one that is none.
+std::optional<smat::gui::ThemeMode> themeOf(const std::string& word) {
+    using smat::gui::ThemeMode;
+    const std::vector<std::string> words = {"system", "light", "dark"};
+    const auto found = std::ranges::find(words, word);
+    if (word.empty())
+        return std::nullopt;
+    if (found == words.end()) {
+        throw irsg::InputError(
+            {"--theme", "", word, irsg::alternatives(words) + smat::didYouMean(word, words)});
+    }
+    return std::array{ThemeMode::system, ThemeMode::light, ThemeMode::dark}.at(
+        static_cast<std::size_t>(found - words.begin()));
+}
+
 /// Version with the GL renderer, where this machine has one.
 std::string versionText() {
     std::string renderer;
@@ -104,17 +124,14 @@ std::string versionText() {
 
 int main(int argc, char** argv) {
     smat::keepFreedMemory();
-    CLI::App cli{"SMAT, the infrared signature modelling workbench"};
+    CLI::App cli{"SMAT, the infrared signature modelling workbench", "smat"};
     cli.set_version_flag("--version", versionText);
     std::string file;
     cli.add_option("file", file, "A .smat project, or a model, to open in the workbench");
-    std::optional<smat::gui::ThemeMode> theme;
-    cli.add_option("--theme", theme,
-                   "Colours of the window: system, light or dark; those of the preferences without")
-        ->transform(CLI::CheckedTransformer(
-            std::map<std::string, smat::gui::ThemeMode>{{"system", smat::gui::ThemeMode::system},
-                                                        {"light", smat::gui::ThemeMode::light},
-                                                        {"dark", smat::gui::ThemeMode::dark}}));
+    std::string theme;
+    cli.add_option(
+        "--theme", theme,
+        "Colours of the window: system, light or dark; those of the preferences without");
 
     smat::PlotRequest request;
     auto* plot = cli.add_subcommand("plot", "Draws results into a file, without a display");
@@ -135,11 +152,18 @@ int main(int argc, char** argv) {
 
     try {
         cli.parse(argc, argv);
+    } catch (const CLI::Success& help) {
+        return cli.exit(help);
     } catch (const CLI::ParseError& error) {
-        return cli.exit(error) == 0 ? EXIT_SUCCESS : inputRefused;
+        std::cerr << "smat: "
+                  << smat::unknownArgument(cli, {argv + 1, argv + argc})
+                         .value_or(std::string(error.what()) + " (smat --help lists the options)")
+                  << '\n';
+        return inputRefused;
     }
     try {
-        return plot->parsed() ? runPlot(request, argc, argv) : runWindow(file, theme, argc, argv);
+        return plot->parsed() ? runPlot(request, argc, argv)
+                              : runWindow(file, themeOf(theme), argc, argv);
     } catch (const irsg::InputError& error) {
         for (const auto& diagnostic : error.diagnostics())
             std::cerr << "smat: " << diagnostic.message() << '\n';

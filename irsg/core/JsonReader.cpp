@@ -296,7 +296,8 @@ std::optional<std::vector<std::vector<double>>> JsonReader::columns(std::size_t 
     return isRight ? std::optional(std::move(columns)) : std::nullopt;
 }
 
-void JsonReader::refuseUnknown() const {
+void JsonReader::refuseUnknown(
+    const std::function<std::string(const std::string& path)>& hint) const {
     if (!value_ || !value_->is_object())
         return;
     const auto& known = document_->known[value_];
@@ -308,9 +309,10 @@ void JsonReader::refuseUnknown() const {
         const auto found = known.find(key);
         const JsonReader one(document_, &value, joinedKeyPath(path_, key), false);
         if (found == known.end())
-            one.refuse("an unknown key", keys.empty() ? "none here" : "one of " + keys);
+            one.refuse("an unknown key", (keys.empty() ? "none here" : "one of " + keys) +
+                                             (hint ? hint(one.path_) : ""));
         else if (found->second == Known::inParts)
-            one.refuseUnknown();
+            one.refuseUnknown(hint);
     }
 }
 

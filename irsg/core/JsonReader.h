@@ -115,8 +115,9 @@ class JsonReader {
     /// False where it refused something.
     bool check(const std::function<void()>& checking) const;
 
-    /// Refuses the members of an object that are not known, and those of its sections.
-    void refuseUnknown() const;
+    /// Refuses the members of an object that are not known, and those of its sections. `hint` adds
+    /// to what was expected, by the key path.
+    void refuseUnknown(const std::function<std::string(const std::string& path)>& hint = {}) const;
     /// An object of the members that are not known, and of what is not known in sections.
     Json unknown() const;
 

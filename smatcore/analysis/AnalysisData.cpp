@@ -3,6 +3,7 @@
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/CommandSettings.h"
 #include "smatcore/settings/AnalysisSections.h"
+#include "smatcore/support/NearestNames.h"
 #include "smatcore/support/ShellText.h"
 
 namespace smat {
@@ -38,14 +39,17 @@ AnalysisData AnalysisData::of(const Project& project, const std::string& name) {
     const NamedAnalysis* found = project.find(name);
     if (found == nullptr) {
         std::string names;
-        for (const NamedAnalysis& analysis : project.analyses)
+        std::vector<std::string> known;
+        for (const NamedAnalysis& analysis : project.analyses) {
             names += (names.empty() ? "" : ", ") + analysis.name;
+            known.push_back(analysis.name);
+        }
         throw irsg::InputError({.file = project.displayName(),
                                 .position = "analyses",
                                 .value = name,
                                 .expected = names.empty()
                                                 ? "an analysis, but the project names none"
-                                                : "one of " + names});
+                                                : "one of " + names + didYouMean(name, known)});
     }
     AnalysisData data;
     data.name = found->name;

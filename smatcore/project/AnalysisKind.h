@@ -40,7 +40,9 @@ std::string title(AnalysisKind kind);
 std::optional<AnalysisKind> analysisKindFromName(std::string_view name);
 /// What made a result, by the word of its provenance: an analysis, a tool, or AnalysisKind::other.
 AnalysisKind resultKindFromName(std::string_view name);
-/// What analysisKindFromName knows, as alternatives: "image, spectrum, ... or table".
+/// What analysisKindFromName knows: "image", "spectrum", ...
+std::vector<std::string> analysisKindWords();
+/// The same as alternatives: "image, spectrum, ... or table".
 std::string analysisKindNames();
 
 } // namespace smat

@@ -68,7 +68,8 @@ void readSetting(Settings& settings, const SettingInfo& setting, const JsonReade
     }
     if (!text || !canonicalText(setting, *text)) {
         reader.refuse(setting.kind == SettingKind::pathList ? "a list of file names"
-                                                            : setting.expected());
+                      : value.is_string() ? setting.expectedInsteadOf(value.get<std::string>())
+                                          : setting.expected());
         return;
     }
     settings.set(setting.key, *text);

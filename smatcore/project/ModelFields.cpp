@@ -10,6 +10,7 @@
 #include "irsg/radiometry/Units.h"
 #include "smatcore/project/SceneModels.h"
 #include "smatcore/settings/SettingKeys.h"
+#include "smatcore/support/NearestNames.h"
 
 namespace smat {
 
@@ -161,6 +162,13 @@ std::vector<ModelField> makeFields() {
 
 constexpr std::string_view modelPrefix = "models.";
 
+std::vector<std::string> modelFieldKeys() {
+    std::vector<std::string> keys;
+    for (const ModelField& field : modelFields())
+        keys.push_back(field.key);
+    return keys;
+}
+
 } // namespace
 
 const std::vector<ModelField>& modelFields() {
@@ -192,7 +200,7 @@ void setField(Project& project, std::size_t model, const ModelField& field, std:
     }
     const auto canonical = canonicalText(field.info, text);
     if (!canonical)
-        refusePlace(where, text, field.info.expected());
+        refusePlace(where, text, field.info.expectedInsteadOf(text));
     if (model > 0)
         field.set(project.models.at(model), *canonical);
     else if (field.key == "heading")
@@ -213,13 +221,14 @@ void assignToModel(Project& project, std::string_view argument) {
     const std::string_view path = place.substr(modelPrefix.size());
     const std::size_t dot = path.rfind('.');
     std::string keys;
-    for (const ModelField& field : modelFields())
-        keys += (keys.empty() ? "" : ", ") + field.key;
+    for (const std::string& key : modelFieldKeys())
+        keys += (keys.empty() ? "" : ", ") + key;
     if (equals == std::string_view::npos || dot == std::string_view::npos)
         refusePlace("--set", argument, "models.NAME.KEY=value, where KEY is one of " + keys);
     const ModelField* field = findModelField(path.substr(dot + 1));
     if (field == nullptr)
-        refusePlace(std::string(place), path.substr(dot + 1), "one of " + keys);
+        refusePlace(std::string(place), path.substr(dot + 1),
+                    "one of " + keys + didYouMean(path.substr(dot + 1), modelFieldKeys()));
     const std::size_t model = findModel(project, path.substr(0, dot), std::string(place));
     if (model == 0 && !field->ofTarget.empty())
         refusePlace(std::string(place), path.substr(0, dot),

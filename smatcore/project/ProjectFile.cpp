@@ -2,8 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "irsg/core/NewLines.h"
 #include "smatcore/project/JsonWriting.h"
 #include "smatcore/project/ProjectReader.h"
+#include "smatcore/support/NearestNames.h"
 #include "smatcore/support/TextFile.h"
 
 namespace smat {
@@ -51,6 +53,29 @@ Json modelJson(const ProjectModel& model, const JsonPaths& paths) {
         json["fallbackMaterial"] = *model.fallbackMaterial;
     mergeUnknown(json, model.unknownKeys);
     return json;
+}
+
+/// Keys of a model, as modelJson writes them.
+std::vector<std::string> modelKeys() {
+    return {"name",
+            "file",
+            "database",
+            "upAxis",
+            "noseAxis",
+            "unit_m",
+            "origin",
+            "twoSided",
+            "cutTextureAlpha",
+            "position_m",
+            "yaw_deg",
+            "pitch_deg",
+            "roll_deg",
+            "power",
+            "mach",
+            "timeOffset_s",
+            "referencePoint_m",
+            "fallbackTemperature",
+            "fallbackMaterial"};
 }
 
 void listKeys(const std::string& path, const std::string& unknown, std::vector<std::string>& keys) {
@@ -119,6 +144,20 @@ std::vector<std::string> unknownKeys(const Project& project) {
     for (const NamedAnalysis& analysis : project.analyses)
         listKeys("analyses." + analysis.name, analysis.unknownKeys, keys);
     return keys;
+}
+
+std::string knownKeysLike(const std::string& path) {
+    if (const std::string settings = settingsLike(path); !settings.empty())
+        return settings;
+    const std::string key = path.substr(path.rfind('.') + 1);
+    if (path.starts_with("models."))
+        return didYouMean(key, modelKeys());
+    std::vector<std::string> names{"title", "notes", "results", "models", "analyses"};
+    if (path.starts_with("analyses."))
+        names = {"kind", "notes"};
+    for (const SettingInfo& setting : settingTable())
+        irsg::addNew(names, setting.section());
+    return didYouMean(key, names);
 }
 
 } // namespace smat

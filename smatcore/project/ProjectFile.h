@@ -27,5 +27,8 @@ void saveProject(const Project& project, const std::filesystem::path& file);
 
 /// Key paths of the keys this version does not know, for a warning: "sensor.widht".
 std::vector<std::string> unknownKeys(const Project& project);
+/// The end of that warning, didYouMean() for such a path: of a key in a section of settings the
+/// settings, else the keys that may stand there.
+std::string knownKeysLike(const std::string& path);
 
 } // namespace smat

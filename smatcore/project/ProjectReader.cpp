@@ -7,6 +7,7 @@
 #include "smatcore/project/JsonReading.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/settings/SettingKeys.h"
+#include "smatcore/support/NearestNames.h"
 
 namespace smat {
 
@@ -58,7 +59,7 @@ NamedAnalysis readAnalysis(const std::string& name, const JsonReader& json) {
     const JsonReader kind = json.at("kind");
     const auto known = analysisKindFromName(kind.textOr(""));
     if (!known)
-        kind.refuse(analysisKindNames());
+        kind.refuse(analysisKindNames() + didYouMean(kind.textOr(""), analysisKindWords()));
     analysis.kind = known.value_or(AnalysisKind::image);
     analysis.notes = json.at("notes").textOr("");
     analysis.settings = readSettings(json);

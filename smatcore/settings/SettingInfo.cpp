@@ -11,6 +11,7 @@
 #include "irsg/core/Wording.h"
 #include "irsg/radiometry/Band.h"
 #include "smatcore/settings/AnalysisSections.h"
+#include "smatcore/support/NearestNames.h"
 
 namespace smat {
 
@@ -130,6 +131,13 @@ std::string SettingInfo::expected() const {
     throw irsg::LogicError("unknown kind of setting");
 }
 
+std::string SettingInfo::expectedInsteadOf(std::string_view text) const {
+    return expected() +
+           didYouMean(irsg::trimmed(text), kind == SettingKind::boolean
+                                               ? std::vector<std::string>{"true", "false"}
+                                               : choices);
+}
+
 const SettingInfo* findSetting(std::string_view key) {
     const auto& table = settingTable();
     const auto found = std::find_if(table.begin(), table.end(),
@@ -142,6 +150,26 @@ const SettingInfo& settingInfo(std::string_view key) {
     if (found == nullptr)
         throw irsg::LogicError("there is no setting " + std::string(key));
     return *found;
+}
+
+std::string expectedSetting(std::string_view key) {
+    std::vector<std::string> keys;
+    for (const SettingInfo& row : settingTable())
+        keys.push_back(row.key);
+    return "a setting that exists (smat-batch settings lists them)" + didYouMean(key, keys);
+}
+
+std::string settingsLike(std::string_view path) {
+    const std::size_t dot = path.rfind('.');
+    if (dot == std::string_view::npos || dot == 0)
+        return "";
+    const std::size_t above = path.rfind('.', dot - 1);
+    const std::string_view key = path.substr(above == std::string_view::npos ? 0 : above + 1);
+    std::vector<std::string> keys;
+    for (const SettingInfo& row : settingTable())
+        if (key.starts_with(row.section() + "."))
+            keys.push_back(row.key);
+    return didYouMean(key, keys);
 }
 
 std::vector<std::string> settingsOn(SettingPage page) {

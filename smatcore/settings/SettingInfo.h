@@ -65,6 +65,8 @@ struct SettingInfo {
     std::string section() const;
     /// "a number from 1 to 16384 (px)": what a value must be, as errors and the manual say it.
     std::string expected() const;
+    /// The same of a value that is none: with the choices that are spelt nearly like it.
+    std::string expectedInsteadOf(std::string_view text) const;
 };
 
 /// All settings, in the order of forms and manual. Sections: sensor, camera, target, state,
@@ -80,6 +82,13 @@ std::vector<std::string> settingsOn(SettingPage page);
 std::string sectionTitle(std::string_view section);
 /// True for the sections that concern one kind of analysis only.
 bool isAnalysisSection(std::string_view section);
+
+/// "a setting that exists (smat-batch settings lists them)", with those that are spelt nearly like
+/// `key`: what a message expects in place of an unknown key.
+std::string expectedSetting(std::string_view key);
+/// The end of a message about an unknown key in a section of settings, "sensors.0.render.fluxs":
+/// didYouMean() among the settings of that section. "" for a path without one.
+std::string settingsLike(std::string_view path);
 
 /// The canonical text of `text` as a value of this setting ("0640" -> "640"), or no value where it
 /// is not one.

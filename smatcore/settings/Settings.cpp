@@ -28,18 +28,17 @@ double parsed(const std::string& canonical) {
 void Settings::set(std::string_view key, std::string_view text, const std::string& file) {
     const SettingInfo* setting = findSetting(key);
     if (setting == nullptr) {
-        throw irsg::InputError(
-            {.file = file,
-             .position = std::string(key),
-             .value = std::string(text),
-             .expected = "a setting that exists (smat-batch settings lists them)"});
+        throw irsg::InputError({.file = file,
+                                .position = std::string(key),
+                                .value = std::string(text),
+                                .expected = expectedSetting(key)});
     }
     const std::optional<std::string> canonical = canonicalText(*setting, text);
     if (!canonical) {
         throw irsg::InputError({.file = file,
                                 .position = setting->key,
                                 .value = std::string(text),
-                                .expected = setting->expected()});
+                                .expected = setting->expectedInsteadOf(text)});
     }
     values_[setting->key] = *canonical;
 }

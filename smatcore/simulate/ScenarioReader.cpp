@@ -193,7 +193,7 @@ Scenario readScenario(const std::string& text, const std::string& file) {
     for (const JsonReader& json : sensors)
         scenario.sensors.push_back(readSensor(json));
     scenario.settings = readScenarioSettings(root);
-    root.refuseUnknown();
+    root.refuseUnknown([](const std::string& path) { return settingsLike(path); });
     checkNames(scenario, entities, sensors);
     root.throwRefused();
     return scenario;

@@ -44,11 +44,15 @@ AnalysisKind resultKindFromName(std::string_view text) {
     return analysisKindFromName(text).value_or(AnalysisKind::other);
 }
 
-std::string analysisKindNames() {
-    std::vector<std::string> names;
+std::vector<std::string> analysisKindWords() {
+    std::vector<std::string> words;
     for (const AnalysisKind kind : allAnalysisKinds())
-        names.push_back(name(kind));
-    return irsg::alternatives(names);
+        words.push_back(name(kind));
+    return words;
+}
+
+std::string analysisKindNames() {
+    return irsg::alternatives(analysisKindWords());
 }
 
 const std::vector<AnalysisSection>& analysisSections() {
