@@ -18,7 +18,7 @@ double intensity_W_sr(Irsg& irsg, CalculationMode mode, ReflectionMode sun) {
     RenderSettings settings = irsg.settings();
     settings.mode = mode;
     settings.sun = sun;
-    settings.fluxes = ReflectionMode::smart;
+    settings.ambientReflection = ReflectionMode::smart;
     settings.samplesPerAxis = 1;
     irsg.setSettings(settings);
     return irsg.measure().all.intensity_W_sr;

@@ -37,7 +37,7 @@ struct Measured {
 Measured measured(Irsg& irsg, CalculationMode mode, ReflectionMode reflection) {
     RenderSettings settings = irsg.settings();
     settings.mode = mode;
-    settings.sun = settings.fluxes = reflection;
+    settings.sun = settings.ambientReflection = reflection;
     settings.samplesPerAxis = 1;
     irsg.setSettings(settings);
     Measured result;

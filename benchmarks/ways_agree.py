@@ -12,7 +12,7 @@ The airs: `haze` is homogeneous air of a table, `computed` an AtmosphereSmart, `
 over altitudes and ranges, which this script makes up in MODTRAN's CSV (absorbing air in lines, colder
 with altitude) and has imported, and `modtran` a run of MODTRAN itself, one horizontal path at sea
 level, where the shared material is (../shared, or the folder that SMAT_SHARED names). Runs have
-neither sun nor fluxes nor a sky: through them these are off.
+neither sun nor ambient reflection nor a sky: through them these are off.
 
 An image of several bands is a file each, drawn for that band alone: it is compared with sweeps of
 one band. `simulate` in several bands is compared with the sweep in the same bands.
@@ -111,7 +111,7 @@ class Air:
         self.render = {}
         if name not in FILES:
             # A background of 1 W m-2 sr-1, so that the contrast is not the intensity.
-            self.render = {"sun": "off", "fluxes": "off", "background": 1}
+            self.render = {"sun": "off", "ambientReflection": "off", "background": 1}
 
 
 def settings(sample, air):

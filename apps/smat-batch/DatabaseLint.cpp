@@ -5,12 +5,12 @@
 
 #include "apps/smat-batch/DatabaseCommand.h"
 #include "apps/smat-batch/Output.h"
+#include "apps/smat-batch/ProjectInput.h"
 #include "irsg/core/Errors.h"
 #include "irsg/geometry/model/ModelUse.h"
 #include "irsg/radiometry/Band.h"
 #include "irsg/signature/LintScalings.h"
 #include "smatcore/analysis/ProjectLint.h"
-#include "smatcore/project/ProjectFile.h"
 #include "smatcore/support/TextFile.h"
 
 namespace smat::batch {
@@ -64,7 +64,7 @@ Surroundings surroundingsOf(const LintOptions& options) {
     Surroundings around;
     if (!options.project.empty()) {
         SceneBuilder builder;
-        const Project project = loadProject(options.project);
+        const Project project = openProject(options.project);
         around.scope = lintScopeOf(project, options.file, builder);
         auto use = around.scope.models.begin();
         for (const std::size_t model : modelsWith(project, options.file))

@@ -113,7 +113,11 @@ class ExplainCommand {
                 throw refusal(analysis_.empty() ? "--set" : "--analysis", "an option",
                               "none: an image says how it was computed");
             image_ = irsg::readImageFile(project_.file());
-            return analysisOfImage(*image_, project_.file());
+            std::vector<std::string> remarks;
+            data = analysisOfImage(*image_, project_.file(), {}, &remarks);
+            for (const std::string& remark : remarks)
+                warn(remark);
+            return data;
         }
         Project project = project_.load();
         settings_.place(project);

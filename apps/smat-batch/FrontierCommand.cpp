@@ -17,9 +17,9 @@ namespace smat::batch {
 namespace {
 
 constexpr const char* repeatsOption = "--repeats";
-constexpr const char* waysOption = "--ways";
+constexpr const char* configurationsOption = "--configurations";
 
-/// `smat-batch frontier PROJECT [options of the view] --out FILE`.
+/// `smat-batch cost-accuracy PROJECT [options of the view] --out FILE`.
 class FrontierCommand {
   public:
     explicit FrontierCommand(CLI::App& command)
@@ -28,23 +28,25 @@ class FrontierCommand {
           numbers_(command),
           files_(command) {
         command
-            .add_option(waysOption, ways_,
+            .add_option(configurationsOption, configurations_,
                         "all, or likely: each choice alone, then those that may be on the front by "
                         "what these showed and a model of costs")
             ->type_name("WHICH");
-        command.add_flag("--dry-run", countsOnly_, "Tells how many ways there are and stops");
+        command.add_flag("--dry-run", countsOnly_,
+                         "Tells how many configurations there are and stops");
         numbers_.add(repeatsOption, "N", "Each time is the least of so many cases, 2 by default");
-        command.footer("Columns: the true error of each way, the least time of those with no more, "
-                       "its own time, and what it is; smat plot draws them. --target-error says "
-                       "which way is chosen.");
+        command.footer(
+            "Columns: the true error of each configuration, the least time of those with "
+            "no larger error, its own time, and what it is; smat plot draws them. "
+            "--target-error says which one is chosen.");
     }
 
     int run(Context& context) const {
         if (!countsOnly_)
-            files_.check("frontier.csv");
+            files_.check("cost-accuracy.csv");
         numbers_.check();
-        if (ways_ != "all" && ways_ != "likely")
-            throw refusal(waysOption, ways_, "all or likely");
+        if (configurations_ != "all" && configurations_ != "likely")
+            throw wordRefusal(configurationsOption, configurations_, {"all", "likely"});
         const double repeats = numbers_.value(repeatsOption).value_or(2.0);
         if (repeats < 1.0 || repeats > 1000.0 || repeats != std::floor(repeats))
             throw refusal(repeatsOption, fmt::format("{}", repeats),
@@ -60,19 +62,21 @@ class FrontierCommand {
             data.settings = data.project.settings.with(given);
             data.commandLine = context.commandLine;
         }
-        const Frontier::Options options{static_cast<std::size_t>(repeats), ways_ == "likely"};
+        const Frontier::Options options{static_cast<std::size_t>(repeats),
+                                        configurations_ == "likely"};
         const Frontier::Size size = Frontier::sizeOf(data.project, data.settings, options);
         const std::string words =
             options.likely
-                ? fmt::format("{} ways, {} of which are measured first and then the likely ones: "
-                              "about {:.0f} to {:.0f} s",
-                              size.all, size.alone, size.least_s, size.most_s)
-                : fmt::format("{} ways: about {:.0f} s", size.all, size.most_s);
+                ? fmt::format(
+                      "{} configurations, {} of which are measured first and then the likely ones: "
+                      "about {:.0f} to {:.0f} s",
+                      size.all, size.alone, size.least_s, size.most_s)
+                : fmt::format("{} configurations: about {:.0f} s", size.all, size.most_s);
         if (countsOnly_) {
-            fmt::print("frontier: {}, where drawing is done in software\n", words);
+            fmt::print("cost-accuracy: {}, where drawing is done in software\n", words);
             return done;
         }
-        logInfo("frontier: " + words);
+        logInfo("cost-accuracy: " + words);
         catchStopSignal();
         SceneBuilder builder;
         const auto source = startedImageSource(context);
@@ -99,7 +103,7 @@ class FrontierCommand {
         files_.write(data.name, data.table, data.summary, {}, context.json);
         for (const std::string& sentence : data.answeredBy)
             if (!context.json &&
-                (sentence.starts_with("ways: ") || sentence.starts_with("target error")))
+                (sentence.starts_with("configurations: ") || sentence.starts_with("target error")))
                 fmt::print("{}\n", sentence);
         return stopWasAsked() ? warned : done;
     }
@@ -109,7 +113,7 @@ class FrontierCommand {
     SettingOptions settings_;
     NumberOptions numbers_;
     TableFiles files_;
-    std::string ways_ = "all";
+    std::string configurations_ = "all";
     bool countsOnly_ = false;
 };
 

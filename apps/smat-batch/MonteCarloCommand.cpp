@@ -84,7 +84,7 @@ class MonteCarloCommand {
                         "Percentiles of the bands, 5,25,50,75,95 by default")
             ->type_name("LIST");
         numbers_.add(
-            "--phases", "N",
+            "--subpixel-shifts", "N",
             "Drawings of each case that tell the numerical error, 4 by default; 1 for none");
         command.add_flag("--ranking", ranking_,
                          "Ranks the scales by their first-order Sobol' indices");
@@ -238,15 +238,15 @@ class MonteCarloCommand {
             throw refusal("montecarlo", "a scenario", "a project for several processes");
         ScenarioMonteCarlo run;
         run.options = options();
-        if (!numbers_.value("--phases"))
-            run.options.phases = 1;
+        if (!numbers_.value("--subpixel-shifts"))
+            run.options.subpixelShifts = 1;
         run.commandLine = context.commandLine;
         SceneBuilder builder;
         {
             const StageTimer::Scope scope(&context.timer, "load");
             Settings given = scenarioOverrides(settings_);
             given.set(key::scalingUse, "false");
-            const Scenario scenario = loadScenario(project_.file());
+            const Scenario scenario = openScenario(project_.file());
             run.plan = planSimulation(scenario, {.sensors = sensors_,
                                                  .from_s = numbers_.value("--from"),
                                                  .to_s = numbers_.value("--to")});
@@ -340,7 +340,7 @@ class MonteCarloCommand {
         numbers_.check();
         MonteCarloOptions options;
         take("--samples", options.samples);
-        take("--phases", options.phases);
+        take("--subpixel-shifts", options.subpixelShifts);
         take("--ranking-pairs", options.rankingPairs);
         options.standardError = numbers_.value("--standard-error");
         options.rankingAt = numbers_.value("--ranking-at");

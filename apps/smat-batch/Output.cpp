@@ -37,6 +37,16 @@ void warn(const std::string& sentence) {
     tell("warning: " + sentence + "\n");
 }
 
+void warnOnce(const std::vector<std::string>& sentences) {
+    static std::vector<std::string> told;
+    for (const std::string& sentence : sentences) {
+        if (std::ranges::find(told, sentence) != told.end())
+            continue;
+        told.push_back(sentence);
+        warn(sentence);
+    }
+}
+
 void complain(const irsg::InputError& error, const std::string& speaker) {
     for (const irsg::Diagnostic& diagnostic : error.diagnostics())
         tell(speaker + "error: " + diagnostic.message() + "\n");

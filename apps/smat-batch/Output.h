@@ -24,6 +24,8 @@ std::string jsonText(const Json& json) {
 
 /// One sentence a line on standard error.
 void warn(const std::string& sentence);
+/// The same of those that this process has not warned of yet.
+void warnOnce(const std::vector<std::string>& sentences);
 /// `speaker` before each line says who, where several processes tell.
 void complain(const irsg::InputError& error, const std::string& speaker = "");
 

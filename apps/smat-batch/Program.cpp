@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "apps/UnknownArguments.h"
+#include "apps/smat-batch/FormerNames.h"
 #include "apps/smat-batch/Output.h"
 #include "apps/smat-batch/SettingOptions.h"
 #include "apps/smat-batch/Streams.h"
@@ -117,7 +118,10 @@ void checkArguments(int argc, char** argv) {
 
 int parseAndWork(CLI::App& app, Context& context, int argc, char** argv) {
     checkArguments(argc, argv);
-    const std::vector<std::string> arguments = withJoinedFlags({argv + 1, argv + argc});
+    std::vector<std::string> remarks;
+    const std::vector<std::string> arguments =
+        withJoinedFlags(withNamesOfToday(app, {argv + 1, argv + argc}, remarks));
+    warnOnce(remarks);
     try {
         // As the parser takes them.
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));

@@ -6,6 +6,7 @@
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/ModelOptions.h"
 #include "apps/smat-batch/Output.h"
+#include "apps/smat-batch/ProjectInput.h"
 #include "apps/smat-batch/SettingOptions.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/geometry/model/Model.h"
@@ -78,12 +79,12 @@ class ProjectChange {
         irsg::allowChange(file_);
         saveProject(project, file_);
         // As it is read: with paths that are told from its folder.
-        return show(loadProject(file_), context);
+        return show(openProject(file_), context);
     }
 
   protected:
     const std::string& file() const { return file_; }
-    virtual Project begin() const { return loadProject(file_); }
+    virtual Project begin() const { return openProject(file_); }
     virtual void change(Project& project) const = 0;
 
   private:
@@ -210,7 +211,7 @@ class InfoCommand {
     explicit InfoCommand(CLI::App& command) {
         command.add_option("PROJECT", file_, "Project file (.smat)")->required()->type_name("");
     }
-    int run(Context& context) const { return show(loadProject(file_), context); }
+    int run(Context& context) const { return show(openProject(file_), context); }
 
   private:
     std::string file_;

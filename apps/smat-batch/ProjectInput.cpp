@@ -6,6 +6,14 @@
 
 namespace smat::batch {
 
+Project openProject(const std::string& file) {
+    std::vector<std::string> remarks;
+    Project project = loadProject(file, &remarks);
+    for (const std::string& remark : remarks)
+        warn(file + ": " + remark);
+    return project;
+}
+
 ProjectInput::ProjectInput(CLI::App& command) : placing_(command) {
     command.add_option("PROJECT", file_, "Project file (.smat), or a model")
         ->required()
@@ -22,7 +30,7 @@ Project ProjectInput::load() const {
         return project;
     }
     refuseOptionsFor("a project");
-    Project project = loadProject(file);
+    Project project = openProject(file_);
     for (const std::string& key : unknownKeys(project))
         warn(file_ + ": the key " + key + " is not known to this version and has no effect" +
              knownKeysLike(key));

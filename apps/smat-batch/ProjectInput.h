@@ -9,6 +9,10 @@
 
 namespace smat::batch {
 
+/// Reads a `.smat` file; warns on standard error of former names of settings in it. Throws
+/// InputError.
+Project openProject(const std::string& file);
+
 /// The project a command works on: a `.smat` file, or a bare model with the database of
 /// `--database` or the one that lies beside it, placed as PlacingOptions say.
 class ProjectInput {

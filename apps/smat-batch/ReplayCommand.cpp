@@ -16,7 +16,7 @@ namespace smat::batch {
 
 namespace {
 
-/// `smat-batch replay RESULT [--former FILE ...] [--tolerance PART] [--out FILE]`.
+/// `smat-batch replay RESULT [--previous FILE ...] [--tolerance PART] [--out FILE]`.
 class ReplayCommand {
   public:
     explicit ReplayCommand(CLI::App& command) {
@@ -24,7 +24,7 @@ class ReplayCommand {
             ->type_name("FILE")
             ->required();
         command
-            .add_option("--former", former_,
+            .add_option("--previous", previous_,
                         "An input as it was then, known by its content; may be given more than "
                         "once. Tells apart what each of several changes did")
             ->type_name("FILE")
@@ -54,10 +54,12 @@ class ReplayCommand {
         });
         ProgressLine progress;
         const Replay again =
-            replay(loaded, file_, {former_.begin(), former_.end()}, [&](AnalysisData& data) {
+            replay(loaded, file_, {previous_.begin(), previous_.end()}, [&](AnalysisData& data) {
                 generator.run(
                     data, [&](const Progress& now) { progress.show(now); }, {}, &context.timer);
             });
+        for (const std::string& remark : again.remarks)
+            warn(remark);
         if (!out_.empty())
             saveResult(again.again, out_);
         const std::string shown = std::filesystem::path(file_).filename().string();
@@ -67,7 +69,7 @@ class ReplayCommand {
 
   private:
     std::string file_, out_;
-    std::vector<std::string> former_;
+    std::vector<std::string> previous_;
     double tolerance_ = 0.0;
 };
 

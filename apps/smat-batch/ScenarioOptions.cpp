@@ -1,7 +1,8 @@
 #include "apps/smat-batch/ScenarioOptions.h"
 
+#include "apps/smat-batch/Output.h"
 #include "irsg/core/Errors.h"
-#include "smatcore/simulate/Scenario.h"
+#include "smatcore/simulate/ScenarioFile.h"
 
 namespace smat::batch {
 
@@ -20,6 +21,14 @@ Settings scenarioOverrides(const SettingOptions& options) {
     if (!diagnostics.empty())
         throw irsg::InputError(diagnostics);
     return given;
+}
+
+Scenario openScenario(const std::string& file) {
+    std::vector<std::string> remarks;
+    Scenario scenario = loadScenario(file, &remarks);
+    for (const std::string& remark : remarks)
+        warn(file + ": " + remark);
+    return scenario;
 }
 
 } // namespace smat::batch

@@ -132,8 +132,11 @@ Settings SettingOptions::values() const {
             continue;
         collect([&] {
             const std::size_t equals = assignment.find('=');
-            const SettingInfo* setting =
-                findSetting(irsg::trimmed(std::string_view(assignment).substr(0, equals)));
+            const std::string_view key =
+                irsg::trimmed(std::string_view(assignment).substr(0, equals));
+            const SettingInfo* setting = findSetting(key);
+            if (equals != std::string::npos)
+                warnOnce(formerNameRemarks(key, assignment.substr(equals + 1)));
             settings.setFromArgument(setting != nullptr && equals != std::string::npos
                                          ? setting->key + "=" +
                                                placed(*setting, assignment.substr(equals + 1))
@@ -143,6 +146,7 @@ Settings SettingOptions::values() const {
     for (const auto& given : given_) {
         if (given->option->count() > 0) {
             collect([&] {
+                warnOnce(formerNameRemarks(given->setting->key, given->text));
                 settings.set(given->setting->key,
                              given->setting->kind == SettingKind::boolean
                                  ? (given->flag ? "true" : "false")

@@ -3,7 +3,7 @@
 
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/Output.h"
-#include "smatcore/project/ProjectFile.h"
+#include "apps/smat-batch/ProjectInput.h"
 #include "smatcore/settings/SettingInfo.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
 
@@ -40,7 +40,7 @@ int list(bool markdown, const Context& context) {
 }
 
 int write(const std::string& project, const std::string& file, const Context& context) {
-    writeImagingSensor(loadProject(project).settings, file);
+    writeImagingSensor(openProject(project).settings, file);
     if (context.json)
         fmt::print("{}\n", jsonText(nlohmann::ordered_json{{"file", file}}));
     else

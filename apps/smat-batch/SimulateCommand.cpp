@@ -80,7 +80,7 @@ class SimulateCommand {
         SimulationPlan plan;
         {
             const StageTimer::Scope scope(&context.timer, "load");
-            const Scenario scenario = loadScenario(scenario_);
+            const Scenario scenario = openScenario(scenario_);
             plan = planSimulation(scenario, {.sensors = sensors_,
                                              .from_s = numbers_.value("--from"),
                                              .to_s = numbers_.value("--to")});

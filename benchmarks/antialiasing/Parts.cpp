@@ -28,21 +28,21 @@ Entity sampleAircraft() {
 
 struct Way {
     Method method;
-    bool hotParts;
+    bool hotSpots;
 
-    std::string name() const { return method.name() + (hotParts ? " with hot parts" : ""); }
+    std::string name() const { return method.name() + (hotSpots ? " with hot spots" : ""); }
     RenderSettings settings() const {
         RenderSettings result = method.settings();
-        result.hotParts = hotParts;
+        result.hotSpots = hotSpots;
         return result;
     }
 };
 
 std::vector<Way> ways() {
     std::vector<Way> result{{{"supersampling", 2, false}, false}};
-    for (const bool hotParts : {false, true})
+    for (const bool hotSpots : {false, true})
         for (const int mode : {3, 4, 5})
-            result.push_back({{"aligned", mode, false}, hotParts});
+            result.push_back({{"aligned", mode, false}, hotSpots});
     return result;
 }
 

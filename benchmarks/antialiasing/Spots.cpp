@@ -103,7 +103,7 @@ double timed_W_sr(Irsg& irsg, double& ms) {
 
 RenderSettings settingsOf(int zoomWindow) {
     RenderSettings settings = Method{"aligned", 4, false}.settings();
-    settings.sun = settings.fluxes = ReflectionMode::off;
+    settings.sun = settings.ambientReflection = ReflectionMode::off;
     settings.zoomWindow = zoomWindow;
     return settings;
 }
@@ -136,10 +136,10 @@ void measureSpots(const Options& options) {
     // From behind nothing hot is seen.
     const Scene scene(16);
     irsg.setEntities({scene.entity()});
-    for (const bool hotParts : {false, true})
+    for (const bool hotSpots : {false, true})
         for (const int size : {128, 256, 512}) {
             RenderSettings settings = settingsOf(size);
-            settings.hotParts = hotParts;
+            settings.hotSpots = hotSpots;
             irsg.setSettings(settings);
             Sum sum;
             const double truth_W_sr =
@@ -152,7 +152,7 @@ void measureSpots(const Options& options) {
             }
             char name[80];
             std::snprintf(name, sizeof name, "from behind, window %d%s", size,
-                          hotParts ? ", hot parts" : "");
+                          hotSpots ? ", hot spots" : "");
             sum.print(name);
         }
 }

@@ -36,7 +36,7 @@ double cell(const ResultTable& table, const char* key, std::size_t row) {
     const ResultColumn* column = table.find(key);
     if (column == nullptr)
         throw irsg::InputError({"result", "header", std::string("no column ") + key,
-                                "a result of smat-batch frontier"});
+                                "a result of smat-batch cost-accuracy"});
     return column->values.at(row);
 }
 
@@ -106,12 +106,13 @@ FrontierPanel::FrontierPanel(Dialogs dialogs, QWidget* parent) : QWidget(parent)
     ways_->setMinimumHeight(90);
     ways_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     auto* row = new QHBoxLayout;
-    all_ = new QCheckBox(tr("&All ways, those off the front, too"), below);
+    all_ = new QCheckBox(tr("&All configurations, also those off the front"), below);
     all_->setObjectName("frontierAll");
-    use_ = new QPushButton(tr("&Use this way"), below);
+    use_ = new QPushButton(tr("&Use this configuration"), below);
     use_->setObjectName("useWay");
-    use_->setToolTip(tr("Sets the project to the way that is marked, as one step that can be "
-                        "undone; a target error is taken off, which would choose another"));
+    use_->setToolTip(
+        tr("Sets the project to the configuration that is marked, as one step that can "
+           "be undone; a target error is taken off, which would choose another"));
     row->addWidget(all_, 1);
     row->addWidget(use_);
     column->addWidget(said_);
@@ -138,7 +139,8 @@ void FrontierPanel::setTable(const ResultTable& table) {
     QStringList sentences;
     for (const auto& [key, value] : table_.provenance.entries)
         if (key == "answered by" &&
-            (value.starts_with("target error") || value.starts_with("ways: ")))
+            (value.starts_with("target error") || value.starts_with("configurations: ") ||
+             value.starts_with("ways: "))) // as earlier versions wrote it
             sentences << withReadableUnits(QString::fromStdString(value));
         else if (key == "warning")
             sentences << tr("note: %1").arg(QString::fromStdString(value));
@@ -151,7 +153,7 @@ void FrontierPanel::setTable(const ResultTable& table) {
 void FrontierPanel::fillPlot() {
     constexpr double gap = std::numeric_limits<double>::quiet_NaN();
     // A sample between gaps is drawn as a dot.
-    Curve ways{tr("a way"), {}, {}},
+    Curve ways{tr("a configuration"), {}, {}},
         front{tr("front: none is both quicker and less wrong"), {}, {}},
         chosen{tr("chosen"), {}, {}};
     for (std::size_t i = 0; i < table_.rowCount(); ++i) {
@@ -303,8 +305,9 @@ void FrontierPanel::setUsable(bool usable) {
 
 void FrontierPanel::askToUse() {
     if (const auto row = marked())
-        emit useAsked(Frontier::settingsOf(table_, *row),
-                      tr("Use the way of mode %1").arg(cell(table_, "antialiasing", *row)));
+        emit useAsked(
+            Frontier::settingsOf(table_, *row),
+            tr("Use the configuration of mode %1").arg(cell(table_, "antialiasing", *row)));
 }
 
 void FrontierPanel::resizeEvent(QResizeEvent* event) {
@@ -322,7 +325,7 @@ void FrontierPanel::changeEvent(QEvent* event) {
 QStringList FrontierPanel::exportFilters() const {
     if (table_.empty())
         return {};
-    return {tr("Ways as text (*.csv)"), tr("All inputs and values (*.json)"),
+    return {tr("Configurations as text (*.csv)"), tr("All inputs and values (*.json)"),
             tr("Scalable picture (*.svg)"), tr("PDF (*.pdf)"), tr("Picture (*.png)")};
 }
 

@@ -390,7 +390,7 @@ QList<std::pair<QString, QString>> imageKeys() {
         {ImageView::tr("N, L"), ImageView::tr("Limits of the colours automatic, locked")},
         {ImageView::tr("H"), ImageView::tr("Histogram and statistics")},
         {ImageView::tr("W"),
-         ImageView::tr("Antialiasing windows: objects and hot parts with samples of their own")},
+         ImageView::tr("Antialiasing windows: objects and hot spots with samples of their own")},
         {ImageView::tr("X"), ImageView::tr("What a pixel is made of: click it, or Return")},
         {ImageView::tr("Ctrl+C, Ctrl+Shift+C"), ImageView::tr("Copy picture, copy values")}};
 }

@@ -158,9 +158,10 @@ bool ProjectFiles::open(const std::filesystem::path& file) {
 }
 
 bool ProjectFiles::load(const std::filesystem::path& file) {
+    std::vector<std::string> remarks;
     try {
         requireReadable(file);
-        workbench_.open(file);
+        workbench_.open(file, &remarks);
     } catch (const irsg::InputError& error) {
         dialogs_.tell(window_, tr("This file cannot be opened"), sentencesOf(error));
         return false;
@@ -173,6 +174,8 @@ bool ProjectFiles::load(const std::filesystem::path& file) {
         unknown << QString::fromStdString(key);
     if (!unknown.isEmpty())
         emit said(tr("Not known to this version, and kept: %1").arg(unknown.join(", ")));
+    for (const std::string& remark : remarks)
+        emit said(tr("Former name, saved as of today: %1").arg(QString::fromStdString(remark)));
     recoverPaint();
     return true;
 }

@@ -113,7 +113,8 @@ AnalysisData FrontierPage::asked() const {
     data.settings = workbench_.editedProject().settings;
     data.settings.set(key::renderTargetError, target_->text().trimmed().toStdString(),
                       tr("Target error").toStdString());
-    data.commandLine = data.equivalentCommand("frontier.csv") + Frontier::optionWords(options());
+    data.commandLine =
+        data.equivalentCommand("cost-accuracy.csv") + Frontier::optionWords(options());
     return data;
 }
 

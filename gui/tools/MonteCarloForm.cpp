@@ -104,14 +104,15 @@ void MonteCarloPage::addWhat(QFormLayout* form) {
     percentiles_ = new QLineEdit("5, 25, 50, 75, 95", this);
     percentiles_->setObjectName("percentiles");
     percentiles_->setToolTip(tr("Bands of the plot, in %: ascending numbers from 0 to 100"));
-    phases_ = wholeNumber("phases", 1, MonteCarloOptions::mostPhases, 4, this);
-    phases_->setToolTip(
+    subpixelShifts_ =
+        wholeNumber("subpixelShifts", 1, MonteCarloOptions::mostSubpixelShifts, 4, this);
+    subpixelShifts_->setToolTip(
         tr("Renderings of each case with the target at different places among the "
            "pixels: their spread is the error of the rendering itself. 1 for none."));
     form->addRow(tr("Analysis"), analysis_);
     form->addRow(tr("Quantity"), quantity_);
     form->addRow(tr("Percentiles (%)"), percentiles_);
-    form->addRow(tr("Renderings of each case"), phases_);
+    form->addRow(tr("Renderings of each case"), subpixelShifts_);
 }
 
 void MonteCarloPage::addDraws(QFormLayout* form) {

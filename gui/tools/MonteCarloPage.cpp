@@ -75,7 +75,7 @@ MonteCarloPage::MonteCarloPage(Workbench& workbench, Dialogs dialogs, QWidget* p
     connect(write_, &QPushButton::clicked, this, &MonteCarloPage::writeScalingFiles);
     for (QComboBox* box : {analysis_, quantity_, sequence_, statistic_})
         connect(box, &QComboBox::currentIndexChanged, this, &MonteCarloPage::refresh);
-    for (QSpinBox* box : {samples_, seed_, phases_, pairs_})
+    for (QSpinBox* box : {samples_, seed_, subpixelShifts_, pairs_})
         connect(box, &QSpinBox::valueChanged, this, &MonteCarloPage::refresh);
     for (QCheckBox* box : {stops_, ranks_})
         connect(box, &QCheckBox::toggled, this, &MonteCarloPage::refresh);
@@ -217,7 +217,7 @@ MonteCarloData MonteCarloPage::asked() const {
     options.statistic = *statisticFromName(statistic_->currentData().toString().toStdString());
     if (stops_->isChecked())
         options.standardError = standardError_->value() / 100.0;
-    options.phases = phases_->value();
+    options.subpixelShifts = subpixelShifts_->value();
     options.ranking = ranks_->isChecked();
     options.rankingPairs = static_cast<std::size_t>(pairs_->value());
     options.percentiles.clear();

@@ -73,7 +73,7 @@ class MonteCarloPage : public QWidget, public Exportable {
 
     QComboBox *analysis_ = nullptr, *quantity_ = nullptr, *sequence_ = nullptr,
               *statistic_ = nullptr;
-    QSpinBox *samples_ = nullptr, *seed_ = nullptr, *phases_ = nullptr, *pairs_ = nullptr;
+    QSpinBox *samples_ = nullptr, *seed_ = nullptr, *subpixelShifts_ = nullptr, *pairs_ = nullptr;
     QCheckBox *stops_ = nullptr, *ranks_ = nullptr;
     QDoubleSpinBox* standardError_ = nullptr;
     QLineEdit *percentiles_ = nullptr, *command_ = nullptr;

@@ -38,7 +38,8 @@ constexpr std::array pages = {
     ToolPage{"temperature-profile", "temperatureProfile", QT_TR_NOOP("&Temperature profile…"), true,
              made<TemperatureProfilePage>},
     ToolPage{"montecarlo", "monteCarlo", QT_TR_NOOP("&Monte Carlo"), false, made<MonteCarloPage>},
-    ToolPage{"frontier", "frontier", QT_TR_NOOP("Time against &error"), false, made<FrontierPage>}};
+    ToolPage{"cost-accuracy", "frontier", QT_TR_NOOP("Time against &error"), false,
+             made<FrontierPage>}};
 
 } // namespace
 

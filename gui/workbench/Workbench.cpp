@@ -63,7 +63,7 @@ Workbench::Workbench(ImageSourceFactory makeSource, QObject* parent,
 
 Workbench::~Workbench() = default;
 
-void Workbench::open(const std::filesystem::path& file) {
+void Workbench::open(const std::filesystem::path& file, std::vector<std::string>* remarks) {
     if (!std::filesystem::is_regular_file(file))
         throw irsg::InputError({file.string(), "", "no such file", "a .smat project or a model"});
     // A model by its name alone: what is in it is read beside the window.
@@ -73,7 +73,8 @@ void Workbench::open(const std::filesystem::path& file) {
             {file.string(), "", *refusal,
              "a .smat project or " + irsg::expectationOf(irsg::FileKind::model)});
     const auto absolute = std::filesystem::absolute(file).lexically_normal();
-    Project opened = file.extension() == ".smat" ? loadProject(absolute) : projectOfModel(absolute);
+    Project opened =
+        file.extension() == ".smat" ? loadProject(absolute, remarks) : projectOfModel(absolute);
     take(opened, opened);
     rememberFile(absolute);
 }

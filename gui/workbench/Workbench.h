@@ -35,8 +35,9 @@ class Workbench : public QObject {
     ~Workbench() override;
 
     /// Opens a `.smat` project, or a model with defaults as a project without a file. Forgets the
-    /// steps to undo. Throws irsg::InputError, and then everything is as it was.
-    void open(const std::filesystem::path& file);
+    /// steps to undo. `remarks` gets a sentence for each former name of a setting in the file (see
+    /// loadProject). Throws irsg::InputError, and then everything is as it was.
+    void open(const std::filesystem::path& file, std::vector<std::string>* remarks = nullptr);
     /// Takes a project that is not what its file holds: a recovered one, or a new one without a
     /// file.
     void adopt(const Project& project);

@@ -9,6 +9,7 @@
 
 #include "irsg/core/Diagnostics.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/NewLines.h"
 #include "irsg/core/Wording.h"
 
 namespace irsg {
@@ -30,6 +31,7 @@ struct JsonReader::Document {
     JsonErrors errors;
     bool indexInBrackets;
     std::vector<Diagnostic> diagnostics;
+    std::vector<std::string> remarks;
     /// What was asked for of objects, there or not.
     std::unordered_map<const Json*, std::map<std::string, Known, std::less<>>> known;
 
@@ -330,6 +332,14 @@ Json JsonReader::unknown() const {
                 rest[key] = std::move(inside);
     }
     return rest;
+}
+
+void JsonReader::remark(const std::string& sentence) const {
+    addNew(document_->remarks, {sentence});
+}
+
+const std::vector<std::string>& JsonReader::remarks() const {
+    return document_->remarks;
 }
 
 bool JsonReader::isAnyRefused() const {

@@ -121,6 +121,10 @@ class JsonReader {
     /// An object of the members that are not known, and of what is not known in sections.
     Json unknown() const;
 
+    /// Notes a sentence about the text of which nothing is refused; each is noted once.
+    void remark(const std::string& sentence) const;
+    const std::vector<std::string>& remarks() const;
+
     /// Whether anything of the text was refused.
     bool isAnyRefused() const;
     /// Throws InputError with everything that was refused, if anything was.

@@ -41,7 +41,7 @@ Expression viewFactor(const RenderSettings&) {
 }
 
 Expression skyFactor(const RenderSettings& settings) {
-    switch (settings.fluxes) {
+    switch (settings.ambientReflection) {
     case ReflectionMode::off:
         return constant("0.0", 0.0);
     case ReflectionMode::approx:
@@ -88,11 +88,11 @@ bool withSun(const RenderSettings& settings) {
     return settings.sun != ReflectionMode::off;
 }
 bool withFluxes(const RenderSettings& settings) {
-    return settings.fluxes != ReflectionMode::off;
+    return settings.ambientReflection != ReflectionMode::off;
 }
 
 bool withMirror(const RenderSettings& settings) {
-    return settings.fluxes == ReflectionMode::smart;
+    return settings.ambientReflection == ReflectionMode::smart;
 }
 
 RadianceTerms makeStandard() {

@@ -47,7 +47,7 @@ SampledScenes::Key SampledScenes::keyOf(const AtmosphericQueryCache& answers, co
             {environment.sun.azimuth_rad, environment.sun.elevation_rad,
              environment.sun.distance_au, settings.airSliceFrom, settings.background_W_m2_sr,
              static_cast<double>(settings.background), static_cast<double>(settings.mode),
-             settings.widebandError, static_cast<double>(settings.referenceAir)},
+             settings.widebandError, static_cast<double>(settings.referenceTransmittance)},
             bands,
             withSources,
             {},

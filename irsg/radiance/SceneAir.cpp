@@ -44,8 +44,8 @@ AtmosphericPath nearTarget(const AtmosphericPath& path, double range_m) {
 
 /// The transmittance that is asked for because of a spectrum that was measured from so far.
 AtmosphericQuery passedByMeasured(const AtmosphericPath& path, double reference_m,
-                                  ReferenceAir rule) {
-    return AtmosphericQuery::transmittance(rule == ReferenceAir::segment
+                                  ReferenceTransmittance rule) {
+    return AtmosphericQuery::transmittance(rule == ReferenceTransmittance::segment
                                                ? atRange(path, path.range_m - reference_m)
                                                : nearTarget(path, reference_m));
 }
@@ -55,7 +55,7 @@ std::vector<AtmosphericQuery> mirrorQueries(const ObjectGeometry& object,
                                             const RenderSettings& settings,
                                             const SunPosition& sun) {
     std::vector<AtmosphericQuery> queries;
-    if (settings.fluxes == ReflectionMode::smart)
+    if (settings.ambientReflection == ReflectionMode::smart)
         for (const MirrorGrid::Direction& place : object.mirror.places())
             queries.push_back(AtmosphericQuery::backgroundRadiance(
                 {object.path.targetAltitude_m, place.elevation_rad,
@@ -208,8 +208,10 @@ SceneAir sceneAir(AtmosphericQueryCache& answers, const RadianceTerms& terms,
                 continue;
             }
             SharedValues divisor =
-                answers.at(passedByMeasured(path, inside_m, settings.referenceAir), sampling).value;
-            if (settings.referenceAir == ReferenceAir::segment)
+                answers
+                    .at(passedByMeasured(path, inside_m, settings.referenceTransmittance), sampling)
+                    .value;
+            if (settings.referenceTransmittance == ReferenceTransmittance::segment)
                 divisor = ratio(*answers.at(AtmosphericQuery::transmittance(path), sampling).value,
                                 *divisor);
             air.toReference.emplace(name, std::move(divisor));
@@ -241,7 +243,8 @@ std::vector<const Spectrum*> airSpectra(AtmosphericQueryCache& answers, const Ra
                 add(queryOf(*term.light, path, sun));
         for (const auto& [name, spectrum] : entities[e].database->spectra)
             if (spectrum.referenceDistance_m > 0.0 && path.range_m > spectrum.referenceDistance_m)
-                add(passedByMeasured(path, spectrum.referenceDistance_m, settings.referenceAir));
+                add(passedByMeasured(path, spectrum.referenceDistance_m,
+                                     settings.referenceTransmittance));
     }
     return spectra;
 }

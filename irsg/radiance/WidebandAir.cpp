@@ -13,7 +13,7 @@ bool hasWidebandAir(const Environment& environment, const Band& band,
         asked.push_back(backgroundRadiance);
     if (settings.sun != ReflectionMode::off || settings.sunDisc)
         asked.push_back(solarIrradiance);
-    if (settings.fluxes != ReflectionMode::off)
+    if (settings.ambientReflection != ReflectionMode::off)
         asked.insert(asked.end(), {upwardFlux, downwardFlux});
     const Atmosphere* air = environment.findWideband(band.range());
     return air != nullptr && std::ranges::all_of(asked, [&](AtmosphereProperty property) {

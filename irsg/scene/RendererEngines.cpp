@@ -46,7 +46,7 @@ EngineWork Renderer::Impl::workOf(const Scene& scene, const Frame* frame) {
     const Sensor sensor = frame != nullptr ? frame->camera.sensor() : Sensor();
     const double width_px = sensor.width_px, height_px = sensor.height_px;
     const double perAxis =
-        settings.samplesInAll ? std::sqrt(settings.samplesPerAxis) : settings.samplesPerAxis;
+        settings.countsPerPixel ? std::sqrt(settings.samplesPerAxis) : settings.samplesPerAxis;
     EngineWork work;
     double transparentFacets = 0.0;
     for (std::size_t e = 0; e < scene.entities.size(); ++e) {

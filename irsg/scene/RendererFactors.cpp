@@ -26,7 +26,7 @@ Renderer::Impl::ViewKey Renderer::Impl::viewKey(const Frame& frame) const {
                    static_cast<double>(settings.zoomWindow),
                    static_cast<double>(settings.zoomStrategy),
                    static_cast<double>(settings.samplesPerAxis),
-                   settings.samplesInAll ? 1.0 : 0.0,
+                   settings.countsPerPixel ? 1.0 : 0.0,
                    settings.pointSourceBelow_px,
                    static_cast<double>(settings.maximumLayers),
                    settings.terrainHides ? 1.0 : 0.0,

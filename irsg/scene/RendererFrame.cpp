@@ -233,7 +233,7 @@ void Renderer::Impl::fillItems(Frame& frame) {
     const RenderSettings& settings = frame.scene.settings;
     const SurfaceRows& rows = frame.surfaceRows();
     frame.hot.assign(rows.keys().size(), false);
-    if (settings.hotParts && settings.zoomsAligned())
+    if (settings.hotSpots && settings.zoomsAligned())
         frame.hot = hotRows(frame);
     for (int e = 0; e < static_cast<int>(frame.scene.entities.size()); ++e) {
         const Entity& entity = frame.entity(e);

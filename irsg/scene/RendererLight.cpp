@@ -22,7 +22,7 @@ LightSources sourcesOf(const Scene& scene) {
     sources.towardsSun =
         direction(scene.environment.sun.azimuth_rad, scene.environment.sun.elevation_rad);
     sources.skyOf = settings.fluxWeights == FluxWeights::report ? publishedSkyFactor : skyFactor;
-    sources.isSkyOn = settings.fluxes != ReflectionMode::off;
+    sources.isSkyOn = settings.ambientReflection != ReflectionMode::off;
     sources.isSunOn = settings.sun != ReflectionMode::off;
     sources.isSunShadowed = settings.sunShadows != SunShadowMode::off;
     if (settings.sun == ReflectionMode::approx)
@@ -34,7 +34,7 @@ LightSources sourcesOf(const Scene& scene) {
 
 bool Renderer::Impl::hasLightBetween(const Frame& frame) const {
     const RenderSettings& settings = frame.scene.settings;
-    return settings.bounces != 0 && settings.fluxes != ReflectionMode::approx;
+    return settings.bounces != 0 && settings.ambientReflection != ReflectionMode::approx;
 }
 
 std::shared_ptr<const LightExchange>
@@ -123,7 +123,7 @@ std::shared_ptr<SceneLight> Renderer::Impl::lightOf(const Frame& frame,
 
 void Renderer::Impl::takeMirrorGrids(const Scene& scene, const Band& band,
                                      std::vector<ObjectGeometry>& geometry) {
-    if (scene.settings.fluxes != ReflectionMode::smart)
+    if (scene.settings.ambientReflection != ReflectionMode::smart)
         return;
     const bool byAzimuth =
         std::ranges::any_of(scene.environment.atmospheres(), [](const auto& atmosphere) {

@@ -45,6 +45,8 @@ struct AnalysisDefinition {
     std::vector<std::string> (*ignored)(const Settings& settings) = nullptr;
     /// Its table is one over azimuth and elevation, which tableFormats() write, too.
     bool isOverDirections = false;
+    /// What earlier versions called it: still a command, with a remark, and read in results.
+    const char* formerName = nullptr;
 };
 
 /// Of sweeps: at most so many cases.

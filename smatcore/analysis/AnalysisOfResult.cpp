@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/NewLines.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/Conditions.h"
 #include "smatcore/project/ProjectFile.h"
@@ -52,7 +53,8 @@ std::optional<std::filesystem::path> projectNear(const std::filesystem::path& re
     return std::nullopt;
 }
 
-Project projectOf(const StatedProvenance& stated, const std::vector<Project>& open) {
+Project projectOf(const StatedProvenance& stated, const std::vector<Project>& open,
+                  std::vector<std::string>* remarks) {
     const std::string name = stated.text("project");
     if (std::filesystem::path(name).extension() != ".smat")
         stated.refuse("project", name.empty() ? "nothing" : "'" + name + "'",
@@ -65,7 +67,7 @@ Project projectOf(const StatedProvenance& stated, const std::vector<Project>& op
     if (!found)
         stated.refuse("project", name + ", which is neither open nor beside the result",
                       "its project beside it, or open");
-    return loadProject(*found);
+    return loadProject(*found, remarks);
 }
 
 /// Files that the project has now under the names that the result knows.
@@ -87,7 +89,8 @@ void checkModels(const StatedProvenance& stated, const Project& project) {
         stated.refuse("database", stated.text("database"), now + databases);
 }
 
-AnalysisData analysisOf(const StatedProvenance& stated, const std::vector<Project>& open) {
+AnalysisData analysisOf(const StatedProvenance& stated, const std::vector<Project>& open,
+                        std::vector<std::string>* remarks) {
     const std::string analysis = stated.text("analysis");
     if (!stated.text("program").starts_with("smat ") || analysis.empty())
         stated.refuse("", "a result that does not say how it was computed",
@@ -103,15 +106,19 @@ AnalysisData analysisOf(const StatedProvenance& stated, const std::vector<Projec
     AnalysisData data;
     data.kind = *kind;
     data.name = stated.text("name");
-    data.project = projectOf(stated, open);
+    data.project = projectOf(stated, open, remarks);
     checkModels(stated, data.project);
     // What is not stated had its default.
     ResultTable settings;
     settings.provenance = stated.all();
     data.settings = settingsOf(settings);
     for (const auto& [key, value] : stated.all().entries)
-        if (findSetting(key) != nullptr && !data.settings.isSet(key))
+        if (const SettingInfo* setting = findSetting(key);
+            setting != nullptr && !data.settings.isSet(setting->key))
             stated.refuse(key, value, "a value that this version knows");
+    if (remarks != nullptr)
+        for (const auto& [key, value] : stated.all().entries)
+            irsg::addNew(*remarks, formerNameRemarks(key, value));
     // Where adaptive steps are not stated there were none.
     if (stated.text(key::stepsOf(analysis)).empty())
         data.settings = withFixedSteps(data.kind, data.settings);
@@ -122,18 +129,19 @@ AnalysisData analysisOf(const StatedProvenance& stated, const std::vector<Projec
 } // namespace
 
 AnalysisData analysisOfResult(const AnalysisData& loaded, const std::filesystem::path& file,
-                              const std::vector<Project>& open) {
-    return loaded.image.empty() ? analysisOf(StatedProvenance(loaded.table.provenance, file), open)
-                                : analysisOfImage(loaded.image, file, open);
+                              const std::vector<Project>& open, std::vector<std::string>* remarks) {
+    return loaded.image.empty()
+               ? analysisOf(StatedProvenance(loaded.table.provenance, file), open, remarks)
+               : analysisOfImage(loaded.image, file, open, remarks);
 }
 
 AnalysisData analysisOfImage(const irsg::RadianceImage& image, const std::filesystem::path& file,
-                             const std::vector<Project>& open) {
+                             const std::vector<Project>& open, std::vector<std::string>* remarks) {
     Provenance provenance;
     for (const auto& [key, value] : image.attributes)
         provenance.add(key, value);
     const StatedProvenance stated(provenance, file);
-    AnalysisData data = analysisOf(stated, open);
+    AnalysisData data = analysisOf(stated, open, remarks);
     if (data.kind != AnalysisKind::image)
         stated.refuse("analysis", name(data.kind), "image");
     const int width = data.settings[key::sensorWidth], height = data.settings[key::sensorHeight];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "smatcore/analysis/AnalysisData.h"
@@ -13,12 +14,15 @@ namespace smat {
 /// `file`. Throws InputError that says why that is not known: a result of another program or of no
 /// analysis of a project, of Monte Carlo, of a bare model, of a project that is not there or has
 /// other models now, of edits that were never saved, or of settings that this version does not
-/// know.
+/// know. `remarks`, where it is given, gets one sentence for each former name of a setting in the
+/// result or the project.
 AnalysisData analysisOfResult(const AnalysisData& loaded, const std::filesystem::path& file,
-                              const std::vector<Project>& open = {});
+                              const std::vector<Project>& open = {},
+                              std::vector<std::string>* remarks = nullptr);
 
 /// The same of an image, which has to be of the size of its sensor. For PixelExplainer.
 AnalysisData analysisOfImage(const irsg::RadianceImage& image, const std::filesystem::path& file,
-                             const std::vector<Project>& open = {});
+                             const std::vector<Project>& open = {},
+                             std::vector<std::string>* remarks = nullptr);
 
 } // namespace smat

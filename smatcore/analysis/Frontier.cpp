@@ -52,7 +52,7 @@ lightsOf(const irsg::RenderSettings& own) {
     add(Frontier::withShadows);
     less.sunShadows = irsg::SunShadowMode::off;
     add(Frontier::sunAndSky);
-    less.sun = less.fluxes = irsg::ReflectionMode::off;
+    less.sun = less.ambientReflection = irsg::ReflectionMode::off;
     add(Frontier::noLight);
     return lights;
 }
@@ -231,7 +231,7 @@ std::string Frontier::optionWords(const Options& options) {
     std::string words;
     if (options.repeats != Options().repeats)
         words += fmt::format(" --repeats {}", options.repeats);
-    return words + (options.likely ? " --ways likely" : "");
+    return words + (options.likely ? " --configurations likely" : "");
 }
 
 Frontier::Size Frontier::sizeOf(const Project& project, const Settings& settings,
@@ -260,7 +260,8 @@ Settings Frontier::settingsOf(const ResultTable& table, std::size_t row) {
     const auto cell = [&](const char* key) {
         const ResultColumn* column = table.find(key);
         if (column == nullptr || row >= column->values.size())
-            throw irsg::LogicError(std::string("no way of a frontier: ") + key);
+            throw irsg::LogicError(std::string("no configuration of a cost-accuracy study: ") +
+                                   key);
         return static_cast<int>(column->values[row]);
     };
     Settings way;
@@ -268,7 +269,7 @@ Settings Frontier::settingsOf(const ResultTable& table, std::size_t row) {
     way.set(key::renderZoom, "aligned");
     way.set(key::renderAntialiasing, cell("antialiasing"));
     way.set(key::sensorMode, cell("wideband") != 0 ? "ck" : "spectral");
-    way.set(key::environmentBins, cell("bins") == 0 ? "own" : std::to_string(cell("bins")));
+    way.set(key::environmentBins, cell("bins") == 0 ? "native" : std::to_string(cell("bins")));
     way.set(key::renderBackgroundRows, cell("background_rows"));
     const int light = cell("light");
     if (light < allLight)
@@ -277,7 +278,7 @@ Settings Frontier::settingsOf(const ResultTable& table, std::size_t row) {
         way.set(key::renderShadows, "off");
     if (light < sunAndSky) {
         way.set(key::renderSun, "off");
-        way.set(key::renderFluxes, "off");
+        way.set(key::renderAmbientReflection, "off");
     }
     return way;
 }
@@ -327,7 +328,7 @@ void Frontier::run(AnalysisData& data, ImageSource& source, const SceneFactory& 
     const auto tell = [&](std::size_t done, const std::string& what) {
         if (progress)
             progress({done, order.size() + 1, 1e-3 * milliseconds(Clock::now() - start),
-                      "frontier: " + what});
+                      "cost-accuracy: " + what});
     };
     const auto measured = [&](const CalculationWay& way, std::size_t view) {
         ProbedViews one(source, scene, 1, false, [&](std::size_t) { show(view); });
@@ -366,8 +367,9 @@ void Frontier::run(AnalysisData& data, ImageSource& source, const SceneFactory& 
     }
     if (found.size() == order.size() && order.size() < ways.size())
         data.answeredBy.push_back(fmt::format(
-            "ways: {} of {}, each choice alone and those that may be on the front; a model of "
-            "costs has one that is cheaper and twice as right for each of the others",
+            "configurations: {} of {}, each choice alone and those that may be on the front; a "
+            "model "
+            "of costs has one that is cheaper and has half the error for each of the others",
             order.size(), ways.size()));
     sortAndMark(found);
     constexpr double usual_percent = 1.0;
@@ -380,13 +382,14 @@ void Frontier::run(AnalysisData& data, ImageSource& source, const SceneFactory& 
     const std::string prefix =
         fmt::format("target error {} %: ", irsg::roundedText(100.0 * target, 4));
     if (chosen != nullptr)
-        data.answeredBy.push_back(
-            prefix + chosen->way->way.words(scene) + lightWords(chosen->way->light) +
-            fmt::format(", the quickest of {} ways that meet it: {} ms a case, truly {} % wrong",
-                        found.size(), irsg::roundedText(chosen->time_ms, 3),
-                        irsg::roundedText(100.0 * chosen->trueError, 2)));
+        data.answeredBy.push_back(prefix + chosen->way->way.words(scene) +
+                                  lightWords(chosen->way->light) +
+                                  fmt::format(", the quickest of {} configurations that meet it: "
+                                              "{} ms a case, a true error of {} %",
+                                              found.size(), irsg::roundedText(chosen->time_ms, 3),
+                                              irsg::roundedText(100.0 * chosen->trueError, 2)));
     else
-        data.answeredBy.push_back(prefix + "no way meets it");
+        data.answeredBy.push_back(prefix + "no configuration meets it");
     for (const Found& one : found)
         if (one.isOnFront)
             data.summary.push_back(
@@ -397,7 +400,7 @@ void Frontier::run(AnalysisData& data, ImageSource& source, const SceneFactory& 
     data.state = found.size() == order.size() ? AnalysisState::complete : AnalysisState::partial;
     if (found.size() < order.size())
         data.warnings.push_back(
-            fmt::format("stopped after {} of {} ways", found.size(), order.size()));
+            fmt::format("stopped after {} of {} configurations", found.size(), order.size()));
     tell(order.size() + 1, "done");
     data.elapsed_s = 1e-3 * milliseconds(Clock::now() - start);
     writeProvenance(data, scene);

@@ -33,7 +33,7 @@ class Frontier {
         /// model of costs; else all.
         bool likely = false;
     };
-    /// " --repeats 3 --ways likely": of what is not the default.
+    /// " --repeats 3 --configurations likely": of what is not the default.
     static std::string optionWords(const Options& options);
 
     /// How many ways there are, how many of them are each choice alone, and about how long the

@@ -60,7 +60,7 @@ class Run {
         draws_.emplace(data_.scalings, data_.options.sequence, seed);
         if (data_.options.ranking)
             companions_.emplace(data_.scalings, data_.options.sequence, seed, true);
-        total_ = plan_.cases.size() * static_cast<std::size_t>(data_.options.phases) +
+        total_ = plan_.cases.size() * static_cast<std::size_t>(data_.options.subpixelShifts) +
                  DrawLoop::steps(data_.options.samples) + (data_.options.ranking ? 1 : 0);
     }
 

@@ -48,8 +48,8 @@ void MonteCarloOptions::check() const {
     require(!standardError || (*standardError > 0.0 && *standardError < 1.0), "standard error",
             standardError ? irsg::numberText(*standardError) : "",
             "a part above 0 and below 1 of the statistic's largest magnitude");
-    require(isFrom(phases, 1, mostPhases), "phases", std::to_string(phases),
-            wholeNumber(1, mostPhases));
+    require(isFrom(subpixelShifts, 1, mostSubpixelShifts), "subpixel shifts",
+            std::to_string(subpixelShifts), wholeNumber(1, mostSubpixelShifts));
     require(isFrom(rankingPairs, leastRankingPairs, mostRankingPairs), "ranking pairs",
             std::to_string(rankingPairs), wholeNumber(leastRankingPairs, mostRankingPairs));
     require(!rankingAt || std::isfinite(*rankingAt), "ranking at", "no number",
@@ -143,7 +143,7 @@ std::string MonteCarloData::equivalentCommand(const std::string& outputFile) con
     command += " --percentiles ";
     for (std::size_t i = 0; i < options.percentiles.size(); ++i)
         command += (i == 0 ? "" : ",") + irsg::numberText(options.percentiles[i]);
-    command += fmt::format(" --phases {}", options.phases);
+    command += fmt::format(" --subpixel-shifts {}", options.subpixelShifts);
     if (options.ranking)
         command += fmt::format(" --ranking --ranking-pairs {}", options.rankingPairs);
     if (options.ranking && options.rankingAt)

@@ -20,7 +20,7 @@ struct MonteCarloOptions {
     enum class Quantity { intensity, contrastIntensity, irradiance };
 
     static constexpr int leastSamples = 2, mostSamples = 10'000'000;
-    static constexpr int mostPhases = 64;
+    static constexpr int mostSubpixelShifts = 64;
     static constexpr int leastRankingPairs = 256, mostRankingPairs = 1'000'000;
 
     std::size_t samples = 1024; ///< draws at most
@@ -34,7 +34,7 @@ struct MonteCarloOptions {
     std::optional<double> standardError;
     /// Drawings of every case with the target at different places among the pixels, the first in
     /// its own: their spread is the numerical error. 1 leaves it out.
-    int phases = 4;
+    int subpixelShifts = 4;
     bool ranking = false;
     std::size_t rankingPairs = 1024; ///< draws with companions
     /// Where the ranking looks, in the unit of the abscissa (wavelength in um for spectra): the
@@ -66,7 +66,7 @@ struct MonteCarloData {
     // By place: all abscissae in the first band, then all in the next.
     std::vector<std::vector<double>> values; ///< by place, then by draw
     std::vector<double> nominal;             ///< at scales of 1
-    std::vector<double> numericalError;      ///< standard deviation over the phases
+    std::vector<double> numericalError;      ///< standard deviation over the subpixel shifts
     ErrorColumns errors = ErrorColumns::none;
     std::vector<irsg::ErrorParts> nominalErrors; ///< stated ones at scales of 1, where asked for
     std::vector<Estimate> statistic;             ///< by place

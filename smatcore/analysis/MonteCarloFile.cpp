@@ -31,7 +31,7 @@ OrderedJson jsonOf(const MonteCarloOptions& options) {
     OrderedJson json = {
         {"samples", options.samples},           {"sequence", name(options.sequence)},
         {"quantity", name(options.quantity)},   {"percentiles", options.percentiles},
-        {"statistic", name(options.statistic)}, {"phases", options.phases},
+        {"statistic", name(options.statistic)}, {"subpixel_shifts", options.subpixelShifts},
         {"ranking", options.ranking},           {"ranking_pairs", options.rankingPairs}};
     if (options.standardError)
         json["standard_error"] = *options.standardError;

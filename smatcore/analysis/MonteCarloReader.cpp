@@ -43,7 +43,8 @@ MonteCarloOptions optionsOf(const JsonReader& json) {
     else
         statistic.refuse("mean, standard-deviation or pN");
     options.percentiles = json.at("percentiles").numbers();
-    options.phases = json.at("phases").index();
+    // Earlier versions called them phases.
+    options.subpixelShifts = json.at(json.has("phases") ? "phases" : "subpixel_shifts").index();
     options.ranking = json.at("ranking").boolean();
     options.rankingPairs = json.at("ranking_pairs").count(mostDraws);
     if (json.has("standard_error"))
@@ -96,7 +97,7 @@ void takeColumns(MonteCarloData& data, const std::string& file) {
             all.insert(all.end(), some.begin(), some.end());
         };
         append(data.nominal, column(data.columnKey("nominal", band)));
-        if (data.options.phases > 1)
+        if (data.options.subpixelShifts > 1)
             append(data.numericalError, column(data.columnKey("error_numerical", band)));
     }
 }

@@ -50,7 +50,7 @@ void addColumns(MonteCarloData& data, const MonteCarloAxis& of) {
         for (const double percent : data.options.percentiles)
             add("p" + irsg::numberText(percent));
         add("maximum");
-        if (data.options.phases > 1)
+        if (data.options.subpixelShifts > 1)
             add("error_numerical");
         for (const char* prefix : errorPrefixes(data.errors))
             add(std::string(prefix) + "nominal");
@@ -76,7 +76,7 @@ void summarise(MonteCarloData& data) {
     summary.push_back({"Mean there", meanOf(data.values[widest]), data.unit});
     summary.push_back({"Standard error of the " + name(data.options.statistic) + " there",
                        estimated.standardError, data.unit});
-    if (data.options.phases > 1)
+    if (data.options.subpixelShifts > 1)
         summary.push_back({"Numerical error there", data.numericalError[widest], data.unit});
     for (const RankedScaling& one : data.ranking) {
         if (summary.size() >= 10)
@@ -95,7 +95,7 @@ void tellDraws(MonteCarloData& data, const MonteCarloAxis& axis, std::size_t dra
     const Quantity quantity = quantityOf(data.options.quantity, !axis.wavenumbers_per_cm.empty());
     own.add("quantity", std::string(irsg::info(quantity).key));
     own.add("standard error of", name(data.options.statistic));
-    own.add("phases", std::to_string(data.options.phases));
+    own.add("subpixel shifts", std::to_string(data.options.subpixelShifts));
     for (const SceneScaling& scaling : data.scalings)
         own.add("scale", scaling.name + ": " + describe(scaling.distribution));
     auto& entries = data.analysis.table.provenance.entries;
@@ -124,7 +124,7 @@ std::vector<double> rowOfDraws(const MonteCarloData& data, const MonteCarloAxis&
         for (const double percent : data.options.percentiles)
             row.push_back(percentileOf(ascending, percent));
         row.push_back(ascending.back());
-        if (data.options.phases > 1)
+        if (data.options.subpixelShifts > 1)
             row.push_back(data.numericalError[k]);
         if (data.errors != ErrorColumns::none)
             appendError(row, data.nominalErrors[k], data.errors);

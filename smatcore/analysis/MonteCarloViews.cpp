@@ -141,9 +141,9 @@ void MonteCarloViews::drawPhases(const AnalysisCase& one, const irsg::Viewpoint&
     };
     std::vector<Drawing> atPhases;
     const std::size_t caseNumber = views_.size() + 1;
-    for (int phase = 0; phase < data_.options.phases; ++phase) {
+    for (int phase = 0; phase < data_.options.subpixelShifts; ++phase) {
         tell(fmt::format("case {} of {}, phase {} of {}", caseNumber, plan_.cases.size(), phase + 1,
-                         data_.options.phases));
+                         data_.options.subpixelShifts));
         source_.setViewpoint(phase == 0 ? viewpoint : atPhase(viewpoint, scene_.sensor, phase));
         Drawing drawing = drawOne(one, phase == 0);
         if (phase == 0) {

@@ -23,9 +23,9 @@ class MonteCarloViews {
                     MonteCarloData& data)
         : source_(source), plan_(plan), scene_(scene), data_(data) {}
 
-    /// Draws the cases and, for the numerical error, their phases; puts target and viewpoint back.
-    /// Abscissae, nominal values, numerical errors and warnings go to the data. A stop ends it
-    /// after the first drawing.
+    /// Draws the cases and, for the numerical error, their subpixel shifts; puts target and
+    /// viewpoint back. Abscissae, nominal values, numerical errors and warnings go to the data. A
+    /// stop ends it after the first drawing.
     void draw(const Telling& tell, const std::stop_token& stop);
     /// What the last case warns of.
     const std::vector<CaseRemark>& remarks() const { return warnings_.remarks(); }

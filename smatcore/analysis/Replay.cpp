@@ -228,8 +228,8 @@ std::vector<ReplayedDifference> differencesOf(const AnalysisData& a, const Analy
 
 Replay replay(const AnalysisData& loaded, const std::filesystem::path& file,
               const std::vector<std::filesystem::path>& former, const RunAnalysis& run) {
-    const AnalysisData asked = analysisOfResult(loaded, file);
     Replay result;
+    const AnalysisData asked = analysisOfResult(loaded, file, {}, &result.remarks);
     result.again = asked;
     run(result.again);
     result.inputs = comparedInputs(loaded, result.again);

@@ -49,6 +49,9 @@ struct Replay {
     /// its former file is at hand.
     std::vector<ReplayedCause> causes;
 
+    /// One sentence for each former name of a setting that the result or its project has.
+    std::vector<std::string> remarks;
+
     bool isSame() const { return differences.empty() && mismatches.empty(); }
     /// The largest relative difference; 0 where there is none.
     double largestRelative() const;

@@ -35,7 +35,7 @@ std::string differenceLine(const ReplayedDifference& difference) {
 
 std::string causeText(const ReplayedCause& cause) {
     if (!cause.isKnown)
-        return fmt::format("  {}: not told apart; --former FILE gives the file as it was\n",
+        return fmt::format("  {}: not told apart; --previous FILE gives the file as it was\n",
                            nameOf(cause.input));
     if (cause.effect.empty())
         return fmt::format("  {}: changes nothing\n", nameOf(cause.input));

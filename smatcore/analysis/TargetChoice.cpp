@@ -68,7 +68,7 @@ std::vector<Skippable> boundsOfLight(ProbedViews& views, const CalculationWay& s
     };
     const bool mirrors = hasMirrors(views.scene());
     const bool asksSun = own.sun == ReflectionMode::smart && !mirrors;
-    const bool asksFluxes = own.fluxes == ReflectionMode::smart && !mirrors;
+    const bool asksFluxes = own.ambientReflection == ReflectionMode::smart && !mirrors;
     const bool asksLight = own.bounces != 0;
     enum { all, single, noSun, anySun, noFluxes, anyFluxes, lightNoSun, lightNoFluxes };
     const std::vector<CalculationWay> ways = {
@@ -76,10 +76,10 @@ std::vector<Skippable> boundsOfLight(ProbedViews& views, const CalculationWay& s
         alone([](RenderSettings&) {}),
         alone([](RenderSettings& render) { render.sun = ReflectionMode::off; }),
         alone([](RenderSettings& render) { render.sun = ReflectionMode::approx; }),
-        alone([](RenderSettings& render) { render.fluxes = ReflectionMode::off; }),
-        alone([](RenderSettings& render) { render.fluxes = ReflectionMode::approx; }),
+        alone([](RenderSettings& render) { render.ambientReflection = ReflectionMode::off; }),
+        alone([](RenderSettings& render) { render.ambientReflection = ReflectionMode::approx; }),
         with([](RenderSettings& render) { render.sun = ReflectionMode::off; }),
-        with([](RenderSettings& render) { render.fluxes = ReflectionMode::off; })};
+        with([](RenderSettings& render) { render.ambientReflection = ReflectionMode::off; })};
     std::vector<int> asked = {all, single};
     if (asksSun)
         asked.insert(asked.end(), {noSun, anySun});
@@ -120,10 +120,11 @@ std::vector<Skippable> boundsOfLight(ProbedViews& views, const CalculationWay& s
     }
     if (asksFluxes)
         // And of sky and ground a half each, of which no surface sees more than all.
-        found.push_back({"light of sky and ground", "as if all saw the brighter one alone",
-                         std::max(2.0 * difference(anyFluxes, noFluxes),
-                                  asksLight ? ofLooked * difference(all, lightNoFluxes) : 0.0),
-                         [](RenderSettings& render) { render.fluxes = ReflectionMode::off; }});
+        found.push_back(
+            {"light of sky and ground", "as if all saw the brighter one alone",
+             std::max(2.0 * difference(anyFluxes, noFluxes),
+                      asksLight ? ofLooked * difference(all, lightNoFluxes) : 0.0),
+             [](RenderSettings& render) { render.ambientReflection = ReflectionMode::off; }});
     if (asksLight) {
         const CalculationWay shaded = with([](RenderSettings& render) { render.bounces = 0; });
         const double seen =

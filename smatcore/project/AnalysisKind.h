@@ -38,7 +38,8 @@ std::string name(AnalysisKind kind);
 std::string title(AnalysisKind kind);
 /// One of allAnalysisKinds().
 std::optional<AnalysisKind> analysisKindFromName(std::string_view name);
-/// What made a result, by the word of its provenance: an analysis, a tool, or AnalysisKind::other.
+/// What made a result, by the word of its provenance, a former one too: an analysis, a tool, or
+/// AnalysisKind::other.
 AnalysisKind resultKindFromName(std::string_view name);
 /// What analysisKindFromName knows: "image", "spectrum", ...
 std::vector<std::string> analysisKindWords();

@@ -19,7 +19,9 @@ using Json = nlohmann::json;
 
 constexpr double farthest_m = 1e9;
 
-void readSetting(Settings& settings, const SettingInfo& setting, const JsonReader& reader) {
+/// `called`: its key in the file.
+void readSetting(Settings& settings, const SettingInfo& setting, const std::string& called,
+                 const JsonReader& reader) {
     const Json& value = reader.json();
     const bool takesNumber =
         setting.kind == SettingKind::real || setting.kind == SettingKind::integer ||
@@ -72,6 +74,8 @@ void readSetting(Settings& settings, const SettingInfo& setting, const JsonReade
                                           : setting.expected());
         return;
     }
+    for (const std::string& remark : formerNameRemarks(called, *text))
+        reader.remark(remark);
     settings.set(setting.key, *text);
 }
 
@@ -135,9 +139,19 @@ Settings readSettings(const JsonReader& json, bool (*isAllowed)(const SettingInf
         const JsonReader& section = sections.try_emplace(name, json.section(name)).first->second;
         if (!section.exists() || !section.isObject("an object of settings"))
             continue;
-        const JsonReader value = section.at(setting.key.substr(name.size() + 1));
+        const auto nameIn = [&](const std::string& key) { return key.substr(name.size() + 1); };
+        const JsonReader value = section.at(nameIn(setting.key));
         if (value.exists())
-            readSetting(settings, setting, value);
+            readSetting(settings, setting, setting.key, value);
+        for (const std::string& former : setting.former.keys) {
+            if (!section.has(nameIn(former)))
+                continue;
+            const JsonReader old = section.at(nameIn(former));
+            if (settings.isSet(setting.key))
+                old.refuse("nothing beside " + setting.key + ", as it is called now");
+            else
+                readSetting(settings, setting, former, old);
+        }
     }
     return settings;
 }

@@ -96,12 +96,13 @@ void listKeys(const std::string& path, const std::string& unknown, std::vector<s
 
 } // namespace
 
-Project loadProject(const std::filesystem::path& file) {
-    return projectFromJson(readTextFile(file), file);
+Project loadProject(const std::filesystem::path& file, std::vector<std::string>* remarks) {
+    return projectFromJson(readTextFile(file), file, remarks);
 }
 
-Project projectFromJson(const std::string& text, const std::filesystem::path& file) {
-    Project project = readProject(text, file.string());
+Project projectFromJson(const std::string& text, const std::filesystem::path& file,
+                        std::vector<std::string>* remarks) {
+    Project project = readProject(text, file.string(), remarks);
     project.file = file;
     return project;
 }

@@ -14,10 +14,12 @@ inline constexpr int projectFileVersion = 1;
 /// each section of settings, and `analyses`. Throws InputError with every diagnostic at once, each
 /// with its key path and line, the value and what was expected. A file of a newer version is
 /// refused. Keys this version does not know are kept. Files that the project names are looked at by
-/// SceneBuilder, not here.
-Project loadProject(const std::filesystem::path& file);
+/// SceneBuilder, not here. `remarks`, where it is given, gets one sentence for each former name of
+/// a setting or value in the file.
+Project loadProject(const std::filesystem::path& file, std::vector<std::string>* remarks = nullptr);
 /// The same from memory, as if the text stood in `file`.
-Project projectFromJson(const std::string& text, const std::filesystem::path& file);
+Project projectFromJson(const std::string& text, const std::filesystem::path& file,
+                        std::vector<std::string>* remarks = nullptr);
 
 /// Sorted keys, defaults omitted, unknown keys kept, paths relative to `file`'s folder where they
 /// lie in or beside it. Equal projects give equal text.

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "irsg/core/NewLines.h"
 #include "smatcore/project/JsonReading.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -81,7 +82,8 @@ void readAnalyses(Project& project, const JsonReader& analyses) {
 
 } // namespace
 
-Project readProject(const std::string& text, const std::string& file) {
+Project readProject(const std::string& text, const std::string& file,
+                    std::vector<std::string>* remarks) {
     const JsonReader root = readVersioned(text, file, "a project file (JSON)", projectFileVersion,
                                           "version, models, settings and analyses");
     Project project;
@@ -104,6 +106,8 @@ Project readProject(const std::string& text, const std::string& file) {
     project.settings = readSettings(root);
     project.unknownKeys = leftOver(root);
     root.throwRefused();
+    if (remarks != nullptr)
+        irsg::addNew(*remarks, root.remarks());
     return project;
 }
 

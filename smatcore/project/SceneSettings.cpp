@@ -80,7 +80,7 @@ irsg::Environment environmentOf(const Project& project, const Settings& settings
             project.resolve(mtf.front()), 1e-3 * settings[key::environmentScatteringCoefficient]));
     }
     std::optional<int> bins_per_cm;
-    if (settings[key::environmentBins] != "own")
+    if (settings[key::environmentBins] != "native")
         bins_per_cm = std::stoi(settings[key::environmentBins]);
     environment.sun =
         sunFrom(settings, addAir(environment, resolvedAir(project, settings), bins_per_cm));
@@ -185,8 +185,8 @@ irsg::RenderSettings renderSettingsOf(const Settings& settings) {
                                                                     : irsg::ZoomStrategy::aligned;
     render.samplesPerAxis = antialiasing > 2 ? 1 : 1 << antialiasing;
     render.pointSourceBelow_px = settings[key::renderPointSource];
-    render.hotParts = settings[key::renderHotParts];
-    render.samplesInAll = settings.text(key::renderSupersampling) == "inAll";
+    render.hotSpots = settings[key::renderHotSpots];
+    render.countsPerPixel = settings.text(key::renderSupersampling) == "perPixel";
     render.sun = reflection(key::renderSun);
     const std::string& shadows = settings[key::renderShadows];
     render.sunShadows = shadows == "disc"    ? irsg::SunShadowMode::disc
@@ -200,15 +200,15 @@ irsg::RenderSettings renderSettingsOf(const Settings& settings) {
     render.bounces = bounces ? static_cast<int>(*bounces) : irsg::convergedBounces;
     render.lightError = settings[key::renderLightError];
     render.widebandError = settings[key::renderWidebandError];
-    render.fluxes = reflection(key::renderFluxes);
+    render.ambientReflection = reflection(key::renderAmbientReflection);
     render.mode = settings.text(key::sensorMode) == "ck" ? irsg::CalculationMode::wideband
                                                          : irsg::CalculationMode::spectral;
     render.fluxWeights = settings.text(key::renderFluxWeights) == "report"
                              ? irsg::FluxWeights::report
                              : irsg::FluxWeights::viewFactor;
-    render.referenceAir = settings.text(key::renderReferenceAir) == "segment"
-                              ? irsg::ReferenceAir::segment
-                              : irsg::ReferenceAir::ratio;
+    render.referenceTransmittance = settings.text(key::renderReferenceTransmittance) == "segment"
+                                        ? irsg::ReferenceTransmittance::segment
+                                        : irsg::ReferenceTransmittance::ratio;
     const std::optional<double> radiance = settings[key::renderBackground];
     render.background = radiance ? irsg::BackgroundMode::constant
                         : settings.text(key::renderBackground) == "none"

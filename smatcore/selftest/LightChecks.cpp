@@ -26,7 +26,7 @@ irsg::RenderSettings lit(int bounces) {
     irsg::RenderSettings settings;
     settings.engine = irsg::EngineChoice::rays;
     settings.bounces = bounces;
-    settings.fluxes = irsg::ReflectionMode::off;
+    settings.ambientReflection = irsg::ReflectionMode::off;
     settings.background = irsg::BackgroundMode::none;
     return settings;
 }

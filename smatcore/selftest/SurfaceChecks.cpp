@@ -259,7 +259,7 @@ std::vector<SelfTestCheck> surfaceChecks() {
                          middle.air.downValue = 50.0;
                          middle.air.upValue = 30.0;
                          middle.settings.sun = irsg::ReflectionMode::approx;
-                         middle.settings.fluxes = irsg::ReflectionMode::approx;
+                         middle.settings.ambientReflection = irsg::ReflectionMode::approx;
                      },
                      [](double) { return reflected_per_W_m2 * (25.0 + 25.0 + 15.0); }, {0.0, 60.0});
              }},

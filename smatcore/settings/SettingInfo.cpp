@@ -87,6 +87,13 @@ std::optional<std::string> canonicalPathList(std::string_view text) {
     return list.empty() ? "none" : list;
 }
 
+/// The name of today where `text` is a former one of a choice.
+std::string_view choiceOfToday(const SettingInfo& setting, std::string_view text) {
+    const auto& former = setting.former.choices;
+    const auto found = std::ranges::find(former, text, &std::pair<std::string, std::string>::first);
+    return found == former.end() ? text : std::string_view(found->second);
+}
+
 const AnalysisSection* findAnalysisSection(std::string_view section) {
     const auto& sections = analysisSections();
     const auto found =
@@ -140,14 +147,18 @@ std::string SettingInfo::expectedInsteadOf(std::string_view text) const {
 
 const SettingInfo* findSetting(std::string_view key) {
     const auto& table = settingTable();
-    const auto found = std::find_if(table.begin(), table.end(),
-                                    [&](const SettingInfo& row) { return row.key == key; });
+    auto found = std::ranges::find(table, key, &SettingInfo::key);
+    if (found == table.end()) {
+        found = std::ranges::find_if(table, [&](const SettingInfo& row) {
+            return std::ranges::find(row.former.keys, key) != row.former.keys.end();
+        });
+    }
     return found == table.end() ? nullptr : &*found;
 }
 
 const SettingInfo& settingInfo(std::string_view key) {
     const SettingInfo* found = findSetting(key);
-    if (found == nullptr)
+    if (found == nullptr || found->key != key)
         throw irsg::LogicError("there is no setting " + std::string(key));
     return *found;
 }
@@ -170,6 +181,21 @@ std::string settingsLike(std::string_view path) {
         if (key.starts_with(row.section() + "."))
             keys.push_back(row.key);
     return didYouMean(key, keys);
+}
+
+std::vector<std::string> formerNameRemarks(std::string_view key, std::string_view text) {
+    std::vector<std::string> remarks;
+    const SettingInfo* setting = findSetting(key);
+    if (setting == nullptr)
+        return remarks;
+    if (setting->key != key)
+        remarks.push_back(std::string(key) + " is called " + setting->key + " now");
+    const std::string_view given = irsg::trimmed(text), today = choiceOfToday(*setting, given);
+    if (today != given) {
+        remarks.push_back(
+            fmt::format("the value {} of {} is called {} now", given, setting->key, today));
+    }
+    return remarks;
 }
 
 std::vector<std::string> settingsOn(SettingPage page) {
@@ -207,7 +233,7 @@ bool concerns(const SettingInfo& setting, std::string_view analysis) {
 }
 
 std::optional<std::string> canonicalText(const SettingInfo& setting, std::string_view given) {
-    const std::string_view text = irsg::trimmed(given);
+    const std::string_view text = choiceOfToday(setting, irsg::trimmed(given));
     const bool isChoice =
         std::find(setting.choices.begin(), setting.choices.end(), text) != setting.choices.end();
     switch (setting.kind) {

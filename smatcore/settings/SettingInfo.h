@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace smat {
@@ -41,6 +42,14 @@ enum class SettingPage {
     none ///< of the settings of one kind of analysis, which its own form has
 };
 
+/// What a setting, its option and its values were called by earlier versions. They are still read,
+/// with a remark (formerNameRemarks); what is written has the names of today.
+struct FormerNames {
+    std::vector<std::string> keys = {};                            ///< "render.fluxes"
+    std::vector<std::string> options = {};                         ///< "--fluxes"
+    std::vector<std::pair<std::string, std::string>> choices = {}; ///< "inAll", today "perPixel"
+};
+
 /// The one description of a setting. The form, the project file, `--set key=value`, the short
 /// option of the command line, the validation and the manual all come from it.
 struct SettingInfo {
@@ -60,6 +69,7 @@ struct SettingInfo {
     SettingAudience audience = SettingAudience::basic;
     SettingPage page = SettingPage::none;
     int place = 0; ///< on the page, the least first; those of one place in the order of the table
+    FormerNames former = {};
 
     /// "sensor".
     std::string section() const;
@@ -72,9 +82,9 @@ struct SettingInfo {
 /// All settings, in the order of forms and manual. Sections: sensor, camera, target, state,
 /// scaling, environment, render, display, and one for each kind of analysis (AnalysisSections.h).
 const std::vector<SettingInfo>& settingTable();
-/// Null for an unknown key.
+/// By its key of today or a former one. Null for an unknown key.
 const SettingInfo* findSetting(std::string_view key);
-/// LogicError for an unknown key.
+/// By its key of today. LogicError for an unknown key.
 const SettingInfo& settingInfo(std::string_view key);
 /// Keys of the settings on a page of the dialog, in the order of their fields.
 std::vector<std::string> settingsOn(SettingPage page);
@@ -89,9 +99,12 @@ std::string expectedSetting(std::string_view key);
 /// The end of a message about an unknown key in a section of settings, "sensors.0.render.fluxs":
 /// didYouMean() among the settings of that section. "" for a path without one.
 std::string settingsLike(std::string_view path);
+/// One sentence for each former name in `key = text`: "render.fluxes is called
+/// render.ambientReflection now". None where both are of today, or unknown.
+std::vector<std::string> formerNameRemarks(std::string_view key, std::string_view text);
 
-/// The canonical text of `text` as a value of this setting ("0640" -> "640"), or no value where it
-/// is not one.
+/// The canonical text of `text` as a value of this setting ("0640" -> "640", a former name of
+/// a choice -> that of today), or no value where it is not one.
 std::optional<std::string> canonicalText(const SettingInfo& setting, std::string_view text);
 
 /// The reference manual of all settings, docs/settings.md.

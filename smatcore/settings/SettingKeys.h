@@ -73,12 +73,12 @@ inline constexpr RealKey environmentTerrainAltitude{"environment.terrainAltitude
 inline constexpr IntegerKey renderAntialiasing{"render.antialiasing"};
 inline constexpr TextKey renderZoom{"render.zoom"};
 inline constexpr RealKey renderPointSource{"render.pointSource"};
-inline constexpr BooleanKey renderHotParts{"render.hotParts"};
+inline constexpr BooleanKey renderHotSpots{"render.hotSpots"};
 inline constexpr TextKey renderSupersampling{"render.supersampling"};
 inline constexpr TextKey renderSun{"render.sun"};
-inline constexpr TextKey renderFluxes{"render.fluxes"};
+inline constexpr TextKey renderAmbientReflection{"render.ambientReflection"};
 inline constexpr TextKey renderFluxWeights{"render.fluxWeights"};
-inline constexpr TextKey renderReferenceAir{"render.referenceAir"};
+inline constexpr TextKey renderReferenceTransmittance{"render.referenceTransmittance"};
 inline constexpr OptionalRealKey renderBackground{"render.background"};
 inline constexpr IntegerKey renderBackgroundRows{"render.backgroundRows"};
 inline constexpr IntegerKey renderBackgroundColumns{"render.backgroundColumns"};

@@ -120,6 +120,11 @@ SettingInfo stepsOfPlot(TextKey key, const std::string& step, const std::string&
                       "fixed.");
 }
 
+SettingInfo formerly(SettingInfo info, FormerNames former) {
+    info.former = std::move(former);
+    return info;
+}
+
 SettingInfo named(SettingInfo info, std::vector<std::string> names) {
     info.names = std::move(names);
     return info;

@@ -34,6 +34,8 @@ SettingInfo files(PathsKey key, std::string option, std::string label, std::stri
 SettingInfo adaptiveSteps(TextKey key, const std::string& how);
 /// The same of a plot, which is adaptive where `step`, the setting of its cases, is `auto`.
 SettingInfo stepsOfPlot(TextKey key, const std::string& step, const std::string& how);
+/// A row that earlier versions named otherwise.
+SettingInfo formerly(SettingInfo info, FormerNames former);
 /// A row with words for forms, one of each choice.
 SettingInfo named(SettingInfo info, std::vector<std::string> names);
 

@@ -111,12 +111,13 @@ void addEnvironment(std::vector<SettingInfo>& table) {
                    "True elevation of the centre of the sun above the horizontal; the sun sets, "
                    "disc and all, at the horizon seen from the altitude. Where it is not set, that "
                    "of an Environment file among the atmospheres."));
-    air.add(choice(key::environmentBins, "--bins", "Bins of computed air", {"own", "1", "5", "15"},
-                   "own",
-                   "Width of the spectral bins of an AtmosphereSmart, in cm-1: own keeps that of "
-                   "its file, 1, 5 or 15 replaces it; wider bins are faster and less accurate. "
-                   "Refused for an atmosphere without bins.",
-                   SettingAudience::expert));
+    air.add(formerly(choice(key::environmentBins, "--bins", "Bins of computed air",
+                            {"native", "1", "5", "15"}, "native",
+                            "Width of the spectral bins of an AtmosphereSmart, in cm-1: native "
+                            "keeps that of its file, 1, 5 or 15 replaces it; wider bins are "
+                            "faster and less accurate. Refused for an atmosphere without bins.",
+                            SettingAudience::expert),
+                     {.choices = {{"own", "native"}}}));
     sun.add(choiceOrNumber(
         key::environmentDayOfYear, "--day-of-year", "Day of the year", "", {"mean"}, 1, 366, "mean",
         "Sets the distance of the sun, which changes the light of a computed atmosphere and of "
@@ -203,9 +204,9 @@ void addRendering(std::vector<SettingInfo>& table) {
     samples.add(std::move(antialiasing));
     samples.add(
         named(choice(key::renderZoom, "--zoom", "Zoom strategy", {"aligned", "sills"}, "aligned",
-                     "How modes 3 to 5 sample: aligned to the sensor's pixel grid, or sills, as "
-                     "published, for comparison; the energy of the latter depends on where an "
-                     "object lies among the pixels.",
+                     "How the tiles of modes 3 to 5 are sampled: aligned to the sensor's pixel "
+                     "grid, or sills, as published, for comparison; the energy of the latter "
+                     "depends on where an object lies among the pixels.",
                      SettingAudience::expert),
               {"aligned on the pixels", "sills, as published"}),
         2);
@@ -217,19 +218,24 @@ void addRendering(std::vector<SettingInfo>& table) {
             "treated as point sources at any range (modes 3 to 5, aligned); 0 always renders them.",
             SettingAudience::expert),
         2);
-    samples.add(flag(key::renderHotParts, "--hot-parts", "Windows for hot parts", true,
-                     "Renders small parts that outshine the rest of their object, such as exhaust "
-                     "pipes, into windows of their own (modes 3 to 5, aligned). Without them "
-                     "frames take a third of the time and such parts are some percent off.",
-                     SettingAudience::expert),
-                2);
-    samples.add(named(choice(key::renderSupersampling, "--supersampling", "Supersampling counts",
-                             {"perAxis", "inAll"}, "perAxis",
-                             "Whether the 2 and 4 samples of modes 1 and 2 are counted per axis of "
-                             "a pixel or in all.",
-                             SettingAudience::expert),
-                      {"per axis of a pixel", "in all of a pixel"}),
-                1);
+    samples.add(
+        formerly(flag(key::renderHotSpots, "--hot-spots", "Tiles for hot spots", true,
+                      "Renders hot spots, small parts that outshine the rest of their object such "
+                      "as exhaust pipes, into tiles of their own (modes 3 to 5, aligned). Without "
+                      "these, frames take a third of the time and hot spots are off by some "
+                      "percent.",
+                      SettingAudience::expert),
+                 {.keys = {"render.hotParts"}, .options = {"--hot-parts"}}),
+        2);
+    samples.add(
+        formerly(named(choice(key::renderSupersampling, "--supersampling", "Supersampling counts",
+                              {"perAxis", "perPixel"}, "perAxis",
+                              "Whether the 2 and 4 samples of modes 1 and 2 are counted per axis "
+                              "of a pixel or per pixel.",
+                              SettingAudience::expert),
+                       {"per axis of a pixel", "per pixel"}),
+                 {.choices = {{"inAll", "perPixel"}}}),
+        1);
     const std::vector<std::string> reflections = {"off", "approx", "smart"};
     sun.add(named(choice(key::renderSun, "--sun", "Sun reflection", reflections, "smart",
                          "Reflected sunlight: off, approx (independent of geometry: a quarter "
@@ -242,14 +248,14 @@ void addRendering(std::vector<SettingInfo>& table) {
                "terrain; transparent surfaces attenuate the sunlight by their transmissivity. The "
                "sun is a point source, or a disc of 0.53 degrees, whose shadows have a penumbra."),
         {"off", "of a point", "of a disc, with penumbra"}));
-    sun.add(
-        choiceOrNumber(key::renderBounces, "--bounces", "Light between surfaces", "", {"converged"},
-                       0, 1000, "converged",
-                       "Number of inter-reflections between surfaces: 0 for none, a whole number, "
-                       "or converged for all. Unless it is 0, surfaces block each other's view of "
-                       "sky and ground (view factors), and send each other thermal radiation and "
-                       "reflected light of sun, sky and ground instead. Takes time and memory with "
-                       "the first image of a model. Not available with fluxes approx."));
+    sun.add(choiceOrNumber(
+        key::renderBounces, "--bounces", "Light between surfaces", "", {"converged"}, 0, 1000,
+        "converged",
+        "Number of inter-reflections between surfaces: 0 for none, a whole number, "
+        "or converged for all. Unless it is 0, surfaces block each other's view of "
+        "sky and ground (view factors), and send each other thermal radiation and "
+        "reflected light of sun, sky and ground instead. Takes time and memory with "
+        "the first image of a model. Not available with ambient reflection approx."));
     sun.add(number(key::renderLightError, "--light-error", "Error of view factors", "", 0.0001, 0.1,
                    "0.005",
                    "Error of the view factors between surfaces, as a fraction of the hemisphere: "
@@ -261,23 +267,28 @@ void addRendering(std::vector<SettingInfo>& table) {
         "Largest relative error of an in-band quantity over the training cases of wideband-ck: a "
         "smaller one takes more points and longer training. A target error chooses it.",
         SettingAudience::expert));
-    sun.add(named(choice(key::renderFluxes, "--fluxes", "Flux reflection", reflections, "smart",
-                         "Reflected sky and ground radiation: off, approx (independent of "
-                         "geometry: a half of each) or smart (computed for each pixel)."),
-                  {"off", "Approx. (a half of each)", "SMART (for each pixel)"}));
+    sun.add(formerly(
+        named(choice(key::renderAmbientReflection, "--ambient-reflection", "Ambient reflection",
+                     reflections, "smart",
+                     "Reflected sky and ground radiation: off, approx (independent of geometry: a "
+                     "half of each) or smart (computed for each pixel)."),
+              {"off", "Approx. (a half of each)", "SMART (for each pixel)"}),
+        {.keys = {"render.fluxes"}, .options = {"--fluxes"}}));
     sun.add(named(choice(key::renderFluxWeights, "--flux-weights", "Flux weights",
                          {"viewFactor", "report"}, "viewFactor",
                          "Fractions of sky and ground that a tilted facet sees: its exact view "
                          "factors, or the angle over 180 degrees, as published.",
                          SettingAudience::expert),
                   {"exact view factor", "angle, as published"}));
-    air.add(named(choice(key::renderReferenceAir, "--reference-air", "Air of measured spectra",
-                         {"ratio", "segment"}, "ratio",
-                         "Transmittance applied to a spectrum that was measured at a reference "
-                         "distance: the ratio of those to the sensor and to the reference "
-                         "distance, or that of the remaining segment of the path, as published.",
-                         SettingAudience::expert),
-                  {"ratio of transmittances", "rest of the path, as published"}));
+    air.add(formerly(
+        named(choice(key::renderReferenceTransmittance, "--reference-transmittance",
+                     "Transmittance of measured spectra", {"ratio", "segment"}, "ratio",
+                     "Transmittance applied to a spectrum that was measured at a reference "
+                     "distance: the ratio of those to the sensor and to the reference distance, "
+                     "or that of the remaining segment of the path, as published.",
+                     SettingAudience::expert),
+              {"ratio of transmittances", "rest of the path, as published"}),
+        {.keys = {"render.referenceAir"}, .options = {"--reference-air"}}));
     background.add(choiceOrNumber(
         key::renderBackground, "--background", "Background", "W m-2 sr-1", {"smart", "none"}, 0,
         1e9, "smart",

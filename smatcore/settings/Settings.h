@@ -17,8 +17,8 @@ namespace smat {
 /// those of its project.
 class Settings {
   public:
-    /// Throws InputError naming key, value and what was expected, also for an unknown key. `file`
-    /// is what the error calls the place the text came from.
+    /// Throws InputError naming key, value and what was expected, also for an unknown key. A former
+    /// name stands for that of today. `file` is what the error calls the place the text came from.
     void set(std::string_view key, std::string_view text, const std::string& file = "");
     void set(std::string_view key, double value);
     void set(std::string_view key, int value);

@@ -67,14 +67,15 @@ Json sensorJson(const ScenarioSensor& sensor, const JsonPaths& paths) {
 
 } // namespace
 
-Scenario scenarioFromJson(const std::string& text, const std::filesystem::path& file) {
-    Scenario scenario = readScenario(text, file.string());
+Scenario scenarioFromJson(const std::string& text, const std::filesystem::path& file,
+                          std::vector<std::string>* remarks) {
+    Scenario scenario = readScenario(text, file.string(), remarks);
     scenario.file = file;
     return scenario;
 }
 
-Scenario loadScenario(const std::filesystem::path& file) {
-    return scenarioFromJson(readTextFile(file), file);
+Scenario loadScenario(const std::filesystem::path& file, std::vector<std::string>* remarks) {
+    return scenarioFromJson(readTextFile(file), file, remarks);
 }
 
 bool isScenarioFile(const std::filesystem::path& file) {

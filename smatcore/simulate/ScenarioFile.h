@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "smatcore/simulate/Scenario.h"
 
@@ -15,9 +16,12 @@ inline constexpr double mostSteps = 1e6;
 /// settings, `entities` and `sensors` (docs/formats-scenario.md). Throws InputError with every
 /// diagnostic at once, each with its key path and line, the value and what was expected; a key that
 /// is not known is one. Files that the scenario names are looked at by SceneGenerator3D, not here.
-Scenario loadScenario(const std::filesystem::path& file);
+/// `remarks`, where it is given, gets one sentence for each former name of a setting in the file.
+Scenario loadScenario(const std::filesystem::path& file,
+                      std::vector<std::string>* remarks = nullptr);
 /// The same from memory, as if the text stood in `file`.
-Scenario scenarioFromJson(const std::string& text, const std::filesystem::path& file);
+Scenario scenarioFromJson(const std::string& text, const std::filesystem::path& file,
+                          std::vector<std::string>* remarks = nullptr);
 
 /// Whether a file is a scenario (JSON with entities, sensors or steps); not whether it is a sound
 /// one.

@@ -43,8 +43,8 @@ class ScenarioRun {
         run_.options.check();
         if (run_.options.ranking)
             throw monteCarloRefusal("ranking", "asked for", "none: a scenario has no ranking");
-        if (run_.options.phases != 1)
-            throw monteCarloRefusal("phases", std::to_string(run_.options.phases),
+        if (run_.options.subpixelShifts != 1)
+            throw monteCarloRefusal("subpixel shifts", std::to_string(run_.options.subpixelShifts),
                                     "1: every step of a scenario is at a place of its own");
         generator_.check(run_.plan.sensors, run_.plan.times_s());
         run_.parts.clear();

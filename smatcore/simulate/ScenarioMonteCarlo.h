@@ -23,7 +23,7 @@ struct ScenarioDistribution {
 struct ScenarioMonteCarlo {
     LoadedScenario scenario; ///< loaded with `scaling.use` off: scales are drawn here
     SimulationPlan plan;
-    MonteCarloOptions options; ///< without a ranking and with one phase
+    MonteCarloOptions options; ///< without a ranking and with one subpixel shift
     std::string commandLine;   ///< goes into the provenance where it is not empty
 
     AnalysisState state = AnalysisState::notRun;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "irsg/core/NewLines.h"
 #include "smatcore/project/JsonReading.h"
 #include "smatcore/simulate/ScenarioFile.h"
 
@@ -178,7 +179,8 @@ void checkNames(const Scenario& scenario, const std::vector<JsonReader>& entitie
 
 } // namespace
 
-Scenario readScenario(const std::string& text, const std::string& file) {
+Scenario readScenario(const std::string& text, const std::string& file,
+                      std::vector<std::string>* remarks) {
     const JsonReader root = readVersioned(text, file, "a scenario (JSON)", scenarioFileVersion,
                                           "version, dt_s, end_s, entities and sensors");
     Scenario scenario;
@@ -196,6 +198,8 @@ Scenario readScenario(const std::string& text, const std::string& file) {
     root.refuseUnknown([](const std::string& path) { return settingsLike(path); });
     checkNames(scenario, entities, sensors);
     root.throwRefused();
+    if (remarks != nullptr)
+        irsg::addNew(*remarks, root.remarks());
     return scenario;
 }
 

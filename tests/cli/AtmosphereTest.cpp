@@ -119,7 +119,7 @@ TEST(SmatBatchAtmosphere, GivesASpectrumFromEndToEndOfItsTable) {
                                    "--band",       band,
                                    "--atmosphere", folder / "air.smatatm",
                                    "--set",        "render.sun=off",
-                                   "--set",        "render.fluxes=off",
+                                   "--set",        "render.ambientReflection=off",
                                    "--background", "none",
                                    "--elevation",  "0",
                                    "--altitude",   "1000",

@@ -46,9 +46,9 @@ TEST(SmatBatch, TakesTheLastOfASettingAndTheWordBehindAFlag) {
         return contentOf(out);
     };
     EXPECT_THAT(imageOf({"--width", "100"}), HasSubstr("# sensor.width: 8 px"));
-    EXPECT_THAT(imageOf({"--hot-parts", "false"}), HasSubstr("# render.hotParts: false"));
-    EXPECT_THAT(imageOf({"--hot-parts=false", "--hot-parts", "true"}),
-                testing::Not(HasSubstr("# render.hotParts")));
+    EXPECT_THAT(imageOf({"--hot-spots", "false"}), HasSubstr("# render.hotSpots: false"));
+    EXPECT_THAT(imageOf({"--hot-spots=false", "--hot-spots", "true"}),
+                testing::Not(HasSubstr("# render.hotSpots")));
     EXPECT_THAT(imageOf({"--sun-disc"}), HasSubstr("# render.sunDisc: true"));
 
     const Ran wrong = smatBatch({"polar", sample("box/box.smat"), "--sun-disc", "perhaps"});

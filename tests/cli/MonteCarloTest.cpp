@@ -63,8 +63,9 @@ class SmatBatchMonteCarlo : public testing::Test {
 };
 
 TEST_F(SmatBatchMonteCarlo, WritesBandsAndRankingOfTheFirstAnalysisThatIsNoImage) {
-    const Ran ran = run({"--samples", "300", "--seed", "5", "--phases", "2", "--ranking-pairs",
-                         "256", "--percentiles", "10,90", "--out", "mc.csv", "--out", "mc.json"});
+    const Ran ran =
+        run({"--samples", "300", "--seed", "5", "--subpixel-shifts", "2", "--ranking-pairs", "256",
+             "--percentiles", "10,90", "--out", "mc.csv", "--out", "mc.json"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("turn (polar): complete"));
     EXPECT_THAT(ran.out, HasSubstr("Draws"));
@@ -84,8 +85,9 @@ TEST_F(SmatBatchMonteCarlo, WritesBandsAndRankingOfTheFirstAnalysisThatIsNoImage
 }
 
 TEST_F(SmatBatchMonteCarlo, ExportsRawDrawsAlikeInBothForms) {
-    const Ran ran = run({"--samples", "64", "--seed", "3", "--phases", "1", "--sequence", "plain",
-                         "--draws", "draws.csv", "--draws", "draws.json", "--out", "bands.csv"});
+    const Ran ran =
+        run({"--samples", "64", "--seed", "3", "--subpixel-shifts", "1", "--sequence", "plain",
+             "--draws", "draws.csv", "--draws", "draws.json", "--out", "bands.csv"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
     const ResultTable csv = ResultTable::load(folder / "draws.csv");
     EXPECT_EQ(csv.columns(), ResultTable::load(folder / "draws.json").columns());
@@ -188,7 +190,8 @@ TEST_F(SmatBatchMonteCarlo, OverAScenarioTellsWhatEachSensorSeesOfEachEntity) {
     };
     EXPECT_THAT(refusal({"--ranking"}), HasSubstr("a project in place of a scenario"));
     EXPECT_THAT(refusal({"--kind", "polar"}), HasSubstr("a project in place of a scenario"));
-    EXPECT_THAT(refusal({"--phases", "2"}), HasSubstr("phases: found 2, expected 1"));
+    EXPECT_THAT(refusal({"--subpixel-shifts", "2"}),
+                HasSubstr("subpixel shifts: found 2, expected 1"));
     EXPECT_THAT(refusal({"--sensor", "north"}), HasSubstr("the name of a sensor: south"));
     EXPECT_THAT(refusal({"--database", "x.sigdb"}), HasSubstr("a scenario names its own"));
     EXPECT_THAT(refusal({"--set", "camera.range=9"}), HasSubstr("the scenario says the rest"));
@@ -197,7 +200,7 @@ TEST_F(SmatBatchMonteCarlo, OverAScenarioTellsWhatEachSensorSeesOfEachEntity) {
 }
 
 TEST_F(SmatBatchMonteCarlo, RepeatsAKindWithTheSettingsOfTheProject) {
-    const Ran ran = run({"--kind", "range", "--samples", "64", "--phases", "1", "--set",
+    const Ran ran = run({"--kind", "range", "--samples", "64", "--subpixel-shifts", "1", "--set",
                          "range.points=3", "--out", "mc.csv"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
     EXPECT_EQ(ResultTable::load(folder / "mc.csv").rowCount(), 3u);
@@ -208,24 +211,25 @@ TEST_F(SmatBatchMonteCarlo, RepeatsAKindWithTheSettingsOfTheProject) {
 
 TEST_F(SmatBatchMonteCarlo, GivesTheSameBytesTwiceAndOthersWithAnotherSeed) {
     for (const char* name : {"a.csv", "b.csv"}) {
-        ASSERT_EQ(run({"--samples", "64", "--phases", "1", "--sequence", "plain", "--out", name})
-                      .exitCode,
-                  0);
+        ASSERT_EQ(
+            run({"--samples", "64", "--subpixel-shifts", "1", "--sequence", "plain", "--out", name})
+                .exitCode,
+            0);
     }
     const auto numbers = [&](const char* name) {
         return ResultTable::load(folder / name).columns();
     };
     EXPECT_EQ(numbers("a.csv"), numbers("b.csv"));
-    ASSERT_EQ(run({"--samples", "64", "--phases", "1", "--sequence", "plain", "--seed", "2",
-                   "--out", "c.csv"})
+    ASSERT_EQ(run({"--samples", "64", "--subpixel-shifts", "1", "--sequence", "plain", "--seed",
+                   "2", "--out", "c.csv"})
                   .exitCode,
               0);
     EXPECT_NE(numbers("a.csv"), numbers("c.csv"));
 }
 
 TEST_F(SmatBatchMonteCarlo, AgreesWithTheAnalysisOfTheFirstDraw) {
-    ASSERT_EQ(run({"--samples", "2", "--phases", "1", "--sequence", "plain", "--percentiles", "50",
-                   "--light-error", "0.005", "--out", "mc.csv"})
+    ASSERT_EQ(run({"--samples", "2", "--subpixel-shifts", "1", "--sequence", "plain",
+                   "--percentiles", "50", "--light-error", "0.005", "--out", "mc.csv"})
                   .exitCode,
               0);
     ASSERT_EQ(smatBatch({"polar", "t.smat", "--analysis", "turn", "--scalings", "--light-error",
@@ -317,12 +321,13 @@ TEST_F(SmatBatchMonteCarlo, RefusesWhatItCannotDo) {
 }
 
 TEST_F(SmatBatchMonteCarlo, StopsAtAStandardErrorOrSaysThatItDidNot) {
-    Ran ran =
-        run({"--samples", "20000", "--phases", "1", "--standard-error", "0.01", "--out", "a.csv"});
+    Ran ran = run({"--samples", "20000", "--subpixel-shifts", "1", "--standard-error", "0.01",
+                   "--out", "a.csv"});
     EXPECT_EQ(ran.exitCode, 0) << ran.err;
     EXPECT_THAT(ResultTable::load(folder / "a.csv").provenance.value("monte carlo"),
                 testing::Not(HasSubstr("20000")));
-    ran = run({"--samples", "300", "--phases", "1", "--standard-error", "1e-9", "--out", "b.csv"});
+    ran = run({"--samples", "300", "--subpixel-shifts", "1", "--standard-error", "1e-9", "--out",
+               "b.csv"});
     EXPECT_THAT(ran.out, HasSubstr("1e-09 was asked for"));
 }
 

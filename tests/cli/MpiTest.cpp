@@ -74,16 +74,26 @@ TEST_F(SmatBatchMpi, FourRanksGiveTheBytesOfOneRun) {
 }
 
 TEST_F(SmatBatchMpi, RanksShareTheCasesOfMonteCarlo) {
-    const Words run = {"montecarlo",    sample("turboprop4/turboprop4.smat"),
-                       "--kind",        "polar",
-                       "--set",         "polar.step=45",
-                       "--set",         "polar.steps=fixed",
-                       "--width",       "48",
-                       "--height",      "48",
-                       "--samples",     "64",
-                       "--phases",      "1",
-                       "--light-error", "0.1",
-                       "--threads",     "1"};
+    const Words run = {"montecarlo",
+                       sample("turboprop4/turboprop4.smat"),
+                       "--kind",
+                       "polar",
+                       "--set",
+                       "polar.step=45",
+                       "--set",
+                       "polar.steps=fixed",
+                       "--width",
+                       "48",
+                       "--height",
+                       "48",
+                       "--samples",
+                       "64",
+                       "--subpixel-shifts",
+                       "1",
+                       "--light-error",
+                       "0.1",
+                       "--threads",
+                       "1"};
     ASSERT_EQ(smatBatch(run + Words{"--out", folder / "one.csv"}).exitCode, 0);
     const Ran ran = ranks("3", run + Words{"--out", folder / "three.csv"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;

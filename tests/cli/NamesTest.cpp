@@ -1,6 +1,7 @@
-// Names that are mistyped.
+// Names that are mistyped, and those of earlier versions.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/cli/Program.h"
 #include "tests/support/TemporaryFolder.h"
@@ -9,6 +10,7 @@ namespace smat::test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 /// How often a text stands in another.
 std::size_t countOf(const std::string& part, const std::string& text) {
@@ -75,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
         MistypedRow{"AChoiceOfAnOption", image({"--sun", "smrt"}),
                     "expected off, approx or smart; did you mean 'smart'?"},
         MistypedRow{"AChoiceOfASetting", image({"--set", "render.supersampling=peraxs"}),
-                    "expected perAxis or inAll; did you mean 'perAxis'?"},
+                    "expected perAxis or perPixel; did you mean 'perAxis'?"},
         MistypedRow{"ATruthValue", image({"--set", "render.sunDisc=ture"}), "did you mean 'true'?"},
         MistypedRow{"AKeyOfAModel", image({"--set", "models.0.alitude=5"}),
                     "did you mean 'altitude'?"},
@@ -111,6 +113,86 @@ TEST(MistypedInAProject, KeysAndChoicesAreAnsweredWithTheNearestNames) {
                 HasSubstr(R"(found "of", expected off, approx or smart; did you mean 'off'?)"));
     EXPECT_THAT(errorsOf(R"("analyses": {"a": {"kind": "poler"}})"),
                 HasSubstr("did you mean 'polar'?"));
+}
+
+TEST(FormerNames, OfSettingsAreReadInAProjectWithOneRemarkAndWrittenAsOfToday) {
+    const TemporaryFolder folder;
+    writeProject(folder / "p.smat",
+                 R"("render": {"fluxes": "off", "hotParts": false, "supersampling": "inAll"},
+                    "analyses": {"a": {"kind": "image", "render": {"fluxes": "approx"}}})");
+    const Ran ran =
+        smatBatch({"project", "set", "p.smat", "0", "--altitude", "500"}, folder.path());
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    for (const char* remark : {"p.smat: render.fluxes is called render.ambientReflection now",
+                               "p.smat: render.hotParts is called render.hotSpots now",
+                               "the value inAll of render.supersampling is called perPixel now"}) {
+        EXPECT_EQ(countOf(remark, ran.err), 1u) << remark << "\n" << ran.err;
+    }
+    const auto json = nlohmann::json::parse(contentOf(folder / "p.smat"));
+    const nlohmann::json today = {
+        {"ambientReflection", "off"}, {"hotSpots", false}, {"supersampling", "perPixel"}};
+    EXPECT_EQ(json["render"], today);
+    EXPECT_EQ(json["analyses"]["a"]["render"]["ambientReflection"], "approx");
+    EXPECT_EQ(smatBatch({"project", "set", "p.smat", "0", "--altitude", "600"}, folder.path()).err,
+              "");
+}
+
+TEST(FormerNames, BesideThoseOfTodayAreRefused) {
+    const TemporaryFolder folder;
+    writeProject(folder / "p.smat", R"("render": {"fluxes": "off", "ambientReflection": "smart"})");
+    const Ran ran = smatBatch({"image", "p.smat", "--out", "a.exr"}, folder.path());
+    EXPECT_EQ(ran.exitCode, 2);
+    EXPECT_THAT(ran.err, HasSubstr("render.fluxes"));
+    EXPECT_THAT(ran.err, HasSubstr("expected nothing beside render.ambientReflection"));
+}
+
+TEST(FormerNames, OfOptionsValuesAndSettingsAreReadWithOneRemark) {
+    const TemporaryFolder folder;
+    const Ran ran =
+        smatBatch({"image", box, "--width", "8", "--height", "4", "--hot-parts", "false",
+                   "--fluxes=off", "--set", "render.referenceAir=segment", "--out", "a.csv"},
+                  folder.path());
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    for (const char* remark :
+         {"--hot-parts is called --hot-spots now", "--fluxes is called --ambient-reflection now",
+          "render.referenceAir is called render.referenceTransmittance now"}) {
+        EXPECT_EQ(countOf(remark, ran.err), 1u) << remark << "\n" << ran.err;
+    }
+    const std::string written = contentOf(folder / "a.csv");
+    EXPECT_THAT(written, HasSubstr("# render.hotSpots: false"));
+    EXPECT_THAT(written, HasSubstr("# render.ambientReflection: off"));
+    EXPECT_THAT(written, HasSubstr("# render.referenceTransmittance: segment"));
+}
+
+TEST(FormerNames, OfAResultAreReadWhenItIsRunAgain) {
+    const TemporaryFolder folder;
+    std::filesystem::copy(sample("box"), folder / "box");
+    ASSERT_EQ(smatBatch({"image", "box/box.smat", "--width", "8", "--height", "4",
+                         "--ambient-reflection", "off", "--out", "box/a.csv"},
+                        folder.path())
+                  .exitCode,
+              0);
+    std::string text = contentOf(folder / "box/a.csv");
+    const std::string today = "# render.ambientReflection: off";
+    ASSERT_NE(text.find(today), std::string::npos) << text;
+    text.replace(text.find(today), today.size(), "# render.fluxes: off");
+    write(folder / "box/a.csv", text);
+    const Ran ran = smatBatch({"replay", "box/a.csv", "--out", "again.csv"}, folder.path());
+    EXPECT_EQ(ran.exitCode, 0) << ran.out << ran.err;
+    EXPECT_EQ(countOf("render.fluxes is called render.ambientReflection now", ran.err), 1u)
+        << ran.err;
+    EXPECT_THAT(contentOf(folder / "again.csv"), HasSubstr(today));
+}
+
+TEST(FormerNames, OfACommandAndItsOptionAreReadWithOneRemark) {
+    const TemporaryFolder folder;
+    const Ran ran = smatBatch({"--threads", "1", "frontier", box, "--ways", "likely", "--dry-run"},
+                              folder.path());
+    EXPECT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_THAT(ran.err, HasSubstr("frontier is called cost-accuracy now"));
+    EXPECT_THAT(ran.err, HasSubstr("--ways is called --configurations now"));
+    EXPECT_THAT(smatBatch({"--help"}).out, Not(HasSubstr("frontier")));
+    EXPECT_THAT(smatBatch({"cost-accuracy", "--help"}).out, Not(HasSubstr("--ways")));
 }
 
 } // namespace

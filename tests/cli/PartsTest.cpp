@@ -59,17 +59,28 @@ TEST_F(SmatBatchParted, HaveTheErrorsOfOneRun) {
 }
 
 TEST_F(SmatBatchParted, OfMonteCarloJoinToOneRunAndGoOn) {
-    const std::vector<std::string> run = {"montecarlo",    sample("turboprop4/turboprop4.smat"),
-                                          "--analysis",    "range",
-                                          "--set",         "range.points=5",
-                                          "--atmosphere",  "none",
-                                          "--band",        "3-5,8-12",
-                                          "--width",       "64",
-                                          "--height",      "64",
-                                          "--samples",     "64",
-                                          "--phases",      "2",
-                                          "--light-error", "0.1",
-                                          "--errors",      "sum"};
+    const std::vector<std::string> run = {"montecarlo",
+                                          sample("turboprop4/turboprop4.smat"),
+                                          "--analysis",
+                                          "range",
+                                          "--set",
+                                          "range.points=5",
+                                          "--atmosphere",
+                                          "none",
+                                          "--band",
+                                          "3-5,8-12",
+                                          "--width",
+                                          "64",
+                                          "--height",
+                                          "64",
+                                          "--samples",
+                                          "64",
+                                          "--subpixel-shifts",
+                                          "2",
+                                          "--light-error",
+                                          "0.1",
+                                          "--errors",
+                                          "sum"};
     ran(run, {"--out", "one.csv"});
     EXPECT_NE(ResultTable::load(folder / "one.csv").find("error_nominal@3-5um"), nullptr);
     for (const std::string part : {"1", "2"}) {

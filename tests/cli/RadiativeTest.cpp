@@ -45,11 +45,11 @@ class SmatBatchRadiative : public testing::Test {
 
     /// The sphere from above and ahead, with everything that takes part of the air.
     irsg::RadianceImage imageIn(const std::string& atmosphere, const std::string& out) {
-        const Ran ran =
-            smatBatch({"image", sample("sphere/sphere.smat"), "--atmosphere", atmosphere,
-                       "--elevation", "30", "--altitude", "1000", "--sun", "smart", "--fluxes",
-                       "smart", "--width", "64", "--height", "64", "--out", out},
-                      folder.path());
+        const Ran ran = smatBatch({"image", sample("sphere/sphere.smat"), "--atmosphere",
+                                   atmosphere, "--elevation", "30", "--altitude", "1000", "--sun",
+                                   "smart", "--ambient-reflection", "smart", "--width", "64",
+                                   "--height", "64", "--out", out},
+                                  folder.path());
         EXPECT_EQ(ran.exitCode, 0) << ran.err;
         return irsg::readExr(folder / out);
     }

@@ -112,8 +112,8 @@ TEST_F(SmatBatchReplay, TellsSeveralChangesApartByTheFilesAsTheyWere) {
     EXPECT_THAT(unknown.out, HasSubstr("database sphere.sigdb: not told apart"));
     // An eighth is left. The one that goes back alone: a half and three quarters of what is then.
     const std::vector<std::vector<std::string>> given{
-        {"--former", "former-sphere.sigdb", "--former", "former-response.csv"},
-        {"--former", "former-sphere.sigdb"}};
+        {"--previous", "former-sphere.sigdb", "--previous", "former-response.csv"},
+        {"--previous", "former-sphere.sigdb"}};
     for (const auto& former : given) {
         std::vector<std::string> arguments{"replay", "polar.csv", "--json"};
         arguments.insert(arguments.end(), former.begin(), former.end());
@@ -123,7 +123,7 @@ TEST_F(SmatBatchReplay, TellsSeveralChangesApartByTheFilesAsTheyWere) {
         EXPECT_NEAR(relative(causeOf(replay, "sensor.response")["effect"], "intensity"), 0.75,
                     1e-9);
     }
-    const Ran none = in({"replay", "polar.csv", "--former", "sphere.smat"});
+    const Ran none = in({"replay", "polar.csv", "--previous", "sphere.smat"});
     EXPECT_EQ(none.exitCode, 2);
     EXPECT_THAT(none.err, HasSubstr("the content of one of the files that have changed since: "
                                     "sphere.sigdb"));

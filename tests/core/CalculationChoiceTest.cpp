@@ -174,7 +174,7 @@ TEST(CalculationChoices, AreThereForRunsWhereNothingIsAskedThatTheyLack) {
     scene.environment.add(
         std::make_shared<irsg::TabulatedAtmosphere>(std::vector<irsg::SpectralRun>{run}, "runs"));
     EXPECT_EQ(chooseCalculation(scene, ranges(50)).reason, "");
-    scene.render.fluxes = irsg::ReflectionMode::off;
+    scene.render.ambientReflection = irsg::ReflectionMode::off;
     scene.render.sun = irsg::ReflectionMode::off;
     scene.render.background = irsg::BackgroundMode::none;
     EXPECT_EQ(chooseCalculation(scene, ranges(50)).mode, CalculationMode::wideband);

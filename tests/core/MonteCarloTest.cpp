@@ -411,8 +411,8 @@ TEST_F(MonteCarloTest, RefusesWhatCannotBe) {
     expect("ascending numbers", [&] { data.options.percentiles = {50.0, 5.0}; });
     expect("ascending numbers", [&] { data.options.percentiles = {50.0, 50.0}; });
     expect("standard error", [&] { data.options.standardError = 0.0; });
-    expect("from 1 to 64", [&] { data.options.phases = 0; });
-    expect("from 1 to 64", [&] { data.options.phases = 65; });
+    expect("from 1 to 64", [&] { data.options.subpixelShifts = 0; });
+    expect("from 1 to 64", [&] { data.options.subpixelShifts = 65; });
     expect("from 256 to 1000000", [&] { data.options.rankingPairs = 1'000'001; });
     expect("from 256 to 1000000", [&] { data.options.rankingPairs = 3; });
     expect("an image",

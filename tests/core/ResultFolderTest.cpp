@@ -287,7 +287,8 @@ TEST_F(ResultFolderTest, RefusesMonteCarloRunsWhosePartsDoNotFit) {
     EXPECT_THAT(with("\"kind\": \"temperature\"", "\"kind\": \"heat\""),
                 testing::ContainsRegex("scales.0.kind, line .*heat.*temperature or emissivity"));
     EXPECT_THAT(with("\"min\": 0.7", "\"min\": 1.7"), HasSubstr("scales.0"));
-    EXPECT_THAT(with("\"phases\": 4", "\"phases\": 4.5"), HasSubstr("options.phases"));
+    EXPECT_THAT(with("\"subpixel_shifts\": 4", "\"subpixel_shifts\": 4.5"),
+                HasSubstr("options.subpixel_shifts"));
     EXPECT_THAT(with("\"bands\": [\n  \"\"\n ]", "\"bands\": []"), HasSubstr("statistic"));
     EXPECT_THAT(with("\"normal\"", "\"odd\""), HasSubstr("odd"));
     EXPECT_THAT(with("\"samples\": 300", "\"samples\": 0"), HasSubstr("samples"));

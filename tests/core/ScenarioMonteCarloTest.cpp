@@ -116,7 +116,7 @@ class ScenarioMonteCarloTest : public testing::Test {
                             {.name = "deck", .mount = MountKind::entity, .carrier = "tower"}};
         scenario.sensors[1].offset.position_m = {0, 2, 1};
         options.samples = 300;
-        options.phases = 1;
+        options.subpixelShifts = 1;
     }
     void scale(const char* model, const irsg::Distribution& distribution) {
         writeTextFile(irsg::scalingFile(folder / model, irsg::ScalingKind::temperature),
@@ -285,9 +285,9 @@ TEST_F(ScenarioMonteCarloTest, RefusesWhatItCannotDo) {
     options.ranking = true;
     EXPECT_THAT(refusal(), HasSubstr("a scenario has no ranking"));
     options.ranking = false;
-    options.phases = 4;
-    EXPECT_THAT(refusal(), HasSubstr("phases: found 4, expected 1"));
-    options.phases = 1;
+    options.subpixelShifts = 4;
+    EXPECT_THAT(refusal(), HasSubstr("subpixel shifts: found 4, expected 1"));
+    options.subpixelShifts = 1;
     request.to_s = 0.5;
     request.sensors = {"fixed"};
     EXPECT_THAT(refusal(), HasSubstr("none at which a sensor sees an entity"));

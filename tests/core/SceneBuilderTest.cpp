@@ -71,9 +71,9 @@ TEST_F(SceneBuilderTest, TakesEveryNumberOverInTheUnitsOfTheRenderer) {
     settings.set("environment.ambientTemperature", "250");
     settings.set("render.antialiasing", "1");
     settings.set("render.sun", "approx");
-    settings.set("render.fluxes", "off");
+    settings.set("render.ambientReflection", "off");
     settings.set("render.fluxWeights", "report");
-    settings.set("render.referenceAir", "segment");
+    settings.set("render.referenceTransmittance", "segment");
     settings.set("render.background", "2.5");
     settings.set("render.layers", "3");
     project.models[0].fallbackMaterial = 7;
@@ -101,9 +101,9 @@ TEST_F(SceneBuilderTest, TakesEveryNumberOverInTheUnitsOfTheRenderer) {
     EXPECT_EQ(scene.render.zoomWindow, 0);
     EXPECT_EQ(scene.render.samplesPerAxis, 2);
     EXPECT_EQ(scene.render.sun, irsg::ReflectionMode::approx);
-    EXPECT_EQ(scene.render.fluxes, irsg::ReflectionMode::off);
+    EXPECT_EQ(scene.render.ambientReflection, irsg::ReflectionMode::off);
     EXPECT_EQ(scene.render.fluxWeights, irsg::FluxWeights::report);
-    EXPECT_EQ(scene.render.referenceAir, irsg::ReferenceAir::segment);
+    EXPECT_EQ(scene.render.referenceTransmittance, irsg::ReferenceTransmittance::segment);
     EXPECT_EQ(scene.render.background, irsg::BackgroundMode::constant);
     EXPECT_EQ(scene.render.background_W_m2_sr, 2.5);
     EXPECT_EQ(scene.render.maximumLayers, 3);

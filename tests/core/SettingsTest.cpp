@@ -104,6 +104,8 @@ TEST(SettingTable, TheCommonOptionsOfTheFormatsPageAreThere) {
     std::set<std::string> options;
     for (const SettingInfo& setting : settingTable()) {
         options.insert(setting.option);
+        // Their words are read, also where an option has another name today.
+        options.insert(setting.former.options.begin(), setting.former.options.end());
     }
     for (const char* option :
          {"--range",       "--azimuth",       "--elevation", "--yaw",        "--pitch",

@@ -48,7 +48,7 @@ class Lawful : public test::AnalyticSource {
                                                     : smart;
         };
         return 100.0 + sunlight_W_sr * part(render.sun, 0.6 * lit, 0.25) +
-               skylight_W_sr * part(render.fluxes, 1.0, 1.0) +
+               skylight_W_sr * part(render.ambientReflection, 1.0, 1.0) +
                (render.bounces != 0 ? between_W_sr : 0.0);
     }
     irsg::RenderReport measure() override {
@@ -174,7 +174,7 @@ TEST(TargetChoice, LeavesOutShadowsLightBetweenSurfacesAndSkyByThemselves) {
     EXPECT_EQ(choice.way.render.sunShadows, irsg::SunShadowMode::point)
         << "all that shadows may take is what the sun gives, 6 %";
     EXPECT_EQ(choice.way.render.bounces, 0);
-    EXPECT_EQ(choice.way.render.fluxes, ReflectionMode::off);
+    EXPECT_EQ(choice.way.render.ambientReflection, ReflectionMode::off);
     EXPECT_GE(choice.skipped, 2.0 * 0.04 / 106.1 + 0.05 / 106.1);
     EXPECT_LE(choice.skipped, 0.01 / 3.0);
 }
@@ -272,7 +272,7 @@ TEST(Frontier, HasEveryWayThatDiffersAndNoOther) {
     scene.render.bounces = irsg::convergedBounces;
     scene.render.sunShadows = irsg::SunShadowMode::disc;
     EXPECT_EQ(Frontier::waysOf(scene, true).size(), 6u * 2u * 4u);
-    scene.render.sun = scene.render.fluxes = ReflectionMode::off;
+    scene.render.sun = scene.render.ambientReflection = ReflectionMode::off;
     EXPECT_EQ(Frontier::waysOf(scene, true).size(), 6u * 2u * 3u) << "nothing to leave out";
 }
 
@@ -338,7 +338,7 @@ TEST(Frontier, MarksWhatNothingBeatsAndTheQuickestThatMeetsTheTarget) {
                 1e-6);
     EXPECT_THAT(data.answeredBy,
                 Contains(HasSubstr("target error 0.5 %: windows of 256 samples a side, the "
-                                   "quickest of 12 ways that meet it")));
+                                   "quickest of 12 configurations that meet it")));
 }
 
 TEST(Frontier, KeepsWhatWasDoneBeforeAStop) {
@@ -388,8 +388,8 @@ TEST(Frontier, LeavesOutWaysThatAModelOfCostsCallsBeaten) {
     for (const auto& [way, error] : some) {
         EXPECT_EQ(error, known.at(way)) << "the same number";
     }
-    EXPECT_THAT(likely.answeredBy, Contains(HasSubstr("ways: ")));
-    EXPECT_THAT(all.answeredBy, Not(Contains(HasSubstr("ways: "))));
+    EXPECT_THAT(likely.answeredBy, Contains(HasSubstr("configurations: ")));
+    EXPECT_THAT(all.answeredBy, Not(Contains(HasSubstr("configurations: "))));
     // Twice the same, whatever the clock says.
     AnalysisData again = ofFrontier(settings);
     Frontier::run(again, source, test::sceneWithoutFiles, {.repeats = 1, .likely = true});
@@ -405,7 +405,8 @@ TEST(Frontier, SaysBeforeHowManyWaysThereAre) {
     EXPECT_GT(all.least_s, 0.0);
     EXPECT_GT(Frontier::sizeOf(data.project, data.settings, {.repeats = 20}).most_s, all.most_s);
     EXPECT_EQ(Frontier::optionWords({}), "");
-    EXPECT_EQ(Frontier::optionWords({.repeats = 5, .likely = true}), " --repeats 5 --ways likely");
+    EXPECT_EQ(Frontier::optionWords({.repeats = 5, .likely = true}),
+              " --repeats 5 --configurations likely");
 }
 
 TEST(Frontier, TellsTheSettingsOfEachWay) {
@@ -426,7 +427,7 @@ TEST(Frontier, TellsTheSettingsOfEachWay) {
         EXPECT_EQ(render.bounces != 0, light == Frontier::allLight);
         EXPECT_EQ(render.sunShadows != irsg::SunShadowMode::off, light >= Frontier::withShadows);
         EXPECT_EQ(render.sun != ReflectionMode::off, light >= Frontier::sunAndSky);
-        EXPECT_EQ(render.fluxes != ReflectionMode::off, light >= Frontier::sunAndSky);
+        EXPECT_EQ(render.ambientReflection != ReflectionMode::off, light >= Frontier::sunAndSky);
         seen.insert({mode, light});
     }
     EXPECT_EQ(seen.size(), 6u * 4u);
@@ -442,7 +443,7 @@ TEST(EnvironmentBins, TakeThePlaceOfThoseOfTheFile) {
         settings.set("environment.bins", bins);
         return environmentOf(Project(), settings).nodesOf(band)->size();
     };
-    const std::size_t own = nodes("own"), wide = nodes("15"), narrow = nodes("1");
+    const std::size_t own = nodes("native"), wide = nodes("15"), narrow = nodes("1");
     EXPECT_GT(narrow, 4 * wide) << "nodes of spectra beside those of bins";
     EXPECT_TRUE(own == nodes("1") || own == nodes("5") || own == nodes("15"));
     settings.set("environment.atmospheres", "none");

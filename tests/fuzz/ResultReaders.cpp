@@ -25,7 +25,7 @@ MonteCarloData monteCarloRun() {
     MonteCarloData data;
     data.analysis = AnalysisData::of({}, AnalysisKind::range);
     data.options.samples = 3;
-    data.options.phases = 2;
+    data.options.subpixelShifts = 2;
     data.options.ranking = true;
     data.options.standardError = 0.01;
     data.options.rankingAt = 100.0;

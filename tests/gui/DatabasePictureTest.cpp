@@ -37,7 +37,7 @@ class DatabasePictureTest : public test::DatabaseFixture {
                          {"camera.range", "1000"},
                          {"target.altitude", "2000"},
                          {"render.sun", "off"},
-                         {"render.fluxes", "off"},
+                         {"render.ambientReflection", "off"},
                          {"render.background", "none"},
                          {"render.antialiasing", "0"},
                          {"state.time", "3"},

@@ -58,7 +58,7 @@ TEST_F(FrontierPageTest, MeasuresAllWaysWithTheNumbersOfTheCommandLine) {
         Frontier::sizeOf(workbench.project(), page->asked().settings, page->options());
     EXPECT_TRUE(find<QLabel>("wayCount")->text().startsWith(QString::number(size.all)));
     const QString command = find<QLineEdit>("command")->text();
-    EXPECT_TRUE(command.startsWith("smat-batch frontier ")) << command.toStdString();
+    EXPECT_TRUE(command.startsWith("smat-batch cost-accuracy ")) << command.toStdString();
     EXPECT_TRUE(command.contains("--target-error=1") && command.contains("--repeats 1"))
         << command.toStdString();
     measure();

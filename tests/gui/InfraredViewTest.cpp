@@ -128,7 +128,7 @@ TEST_F(InfraredViewTest, ShowsAnEditedDatabaseByTheComputedAmount) {
     // A black body of one temperature: every pixel of it is Planck's integral.
     Project black = sample("sphere");
     for (const auto& [key, value] : {std::pair{"render.sun", "off"},
-                                     {"render.fluxes", "off"},
+                                     {"render.ambientReflection", "off"},
                                      {"render.background", "none"},
                                      {"environment.atmospheres", "none"}}) {
         black.settings.set(key, value);

@@ -215,7 +215,7 @@ TEST_F(MonteCarloPageTest, ShowsBandsHistogramAndRankingOfTheSampleAircraft) {
     EXPECT_FALSE(get<QPushButton>("writeScalingFiles")->isVisible());
     get<QSpinBox>("samples")->setValue(512);
     get<QSpinBox>("pairs")->setValue(256);
-    get<QSpinBox>("phases")->setValue(2);
+    get<QSpinBox>("subpixelShifts")->setValue(2);
     runToTheEnd();
     ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
     const MonteCarloData& data = page->plots().data();
@@ -270,7 +270,7 @@ TEST_F(MonteCarloPageTest, SaysTheCommandThatDoesTheSame) {
 TEST_F(MonteCarloPageTest, CountsEditsOfTheDatabaseThatAreNotSaved) {
     makePage();
     get<QSpinBox>("samples")->setValue(64);
-    get<QSpinBox>("phases")->setValue(1);
+    get<QSpinBox>("subpixelShifts")->setValue(1);
     get<QCheckBox>("ranks")->setChecked(false);
     EXPECT_FALSE(get<QLabel>("unsavedNote")->isVisible());
     runToTheEnd();
@@ -341,7 +341,7 @@ TEST_F(MonteCarloPageTest, TakesTheNumbersThatARunTakes) {
             return isMost ? box->maximum() : box->minimum();
         };
         options.samples = static_cast<std::size_t>(end("samples"));
-        options.phases = end("phases");
+        options.subpixelShifts = end("subpixelShifts");
         options.rankingPairs = static_cast<std::size_t>(end("pairs"));
         EXPECT_NO_THROW(options.check());
     }
@@ -352,7 +352,7 @@ TEST_F(MonteCarloPageTest, TakesTheNumbersThatARunTakes) {
 TEST_F(MonteCarloPageTest, KeepsTheDrawsOfARunThatIsCancelled) {
     makePage();
     get<QSpinBox>("samples")->setValue(2'000'000);
-    get<QSpinBox>("phases")->setValue(1);
+    get<QSpinBox>("subpixelShifts")->setValue(1);
     get<QPushButton>("run")->click();
     EXPECT_FALSE(get<QPushButton>("run")->isEnabled());
     QTest::qWait(300);
@@ -398,7 +398,7 @@ TEST_F(MonteCarloPageTest, RunsAgainWhileACancelledRunEndsByItself) {
 TEST_F(MonteCarloPageTest, ARunIsAResultAndGoesOnWithoutItsPage) {
     makePage();
     get<QSpinBox>("samples")->setValue(300);
-    get<QSpinBox>("phases")->setValue(1);
+    get<QSpinBox>("subpixelShifts")->setValue(1);
     get<QCheckBox>("ranks")->setChecked(false);
     runToTheEnd();
     ASSERT_EQ(workbench.results().size(), 1U);

@@ -108,11 +108,11 @@ TEST_F(SettingsDialogTest, FieldsOfAPageStandInTheOrderInWhichTheyAreSet) {
           "target.roll", "target.altitude", "state.time", "state.power", "state.mach"}},
         {"Sun and fluxes",
          {"environment.sunAzimuth", "environment.sunElevation", "environment.dayOfYear",
-          "render.sun", "render.shadows", "render.bounces", "render.lightError", "render.fluxes",
-          "render.fluxWeights"}},
+          "render.sun", "render.shadows", "render.bounces", "render.lightError",
+          "render.ambientReflection", "render.fluxWeights"}},
         {"Atmosphere",
          {"environment.atmospheres", "environment.bins", "environment.ambientTemperature",
-          "render.referenceAir"}},
+          "render.referenceTransmittance"}},
         {"Scattering",
          {"render.scattering", "environment.mtf", "environment.scatteringCoefficient"}},
         {"Background",
@@ -125,7 +125,7 @@ TEST_F(SettingsDialogTest, FieldsOfAPageStandInTheOrderInWhichTheyAreSet) {
           "render.terrainHides"}},
         {"Antialiasing",
          {"render.antialiasing", "render.errors", "render.targetError", "render.supersampling",
-          "render.zoom", "render.pointSource", "render.hotParts", "render.layers",
+          "render.zoom", "render.pointSource", "render.hotSpots", "render.layers",
           "render.engine"}},
         {"Colours",
          {"display.colorMap", "display.scale", "display.markOutside", "display.minimum",
@@ -375,9 +375,9 @@ TEST_F(SettingsDialogTest, CancelChangesNothing) {
 TEST_F(SettingsDialogTest, AnalysisSettingsHoldWhatTheDesignNames) {
     openSample();
     onDialog = [&](QDialog& dialog) {
-        for (const auto* key :
-             {"environment.sunAzimuth", "environment.sunElevation", "render.sun", "render.fluxes",
-              "render.background", "sensor.mode", "sensor.band", "sensor.response"}) {
+        for (const auto* key : {"environment.sunAzimuth", "environment.sunElevation", "render.sun",
+                                "render.ambientReflection", "render.background", "sensor.mode",
+                                "sensor.band", "sensor.response"}) {
             EXPECT_NE(dialog.findChild<QWidget*>(key), nullptr) << key;
         }
         auto* sun = dialog.findChild<QComboBox*>("render.sun");
@@ -392,7 +392,7 @@ TEST_F(SettingsDialogTest, ChoicesHaveWordsInTheFormAndTheirValueInTheFile) {
     openSample();
     const auto setting = [](const QString& key) { return settingInfo(key.toStdString()); };
     onDialog = [&](QDialog& dialog) {
-        for (const QString key : {"render.sun", "render.fluxes"}) {
+        for (const QString key : {"render.sun", "render.ambientReflection"}) {
             auto* box = dialog.findChild<QComboBox*>(key);
             const auto forms = dialog.findChildren<SettingForm*>();
             const auto form = std::find_if(forms.begin(), forms.end(), [box](const auto* one) {

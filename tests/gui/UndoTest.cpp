@@ -21,7 +21,7 @@ TEST_F(UndoTest, StepsAreNamedAfterSettingValueAndUnit) {
     EXPECT_EQ(next(), "Set range to 1200 m");
     workbench.set("render.sunDisc", "true");
     EXPECT_EQ(next(), "Switch sun disc on");
-    workbench.set("render.fluxes", "off");
+    workbench.set("render.ambientReflection", "off");
     EXPECT_EQ(next(), "Set flux reflection to off");
     workbench.undoStack().undo();
     workbench.undoStack().undo();

@@ -82,7 +82,7 @@ TEST_F(MonteCarloWalkTest, WriteScalingFilesRunAndExport) {
     EXPECT_LT(shown->plots().data().draws(), 2'000'000U);
     draws->setValue(256);
     get<QSpinBox>("pairs", shown)->setValue(64);
-    get<QSpinBox>("phases", shown)->setValue(1);
+    get<QSpinBox>("subpixelShifts", shown)->setValue(1);
     run();
     const MonteCarloData first = shown->plots().data();
     EXPECT_EQ(first.draws(), 256U);
@@ -102,7 +102,7 @@ TEST_F(MonteCarloWalkTest, WriteScalingFilesRunAndExport) {
     write(get<QLineEdit>("percentiles", shown), "10, 90");
     walk.step("renderings of each case | each case is also rendered with the target at other "
               "sub-pixel shifts");
-    get<QSpinBox>("phases", shown)->setValue(2);
+    get<QSpinBox>("subpixelShifts", shown)->setValue(2);
     walk.step("draws at most | the run stops sooner if it reaches the requested standard error");
     draws->setValue(100'000);
     get<QCheckBox>("stops", shown)->setChecked(true);

@@ -440,10 +440,10 @@ TEST(SupersamplingInAll, CountsItsSamplesInAll) {
     settings.samplesPerAxis = 4;
     irsg.setEntities({grey(sphereMesh(1.0, 64, 128, one))});
     look(irsg, viewOf(2.0, 5.0));
-    settings.samplesInAll = true;
+    settings.countsPerPixel = true;
     irsg.setSettings(settings);
     const RadianceImage fourInAll = irsg.render().image;
-    settings.samplesInAll = false;
+    settings.countsPerPixel = false;
     settings.samplesPerAxis = 2;
     irsg.setSettings(settings);
     EXPECT_EQ(irsg.render().image.primary().values, fourInAll.primary().values);

@@ -63,7 +63,7 @@ class BackgroundScene : public ::testing::Test {
         Entity entity = entityOf(modelOf(sphereMesh(1.0, 48, 96, one)), greyDatabase(1.0, 320.0));
         entity.pose.position_m = {0, 0, standingAltitude_m};
         irsg.setEntities({entity});
-        settings.sun = settings.fluxes = ReflectionMode::off;
+        settings.sun = settings.ambientReflection = ReflectionMode::off;
         view(100.0);
     }
     void view(double range_m, int side_px = 64) {

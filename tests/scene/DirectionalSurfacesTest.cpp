@@ -73,7 +73,7 @@ double schlick(double normal, double cosine) {
 RenderSettings sunAlone(EngineChoice engine) {
     RenderSettings settings;
     settings.engine = engine;
-    settings.fluxes = ReflectionMode::off;
+    settings.ambientReflection = ReflectionMode::off;
     settings.background = BackgroundMode::none;
     settings.sunShadows = SunShadowMode::off;
     settings.bounces = 0;
@@ -369,7 +369,7 @@ TEST_F(DirectionalSurfaces, AreTheSameByEveryWay) {
         settings.engine = engine;
         settings.sunShadows = SunShadowMode::point;
         settings.bounces = convergedBounces;
-        settings.hotParts = false; // windows that do not follow the scales
+        settings.hotSpots = false; // windows that do not follow the scales
         Irsg irsg = rendererOf({polishedCorner()}, settings, brightAir());
         View view;
         view.azimuth_rad = 2.2;

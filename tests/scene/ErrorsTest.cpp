@@ -207,7 +207,7 @@ TEST(ErrorsOfScenes, OfASpectrumAreThoseOfItsBand) {
         {entityOf(modelOf(sphereMesh(5.0, 24, 48, {1, 1})), greyDatabase(0.9, 290.0))});
     // What it emits has the same outline at every wavelength, what it reflects has not.
     RenderSettings settings = irsg.settings();
-    settings.sun = settings.fluxes = ReflectionMode::off;
+    settings.sun = settings.ambientReflection = ReflectionMode::off;
     irsg.setSettings(settings);
     look(irsg, {.range_m = 3000.0, .fieldOfView_rad = 0.06});
     const std::vector<double> wavenumbers_per_cm = {3000.0, 2000.0, 2500.0};

@@ -60,12 +60,12 @@ void lookFromFar(Irsg& irsg, double size_px) {
     look(irsg, view);
 }
 
-RenderSettings settingsOf(int zoomWindow, bool hotParts) {
+RenderSettings settingsOf(int zoomWindow, bool hotSpots) {
     RenderSettings settings;
-    settings.sun = settings.fluxes = ReflectionMode::off;
+    settings.sun = settings.ambientReflection = ReflectionMode::off;
     settings.background = BackgroundMode::constant;
     settings.zoomWindow = zoomWindow;
-    settings.hotParts = hotParts;
+    settings.hotSpots = hotSpots;
     return settings;
 }
 
@@ -136,8 +136,8 @@ TEST(HotParts, AreTheSameInImagesAndInFactors) {
     Irsg irsg;
     irsg.setEnvironment(environmentOf(ConstantAir{}));
     irsg.setEntities({wall()});
-    for (const bool hotParts : {true, false, true}) {
-        irsg.setSettings(settingsOf(256, hotParts));
+    for (const bool hotSpots : {true, false, true}) {
+        irsg.setSettings(settingsOf(256, hotSpots));
         lookFromFar(irsg, 20.3);
         const double image = irsg.render().report.all.intensity_W_sr;
         EXPECT_NEAR(irsg.measure().all.intensity_W_sr / image, 1.0, 1e-6);

@@ -73,12 +73,12 @@ struct Spots {
     }
 };
 
-RenderSettings settingsOf(int zoomWindow, bool hotParts = true) {
+RenderSettings settingsOf(int zoomWindow, bool hotSpots = true) {
     RenderSettings settings;
-    settings.sun = settings.fluxes = ReflectionMode::off;
+    settings.sun = settings.ambientReflection = ReflectionMode::off;
     settings.background = BackgroundMode::constant;
     settings.zoomWindow = zoomWindow;
-    settings.hotParts = hotParts;
+    settings.hotSpots = hotSpots;
     return settings;
 }
 
@@ -240,7 +240,7 @@ TEST(HotSpots, OfSeveralStatesAreDrawnOnceForAll) {
     EXPECT_EQ(together[0], backwards[1]) << "whichever was first";
     EXPECT_EQ(together[1], backwards[0]);
     EXPECT_NEAR(together[0], alone[0], 2e-3 * alone[0]);
-    EXPECT_EQ(together[1], alone[1]) << "whose hot parts are those of both";
+    EXPECT_EQ(together[1], alone[1]) << "whose hot spots are those of both";
 }
 
 TEST(HotSpots, ThatAreHiddenCostNothingAndChangeNothing) {

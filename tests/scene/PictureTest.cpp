@@ -31,7 +31,7 @@ class PictureTest : public testing::Test {
         irsg.setEntities({entityOf(modelOf(glazedMesh()), glazing())});
         // Windows that do not follow the temperatures, so that drawings can be counted.
         RenderSettings settings;
-        settings.hotParts = false;
+        settings.hotSpots = false;
         irsg.setSettings(settings);
         look(irsg, {.range_m = 100.0, .azimuth_rad = 0.5, .elevation_rad = 0.2});
     }

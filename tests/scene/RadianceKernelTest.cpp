@@ -66,7 +66,7 @@ double centreRadiance(Irsg& irsg) {
 
 RenderSettings emissionAlone() {
     RenderSettings settings;
-    settings.sun = settings.fluxes = ReflectionMode::off;
+    settings.sun = settings.ambientReflection = ReflectionMode::off;
     settings.background = BackgroundMode::constant;
     return settings;
 }
@@ -179,7 +179,7 @@ TEST(SeveralBands, AreThoseOfRunsOfTheirOwnAndAddUp) {
         return database;
     }())});
     RenderSettings settings;
-    settings.hotParts = false; // windows do not follow the bands
+    settings.hotSpots = false; // windows do not follow the bands
     irsg.setSettings(settings);
     look(irsg, {.range_m = 150.0, .azimuth_rad = 0.4});
     const std::vector<Band> bands{Band::topHat(3.0, 4.0), Band::topHat(4.0, 5.0),
@@ -248,7 +248,7 @@ TEST(PlainShader, AddsUpWhatTheEvaluatorDoes) {
         irsg.setEnvironment(brightAir());
         RenderSettings settings;
         settings.zoomWindow = 0;
-        settings.sun = settings.fluxes = mode;
+        settings.sun = settings.ambientReflection = mode;
         irsg.setSettings(settings);
         SignatureDatabase database = bodyInGas();
         database.materials[1] = greyMaterial(0.6, 0.0, 1.7);
@@ -301,7 +301,7 @@ TEST(RadianceTerms, TakeAnotherTermFromOneRecord) {
     Scene scene;
     scene.environment = environmentOf(air, {radians(200.0), radians(50.0)});
     scene.settings.background = BackgroundMode::constant;
-    scene.settings.fluxes = ReflectionMode::off;
+    scene.settings.ambientReflection = ReflectionMode::off;
     scene.settings.truthLayers = true;
     // A plate that lies flat, seen from above; a pane of half transmissivity beside it makes the
     // evaluator add it up, too.

@@ -178,7 +178,7 @@ TEST_P(ReflectionOnASphere, FollowsTheFormulaAlongTheVerticalGreatCircle) {
     irsg.setEnvironment(environmentOf(air, sun));
     RenderSettings settings = samples(1);
     settings.sun = c.sunMode;
-    settings.fluxes = c.fluxMode;
+    settings.ambientReflection = c.fluxMode;
     settings.fluxWeights = c.weights;
     irsg.setSettings(settings);
     irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 256, 512, one)), greyDatabase(0.3, 1.0))});
@@ -304,7 +304,7 @@ TEST(Surface, ThatIsBlackAndColdShowsExactlyThePathRadiance) {
     Irsg& irsg = generator();
     irsg.setEnvironment(environmentOf(air));
     RenderSettings settings;
-    settings.sun = settings.fluxes = ReflectionMode::off;
+    settings.sun = settings.ambientReflection = ReflectionMode::off;
     irsg.setSettings(settings);
     irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(1.0, 1.0))});
     look(irsg, {.range_m = 60.0});

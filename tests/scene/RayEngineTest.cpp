@@ -232,7 +232,7 @@ TEST_F(RayEngineTest, HasTheFactorsOfTheShaderUnderEverySetting) {
          {ReflectionMode::off, ReflectionMode::approx, ReflectionMode::smart}) {
         for (const FluxWeights weights : {FluxWeights::viewFactor, FluxWeights::report}) {
             RenderSettings settings = plainPixels();
-            settings.sun = settings.fluxes = mode;
+            settings.sun = settings.ambientReflection = mode;
             settings.fluxWeights = weights;
             SCOPED_TRACE(static_cast<int>(mode));
             expectAlike({entity}, {.width_px = 200, .height_px = 200, .fieldOfView_rad = 0.025},

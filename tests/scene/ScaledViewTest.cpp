@@ -17,7 +17,7 @@ namespace {
 /// Windows that do not follow the temperatures, so that only scales differ.
 RenderSettings settingsOfTests() {
     RenderSettings settings;
-    settings.hotParts = false;
+    settings.hotSpots = false;
     return settings;
 }
 

@@ -154,7 +154,7 @@ TEST(IntensitySpectrumOfAScene, ReachesTheEndsOfATable) {
     for (const SpectralRange range : {SpectralRange{3.0, 5.0}, SpectralRange{8.0, 12.0}}) {
         look(irsg, {.band = Band::topHat(range.min_um, range.max_um)});
         RenderSettings settings = irsg.settings();
-        settings.sun = settings.fluxes = ReflectionMode::off;
+        settings.sun = settings.ambientReflection = ReflectionMode::off;
         settings.background = BackgroundMode::constant;
         settings.background_W_m2_sr = 0.0;
         irsg.setSettings(settings);
@@ -198,7 +198,7 @@ TEST(IntensitySpectrumOfAScene, MayEndWhereTwoTablesMeet) {
     irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(0.9, 450.0))});
     look(irsg, {.band = Band::topHat(3.0, 4.0)});
     RenderSettings settings = irsg.settings();
-    settings.sun = settings.fluxes = ReflectionMode::off;
+    settings.sun = settings.ambientReflection = ReflectionMode::off;
     settings.background = BackgroundMode::constant;
     irsg.setSettings(settings);
     irsg.setEnvironment(tabulatedAir({{3.0, 4.0}, {4.0, 5.0}}));
@@ -262,13 +262,13 @@ TEST(UserSpectrum, PassesARatioOrTheSegmentThatIsLeft) {
     irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), gasDatabase(500.0))});
     look(irsg, {.range_m = 1500.0, .fieldOfView_rad = 1.0 / 1500.0});
     const double inFoulAir = 2.0 * 2.5 + 0.5; // CO2 all in 4-5 um, half of H2O
-    const std::vector<std::pair<ReferenceAir, double>> expected = {
-        {ReferenceAir::ratio, std::exp(-(std::sqrt(1.5) - std::sqrt(0.5)))},
-        {ReferenceAir::segment, std::exp(-std::sqrt(1.0))},
-        {ReferenceAir::ratio, std::exp(-(std::sqrt(1.5) - std::sqrt(0.5)))}};
+    const std::vector<std::pair<ReferenceTransmittance, double>> expected = {
+        {ReferenceTransmittance::ratio, std::exp(-(std::sqrt(1.5) - std::sqrt(0.5)))},
+        {ReferenceTransmittance::segment, std::exp(-std::sqrt(1.0))},
+        {ReferenceTransmittance::ratio, std::exp(-(std::sqrt(1.5) - std::sqrt(0.5)))}};
     for (const auto& [rule, transmittance] : expected) {
         RenderSettings settings = irsg.settings();
-        settings.referenceAir = rule;
+        settings.referenceTransmittance = rule;
         irsg.setSettings(settings);
         EXPECT_NEAR(centreRadiance(irsg), 0.5 + inFoulAir * transmittance, 1e-3);
     }

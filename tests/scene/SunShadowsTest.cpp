@@ -35,7 +35,7 @@ RenderSettings shadowSettings(EngineChoice engine, SunShadowMode mode) {
     RenderSettings settings;
     settings.engine = engine;
     settings.sunShadows = mode;
-    settings.fluxes = ReflectionMode::off;
+    settings.ambientReflection = ReflectionMode::off;
     settings.background = BackgroundMode::none;
     settings.truthLayers = true;
     return settings;

@@ -164,7 +164,7 @@ const std::vector<Change> changes{
     {"azimuth of the sun", [](Case& one) { one.scene.environment.sun.azimuth_rad = 2.0; }},
     {"elevation of the sun", [](Case& one) { one.scene.environment.sun.elevation_rad = 0.2; }},
     {"sun off", [](Case& one) { one.scene.settings.sun = ReflectionMode::off; }},
-    {"fluxes off", [](Case& one) { one.scene.settings.fluxes = ReflectionMode::off; }},
+    {"fluxes off", [](Case& one) { one.scene.settings.ambientReflection = ReflectionMode::off; }},
     {"no background", [](Case& one) { one.scene.settings.background = BackgroundMode::none; }},
     {"constant background",
      [](Case& one) {

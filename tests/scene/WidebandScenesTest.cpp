@@ -30,7 +30,7 @@ RenderReport measured(Irsg& irsg, CalculationMode mode,
                       ReflectionMode reflection = ReflectionMode::smart) {
     RenderSettings settings = irsg.settings();
     settings.mode = mode;
-    settings.sun = settings.fluxes = reflection;
+    settings.sun = settings.ambientReflection = reflection;
     settings.samplesPerAxis = 1;
     irsg.setSettings(settings);
     return irsg.measure();
@@ -83,7 +83,7 @@ TEST(WidebandRadiometry, MultipliesMonochromaticallyAtEveryPoint) {
     const std::vector<Entity> entities{entityOf(box(), withGas(200.0))};
     const ObjectGeometry geometry = geometryOf({1500.0, 1000.0, 3000.0});
     RenderSettings settings;
-    settings.sun = settings.fluxes = ReflectionMode::off;
+    settings.sun = settings.ambientReflection = ReflectionMode::off;
     const auto points = std::make_shared<const WidebandPoints>(environment, Band::topHat(3.0, 5.0),
                                                                widebandSpectraOf(entities));
     const SceneRadiometry scene =

@@ -15,7 +15,7 @@ inline RenderSettings lightSettings(int bounces, double error = 0.005) {
     settings.engine = EngineChoice::rays;
     settings.bounces = bounces;
     settings.lightError = error;
-    settings.fluxes = ReflectionMode::off;
+    settings.ambientReflection = ReflectionMode::off;
     settings.sun = ReflectionMode::off;
     settings.background = BackgroundMode::none;
     return settings;

@@ -51,7 +51,7 @@ void ScreenshotTaker::fill(QWidget* page) {
         keepPage(current_ + "-empty");
         page->findChild<QSpinBox*>("samples")->setValue(draws);
         page->findChild<QSpinBox*>("pairs")->setValue(rankedPairs);
-        page->findChild<QSpinBox*>("phases")->setValue(drawingsOfACase);
+        page->findChild<QSpinBox*>("subpixelShifts")->setValue(drawingsOfACase);
         monteCarlo->run();
         waitWhile([monteCarlo] { return monteCarlo->isRunning(); });
     }

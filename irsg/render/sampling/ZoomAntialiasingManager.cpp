@@ -11,7 +11,7 @@ namespace irsg {
 namespace {
 
 /// The most nearly square grid of so many samples, wider than high.
-SupersamplingStrategy samplesInAll(int samples) {
+SupersamplingStrategy countsPerPixel(int samples) {
     int down = 1;
     for (int n = 1; n * n <= samples; ++n)
         if (samples % n == 0)
@@ -26,7 +26,7 @@ std::unique_ptr<AbstractZoomAntialiasingStrategy> make(const RenderSettings& set
         return std::make_unique<PixelAlignedStrategy>(settings.zoomWindow);
     const int n = settings.samplesPerAxis;
     return std::make_unique<SupersamplingStrategy>(
-        settings.samplesInAll ? samplesInAll(n) : SupersamplingStrategy(n, n));
+        settings.countsPerPixel ? countsPerPixel(n) : SupersamplingStrategy(n, n));
 }
 
 } // namespace
@@ -34,7 +34,7 @@ std::unique_ptr<AbstractZoomAntialiasingStrategy> make(const RenderSettings& set
 AbstractZoomAntialiasingStrategy&
 ZoomAntialiasingManager::strategyFor(const RenderSettings& settings) {
     const auto asks = [](const RenderSettings& s) {
-        return std::tuple(s.zoomWindow, s.zoomStrategy, s.samplesPerAxis, s.samplesInAll);
+        return std::tuple(s.zoomWindow, s.zoomStrategy, s.samplesPerAxis, s.countsPerPixel);
     };
     if (!strategy_ || asks(settings) != asks(settings_)) {
         strategy_ = make(settings);

@@ -21,7 +21,7 @@ enum class FluxWeights {
     report      ///< 1 - theta_z / pi, as published
 };
 /// What of the air a measured spectrum passes that holds the air of its reference distance already.
-enum class ReferenceAir {
+enum class ReferenceTransmittance {
     ratio,  ///< T(whole path) / T(reference distance, from the target on)
     segment ///< T(what is left of the path, from the sensor on), as published
 };
@@ -75,22 +75,23 @@ struct RenderSettings {
     double pointSourceBelow_px = 1.0 / 64.0;
     /// Small parts that shine out of their object, such as exhaust pipes, have windows of their
     /// own, with the aligned zoom; see HotParts.
-    bool hotParts = true;
+    bool hotSpots = true;
     /// Supersampling, where there is no zoom window: 1, 2 or 4 for modes 0 to 2; any 1 to 16.
     int samplesPerAxis = 4;
     /// `samplesPerAxis` is meant in all, not per axis: 4 is 2 x 2, and 2 is two side by side.
-    bool samplesInAll = false;
+    bool countsPerPixel = false;
     ReflectionMode sun = ReflectionMode::smart;
     SunShadowMode sunShadows = SunShadowMode::off;
-    ReflectionMode fluxes = ReflectionMode::smart;
+    ReflectionMode ambientReflection = ReflectionMode::smart;
     /// Light that goes from surface to surface before it goes to the sensor: 0 for none, so many
     /// times, or convergedBounces. Where there is any, surfaces also lose what others hide of sky
-    /// and ground. Not with fluxes `approx`, which are independent of geometry. See SceneLight.
+    /// and ground. Not with an ambient reflection of `approx`, which is independent of geometry.
+    /// See SceneLight.
     int bounces = 0;
     /// Of the view factors between surfaces, as a part of the hemisphere: 1e-5 to 0.1.
     double lightError = 0.005;
     FluxWeights fluxWeights = FluxWeights::viewFactor;
-    ReferenceAir referenceAir = ReferenceAir::ratio;
+    ReferenceTransmittance referenceTransmittance = ReferenceTransmittance::ratio;
     BackgroundMode background = BackgroundMode::environment;
     double background_W_m2_sr = 0.0;
     /// Lines of sight over the field that the environment is asked for its background: 1 x 1 is

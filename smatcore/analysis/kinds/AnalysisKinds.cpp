@@ -39,7 +39,7 @@ std::optional<AnalysisKind> analysisKindFromName(std::string_view text) {
 
 AnalysisKind resultKindFromName(std::string_view text) {
     for (const AnalysisKind tool : allTools())
-        if (tool->name == text)
+        if (tool->name == text || (tool->formerName != nullptr && tool->formerName == text))
             return tool;
     return analysisKindFromName(text).value_or(AnalysisKind::other);
 }

@@ -36,11 +36,12 @@ extern constinit const AnalysisDefinition simulationTool{
     .form = AnalysisForm::table};
 
 extern constinit const AnalysisDefinition frontierTool{
-    .name = "frontier",
+    .name = "cost-accuracy",
     .title = "Time against error",
     .help = "One view in every mode of antialiasing, air, background and light: time against error",
     .icon = "frontier",
-    .form = AnalysisForm::table};
+    .form = AnalysisForm::table,
+    .formerName = "frontier"};
 
 extern constinit const AnalysisDefinition otherTable{.name = "other",
                                                      .title = "Table",
