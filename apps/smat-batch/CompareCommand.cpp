@@ -41,20 +41,14 @@ void addNumbers(NumberOptions& numbers) {
     }
 }
 
-std::size_t countOf(const NumberOptions& numbers, const std::string& option) {
-    const double value = numbers.value(option).value_or(0.0);
-    if (value < 0.0 || value > 1e15 || value != std::floor(value))
-        throw irsg::InputError({"", option, irsg::numberText(value), "a whole number from 0"});
-    return static_cast<std::size_t>(value);
-}
-
 irsg::ComparisonLevel levelOf(const NumberOptions& numbers, const std::string& level) {
     irsg::ComparisonLevel result;
     result.absolute = numbers.value("--" + level).value_or(result.absolute);
     result.relative = numbers.value("--" + level + "-relative").value_or(result.relative);
     result.percent = numbers.value("--" + level + "-percent").value_or(result.percent);
     result.hard = numbers.value("--hard-" + level).value_or(result.hard);
-    result.allowed = countOf(numbers, level == "fail" ? "--allow-failures" : "--allow-warnings");
+    numbers.takeWhole(level == "fail" ? "--allow-failures" : "--allow-warnings", result.allowed,
+                      0.0, 1e15);
     return result;
 }
 

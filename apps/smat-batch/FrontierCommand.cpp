@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "apps/smat-batch/Command.h"
@@ -47,10 +45,9 @@ class FrontierCommand {
         numbers_.check();
         if (configurations_ != "all" && configurations_ != "likely")
             throw wordRefusal(configurationsOption, configurations_, {"all", "likely"});
-        const double repeats = numbers_.value(repeatsOption).value_or(2.0);
-        if (repeats < 1.0 || repeats > 1000.0 || repeats != std::floor(repeats))
-            throw refusal(repeatsOption, fmt::format("{}", repeats),
-                          "a whole number from 1 to 1000");
+        Frontier::Options options;
+        numbers_.takeWhole(repeatsOption, options.repeats, 1.0, 1000.0);
+        options.likely = configurations_ == "likely";
         AnalysisData data;
         {
             const StageTimer::Scope scope(&context.timer, "load");
@@ -62,8 +59,6 @@ class FrontierCommand {
             data.settings = data.project.settings.with(given);
             data.commandLine = context.commandLine;
         }
-        const Frontier::Options options{static_cast<std::size_t>(repeats),
-                                        configurations_ == "likely"};
         const Frontier::Size size = Frontier::sizeOf(data.project, data.settings, options);
         const std::string words =
             options.likely

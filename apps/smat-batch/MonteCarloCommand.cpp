@@ -325,23 +325,12 @@ class MonteCarloCommand {
         return AnalysisData::of(project, AnalysisKind::polar);
     }
 
-    /// A whole number of an option, or what is there without it.
-    template <typename Number>
-    void take(const char* option, Number& number) const {
-        const auto given = numbers_.value(option);
-        if (!given)
-            return;
-        if (!(*given >= 0.0 && *given <= 1e9 && *given == std::floor(*given)))
-            throw refusal(option, irsg::numberText(*given), "a whole number");
-        number = static_cast<Number>(*given);
-    }
-
     MonteCarloOptions options() const {
         numbers_.check();
         MonteCarloOptions options;
-        take("--samples", options.samples);
-        take("--subpixel-shifts", options.subpixelShifts);
-        take("--ranking-pairs", options.rankingPairs);
+        numbers_.takeWhole("--samples", options.samples);
+        numbers_.takeWhole("--subpixel-shifts", options.subpixelShifts);
+        numbers_.takeWhole("--ranking-pairs", options.rankingPairs);
         options.standardError = numbers_.value("--standard-error");
         options.rankingAt = numbers_.value("--ranking-at");
         options.ranking = ranking_ || options.rankingAt || numbers_.value("--ranking-pairs");

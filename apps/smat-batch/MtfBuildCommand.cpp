@@ -117,15 +117,6 @@ class MtfBuildCommand {
         if (const auto given = numbers_.value(option))
             number = *given;
     }
-    template <typename Number>
-    void takeWhole(const char* option, Number& number) const {
-        const auto given = numbers_.value(option);
-        if (!given)
-            return;
-        if (!(*given >= 0.0 && *given <= 1e9 && *given == std::floor(*given)))
-            throw refusal(option, irsg::numberText(*given), "a whole number");
-        number = static_cast<Number>(*given);
-    }
 
     irsg::SizeDistribution sizes() const {
         using irsg::SizeDistribution;
@@ -183,11 +174,11 @@ class MtfBuildCommand {
         double fov_deg = 60.0;
         take("--fov", fov_deg);
         recipe.fieldOfView_rad = irsg::radians(fov_deg);
-        takeWhole("--frequencies", recipe.frequencies);
+        numbers_.takeWhole("--frequencies", recipe.frequencies);
         take("--lowest-frequency", recipe.lowestFrequency_per_rad);
         take("--highest-frequency", recipe.highestFrequency_per_rad);
-        takeWhole("--photons", recipe.photons);
-        takeWhole("--seed", recipe.seed);
+        numbers_.takeWhole("--photons", recipe.photons);
+        numbers_.takeWhole("--seed", recipe.seed);
         return recipe;
     }
 

@@ -2,6 +2,7 @@
 #include "apps/smat-batch/Output.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -19,6 +20,19 @@ void NumberOptions::add(const std::string& option, const std::string& unit,
 
 std::optional<double> NumberOptions::value(const std::string& option) const {
     return irsg::parseNumber(texts_.at(option));
+}
+
+std::optional<double> NumberOptions::wholeNumber(const std::string& option, double least,
+                                                 double most) const {
+    const std::optional<double> given = value(option);
+    if (given && !(*given >= least && *given <= most && *given == std::floor(*given))) {
+        throw irsg::InputError(
+            {.file = option,
+             .position = "",
+             .value = irsg::numberText(*given),
+             .expected = fmt::format("a whole number from {:.0f} to {:.0f}", least, most)});
+    }
+    return given;
 }
 
 void NumberOptions::check() const {

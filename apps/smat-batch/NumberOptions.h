@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,10 +21,20 @@ class NumberOptions {
     void add(const std::string& option, const std::string& unit, const std::string& help);
     /// No value where the option was not given.
     std::optional<double> value(const std::string& option) const;
+    /// The whole number of an option, or what is there where it was not given. Throws InputError
+    /// for one that is not whole, or not from `least` to `most`.
+    template <std::integral Number>
+    void takeWhole(const std::string& option, Number& number, double least = 0.0,
+                   double most = 1e9) const {
+        if (const auto given = wholeNumber(option, least, most))
+            number = static_cast<Number>(*given);
+    }
     /// Throws InputError naming every option that holds no finite number.
     void check() const;
 
   private:
+    std::optional<double> wholeNumber(const std::string& option, double least, double most) const;
+
     CLI::App& command_;
     std::map<std::string, std::string> texts_; ///< the parser keeps pointers into it
 };
