@@ -5,17 +5,12 @@
 #include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QProgressBar>
-#include <QPushButton>
 #include <QSpinBox>
-#include <QSplitter>
 #include <QVBoxLayout>
 
 #include "gui/analysis/FrontierPanel.h"
-#include "gui/tools/RunFoot.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
-#include "gui/workbench/UnsavedNote.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -23,20 +18,10 @@
 namespace smat::gui {
 
 FrontierPage::FrontierPage(Workbench& workbench, Dialogs dialogs, QWidget* parent)
-    : QWidget(parent), workbench_(workbench), dialogs_(std::move(dialogs)) {
+    : ToolPage(workbench, std::move(dialogs), tr("Time against error"), parent) {
     setObjectName("frontierPage");
-    auto* columns = new QSplitter(Qt::Horizontal, this);
-    columns->addWidget(makeForm());
-    panel_ = new FrontierPanel(dialogs_, columns);
-    columns->addWidget(panel_);
-    columns->setStretchFactor(1, 1);
-    columns->setSizes({330, 930});
-    auto* all = new QVBoxLayout(this);
-    all->setContentsMargins(0, 0, 0, 0);
-    all->addWidget(columns);
-
-    connect(run_, &QPushButton::clicked, this, &FrontierPage::run);
-    connect(cancel_, &QPushButton::clicked, this, &FrontierPage::cancel);
+    QWidget* form = makeForm();
+    panel_ = new FrontierPanel(dialogs_, this);
     connect(which_, &QComboBox::currentIndexChanged, this, &FrontierPage::refresh);
     connect(repeats_, &QSpinBox::valueChanged, this, &FrontierPage::refresh);
     connect(target_, &QLineEdit::textChanged, this, &FrontierPage::refresh);
@@ -44,11 +29,7 @@ FrontierPage::FrontierPage(Workbench& workbench, Dialogs dialogs, QWidget* paren
             [this](const Settings& way, const QString& step) {
                 workbench_.set(workbench_.settings().with(way), step);
             });
-    for (const auto signal :
-         {&Workbench::projectOpened, &Workbench::projectChanged, &Workbench::settingsChanged})
-        connect(&workbench_, signal, this, &FrontierPage::refresh);
-    connectJobs();
-    refresh();
+    layOut(form, 330, tr("Stops and keeps the configurations that are done"), panel_);
 }
 
 QWidget* FrontierPage::makeForm() {
@@ -62,8 +43,9 @@ QWidget* FrontierPage::makeForm() {
     which_->setObjectName("ways");
     which_->addItem(tr("Likely ones"), true);
     which_->addItem(tr("All"), false);
-    which_->setToolTip(tr("All ways, or each choice alone and then those that may be on the front "
-                          "by what these showed and a model of costs"));
+    which_->setToolTip(
+        tr("All configurations, or each choice alone and then those that may be on the front "
+           "by what these showed and a model of costs"));
     repeats_ = new QSpinBox(box);
     repeats_->setObjectName("repeats");
     repeats_->setRange(1, 1000);
@@ -72,8 +54,9 @@ QWidget* FrontierPage::makeForm() {
     target_ = new QLineEdit(box);
     target_->setObjectName("targetError");
     target_->setText("1");
-    target_->setToolTip(tr("The quickest way whose true error is at most this is chosen, in %"));
-    form->addRow(tr("Ways"), which_);
+    target_->setToolTip(
+        tr("The quickest configuration whose true error is at most this is chosen, in %"));
+    form->addRow(tr("Configurations"), which_);
     form->addRow(tr("Cases of a time"), repeats_);
     form->addRow(tr("Target error (%)"), target_);
     count_ = new QLabel(box);
@@ -81,24 +64,16 @@ QWidget* FrontierPage::makeForm() {
     count_->setWordWrap(true);
     form->addRow(count_);
     column->addWidget(box);
-    auto* note = new QLabel(tr("The view of the project is calculated in each way and held against "
-                               "the finest one. Times are by the clock of this machine: let it "
-                               "rest beside."),
-                            panel);
+    auto* note = new QLabel(
+        tr("The view of the project is calculated in each configuration and "
+           "compared with the finest one. Times are by the clock of this machine: let it "
+           "rest beside."),
+        panel);
     note->setWordWrap(true);
     note->setForegroundRole(QPalette::PlaceholderText);
     column->addWidget(note);
     column->addStretch();
-
-    auto* foot = new RunFoot(tr("Stops and keeps the ways there are"), this);
-    foot->progress->setFormat(QString());
-    problem_ = foot->problem;
-    run_ = foot->run;
-    cancel_ = foot->cancel;
-    progress_ = foot->progress;
-    command_ = foot->command;
-    unsaved_ = foot->unsaved;
-    return RunFoot::below(panel, foot, this);
+    return panel;
 }
 
 Frontier::Options FrontierPage::options() const {
@@ -118,30 +93,22 @@ AnalysisData FrontierPage::asked() const {
     return data;
 }
 
-void FrontierPage::refresh() {
-    const bool hasProject = workbench_.hasProject();
-    QStringList problems;
-    command_->clear();
-    if (!hasProject) {
-        problems << tr("Open a project first.");
-    } else {
-        try {
-            command_->setText(QString::fromStdString(asked().commandLine));
-            command_->setCursorPosition(0);
-            command_->setToolTip(command_->text());
-        } catch (const irsg::InputError& error) {
-            problems << sentencesOf(error);
-        }
+QStringList FrontierPage::problems() const {
+    try {
+        (void)asked();
+    } catch (const irsg::InputError& error) {
+        return sentencesOf(error);
     }
-    const QString note = hasProject ? unsavedNote(workbench_) : QString();
-    unsaved_->setText(note);
-    unsaved_->setVisible(!note.isEmpty());
-    problem_->setText(problems.join('\n'));
-    problem_->setVisible(!problems.isEmpty());
-    run_->setEnabled(problems.isEmpty() && !isRunning());
-    cancel_->setEnabled(isRunning() && !cancelled_);
-    panel_->setUsable(hasProject);
-    if (problems.isEmpty())
+    return {};
+}
+
+QString FrontierPage::command() const {
+    return QString::fromStdString(asked().commandLine);
+}
+
+void FrontierPage::refreshed(bool isUsable) {
+    panel_->setUsable(workbench_.hasProject());
+    if (isUsable)
         countWays();
     else
         count_->clear();
@@ -156,79 +123,40 @@ void FrontierPage::countWays() {
             const QString least = durationText(size.least_s), most = durationText(size.most_s);
             count_->setText(
                 options.likely
-                    ? tr("%1 ways, of which %2 are measured first and then the likely ones: about "
+                    ? tr("%1 configurations, of which %2 are measured first and then the likely "
+                         "ones: about "
                          "%3 to %4, where drawing is done in software.")
                           .arg(size.all)
                           .arg(size.alone)
                           .arg(least, most)
-                    : tr("%1 ways: about %2, where drawing is done in software.")
+                    : tr("%1 configurations: about %2, where drawing is done in software.")
                           .arg(size.all)
                           .arg(most));
         },
         [this](const std::exception_ptr&) { count_->clear(); }); // the run says what is wrong
 }
 
-void FrontierPage::run() {
-    if (isRunning())
+int FrontierPage::start() {
+    return workbench_.start(asked(), options(), this);
+}
+
+QString FrontierPage::progressText(const Progress& progress) const {
+    return tr("%1 of %2 configurations").arg(progress.done).arg(progress.total);
+}
+
+QString FrontierPage::cancelText() const {
+    return tr("cancelled; what is done so far follows in a moment");
+}
+
+void FrontierPage::showResult(const JobResult& result) {
+    if (!result.data)
         return;
-    try {
-        const AnalysisData data = asked();
-        cancelled_ = false;
-        progress_->setValue(0);
-        progress_->setFormat(workbench_.isRunning() ? tr("waiting in line") : tr("starting"));
-        number_ = workbench_.start(data, options(), this);
-    } catch (const irsg::InputError& error) {
-        dialogs_.tell(this, tr("Time against error"), sentencesOf(error));
-    }
-    refresh();
+    panel_->setTable(result.data->table);
+    setProgress(0, QString());
 }
 
-bool FrontierPage::isRunning() const {
-    return number_ != 0 && workbench_.jobs().holds(number_);
-}
-
-void FrontierPage::cancel() {
-    if (!isRunning())
-        return;
-    cancelled_ = true;
-    cancel_->setEnabled(false);
-    workbench_.jobs().cancel(number_);
-}
-
-void FrontierPage::connectJobs() {
-    const JobQueue& jobs = workbench_.jobs();
-    const auto rest = [this] {
-        progress_->setValue(0);
-        progress_->setFormat(cancelled_ ? tr("cancelled; the ways so far follow in a moment")
-                                        : QString());
-        refresh();
-        emit ended();
-    };
-    connect(&jobs, &JobQueue::progressed, this, [this](int number, const Progress& progress) {
-        if (number != number_ || cancelled_)
-            return;
-        progress_->setValue(static_cast<int>(1000.0 * progress.fraction()));
-        progress_->setFormat(tr("%1 of %2 ways").arg(progress.done).arg(progress.total));
-    });
-    connect(&jobs, &JobQueue::finished, this, [this](int number, const JobResult& result) {
-        if (number != number_ || !result.data)
-            return;
-        panel_->setTable(result.data->table);
-        progress_->setFormat(QString());
-    });
-    connect(&jobs, &JobQueue::ended, this, [this, rest](int number) {
-        if (number == number_)
-            rest();
-    });
-    connect(&jobs, &JobQueue::waitingChanged, this, [this] { refresh(); });
-}
-
-QStringList FrontierPage::exportFilters() const {
-    return panel_->exportFilters();
-}
-
-void FrontierPage::exportTo(const std::filesystem::path& file) const {
-    panel_->exportTo(file);
+const Exportable& FrontierPage::content() const {
+    return *panel_;
 }
 
 } // namespace smat::gui

@@ -6,13 +6,11 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include "gui/tools/MonteCarloPage.h"
-#include "gui/tools/RunFoot.h"
 #include "gui/workbench/Workbench.h"
 #include "smatcore/settings/SettingKeys.h"
 
@@ -81,16 +79,7 @@ QWidget* MonteCarloPage::makeForm() {
     scalesColumn->addWidget(write_);
     scalesColumn->addStretch();
     column->addWidget(scalesBox, 1);
-
-    auto* foot = new RunFoot(tr("Stops and keeps the draws there are"), this);
-    foot->progress->setTextVisible(true);
-    problem_ = foot->problem;
-    run_ = foot->run;
-    cancel_ = foot->cancel;
-    progress_ = foot->progress;
-    command_ = foot->command;
-    unsaved_ = foot->unsaved;
-    return RunFoot::below(panel, foot, this);
+    return panel;
 }
 
 void MonteCarloPage::addWhat(QFormLayout* form) {

@@ -7,17 +7,14 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QSplitter>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include "gui/analysis/MonteCarloPlots.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
-#include "gui/workbench/UnsavedNote.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
@@ -47,11 +44,10 @@ QString nameOfScale(const irsg::SignatureDatabase* database, irsg::ScalingKind k
 } // namespace
 
 MonteCarloPage::MonteCarloPage(Workbench& workbench, Dialogs dialogs, QWidget* parent)
-    : QWidget(parent), workbench_(workbench), dialogs_(std::move(dialogs)) {
+    : ToolPage(workbench, std::move(dialogs), tr("Monte Carlo"), parent) {
     setObjectName("monteCarloPage");
-    auto* columns = new QSplitter(Qt::Horizontal, this);
-    columns->addWidget(makeForm());
-    auto* right = new QWidget(columns);
+    QWidget* form = makeForm();
+    auto* right = new QWidget(this);
     auto* rightColumn = new QVBoxLayout(right);
     rightColumn->setContentsMargins(0, 0, 0, 0);
     plots_ = new MonteCarloPlots(right);
@@ -63,15 +59,7 @@ MonteCarloPage::MonteCarloPage(Workbench& workbench, Dialogs dialogs, QWidget* p
     summary_->hide();
     rightColumn->addWidget(plots_, 1);
     rightColumn->addWidget(summary_);
-    columns->addWidget(right);
-    columns->setStretchFactor(1, 1);
-    columns->setSizes({360, 900});
-    auto* all = new QVBoxLayout(this);
-    all->setContentsMargins(0, 0, 0, 0);
-    all->addWidget(columns);
 
-    connect(run_, &QPushButton::clicked, this, &MonteCarloPage::run);
-    connect(cancel_, &QPushButton::clicked, this, &MonteCarloPage::cancel);
     connect(write_, &QPushButton::clicked, this, &MonteCarloPage::writeScalingFiles);
     for (QComboBox* box : {analysis_, quantity_, sequence_, statistic_})
         connect(box, &QComboBox::currentIndexChanged, this, &MonteCarloPage::refresh);
@@ -81,23 +69,14 @@ MonteCarloPage::MonteCarloPage(Workbench& workbench, Dialogs dialogs, QWidget* p
         connect(box, &QCheckBox::toggled, this, &MonteCarloPage::refresh);
     connect(standardError_, &QDoubleSpinBox::valueChanged, this, &MonteCarloPage::refresh);
     connect(percentiles_, &QLineEdit::textChanged, this, &MonteCarloPage::refresh);
-    const auto reload = [this] {
-        fillAnalyses();
-        fillScales();
-        refresh();
-    };
-    connect(&workbench_, &Workbench::projectOpened, this, reload);
-    connect(&workbench_, &Workbench::projectChanged, this, reload);
-    connect(&workbench_, &Workbench::settingsChanged, this, &MonteCarloPage::refresh);
     connect(&workbench_.database(), &DatabaseSession::stateChanged, this, &MonteCarloPage::refresh);
-    clockTick_.setInterval(200);
-    connect(&clockTick_, &QTimer::timeout, this, [this] {
-        progress_->setFormat(QString("%1  %2 s")
-                                 .arg(doing_)
-                                 .arg(static_cast<double>(clock_.elapsed()) / 1000.0, 0, 'f', 1));
-    });
-    connectJobs();
-    reload();
+    layOut(form, 360, tr("Stops and keeps the draws there are"), right);
+}
+
+void MonteCarloPage::reload() {
+    fillAnalyses();
+    fillScales();
+    refresh();
 }
 
 void MonteCarloPage::fillAnalyses() {
@@ -232,118 +211,48 @@ MonteCarloData MonteCarloPage::asked() const {
     return data;
 }
 
-void MonteCarloPage::refresh() {
+QStringList MonteCarloPage::problems() const {
+    QStringList problems;
+    try {
+        const AnalysisData analysis = asked().analysis;
+        planAnalysis(analysis.kind, analysis.project, analysis.settings);
+    } catch (const irsg::InputError& error) {
+        problems << sentencesOf(error);
+    }
+    if (scales_->topLevelItemCount() == 0)
+        problems << tr("There are no scales to draw.");
+    return problems;
+}
+
+QString MonteCarloPage::command() const {
+    return QString::fromStdString(asked().equivalentCommand("montecarlo.csv"));
+}
+
+void MonteCarloPage::refreshed(bool) {
     standardError_->setEnabled(stops_->isChecked());
     pairs_->setEnabled(ranks_->isChecked());
-    QStringList problems;
-    if (!workbench_.hasProject()) {
-        problems << tr("Open a project first.");
-    } else {
-        try {
-            const AnalysisData analysis = asked().analysis;
-            planAnalysis(analysis.kind, analysis.project, analysis.settings);
-        } catch (const irsg::InputError& error) {
-            problems << sentencesOf(error);
-        }
-        if (scales_->topLevelItemCount() == 0)
-            problems << tr("There are no scales to draw.");
-    }
-    problem_->setText(problems.join('\n'));
-    problem_->setVisible(!problems.isEmpty());
-    run_->setEnabled(problems.isEmpty() && !isRunning());
-    cancel_->setEnabled(isRunning() && !cancelled_);
-    refreshCommand();
 }
 
-void MonteCarloPage::refreshCommand() {
-    if (!workbench_.hasProject()) {
-        command_->clear();
-        unsaved_->hide();
-        return;
-    }
-    const QString note = unsavedNote(workbench_);
-    unsaved_->setText(note);
-    unsaved_->setVisible(!note.isEmpty());
-    try {
-        command_->setText(QString::fromStdString(asked().equivalentCommand("montecarlo.csv")));
-    } catch (const irsg::InputError&) {
-        command_->clear(); // the fields say what is wrong
-    }
-    command_->setCursorPosition(0);
-    command_->setToolTip(command_->text());
-}
-
-void MonteCarloPage::run() {
-    if (isRunning())
-        return;
-    MonteCarloData data;
-    try {
-        data = asked();
-    } catch (const irsg::InputError& error) {
-        dialogs_.tell(this, tr("Monte Carlo"), sentencesOf(error));
-        return;
-    }
+int MonteCarloPage::start() {
+    MonteCarloData data = asked();
     data.analysis.commandLine = data.equivalentCommand("montecarlo.csv");
-    doing_ = workbench_.isRunning() ? tr("waiting in line") : tr("starting");
-    cancelled_ = false;
-    progress_->setValue(0);
-    number_ = workbench_.start(data, this);
-    clock_.start();
-    clockTick_.start();
-    refresh();
+    return workbench_.start(data, this);
 }
 
-bool MonteCarloPage::isRunning() const {
-    return number_ != 0 && workbench_.jobs().holds(number_);
+QString MonteCarloPage::progressText(const Progress& progress) const {
+    return QString::fromStdString(progress.what);
 }
 
-void MonteCarloPage::cancel() {
-    if (!isRunning())
+QString MonteCarloPage::cancelText() const {
+    return tr("cancelled; the draws so far follow in a moment");
+}
+
+void MonteCarloPage::showResult(const JobResult& result) {
+    if (!result.monteCarlo)
         return;
-    cancelled_ = true;
-    cancel_->setEnabled(false);
-    workbench_.jobs().cancel(number_);
-}
-
-void MonteCarloPage::connectJobs() {
-    const JobQueue& jobs = workbench_.jobs();
-    connect(&jobs, &JobQueue::progressed, this, [this](int number, const Progress& progress) {
-        if (number == number_ && !cancelled_) {
-            progress_->setValue(static_cast<int>(1000.0 * progress.fraction()));
-            doing_ = QString::fromStdString(progress.what);
-        }
-    });
-    connect(&jobs, &JobQueue::ended, this, [this](int number) {
-        if (number == number_)
-            rest();
-    });
-    connect(&jobs, &JobQueue::waitingChanged, this, [this] {
-        if (clockTick_.isActive() && !isRunning())
-            rest();
-    });
-    connect(&jobs, &JobQueue::finished, this, [this](int number, const JobResult& result) {
-        if (number == number_ && result.monteCarlo)
-            showRun(*result.monteCarlo);
-    });
-    connect(&jobs, &JobQueue::failed, this, [this](int number) {
-        if (number == number_)
-            progress_->setFormat(QString());
-    });
-}
-
-void MonteCarloPage::rest() {
-    clockTick_.stop();
-    progress_->setValue(0);
-    progress_->setFormat(cancelled_ ? tr("cancelled; the draws so far follow in a moment")
-                                    : QString());
-    refresh();
-    emit ended();
-}
-
-void MonteCarloPage::showRun(const MonteCarloData& data) {
-    progress_->setValue(1000);
-    progress_->setFormat(
-        tr("%1 draws in %2 s").arg(data.draws()).arg(data.analysis.elapsed_s, 0, 'f', 2));
+    const MonteCarloData& data = *result.monteCarlo;
+    setProgress(1000,
+                tr("%1 draws in %2 s").arg(data.draws()).arg(data.analysis.elapsed_s, 0, 'f', 2));
     plots_->setData(data);
     QStringList lines;
     for (const SummaryItem& item : data.analysis.summary)
@@ -359,12 +268,8 @@ void MonteCarloPage::showRun(const MonteCarloData& data) {
     refresh();
 }
 
-QStringList MonteCarloPage::exportFilters() const {
-    return plots_->exportFilters();
-}
-
-void MonteCarloPage::exportTo(const std::filesystem::path& file) const {
-    plots_->exportTo(file);
+const Exportable& MonteCarloPage::content() const {
+    return *plots_;
 }
 
 } // namespace smat::gui

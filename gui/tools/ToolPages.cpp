@@ -19,7 +19,7 @@ namespace smat::gui {
 namespace {
 
 /// What the window has for a tool, beside its definition.
-struct ToolPage {
+struct MenuEntry {
     std::string_view tool;
     const char* action;
     const char* text; ///< of the menu, with the letter of its key
@@ -33,13 +33,13 @@ QWidget* made(Workbench& workbench, const Dialogs& dialogs) {
 }
 
 constexpr std::array pages = {
-    ToolPage{"radiative", "radiativeOutput", QT_TR_NOOP("&Radiative output…"), true,
-             made<RadiativePage>},
-    ToolPage{"temperature-profile", "temperatureProfile", QT_TR_NOOP("&Temperature profile…"), true,
-             made<TemperatureProfilePage>},
-    ToolPage{"montecarlo", "monteCarlo", QT_TR_NOOP("&Monte Carlo"), false, made<MonteCarloPage>},
-    ToolPage{"cost-accuracy", "frontier", QT_TR_NOOP("Time against &error"), false,
-             made<FrontierPage>}};
+    MenuEntry{"radiative", "radiativeOutput", QT_TR_NOOP("&Radiative output…"), true,
+              made<RadiativePage>},
+    MenuEntry{"temperature-profile", "temperatureProfile", QT_TR_NOOP("&Temperature profile…"),
+              true, made<TemperatureProfilePage>},
+    MenuEntry{"montecarlo", "monteCarlo", QT_TR_NOOP("&Monte Carlo"), false, made<MonteCarloPage>},
+    MenuEntry{"cost-accuracy", "frontier", QT_TR_NOOP("Time against &error"), false,
+              made<FrontierPage>}};
 
 } // namespace
 
@@ -48,7 +48,7 @@ void addToolPages(
     const std::function<void(QWidget* page, const QIcon& icon, const QString& title)>& addPage) {
     for (const AnalysisKind kind : allTools()) {
         const auto* const page =
-            std::ranges::find(pages, std::string_view(kind->name), &ToolPage::tool);
+            std::ranges::find(pages, std::string_view(kind->name), &MenuEntry::tool);
         if (page == pages.end())
             continue;
         auto* action = menu.addAction(icon(kind->icon), QObject::tr(page->text));
