@@ -6,7 +6,6 @@
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/SurfaceModels.h"
-#include "irsg/signature/SurfaceTemperature.h"
 
 namespace irsg {
 
@@ -40,11 +39,6 @@ void multiply(std::vector<double>& values, const std::vector<double>& factors) {
 }
 
 } // namespace
-
-double surfaceTemperature_K(const SurfaceInput& surface) {
-    return surface.temperatureScale *
-           surfaceTemperature_K(surface.temperature->terms, surface.state);
-}
 
 std::vector<double> componentFactors(const SurfaceInput& surface) {
     std::vector<double> factors;
@@ -177,7 +171,7 @@ SurfaceSpectra surfaceSpectra(const SurfaceInput& surface,
         addMeasured(surface, sample, result);
         return result;
     }
-    result.temperature_K = surfaceTemperature_K(surface);
+    result.temperature_K = surface.temperature_K;
     if (!(result.temperature_K > 0.0))
         throw LogicError("a surface temperature that is not positive reached the radiometry");
     std::vector<double> emission(count);

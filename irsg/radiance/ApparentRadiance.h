@@ -32,8 +32,8 @@ struct SurfaceInput {
     const Material* material = nullptr;
     const UserSpectrum* userSpectrum = nullptr; ///< of the entry, in the second mode
     EntityState state;
-    double temperatureScale = 1.0; ///< multiplies T in K; ignored for user spectra
-    double emissivityScale = 1.0;  ///< multiplies the emission; emissivity is kept at most 1 - t
+    double temperature_K = 0.0;   ///< with its scaling; 0 for a user-defined spectrum
+    double emissivityScale = 1.0; ///< multiplies the emission; emissivity is kept at most 1 - t
     /// Transmittance from the source to the spectrum's reference distance; empty where that is 0.
     std::vector<double> referenceTransmittance;
     /// The sensor is not farther than the reference distance: the measurement is taken as it is.
@@ -91,9 +91,6 @@ struct DirectionalSpectra {
     /// 1 - t less what is reflected over the hemisphere.
     std::vector<double> emissivity;
 };
-
-/// Temperature of the surface, K, with its scaling.
-double surfaceTemperature_K(const SurfaceInput& surface);
 
 /// How a spectrum is brought to the wavelengths of a calculation: its values there, or its means
 /// over what each of them stands for.

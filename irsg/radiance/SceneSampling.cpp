@@ -6,6 +6,7 @@
 
 #include "irsg/atmosphere/AirNodes.h"
 #include "irsg/core/Errors.h"
+#include "irsg/radiance/SurfaceTemperatures.h"
 #include "irsg/radiometry/Quadrature.h"
 #include "irsg/signature/SurfaceModels.h"
 
@@ -154,11 +155,10 @@ SurfaceInput surfaceInput(const Entity& entity, const IrCodes& codes,
     if (!input.temperature || !input.material)
         throw LogicError("a surface without an entry reached the radiometry");
     input.userSpectrum = userSpectrumOf(entity, *input.temperature);
-    input.state = entity.state;
-    input.state.altitude_m = geometry.path.targetAltitude_m;
-    input.state.ambient_K = ambient_K;
-    input.state.aspectAngle_rad = geometry.aspectAngle_rad;
-    input.temperatureScale = scaleOf(entity.temperatureScale, codes.temperature);
+    input.state = stateInPlace(entity, geometry, ambient_K);
+    if (input.temperature->mode == EmissionMode::temperature)
+        input.temperature_K = scaleOf(entity.temperatureScale, codes.temperature) *
+                              surfaceTemperature_K(entity, codes.temperature, input.state);
     input.emissivityScale = scaleOf(entity.emissivityScale, codes.material);
     return input;
 }
@@ -174,7 +174,7 @@ double coldestOf_K(const AtmosphericQueryCache& answers, const AirScene& scene) 
         const SurfaceInput input =
             surfaceInput(scene.entities[index], codes, scene.geometry[index], ambient_K[index]);
         if (input.temperature->mode == EmissionMode::temperature)
-            coldest_K = std::min(coldest_K, surfaceTemperature_K(input));
+            coldest_K = std::min(coldest_K, input.temperature_K);
     }
     return std::max(coldestStep_K * std::floor(coldest_K / coldestStep_K), coldestThatMatters_K);
 }

@@ -127,7 +127,8 @@ class SceneSampling {
 /// The surfaces of a scene, entity by entity, codes ascending; the rows of a drawing.
 std::vector<SurfaceKey> surfaceKeys(const std::vector<Entity>& entities);
 
-/// What is known of a surface of a scene before its air: entry, material, state and scales.
+/// What is known of a surface of a scene before its air: entry, material, state, temperature and
+/// scale.
 /// LogicError for one without an entry: the scene check names those.
 SurfaceInput surfaceInput(const Entity& entity, const IrCodes& codes,
                           const ObjectGeometry& geometry, double ambient_K);

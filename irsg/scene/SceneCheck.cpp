@@ -8,10 +8,10 @@
 #include "irsg/atmosphere/AtmosphereScatteringLut.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/Wording.h"
+#include "irsg/radiance/SurfaceTemperatures.h"
 #include "irsg/render/rays/RaysBuilt.h"
 #include "irsg/scene/scattering/SceneScattering.h"
 #include "irsg/signature/SurfaceModels.h"
-#include "irsg/signature/SurfaceTemperature.h"
 
 namespace irsg {
 
@@ -50,10 +50,7 @@ void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double am
     missing("temperature", missingTemperatures);
     missing("material", missingMaterials);
 
-    EntityState state = entity.state;
-    state.altitude_m = geometry.path.targetAltitude_m;
-    state.ambient_K = ambient_K;
-    state.aspectAngle_rad = geometry.aspectAngle_rad;
+    const EntityState state = stateInPlace(entity, geometry, ambient_K);
     std::map<int, const TemperatureEntry*> temperatures;
     std::map<int, const Material*> materials;
     for (const auto& [codes, use] : entity.model->codes()) {
@@ -71,7 +68,7 @@ void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double am
                                        "the name of a spectrum of the database"});
             continue;
         }
-        const double temperature_K = surfaceTemperature_K(entry->terms, state);
+        const double temperature_K = surfaceTemperature_K(entity, index, state);
         if (!(temperature_K > 0.0) || !std::isfinite(temperature_K))
             diagnostics.push_back({entity.name, place, roundedText(temperature_K) + " K",
                                    "a positive temperature in the present state"});
