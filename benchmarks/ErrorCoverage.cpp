@@ -58,7 +58,7 @@ double seconds(const std::vector<RandomScene>& scenes, bool errors) {
             Scene scene = random.scene;
             scene.entities.front().pose.attitude.yaw_rad += 0.5 * i;
             renderer.render(scene, view,
-                            {.reports = true, .alongRange = random.alongRange, .errors = errors});
+                            Outputs::reports().alongRange(random.alongRange).withErrors(errors));
         }
     }
     return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
@@ -69,33 +69,33 @@ struct Targeted {
     RandomScene random;
     double target;
     smat::SceneDescription scene;
-    std::unique_ptr<smat::ImageSource> source = smat::makeIrsgImageSource();
+    smat::RenderDoor door = smat::openRenderDoor();
 
     Targeted(RandomScene given, double aim) : random(std::move(given)), target(aim) {
         scene.entities = random.scene.entities;
         scene.environment = random.scene.environment;
         scene.sensor = random.view.sensor;
-        scene.render = random.scene.settings;
-        source->configure(scene);
+        scene.settings = random.scene.settings;
     }
-    void show(double turned_rad) {
-        Pose pose = scene.entities.front().pose;
-        pose.attitude.yaw_rad += turned_rad;
-        source->setPose(0, pose);
-        source->setState(0, scene.entities.front().state);
-        source->setViewpoint(random.view.viewpoint);
+    smat::PlacedCase turned(const smat::SceneDescription& inSomeWay, double turned_rad) const {
+        smat::PlacedCase made{inSomeWay, {inSomeWay.sensor, random.view.viewpoint}, {}};
+        made.scene.entities.front().pose.attitude.yaw_rad += turned_rad;
+        return made;
     }
     smat::TargetChoice choice(std::size_t views, double step_rad, std::size_t cases) {
-        smat::ProbedViews probed(
-            *source, scene, views, random.alongRange,
-            [=, this](std::size_t i) { show(step_rad * static_cast<double>(i)); });
+        smat::ProbedViews probed(door, scene, views, random.alongRange,
+                                 [=, this](const smat::SceneDescription& inSomeWay, std::size_t i) {
+                                     return turned(inSomeWay, step_rad * static_cast<double>(i));
+                                 });
         return smat::chooseForTarget(
-            probed, target, {cases, 1, false, scene.render.mode == CalculationMode::spectral});
+            probed, target, {cases, 1, false, scene.settings.mode == CalculationMode::spectral});
     }
     RenderReport measured(const smat::CalculationWay& way, double turned_rad, bool errors) {
-        source->setView(way.applied(scene));
-        show(turned_rad);
-        return source->beginMeasure({scene.allBands(), random.alongRange, false, errors})().front();
+        return turned(way.applied(scene), turned_rad)
+            .render(
+                door,
+                Outputs::reports(scene.allBands()).alongRange(random.alongRange).withErrors(errors))
+            .reports.front();
     }
 };
 

@@ -8,7 +8,7 @@
 
 #include "benchmarks/ConstantShaderDrawing.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/scene/Irsg.h"
+#include "irsg/scene/InteractiveRenderer.h"
 
 using namespace irsg;
 
@@ -59,16 +59,16 @@ int main(int argc, char** argv) {
             entity.database =
                 std::make_shared<const SignatureDatabase>(plainDatabase(*model, transmissivity));
             entity.pose.position_m.z = 1000.0;
-            Irsg irsg;
+            InteractiveRenderer irsg;
             RenderSettings settings;
             settings.zoomWindow = 0;
             settings.samplesPerAxis = 1;
-            irsg.setSettings(settings);
-            irsg.setSensor(sensor);
-            irsg.setEntities({entity});
+            irsg.scene.settings = settings;
+            irsg.view.sensor = sensor;
+            irsg.scene.entities = {entity};
             const Viewpoint viewpoint = Viewpoint::about(irsg.referencePoint(0), 0.0, radians(60.0),
                                                          radians(15.0), range_m);
-            irsg.setViewpoint(viewpoint);
+            irsg.view.viewpoint = viewpoint;
 
             Viewpoint relative = viewpoint;
             relative.position_m = viewpoint.position_m - entity.pose.position_m;
@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
 
             std::vector<double> ours, floors, ratios;
             for (int i = 0; i < 60; ++i) {
-                const double a = milliseconds([&] { irsg.render(); });
+                const double a = milliseconds([&] { irsg.imageWithReport(); });
                 const double b = milliseconds([&] { floor.draw(); });
                 if (i < 10)
                     continue;
@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
                         median(ratios));
             irsg.resetStageTimes();
             for (int i = 0; i < 50; ++i)
-                irsg.render();
+                irsg.imageWithReport();
             for (const StageTimes::Stage& stage : irsg.stageTimes().stages)
                 std::printf("    %-16s %8.3f ms\n", stage.name.c_str(), stage.seconds / 50 * 1e3);
         }

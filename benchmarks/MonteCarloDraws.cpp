@@ -25,7 +25,7 @@ double seconds(const std::function<void()>& work) {
 /// One view of the target of a project.
 struct View {
     SceneDescription scene;
-    irsg::Irsg irsg;
+    irsg::InteractiveRenderer irsg;
     std::vector<SceneScaling> scalings;
     std::vector<irsg::ScalingInput> inputs;
 
@@ -36,12 +36,12 @@ struct View {
         scalings = sceneScalings(project, scene, remarks);
         for (const SceneScaling& one : scalings)
             inputs.push_back(one.input);
-        irsg.setEnvironment(scene.environment);
-        irsg.setSensor(scene.sensor);
-        irsg.setSettings(scene.render);
-        irsg.setEntities(scene.entities);
-        irsg.setViewpoint(
-            irsg::Viewpoint::about(irsg.referencePoint(0), 0.0, azimuth_rad, 0.2, range_m));
+        irsg.scene.environment = scene.environment;
+        irsg.view.sensor = scene.sensor;
+        irsg.scene.settings = scene.settings;
+        irsg.scene.entities = scene.entities;
+        irsg.view.viewpoint =
+            irsg::Viewpoint::about(irsg.referencePoint(0), 0.0, azimuth_rad, 0.2, range_m);
     }
     void scale(const std::vector<double>& values) {
         std::vector<irsg::Entity> entities = scene.entities;
@@ -49,7 +49,7 @@ struct View {
             (inputs[i].kind == irsg::ScalingKind::temperature
                  ? entities.front().temperatureScale
                  : entities.front().emissivityScale)[inputs[i].index] = values[i];
-        irsg.setEntities(std::move(entities));
+        irsg.scene.entities = std::move(entities);
     }
 };
 
@@ -65,7 +65,7 @@ void rates(const Project& project) {
     report("image drawn anew (render)", seconds([&] {
                for (std::size_t i = 0; i < 5; ++i) {
                    view.scale(draws.at(i));
-                   view.irsg.render();
+                   view.irsg.imageWithReport();
                }
            }),
            5);
@@ -76,7 +76,7 @@ void rates(const Project& project) {
                }
            }),
            20);
-    view.irsg.setEntities(view.scene.entities);
+    view.irsg.scene.entities = view.scene.entities;
     std::unique_ptr<const irsg::ScaledView> band, spectrum;
     const double making = seconds([&] { band = view.irsg.scaledView(view.inputs); });
     std::vector<double> wavenumbers;

@@ -19,7 +19,7 @@
 #include "irsg/radiance/exchange/BodyLight.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/render/rays/RaysBuilt.h"
-#include "irsg/scene/Irsg.h"
+#include "irsg/scene/InteractiveRenderer.h"
 #include "irsg/signature/SignatureFile.h"
 #include "tests/support/SceneFixtures.h"
 
@@ -41,11 +41,11 @@ double now_s() {
 }
 
 /// Median of some frames after the first, ms.
-double frame_ms(Irsg& irsg) {
+double frame_ms(InteractiveRenderer& irsg) {
     std::vector<double> times_ms;
     for (int i = 0; i < 9; ++i) {
         const double start_s = now_s();
-        irsg.render();
+        irsg.imageWithReport();
         times_ms.push_back(1e3 * (now_s() - start_s));
     }
     times_ms.erase(times_ms.begin());
@@ -85,16 +85,16 @@ void measureLight(const Entity& entity, EngineChoice engine, int aspects) {
           Case{"shadows, converged", SunShadowMode::point, convergedBounces, false},
           Case{"lobes", SunShadowMode::off, 0, true},
           Case{"lobes, shadows, converged", SunShadowMode::point, convergedBounces, true}}) {
-        Irsg irsg;
+        InteractiveRenderer irsg;
         RenderSettings settings;
         settings.engine = engine;
         settings.sunShadows = shadows;
         settings.bounces = bounces;
         settings.zoomWindow = 0;
         settings.samplesPerAxis = 1;
-        irsg.setSettings(settings);
-        irsg.setEnvironment(test::brightAir());
-        irsg.setEntities({hasLobes ? glossy(entity) : entity});
+        irsg.scene.settings = settings;
+        irsg.scene.environment = test::brightAir();
+        irsg.scene.entities = {hasLobes ? glossy(entity) : entity};
         test::View view{.range_m = 20.0 * size_m,
                         .azimuth_rad = radians(60.0),
                         .elevation_rad = radians(15.0),
@@ -103,11 +103,11 @@ void measureLight(const Entity& entity, EngineChoice engine, int aspects) {
                         .fieldOfView_rad = 0.05};
         test::look(irsg, view);
         const double before_s = now_s();
-        irsg.render();
+        irsg.imageWithReport();
         const double first_ms = 1e3 * (now_s() - before_s);
         const double each_ms = frame_ms(irsg);
         settings.zoomWindow = 256;
-        irsg.setSettings(settings);
+        irsg.scene.settings = settings;
         irsg.measure();
         const double start_s = now_s();
         double sum_W_sr = 0.0;
@@ -178,15 +178,15 @@ void measureEngines() {
                 std::printf("%-10.0f %9d %8d", facets, side_px * side_px, shells);
                 for (int what = 0; what < 3; ++what)
                     for (const EngineChoice engine : {EngineChoice::opengl, EngineChoice::rays}) {
-                        Irsg irsg;
+                        InteractiveRenderer irsg;
                         RenderSettings settings;
                         settings.engine = engine;
                         settings.sunShadows = what == 1 ? SunShadowMode::point : SunShadowMode::off;
                         settings.zoomWindow = 0;
                         settings.samplesPerAxis = 1;
-                        irsg.setSettings(settings);
-                        irsg.setEnvironment(test::brightAir());
-                        irsg.setEntities({what == 2 ? glossy(sphere) : sphere});
+                        irsg.scene.settings = settings;
+                        irsg.scene.environment = test::brightAir();
+                        irsg.scene.entities = {what == 2 ? glossy(sphere) : sphere};
                         test::look(irsg, {.range_m = 50.0,
                                           .azimuth_rad = radians(60.0),
                                           .elevation_rad = radians(15.0),
@@ -205,15 +205,15 @@ void measure(const char* name, const Entity& entity) {
     for (const SunShadowMode shadows :
          {SunShadowMode::off, SunShadowMode::point, SunShadowMode::disc})
         for (const EngineChoice engine : {EngineChoice::opengl, EngineChoice::rays}) {
-            Irsg irsg;
+            InteractiveRenderer irsg;
             RenderSettings settings;
             settings.engine = engine;
             settings.sunShadows = shadows;
             settings.zoomWindow = 0;
             settings.samplesPerAxis = 1;
-            irsg.setSettings(settings);
-            irsg.setEnvironment(test::brightAir());
-            irsg.setEntities({entity});
+            irsg.scene.settings = settings;
+            irsg.scene.environment = test::brightAir();
+            irsg.scene.entities = {entity};
             const double size_m = entity.model->bounds().diagonal_m();
             test::look(irsg, {.range_m = 20.0 * size_m,
                               .azimuth_rad = radians(60.0),

@@ -14,13 +14,13 @@ using namespace irsg::test;
 
 namespace {
 
-double intensity_W_sr(Irsg& irsg, CalculationMode mode, ReflectionMode sun) {
-    RenderSettings settings = irsg.settings();
+double intensity_W_sr(InteractiveRenderer& irsg, CalculationMode mode, ReflectionMode sun) {
+    RenderSettings settings = irsg.scene.settings;
     settings.mode = mode;
     settings.sun = sun;
     settings.ambientReflection = ReflectionMode::smart;
     settings.samplesPerAxis = 1;
-    irsg.setSettings(settings);
+    irsg.scene.settings = settings;
     return irsg.measure().all.intensity_W_sr;
 }
 
@@ -40,11 +40,11 @@ int main(int argc, char** argv) {
     for (const SpectralRange& range : bands) {
         const Band band = Band::topHat(range.min_um, range.max_um);
         for (int model = 1; model <= 6; ++model) {
-            Irsg irsg;
-            irsg.setEnvironment(
-                environmentOf(smartAir(model, range.min_um, range.max_um, 2, resolution_per_cm)));
+            InteractiveRenderer irsg;
+            irsg.scene.environment =
+                environmentOf(smartAir(model, range.min_um, range.max_um, 2, resolution_per_cm));
             const auto scenes = widebandScenes(band);
-            irsg.setEntities({scenes.front().entity});
+            irsg.scene.entities = {scenes.front().entity};
             look(irsg, scenes.front().view);
             const auto seen = [&](CalculationMode mode, ReflectionMode sun) {
                 return intensity_W_sr(irsg, mode, sun);

@@ -34,12 +34,12 @@ struct Measured {
     double later_ms = 0.0;
 };
 
-Measured measured(Irsg& irsg, CalculationMode mode, ReflectionMode reflection) {
-    RenderSettings settings = irsg.settings();
+Measured measured(InteractiveRenderer& irsg, CalculationMode mode, ReflectionMode reflection) {
+    RenderSettings settings = irsg.scene.settings;
     settings.mode = mode;
     settings.sun = settings.ambientReflection = reflection;
     settings.samplesPerAxis = 1;
-    irsg.setSettings(settings);
+    irsg.scene.settings = settings;
     Measured result;
     result.first_ms = median_ms(1, [&] { result.report = irsg.measure(); });
     result.later_ms = median_ms(15, [&] { irsg.measure(); });
@@ -57,11 +57,11 @@ int main(int argc, char** argv) {
                 "difference %% | "
                 "spectral ms | wideband ms | ratio |\n|---|---|---|---|---|---|---|---|---|\n");
     for (const WidebandAir& air : widebandAirs()) {
-        Irsg irsg;
-        irsg.setEnvironment(air.environment(resolution_per_cm));
+        InteractiveRenderer irsg;
+        irsg.scene.environment = air.environment(resolution_per_cm);
         for (const WidebandScene& scene : widebandScenes(air.band()))
             for (const ReflectionMode reflection : {ReflectionMode::off, ReflectionMode::smart}) {
-                irsg.setEntities({scene.entity});
+                irsg.scene.entities = {scene.entity};
                 look(irsg, scene.view);
                 const Measured spectral = measured(irsg, CalculationMode::spectral, reflection);
                 const Measured wideband = measured(irsg, CalculationMode::wideband, reflection);

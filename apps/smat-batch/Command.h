@@ -10,14 +10,17 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/Wording.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
-#include "smatcore/data/ImageSource.h"
 #include "smatcore/project/AnalysisKind.h"
 #include "smatcore/support/NearestNames.h"
 #include "smatcore/support/StageTimer.h"
 
-namespace smat::batch {
+namespace smat {
 
 class CaseTeam;
+
+} // namespace smat
+
+namespace smat::batch {
 
 enum ExitCode { done = 0, warned = 1, refused = 2, ourFault = 3 };
 
@@ -32,12 +35,6 @@ struct Context {
     CaseTeam* team = nullptr;  ///< whose processes draw a sweep together; none: this one alone
     std::string speaker;       ///< before an error that is told, where several processes tell
 };
-
-/// What draws, made in a stage of its own: after what is read, so that inputs are refused first.
-inline std::unique_ptr<ImageSource> startedImageSource(Context& context) {
-    const StageTimer::Scope scope(&context.timer, "start renderer");
-    return makeIrsgImageSource();
-}
 
 /// What is wrong with an option.
 inline irsg::InputError refusal(const char* option, std::string value, std::string expected) {

@@ -6,8 +6,7 @@
 #include "apps/smat-batch/ProjectInput.h"
 #include "apps/smat-batch/SettingOptions.h"
 #include "apps/smat-batch/StopSignal.h"
-#include "smatcore/analysis/Frontier.h"
-#include "smatcore/project/SceneBuilder.h"
+#include "smatcore/jobs/AnalysisJobs.h"
 #include "smatcore/support/Log.h"
 
 namespace smat::batch {
@@ -73,24 +72,18 @@ class FrontierCommand {
         }
         logInfo("cost-accuracy: " + words);
         catchStopSignal();
-        SceneBuilder builder;
-        const auto source = startedImageSource(context);
         std::stop_source stop;
         {
             ProgressLine line;
             const StageTimer::Scope scope(&context.timer, "measure");
-            Frontier::run(
-                data, *source,
-                [&](const Project& project, const Settings& settings) {
-                    return builder.build(project, settings);
-                },
-                options,
-                [&](const Progress& progress) {
-                    line.show(progress);
-                    if (stopWasAsked())
-                        stop.request_stop();
-                },
-                stop.get_token());
+            JobRunner().run(data, options,
+                            {.progress =
+                                 [&](const Progress& progress) {
+                                     line.show(progress);
+                                     if (stopWasAsked())
+                                         stop.request_stop();
+                                 },
+                             .stop = stop.get_token()});
         }
         for (const std::string& warning : data.warnings)
             warn(warning);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "apps/smat-batch/CaseTeam.h"
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/NumberOptions.h"
 #include "apps/smat-batch/Output.h"
@@ -115,9 +114,10 @@ class MonteCarloCommand {
         refuseGiven({"--sensor", "--from", "--to"}, "a scenario in place of a project");
         MonteCarloData data;
         data.options = options();
-        SceneBuilder builder;
+        SceneDescription scene;
         {
             const StageTimer::Scope scope(&context.timer, "load");
+            SceneBuilder builder;
             const Settings given = settings_.values();
             Project project = project_.load();
             settings_.place(project);
@@ -126,16 +126,13 @@ class MonteCarloCommand {
             data.analysis.commandLine = context.commandLine;
             settings_.requireNamed(data.analysis.settings);
             data.options.check();
-            // Inputs are read, and refused, before a renderer is made.
-            const SceneDescription scene = builder.build(project, data.analysis.settings);
+            scene = builder.build(project, MonteCarlo::settingsOf(data.analysis));
             std::vector<std::string> remarks;
             sceneScalings(project, scene, remarks);
         }
         catchStopSignal();
-        const std::unique_ptr<ImageSource> source = startedImageSource(context);
-        MonteCarlo monteCarlo(*source, [&](const Project& project, const Settings& settings) {
-            return builder.build(project, settings);
-        });
+        MonteCarlo monteCarlo(openRenderDoor(),
+                              [&](const Project&, const Settings&) { return scene; });
         if (parts_.isGiven() || context.team != nullptr)
             return runParts(data, monteCarlo, context);
         std::stop_source stop;
@@ -258,12 +255,11 @@ class MonteCarloCommand {
             }
         }
         catchStopSignal();
-        const std::unique_ptr<ImageSource> source = startedImageSource(context);
         std::stop_source stop;
         {
             ProgressLine line;
             runScenarioMonteCarlo(
-                run, *source,
+                run, openRenderDoor(),
                 [&](const Progress& progress) {
                     line.show(progress);
                     if (stopWasAsked())

@@ -1,10 +1,5 @@
 #include "apps/smat-batch/PartOptions.h"
 
-#include <chrono>
-
-#include <fmt/format.h>
-
-#include "apps/smat-batch/CaseTeam.h"
 #include "apps/smat-batch/Output.h"
 #include "apps/smat-batch/StopSignal.h"
 
@@ -26,31 +21,9 @@ void PartOptions::refuse(const std::string& expected) const {
 }
 
 bool drawnByTeam(const CasePlace& place, CaseTeam& team, const CaseWork& work) {
-    if (!place.share.isAll())
-        throw refusal("--shard", "a part of the sweep",
-                      "none: the processes take their parts by themselves");
-    if (!team.isLeader()) {
-        const auto store = team.follow(place.inputs);
-        work(*store, {}, {});
-        return false;
-    }
-    CaseFile file(CaseFile::besides(place.result, place.share), place.options());
-    const auto start = std::chrono::steady_clock::now();
     ProgressLine line;
-    std::size_t total = 0;
-    const auto show = [&](std::size_t done) {
-        const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-        line.show({done, total, passed.count(), fmt::format("{} processes", team.size())});
-    };
-    const auto store = team.lead(file);
-    work(*store,
-         [&](const Progress& progress) {
-             total = progress.total;
-             show(progress.done);
-         },
-         {});
-    team.finish(show);
-    return true;
+    return smat::drawnByTeam(place, team, work,
+                             [&](const Progress& progress) { line.show(progress); });
 }
 
 void workThrough(CaseStore& store, const CaseWork& work) {

@@ -1,14 +1,9 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <map>
-#include <stop_token>
 #include <string>
 
 #include "apps/smat-batch/Command.h"
-#include "smatcore/analysis/CaseFile.h"
-#include "smatcore/support/Progress.h"
+#include "smatcore/jobs/CaseTeam.h"
 
 namespace smat::batch {
 
@@ -31,22 +26,7 @@ class PartOptions {
     bool resumes_ = false;
 };
 
-/// Where the cases of a run are.
-struct CasePlace {
-    std::filesystem::path result; ///< its first file
-    CaseShare share;
-    bool resumes = false;
-    std::map<std::string, std::string> inputs; ///< as they are before anything is drawn
-
-    CaseFile::Options options() const { return {share, resumes, inputs, 0.0}; }
-};
-
-/// Goes through the cases of a store.
-using CaseWork =
-    std::function<void(CaseStore& store, const ProgressCallback& progress, std::stop_token stop)>;
-
-/// Draws cases with all processes of a team into the file of its leader. True in the leader, who
-/// makes the result of them.
+/// The same of cases that all processes of a team draw, with a line of progress.
 bool drawnByTeam(const CasePlace& place, CaseTeam& team, const CaseWork& work);
 
 /// `work` with a line of progress; a stop that was asked for ends it.

@@ -24,8 +24,8 @@
 #include "irsg/core/FileReading.h"
 #include "irsg/core/ParallelFor.h"
 #include "irsg/core/Utf8.h"
-#include "smatcore/data/ImageSource.h"
 #include "smatcore/data/Provenance.h"
+#include "smatcore/data/RenderDoor.h"
 #include "smatcore/support/FreedMemory.h"
 #include "smatcore/support/Log.h"
 #include "smatcore/support/ShellText.h"
@@ -70,7 +70,7 @@ double secondsSinceStart() {
 int printVersion() {
     fmt::print("smat-batch {}\n", programVersion());
     try {
-        fmt::print("renderer: {}\n", makeIrsgImageSource()->rendererDescription());
+        fmt::print("renderer: {}\n", openRenderDoor().description(irsg::Scene()));
     } catch (const irsg::InputError& error) {
         fmt::print("renderer: none ({})\n", error.what());
     }

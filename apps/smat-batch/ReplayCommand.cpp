@@ -47,11 +47,11 @@ class ReplayCommand {
         const AnalysisData loaded = loadResult(file_);
         if (!out_.empty())
             checkResultFile(loaded, out_);
-        const auto source = startedImageSource(context);
         SceneBuilder builder;
-        AnalysisGenerator generator(*source, [&](const Project& project, const Settings& settings) {
-            return builder.build(project, settings);
-        });
+        const AnalysisGenerator generator(openRenderDoor(),
+                                          [&](const Project& project, const Settings& settings) {
+                                              return builder.build(project, settings);
+                                          });
         ProgressLine progress;
         const Replay again =
             replay(loaded, file_, {previous_.begin(), previous_.end()}, [&](AnalysisData& data) {

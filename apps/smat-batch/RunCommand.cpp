@@ -38,7 +38,7 @@ class RunCommand {
         if (dryRun_)
             return describeJobs(jobs, context);
         makeFolder(folder_, "the results");
-        return runJobs(std::move(jobs), context);
+        return runJobs(jobs, context);
     }
 
   private:

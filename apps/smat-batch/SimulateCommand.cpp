@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "apps/smat-batch/CaseTeam.h"
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/NumberOptions.h"
 #include "apps/smat-batch/Output.h"
@@ -167,7 +166,7 @@ class SimulateCommand {
 
     /// Draws with all processes of a team, sensor by sensor; gives the seconds that it took.
     double drawnByAll_s(const LoadedScenario& loaded, const SimulationPlan& plan,
-                        const FrameFiles& files, const Hashes& inputs, ImageSource& source,
+                        const FrameFiles& files, const Hashes& inputs, const RenderDoor& door,
                         CaseTeam& team) const {
         const auto start = std::chrono::steady_clock::now();
         for (const std::size_t sensor : plan.sensors) {
@@ -178,7 +177,7 @@ class SimulateCommand {
                 [&](CaseStore& store, const ProgressCallback& progress, std::stop_token stop) {
                     const SimulationParts parts{{&store}, true};
                     SimulationResult result;
-                    writeSimulation(loaded, ofSensor, files, source, result, progress,
+                    writeSimulation(loaded, ofSensor, files, door, result, progress,
                                     std::move(stop), nullptr, {}, &parts);
                 });
             team.meet();
@@ -193,11 +192,11 @@ class SimulateCommand {
             if (!parts_.isGiven() && context.team == nullptr)
                 warn(sentence);
         const Hashes inputs = inputHashes(); // before frames read more
-        const std::unique_ptr<ImageSource> source = startedImageSource(context);
+        const RenderDoor door = openRenderDoor();
         double ofTeam_s = 0.0;
         if (context.team != nullptr) {
             const StageTimer::Scope scope(&context.timer, "frames of all processes");
-            ofTeam_s = drawnByAll_s(loaded, plan, files, inputs, *source, *context.team);
+            ofTeam_s = drawnByAll_s(loaded, plan, files, inputs, door, *context.team);
             if (!context.team->isLeader())
                 return done;
         }
@@ -215,7 +214,7 @@ class SimulateCommand {
         {
             ProgressLine line;
             writeSimulation(
-                loaded, plan, files, *source, result,
+                loaded, plan, files, door, result,
                 [&](const Progress& progress) {
                     line.show(progress);
                     if (stopWasAsked())
@@ -237,7 +236,7 @@ class SimulateCommand {
             const StageTimer::Scope scope(&context.timer, "film");
             films = writeFilms(recorder, loaded.scenario.displayName());
         }
-        splitTimes(*source, context);
+        splitTimes(door, context);
         fmt::print("{}", context.json ? jsonOf(result, loaded, files)
                                       : textOf(result, loaded, files, share) + films);
         if (stopWasAsked())
@@ -245,9 +244,9 @@ class SimulateCommand {
         return stopWasAsked() ? warned : done;
     }
 
-    static void splitTimes(const ImageSource& source, Context& context) {
+    static void splitTimes(const RenderDoor& door, Context& context) {
         std::vector<StageTimer::Stage> parts;
-        for (const irsg::StageTimes::Stage& stage : source.stageTimes().stages)
+        for (const irsg::StageTimes::Stage& stage : door.stageTimes().stages)
             parts.push_back({stage.name, stage.seconds, stage.calls});
         context.timer.split("frames", parts);
     }

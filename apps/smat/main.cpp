@@ -18,9 +18,8 @@
 #include "gui/widgets/Theme.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"
-#include "irsg/core/Wording.h"
-#include "smatcore/data/ImageSource.h"
 #include "smatcore/data/Provenance.h"
+#include "smatcore/data/RenderDoor.h"
 #include "smatcore/support/FreedMemory.h"
 #include "smatcore/support/NearestNames.h"
 
@@ -113,7 +112,7 @@ std::optional<smat::gui::ThemeMode> themeOf(const std::string& word) {
 std::string versionText() {
     std::string renderer;
     try {
-        renderer = smat::makeIrsgImageSource()->rendererDescription();
+        renderer = smat::openRenderDoor().description(irsg::Scene());
     } catch (const irsg::InputError& error) {
         renderer = error.diagnostics().front().message();
     }

@@ -40,7 +40,7 @@ std::vector<Phase> phasesOf(const Body& body, const Viewpoint& camera, int count
 }
 
 /// Looks at a body so that it is `size_px` wide, in a frame that holds it at every phase.
-void lookAt(Irsg& irsg, const Body& body, double size_px) {
+void lookAt(InteractiveRenderer& irsg, const Body& body, double size_px) {
     const int frame_px = static_cast<int>(std::ceil(1.5 * size_px)) + 6;
     test::look(irsg, {.range_m = body.size_m / (size_px * pixel_rad),
                       .azimuth_rad = body.azimuth_rad,
@@ -66,13 +66,14 @@ struct ErrorOverPhases {
 };
 
 /// Of the contrast intensity that a method finds, as the generator looks.
-ErrorOverPhases errorOf(Irsg& irsg, const std::vector<Phase>& phases, const Method& method) {
-    irsg.setSettings(method.settings());
+ErrorOverPhases errorOf(InteractiveRenderer& irsg, const std::vector<Phase>& phases,
+                        const Method& method) {
+    irsg.scene.settings = method.settings();
     double squares = 0.0, largest = 0.0;
     for (const Phase& phase : phases) {
-        irsg.setPose(0, phase.pose);
+        irsg.scene.entities[0].pose = phase.pose;
         const double error =
-            irsg.render().report.all.contrastIntensity_W_sr / phase.intensity_W_sr - 1.0;
+            irsg.imageWithReport().report.all.contrastIntensity_W_sr / phase.intensity_W_sr - 1.0;
         squares += error * error;
         largest = std::max(largest, std::abs(error));
     }
@@ -81,10 +82,10 @@ ErrorOverPhases errorOf(Irsg& irsg, const std::vector<Phase>& phases, const Meth
 }
 
 /// Phases of a body that is `size_px` wide; the generator looks at it.
-std::vector<Phase> look(Irsg& irsg, const Body& body, double size_px, int phases) {
-    irsg.setPose(0, {{0, 0, test::standingAltitude_m}, {}});
+std::vector<Phase> look(InteractiveRenderer& irsg, const Body& body, double size_px, int phases) {
+    irsg.scene.entities[0].pose = {{0, 0, test::standingAltitude_m}, {}};
     lookAt(irsg, body, size_px);
-    return phasesOf(body, irsg.viewpoint(), phases);
+    return phasesOf(body, irsg.view.viewpoint, phases);
 }
 
 } // namespace
@@ -92,13 +93,13 @@ std::vector<Phase> look(Irsg& irsg, const Body& body, double size_px, int phases
 void measureErrors(const Options& options) {
     std::ofstream file(options.folder / "errors.csv");
     file << "body,size [px],strategy,mode,rms_error [%],largest_error [%]\n";
-    Irsg irsg;
-    irsg.setEnvironment(test::environmentOf(test::ConstantAir{}));
+    InteractiveRenderer irsg;
+    irsg.scene.environment = test::environmentOf(test::ConstantAir{});
     for (const Body& body : chosenBodies(options)) {
-        irsg.setEntities({greyEntity(body.mesh)});
+        irsg.scene.entities = {greyEntity(body.mesh)};
         for (double size_px : sizes_px()) {
             const std::vector<Phase> phases = look(irsg, body, size_px, options.phases);
-            checkTruth(body, irsg.viewpoint(), phases.front());
+            checkTruth(body, irsg.view.viewpoint, phases.front());
             for (const Method& method : methods()) {
                 if (method.wholeFrame) // the same samples as in the object's window
                     continue;
@@ -119,10 +120,10 @@ void measureAngles(const Options& options) {
     std::ofstream file(options.folder / "angles.csv");
     file << "angle [deg],size [px],rms_error [%],largest_error [%]\n";
 
-    Irsg irsg;
-    irsg.setEnvironment(test::environmentOf(test::ConstantAir{}));
+    InteractiveRenderer irsg;
+    irsg.scene.environment = test::environmentOf(test::ConstantAir{});
     Body body = bodies()[1];
-    irsg.setEntities({greyEntity(body.mesh)});
+    irsg.scene.entities = {greyEntity(body.mesh)};
     int cases = 0, above = 0;
     ErrorOverPhases worst;
     double worst_deg = 0.0;

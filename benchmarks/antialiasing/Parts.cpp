@@ -47,17 +47,18 @@ std::vector<Way> ways() {
 }
 
 /// From a direction and range, the aircraft moved by a part of a pixel.
-void place(Irsg& irsg, double azimuth_rad, double range_m, int phase) {
-    irsg.setPose(0, {{0, 0, test::standingAltitude_m}, {}});
+void place(InteractiveRenderer& irsg, double azimuth_rad, double range_m, int phase) {
+    irsg.scene.entities[0].pose = {{0, 0, test::standingAltitude_m}, {}};
     test::look(irsg, {.range_m = range_m,
                       .azimuth_rad = azimuth_rad,
                       .elevation_rad = radians(10.0),
                       .width_px = 640,
                       .height_px = 512,
                       .fieldOfView_rad = 2.0 * std::atan(320.0 * pixelOfSensor_rad)});
-    irsg.setPose(0, {Vec3{0, 0, test::standingAltitude_m} +
-                         phaseShift_m(irsg.viewpoint(), pixelOfSensor_rad * range_m, phase),
-                     {}});
+    irsg.scene.entities[0].pose = {
+        Vec3{0, 0, test::standingAltitude_m} +
+            phaseShift_m(irsg.view.viewpoint, pixelOfSensor_rad * range_m, phase),
+        {}};
 }
 
 } // namespace
@@ -68,9 +69,9 @@ void measureParts(const Options& options) {
     const std::vector<double> azimuths_deg = {60.0, 110.0, 160.0};
     const std::vector<Way> all = ways();
 
-    Irsg irsg;
-    irsg.setEnvironment(test::environmentOf(test::ConstantAir{}));
-    irsg.setEntities({sampleAircraft()});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = test::environmentOf(test::ConstantAir{});
+    irsg.scene.entities = {sampleAircraft()};
     struct Sum {
         double squares = 0.0, largest = 0.0, time_ms = 0.0;
         int count = 0;
@@ -85,18 +86,20 @@ void measureParts(const Options& options) {
             // The truth: windows of 2048 samples, parts and all, over several phases.
             RenderSettings fine = all.back().settings();
             fine.zoomWindow = 2048;
-            irsg.setSettings(fine);
+            irsg.scene.settings = fine;
             double truth_W_sr = 0.0;
             for (int phase = 0; phase < phasesOfTruth; ++phase) {
                 place(irsg, radians(azimuth_deg), range_m, phase);
-                truth_W_sr += irsg.render().report.all.contrastIntensity_W_sr / phasesOfTruth;
+                truth_W_sr +=
+                    irsg.imageWithReport().report.all.contrastIntensity_W_sr / phasesOfTruth;
             }
             for (std::size_t w = 0; w < all.size(); ++w) {
-                irsg.setSettings(all[w].settings());
+                irsg.scene.settings = all[w].settings();
                 for (int phase = 0; phase < options.phases; ++phase) {
                     place(irsg, radians(azimuth_deg), range_m, phase);
                     const auto start = std::chrono::steady_clock::now();
-                    const double found_W_sr = irsg.render().report.all.contrastIntensity_W_sr;
+                    const double found_W_sr =
+                        irsg.imageWithReport().report.all.contrastIntensity_W_sr;
                     const std::chrono::duration<double, std::milli> time =
                         std::chrono::steady_clock::now() - start;
                     const double error = found_W_sr / truth_W_sr - 1.0;

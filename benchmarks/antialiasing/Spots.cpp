@@ -80,22 +80,24 @@ struct Sum {
     }
 };
 
-void place(Irsg& irsg, double azimuth_rad, double elevation_rad, double range_m, int phase) {
-    irsg.setPose(0, {{0, 0, test::standingAltitude_m}, {}});
+void place(InteractiveRenderer& irsg, double azimuth_rad, double elevation_rad, double range_m,
+           int phase) {
+    irsg.scene.entities[0].pose = {{0, 0, test::standingAltitude_m}, {}};
     test::look(irsg, {.range_m = range_m,
                       .azimuth_rad = azimuth_rad,
                       .elevation_rad = elevation_rad,
                       .width_px = 640,
                       .height_px = 512,
                       .fieldOfView_rad = 2.0 * std::atan(320.0 * pixelOfSensor_rad)});
-    irsg.setPose(0, {Vec3{0, 0, test::standingAltitude_m} +
-                         phaseShift_m(irsg.viewpoint(), pixelOfSensor_rad * range_m, phase),
-                     {}});
+    irsg.scene.entities[0].pose = {
+        Vec3{0, 0, test::standingAltitude_m} +
+            phaseShift_m(irsg.view.viewpoint, pixelOfSensor_rad * range_m, phase),
+        {}};
 }
 
-double timed_W_sr(Irsg& irsg, double& ms) {
+double timed_W_sr(InteractiveRenderer& irsg, double& ms) {
     const auto start = std::chrono::steady_clock::now();
-    const double found_W_sr = irsg.render().report.all.intensity_W_sr;
+    const double found_W_sr = irsg.imageWithReport().report.all.intensity_W_sr;
     ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return found_W_sr;
@@ -113,13 +115,13 @@ RenderSettings settingsOf(int zoomWindow) {
 void measureSpots(const Options& options) {
     std::printf("Balls and plates of %.2f m at 900 K before a wall of 30 m x 10 m at 280 K\n",
                 diameter_m);
-    Irsg irsg;
-    irsg.setEnvironment(test::environmentOf(test::ConstantAir{}));
+    InteractiveRenderer irsg;
+    irsg.scene.environment = test::environmentOf(test::ConstantAir{});
     for (const int spots : {1, 2, 4, 8, 15, 16, 17, 18, 24, 48, 100, 200}) {
         const Scene scene(spots);
-        irsg.setEntities({scene.entity()});
+        irsg.scene.entities = {scene.entity()};
         for (const int size : {128, 256, 512}) {
-            irsg.setSettings(settingsOf(size));
+            irsg.scene.settings = settingsOf(size);
             Sum sum;
             for (const double range_m : {2e3, 6.3e3, 1.3e4, 4e4})
                 for (int phase = 0; phase < options.phases; ++phase) {
@@ -135,12 +137,12 @@ void measureSpots(const Options& options) {
     }
     // From behind nothing hot is seen.
     const Scene scene(16);
-    irsg.setEntities({scene.entity()});
+    irsg.scene.entities = {scene.entity()};
     for (const bool hotSpots : {false, true})
         for (const int size : {128, 256, 512}) {
             RenderSettings settings = settingsOf(size);
             settings.hotSpots = hotSpots;
-            irsg.setSettings(settings);
+            irsg.scene.settings = settings;
             Sum sum;
             const double truth_W_sr =
                 wallWidth_m * wallHeight_m * bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 280.0);
@@ -159,8 +161,8 @@ void measureSpots(const Options& options) {
 
 void measureNoses(const Options& options) {
     std::printf("A box of 86 x 4 pixels and slimmer, turned in steps of a degree\n");
-    Irsg irsg;
-    irsg.setEnvironment(test::environmentOf(test::ConstantAir{}));
+    InteractiveRenderer irsg;
+    irsg.scene.environment = test::environmentOf(test::ConstantAir{});
     const double radiance = bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 280.0);
     for (const double thickness_m : {4.0, 1.2, 0.4}) {
         const test::Mesh mesh =
@@ -168,15 +170,16 @@ void measureNoses(const Options& options) {
         SignatureDatabase database;
         database.materials[1] = test::greyMaterial(1.0);
         database.temperatures[1] = test::fixedTemperature(280.0);
-        irsg.setEntities({test::entityOf(test::modelOf(mesh), database)});
+        irsg.scene.entities = {test::entityOf(test::modelOf(mesh), database)};
         for (const int size : {128, 256, 512}) {
-            irsg.setSettings(settingsOf(size));
+            irsg.scene.settings = settingsOf(size);
             Sum sum, jump;
             double before = 0.0;
             for (int step = 0; step < 8 * options.phases; ++step) {
                 const double elevation_rad = radians(0.1 * step / options.phases);
                 place(irsg, 0.0, elevation_rad, 1.0 / pixelOfSensor_rad, step);
-                const Vec3 away = irsg.viewpoint().position_m - irsg.entities()[0].pose.position_m;
+                const Vec3 away =
+                    irsg.view.viewpoint.position_m - irsg.scene.entities[0].pose.position_m;
                 double ms = 0.0;
                 const double error =
                     timed_W_sr(irsg, ms) /
@@ -202,13 +205,13 @@ void measurePolar(const Options&) {
                                    loadSignatureFile(folder + "turboprop4.sigdb").database);
     entity.state.power = 0.7;
     entity.state.mach = 0.4;
-    Irsg irsg;
-    irsg.setEnvironment(test::environmentOf(test::ConstantAir{}));
-    irsg.setEntities({entity});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = test::environmentOf(test::ConstantAir{});
+    irsg.scene.entities = {entity};
     constexpr double range_m = 5e3;
     std::vector<double> truth_W_sr;
     for (const int size : {2048, 128, 256, 512}) {
-        irsg.setSettings(settingsOf(size));
+        irsg.scene.settings = settingsOf(size);
         Sum sum, jump;
         double before = 0.0;
         for (int step = 0; step < 360; step += size == 2048 ? 6 : 1) {

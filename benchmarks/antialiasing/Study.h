@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/scene/Irsg.h"
+#include "irsg/scene/InteractiveRenderer.h"
 
 /// The study of antialiasing: errors and times for every mode of the report.
 namespace irsg::study {

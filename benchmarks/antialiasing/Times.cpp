@@ -22,7 +22,7 @@ double rangeOf_m(const Body& body, double size_px) {
     return body.size_m / (size_px * pixel_rad);
 }
 
-void lookFrom(Irsg& irsg, double azimuth_rad, double elevation_rad, double range_m) {
+void lookFrom(InteractiveRenderer& irsg, double azimuth_rad, double elevation_rad, double range_m) {
     test::look(irsg, {.range_m = range_m,
                       .azimuth_rad = azimuth_rad,
                       .elevation_rad = elevation_rad,
@@ -35,10 +35,10 @@ struct FrameTime {
     double wall_ms = 0.0, processor_ms = 0.0;
 };
 
-FrameTime timeOf(Irsg& irsg) {
+FrameTime timeOf(InteractiveRenderer& irsg) {
     const auto start = std::chrono::steady_clock::now();
     const std::clock_t processor = std::clock();
-    irsg.render();
+    irsg.imageWithReport();
     const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
     return {wall.count(), 1e3 * static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC};
 }
@@ -64,10 +64,11 @@ class TimedScene {
     TimedScene(Entity entity, double azimuth_rad, double elevation_rad)
         : entity_(std::move(entity)), azimuth_rad_(azimuth_rad), elevation_rad_(elevation_rad) {
         for (const Method& method : methods()) {
-            Irsg& irsg = *generators_.emplace_back(std::make_unique<Irsg>());
-            irsg.setEnvironment(test::environmentOf(test::ConstantAir{}));
-            irsg.setSettings(method.settings());
-            irsg.setEntities({entity_});
+            InteractiveRenderer& irsg =
+                *generators_.emplace_back(std::make_unique<InteractiveRenderer>());
+            irsg.scene.environment = test::environmentOf(test::ConstantAir{});
+            irsg.scene.settings = method.settings();
+            irsg.scene.entities = {entity_};
         }
     }
 
@@ -95,20 +96,20 @@ class TimedScene {
     void take(double range_m, int rounds, std::vector<std::vector<FrameTime>>& taken) {
         const std::vector<Method> all = methods();
         for (std::size_t m = 0; m < all.size(); ++m) {
-            generators_[m]->setPose(0, entity_.pose);
+            generators_[m]->scene.entities[0].pose = entity_.pose;
             lookFrom(*generators_[m], azimuth_rad_, elevation_rad_, range_m);
             if (all[m].wholeFrame)
                 mark(*generators_[m]);
         }
 
-        const Viewpoint camera = generators_.front()->viewpoint();
+        const Viewpoint camera = generators_.front()->view.viewpoint;
         for (int round = 0; round <= rounds; ++round) {
             Pose pose = entity_.pose;
             pose.position_m = pose.position_m + phaseShift_m(camera, range_m * pixel_rad, round);
             for (std::size_t m = 0; m < all.size(); ++m) {
                 if (all[m].wholeFrame && round > 1) // ten to a hundred times as long
                     continue;
-                generators_[m]->setPose(0, pose);
+                generators_[m]->scene.entities[0].pose = pose;
                 const FrameTime time = timeOf(*generators_[m]);
                 if (round > 0) // shaders are made and targets grown in the first
                     taken[m].push_back(time);
@@ -117,17 +118,17 @@ class TimedScene {
     }
 
     /// Has the whole frame drawn from where the generator looks.
-    void mark(Irsg& irsg) const {
+    void mark(InteractiveRenderer& irsg) const {
         osg::ref_ptr<osg::Group> graph = new osg::Group;
         graph->addChild(entity_.model->graph());
         graph->addChild(test::graphOf(
-            cornerMarks(irsg.viewpoint(), entity_.pose.position_m, width_px, height_px)));
+            cornerMarks(irsg.view.viewpoint, entity_.pose.position_m, width_px, height_px)));
         Entity entity = entity_;
         entity.model = Model::fromGraph(graph.get(), "marked");
-        irsg.setEntities({entity});
+        irsg.scene.entities = {entity};
     }
 
-    std::vector<std::unique_ptr<Irsg>> generators_; // by method
+    std::vector<std::unique_ptr<InteractiveRenderer>> generators_; // by method
     Entity entity_;
     double azimuth_rad_, elevation_rad_;
 };
@@ -207,45 +208,46 @@ void measureRanges(const Options& options) {
 
     // The sphere of 1 m radius moves across the pixels as it recedes; finely stepped, so that what
     // a mode makes of its phase is seen.
-    Irsg irsg;
-    irsg.setEnvironment(test::environmentOf(test::ConstantAir{}));
-    irsg.setEntities({greyEntity(bodies().front().mesh)});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = test::environmentOf(test::ConstantAir{});
+    irsg.scene.entities = {greyEntity(bodies().front().mesh)};
     constexpr int steps = 200;
     for (int i = 0; i <= steps; ++i) {
         const double range_m = 1e3 * std::pow(200.0, static_cast<double>(i) / steps);
-        irsg.setPose(0, {{0, 0, test::standingAltitude_m}, {}});
+        irsg.scene.entities[0].pose = {{0, 0, test::standingAltitude_m}, {}};
         test::look(irsg, {.range_m = range_m,
                           .width_px = 64,
                           .height_px = 64,
                           .fieldOfView_rad = 2.0 * std::atan(32.0 * pixel_rad)});
-        irsg.setPose(0, {Vec3{0, 0, test::standingAltitude_m} +
-                             phaseShift_m(irsg.viewpoint(), pixel_rad * range_m, i),
-                         {}});
+        irsg.scene.entities[0].pose = {
+            Vec3{0, 0, test::standingAltitude_m} +
+                phaseShift_m(irsg.view.viewpoint, pixel_rad * range_m, i),
+            {}};
         std::size_t file = 0;
         for (const Method& method : all) {
             if (method.wholeFrame)
                 continue;
-            irsg.setSettings(method.settings());
-            intensity[file++] << range_m << "," << irsg.render().report.all.contrastIntensity_W_sr
-                              << "\n";
+            irsg.scene.settings = method.settings();
+            intensity[file++] << range_m << ","
+                              << irsg.imageWithReport().report.all.contrastIntensity_W_sr << "\n";
         }
     }
 }
 
 void profile(const Options& options) {
     for (const Body& body : chosenBodies(options)) {
-        Irsg irsg;
-        irsg.setEnvironment(test::environmentOf(test::ConstantAir{}));
+        InteractiveRenderer irsg;
+        irsg.scene.environment = test::environmentOf(test::ConstantAir{});
         Entity entity = greyEntity(body.mesh);
         entity.pose.attitude = body.attitude;
-        irsg.setEntities({entity});
+        irsg.scene.entities = {entity};
         for (const Method& method : methods()) {
             if (method.wholeFrame)
                 continue;
-            irsg.setSettings(method.settings());
+            irsg.scene.settings = method.settings();
             for (const double size_px : sizes_px()) {
                 lookFrom(irsg, body.azimuth_rad, body.elevation_rad, rangeOf_m(body, size_px));
-                irsg.render();
+                irsg.imageWithReport();
                 irsg.resetStageTimes();
                 std::vector<FrameTime> times;
                 for (int i = 0; i < options.rounds; ++i)

@@ -43,7 +43,7 @@ void takeNewRows(ResultTable& table, const ResultTable& grown) {
 
 } // namespace
 
-AnalysisJob::AnalysisJob(JobOrder order, std::shared_ptr<AnalysisEngine> engine, QObject* parent)
+AnalysisJob::AnalysisJob(JobOrder order, std::shared_ptr<JobRunner> engine, QObject* parent)
     : QObject(parent), order_(std::move(order)), engine_(std::move(engine)) {
     qRegisterMetaType<smat::Progress>();
     qRegisterMetaType<smat::gui::JobResult>();
@@ -102,8 +102,6 @@ void AnalysisJob::work(std::stop_token stop) {
         }
     };
     try {
-        if (!engine_->source && !order_.film)
-            engine_->source = engine_->makeSource();
         outcome.result = order_.film         ? makeFilm(progress, stop)
                          : order_.simulation ? simulate(progress, stop)
                          : order_.monteCarlo ? drawScales(progress, stop)
@@ -135,22 +133,23 @@ void AnalysisJob::work(std::stop_token stop) {
 }
 
 JobResult AnalysisJob::analyse(const ProgressCallback& progress, std::stop_token stop) {
-    AnalysisData data = order_.analysis;
-    AnalysisGenerator generator(
-        *engine_->source, [this](const Project& project, const Settings& settings) {
-            SceneDescription scene = engine_->scenes.build(project, settings);
-            const std::lock_guard lock(kept_.mutex);
-            kept_.scene = scene;
-            return scene;
-        });
+    PlannedJob job;
+    job.data = order_.analysis;
+    job.plan = planAnalysis(job.data.kind, job.data.project, job.data.settings);
+    AnalysisData& data = job.data;
     StageTimer timer;
-    generator.run(
-        data,
-        [&](const Progress& now) {
-            keep(data, now);
-            progress(now);
-        },
-        std::move(stop), &timer);
+    engine_->run(job, {.progress =
+                           [&](const Progress& now) {
+                               keep(data, now);
+                               progress(now);
+                           },
+                       .stop = std::move(stop),
+                       .timer = &timer,
+                       .loaded =
+                           [this](const SceneDescription& scene) {
+                               const std::lock_guard lock(kept_.mutex);
+                               kept_.scene = scene;
+                           }});
     data.stages = timer.stages();
     if (data.image.empty() && data.table.empty())
         return {};
@@ -160,7 +159,7 @@ JobResult AnalysisJob::analyse(const ProgressCallback& progress, std::stop_token
 JobResult AnalysisJob::simulate(const ProgressCallback& progress, std::stop_token stop) {
     JobResult result;
     result.simulation = std::make_shared<const SimulationOutcome>(runSimulationOrder(
-        *order_.simulation, engine_->scenes, *engine_->source, progress, std::move(stop)));
+        *order_.simulation, engine_->scenes(), engine_->door(), progress, std::move(stop)));
     return result;
 }
 
@@ -177,12 +176,8 @@ JobResult AnalysisJob::drawScales(const ProgressCallback& progress, std::stop_to
     auto run = std::make_shared<MonteCarloData>();
     run->analysis = order_.analysis;
     run->options = *order_.monteCarlo;
-    MonteCarlo monteCarlo(*engine_->source,
-                          [this](const Project& project, const Settings& settings) {
-                              return engine_->scenes.build(project, settings);
-                          });
     StageTimer timer;
-    monteCarlo.run(*run, progress, std::move(stop), &timer);
+    engine_->run(*run, {.progress = progress, .stop = std::move(stop), .timer = &timer});
     run->analysis.stages = timer.stages();
     if (run->draws() == 0)
         return {};
@@ -191,12 +186,7 @@ JobResult AnalysisJob::drawScales(const ProgressCallback& progress, std::stop_to
 
 JobResult AnalysisJob::measureWays(const ProgressCallback& progress, std::stop_token stop) {
     auto data = std::make_shared<AnalysisData>(order_.analysis);
-    Frontier::run(
-        *data, *engine_->source,
-        [this](const Project& project, const Settings& settings) {
-            return engine_->scenes.build(project, settings);
-        },
-        *order_.frontier, progress, std::move(stop));
+    engine_->run(*data, *order_.frontier, {.progress = progress, .stop = std::move(stop)});
     if (data->table.rowCount() == 0)
         return {};
     return {data};

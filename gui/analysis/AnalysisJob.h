@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -11,23 +10,9 @@
 #include <QStringList>
 
 #include "gui/scenario/SimulationOrder.h"
-#include "smatcore/analysis/AnalysisData.h"
-#include "smatcore/analysis/AnalysisGenerator.h"
-#include "smatcore/analysis/Frontier.h"
-#include "smatcore/analysis/MonteCarlo.h"
-#include "smatcore/project/SceneBuilder.h"
+#include "smatcore/jobs/AnalysisJobs.h"
 
 namespace smat::gui {
-
-/// Makes the renderer of the jobs: the infrared scene generator, or a test's own.
-using ImageSourceFactory = std::function<std::unique_ptr<ImageSource>()>;
-
-/// What jobs share: one renderer and the models it has loaded, used by one job at a time.
-struct AnalysisEngine {
-    ImageSourceFactory makeSource;
-    std::unique_ptr<ImageSource> source; ///< made by the first job, in its thread
-    SceneBuilder scenes;
-};
 
 /// What is asked of a job: an analysis and, with options, its Monte Carlo run or time
 /// against error of its view; the frames of a scenario, or a film of them.
@@ -49,7 +34,8 @@ struct JobResult {
     bool isEmpty() const { return !data && !simulation && !film; }
 };
 
-/// One run of AnalysisGenerator or MonteCarlo in a thread of its own. Its signals arrive in the
+/// One run of a JobRunner in a thread of its own, which jobs use one after the other. Its signals
+/// arrive in the
 /// thread that made it. A cancel is answered within a moment: by the run itself where a case ends
 /// in that time, else by the cases done so far, and the drawing under way is left to end by itself;
 /// its engine is then not free before `ended`. What a Monte Carlo run, a scenario or time against
@@ -62,7 +48,7 @@ class AnalysisJob : public QObject {
     /// How long a cancel waits for the drawing under way, ms.
     static constexpr int patience_ms = 100;
 
-    AnalysisJob(JobOrder order, std::shared_ptr<AnalysisEngine> engine, QObject* parent = nullptr);
+    AnalysisJob(JobOrder order, std::shared_ptr<JobRunner> engine, QObject* parent = nullptr);
     ~AnalysisJob() override;
 
     void start();
@@ -75,7 +61,7 @@ class AnalysisJob : public QObject {
     /// "Polar plot", or what the analysis is called.
     QString title() const { return titleOf(order_); }
     static QString titleOf(const JobOrder& order);
-    const std::shared_ptr<AnalysisEngine>& engine() const { return engine_; }
+    const std::shared_ptr<JobRunner>& engine() const { return engine_; }
 
   signals:
     void progressed(const smat::Progress& progress);
@@ -112,7 +98,7 @@ class AnalysisJob : public QObject {
     void answer(const Outcome& outcome);
 
     JobOrder order_;
-    std::shared_ptr<AnalysisEngine> engine_;
+    std::shared_ptr<JobRunner> engine_;
     Kept kept_;
     QElapsedTimer clock_;
     bool cancelled_ = false, answered_ = false, working_ = false;

@@ -4,15 +4,14 @@
 
 namespace smat::gui {
 
-JobQueue::JobQueue(ImageSourceFactory makeSource, SceneBuilder::ModelLoader models, QObject* parent)
+JobQueue::JobQueue(DoorMaker makeDoor, SceneBuilder::ModelLoader models, QObject* parent)
     : QObject(parent),
-      makeSource_(std::move(makeSource)),
+      makeDoor_(std::move(makeDoor)),
       models_(std::move(models)),
       engine_(freshEngine()) {}
 
-std::shared_ptr<AnalysisEngine> JobQueue::freshEngine() const {
-    return std::make_shared<AnalysisEngine>(
-        AnalysisEngine{makeSource_, nullptr, SceneBuilder(models_)});
+std::shared_ptr<JobRunner> JobQueue::freshEngine() const {
+    return std::make_shared<JobRunner>(makeDoor_, models_);
 }
 
 JobQueue::~JobQueue() {
@@ -56,7 +55,7 @@ void JobQueue::begin(Waiting next) {
     if (std::ranges::any_of(leaving_, working))
         engine_ = freshEngine();
     // No job works with this builder: nobody else uses it.
-    engine_->scenes.setDatabaseOverrides(std::move(next.databases));
+    engine_->scenes().setDatabaseOverrides(std::move(next.databases));
     const int number = number_ = next.number;
     job_ = std::make_unique<AnalysisJob>(std::move(next.order), engine_);
     auto* job = job_.get();
@@ -113,7 +112,7 @@ void JobQueue::cancelAll() {
 
 void JobQueue::forget(AnalysisJob* job) {
     // The renderer with its loaded models is better than one that nobody has used yet.
-    if (!job_ && !engine_->source && job->engine() != engine_)
+    if (!job_ && !engine_->hasDoor() && job->engine() != engine_)
         engine_ = job->engine();
     // Not while the job is still in its signal.
     QMetaObject::invokeMethod(

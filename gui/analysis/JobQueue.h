@@ -23,7 +23,7 @@ class JobQueue : public QObject {
     };
 
     /// Scenes have their models from `models`; without, each job reads them itself.
-    explicit JobQueue(ImageSourceFactory makeSource, SceneBuilder::ModelLoader models = {},
+    explicit JobQueue(DoorMaker makeDoor, SceneBuilder::ModelLoader models = {},
                       QObject* parent = nullptr);
     ~JobQueue() override;
 
@@ -57,15 +57,15 @@ class JobQueue : public QObject {
     void waitingChanged();
 
   private:
-    std::shared_ptr<AnalysisEngine> freshEngine() const;
+    std::shared_ptr<JobRunner> freshEngine() const;
     void begin(Waiting next);
     void end();
     void beginNext();
     void forget(AnalysisJob* job);
 
-    ImageSourceFactory makeSource_;
+    DoorMaker makeDoor_;
     SceneBuilder::ModelLoader models_;
-    std::shared_ptr<AnalysisEngine> engine_;
+    std::shared_ptr<JobRunner> engine_;
     std::deque<Waiting> waiting_;
     int number_ = 0, lastNumber_ = 0;
     std::unique_ptr<AnalysisJob> job_;

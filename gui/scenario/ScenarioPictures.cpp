@@ -20,17 +20,15 @@ struct ScenarioPictures::Engine {
         of.reset();
         generator.reset();
         files.reset();
-        if (!source)
-            source = makeIrsgImageSource();
         loaded = loadScenarioFiles(state->scenario, scenes, {}, state->trajectories);
-        generator.emplace(loaded, *source);
+        generator.emplace(loaded, door);
         files.emplace(loaded, std::filesystem::path(), std::vector<std::string>(), "");
         of = state;
     }
     ScenarioPicture draw(const ScenarioMoment& moment);
 
     SceneBuilder scenes;
-    std::unique_ptr<ImageSource> source;
+    RenderDoor door = openRenderDoor();
     std::shared_ptr<const EditedScenario> of;
     LoadedScenario loaded;
     std::optional<SceneGenerator3D> generator;

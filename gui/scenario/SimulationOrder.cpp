@@ -46,7 +46,7 @@ WrittenFrame smallCopy(const SensorFrame& frame, std::size_t number) {
 } // namespace
 
 SimulationOutcome runSimulationOrder(const SimulationOrder& order, SceneBuilder& scenes,
-                                     ImageSource& source, const ProgressCallback& progress,
+                                     const RenderDoor& door, const ProgressCallback& progress,
                                      std::stop_token stop) {
     SimulationOutcome outcome;
     outcome.order = order;
@@ -56,7 +56,7 @@ SimulationOutcome runSimulationOrder(const SimulationOrder& order, SceneBuilder&
     files.checkExtensions();
     outcome.notes = files.makeFolders(plan.sensors);
     FilmRecorder recorder(loaded, files);
-    writeSimulation(loaded, plan, files, source, outcome.result, progress, std::move(stop), nullptr,
+    writeSimulation(loaded, plan, files, door, outcome.result, progress, std::move(stop), nullptr,
                     [&](SensorFrame& frame, std::size_t number) {
                         outcome.frames.push_back(smallCopy(frame, number));
                         recorder.heed(frame, number);

@@ -51,7 +51,7 @@ struct FilmOutcome {
 
 /// Writes all that an order asks for, as smat-batch simulate does. Throws irsg::InputError.
 SimulationOutcome runSimulationOrder(const SimulationOrder& order, SceneBuilder& scenes,
-                                     ImageSource& source, const ProgressCallback& progress,
+                                     const RenderDoor& door, const ProgressCallback& progress,
                                      std::stop_token stop);
 
 } // namespace smat::gui

@@ -36,18 +36,20 @@ InfraredPicture InfraredScene::draw(const InfraredRequest& request) {
             request.direct != last_.direct) {
             const irsg::Stopwatch watch(picture.radiance_s);
             image_.reset();
-            update(request);
-            image_ = std::make_shared<irsg::RadianceImage>(irsg_.picture());
+            const PlacedCase drawn = placed(request);
+            image_ = std::make_shared<irsg::RadianceImage>(
+                drawn.render(door_, irsg::Outputs::followedImage()).image);
+            view_ = drawn.view;
         } else if (request.quantity == InfraredQuantity::apparentTemperature) {
             image_ = std::make_shared<irsg::RadianceImage>(*image_);
         }
         if (request.quantity == InfraredQuantity::apparentTemperature &&
             image_->find(irsg::apparentTemperatureChannel) == nullptr)
-            irsg::addApparentTemperature(*image_, irsg_.sensor().band);
+            irsg::addApparentTemperature(*image_, view_.sensor.band);
 
         picture.image = image_;
         picture.quantity = request.quantity;
-        picture.eye = irsg_.viewpoint();
+        picture.eye = view_.viewpoint;
         picture.size_px = request.size_px;
         picture.horizontalFieldOfView_rad = request.horizontalFieldOfView_rad;
         picture.coarse = request.coarse;
@@ -77,7 +79,7 @@ const irsg::Environment& InfraredScene::environment(const InfraredRequest& reque
     return environment_;
 }
 
-void InfraredScene::update(const InfraredRequest& request) {
+PlacedCase InfraredScene::placed(const InfraredRequest& request) {
     if (request.models != offered_) {
         loaded_ = offered_ = request.models;
         // Painted ones have other codes while their files are what they were; all others stay, with
@@ -98,16 +100,17 @@ void InfraredScene::update(const InfraredRequest& request) {
     scene.sensor.width_px = request.size_px.width();
     scene.sensor.height_px = request.size_px.height();
     scene.sensor.horizontalFieldOfView_rad = request.horizontalFieldOfView_rad;
-    scene.render.truthLayers = false;
+    scene.settings.truthLayers = false;
     if (request.coarse) {
-        scene.render.zoomWindow = 0;
-        scene.render.samplesPerAxis = 1;
+        scene.settings.zoomWindow = 0;
+        scene.settings.samplesPerAxis = 1;
     }
     if (request.direct)
-        scene.render.bounces = 0;
-    setView(irsg_, scene);
-    irsg_.setEntities(scene.entities);
-    irsg_.setViewpoint(request.camera.viewpoint(irsg_.referencePoint(0), request.targetYaw_rad));
+        scene.settings.bounces = 0;
+    const CasePlacer placer(door_, scene);
+    const irsg::Vec3 target = scene.entities.front().pose.toWorld(placer.referencePoints().front());
+    return placer.place(scene, CasePlacer::placesIn(scene),
+                        request.camera.viewpoint(target, request.targetYaw_rad));
 }
 
 QImage colorsOf(const irsg::RadianceImage& image, const irsg::ImageChannel& plane,

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "gui/view/InfraredRequest.h"
-#include "irsg/scene/Irsg.h"
+#include "smatcore/analysis/PlacedCase.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat::gui {
@@ -24,10 +24,10 @@ class InfraredScene {
     long modelsLoaded() const { return modelsLoaded_; }
 
   private:
-    void update(const InfraredRequest& request);
+    PlacedCase placed(const InfraredRequest& request);
     const irsg::Environment& environment(const InfraredRequest& request);
 
-    irsg::Irsg irsg_;
+    RenderDoor door_ = openRenderDoor();
     LoadedModels offered_, loaded_; ///< by the window; those of them not yet taken
     /// Beside each model that was offered so far.
     std::map<ModelKey, std::shared_ptr<const irsg::ModelCodes>> codes_;
@@ -36,8 +36,9 @@ class InfraredScene {
     std::string environmentKey_;
     irsg::Environment environment_;
 
-    // The last picture's radiance.
+    // The last picture's radiance and what it is seen by.
     std::shared_ptr<irsg::RadianceImage> image_;
+    irsg::SensorView view_;
     InfraredPicture last_;
 };
 

@@ -25,14 +25,13 @@ Project movedTo(const Project& project, const std::filesystem::path& file) {
 
 } // namespace
 
-Workbench::Workbench(ImageSourceFactory makeSource, QObject* parent,
-                     std::shared_ptr<ModelStore> models)
+Workbench::Workbench(DoorMaker makeDoor, QObject* parent, std::shared_ptr<ModelStore> models)
     : QObject(parent),
       steps_(undoStack_, [this](const Project& edited) { apply(edited); }),
       database_(undoStack_, [this](const auto& file) { nameDatabase(file); }),
       models_(std::move(models)),
       painted_(undoStack_, models_),
-      jobs_(std::move(makeSource), ModelStore::loader(models_)) {
+      jobs_(std::move(makeDoor), ModelStore::loader(models_)) {
     connect(&jobs_, &JobQueue::started, this,
             [this](int, const QString& title) { emit jobStarted(title); });
     connect(&jobs_, &JobQueue::progressed, this,

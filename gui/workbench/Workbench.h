@@ -29,8 +29,7 @@ class Workbench : public QObject {
     Q_OBJECT
 
   public:
-    explicit Workbench(ImageSourceFactory makeSource = makeIrsgImageSource,
-                       QObject* parent = nullptr,
+    explicit Workbench(DoorMaker makeDoor = openRenderDoor, QObject* parent = nullptr,
                        std::shared_ptr<ModelStore> models = std::make_shared<ModelStore>());
     ~Workbench() override;
 

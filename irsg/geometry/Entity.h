@@ -19,7 +19,7 @@ struct Entity {
     std::shared_ptr<const Model> model;
     std::shared_ptr<const SignatureDatabase> database;
     Pose pose;
-    /// Altitude, ambient temperature and aspect angle are filled in by Irsg.
+    /// Altitude, ambient temperature and aspect angle are filled in by the renderer.
     EntityState state;
     /// Other states of the same sweep, of each entity as many: drawings serve all of them, as hot
     /// parts are those of any (HotSurfaces).

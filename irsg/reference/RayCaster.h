@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "irsg/reference/Scenes.h"
-#include "irsg/scene/Irsg.h"
+#include "irsg/scene/InteractiveRenderer.h"
 
 namespace irsg::reference {
 

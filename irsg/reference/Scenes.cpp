@@ -200,16 +200,16 @@ Environment brightAir() {
     return environmentOf(air, {.azimuth_rad = 0.4, .elevation_rad = 0.6});
 }
 
-void look(Irsg& irsg, const View& view) {
+void look(InteractiveRenderer& irsg, const View& view) {
     Sensor sensor;
     sensor.width_px = view.width_px;
     sensor.height_px = view.height_px;
     sensor.horizontalFieldOfView_rad = view.fieldOfView_rad;
     sensor.band = view.band;
-    irsg.setSensor(sensor);
-    irsg.setViewpoint(Viewpoint::about(irsg.referencePoint(0),
-                                       irsg.entities().front().pose.attitude.yaw_rad,
-                                       view.azimuth_rad, view.elevation_rad, view.range_m));
+    irsg.view.sensor = sensor;
+    irsg.view.viewpoint =
+        Viewpoint::about(irsg.referencePoint(0), irsg.scene.entities.front().pose.attitude.yaw_rad,
+                         view.azimuth_rad, view.elevation_rad, view.range_m);
 }
 
 Sensor sensorOf(int width_px, int height_px, double fieldOfView_deg) {

@@ -7,7 +7,7 @@
 #include <osg/Geode>
 #include <osg/Geometry>
 
-#include "irsg/scene/Irsg.h"
+#include "irsg/scene/InteractiveRenderer.h"
 
 namespace irsg::reference {
 
@@ -83,7 +83,7 @@ struct View {
     Band band = Band::topHat(3.0, 5.0);
 };
 inline constexpr double standingAltitude_m = 1000.0;
-void look(Irsg& irsg, const View& view);
+void look(InteractiveRenderer& irsg, const View& view);
 
 /// In the default band.
 Sensor sensorOf(int width_px, int height_px, double fieldOfView_deg);

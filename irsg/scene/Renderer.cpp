@@ -7,6 +7,7 @@
 
 #include "irsg/atmosphere/NearestRun.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/ParallelFor.h"
 #include "irsg/core/Wording.h"
 #include "irsg/geometry/view/PixelGrid.h"
 #include "irsg/radiance/SceneScaledView.h"
@@ -47,20 +48,20 @@ Renderer::~Renderer() {
     impl_->view.reset();
 }
 
-Rendered Renderer::render(const Scene& scene, const SensorView& view, const Wanted& wanted) {
+Rendered Renderer::render(const Scene& scene, const SensorView& view, const Outputs& outputs) {
     Impl& p = *impl_;
-    if (!wanted.scalings.empty())
+    if (!outputs.scalings().empty())
         requireNoScales(scene.entities);
     Rendered result;
-    const bool inBands = wanted.image || wanted.reports ||
-                         (!wanted.scalings.empty() && wanted.wavenumbers_per_cm.empty());
+    const bool inBands = outputs.hasImage() || outputs.hasReports() ||
+                         (!outputs.scalings().empty() && outputs.wavenumbers_per_cm().empty());
     if (inBands) {
-        const Impl::Frame frame = p.frame(scene, view, wanted);
-        if (wanted.image)
-            p.renderImage(frame, wanted, result);
-        else if (wanted.reports)
+        const Impl::Frame frame = p.frame(scene, view, outputs);
+        if (outputs.hasImage())
+            p.renderImage(frame, outputs, result);
+        else if (outputs.hasReports())
             result.reports = p.reports(frame);
-        if (!wanted.scalings.empty() && wanted.wavenumbers_per_cm.empty()) {
+        if (!outputs.scalings().empty() && outputs.wavenumbers_per_cm().empty()) {
             const ViewFactors& factors = p.factorsOf(frame);
             const std::vector<RenderReport> nominal = p.reports(frame);
             p.timed("scaled view", [&] {
@@ -70,21 +71,21 @@ Rendered Renderer::render(const Scene& scene, const SensorView& view, const Want
                     result.scaled.push_back(std::make_unique<const SceneScaledView>(
                         factors, radiometry, frame.evaluated->radiances, frame.light.get(),
                         frame.evaluated->planck, frame.ranges_m(), radiometry.outputs()[band],
-                        wanted.scalings, false, valuesOf(sum), only));
+                        outputs.scalings(), false, valuesOf(sum), only));
                 };
                 for (std::size_t k = 0; k < frame.bands.size(); ++k) {
                     add(k, nominal[k].all, {});
-                    for (std::size_t i = 0; wanted.scaledObjects && i < scene.entities.size(); ++i)
+                    for (std::size_t i = 0; outputs.isByObject() && i < scene.entities.size(); ++i)
                         add(k, nominal[k].objects[i], static_cast<int>(i));
                 }
             });
         }
     }
-    if (!wanted.wavenumbers_per_cm.empty()) {
+    if (!outputs.wavenumbers_per_cm().empty()) {
         Scene spectral = scene;
         spectral.settings.mode = CalculationMode::spectral;
-        const Impl::Frame frame = p.frame(spectral, view, wanted);
-        result.spectrum = p.spectrum(frame, wanted, result);
+        const Impl::Frame frame = p.frame(spectral, view, outputs);
+        result.spectrum = p.spectrum(frame, outputs, result);
         if (scene.settings.mode == CalculationMode::wideband)
             result.spectrum.warnings.push_back(
                 "spectra are computed in the spectral mode: a quadrature point of wideband-ck "
@@ -94,22 +95,29 @@ Rendered Renderer::render(const Scene& scene, const SensorView& view, const Want
     return result;
 }
 
-std::shared_ptr<Renderer::Begun> Renderer::begin(const Scene& scene, const SensorView& view,
-                                                 const Wanted& wanted) {
-    auto begun = std::make_shared<Begun>(*impl_, scene, view, wanted);
+PendingRender Renderer::begin(const Scene& scene, const SensorView& view, const Outputs& outputs) {
+    if (outputs.hasImage() || !outputs.hasReports()) {
+        auto made = std::make_shared<Rendered>(render(scene, view, outputs));
+        return PendingRender([made] { return std::move(*made); });
+    }
+    auto begun = std::make_shared<Begun>(*impl_, scene, view, outputs);
     begun->drawing = impl_->beginFactors(begun->frame);
-    return begun;
+    return PendingRender(
+        [this, begun] {
+            Rendered made;
+            made.reports =
+                impl_->reports(begun->frame, impl_->factorsOf(begun->frame, *begun->drawing));
+            return made;
+        },
+        mostThreads() > 1);
 }
 
-std::vector<RenderReport> Renderer::finish(const std::shared_ptr<Begun>& begun) {
-    return impl_->reports(begun->frame, impl_->factorsOf(begun->frame, *begun->drawing));
-}
-
-void Renderer::Impl::renderImage(const Frame& frame, const Wanted& wanted, Rendered& result) {
+void Renderer::Impl::renderImage(const Frame& frame, const Outputs& outputs, Rendered& result) {
     RenderReport drawn;
     const FrameReduction reduction =
-        wanted.followed ? followedPixels(frame, drawn.windows, drawn.warnings, drawn.layersLeftOver)
-                        : drawObjects(frame, drawn.windows, drawn.warnings, drawn.layersLeftOver);
+        outputs.isFollowed()
+            ? followedPixels(frame, drawn.windows, drawn.warnings, drawn.layersLeftOver)
+            : drawObjects(frame, drawn.windows, drawn.warnings, drawn.layersLeftOver);
     timed("composition", [&] {
         result.image = reduction.compose(frame.backgrounds.front());
         describe(frame, result.image);
@@ -117,7 +125,7 @@ void Renderer::Impl::renderImage(const Frame& frame, const Wanted& wanted, Rende
     });
     if (frame.scene.settings.scattering)
         scatter(frame, result.image, drawn.warnings);
-    if (!wanted.reports) {
+    if (!outputs.hasReports()) {
         result.reports = {std::move(drawn)};
     } else {
         // Sums are those of a sweep. Where it samples as the picture does, they are the picture's.
@@ -266,9 +274,9 @@ void Renderer::Impl::describe(const Frame& frame, RadianceImage& image) const {
         image.attributes["range_m"] = roundedText(frame.geometry.front().path.range_m, 9);
 }
 
-void Renderer::check(const Scene& scene, const SensorView& view, const Wanted& wanted) {
+void Renderer::check(const Scene& scene, const SensorView& view, const Outputs& outputs) {
     checkScene(scene.entities, impl_->geometry(scene, view), scene.environment, view.sensor,
-               wanted.bands.empty() ? std::vector<Band>{view.sensor.band} : wanted.bands,
+               outputs.bands().empty() ? std::vector<Band>{view.sensor.band} : outputs.bands(),
                scene.settings);
 }
 
@@ -286,9 +294,6 @@ std::size_t Renderer::graphicsMemory_bytes() const {
 }
 StageTimes Renderer::stageTimes() const {
     return {impl_->stages};
-}
-void Renderer::resetStageTimes() {
-    impl_->stages.clear();
 }
 
 } // namespace irsg

@@ -191,7 +191,7 @@ std::vector<SunShadows::Sunlit> Renderer::Impl::sunlitOf(const Frame& frame,
     return all;
 }
 
-void Renderer::Impl::takeShadows(Frame& frame, const Wanted& wanted) {
+void Renderer::Impl::takeShadows(Frame& frame, const Outputs& outputs) {
     const std::vector<int> shadowed = terms.shadowedFrom(frame.scene.settings);
     const bool hasShadows = std::ranges::any_of(shadowed, [](int from) { return from >= 0; });
     const bool hasLight = hasLightBetween(frame);
@@ -211,7 +211,7 @@ void Renderer::Impl::takeShadows(Frame& frame, const Wanted& wanted) {
         // What reflects nothing, such as gas, may where its emissivity is scaled.
         constexpr double rounding_per_sr = 1e-9;
         std::vector<bool> reflects;
-        if (wanted.scalings.empty())
+        if (outputs.scalings().empty())
             for (const SurfaceSpectra& surface : frame.evaluated->radiometry.surfaces())
                 reflects.push_back(std::ranges::any_of(
                     surface.reflectance, [](double value) { return value > rounding_per_sr; }));

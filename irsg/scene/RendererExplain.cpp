@@ -69,8 +69,8 @@ struct Renderer::Explainer {
     Explainer(Impl& of, const Scene& ofScene, SensorView ofView)
         : scene(withRays(ofScene)),
           view(std::move(ofView)),
-          wanted({.image = true}),
-          frame(of.frame(scene, view, wanted)),
+          outputs(Outputs::image()),
+          frame(of.frame(scene, view, outputs)),
           layers(of.background.layers()) {
         if (frame.drawn.empty())
             return;
@@ -83,16 +83,17 @@ struct Renderer::Explainer {
 
     const Scene scene;
     const SensorView view;
-    const Wanted wanted;
+    const Outputs outputs;
     const Impl::Frame frame; // of these
     const BackgroundLayers layers;
     std::vector<SampleSheet> sheets;
     FactorSamples samples; // room for those of a sheet
 };
 
-std::shared_ptr<Renderer::Explainer> Renderer::explainer(const Scene& scene,
-                                                         const SensorView& view) {
-    return std::make_shared<Explainer>(*impl_, scene, view);
+std::function<PixelExplanation(int x, int y)> Renderer::explainer(const Scene& scene,
+                                                                  const SensorView& view) {
+    auto ready = std::make_shared<Explainer>(*impl_, scene, view);
+    return [this, ready](int x, int y) { return explain(*ready, x, y); };
 }
 
 PixelExplanation Renderer::explain(Explainer& explainer, int x, int y) {

@@ -83,12 +83,13 @@ std::vector<ObjectGeometry> Renderer::Impl::geometry(const Scene& scene, const S
 }
 
 Renderer::Impl::Frame Renderer::Impl::frame(const Scene& scene, const SensorView& view,
-                                            const Wanted& wanted) {
+                                            const Outputs& outputs) {
     const std::vector<Band> bands =
-        wanted.bands.empty() ? std::vector<Band>{view.sensor.band} : wanted.bands;
+        outputs.bands().empty() ? std::vector<Band>{view.sensor.band} : outputs.bands();
     Frame result(scene, view, bands);
-    result.withSources = wanted.source && !wanted.image;
-    result.withErrors = wanted.errors && (wanted.reports || !wanted.wavenumbers_per_cm.empty());
+    result.withSources = outputs.hasSource() && !outputs.hasImage();
+    result.withErrors =
+        outputs.hasErrors() && (outputs.hasReports() || !outputs.wavenumbers_per_cm().empty());
     result.centre = centreOf(view.viewpoint);
     result.geometry = geometry(scene, view);
     checkScene(scene.entities, result.geometry, scene.environment, view.sensor, bands,
@@ -96,9 +97,9 @@ Renderer::Impl::Frame Renderer::Impl::frame(const Scene& scene, const SensorView
     takeMirrorGrids(scene, bands.front(), result.geometry);
     takeEngine(result);
     evaluate(result);
-    takeShadows(result, wanted);
+    takeShadows(result, outputs);
     takeLobes(result);
-    if (wanted.alongRange && !wanted.image)
+    if (outputs.isAlongRange() && !outputs.hasImage())
         planAlongRange(result);
     findDetails(result);
     return result;

@@ -190,7 +190,7 @@ struct Renderer::Impl {
     /// How far an entity reaches from its reference point at most, m.
     double reachOf_m(const Entity& entity);
     std::vector<ObjectGeometry> geometry(const Scene& scene, const SensorView& view);
-    Frame frame(const Scene& scene, const SensorView& view, const Wanted& wanted);
+    Frame frame(const Scene& scene, const SensorView& view, const Outputs& outputs);
     std::shared_ptr<const SampledScene> sample(const Frame& frame);
     void evaluate(Frame& frame);
     std::shared_ptr<const WidebandPoints> wideband(const Scene& scene, const Band& band);
@@ -231,7 +231,7 @@ struct Renderer::Impl {
     /// Gives a frame its engine, and what that needs.
     void takeEngine(Frame& frame);
     /// Gives it what stands before the sun, where shadows are asked for.
-    void takeShadows(Frame& frame, const Wanted& wanted);
+    void takeShadows(Frame& frame, const Outputs& outputs);
     /// What of the shadows is known without rays, for the directions of factors.
     std::vector<SunShadows::Sunlit> sunlitOf(const Frame& frame, const std::vector<int>& shadowed,
                                              const SunShadows& shadows);
@@ -382,10 +382,10 @@ struct Renderer::Impl {
     double totalIrradiance_W_m2(const Frame& frame, std::size_t band, double contrast_W_m2);
     double frameProjectedSolidAngle_sr(const Sensor& sensor);
     void describe(const Frame& frame, RadianceImage& image) const;
-    void renderImage(const Frame& frame, const Wanted& wanted, Rendered& result);
+    void renderImage(const Frame& frame, const Outputs& outputs, Rendered& result);
     /// What the pixels of a picture of at most one object add up to.
     RenderReport reportOf(const Frame& frame, const FrameReduction& pixels);
-    IntensitySpectrum spectrum(const Frame& frame, const Wanted& wanted, Rendered& result);
+    IntensitySpectrum spectrum(const Frame& frame, const Outputs& outputs, Rendered& result);
 };
 
 /// The factors of a view and how far they are.
@@ -408,11 +408,11 @@ struct Renderer::Impl::FactorDrawing {
 
 /// Reports that were begun.
 struct Renderer::Begun {
-    Begun(Impl& of, Scene ofScene, SensorView ofView, Wanted ofWanted)
+    Begun(Impl& of, Scene ofScene, SensorView ofView, Outputs ofOutputs)
         : scene(std::move(ofScene)),
           view(std::move(ofView)),
-          wanted(std::move(ofWanted)),
-          frame(of.frame(scene, view, wanted)) {}
+          outputs(std::move(ofOutputs)),
+          frame(of.frame(scene, view, outputs)) {}
     Begun(const Begun&) = delete;
     Begun& operator=(const Begun&) = delete;
     ~Begun() {
@@ -422,7 +422,7 @@ struct Renderer::Begun {
 
     const Scene scene;
     const SensorView view;
-    const Wanted wanted;
+    const Outputs outputs;
     const Impl::Frame frame; // of these
     std::shared_ptr<Impl::FactorDrawing> drawing;
 };

@@ -32,11 +32,11 @@ struct Wavelengths {
 
 } // namespace
 
-IntensitySpectrum Renderer::Impl::spectrum(const Frame& frame, const Wanted& wanted,
+IntensitySpectrum Renderer::Impl::spectrum(const Frame& frame, const Outputs& outputs,
                                            Rendered& result) {
     const ViewFactors& factors = factorsOf(frame);
     return timed("evaluation", [&] {
-        const Wavelengths wavelengths(wanted.wavenumbers_per_cm);
+        const Wavelengths wavelengths(outputs.wavenumbers_per_cm());
         const AirScene scene{terms, frame.scene.entities, frame.geometry, frame.scene.settings,
                              frame.centre};
         const std::vector<SampledBand> bands{
@@ -63,7 +63,7 @@ IntensitySpectrum Renderer::Impl::spectrum(const Frame& frame, const Wanted& wan
         }
         for (std::size_t k = 0; k < wavelengths.order.size(); ++k) {
             const std::size_t i = wavelengths.order[k];
-            spectrum.wavenumbers_per_cm.push_back(wanted.wavenumbers_per_cm[k]);
+            spectrum.wavenumbers_per_cm.push_back(outputs.wavenumbers_per_cm()[k]);
             spectrum.wavelengths_um.push_back(wavelengths.ascending_um[i]);
             spectrum.intensity_W_sr_um.push_back(nominal.intensity[i]);
             spectrum.contrastIntensity_W_sr_um.push_back(nominal.contrastIntensity[i]);
@@ -88,12 +88,12 @@ IntensitySpectrum Renderer::Impl::spectrum(const Frame& frame, const Wanted& wan
             if (factors.field.kinds()[kind].front == 0)
                 spectrum.coveredPixels += numbers[factors.layout.pixels()];
         });
-        if (!wanted.scalings.empty()) {
+        if (!outputs.scalings().empty()) {
             auto view = std::make_unique<SceneScaledView>(
                 factors, evaluated.radiometry, evaluated.radiances, evaluated.light.get(),
                 evaluated.planck, ranges_m,
                 std::pair<std::size_t, std::size_t>{0, wavelengths.ascending_um.size()},
-                wanted.scalings, true, std::move(nominal));
+                outputs.scalings(), true, std::move(nominal));
             view->reorder(wavelengths.order);
             result.scaled.push_back(std::move(view));
         }

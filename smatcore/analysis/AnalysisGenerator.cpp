@@ -16,11 +16,9 @@
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
 #include "smatcore/analysis/CalculationChoice.h"
-#include "smatcore/analysis/CaseChecks.h"
 #include "smatcore/analysis/CaseWarnings.h"
 #include "smatcore/analysis/ErrorColumns.h"
 #include "smatcore/analysis/ImageFiles.h"
-#include "smatcore/analysis/SceneRestorer.h"
 #include "smatcore/analysis/SweepTable.h"
 #include "smatcore/analysis/SweepTarget.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -30,48 +28,48 @@ namespace smat {
 
 namespace {
 
+using irsg::Outputs;
 using Target = std::optional<SweepTarget>;
+using Reports = std::vector<irsg::RenderReport>;
 
-void drawImage(AnalysisData& data, const SceneDescription& scene, ImageSource& source,
+void drawImage(AnalysisData& data, const PlacedCase& placed, const RenderDoor& door,
                const AnalysisPlan& plan, const Target& target, SweepTable& table,
                CaseWarnings& warnings) {
-    const AnalysisCase& one = plan.cases.front();
-    irsg::RenderedImage rendered =
-        plan.errors == ErrorColumns::none ? source.render() : source.renderWithErrors();
-    if (rendered.report.all.errors)
-        describeErrors(*rendered.report.all.errors, rendered.image);
-    irsg::addAnswer(data.answeredBy, rendered.report.answeredBy);
-    warnings.addReport(rendered.report, data.settings[key::renderLayers]);
+    irsg::Rendered rendered = placed.render(
+        door, Outputs::imageWithReports().withErrors(plan.errors != ErrorColumns::none));
+    const irsg::RenderReport& report = rendered.reports.front();
+    if (report.all.errors)
+        describeErrors(*report.all.errors, rendered.image);
+    irsg::addAnswer(data.answeredBy, report.answeredBy);
+    warnings.addReport(report, data.settings[key::renderLayers]);
     if (target)
-        target->check({rendered.report}, warnings);
-    table.addCase(one, {rendered.report});
+        target->check(rendered.reports, warnings);
+    table.addCase(plan.cases.front(), rendered.reports);
     data.image = std::move(rendered.image);
-    const std::string sentence = showQuantity(data.image, scene.sensor, data.settings);
+    const std::string sentence = showQuantity(data.image, placed.view.sensor, data.settings);
     if (!sentence.empty())
         warnings.add(sentence);
 }
 
-void measureSpectrum(AnalysisData& data, const SceneDescription& scene, ImageSource& source,
+void measureSpectrum(AnalysisData& data, const PlacedCase& placed, const RenderDoor& door,
                      const AnalysisPlan& plan, SweepTable& table, CaseWarnings& warnings) {
     // The sums of the same view say who answered for the air.
     const bool errors = plan.errors != ErrorColumns::none;
     const irsg::RenderReport report =
-        errors ? source.beginMeasure({{scene.sensor.band}, false, false, true})().front()
-               : source.measure();
+        placed.render(door, Outputs::reports().withErrors(errors)).reports.front();
     irsg::addAnswer(data.answeredBy, report.answeredBy);
     warnings.addReport(report, data.settings[key::renderLayers]);
     const irsg::IntensitySpectrum spectrum =
-        errors ? source.measureSpectrumWithErrors(plan.wavenumbers_per_cm)
-               : source.measureSpectrum(plan.wavenumbers_per_cm);
+        placed.render(door, Outputs::spectrum(plan.wavenumbers_per_cm).withErrors(errors)).spectrum;
     for (const std::string& sentence : spectrum.warnings)
         warnings.add(sentence);
     table.addSpectrum(spectrum);
 }
 
 /// One case of a sweep, in every band.
-CaseRecord recordOf(const AnalysisData& data, const ImageSource::Reports& reports,
-                    const AnalysisCase& one, const Target& target, const SweepTable& table,
-                    CaseWarnings& warnings, std::string place) {
+CaseRecord recordOf(const AnalysisData& data, const Reports& reports, const AnalysisCase& one,
+                    const Target& target, const SweepTable& table, CaseWarnings& warnings,
+                    std::string place) {
     CaseRecord record{std::move(place), table.rowOf(one, reports), {}, {}};
     for (const irsg::RenderReport& report : reports) {
         irsg::addAnswer(record.answeredBy, report.answeredBy);
@@ -91,40 +89,13 @@ std::string caseName(const AnalysisPlan& plan, const AnalysisCase& one) {
     return fmt::format("{}: {}{}", name(plan.kind), axis, plan.place(one));
 }
 
-/// What a case set, and what is to be said of it.
-struct CaseSetUp {
-    const AnalysisCase* one = nullptr;
-    std::size_t number = 0;
-    std::vector<irsg::Pose> poses; ///< by entity
-    irsg::Viewpoint viewpoint;
-    std::vector<std::string> sentences;
-    std::function<ImageSource::Reports()> reports; ///< of a sweep: what was begun
+/// A case that is on its way.
+struct BegunCase {
+    const AnalysisCase* one;
+    std::size_t number;
+    PlacedCase placed;
+    std::optional<irsg::PendingRender> reports; ///< of a sweep
 };
-
-/// Sets a case; `inScene` is the target's pose there.
-CaseSetUp setUp(ImageSource& source, const SceneDescription& scene, const AnalysisCase& one,
-                const irsg::Pose& inScene, const std::vector<irsg::Vec3>& inModel) {
-    CaseSetUp set;
-    const irsg::Pose standing = one.standing(inScene);
-    set.one = &one;
-    for (const irsg::Entity& entity : scene.entities)
-        set.poses.push_back(entity.pose);
-    set.poses.front() = one.pose(standing, inModel.front());
-    source.setPose(0, set.poses.front());
-    set.viewpoint = one.viewpoint(standing.toWorld(inModel.front()));
-    source.setViewpoint(set.viewpoint);
-    for (std::size_t i = 0; i < scene.entities.size(); ++i) {
-        const irsg::Entity& entity = scene.entities[i];
-        const irsg::EntityState state = one.state(entity.state, scene.ownOf(i));
-        source.setState(i, state);
-        for (std::string& sentence :
-             clampedTableWarnings(entity, state, set.poses[i], set.poses[i].toWorld(inModel[i]),
-                                  set.viewpoint.position_m)) {
-            set.sentences.push_back(std::move(sentence));
-        }
-    }
-    return set;
-}
 
 /// Lets drawings serve all states of a sweep where these are few: those of a table.
 void shareDrawings(const AnalysisPlan& plan, SceneDescription& scene) {
@@ -146,27 +117,42 @@ void shareDrawings(const AnalysisPlan& plan, SceneDescription& scene) {
                 one->state(scene.entities[i].state, scene.ownOf(i)));
 }
 
-void addSetUp(const SceneDescription& scene, AnalysisKind kind, const std::string& place,
-              const CaseSetUp& set, CaseWarnings& warnings) {
+void addPlaced(AnalysisKind kind, const std::string& place, const PlacedCase& placed,
+               CaseWarnings& warnings) {
     warnings.beginCase(place);
     // An image shows what it cuts off; a plot does not.
     if (kind->form != AnalysisForm::image)
-        warnings.addObjectsBeyondFrame(scene, set.poses, set.viewpoint);
-    for (const std::string& sentence : set.sentences)
+        warnings.addObjectsBeyondFrame(placed.scene, placed.view);
+    for (const std::string& sentence : placed.clampedTables())
         warnings.add(sentence);
 }
 
 } // namespace
 
-AnalysisGenerator::AnalysisGenerator(ImageSource& source, SceneFactory scenes)
-    : source_(source), scenes_(std::move(scenes)) {}
+AnalysisGenerator::AnalysisGenerator(RenderDoor door, SceneFactory scenes)
+    : door_(std::move(door)), scenes_(std::move(scenes)) {}
 
 AnalysisPlan AnalysisGenerator::plan(const AnalysisData& data) const {
     return planAnalysis(data.kind, data.project, data.settings);
 }
 
-void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress,
-                            std::stop_token stop, StageTimer* timer, CaseStore* store) {
+PlacedCase AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress,
+                                  std::stop_token stop, StageTimer* timer, CaseStore* store) const {
+    // Everything that can be refused is looked at before the first drawing.
+    AnalysisPlan cases = plan(data);
+    SceneDescription scene;
+    {
+        const StageTimer::Scope scope(timer, "load");
+        scene = scenes_(data.project, data.settings);
+    }
+    return runAnalysis(data, std::move(cases), std::move(scene), door_,
+                       {progress, std::move(stop), timer, store});
+}
+
+PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan cases, SceneDescription scene,
+                       const RenderDoor& door, const RunControl& control) {
+    const ProgressCallback& progress = control.progress;
+    CaseStore* const store = control.store;
     const auto start = std::chrono::steady_clock::now();
     const auto elapsed_s = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -179,64 +165,50 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
     data.answeredBy.clear();
     data.warnings.clear();
 
-    // Everything that can be refused is looked at before the first drawing.
-    AnalysisPlan cases = plan(data);
-    SceneDescription scene;
+    // A case of a sweep has the same numbers whatever was before it, and those of an image.
+    scene.environment = irsg::onTheFly(scene.environment);
+    std::optional<CasePlacer> placer;
+    irsg::StageTimes before;
     {
-        const StageTimer::Scope scope(timer, "load");
-        scene = scenes_(data.project, data.settings);
-        // A case of a sweep has the same numbers whatever was before it, and those of an image.
-        scene.environment = irsg::onTheFly(scene.environment);
-    }
-    std::vector<irsg::Vec3> inModel;
-    {
-        const StageTimer::Scope scope(timer, "set up");
+        const StageTimer::Scope scope(control.timer, "set up");
         if (data.kind->form == AnalysisForm::sweep && data.settings[key::sensorMode] == "auto") {
             CalculationChoice choice = chooseCalculation(scene, cases);
-            scene.render.mode = choice.mode;
+            scene.settings.mode = choice.mode;
             if (!choice.reason.empty() && !data.settings[key::renderTargetError])
                 data.answeredBy.push_back(std::move(choice.reason));
         }
         if (data.kind->form == AnalysisForm::sweep)
             shareDrawings(cases, scene);
-        source_.configure(scene);
-        for (std::size_t i = 0; i < scene.entities.size(); ++i) {
-            data.databases.push_back(scene.entities[i].database);
-            inModel.push_back(source_.referencePointInModel(i));
-        }
-        data.renderer = source_.rendererDescription();
-        source_.resetStageTimes();
+        placer.emplace(door, scene);
+        for (const irsg::Entity& entity : scene.entities)
+            data.databases.push_back(entity.database);
+        data.renderer = door.description(scene);
+        before = door.stageTimes();
     }
     irsg::addNew(data.warnings, scene.remarks);
-    const irsg::Pose standing = scene.entities.front().pose;
-    const irsg::Vec3 referencePoint = standing.toWorld(inModel.front());
     SweepTable table(cases, scene, data.table);
     std::optional<AdaptiveSweep> adaptive;
     if (!cases.refined.empty())
         adaptive.emplace(cases, data.table);
 
     {
-        const SceneRestorer restore(source_, scene,
-                                    startingCase(data.settings).viewpoint(referencePoint));
         const Target target = [&] {
-            const StageTimer::Scope scope(timer, "choose");
+            const StageTimer::Scope scope(control.timer, "choose");
             if (progress && data.settings[key::renderTargetError])
                 progress({0, cases.cases.size(), elapsed_s(), name(data.kind) + ": target error"});
-            return SweepTarget::choose(
-                source_, scene, cases, data.settings,
-                [&](const AnalysisCase& one) { setUp(source_, scene, one, standing, inModel); });
+            return SweepTarget::choose(door, *placer, scene, cases, data.settings);
         }();
         if (target)
             irsg::addNew(data.answeredBy, target->choice().sentences);
-        const StageTimer::Scope scope(timer, "analyse");
+        const StageTimer::Scope scope(control.timer, "analyse");
         logInfo(cases.description);
         std::size_t done = 0;
         CaseWarnings warnings;
         // What stands in the data at any time is what is known by then: a window that does not wait
         // for a drawing takes it.
-        const std::vector<std::string> before = data.warnings;
+        const std::vector<std::string> ofLoading = data.warnings;
         const auto tellWarnings = [&] {
-            data.warnings = before;
+            data.warnings = ofLoading;
             irsg::addNew(data.warnings, warnings.sentences());
         };
         const auto take = [&](const CaseRecord& record) {
@@ -246,21 +218,22 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
             ++done;
         };
         // A case of a sweep is finished when the next one has been begun: drawing never waits.
-        std::optional<CaseSetUp> begun;
-        const auto finish = [&](const CaseSetUp& set) {
-            addSetUp(scene, data.kind, cases.place(*set.one), set, warnings);
-            if (data.kind->form == AnalysisForm::sweep) {
-                const CaseRecord record = recordOf(data, set.reports(), *set.one, target, table,
-                                                   warnings, cases.place(*set.one));
+        std::optional<BegunCase> begun;
+        const auto finish = [&](BegunCase one) {
+            const std::string place = cases.place(*one.one);
+            addPlaced(data.kind, place, one.placed, warnings);
+            if (one.reports) {
+                const CaseRecord record = recordOf(data, one.reports->get().reports, *one.one,
+                                                   target, table, warnings, place);
                 take(record);
                 if (store != nullptr)
-                    store->add(set.number, record);
+                    store->add(one.number, record);
                 return;
             }
             if (data.kind->form == AnalysisForm::image)
-                drawImage(data, scene, source_, cases, target, table, warnings);
+                drawImage(data, one.placed, door, cases, target, table, warnings);
             else
-                measureSpectrum(data, scene, source_, cases, table, warnings);
+                measureSpectrum(data, one.placed, door, cases, table, warnings);
             tellWarnings();
             ++done;
         };
@@ -297,26 +270,27 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
                 continue;
             if (progress)
                 progress({done + (begun ? 1 : 0), wanted, elapsed_s(), caseName(cases, one)});
-            if (stop.stop_requested())
+            if (control.stop.stop_requested())
                 break;
             logDebug(caseName(cases, one));
-            CaseSetUp set = setUp(source_, scene, one, standing, inModel);
-            set.number = i;
+            BegunCase next{&one, i, placer->place(scene, one), {}};
             if (data.kind->form != AnalysisForm::sweep) {
-                finish(set);
+                finish(std::move(next));
                 continue;
             }
             try {
-                set.reports =
-                    source_.beginMeasure({scene.allBands(), cases.isAlongRange, cases.withSource,
-                                          cases.errors != ErrorColumns::none});
+                next.reports = door.begin(next.placed.scene, next.placed.view,
+                                          Outputs::reports(scene.allBands())
+                                              .alongRange(cases.isAlongRange)
+                                              .withSource(cases.withSource)
+                                              .withErrors(cases.errors != ErrorColumns::none));
             } catch (...) {
                 finishBegun();
                 throw;
             }
             finishBegun();
-            begun = std::move(set);
-            if (!source_.drawsBeside())
+            begun = std::move(next);
+            if (!begun->reports->isDrawnBeside())
                 finishBegun();
         }
         finishBegun();
@@ -328,15 +302,16 @@ void AnalysisGenerator::run(AnalysisData& data, const ProgressCallback& progress
         if (done < wanted)
             data.warnings.push_back(fmt::format("stopped after {} of {} cases", done, wanted));
     }
-    if (timer != nullptr) {
+    if (control.timer != nullptr) {
         std::vector<StageTimer::Stage> parts;
-        for (const irsg::StageTimes::Stage& stage : source_.stageTimes().stages)
+        for (const irsg::StageTimes::Stage& stage : door.stageTimes().since(before).stages)
             parts.push_back({stage.name, stage.seconds, stage.calls});
-        timer->split("analyse", parts);
+        control.timer->split("analyse", parts);
     }
     data.elapsed_s = elapsed_s();
     summarise(data);
     writeProvenance(data, scene);
+    return placer->place(scene, cases.cases.front());
 }
 
 } // namespace smat

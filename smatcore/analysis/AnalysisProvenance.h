@@ -1,7 +1,7 @@
 #pragma once
 
 #include "smatcore/analysis/AnalysisData.h"
-#include "smatcore/data/ImageSource.h"
+#include "smatcore/data/SceneDescription.h"
 
 namespace smat {
 

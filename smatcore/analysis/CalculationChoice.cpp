@@ -87,8 +87,8 @@ std::size_t fewestToTrain(const SceneDescription& scene, const Training& compute
     const bool hasGases = !irsg::widebandSpectraOf(scene.entities).radiances.empty();
     const auto lines = std::max(1.0, static_cast<double>(linesOfPlan));
     double saved = lines;
-    if (scene.render.background == irsg::BackgroundMode::environment) {
-        const int rows = scene.render.backgroundRows;
+    if (scene.settings.background == irsg::BackgroundMode::environment) {
+        const int rows = scene.settings.backgroundRows;
         saved +=
             ofSky * static_cast<double>(skiesOf(plan, rows)) * (rows == 0 ? adaptiveRows : rows);
     }
@@ -111,7 +111,7 @@ CalculationChoice chooseCalculation(const SceneDescription& scene, const Analysi
     using irsg::CalculationMode;
     const std::vector<irsg::Band> bands = scene.allBands();
     if (!std::all_of(bands.begin(), bands.end(), [&](const irsg::Band& band) {
-            return irsg::hasWidebandAir(scene.environment, band, scene.render);
+            return irsg::hasWidebandAir(scene.environment, band, scene.settings);
         })) {
         return {};
     }

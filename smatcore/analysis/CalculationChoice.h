@@ -3,7 +3,7 @@
 #include <string>
 
 #include "smatcore/analysis/AnalysisPlan.h"
-#include "smatcore/data/ImageSource.h"
+#include "smatcore/data/SceneDescription.h"
 
 namespace smat {
 

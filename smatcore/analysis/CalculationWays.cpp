@@ -24,7 +24,7 @@ double partOf(double difference, double number) {
 
 SceneDescription CalculationWay::applied(const SceneDescription& scene) const {
     SceneDescription made = scene;
-    made.render = render;
+    made.settings = render;
     if (bins_per_cm > 0)
         made.environment = irsg::withBins(scene.environment, bins_per_cm);
     return made;
@@ -51,7 +51,7 @@ double modelledCost_s(double samples, const CalculationWay& way, const SceneDesc
                       double linesPerCase) {
     const double drawing_s = 2e-3 + 6e-8 * samples;
     double lines = 1.0;
-    if (scene.render.background == irsg::BackgroundMode::environment)
+    if (scene.settings.background == irsg::BackgroundMode::environment)
         lines += 0.3 * (way.render.backgroundRows == 0 ? 16 : way.render.backgroundRows);
     // Quadrature points by the error that they are trained to: about 20, 45 and 80 for 1, 0.3 and
     // 0.1 %.
@@ -72,13 +72,13 @@ bool hasBins(const SceneDescription& scene) {
     });
 }
 
-ProbedViews::ProbedViews(ImageSource& source, const SceneDescription& scene, std::size_t views,
-                         bool alongRange, std::function<void(std::size_t)> show)
-    : source_(source),
+ProbedViews::ProbedViews(RenderDoor door, const SceneDescription& scene, std::size_t views,
+                         bool alongRange, Place place)
+    : door_(std::move(door)),
       scene_(scene),
       views_(views),
       alongRange_(alongRange),
-      show_(std::move(show)) {}
+      place_(std::move(place)) {}
 
 std::vector<ProbedViews::Reports> ProbedViews::measured(const CalculationWay& way, bool errors) {
     return measured(std::vector<CalculationWay>{way}, errors).front();
@@ -87,16 +87,14 @@ std::vector<ProbedViews::Reports> ProbedViews::measured(const CalculationWay& wa
 std::vector<std::vector<ProbedViews::Reports>>
 ProbedViews::measured(const std::vector<CalculationWay>& ways, bool errors) {
     std::vector<std::vector<Reports>> all(ways.size());
+    const irsg::Outputs outputs =
+        irsg::Outputs::reports(scene_.allBands()).alongRange(alongRange_).withErrors(errors);
     std::vector<SceneDescription> scenes;
     for (const CalculationWay& way : ways)
         scenes.push_back(way.applied(scene_));
     for (std::size_t view = 0; view < views_; ++view)
-        for (std::size_t i = 0; i < ways.size(); ++i) {
-            source_.setView(scenes[i]);
-            show_(view);
-            all[i].push_back(
-                source_.beginMeasure({scene_.allBands(), alongRange_, false, errors})());
-        }
+        for (std::size_t i = 0; i < ways.size(); ++i)
+            all[i].push_back(place_(scenes[i], view).render(door_, outputs).reports);
     return all;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "smatcore/data/ImageSource.h"
+#include "smatcore/analysis/PlacedCase.h"
 
 namespace smat {
 
@@ -15,7 +15,7 @@ struct CalculationWay {
     irsg::RenderSettings render;
     int bins_per_cm = 0; ///< of computed air, 1, 5 or 15; 0: as it is
 
-    static CalculationWay of(const SceneDescription& scene) { return {scene.render, 0}; }
+    static CalculationWay of(const SceneDescription& scene) { return {scene.settings, 0}; }
     SceneDescription applied(const SceneDescription& scene) const;
     /// "windows of 256 samples a side, spectral in bins of 5 cm-1, background of 1 row". The air is
     /// told where there is some in `scene`, the background where the environment gives it.
@@ -44,16 +44,17 @@ struct StatedErrors {
 /// numbers of a view in a way are asked for once.
 class ProbedViews {
   public:
-    /// `show` sets view i of `views` in the source, in which the entities of the scene stand.
-    /// `alongRange`: they are of one line of sight (irsg::Wanted::alongRange).
-    ProbedViews(ImageSource& source, const SceneDescription& scene, std::size_t views,
-                bool alongRange, std::function<void(std::size_t)> show);
+    /// View i of `views` is what `place` makes of the scene, calculated in some way. `alongRange`:
+    /// they are of one line of sight (irsg::Outputs::Reports::alongRange).
+    using Place = std::function<PlacedCase(const SceneDescription& scene, std::size_t view)>;
+    ProbedViews(RenderDoor door, const SceneDescription& scene, std::size_t views, bool alongRange,
+                Place place);
 
     std::size_t count() const { return views_; }
     const SceneDescription& scene() const { return scene_; }
 
-    using Reports = ImageSource::Reports;
-    /// By view: a report for each band, with errors where `errors` and the source knows them.
+    using Reports = std::vector<irsg::RenderReport>;
+    /// By view: a report for each band, with errors where `errors` and the renderer knows them.
     std::vector<Reports> measured(const CalculationWay& way, bool errors);
     /// The same in several ways, view by view: ways of one view share its drawing. By way.
     std::vector<std::vector<Reports>> measured(const std::vector<CalculationWay>& ways,
@@ -71,11 +72,11 @@ class ProbedViews {
     static StatedErrors stated(const Reports& numbers, const std::vector<double>& leastContrasts);
 
   private:
-    ImageSource& source_;
+    RenderDoor door_;
     const SceneDescription& scene_;
     std::size_t views_;
     bool alongRange_;
-    std::function<void(std::size_t)> show_;
+    Place place_;
 };
 
 } // namespace smat

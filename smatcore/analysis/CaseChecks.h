@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "smatcore/data/ImageSource.h"
+#include "irsg/scene/Scene.h"
 
 namespace smat {
 

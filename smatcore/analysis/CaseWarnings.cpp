@@ -55,14 +55,12 @@ void CaseWarnings::addReport(const irsg::RenderReport& report, int layersKept) {
     }
 }
 
-void CaseWarnings::addObjectsBeyondFrame(const SceneDescription& scene,
-                                         const std::vector<irsg::Pose>& poses,
-                                         const irsg::Viewpoint& viewpoint) {
-    for (std::size_t i = 0; i < scene.entities.size(); ++i) {
-        if (reachesBeyondFrame(scene.entities[i], poses[i], viewpoint, scene.sensor)) {
+void CaseWarnings::addObjectsBeyondFrame(const irsg::Scene& scene, const irsg::SensorView& view) {
+    for (const irsg::Entity& entity : scene.entities) {
+        if (reachesBeyondFrame(entity, entity.pose, view.viewpoint, view.sensor)) {
             add(fmt::format("the bounding box of {} reaches beyond the frame; what lies outside is "
                             "not in the sums",
-                            scene.entities[i].name));
+                            entity.name));
         }
     }
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "irsg/render/values/RenderReport.h"
-#include "smatcore/data/ImageSource.h"
+#include "smatcore/data/SceneDescription.h"
 
 namespace smat {
 
@@ -38,8 +38,7 @@ class CaseWarnings {
     /// What a report and its numbers say.
     void addReport(const irsg::RenderReport& report, int layersKept);
     /// Objects of a scene that reach out of the frame, whose rest is not in the sums.
-    void addObjectsBeyondFrame(const SceneDescription& scene, const std::vector<irsg::Pose>& poses,
-                               const irsg::Viewpoint& viewpoint);
+    void addObjectsBeyondFrame(const irsg::Scene& scene, const irsg::SensorView& view);
 
     std::vector<std::string> sentences() const;
 

@@ -198,21 +198,21 @@ AnalysisKind Frontier::kind() {
 }
 
 std::vector<Frontier::Way> Frontier::waysOf(const SceneDescription& scene, bool wideband) {
-    std::vector<std::pair<irsg::CalculationMode, int>> airs = {{scene.render.mode, 0}};
-    if (hasBins(scene) && scene.render.mode == irsg::CalculationMode::spectral)
+    std::vector<std::pair<irsg::CalculationMode, int>> airs = {{scene.settings.mode, 0}};
+    if (hasBins(scene) && scene.settings.mode == irsg::CalculationMode::spectral)
         airs = {{irsg::CalculationMode::spectral, 15},
                 {irsg::CalculationMode::spectral, 5},
                 {irsg::CalculationMode::spectral, 1}};
     const std::vector<irsg::Band> bands = scene.allBands();
     if (wideband && std::ranges::all_of(bands, [&](const irsg::Band& band) {
-            return irsg::hasWidebandAir(scene.environment, band, scene.render);
+            return irsg::hasWidebandAir(scene.environment, band, scene.settings);
         }))
         airs.emplace_back(irsg::CalculationMode::wideband, 0);
-    std::vector<int> rows = {scene.render.backgroundRows};
-    if (scene.render.background == irsg::BackgroundMode::environment)
+    std::vector<int> rows = {scene.settings.backgroundRows};
+    if (scene.settings.background == irsg::BackgroundMode::environment)
         rows = {1, 0};
     std::vector<Way> ways;
-    for (const auto& [light, render] : lightsOf(scene.render))
+    for (const auto& [light, render] : lightsOf(scene.settings))
         for (int antialiasing = 0; antialiasing <= 5; ++antialiasing)
             for (const auto& [mode, bins_per_cm] : airs)
                 for (const int row : rows) {
@@ -237,10 +237,10 @@ std::string Frontier::optionWords(const Options& options) {
 Frontier::Size Frontier::sizeOf(const Project& project, const Settings& settings,
                                 const Options& options) {
     SceneDescription scene;
-    scene.render = renderSettingsOf(settings);
+    scene.settings = renderSettingsOf(settings);
     scene.environment = environmentOf(project, settings);
     scene.sensor = sensorOf(project, settings);
-    scene.bands = bandsOf(project, settings);
+    scene.setBands(bandsOf(project, settings));
     const std::vector<Way> ways = waysOf(scene, settings[key::sensorMode] == "auto");
     const Way base = baseOf(ways);
     Size size{ways.size(), 0, 0.0, 0.0};
@@ -289,33 +289,30 @@ CalculationWay Frontier::finest(const SceneDescription& scene) {
     way.render.zoomWindow = 2048;
     way.render.mode = irsg::CalculationMode::spectral;
     way.bins_per_cm = hasBins(scene) ? 1 : 0;
-    if (scene.render.background == irsg::BackgroundMode::environment)
+    if (scene.settings.background == irsg::BackgroundMode::environment)
         way.render.backgroundRows = 128;
     return way;
 }
 
-void Frontier::run(AnalysisData& data, ImageSource& source, const SceneFactory& scenes,
+void Frontier::run(AnalysisData& data, const RenderDoor& door, const SceneFactory& scenes,
                    const Options& options, const ProgressCallback& progress, std::stop_token stop) {
     const auto start = Clock::now();
     const SceneDescription scene = scenes(data.project, data.settings);
-    source.configure(scene);
+    const CasePlacer placer(door, scene);
     for (const irsg::Entity& entity : scene.entities)
         data.databases.push_back(entity.database);
-    data.renderer = source.rendererDescription();
+    data.renderer = door.description(scene);
     irsg::addNew(data.warnings, scene.remarks);
     const irsg::Vec3 reference =
-        scene.entities.front().pose.toWorld(source.referencePointInModel(0));
+        scene.entities.front().pose.toWorld(placer.referencePoints().front());
+    const auto places = CasePlacer::placesIn(scene);
     // Neither drawing nor line of sight is shared, and all else is alike.
-    const auto show = [&](std::size_t moved) {
+    const auto placed = [&](const SceneDescription& inSomeWay, std::size_t moved) {
         constexpr double step = 1e-4;
         AnalysisCase one = startingCase(data.settings);
         one.azimuth_rad += step * static_cast<double>(moved % 100);
         one.range_m *= 1.0 + step * static_cast<double>(moved % 100);
-        for (std::size_t i = 0; i < scene.entities.size(); ++i) {
-            source.setPose(i, scene.entities[i].pose);
-            source.setState(i, scene.entities[i].state);
-        }
-        source.setViewpoint(one.viewpoint(reference));
+        return placer.place(inSomeWay, places, one.viewpoint(reference));
     };
     const std::vector<Way> ways = waysOf(scene, data.settings[key::sensorMode] == "auto");
     std::size_t moved = 0;
@@ -331,7 +328,9 @@ void Frontier::run(AnalysisData& data, ImageSource& source, const SceneFactory& 
                       "cost-accuracy: " + what});
     };
     const auto measured = [&](const CalculationWay& way, std::size_t view) {
-        ProbedViews one(source, scene, 1, false, [&](std::size_t) { show(view); });
+        ProbedViews one(door, scene, 1, false, [&](const SceneDescription& inSomeWay, std::size_t) {
+            return placed(inSomeWay, view);
+        });
         return one.measured(way, true);
     };
     tell(0, "what all are held against");
@@ -351,11 +350,10 @@ void Frontier::run(AnalysisData& data, ImageSource& source, const SceneFactory& 
                   ProbedViews::stated(own).sum, std::numeric_limits<double>::infinity(),
                   milliseconds(Clock::now() - begin)};
         const SceneDescription asCalculated = way.applied(scene);
-        source.setView(asCalculated);
         for (std::size_t repeat = 0; repeat < options.repeats; ++repeat) {
-            show(++moved);
+            const PlacedCase next = placed(asCalculated, ++moved);
             const auto began = Clock::now();
-            (void)source.beginMeasure({scene.allBands(), false, false, false})();
+            (void)next.render(door, irsg::Outputs::reports(scene.allBands()));
             one.time_ms = std::min(one.time_ms, milliseconds(Clock::now() - began));
         }
         found.push_back(one);

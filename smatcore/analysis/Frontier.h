@@ -59,7 +59,7 @@ class Frontier {
     /// Draws the view of `data.settings` in all of them and fills the table, by ascending error.
     /// Says which way is the quickest whose true error is at most the target error of the settings,
     /// or 1 %. A stop leaves the ways that were done, marked partial.
-    static void run(AnalysisData& data, ImageSource& source, const SceneFactory& scenes,
+    static void run(AnalysisData& data, const RenderDoor& door, const SceneFactory& scenes,
                     const Options& options, const ProgressCallback& progress = {},
                     std::stop_token stop = {});
 };

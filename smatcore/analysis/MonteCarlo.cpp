@@ -26,9 +26,9 @@ namespace {
 /// One run, from the plan to the table.
 class Run {
   public:
-    Run(ImageSource& source, MonteCarloData& data, const ProgressCallback& progress,
+    Run(const RenderDoor& door, MonteCarloData& data, const ProgressCallback& progress,
         std::stop_token stop)
-        : source_(source), data_(data), progress_(progress), stop_(std::move(stop)) {}
+        : door_(door), data_(data), progress_(progress), stop_(std::move(stop)) {}
 
     void load(const SceneFactory& scenes) {
         data_.options.check();
@@ -37,9 +37,7 @@ class Run {
             throw monteCarloRefusal("analysis", analysis.name + ", an image",
                                     "a spectrum, polar, time or range analysis");
         }
-        analysis.settings.set(key::scalingUse, "false");
-        // Draws are of the cases that there are before any is drawn.
-        analysis.settings = withFixedSteps(analysis.kind, analysis.settings);
+        analysis.settings = MonteCarlo::settingsOf(analysis);
         plan_ = planAnalysis(analysis.kind, analysis.project, analysis.settings);
         if (!plan_.refined.empty())
             throw monteCarloRefusal(key::stepsOf(name(analysis.kind)), "adaptive",
@@ -65,7 +63,7 @@ class Run {
     }
 
     void drawViews() {
-        views_.emplace(source_, plan_, scene_, data_);
+        views_.emplace(door_, plan_, scene_, data_);
         views_->draw(
             [this](std::string what) {
                 say(std::move(what));
@@ -135,8 +133,7 @@ class Run {
     /// Case by case into the table.
     void goThrough(CaseStore& store) {
         AnalysisData& analysis = data_.analysis;
-        source_.configure(scene_);
-        analysis.renderer = source_.rendererDescription();
+        analysis.renderer = door_.description(scene_);
         const std::vector<irsg::Band> bands = scene_.allBands();
         data_.bands = bands.size() > 1 ? bandLabels(bands) : std::vector<std::string>{""};
         const MonteCarloAxis axis{plan_.coordinate};
@@ -189,7 +186,7 @@ class Run {
         one.seed = data_.seed;
         one.errors = data_.errors;
         const std::string place = single.place(single.cases.front());
-        MonteCarloViews views(source_, single, scene_, one);
+        MonteCarloViews views(door_, single, scene_, one);
         views.draw([&](const std::string& what) { say(place + ": " + what); }, stop_);
         if (stop_.stop_requested())
             return std::nullopt;
@@ -224,7 +221,7 @@ class Run {
     }
 
   private:
-    ImageSource& source_;
+    const RenderDoor& door_;
     MonteCarloData& data_;
     const ProgressCallback& progress_;
     std::stop_token stop_;
@@ -247,8 +244,14 @@ irsg::InputError monteCarloRefusal(std::string position, std::string value, std:
                              .expected = std::move(expected)});
 }
 
-MonteCarlo::MonteCarlo(ImageSource& source, SceneFactory scenes)
-    : source_(source), scenes_(std::move(scenes)) {}
+MonteCarlo::MonteCarlo(RenderDoor door, SceneFactory scenes)
+    : door_(std::move(door)), scenes_(std::move(scenes)) {}
+
+Settings MonteCarlo::settingsOf(const AnalysisData& analysis) {
+    Settings settings = withFixedSteps(analysis.kind, analysis.settings);
+    settings.set(key::scalingUse, "false");
+    return settings;
+}
 
 namespace {
 
@@ -270,7 +273,7 @@ void MonteCarlo::run(MonteCarloData& data, CaseStore& store, const ProgressCallb
                      std::stop_token stop, StageTimer* timer) {
     MonteCarloData fresh = asked(data);
     fresh.analysis.state = AnalysisState::partial;
-    Run run(source_, fresh, progress, stop);
+    Run run(door_, fresh, progress, stop);
     {
         const StageTimer::Scope scope(timer, "load");
         run.refuseWhatIsOfAll();
@@ -289,7 +292,7 @@ void MonteCarlo::run(MonteCarloData& data, CaseStore& store, const ProgressCallb
 void MonteCarlo::run(MonteCarloData& data, const ProgressCallback& progress, std::stop_token stop,
                      StageTimer* timer) {
     MonteCarloData fresh = asked(data);
-    Run run(source_, fresh, progress, stop);
+    Run run(door_, fresh, progress, stop);
     {
         const StageTimer::Scope scope(timer, "load");
         run.load(scenes_);

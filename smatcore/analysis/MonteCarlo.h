@@ -17,12 +17,15 @@ irsg::InputError monteCarloRefusal(std::string position, std::string value, std:
 /// is drawn once per case and the air asked once; a draw is a few sums (irsg::ScaledView).
 class MonteCarlo {
   public:
-    MonteCarlo(ImageSource& source, SceneFactory scenes);
+    MonteCarlo(RenderDoor door, SceneFactory scenes);
+
+    /// Those of an analysis as its draws are made with: without scales of loading, and with fixed
+    /// steps, as draws are of the cases that there are before any is drawn.
+    static Settings settingsOf(const AnalysisData& analysis);
 
     /// Fills in the results. A stop keeps the cases and draws there are, at least 256 draws once a
-    /// case is drawn, and marks them `partial`. Target and viewpoint are put back. Throws
-    /// InputError: options that cannot be, an image analysis, no scaling files, no scale that
-    /// varies, more than 5e7 values.
+    /// case is drawn, and marks them `partial`. Throws InputError: options that cannot be, an image
+    /// analysis, no scaling files, no scale that varies, more than 5e7 values.
     void run(MonteCarloData& data, const ProgressCallback& progress = {}, std::stop_token stop = {},
              StageTimer* timer = nullptr);
     /// The same case by case, for runs in parts: each is drawn and goes through all draws before
@@ -33,7 +36,7 @@ class MonteCarlo {
              std::stop_token stop = {}, StageTimer* timer = nullptr);
 
   private:
-    ImageSource& source_;
+    RenderDoor door_;
     SceneFactory scenes_;
 };
 

@@ -1,14 +1,13 @@
 #include "smatcore/analysis/MonteCarloViews.h"
 
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "irsg/atmosphere/NearestRun.h"
 #include "irsg/core/NewLines.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
-#include "smatcore/analysis/CaseChecks.h"
-#include "smatcore/analysis/SceneRestorer.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
 
@@ -16,6 +15,7 @@ namespace smat {
 
 namespace {
 
+using irsg::Outputs;
 using Asked = MonteCarloOptions::Quantity;
 
 /// The camera turned by a part of a pixel, another one for every phase.
@@ -58,16 +58,8 @@ const std::vector<double>& column(const irsg::IntensitySpectrum& spectrum, Asked
 
 void MonteCarloViews::draw(const Telling& tell, const std::stop_token& stop) {
     AnalysisData& analysis = data_.analysis;
-    source_.configure(scene_);
-    std::vector<irsg::Vec3> inModel;
-    for (std::size_t i = 0; i < scene_.entities.size(); ++i)
-        inModel.push_back(source_.referencePointInModel(i));
-    analysis.renderer = source_.rendererDescription();
-    source_.resetStageTimes();
-    const irsg::Pose inScene = scene_.entities.front().pose;
-    const irsg::Vec3 referencePoint = inScene.toWorld(inModel.front());
-    const SceneRestorer restore(source_, scene_,
-                                startingCase(analysis.settings).viewpoint(referencePoint));
+    const CasePlacer placer(door_, scene_);
+    analysis.renderer = door_.description(scene_);
 
     data_.bands = bands_.size() > 1 ? bandLabels(bands_) : std::vector<std::string>{""};
     nominal_.resize(bands_.size());
@@ -77,23 +69,11 @@ void MonteCarloViews::draw(const Telling& tell, const std::stop_token& stop) {
         if (!views_.empty() && stop.stop_requested())
             break;
         warnings_.beginCase(plan_.place(one));
-        std::vector<irsg::Pose> poses;
-        for (const irsg::Entity& entity : scene_.entities)
-            poses.push_back(entity.pose);
-        const irsg::Pose standing = one.standing(inScene);
-        poses.front() = one.pose(standing, inModel.front());
-        const irsg::Viewpoint viewpoint = one.viewpoint(standing.toWorld(inModel.front()));
-        source_.setPose(0, poses.front());
-        warnings_.addObjectsBeyondFrame(scene_, poses, viewpoint);
-        for (std::size_t i = 0; i < scene_.entities.size(); ++i) {
-            const irsg::EntityState state = one.state(scene_.entities[i].state, scene_.ownOf(i));
-            source_.setState(i, state);
-            for (const std::string& sentence :
-                 clampedTableWarnings(scene_.entities[i], state, poses[i],
-                                      poses[i].toWorld(inModel[i]), viewpoint.position_m))
-                warnings_.add(sentence);
-        }
-        drawPhases(one, viewpoint, tell, stop);
+        PlacedCase placed = placer.place(scene_, one);
+        warnings_.addObjectsBeyondFrame(placed.scene, placed.view);
+        for (const std::string& sentence : placed.clampedTables())
+            warnings_.add(sentence);
+        drawPhases(one, std::move(placed), tell, stop);
     }
     irsg::addNew(analysis.warnings, warnings_.sentences());
     for (std::size_t band = 0; band < bands_.size(); ++band) {
@@ -110,10 +90,12 @@ void MonteCarloViews::draw(const Telling& tell, const std::stop_token& stop) {
             fmt::format("stopped after {} of {} cases", views_.size(), plan_.cases.size()));
 }
 
-MonteCarloViews::Drawing MonteCarloViews::drawOne(const AnalysisCase& one, bool isInPlace) {
+MonteCarloViews::Drawing MonteCarloViews::drawOne(const AnalysisCase& one, const PlacedCase& placed,
+                                                  bool isInPlace) {
     const Asked asked = data_.options.quantity;
     if (plan_.kind->form == AnalysisForm::spectrum) {
-        const irsg::IntensitySpectrum spectrum = source_.measureSpectrum(plan_.wavenumbers_per_cm);
+        const irsg::IntensitySpectrum spectrum =
+            placed.render(door_, Outputs::spectrum(plan_.wavenumbers_per_cm)).spectrum;
         if (isInPlace)
             for (const std::string& sentence : spectrum.warnings)
                 warnings_.add(sentence);
@@ -121,9 +103,9 @@ MonteCarloViews::Drawing MonteCarloViews::drawOne(const AnalysisCase& one, bool 
     }
     Drawing drawing{{one.coordinate}, {}, {}, {}};
     const bool withErrors = isInPlace && data_.errors != ErrorColumns::none;
-    for (const irsg::RenderReport& report :
-         withErrors ? source_.beginMeasure({bands_, false, false, true})()
-                    : source_.measure(bands_)) {
+    const irsg::Rendered rendered =
+        placed.render(door_, Outputs::reports(bands_).withErrors(withErrors));
+    for (const irsg::RenderReport& report : rendered.reports) {
         drawing.values.push_back({numberOf(report.all, asked)});
         irsg::addAnswer(drawing.answeredBy, report.answeredBy);
         if (isInPlace)
@@ -134,18 +116,19 @@ MonteCarloViews::Drawing MonteCarloViews::drawOne(const AnalysisCase& one, bool 
     return drawing;
 }
 
-void MonteCarloViews::drawPhases(const AnalysisCase& one, const irsg::Viewpoint& viewpoint,
-                                 const Telling& tell, const std::stop_token& stop) {
+void MonteCarloViews::drawPhases(const AnalysisCase& one, PlacedCase placed, const Telling& tell,
+                                 const std::stop_token& stop) {
     const auto append = [](std::vector<double>& all, const std::vector<double>& more) {
         all.insert(all.end(), more.begin(), more.end());
     };
     std::vector<Drawing> atPhases;
+    const irsg::Viewpoint viewpoint = placed.view.viewpoint;
     const std::size_t caseNumber = views_.size() + 1;
     for (int phase = 0; phase < data_.options.subpixelShifts; ++phase) {
         tell(fmt::format("case {} of {}, phase {} of {}", caseNumber, plan_.cases.size(), phase + 1,
                          data_.options.subpixelShifts));
-        source_.setViewpoint(phase == 0 ? viewpoint : atPhase(viewpoint, scene_.sensor, phase));
-        Drawing drawing = drawOne(one, phase == 0);
+        placed.view.viewpoint = phase == 0 ? viewpoint : atPhase(viewpoint, scene_.sensor, phase);
+        Drawing drawing = drawOne(one, placed, phase == 0);
         if (phase == 0) {
             append(data_.abscissae, drawing.abscissae);
             for (std::size_t band = 0; band < bands_.size(); ++band)
@@ -156,11 +139,12 @@ void MonteCarloViews::drawPhases(const AnalysisCase& one, const irsg::Viewpoint&
             std::vector<irsg::ScalingInput> inputs;
             for (const SceneScaling& scaling : data_.scalings)
                 inputs.push_back(scaling.input);
-            if (plan_.kind->form == AnalysisForm::spectrum)
-                views_.emplace_back().push_back(
-                    source_.scaledView(inputs, plan_.wavenumbers_per_cm));
-            else
-                views_.push_back(source_.scaledViews(inputs, bands_));
+            const bool isSpectrum = plan_.kind->form == AnalysisForm::spectrum;
+            views_.push_back(placed
+                                 .render(door_, isSpectrum ? Outputs::scaledSpectrum(
+                                                                 inputs, plan_.wavenumbers_per_cm)
+                                                           : Outputs::scaledView(inputs, bands_))
+                                 .scaled);
         }
         atPhases.push_back(std::move(drawing));
         if (stop.stop_requested())

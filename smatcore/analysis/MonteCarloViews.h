@@ -9,6 +9,7 @@
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/CaseWarnings.h"
 #include "smatcore/analysis/MonteCarloData.h"
+#include "smatcore/analysis/PlacedCase.h"
 
 namespace smat {
 
@@ -19,13 +20,12 @@ class MonteCarloViews {
     using Telling = std::function<void(std::string)>;
 
     /// All must outlive it.
-    MonteCarloViews(ImageSource& source, const AnalysisPlan& plan, const SceneDescription& scene,
+    MonteCarloViews(const RenderDoor& door, const AnalysisPlan& plan, const SceneDescription& scene,
                     MonteCarloData& data)
-        : source_(source), plan_(plan), scene_(scene), data_(data) {}
+        : door_(door), plan_(plan), scene_(scene), data_(data) {}
 
-    /// Draws the cases and, for the numerical error, their subpixel shifts; puts target and
-    /// viewpoint back. Abscissae, nominal values, numerical errors and warnings go to the data. A
-    /// stop ends it after the first drawing.
+    /// Draws the cases and, for the numerical error, their subpixel shifts. Abscissae, nominal values,
+    /// numerical errors and warnings go to the data. A stop ends it after the first drawing.
     void draw(const Telling& tell, const std::stop_token& stop);
     /// What the last case warns of.
     const std::vector<CaseRemark>& remarks() const { return warnings_.remarks(); }
@@ -46,12 +46,12 @@ class MonteCarloViews {
         std::vector<irsg::ErrorParts> errors; ///< by band, of the case in its own place
     };
     /// In its own place, whose warnings and errors count, or at a phase.
-    Drawing drawOne(const AnalysisCase& one, bool isInPlace);
-    void drawPhases(const AnalysisCase& one, const irsg::Viewpoint& viewpoint, const Telling& tell,
+    Drawing drawOne(const AnalysisCase& one, const PlacedCase& placed, bool isInPlace);
+    void drawPhases(const AnalysisCase& one, PlacedCase placed, const Telling& tell,
                     const std::stop_token& stop);
     void addNumericalError(const std::vector<Drawing>& atPhases);
 
-    ImageSource& source_;
+    const RenderDoor& door_;
     const AnalysisPlan& plan_;
     const SceneDescription& scene_;
     MonteCarloData& data_;

@@ -21,8 +21,8 @@ SceneBuilder::DatabaseOverrides databasesOf(const AnalysisData& data) {
 } // namespace
 
 PixelExplainer::PixelExplainer(AnalysisData image, SceneBuilder::ModelLoader models,
-                               std::unique_ptr<ImageSource> source, StageTimer* timer)
-    : data_(std::move(image)), source_(source ? std::move(source) : makeIrsgImageSource()) {
+                               RenderDoor door, StageTimer* timer)
+    : data_(std::move(image)), door_(door.isOpen() ? std::move(door) : openRenderDoor()) {
     data_.settings.set(key::imageQuantity, "radiance");
     if (bandsOf(data_.project, data_.settings).size() > 1)
         throw irsg::InputError({.file = "",
@@ -31,15 +31,16 @@ PixelExplainer::PixelExplainer(AnalysisData image, SceneBuilder::ModelLoader mod
                                 .expected = "one band: a pixel has terms for each"});
     SceneBuilder builder(std::move(models));
     builder.setDatabaseOverrides(databasesOf(data_));
-    AnalysisGenerator(*source_, [&](const Project& project, const Settings& settings) {
-        return builder.build(project, settings);
-    }).run(data_, {}, {}, timer);
+    const PlacedCase drawn =
+        AnalysisGenerator(door_, [&](const Project& project, const Settings& settings) {
+            return builder.build(project, settings);
+        }).run(data_, {}, {}, timer);
     const StageTimer::Scope ready(timer, "make ready to explain");
-    explain_ = source_->explainer();
+    explain_ = door_.explainer(drawn.scene, drawn.view);
 }
 
 PixelExplainer::~PixelExplainer() {
-    explain_ = nullptr; // before its source
+    explain_ = nullptr; // before its door
 }
 
 ExplainedPixel PixelExplainer::explain(int x, int y) {

@@ -1,12 +1,11 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <mutex>
 
 #include "smatcore/analysis/AnalysisData.h"
 #include "smatcore/analysis/PixelText.h"
-#include "smatcore/data/ImageSource.h"
+#include "smatcore/data/RenderDoor.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat {
@@ -17,11 +16,11 @@ namespace smat {
 class PixelExplainer {
   public:
     /// `image` is an analysis of the form image with what it is asked; what came out of it is not
-    /// used, but for the databases as they were. `models` and `source` stand in for the usual ones
+    /// used, but for the databases as they were. `models` and `door` stand in for the usual ones
     /// where they are given. Throws InputError for several bands, where this build has no rays, and
     /// as AnalysisGenerator::run does.
     explicit PixelExplainer(AnalysisData image, SceneBuilder::ModelLoader models = {},
-                            std::unique_ptr<ImageSource> source = {}, StageTimer* timer = nullptr);
+                            RenderDoor door = {}, StageTimer* timer = nullptr);
     ~PixelExplainer();
     PixelExplainer(const PixelExplainer&) = delete;
     PixelExplainer& operator=(const PixelExplainer&) = delete;
@@ -34,8 +33,8 @@ class PixelExplainer {
   private:
     AnalysisData data_;
     std::mutex mutex_;
-    std::unique_ptr<ImageSource> source_;
-    std::function<irsg::PixelExplanation(int x, int y)> explain_; ///< of the source
+    RenderDoor door_;
+    std::function<irsg::PixelExplanation(int x, int y)> explain_; ///< of the door
 };
 
 } // namespace smat

@@ -5,8 +5,8 @@
 
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
-#include "smatcore/data/ImageSource.h"
 #include "smatcore/data/ResultTable.h"
+#include "smatcore/data/SceneDescription.h"
 
 namespace smat {
 

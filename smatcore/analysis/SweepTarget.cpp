@@ -9,10 +9,9 @@
 
 namespace smat {
 
-std::optional<SweepTarget>
-SweepTarget::choose(ImageSource& source, SceneDescription& scene, const AnalysisPlan& plan,
-                    const Settings& settings,
-                    const std::function<void(const AnalysisCase&)>& show) {
+std::optional<SweepTarget> SweepTarget::choose(const RenderDoor& door, const CasePlacer& placer,
+                                               SceneDescription& scene, const AnalysisPlan& plan,
+                                               const Settings& settings) {
     const std::optional<double> target_percent = settings[key::renderTargetError];
     if (!target_percent || plan.kind->form == AnalysisForm::spectrum)
         return std::nullopt;
@@ -21,20 +20,22 @@ SweepTarget::choose(ImageSource& source, SceneDescription& scene, const Analysis
     if (mode == "auto") {
         use.mayTrain = plan.kind->form == AnalysisForm::sweep &&
                        chooseCalculation(scene, plan).mode == irsg::CalculationMode::wideband;
-        scene.render.mode = irsg::CalculationMode::spectral;
+        scene.settings.mode = irsg::CalculationMode::spectral;
     }
     const std::vector<std::size_t> probed = probedCases(plan.cases.size());
-    ProbedViews views(source, scene, probed.size(), plan.isAlongRange,
-                      [&](std::size_t i) { show(plan.cases[probed[i]]); });
+    ProbedViews views(door, scene, probed.size(), plan.isAlongRange,
+                      [&](const SceneDescription& inSomeWay, std::size_t i) {
+                          return placer.place(inSomeWay, plan.cases[probed[i]]);
+                      });
     SweepTarget made;
     made.target_ = 0.01 * *target_percent;
     made.choice_ = chooseForTarget(views, made.target_, use);
     scene = made.choice_.way.applied(scene);
-    source.setView(scene);
     return made;
 }
 
-void SweepTarget::check(const ImageSource::Reports& reports, CaseWarnings& warnings) const {
+void SweepTarget::check(const std::vector<irsg::RenderReport>& reports,
+                        CaseWarnings& warnings) const {
     const auto bands = static_cast<std::ptrdiff_t>(choice_.leastContrasts_W_sr.size());
     const double error =
         choice_.skipped +

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,15 +14,15 @@ namespace smat {
 /// which cases miss it.
 class SweepTarget {
   public:
-    /// Chooses by a few of the plan's cases, which `show` sets in the source, and changes `scene`
-    /// and the source's view of it. Nothing where there is no target, or none of a spectrum.
-    static std::optional<SweepTarget> choose(ImageSource& source, SceneDescription& scene,
-                                             const AnalysisPlan& plan, const Settings& settings,
-                                             const std::function<void(const AnalysisCase&)>& show);
+    /// Chooses by a few of the plan's cases, and changes how `scene` is calculated. Nothing where
+    /// there is no target, or none of a spectrum.
+    static std::optional<SweepTarget> choose(const RenderDoor& door, const CasePlacer& placer,
+                                             SceneDescription& scene, const AnalysisPlan& plan,
+                                             const Settings& settings);
 
     const TargetChoice& choice() const { return choice_; }
     /// Remarks on a case whose errors are larger than the target.
-    void check(const ImageSource::Reports& reports, CaseWarnings& warnings) const;
+    void check(const std::vector<irsg::RenderReport>& reports, CaseWarnings& warnings) const;
 
   private:
     double target_ = 0.0;

@@ -49,9 +49,9 @@ SceneDescription SceneBuilder::build(const Project& project, const Settings& set
     });
     collect(diagnostics, [&] {
         scene.sensor = sensorOf(project, settings);
-        scene.bands = bandsOf(project, settings);
+        scene.setBands(bandsOf(project, settings));
     });
-    scene.render = renderSettingsOf(settings);
+    scene.settings = renderSettingsOf(settings);
     collect(diagnostics, [&] { scene.skybox = skybox(project, settings); });
     collect(diagnostics, [&] {
         scene.terrain = terrain(project, settings);

@@ -9,7 +9,7 @@
 
 #include "irsg/core/FileStamp.h"
 #include "irsg/geometry/model/ModelCodes.h"
-#include "smatcore/data/ImageSource.h"
+#include "smatcore/data/SceneDescription.h"
 #include "smatcore/project/Project.h"
 
 namespace smat {

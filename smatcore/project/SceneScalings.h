@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "irsg/radiance/ScaledView.h"
-#include "smatcore/data/ImageSource.h"
 #include "smatcore/data/Provenance.h"
+#include "smatcore/data/SceneDescription.h"
 #include "smatcore/project/Project.h"
 
 namespace smat {

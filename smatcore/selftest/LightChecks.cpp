@@ -12,7 +12,7 @@ namespace smat::selftest {
 namespace {
 
 using namespace irsg::reference;
-using irsg::Irsg;
+using irsg::InteractiveRenderer;
 
 void needRays() {
     if (!irsg::areRaysBuilt())
@@ -34,13 +34,14 @@ irsg::RenderSettings lit(int bounces) {
 /// Inside a closed grey box of one temperature, everything is black.
 SelfTestValue enclosure(SelfTestBench& bench) {
     needRays();
-    Irsg& irsg = bench.irsg();
+    InteractiveRenderer& irsg = bench.irsg();
     irsg::RenderSettings settings = lit(irsg::convergedBounces);
     settings.zoomWindow = 0;
     settings.samplesPerAxis = 1;
-    irsg.setSettings(settings);
-    irsg.setEntities({entityOf(modelOf(boxMesh({2, 3, 1}, std::vector<irsg::IrCodes>(6, {1, 1}))),
-                               greyDatabase(0.4, 350.0))});
+    irsg.scene.settings = settings;
+    irsg.scene.entities = {
+        entityOf(modelOf(boxMesh({2, 3, 1}, std::vector<irsg::IrCodes>(6, {1, 1}))),
+                 greyDatabase(0.4, 350.0))};
     look(irsg, {.range_m = 0.5, .width_px = 16, .height_px = 16, .fieldOfView_rad = 1.2});
     const irsg::RadianceImage image = irsg.picture();
     const double black = irsg::bandRadiance_W_m2_sr(band, 350.0);
@@ -54,10 +55,10 @@ SelfTestValue enclosure(SelfTestBench& bench) {
 /// of a hot one: F = 0.20004 (Howell, C-14, h = w = 1).
 SelfTestValue perpendicularSquares(SelfTestBench& bench) {
     needRays();
-    Irsg& irsg = bench.irsg();
+    InteractiveRenderer& irsg = bench.irsg();
     irsg::RenderSettings settings = lit(1);
     settings.lightError = 5e-4;
-    irsg.setSettings(settings);
+    irsg.scene.settings = settings;
     irsg::SignatureDatabase database = greyDatabase(1.0, 600.0);
     database.temperatures[2] = fixedTemperature(20.0);
     database.materials[2] = greyMaterial(0.5);
@@ -65,7 +66,7 @@ SelfTestValue perpendicularSquares(SelfTestBench& bench) {
     // with it the cold one alone is seen.
     const Mesh hot = oneSidedPlate({0, 0.5, 0}, {0.5, 0, 0}, {0, 0.5, 0}, {1, 1});
     const Mesh cold = oneSidedPlate({0, 0, 0.5}, {-0.5, 0, 0}, {0, 0, 0.5}, {2, 2});
-    irsg.setEntities({entityOf(modelOf(joined(hot, cold)), database)});
+    irsg.scene.entities = {entityOf(modelOf(joined(hot, cold)), database)};
     look(irsg, {.range_m = 5000.0, .fieldOfView_rad = 1e-3});
     const double logs = std::log(4.0 / 3.0) + 2.0 * std::log(3.0 / 4.0);
     const double factor =
@@ -79,20 +80,20 @@ SelfTestValue perpendicularSquares(SelfTestBench& bench) {
 /// less the shadow and less what the plate hides, each as large as the plate, which do not meet.
 SelfTestValue shadow(SelfTestBench& bench) {
     needRays();
-    Irsg& irsg = bench.irsg();
+    InteractiveRenderer& irsg = bench.irsg();
     ConstantAir air;
     air.sunValue = 100.0;
     const irsg::SunPosition sun{0.8, irsg::radians(40.0)};
-    irsg.setEnvironment(environmentOf(air, sun));
+    irsg.scene.environment = environmentOf(air, sun);
     irsg::RenderSettings settings = lit(0);
     settings.sunShadows = irsg::SunShadowMode::point;
-    irsg.setSettings(settings);
+    irsg.scene.settings = settings;
     irsg::SignatureDatabase database = greyDatabase(0.8, 20.0);
     database.temperatures[2] = fixedTemperature(20.0);
     database.materials[2] = greyMaterial(1.0);
     const Mesh floor = oneSidedPlate({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {1, 1});
     const Mesh roof = plateMesh({0, 0, 1.0}, {0.5, 0, 0}, {0, 0.5, 0}, {2, 2});
-    irsg.setEntities({entityOf(modelOf(joined(floor, roof)), database)});
+    irsg.scene.entities = {entityOf(modelOf(joined(floor, roof)), database)};
     look(irsg, {.range_m = 5000.0,
                 .azimuth_rad = 0.8 + irsg::pi,
                 .elevation_rad = irsg::radians(60.0),

@@ -11,7 +11,8 @@ namespace smat::selftest {
 namespace {
 
 using namespace irsg::reference;
-using irsg::Irsg;
+using irsg::InteractiveRenderer;
+using irsg::Outputs;
 using irsg::Vec3;
 
 constexpr double pixel_rad = 1e-4;
@@ -35,14 +36,14 @@ struct Way {
 /// pixels wide, at 8 x 8 places among them that are irrational to every lattice.
 double rms(SelfTestBench& bench, const Mesh& mesh, double size_px, double roll_rad,
            const Way& way = {}) {
-    Irsg& irsg = bench.irsg();
+    InteractiveRenderer& irsg = bench.irsg();
     irsg::RenderSettings settings;
     settings.zoomWindow = way.zoomWindow;
     settings.samplesPerAxis = way.samplesPerAxis;
     settings.zoomStrategy = way.zoom;
     settings.pointSourceBelow_px = 0.0;
-    irsg.setSettings(settings);
-    irsg.setEntities({entityOf(modelOf(mesh), greyDatabase(0.9, 320.0))});
+    irsg.scene.settings = settings;
+    irsg.scene.entities = {entityOf(modelOf(mesh), greyDatabase(0.9, 320.0))};
     const int frame_px = static_cast<int>(std::ceil(1.5 * size_px)) + 6;
     const double range_m = 2.0 / (size_px * pixel_rad);
     look(irsg, {.range_m = range_m,
@@ -53,13 +54,13 @@ double rms(SelfTestBench& bench, const Mesh& mesh, double size_px, double roll_r
     double squares = 0.0;
     for (int i = 0; i < 8; ++i) {
         for (int j = 0; j < 8; ++j) {
-            const irsg::Viewpoint& camera = irsg.viewpoint();
+            const irsg::Viewpoint& camera = irsg.view.viewpoint;
             const double step_m = pixel_rad * range_m;
             irsg::Pose pose{{0, 0, standingAltitude_m}, attitude};
             pose.position_m = pose.position_m +
                               camera.right * (std::fmod(i * 0.61803398875 + 0.1, 1.0) * step_m) +
                               camera.up * (std::fmod(j * 0.41421356237 + 0.3, 1.0) * step_m);
-            irsg.setPose(0, pose);
+            irsg.scene.entities[0].pose = pose;
             const Vec3 away = camera.position_m - pose.position_m;
             const Vec3 from = attitude.rotation().transposed() * away;
             const double truth = grey_W_m2_sr() * convexSolidAngle_sr(mesh, from) * dot(away, away);
@@ -86,14 +87,14 @@ SelfTestCheck rmsCheck(const std::string& name, const std::string& says, double 
 
 /// A curve over range from a few drawings, against the solid angle at each range.
 SelfTestValue rangeCurve(SelfTestBench& bench) {
-    Irsg& irsg = bench.irsg();
-    irsg.setEntities({entityOf(modelOf(fineBall()), greyDatabase(0.9, 320.0))});
+    InteractiveRenderer& irsg = bench.irsg();
+    irsg.scene.entities = {entityOf(modelOf(fineBall()), greyDatabase(0.9, 320.0))};
     Farthest farthest;
     for (const double range_m : {300.0, 500.0, 900.0, 2000.0, 7000.0}) {
         look(irsg, {.range_m = range_m, .fieldOfView_rad = 0.009});
-        farthest.add(irsg.measureAlongRange({band}).front().all.intensity_W_sr,
-                     grey_W_m2_sr() * convexSolidAngle_sr(fineBall(), {0, range_m, 0}) * range_m *
-                         range_m);
+        farthest.add(
+            irsg.render(Outputs::reports({band}).alongRange()).reports.front().all.intensity_W_sr,
+            grey_W_m2_sr() * convexSolidAngle_sr(fineBall(), {0, range_m, 0}) * range_m * range_m);
     }
     return farthest.found();
 }

@@ -13,7 +13,7 @@ namespace smat::selftest {
 namespace {
 
 using namespace irsg::reference;
-using irsg::Irsg;
+using irsg::InteractiveRenderer;
 using irsg::Vec3;
 
 Mesh ball() {
@@ -21,9 +21,9 @@ Mesh ball() {
 }
 
 /// A grey ball in the dark, to be looked at.
-Irsg& withBall(SelfTestBench& bench) {
-    Irsg& irsg = bench.irsg();
-    irsg.setEntities({entityOf(modelOf(ball()), greyDatabase(0.9, 320.0))});
+InteractiveRenderer& withBall(SelfTestBench& bench) {
+    InteractiveRenderer& irsg = bench.irsg();
+    irsg.scene.entities = {entityOf(modelOf(ball()), greyDatabase(0.9, 320.0))};
     look(irsg, {});
     return irsg;
 }
@@ -65,13 +65,13 @@ SelfTestValue againstRays(SelfTestBench& bench) {
         terms.nAngleFactor = s.n;
         rays.surfaces.push_back(terms);
     }
-    Irsg& irsg = bench.irsg();
-    irsg.setEnvironment(brightAir());
+    InteractiveRenderer& irsg = bench.irsg();
+    irsg.scene.environment = brightAir();
     irsg::RenderSettings settings;
     settings.zoomWindow = 0;
     settings.samplesPerAxis = 1;
-    irsg.setSettings(settings);
-    irsg.setEntities({entityOf(modelOf(mesh), database)});
+    irsg.scene.settings = settings;
+    irsg.scene.entities = {entityOf(modelOf(mesh), database)};
     look(irsg, {.azimuth_rad = 0.7,
                 .elevation_rad = 0.4,
                 .width_px = 96,
@@ -81,13 +81,13 @@ SelfTestValue againstRays(SelfTestBench& bench) {
     for (Triangle& triangle : rays.mesh)
         for (Vec3& vertex : triangle.vertex)
             vertex.z += standingAltitude_m;
-    const auto& sun = irsg.environment().sun;
+    const auto& sun = irsg.scene.environment.sun;
     rays.sunDirection = {std::sin(sun.azimuth_rad) * std::cos(sun.elevation_rad),
                          std::cos(sun.azimuth_rad) * std::cos(sun.elevation_rad),
                          std::sin(sun.elevation_rad)};
     rays.background = 0.4 * bandwidth_um;
     const irsg::RadianceImage image = irsg.picture();
-    const auto pixels = castRays(rays, irsg.sensor(), irsg.viewpoint());
+    const auto pixels = castRays(rays, irsg.view.sensor, irsg.view.viewpoint);
     Farthest farthest;
     for (std::size_t i = 0; i < pixels.size(); ++i)
         if (pixels[i].isInterior)
@@ -97,11 +97,11 @@ SelfTestValue againstRays(SelfTestBench& bench) {
 
 /// A body of the background's radiance, whichever that is.
 SelfTestValue unseen(SelfTestBench& bench) {
-    Irsg& irsg = withBall(bench);
+    InteractiveRenderer& irsg = withBall(bench);
     irsg::RenderSettings settings;
     settings.background = irsg::BackgroundMode::constant;
     settings.background_W_m2_sr = grey_W_m2_sr();
-    irsg.setSettings(settings);
+    irsg.scene.settings = settings;
     const auto report = irsg.measure();
     return {report.all.contrastIntensity_W_sr / report.all.intensity_W_sr, 0.0};
 }
@@ -110,13 +110,13 @@ SelfTestValue unseen(SelfTestBench& bench) {
 SelfTestValue hotPartInPicture(SelfTestBench& bench) {
     constexpr irsg::IrCodes hot{2, 1};
     const double side_m = 0.11;
-    Irsg& irsg = bench.irsg();
+    InteractiveRenderer& irsg = bench.irsg();
     irsg::SignatureDatabase database = greyDatabase(0.9, 320.0);
     database.temperatures[2] = fixedTemperature(1200.0);
-    irsg.setEntities(
-        {entityOf(modelOf(joined(ball(), oneSidedPlate({1.63, 0.0, 0.21}, {-0.5 * side_m, 0.0, 0.0},
-                                                       {0.0, 0.0, 0.5 * side_m}, hot))),
-                  database)});
+    irsg.scene.entities = {
+        entityOf(modelOf(joined(ball(), oneSidedPlate({1.63, 0.0, 0.21}, {-0.5 * side_m, 0.0, 0.0},
+                                                      {0.0, 0.0, 0.5 * side_m}, hot))),
+                 database)};
     look(irsg, {});
     const double pixel_rad = 2.0 * std::tan(0.02) / 64.0;
     return {sumOf(irsg.picture()) * pixel_rad * pixel_rad * 1e4,
@@ -127,7 +127,7 @@ SelfTestValue hotPartInPicture(SelfTestBench& bench) {
 /// Small plates have finer windows, cut out of the one around them along its cells: samples at the
 /// border count with what of their own cells lies inside.
 SelfTestValue evenPicture(SelfTestBench& bench) {
-    Irsg& irsg = bench.irsg();
+    InteractiveRenderer& irsg = bench.irsg();
     const irsg::SignatureDatabase black = greyDatabase(1.0, 320.0);
     std::vector<irsg::Entity> entities{
         entityOf(modelOf(plateMesh({0, 0, 0}, {-3, 0, 0}, {0, 0, 3}, one)), black)};
@@ -136,7 +136,7 @@ SelfTestValue evenPicture(SelfTestBench& bench) {
         entities.push_back(entityOf(
             modelOf(plateMesh({place[0], 0.5, place[1]}, {-0.083, 0, 0}, {0, 0, 0.061}, one)),
             black));
-    irsg.setEntities(entities);
+    irsg.scene.entities = entities;
     look(irsg, {});
     Farthest farthest;
     const irsg::RadianceImage image = irsg.picture();
@@ -146,7 +146,7 @@ SelfTestValue evenPicture(SelfTestBench& bench) {
 }
 
 SelfTestValue twoBands(SelfTestBench& bench) {
-    Irsg& irsg = withBall(bench);
+    InteractiveRenderer& irsg = withBall(bench);
     const std::vector<irsg::Band> bands{irsg::Band::topHat(3.4, 4.1),
                                         irsg::Band::topHat(8.0, 12.0)};
     const auto together = irsg.measure(bands);
@@ -176,10 +176,10 @@ std::vector<SelfTestCheck> sceneChecks() {
          .bound = 2e-3,
          .measure =
              [](auto& bench) {
-                 Irsg& irsg = bench.irsg();
-                 irsg.setEntities(
-                     {entityOf(modelOf(plateMesh({0, 0, 0}, {-1, 0, 0}, {0, 0, 1}, one)),
-                               greyDatabase(0.9, 320.0))});
+                 InteractiveRenderer& irsg = bench.irsg();
+                 irsg.scene.entities = {
+                     entityOf(modelOf(plateMesh({0, 0, 0}, {-1, 0, 0}, {0, 0, 1}, one)),
+                              greyDatabase(0.9, 320.0))};
                  Farthest farthest;
                  for (const double angle_deg : {0.0, 33.0, 61.0, 80.0}) {
                      look(irsg, {.range_m = 5000.0,
@@ -207,8 +207,8 @@ std::vector<SelfTestCheck> sceneChecks() {
          .bound = 1e-3,
          .measure =
              [](auto& bench) {
-                 Irsg& irsg = withBall(bench);
-                 const auto rendered = irsg.render();
+                 InteractiveRenderer& irsg = withBall(bench);
+                 const auto rendered = irsg.imageWithReport();
                  const double pixel_rad = 2.0 * std::tan(0.02) / 64.0;
                  return SelfTestValue{sumOf(rendered.image) * pixel_rad * pixel_rad * 1e4,
                                       rendered.report.all.intensity_W_sr};
@@ -231,10 +231,10 @@ std::vector<SelfTestCheck> sceneChecks() {
          .bound = 2e-3,
          .measure =
              [](auto& bench) {
-                 Irsg& irsg = withBall(bench);
+                 InteractiveRenderer& irsg = withBall(bench);
                  look(irsg, {.width_px = 400, .height_px = 400, .fieldOfView_rad = 1.4});
                  const double aside_m = 100.0 * std::tan(irsg::radians(35.0));
-                 irsg.setPose(0, {{aside_m, 0.0, standingAltitude_m}, {}});
+                 irsg.scene.entities[0].pose = {{aside_m, 0.0, standingAltitude_m}, {}};
                  const double range_m = std::hypot(100.0, aside_m);
                  return SelfTestValue{irsg.measure().all.intensity_W_sr,
                                       grey_W_m2_sr() *
@@ -247,10 +247,10 @@ std::vector<SelfTestCheck> sceneChecks() {
          .bound = 1e-9,
          .measure =
              [](auto& bench) {
-                 Irsg& irsg = bench.irsg();
+                 InteractiveRenderer& irsg = bench.irsg();
                  const Mesh front = plateMesh({0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, one);
                  const auto measured = [&](const Mesh& mesh) {
-                     irsg.setEntities({entityOf(modelOf(mesh), greyDatabase(0.9, 320.0))});
+                     irsg.scene.entities = {entityOf(modelOf(mesh), greyDatabase(0.9, 320.0))};
                      look(irsg, {});
                      return irsg.measure().all.intensity_W_sr;
                  };
@@ -282,7 +282,7 @@ std::vector<SelfTestCheck> sceneChecks() {
          .bound = 1e-3,
          .measure =
              [](auto& bench) {
-                 Irsg& irsg = withBall(bench);
+                 InteractiveRenderer& irsg = withBall(bench);
                  std::vector<double> wavenumbers_per_cm;
                  for (int i = 0; i < 10; ++i)
                      wavenumbers_per_cm.push_back(2000.0 + 130.0 * i);
@@ -303,15 +303,15 @@ std::vector<SelfTestCheck> sceneChecks() {
          .bound = 1e-6,
          .measure =
              [](auto& bench) {
-                 Irsg& irsg = withBall(bench);
-                 auto scaled = irsg.entities();
+                 InteractiveRenderer& irsg = withBall(bench);
+                 auto scaled = irsg.scene.entities;
                  scaled[0].temperatureScale[1] = 1.1;
-                 irsg.setEntities(scaled);
+                 irsg.scene.entities = scaled;
                  const double found = irsg.measure().all.intensity_W_sr;
-                 auto warmer = withBall(bench).entities();
+                 auto warmer = withBall(bench).scene.entities;
                  warmer[0].database =
                      std::make_shared<const irsg::SignatureDatabase>(greyDatabase(0.9, 352.0));
-                 irsg.setEntities(warmer);
+                 irsg.scene.entities = warmer;
                  return SelfTestValue{found, irsg.measure().all.intensity_W_sr};
              }},
         {.name = "scene.far-from-the-origin",
@@ -321,9 +321,9 @@ std::vector<SelfTestCheck> sceneChecks() {
          .hard = true,
          .measure =
              [](auto& bench) {
-                 Irsg& irsg = withBall(bench);
+                 InteractiveRenderer& irsg = withBall(bench);
                  const double here = irsg.measure().all.intensity_W_sr;
-                 irsg.setPose(0, {{6.4e6, -6.4e6, standingAltitude_m}, {}});
+                 irsg.scene.entities[0].pose = {{6.4e6, -6.4e6, standingAltitude_m}, {}};
                  look(irsg, {});
                  return SelfTestValue{irsg.measure().all.intensity_W_sr, here};
              }},
@@ -334,7 +334,7 @@ std::vector<SelfTestCheck> sceneChecks() {
          .hard = true,
          .measure =
              [](auto& bench) {
-                 Irsg& irsg = withBall(bench);
+                 InteractiveRenderer& irsg = withBall(bench);
                  look(irsg, {.range_m = 1e7, .fieldOfView_rad = 2.4e-7});
                  return SelfTestValue{irsg.measure().all.intensity_W_sr,
                                       grey_W_m2_sr() * convexSolidAngle_sr(ball(), {0, 1e4, 0}) *
@@ -349,7 +349,7 @@ std::vector<SelfTestCheck> sceneChecks() {
              [](auto& bench) {
                  Farthest farthest;
                  for (const double range_m : {0.5, 1e-9}) {
-                     Irsg& irsg = withBall(bench);
+                     InteractiveRenderer& irsg = withBall(bench);
                      look(irsg, {.range_m = range_m, .fieldOfView_rad = 1.0});
                      farthest.add(static_cast<double>(irsg.picture().at(32, 32)), grey_W_m2_sr());
                  }
@@ -362,7 +362,7 @@ std::vector<SelfTestCheck> sceneChecks() {
          .hard = true,
          .measure =
              [](auto& bench) {
-                 Irsg& irsg = withBall(bench);
+                 InteractiveRenderer& irsg = withBall(bench);
                  Farthest farthest;
                  constexpr int sizes[][2] = {{1, 1}, {1, 37}, {37, 1}, {53, 47}, {640, 3}};
                  for (const auto& size : sizes) {
@@ -381,7 +381,7 @@ std::vector<SelfTestCheck> sceneChecks() {
          .hard = true,
          .measure =
              [](auto& bench) {
-                 Irsg& irsg = withBall(bench);
+                 InteractiveRenderer& irsg = withBall(bench);
                  const double before = irsg.measure().all.intensity_W_sr;
                  Mesh mesh = ball();
                  mesh.push_back({{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
@@ -392,7 +392,7 @@ std::vector<SelfTestCheck> sceneChecks() {
                                  {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
                                  one,
                                  false});
-                 irsg.setEntities({entityOf(modelOf(mesh), greyDatabase(0.9, 320.0))});
+                 irsg.scene.entities = {entityOf(modelOf(mesh), greyDatabase(0.9, 320.0))};
                  look(irsg, {});
                  return SelfTestValue{irsg.measure().all.intensity_W_sr, before};
              }},
@@ -407,16 +407,18 @@ std::vector<SelfTestCheck> sceneChecks() {
                  Mesh mesh;
                  for (int i = 0; i < 6; ++i)
                      mesh = joined(mesh, plateMesh({0, i * 0.1, 0}, {1, 0, 0}, {0, 0, 1}, one));
-                 Irsg& irsg = bench.irsg();
+                 InteractiveRenderer& irsg = bench.irsg();
                  irsg::RenderSettings settings;
                  settings.zoomWindow = 0;
                  settings.samplesPerAxis = 1;
                  settings.maximumLayers = 3;
-                 irsg.setSettings(settings);
-                 irsg.setEntities({entityOf(modelOf(mesh), greyDatabase(0.3, 320.0, 0.0, 0.7))});
+                 irsg.scene.settings = settings;
+                 irsg.scene.entities = {
+                     entityOf(modelOf(mesh), greyDatabase(0.3, 320.0, 0.0, 0.7))};
                  look(irsg, {.range_m = 50.0, .fieldOfView_rad = 0.01});
-                 return SelfTestValue{static_cast<double>(irsg.render().report.layersLeftOver),
-                                      64.0 * 64.0};
+                 return SelfTestValue{
+                     static_cast<double>(irsg.imageWithReport().report.layersLeftOver),
+                     64.0 * 64.0};
              }},
     };
 }

@@ -40,14 +40,14 @@ std::size_t countOf(const std::vector<SelfTestResult>& results, Outcome outcome)
 
 } // namespace
 
-irsg::Irsg& SelfTestBench::irsg() {
+irsg::InteractiveRenderer& SelfTestBench::irsg() {
     if (!irsg_)
-        irsg_ = std::make_unique<irsg::Irsg>();
-    irsg_->setEnvironment(irsg::reference::environmentOf(irsg::reference::ConstantAir{}));
-    irsg_->setEntities({});
-    irsg_->setSkybox(nullptr);
-    irsg_->setTerrain(nullptr);
-    irsg_->setSettings({});
+        irsg_ = std::make_unique<irsg::InteractiveRenderer>();
+    irsg_->scene.environment = irsg::reference::environmentOf(irsg::reference::ConstantAir{});
+    irsg_->scene.entities = {};
+    irsg_->scene.skybox = nullptr;
+    irsg_->scene.terrain = nullptr;
+    irsg_->scene.settings = {};
     return *irsg_;
 }
 

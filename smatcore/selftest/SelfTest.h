@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "irsg/scene/Irsg.h"
+#include "irsg/scene/InteractiveRenderer.h"
 
 namespace smat {
 
@@ -20,10 +20,10 @@ struct SelfTestValue {
 class SelfTestBench {
   public:
     /// A renderer with default settings, nothing to see and dark air.
-    irsg::Irsg& irsg();
+    irsg::InteractiveRenderer& irsg();
 
   private:
-    std::unique_ptr<irsg::Irsg> irsg_;
+    std::unique_ptr<irsg::InteractiveRenderer> irsg_;
 };
 
 /// One thing whose answer is known: in closed form, published, or computed by other means.

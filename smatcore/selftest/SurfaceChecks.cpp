@@ -13,7 +13,7 @@ namespace smat::selftest {
 namespace {
 
 using namespace irsg::reference;
-using irsg::Irsg;
+using irsg::InteractiveRenderer;
 using irsg::Spectrum;
 using irsg::Vec3;
 
@@ -40,13 +40,13 @@ struct Middle {
     double range_m = 100.0;
 
     double radiance(SelfTestBench& bench) const {
-        Irsg& irsg = bench.irsg();
-        irsg.setEnvironment(environmentOf(air, sun));
+        InteractiveRenderer& irsg = bench.irsg();
+        irsg.scene.environment = environmentOf(air, sun);
         irsg::RenderSettings one = settings;
         one.zoomWindow = 0;
         one.samplesPerAxis = 1;
-        irsg.setSettings(one);
-        irsg.setEntities({entityOf(modelOf(mesh), database)});
+        irsg.scene.settings = one;
+        irsg.scene.entities = {entityOf(modelOf(mesh), database)};
         look(irsg, {.range_m = range_m, .width_px = 5, .height_px = 5, .fieldOfView_rad = 1e-3});
         return static_cast<double>(irsg.picture().at(2, 2));
     }

@@ -216,13 +216,12 @@ void FrameFiles::writeTable(SensorResult& result, AnalysisState state) const {
 }
 
 void writeSimulation(const LoadedScenario& scenario, const SimulationPlan& plan,
-                     const FrameFiles& files, ImageSource& source, SimulationResult& result,
+                     const FrameFiles& files, const RenderDoor& door, SimulationResult& result,
                      const ProgressCallback& progress, std::stop_token stop, StageTimer* timer,
                      const FrameSink& heed, const SimulationParts* parts) {
     for (const std::size_t sensor : plan.sensors)
         files.writeImagingSensor(sensor);
-    SceneGenerator3D generator(scenario, source);
-    source.resetStageTimes();
+    SceneGenerator3D generator(scenario, door);
     SimulationSteps steps;
     if (parts != nullptr)
         steps = {parts->stores, [&](const SensorResult& sensor) {

@@ -68,7 +68,7 @@ struct SimulationParts {
 /// ImagingSensor files, frames, and the tables at the end, however it ends. `heed` is given each
 /// frame after it was written. Throws InputError, and then the tables hold what was done before.
 void writeSimulation(const LoadedScenario& scenario, const SimulationPlan& plan,
-                     const FrameFiles& files, ImageSource& source, SimulationResult& result,
+                     const FrameFiles& files, const RenderDoor& door, SimulationResult& result,
                      const ProgressCallback& progress = {}, std::stop_token stop = {},
                      StageTimer* timer = nullptr, const FrameSink& heed = {},
                      const SimulationParts* parts = nullptr);

@@ -31,11 +31,11 @@ double asked(const irsg::ScaledValues& values, MonteCarloOptions::Quantity quant
 /// One run, from the scales to the tables.
 class ScenarioRun {
   public:
-    ScenarioRun(ScenarioMonteCarlo& run, ImageSource& source, const ProgressCallback& progress,
+    ScenarioRun(ScenarioMonteCarlo& run, const RenderDoor& door, const ProgressCallback& progress,
                 std::stop_token stop)
         : run_(run),
-          source_(source),
-          generator_(run.scenario, source),
+          door_(door),
+          generator_(run.scenario, door),
           progress_(progress),
           stop_(std::move(stop)) {}
 
@@ -148,7 +148,7 @@ class ScenarioRun {
             provenance.add("state", run_.state == AnalysisState::complete ? "complete" : "partial");
             if (run_.scenario.sensors[one.sensor].settings.isDefault(key::scalingSeed))
                 provenance.add(key::scalingSeed.name, std::to_string(seed_));
-            provenance.add("renderer", source_.rendererDescription());
+            provenance.add("renderer", door_.description(run_.scenario.sensors[one.sensor].scene));
             for (const std::string& answer : analysis.answeredBy)
                 provenance.add("answered by", answer);
             for (const std::string& warning : analysis.warnings)
@@ -185,7 +185,7 @@ class ScenarioRun {
     }
 
     void addViews(std::size_t sensor, double time_s) {
-        const SensorFrame frame = generator_.place(sensor, time_s);
+        const auto [frame, placed] = generator_.place(sensor, time_s);
         irsg::addNew(run_.warnings, frame.warnings);
         // The renderer counts those that are there.
         std::vector<int> drawnOf;
@@ -200,8 +200,10 @@ class ScenarioRun {
         if (drawn == 0)
             return;
         const std::vector<irsg::Band> bands = run_.scenario.sensors[sensor].scene.allBands();
-        const std::vector<irsg::RenderReport> reports = source_.measure(bands);
-        Views views = source_.scaledObjects(inputs, bands);
+        const std::vector<irsg::RenderReport> reports =
+            placed.render(door_, irsg::Outputs::reports(bands)).reports;
+        Views views =
+            placed.render(door_, irsg::Outputs::scaledView(inputs, bands).byObject()).scaled;
         const std::size_t perBand = 1 + static_cast<std::size_t>(drawn);
         for (Series& series : series_) {
             if (series.sensor != sensor)
@@ -250,7 +252,7 @@ class ScenarioRun {
     }
 
     ScenarioMonteCarlo& run_;
-    ImageSource& source_;
+    const RenderDoor& door_;
     SceneGenerator3D generator_;
     const ProgressCallback& progress_;
     std::stop_token stop_;
@@ -270,10 +272,10 @@ std::filesystem::path withLabel(const std::filesystem::path& file, const std::st
 
 } // namespace
 
-void runScenarioMonteCarlo(ScenarioMonteCarlo& asked, ImageSource& source,
+void runScenarioMonteCarlo(ScenarioMonteCarlo& asked, const RenderDoor& door,
                            const ProgressCallback& progress, std::stop_token stop,
                            StageTimer* timer) {
-    ScenarioRun run(asked, source, progress, std::move(stop));
+    ScenarioRun run(asked, door, progress, std::move(stop));
     run.prepare();
     {
         const StageTimer::Scope scope(timer, "draw steps");

@@ -39,7 +39,7 @@ struct ScenarioMonteCarlo {
 /// once for each sensor and step, so the number of draws costs little. The seed is `scaling.seed`
 /// of the first sensor of the plan. A stop keeps whole steps and draws, marked partial. Throws
 /// InputError: options that cannot be, no scaling file, no scale that varies, more than 5e7 values.
-void runScenarioMonteCarlo(ScenarioMonteCarlo& run, ImageSource& source,
+void runScenarioMonteCarlo(ScenarioMonteCarlo& run, const RenderDoor& door,
                            const ProgressCallback& progress = {}, std::stop_token stop = {},
                            StageTimer* timer = nullptr);
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/NewLines.h"
-#include "smatcore/analysis/CaseChecks.h"
 #include "smatcore/analysis/ErrorColumns.h"
 
 namespace smat {
@@ -21,16 +21,13 @@ constexpr double nearest_m = 1e-3;
 
 } // namespace
 
-SceneGenerator3D::SceneGenerator3D(const LoadedScenario& scenario, ImageSource& source)
-    : scenario_(scenario), source_(source), isThere_(scenario.paths.size(), true) {
-    source_.configure(scenario_.sensors.front().scene);
-    selected_ = {0, 0};
-    for (std::size_t i = 0; i < scenario_.paths.size(); ++i)
-        referencePoints_.push_back(source_.referencePointInModel(i));
-}
+SceneGenerator3D::SceneGenerator3D(const LoadedScenario& scenario, RenderDoor door)
+    : scenario_(scenario),
+      door_(std::move(door)),
+      placer_(door_, scenario_.sensors.front().scene) {}
 
 irsg::Vec3 SceneGenerator3D::referencePoint(std::size_t entity, const TrajectoryPoint& at) const {
-    return at.pose.toWorld(referencePoints_[entity]);
+    return at.pose.toWorld(placer_.referencePoints()[entity]);
 }
 
 std::optional<irsg::Viewpoint> SceneGenerator3D::viewpoint(std::size_t sensor,
@@ -108,24 +105,8 @@ void SceneGenerator3D::check(const std::vector<std::size_t>& sensors,
         throw irsg::InputError(diagnostics);
 }
 
-void SceneGenerator3D::select(std::size_t sensor, std::size_t band,
-                              const std::vector<bool>& isThere) {
-    if (selected_ == std::pair(sensor, band) && isThere == isThere_)
-        return;
-    SceneDescription scene = scenario_.sensors.at(sensor).scene;
-    scene.sensor.band = scene.allBands().at(band);
-    for (std::size_t i = isThere.size(); i-- > 0;)
-        if (!isThere[i])
-            scene.entities.erase(scene.entities.begin() + static_cast<std::ptrdiff_t>(i));
-    if (isThere == isThere_)
-        source_.setView(scene);
-    else
-        source_.configure(scene);
-    isThere_ = isThere;
-    selected_ = {sensor, band};
-}
-
-SensorFrame SceneGenerator3D::place(std::size_t sensor, double time_s, std::size_t band) {
+std::pair<SensorFrame, PlacedCase> SceneGenerator3D::place(std::size_t sensor, double time_s,
+                                                           std::size_t band) const {
     SensorFrame frame;
     frame.sensor = sensor;
     frame.band = band;
@@ -134,64 +115,65 @@ SensorFrame SceneGenerator3D::place(std::size_t sensor, double time_s, std::size
     if (!view)
         throw irsg::LogicError("a frame was asked for at a time at which the sensor is not there");
     frame.viewpoint = *view;
-    std::vector<bool> isThere;
-    for (std::size_t i = 0; i < scenario_.paths.size(); ++i) {
-        frame.entities.push_back(scenario_.entityAt(i, time_s));
-        isThere.push_back(frame.entities.back().has_value());
-    }
-    select(sensor, band, isThere);
 
-    // Everybody to where they are now.
-    const std::vector<irsg::Entity>& entities = scenario_.sensors[sensor].scene.entities;
-    std::size_t drawn = 0;
-    for (std::size_t i = 0; i < entities.size(); ++i) {
-        if (!frame.entities[i])
+    const SceneDescription& scene = scenario_.sensors.at(sensor).scene;
+    std::vector<std::optional<EntityPlace>> places;
+    for (std::size_t i = 0; i < scenario_.paths.size(); ++i) {
+        const std::optional<TrajectoryPoint>& at =
+            frame.entities.emplace_back(scenario_.entityAt(i, time_s));
+        if (!at) {
+            places.emplace_back();
             continue;
-        const TrajectoryPoint& at = *frame.entities[i];
-        irsg::EntityState state = entities[i].state;
+        }
+        irsg::EntityState state = scene.entities[i].state;
         state.time_s = time_s + scenario_.scenario.entities[i].timeOffset_s;
-        state.power = at.power;
-        state.mach = at.mach;
-        source_.setPose(drawn, at.pose);
-        source_.setState(drawn, state);
-        ++drawn;
-        const std::vector<std::string> held = clampedTableWarnings(
-            entities[i], state, at.pose, referencePoint(i, at), view->position_m);
-        frame.warnings.insert(frame.warnings.end(), held.begin(), held.end());
+        state.power = at->power;
+        state.mach = at->mach;
+        places.emplace_back(EntityPlace{at->pose, state});
     }
-    source_.setViewpoint(*view);
-    return frame;
+    PlacedCase placed = placer_.place(scene, places, *view);
+    placed.view.sensor.band = scene.allBands().at(band);
+    frame.warnings = placed.clampedTables();
+    return {std::move(frame), std::move(placed)};
 }
 
-const std::vector<irsg::RenderReport>& SceneGenerator3D::sumsOf(const SensorFrame& placed) {
-    const std::pair moment(placed.sensor, placed.time_s);
+const std::vector<irsg::RenderReport>& SceneGenerator3D::sumsOf(const SensorFrame& frame,
+                                                                const PlacedCase& placed) {
+    const std::pair moment(frame.sensor, frame.time_s);
     if (sums_.of == moment)
         return sums_.byBand;
     sums_.of.reset();
-    const LoadedSensor& sensor = scenario_.sensors[placed.sensor];
+    const LoadedSensor& sensor = scenario_.sensors[frame.sensor];
     const bool withErrors = errorColumnsOf(sensor.settings) != ErrorColumns::none;
-    sums_.byBand = source_.beginMeasure({sensor.scene.allBands(), false, false, withErrors})();
+    sums_.byBand =
+        placed.render(door_, irsg::Outputs::reports(sensor.scene.allBands()).withErrors(withErrors))
+            .reports;
     sums_.of = moment;
     return sums_.byBand;
 }
 
-irsg::RenderedImage SceneGenerator3D::render(const SensorFrame& placed) {
-    const LoadedSensor& sensor = scenario_.sensors[placed.sensor];
-    if (sensor.scene.allBands().size() == 1)
-        return errorColumnsOf(sensor.settings) == ErrorColumns::none ? source_.render()
-                                                                     : source_.renderWithErrors();
-    irsg::RenderReport sums = sumsOf(placed).at(placed.band);
-    irsg::RenderedImage rendered = source_.renderImage();
-    sums.windows = std::move(rendered.report.windows);
-    irsg::addNew(sums.warnings, rendered.report.warnings);
-    sums.layersLeftOver = rendered.report.layersLeftOver;
-    rendered.report = std::move(sums);
-    return rendered;
+irsg::RenderedImage SceneGenerator3D::render(const SensorFrame& frame, const PlacedCase& placed) {
+    const LoadedSensor& sensor = scenario_.sensors[frame.sensor];
+    const bool isAlone = sensor.scene.moreBands.empty();
+    const bool withErrors = errorColumnsOf(sensor.settings) != ErrorColumns::none;
+    std::optional<irsg::RenderReport> sums;
+    if (!isAlone)
+        sums = sumsOf(frame, placed).at(frame.band);
+    irsg::Rendered rendered =
+        placed.render(door_, isAlone ? irsg::Outputs::imageWithReports().withErrors(withErrors)
+                                     : irsg::Outputs::image());
+    irsg::RenderReport& drawn = rendered.reports.front();
+    if (!sums)
+        return {std::move(rendered.image), std::move(drawn)};
+    sums->windows = std::move(drawn.windows);
+    irsg::addNew(sums->warnings, drawn.warnings);
+    sums->layersLeftOver = drawn.layersLeftOver;
+    return {std::move(rendered.image), std::move(*sums)};
 }
 
 SensorFrame SceneGenerator3D::frame(std::size_t sensor, double time_s, std::size_t band) {
-    SensorFrame frame = place(sensor, time_s, band);
-    frame.rendered = render(frame);
+    auto [frame, placed] = place(sensor, time_s, band);
+    frame.rendered = render(frame, placed);
     if (const auto& errors = frame.rendered.report.all.errors)
         describeErrors(*errors, frame.rendered.image);
 
@@ -201,7 +183,7 @@ SensorFrame SceneGenerator3D::frame(std::size_t sensor, double time_s, std::size
         frame.objects.push_back(at ? std::optional(frame.rendered.report.objects.at(drawn++))
                                    : std::nullopt);
     }
-    return frame;
+    return std::move(frame);
 }
 
 } // namespace smat

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "smatcore/data/ImageSource.h"
+#include "smatcore/analysis/PlacedCase.h"
 #include "smatcore/simulate/LoadedScenario.h"
 
 namespace smat {
@@ -27,8 +27,8 @@ struct SensorFrame {
 /// sees them, all with one renderer. What a sensor sees does not depend on the others.
 class SceneGenerator3D {
   public:
-    /// Both must outlive it. Throws InputError where the renderer refuses the scene.
-    SceneGenerator3D(const LoadedScenario& scenario, ImageSource& source);
+    /// The scenario must outlive it. Throws InputError where the renderer refuses the scene.
+    SceneGenerator3D(const LoadedScenario& scenario, RenderDoor door);
 
     std::size_t sensorCount() const { return scenario_.sensors.size(); }
     const LoadedScenario& scenario() const { return scenario_; }
@@ -37,9 +37,10 @@ class SceneGenerator3D {
     /// Throws InputError naming sensors and entities that are below the ground, and sensors that
     /// are where they look to, each with the first of these times at which they are.
     void check(const std::vector<std::size_t>& sensors, const std::vector<double>& times_s) const;
-    /// Puts everybody where they are as this sensor sees them: what the renderer does next is of
-    /// that moment. A frame without its drawing. LogicError where the sensor does not see.
-    SensorFrame place(std::size_t sensor, double time_s, std::size_t band = 0);
+    /// A frame without its drawing, and everybody where they are as this sensor sees them.
+    /// LogicError where the sensor does not see.
+    std::pair<SensorFrame, PlacedCase> place(std::size_t sensor, double time_s,
+                                             std::size_t band = 0) const;
     /// The same with its drawing, whose sums of several bands are from the same drawings, as those
     /// of sweeps are. Throws InputError as the renderer does.
     SensorFrame frame(std::size_t sensor, double time_s, std::size_t band = 0);
@@ -47,19 +48,15 @@ class SceneGenerator3D {
   private:
     irsg::Vec3 referencePoint(std::size_t entity, const TrajectoryPoint& at) const;
     std::optional<irsg::Viewpoint> viewpoint(std::size_t sensor, double time_s) const;
-    /// Makes the renderer hold the entities that are there, as this sensor sees them.
-    void select(std::size_t sensor, std::size_t band, const std::vector<bool>& isThere);
     /// The picture of what was placed, with the sums of its band.
-    irsg::RenderedImage render(const SensorFrame& placed);
+    irsg::RenderedImage render(const SensorFrame& frame, const PlacedCase& placed);
     /// Of all bands of a sensor, as it was placed.
-    const std::vector<irsg::RenderReport>& sumsOf(const SensorFrame& placed);
+    const std::vector<irsg::RenderReport>& sumsOf(const SensorFrame& frame,
+                                                  const PlacedCase& placed);
 
     const LoadedScenario& scenario_;
-    ImageSource& source_;
-    std::vector<irsg::Vec3> referencePoints_; ///< in model axes, by entity
-    std::vector<bool> isThere_;               ///< what the renderer holds
-    /// Whose settings it has, and the band among them.
-    std::optional<std::pair<std::size_t, std::size_t>> selected_;
+    RenderDoor door_;
+    CasePlacer placer_;
     struct {
         std::optional<std::pair<std::size_t, double>> of; ///< sensor and time, s
         std::vector<irsg::RenderReport> byBand;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/scene/Irsg.h"
+#include "irsg/geometry/view/Vec3.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/tools/PathGeometry.h"
 
@@ -18,8 +18,8 @@ PathGeometryInput viewerGeometry(const Project& project, const Settings& setting
                                  const irsg::Vec3& referencePoint_m);
 
 /// Where the camera of a project looks, in the axes of its target: the point that the project
-/// names, else the centre of what is opaque in the infrared, as Irsg takes it; the origin where the
-/// model or its database cannot be read, and where there is none.
+/// names, else the centre of what is opaque in the infrared, as the renderer takes it; the origin
+/// where the model or its database cannot be read, and where there is none.
 irsg::Vec3 targetReferencePoint(const Project& project, SceneBuilder& scenes);
 
 /// The atmospheres as arguments of a command, each after a space; " none" where there are none.

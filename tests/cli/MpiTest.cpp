@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "apps/smat-batch/CaseTeam.h"
+#include "smatcore/jobs/CaseTeam.h"
 #include "tests/cli/Program.h"
 #include "tests/support/TemporaryFolder.h"
 
@@ -182,7 +182,7 @@ TEST(CaseDispenser, HandsOutEachCaseOnceInAscendingRunsThatShrink) {
                 open.push_back(i);
             }
         }
-        batch::CaseDispenser dispenser(open, takers);
+        CaseDispenser dispenser(open, takers);
         std::vector<std::size_t> given;
         std::size_t last = open.size();
         for (;;) {
@@ -198,7 +198,7 @@ TEST(CaseDispenser, HandsOutEachCaseOnceInAscendingRunsThatShrink) {
         EXPECT_EQ(last, 1U);
         EXPECT_THAT(dispenser.next(), IsEmpty());
     }
-    EXPECT_THAT(batch::CaseDispenser({}, 4).next(), IsEmpty());
+    EXPECT_THAT(CaseDispenser({}, 4).next(), IsEmpty());
 }
 
 } // namespace

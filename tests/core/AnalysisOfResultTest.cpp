@@ -26,9 +26,8 @@ AnalysisData drawn() {
     settings.set("camera.azimuth", "33.5");
     settings.set("render.engine", irsg::areRaysBuilt() ? "rays" : "auto");
     AnalysisData data = AnalysisData::of(loadProject(sphere), AnalysisKind::image, settings);
-    const auto source = makeIrsgImageSource();
     SceneBuilder builder;
-    AnalysisGenerator(*source, [&](const Project& project, const Settings& with) {
+    AnalysisGenerator(openRenderDoor(), [&](const Project& project, const Settings& with) {
         return builder.build(project, with);
     }).run(data);
     return data;

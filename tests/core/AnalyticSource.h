@@ -3,59 +3,69 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "irsg/core/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/LookupTable.h"
-#include "smatcore/data/ImageSource.h"
+#include "smatcore/data/RenderDoor.h"
+#include "smatcore/data/SceneDescription.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat::test {
 
-/// A renderer in closed form: keeps what it is told, and asks its heirs for the intensity of the
-/// target towards a direction.
-class AnalyticSource : public ImageSource {
+/// A renderer in closed form: keeps the view that it is asked for, and asks its heirs for the
+/// intensity of the target towards a direction.
+class AnalyticSource {
   public:
-    void configure(const SceneDescription& given) override {
-        scene = given;
-        poses.clear();
-        states.clear();
-        for (const irsg::Entity& entity : scene.entities) {
-            poses.push_back(entity.pose);
-            states.push_back(entity.state);
-        }
+    AnalyticSource() = default;
+    AnalyticSource(const AnalyticSource&) = delete;
+    AnalyticSource& operator=(const AnalyticSource&) = delete;
+    virtual ~AnalyticSource() = default;
+
+    /// The door to it; it must outlive the door.
+    RenderDoor door() {
+        return {.begin =
+                    [this](const irsg::Scene& given, const irsg::SensorView& view,
+                           const irsg::Outputs& outputs) {
+                        auto made = std::make_shared<irsg::Rendered>(of(given, view, outputs));
+                        return irsg::PendingRender([made] { return std::move(*made); });
+                    },
+                .referencePoint = [this](const irsg::Entity&) { return referencePoint; },
+                .description = [](const irsg::Scene&) { return std::string("closed form"); },
+                .explainer = [](const irsg::Scene&, const irsg::SensorView&)
+                    -> std::function<irsg::PixelExplanation(int, int)> {
+                    throw irsg::LogicError("this renderer does not explain pixels");
+                },
+                .stageTimes = [] { return irsg::StageTimes(); }};
     }
-    irsg::Vec3 referencePointInModel(std::size_t) override { return referencePoint; }
-    void setPose(std::size_t entity, const irsg::Pose& pose) override { poses.at(entity) = pose; }
-    void setState(std::size_t entity, const irsg::EntityState& state) override {
-        states.at(entity) = state;
-    }
-    void setViewpoint(const irsg::Viewpoint& given) override {
-        viewpoint = given;
-        positions.push_back(given.position_m);
-    }
+    operator RenderDoor() { return door(); }
 
     /// From the reference point to the camera, in model axes, and how far.
     irsg::Vec3 towardsCamera() const {
-        const irsg::Pose& pose = poses.front();
+        const irsg::Pose& pose = target().pose;
         return irsg::normalized(pose.attitude.rotation().transposed() *
                                 (viewpoint.position_m - pose.toWorld(referencePoint)));
     }
     double range_m() const {
-        return irsg::length(viewpoint.position_m - poses.front().toWorld(referencePoint));
+        return irsg::length(viewpoint.position_m - target().pose.toWorld(referencePoint));
     }
+    const irsg::Entity& target() const { return scene.entities.front(); }
 
     virtual double intensity_W_sr(const irsg::Vec3& direction) const = 0;
     virtual double projectedArea_m2(const irsg::Vec3& direction) const = 0;
 
-    irsg::RenderReport measure() override {
+    /// A report in the sensor's band.
+    virtual irsg::RenderReport measure() {
         ++drawings;
         irsg::RenderReport report;
         const irsg::Vec3 direction = towardsCamera();
         const double d_m = range_m();
-        report.background_W_m2_sr = scene.render.background_W_m2_sr;
+        report.background_W_m2_sr = scene.settings.background_W_m2_sr;
         report.all.range_m = d_m;
         report.all.intensity_W_sr = intensity_W_sr(direction);
         report.all.contrastIntensity_W_sr =
@@ -66,19 +76,16 @@ class AnalyticSource : public ImageSource {
         report.answeredBy = {"transmittance: closed form"};
         return report;
     }
-    std::vector<irsg::RenderReport> measure(const std::vector<irsg::Band>& bands) override {
-        const irsg::Band own = scene.sensor.band;
-        std::vector<irsg::RenderReport> reports;
-        for (const irsg::Band& band : bands) {
-            scene.sensor.band = band;
-            reports.push_back(measure());
-        }
-        scene.sensor.band = own;
-        return reports;
+    /// What is asked for of the bands, or of that of the sensor.
+    virtual std::vector<irsg::RenderReport> reports(const irsg::Outputs& outputs) {
+        std::vector<irsg::RenderReport> made;
+        inEachBand(outputs, [&] { made.push_back(measure()); });
+        return made;
     }
-    irsg::RenderedImage render() override {
-        irsg::RenderedImage rendered{
-            irsg::RadianceImage(scene.sensor.width_px, scene.sensor.height_px), measure()};
+    virtual irsg::Rendered image(const irsg::Outputs&) {
+        irsg::Rendered rendered;
+        rendered.image = irsg::RadianceImage(scene.sensor.width_px, scene.sensor.height_px);
+        rendered.reports.push_back(measure());
         const irsg::Vec3 direction = towardsCamera();
         const auto radiance =
             static_cast<float>(intensity_W_sr(direction) / projectedArea_m2(direction));
@@ -87,8 +94,7 @@ class AnalyticSource : public ImageSource {
             radiance;
         return rendered;
     }
-    irsg::IntensitySpectrum
-    measureSpectrum(const std::vector<double>& wavenumbers_per_cm) override {
+    virtual irsg::IntensitySpectrum spectrum(const std::vector<double>& wavenumbers_per_cm) {
         irsg::IntensitySpectrum spectrum;
         spectrum.wavenumbers_per_cm = wavenumbers_per_cm;
         const double area_m2 = projectedArea_m2(towardsCamera());
@@ -103,35 +109,54 @@ class AnalyticSource : public ImageSource {
         }
         return spectrum;
     }
-
-    std::unique_ptr<const irsg::ScaledView> scaledView(const std::vector<irsg::ScalingInput>&,
-                                                       const std::vector<double>&) override {
+    /// In the sensor's band, or at the wavenumbers where there are any.
+    virtual std::unique_ptr<const irsg::ScaledView> scaledView(const irsg::Outputs&) {
         throw irsg::LogicError("this renderer has no scales");
     }
-    std::vector<std::unique_ptr<const irsg::ScaledView>>
-    scaledViews(const std::vector<irsg::ScalingInput>& inputs,
-                const std::vector<irsg::Band>& bands) override {
-        const irsg::Band own = scene.sensor.band;
+    virtual std::vector<std::unique_ptr<const irsg::ScaledView>>
+    scaledViews(const irsg::Outputs& outputs) {
         std::vector<std::unique_ptr<const irsg::ScaledView>> views;
-        for (const irsg::Band& band : bands) {
-            scene.sensor.band = band;
-            views.push_back(scaledView(inputs, {}));
-        }
-        scene.sensor.band = own;
+        inEachBand(outputs, [&] { views.push_back(scaledView(outputs)); });
         return views;
     }
 
-    std::string rendererDescription() override { return "closed form"; }
-    irsg::StageTimes stageTimes() const override { return {}; }
-    void resetStageTimes() override {}
-
-    SceneDescription scene;
+    SceneDescription scene; ///< that was asked for last, with its sensor
     irsg::Vec3 referencePoint;
-    std::vector<irsg::Pose> poses;
-    std::vector<irsg::EntityState> states;
     irsg::Viewpoint viewpoint;
-    std::vector<irsg::Vec3> positions; ///< of every viewpoint that was set
+    std::vector<irsg::Vec3> positions; ///< of the camera in every view that was asked for
     int drawings = 0;
+
+  protected:
+    void inEachBand(const irsg::Outputs& outputs, const std::function<void()>& work) {
+        const irsg::Band own = scene.sensor.band;
+        for (const irsg::Band& band :
+             outputs.bands().empty() ? std::vector<irsg::Band>{own} : outputs.bands()) {
+            scene.sensor.band = band;
+            work();
+        }
+        scene.sensor.band = own;
+    }
+
+  private:
+    irsg::Rendered of(const irsg::Scene& given, const irsg::SensorView& view,
+                      const irsg::Outputs& outputs) {
+        static_cast<irsg::Scene&>(scene) = given;
+        scene.sensor = view.sensor;
+        viewpoint = view.viewpoint;
+        positions.push_back(viewpoint.position_m);
+        if (outputs.hasImage()) {
+            return image(outputs);
+        }
+        irsg::Rendered made;
+        if (outputs.hasReports()) {
+            made.reports = reports(outputs);
+        } else if (!outputs.scalings().empty()) {
+            made.scaled = scaledViews(outputs);
+        } else {
+            made.spectrum = spectrum(outputs.wavenumbers_per_cm());
+        }
+        return made;
+    }
 };
 
 /// A grey sphere of radius 1 m and emissivity 0.9. Its temperature follows a table over time.
@@ -142,7 +167,7 @@ class GreySphere : public AnalyticSource {
 
     double projectedArea_m2(const irsg::Vec3&) const override { return irsg::pi; }
     double intensity_W_sr(const irsg::Vec3&) const override {
-        const double now_K = temperature_K.at(states.front().time_s);
+        const double now_K = temperature_K.at(target().state.time_s);
         return irsg::pi * emissivity * irsg::bandRadiance_W_m2_sr(scene.sensor.band, now_K);
     }
 };
@@ -168,8 +193,8 @@ class SixSidedBox : public AnalyticSource {
 inline SceneDescription sceneWithoutFiles(const Project& project, const Settings& settings) {
     SceneDescription scene;
     scene.sensor = sensorOf(project, settings);
-    scene.bands = bandsOf(project, settings);
-    scene.render = renderSettingsOf(settings);
+    scene.setBands(bandsOf(project, settings));
+    scene.settings = renderSettingsOf(settings);
     irsg::Entity target;
     target.name = "target";
     target.pose = targetPoseOf(settings);

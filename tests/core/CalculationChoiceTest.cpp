@@ -62,12 +62,12 @@ TEST(CalculationChoices, AreSpectralUntilLinesOfSightPayForTraining) {
 TEST(CalculationChoices, CountWhatTheAirIsAskedForALineOfSight) {
     SceneDescription scene = computedAir();
     EXPECT_EQ(fewestOf(scene, 0.0), 246u) << "one sky for all ranges";
-    scene.render.backgroundRows = 16;
+    scene.settings.backgroundRows = 16;
     EXPECT_EQ(fewestOf(scene), 7u);
     EXPECT_EQ(fewestOf(scene, 0.0), 7u) << "rows spread over the picture, whose width changes";
-    scene.render.backgroundRows = 0;
+    scene.settings.backgroundRows = 0;
     EXPECT_EQ(fewestOf(scene), 7u) << "as many as needed";
-    scene.render.background = irsg::BackgroundMode::none;
+    scene.settings.background = irsg::BackgroundMode::none;
     EXPECT_EQ(fewestOf(scene), 249u) << "no sky";
 }
 
@@ -90,11 +90,11 @@ TEST(CalculationChoices, AreSpectralInManyBandsThatAreAsNarrowAsPointsAreMany) {
     irsg::AtmosphereSmartParameters parameters;
     scene.environment.add(std::make_shared<irsg::AtmosphereSmart>(parameters));
     const auto inParts = [&](int parts) {
-        scene.bands.clear();
+        std::vector<irsg::Band> bands;
         for (int i = 0; i < parts; ++i) {
-            scene.bands.push_back(
-                irsg::Band::topHat(3.0 + 2.0 * i / parts, 3.0 + 2.0 * (i + 1) / parts));
+            bands.push_back(irsg::Band::topHat(3.0 + 2.0 * i / parts, 3.0 + 2.0 * (i + 1) / parts));
         }
+        scene.setBands(bands);
         return chooseCalculation(scene, ranges(1000));
     };
     EXPECT_EQ(inParts(1).mode, CalculationMode::wideband);
@@ -174,9 +174,9 @@ TEST(CalculationChoices, AreThereForRunsWhereNothingIsAskedThatTheyLack) {
     scene.environment.add(
         std::make_shared<irsg::TabulatedAtmosphere>(std::vector<irsg::SpectralRun>{run}, "runs"));
     EXPECT_EQ(chooseCalculation(scene, ranges(50)).reason, "");
-    scene.render.ambientReflection = irsg::ReflectionMode::off;
-    scene.render.sun = irsg::ReflectionMode::off;
-    scene.render.background = irsg::BackgroundMode::none;
+    scene.settings.ambientReflection = irsg::ReflectionMode::off;
+    scene.settings.sun = irsg::ReflectionMode::off;
+    scene.settings.background = irsg::BackgroundMode::none;
     EXPECT_EQ(chooseCalculation(scene, ranges(50)).mode, CalculationMode::wideband);
 }
 

@@ -19,7 +19,7 @@ using testing::Pointwise;
 class Telltale : public test::AnalyticSource {
   public:
     double intensity_W_sr(const irsg::Vec3&) const override {
-        return states.front().power + 10.0 * states.front().mach + poses.front().position_m.z;
+        return target().state.power + 10.0 * target().state.mach + target().pose.position_m.z;
     }
     double projectedArea_m2(const irsg::Vec3&) const override { return 1.0; }
 };

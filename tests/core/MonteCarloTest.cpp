@@ -48,12 +48,11 @@ class LinearTarget : public AnalyticSource {
             1e-4 * std::sin(1e7 * (viewpoint.forward().x + 0.37 * viewpoint.forward().y));
         return LinearView::at(direction.y, 1.0, 1.0, 1.0) + phase + more();
     }
-    std::unique_ptr<const irsg::ScaledView>
-    scaledView(const std::vector<irsg::ScalingInput>& inputs,
-               const std::vector<double>& wavenumbers) override {
-        asked = inputs;
-        return std::make_unique<LinearView>(towardsCamera().y,
-                                            std::max<std::size_t>(wavenumbers.size(), 1), more());
+    std::unique_ptr<const irsg::ScaledView> scaledView(const irsg::Outputs& outputs) override {
+        asked = outputs.scalings();
+        return std::make_unique<LinearView>(
+            towardsCamera().y, std::max<std::size_t>(outputs.wavenumbers_per_cm().size(), 1),
+            more());
     }
     /// What the intensity has more, for every micrometre of the band's lower end.
     double more() const { return perBandEdge * scene.sensor.band.range().min_um; }

@@ -37,11 +37,11 @@ class ScaledPower : public irsg::ScaledView {
 
 class PoweredEntities : public test::GreySphere {
   public:
-    std::vector<irsg::RenderReport> measure(const std::vector<irsg::Band>& bands) override {
+    std::vector<irsg::RenderReport> reports(const irsg::Outputs& outputs) override {
         ++measured;
-        std::vector<irsg::RenderReport> reports;
-        for (std::size_t band = 0; band < bands.size(); ++band) {
-            irsg::RenderReport& report = reports.emplace_back();
+        std::vector<irsg::RenderReport> made;
+        for (std::size_t band = 0; band < outputs.bands().size(); ++band) {
+            irsg::RenderReport& report = made.emplace_back();
             for (std::size_t i = 0; i < scene.entities.size(); ++i) {
                 irsg::ObjectRadiometry object;
                 object.intensity_W_sr = object.contrastIntensity_W_sr = object.irradiance_W_m2 =
@@ -51,13 +51,14 @@ class PoweredEntities : public test::GreySphere {
             }
             report.answeredBy = {"transmittance: closed form"};
         }
-        return reports;
+        return made;
     }
     std::vector<std::unique_ptr<const irsg::ScaledView>>
-    scaledObjects(const std::vector<irsg::ScalingInput>& inputs,
-                  const std::vector<irsg::Band>& bands) override {
+    scaledViews(const irsg::Outputs& outputs) override {
+        const std::vector<irsg::ScalingInput>& inputs = outputs.scalings();
+        EXPECT_TRUE(outputs.isByObject());
         std::vector<std::unique_ptr<const irsg::ScaledView>> views;
-        for (std::size_t band = 0; band < bands.size(); ++band) {
+        for (std::size_t band = 0; band < outputs.bands().size(); ++band) {
             auto all = std::make_unique<ScaledPower>();
             std::vector<std::unique_ptr<const irsg::ScaledView>> each;
             for (std::size_t i = 0; i < scene.entities.size(); ++i) {
@@ -81,7 +82,7 @@ class PoweredEntities : public test::GreySphere {
 
   private:
     double power(std::size_t entity, std::size_t band) const {
-        return states[entity].power * (band == 0 ? 1.0 : perBand);
+        return scene.entities[entity].state.power * (band == 0 ? 1.0 : perBand);
     }
 };
 

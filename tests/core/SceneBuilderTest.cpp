@@ -11,6 +11,7 @@
 #include "irsg/render/background/Skybox.h"
 #include "irsg/render/background/Terrain.h"
 #include "irsg/signature/SignatureFile.h"
+#include "smatcore/analysis/PlacedCase.h"
 #include "smatcore/support/TextFile.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/TemporaryFolder.h"
@@ -98,15 +99,15 @@ TEST_F(SceneBuilderTest, TakesEveryNumberOverInTheUnitsOfTheRenderer) {
     EXPECT_NEAR(scene.environment.sun.elevation_rad, irsg::pi / 6, 1e-15);
     EXPECT_EQ(scene.environment.defaultAmbient_K, 250);
     EXPECT_EQ(scene.environment.atmospheres().size(), 1u);
-    EXPECT_EQ(scene.render.zoomWindow, 0);
-    EXPECT_EQ(scene.render.samplesPerAxis, 2);
-    EXPECT_EQ(scene.render.sun, irsg::ReflectionMode::approx);
-    EXPECT_EQ(scene.render.ambientReflection, irsg::ReflectionMode::off);
-    EXPECT_EQ(scene.render.fluxWeights, irsg::FluxWeights::report);
-    EXPECT_EQ(scene.render.referenceTransmittance, irsg::ReferenceTransmittance::segment);
-    EXPECT_EQ(scene.render.background, irsg::BackgroundMode::constant);
-    EXPECT_EQ(scene.render.background_W_m2_sr, 2.5);
-    EXPECT_EQ(scene.render.maximumLayers, 3);
+    EXPECT_EQ(scene.settings.zoomWindow, 0);
+    EXPECT_EQ(scene.settings.samplesPerAxis, 2);
+    EXPECT_EQ(scene.settings.sun, irsg::ReflectionMode::approx);
+    EXPECT_EQ(scene.settings.ambientReflection, irsg::ReflectionMode::off);
+    EXPECT_EQ(scene.settings.fluxWeights, irsg::FluxWeights::report);
+    EXPECT_EQ(scene.settings.referenceTransmittance, irsg::ReferenceTransmittance::segment);
+    EXPECT_EQ(scene.settings.background, irsg::BackgroundMode::constant);
+    EXPECT_EQ(scene.settings.background_W_m2_sr, 2.5);
+    EXPECT_EQ(scene.settings.maximumLayers, 3);
 }
 
 TEST_F(SceneBuilderTest, LoadsEachFileOnceUntilItChanges) {
@@ -257,11 +258,11 @@ TEST_F(SceneBuilderTest, EverySensorThatSettingsTakeIsOneThatARendererTakes) {
     }
 }
 
-TEST_F(SceneBuilderTest, ARendererIsGivenAllOfASceneButItsEntities) {
+TEST_F(SceneBuilderTest, ARendererIsGivenAllOfAScene) {
     SceneDescription scene;
     scene.environment.defaultAmbient_K = 251.0;
     scene.sensor.width_px = 17;
-    scene.render.backgroundRows = 5;
+    scene.settings.backgroundRows = 5;
     const std::filesystem::path valley = SMAT_SOURCE_DIR "/samples/valley";
     Settings settings;
     settings.set("environment.skybox", (valley / "sky").string());
@@ -269,14 +270,22 @@ TEST_F(SceneBuilderTest, ARendererIsGivenAllOfASceneButItsEntities) {
     SceneBuilder builder;
     scene.skybox = builder.skybox(project, settings);
     scene.terrain = builder.terrain(project, settings);
-    irsg::Irsg irsg;
-    setView(irsg, scene);
-    EXPECT_EQ(irsg.environment().defaultAmbient_K, 251.0);
-    EXPECT_EQ(irsg.sensor().width_px, 17);
-    EXPECT_EQ(irsg.settings(), scene.render);
-    EXPECT_EQ(irsg.scene().skybox, scene.skybox);
-    EXPECT_EQ(irsg.scene().terrain, scene.terrain);
-    EXPECT_TRUE(irsg.entities().empty());
+    scene.entities.emplace_back().name = "one";
+    scene.entities.emplace_back().name = "two";
+    RenderDoor door;
+    door.referencePoint = [](const irsg::Entity&) { return irsg::Vec3{1.0, 2.0, 3.0}; };
+    const irsg::Pose pose{{10.0, 0.0, 0.0}, {}};
+    const PlacedCase placed =
+        CasePlacer(door, scene).place(scene, {std::nullopt, EntityPlace{pose, {}}}, {});
+    EXPECT_EQ(placed.scene.environment.defaultAmbient_K, 251.0);
+    EXPECT_EQ(placed.view.sensor.width_px, 17);
+    EXPECT_EQ(placed.scene.settings, scene.settings);
+    EXPECT_EQ(placed.scene.skybox, scene.skybox);
+    EXPECT_EQ(placed.scene.terrain, scene.terrain);
+    ASSERT_EQ(placed.scene.entities.size(), 1u) << "those that are there";
+    EXPECT_EQ(placed.scene.entities[0].name, "two");
+    EXPECT_EQ(placed.scene.entities[0].pose, pose);
+    EXPECT_EQ(placed.referencePoints_m[0], (irsg::Vec3{11.0, 2.0, 3.0}));
 }
 
 TEST_F(SceneBuilderTest, AProjectWithoutModelsIsRefused) {
@@ -316,12 +325,12 @@ TEST_F(SceneBuilderTest, LoadsSkyboxAndTerrainOnceWithTheirScales) {
     EXPECT_NEAR(scene.terrain->pose().position_m.x, 100.0, 1e-6);
     EXPECT_NEAR(scene.terrain->pose().position_m.y, -200.0, 1e-6);
     EXPECT_GT(scene.terrain->bounds().max.x, 7000.0);
-    EXPECT_EQ(scene.render.skybox, (irsg::TextureScale{0.5, 0.25}));
-    EXPECT_EQ(scene.render.terrain, (irsg::TextureScale{2.0, 0.5}));
-    EXPECT_EQ(scene.render.backgroundRows, 16);
-    EXPECT_EQ(scene.render.backgroundColumns, 3);
-    EXPECT_TRUE(scene.render.sunDisc);
-    EXPECT_FALSE(scene.render.terrainHides);
+    EXPECT_EQ(scene.settings.skybox, (irsg::TextureScale{0.5, 0.25}));
+    EXPECT_EQ(scene.settings.terrain, (irsg::TextureScale{2.0, 0.5}));
+    EXPECT_EQ(scene.settings.backgroundRows, 16);
+    EXPECT_EQ(scene.settings.backgroundColumns, 3);
+    EXPECT_TRUE(scene.settings.sunDisc);
+    EXPECT_FALSE(scene.settings.terrainHides);
 
     const SceneDescription again = shared.build(project, settings);
     EXPECT_EQ(again.skybox, scene.skybox);

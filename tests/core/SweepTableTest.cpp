@@ -55,7 +55,7 @@ class GreySpheres : public GreySphere {
         for (std::size_t i = 0; i < scene.entities.size(); ++i) {
             irsg::ObjectRadiometry object;
             object.name = scene.entities[i].name;
-            object.range_m = irsg::length(viewpoint.position_m - poses[i].position_m);
+            object.range_m = irsg::length(viewpoint.position_m - scene.entities[i].pose.position_m);
             object.intensity_W_sr = object.contrastIntensity_W_sr = intensity_W_sr({});
             object.irradiance_W_m2 = object.intensity_W_sr / std::pow(object.range_m, 2);
             object.coveredPixels = 1.0;
@@ -93,19 +93,22 @@ TEST(SweepTable, HasTheColumnsOfOneObjectInOneBandWithoutObjectOrBand) {
 /// A sphere whose numbers are known to 1, 2 and 2 % by cause.
 class Uncertain : public GreySphere {
   public:
-    std::function<Reports()> beginMeasure(const Measure& wanted) override {
-        asked = wanted.errors;
-        Reports reports = measure(wanted.bands);
-        for (irsg::RenderReport& report : reports) {
-            if (wanted.errors) {
+    std::vector<irsg::RenderReport> reports(const irsg::Outputs& outputs) override {
+        asked = outputs.hasErrors();
+        std::vector<irsg::RenderReport> made = GreySphere::reports(outputs);
+        for (irsg::RenderReport& report : made) {
+            if (asked) {
                 report.all.errors = errorsOf(report.all);
             }
         }
-        return [reports] { return reports; };
+        return made;
     }
-    irsg::RenderedImage renderWithErrors() override {
-        irsg::RenderedImage rendered = render();
-        rendered.report.all.errors = errorsOf(rendered.report.all);
+    irsg::Rendered image(const irsg::Outputs& outputs) override {
+        irsg::Rendered rendered = GreySphere::image(outputs);
+        irsg::ObjectRadiometry& all = rendered.reports.front().all;
+        if (outputs.hasErrors()) {
+            all.errors = errorsOf(all);
+        }
         return rendered;
     }
     bool asked = false;

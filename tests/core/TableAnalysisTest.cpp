@@ -126,17 +126,17 @@ TEST(TableAnalysis, RefusesByTheKeyOfTheSetting) {
 /// Sends 1 W/sr through air and 3 without, in every band.
 class Hazy : public test::AnalyticSource {
   public:
-    double intensity_W_sr(const irsg::Vec3&) const override { return states.front().mach; }
+    double intensity_W_sr(const irsg::Vec3&) const override { return target().state.mach; }
     double projectedArea_m2(const irsg::Vec3&) const override { return 1.0; }
-    std::function<Reports()> beginMeasure(const Measure& wanted) override {
-        Reports reports = measure(wanted.bands);
-        if (wanted.source) {
-            for (std::size_t k = 0; k < wanted.bands.size(); ++k) {
-                reports.push_back(reports[k]);
-                reports.back().all.intensity_W_sr *= 3.0;
+    std::vector<irsg::RenderReport> reports(const irsg::Outputs& outputs) override {
+        std::vector<irsg::RenderReport> made = AnalyticSource::reports(outputs);
+        if (outputs.hasSource()) {
+            for (std::size_t k = 0; k < outputs.bands().size(); ++k) {
+                made.push_back(made[k]);
+                made.back().all.intensity_W_sr *= 3.0;
             }
         }
-        return [reports] { return reports; };
+        return made;
     }
 };
 

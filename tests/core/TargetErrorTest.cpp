@@ -40,7 +40,7 @@ class Lawful : public test::AnalyticSource {
 
     double projectedArea_m2(const irsg::Vec3&) const override { return 1.0; }
     double intensity_W_sr(const irsg::Vec3&) const override {
-        const irsg::RenderSettings& render = scene.render;
+        const irsg::RenderSettings& render = scene.settings;
         const double lit = render.sunShadows == irsg::SunShadowMode::off ? 1.0 : 1.0 - shade;
         const auto part = [](ReflectionMode mode, double smart, double approx) {
             return mode == ReflectionMode::off      ? 0.0
@@ -53,7 +53,7 @@ class Lawful : public test::AnalyticSource {
     }
     irsg::RenderReport measure() override {
         irsg::RenderReport report = AnalyticSource::measure();
-        const irsg::RenderSettings& render = scene.render;
+        const irsg::RenderSettings& render = scene.settings;
         largest = std::max(largest, render.zoomWindow);
         irsg::ErrorParts error;
         error.sampling = 0.02 * std::pow(128.0 / render.zoomWindow, 1.5) *
@@ -76,17 +76,19 @@ class Lawful : public test::AnalyticSource {
     std::set<double> trained; ///< what points of wideband-ck were ever trained to
 };
 
+/// The scene from ahead.
+PlacedCase seenFromAhead(const SceneDescription& scene, std::size_t) {
+    return {scene, {scene.sensor, irsg::Viewpoint::about({}, 0.0, 0.0, 0.0, 1000.0)}, {{}}};
+}
+
 TargetChoice chosen(Lawful& source, double target, irsg::RenderSettings render = {}) {
     if (!source.hasBackground) {
         render.background = irsg::BackgroundMode::none;
     }
     SceneDescription scene;
     scene.entities.emplace_back();
-    scene.render = render;
-    source.configure(scene);
-    ProbedViews views(source, scene, 1, false, [&](std::size_t) {
-        source.setViewpoint(irsg::Viewpoint::about({}, 0.0, 0.0, 0.0, 1000.0));
-    });
+    scene.settings = render;
+    ProbedViews views(source, scene, 1, false, seenFromAhead);
     return chooseForTarget(views, target, {});
 }
 
@@ -185,11 +187,8 @@ TEST(TargetChoice, DoesNotTrustBoundsOfMirrors) {
     Lawful source;
     SceneDescription scene;
     scene.entities.emplace_back().database = database;
-    scene.render.background = irsg::BackgroundMode::none;
-    source.configure(scene);
-    ProbedViews views(source, scene, 1, false, [&](std::size_t) {
-        source.setViewpoint(irsg::Viewpoint::about({}, 0.0, 0.0, 0.0, 1000.0));
-    });
+    scene.settings.background = irsg::BackgroundMode::none;
+    ProbedViews views(source, scene, 1, false, seenFromAhead);
     EXPECT_EQ(chooseForTarget(views, 0.05, {}).way.render.sun, ReflectionMode::smart);
 }
 
@@ -225,7 +224,7 @@ TEST(TargetError, IsWrittenIntoTheResultWithItsErrors) {
     EXPECT_THAT(data.table.find("error_contrast_intensity")->values,
                 Each(testing::DoubleNear(100.0 * 0.0025, 1e-9)));
     EXPECT_THAT(data.warnings, testing::IsEmpty());
-    EXPECT_EQ(source.scene.render.zoomWindow, 512) << "of the run itself";
+    EXPECT_EQ(source.scene.settings.zoomWindow, 512) << "of the run itself";
 }
 
 TEST(TargetError, NamesTheCasesThatMissIt) {
@@ -265,14 +264,14 @@ TEST(TargetError, IsAPercentageWithOrWithoutItsSign) {
 
 TEST(Frontier, HasEveryWayThatDiffersAndNoOther) {
     SceneDescription scene;
-    scene.render.background = irsg::BackgroundMode::none;
+    scene.settings.background = irsg::BackgroundMode::none;
     EXPECT_EQ(Frontier::waysOf(scene, true).size(), 6u * 2u) << "modes, with and without light";
-    scene.render.background = irsg::BackgroundMode::environment;
+    scene.settings.background = irsg::BackgroundMode::environment;
     EXPECT_EQ(Frontier::waysOf(scene, true).size(), 6u * 2u * 2u) << "one row or more";
-    scene.render.bounces = irsg::convergedBounces;
-    scene.render.sunShadows = irsg::SunShadowMode::disc;
+    scene.settings.bounces = irsg::convergedBounces;
+    scene.settings.sunShadows = irsg::SunShadowMode::disc;
     EXPECT_EQ(Frontier::waysOf(scene, true).size(), 6u * 2u * 4u);
-    scene.render.sun = scene.render.ambientReflection = ReflectionMode::off;
+    scene.settings.sun = scene.settings.ambientReflection = ReflectionMode::off;
     EXPECT_EQ(Frontier::waysOf(scene, true).size(), 6u * 2u * 3u) << "nothing to leave out";
 }
 
@@ -292,7 +291,8 @@ class Slow : public Lawful {
 
   private:
     int window() const {
-        return scene.render.zoomWindow > 0 ? scene.render.zoomWindow : scene.render.samplesPerAxis;
+        return scene.settings.zoomWindow > 0 ? scene.settings.zoomWindow
+                                             : scene.settings.samplesPerAxis;
     }
 };
 

@@ -13,13 +13,11 @@ namespace smat::gui {
 namespace {
 
 using test::Gate;
-using test::GatedSource;
 
 class AnalysisJobTest : public ::testing::Test {
   protected:
     AnalysisJobTest()
-        : workbench(
-              std::make_unique<Workbench>([this] { return std::make_unique<GatedSource>(gate); })) {
+        : workbench(std::make_unique<Workbench>([this] { return test::gatedDoor(gate); })) {
         workbench->open(test::writeSampleProject(test::freshFolder("job")));
         QObject::connect(workbench.get(), &Workbench::jobFailed,
                          [this](const QStringList& sentences, bool) { told += sentences; });

@@ -21,10 +21,10 @@ class FacePickingTest : public test::ViewFixture {
     irsg::RadianceImage truth() {
         project.settings.set("image.truthLayers", "true");
         project.settings.set("render.antialiasing", 0);
-        auto source = makeIrsgImageSource();
         SceneBuilder builder;
-        AnalysisGenerator generator(
-            *source, [&](const Project& p, const Settings& s) { return builder.build(p, s); });
+        AnalysisGenerator generator(openRenderDoor(), [&](const Project& p, const Settings& s) {
+            return builder.build(p, s);
+        });
         AnalysisData data = AnalysisData::of(project, AnalysisKind::image);
         generator.run(data);
         return data.image;

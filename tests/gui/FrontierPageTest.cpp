@@ -66,10 +66,9 @@ TEST_F(FrontierPageTest, MeasuresAllWaysWithTheNumbersOfTheCommandLine) {
 
     // What the command runs.
     AnalysisData same = page->asked();
-    const auto source = makeIrsgImageSource();
     SceneBuilder builder;
     Frontier::run(
-        same, *source,
+        same, openRenderDoor(),
         [&](const Project& project, const Settings& settings) {
             return builder.build(project, settings);
         },

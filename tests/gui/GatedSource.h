@@ -47,4 +47,14 @@ class GatedSource : public smat::test::AnalyticSource {
     Gate& gate_;
 };
 
+/// The door to one of its own.
+inline RenderDoor gatedDoor(Gate& gate) {
+    const auto source = std::make_shared<GatedSource>(gate);
+    RenderDoor door = source->door();
+    door.begin = [source, begin = door.begin](
+                     const irsg::Scene& scene, const irsg::SensorView& view,
+                     const irsg::Outputs& outputs) { return begin(scene, view, outputs); };
+    return door;
+}
+
 } // namespace smat::gui::test

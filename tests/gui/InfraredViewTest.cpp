@@ -27,10 +27,10 @@ using test::waitUntil;
 class InfraredViewTest : public test::ViewFixture {
   protected:
     irsg::RadianceImage analysis() {
-        auto source = makeIrsgImageSource();
         SceneBuilder builder;
-        AnalysisGenerator generator(
-            *source, [&](const Project& p, const Settings& s) { return builder.build(p, s); });
+        AnalysisGenerator generator(openRenderDoor(), [&](const Project& p, const Settings& s) {
+            return builder.build(p, s);
+        });
         AnalysisData data = AnalysisData::of(project, AnalysisKind::image);
         generator.run(data);
         return data.image;

@@ -177,7 +177,7 @@ class JobLineTest : public test::WindowFixture {
   protected:
     ~JobLineTest() override { gate.drawings(1 << 30); }
     test::Gate gate;
-    Workbench bench{[this] { return std::make_unique<test::GatedSource>(gate); }};
+    Workbench bench{[this] { return test::gatedDoor(gate); }};
 };
 
 TEST_F(JobLineTest, SeveralWaitAndAreSeenWhicheverDockIsInFront) {

@@ -13,7 +13,7 @@ const std::filesystem::path box = std::filesystem::path(SMAT_SOURCE_DIR) / "samp
 /// person does and is left; what ends it else is the time limit of the test.
 void leaveWhileReading(const std::function<void(Workbench&, MainWindow&)>& act) {
     std::binary_semaphore never(0);
-    Workbench workbench(makeIrsgImageSource, nullptr,
+    Workbench workbench(openRenderDoor, nullptr,
                         std::make_shared<ModelStore>([&](const ModelKey& key) {
                             never.acquire();
                             return irsg::Model::load(key.file);

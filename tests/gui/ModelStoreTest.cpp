@@ -183,7 +183,7 @@ class SlowModelTest : public ::testing::Test {
 
     std::counting_semaphore<> mayEnd{0};
     std::atomic<bool> isDamaged = false;
-    Workbench workbench{makeIrsgImageSource, nullptr,
+    Workbench workbench{openRenderDoor, nullptr,
                         std::make_shared<ModelStore>(
                             [this](const ModelKey& key) -> std::shared_ptr<const irsg::Model> {
                                 mayEnd.acquire();

@@ -29,10 +29,10 @@ class PolarDirectionsTest : public ::testing::Test {
   protected:
     static ResultTable swept(const std::string& name) {
         const auto folder = std::filesystem::path(SMAT_SOURCE_DIR) / "samples/box";
-        static auto source = makeIrsgImageSource();
+        static const RenderDoor door = openRenderDoor();
         SceneBuilder scenes;
         AnalysisGenerator generator(
-            *source, [&](const Project& p, const Settings& s) { return scenes.build(p, s); });
+            door, [&](const Project& p, const Settings& s) { return scenes.build(p, s); });
         AnalysisData data = AnalysisData::of(loadProject(folder / "box.smat"), name);
         data.settings.set("polar.step", 15);
         data.settings.set("sensor.width", 64);

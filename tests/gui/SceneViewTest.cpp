@@ -105,10 +105,9 @@ TEST_F(SceneViewTest, ShowsWhatTheSensorSeesFromTheSameSide) {
     settings.set("target.roll", "18");
     settings.set("camera.range", "900");
     settings.set("render.background", "none");
-    auto source = makeIrsgImageSource();
     SceneBuilder builder;
     AnalysisGenerator generator(
-        *source, [&](const Project& p, const Settings& s) { return builder.build(p, s); });
+        openRenderDoor(), [&](const Project& p, const Settings& s) { return builder.build(p, s); });
     AnalysisData data = AnalysisData::of(project, AnalysisKind::image);
     generator.run(data);
     const Extent sensor =
@@ -144,10 +143,9 @@ TEST_F(SceneViewTest, KeepsThePictureAcrossResizes) {
 }
 
 TEST_F(SceneViewTest, AnalysesAndRedrawsLeaveEachOthersPicturesRight) {
-    auto source = makeIrsgImageSource();
     SceneBuilder builder;
     AnalysisGenerator generator(
-        *source, [&](const Project& p, const Settings& s) { return builder.build(p, s); });
+        openRenderDoor(), [&](const Project& p, const Settings& s) { return builder.build(p, s); });
     const auto render = [&] {
         AnalysisData data = AnalysisData::of(project, AnalysisKind::image);
         generator.run(data);

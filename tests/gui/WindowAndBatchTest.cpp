@@ -253,7 +253,7 @@ TEST_F(WindowAndBatchTest, ClosesWhileAnAnalysisAndALeftDrawingRun) {
     test::Gate gate;
     gate.drawings(0);
     {
-        Workbench bench([&gate] { return std::make_unique<test::GatedSource>(gate); });
+        Workbench bench([&gate] { return test::gatedDoor(gate); });
         auto shown = std::make_unique<MainWindow>(bench, people);
         shown->show();
         ASSERT_TRUE(shown->open(test::writeSampleProject(folder)));

@@ -95,10 +95,10 @@ class WindowFixture : public ::testing::Test {
         ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
     }
     AnalysisData runDirectly(const AnalysisData& asked) {
-        auto source = makeIrsgImageSource();
         SceneBuilder builder;
-        AnalysisGenerator generator(
-            *source, [&](const Project& p, const Settings& s) { return builder.build(p, s); });
+        AnalysisGenerator generator(openRenderDoor(), [&](const Project& p, const Settings& s) {
+            return builder.build(p, s);
+        });
         AnalysisData data = asked;
         data.state = AnalysisState::notRun;
         data.image = {};

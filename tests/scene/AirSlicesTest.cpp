@@ -10,7 +10,7 @@
 #include "irsg/radiance/SampledScene.h"
 #include "irsg/radiance/exchange/LightIntegrals.h"
 #include "irsg/radiometry/SumsOfProducts.h"
-#include "irsg/scene/Irsg.h"
+#include "irsg/scene/InteractiveRenderer.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;
@@ -120,9 +120,9 @@ TEST(SlicesOfBands, AreTakenAsFinelyAsEachBandNeeds) {
 }
 
 TEST(SlicesOfBands, GiveWhatEachBandGivesAlone) {
-    Irsg irsg;
-    irsg.setEnvironment(airWithABand());
-    irsg.setEntities({twoWalls()});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = airWithABand();
+    irsg.scene.entities = {twoWalls()};
     look(irsg, {.range_m = 40.0, .fieldOfView_rad = 0.2});
     const std::vector<Band> bands{weakBand, strongBand, Band::topHat(4.6, 5.0)};
     const std::vector<RenderReport> together = irsg.measure(bands);

@@ -59,28 +59,28 @@ class BackgroundScene : public ::testing::Test {
     void SetUp() override {
         air.backgroundValue = 0.5; // over 2 um: 1 W m-2 sr-1
         air.sunValue = 5.0;        // 10 W m-2
-        irsg.setEnvironment(environmentOf(air, {0.0, 0.0001}));
+        irsg.scene.environment = environmentOf(air, {0.0, 0.0001});
         Entity entity = entityOf(modelOf(sphereMesh(1.0, 48, 96, one)), greyDatabase(1.0, 320.0));
         entity.pose.position_m = {0, 0, standingAltitude_m};
-        irsg.setEntities({entity});
+        irsg.scene.entities = {entity};
         settings.sun = settings.ambientReflection = ReflectionMode::off;
         view(100.0);
     }
     void view(double range_m, int side_px = 64) {
-        irsg.setSensor({.width_px = side_px,
-                        .height_px = side_px,
-                        .horizontalFieldOfView_rad = 0.04,
-                        .band = Band::topHat(3.0, 5.0)});
-        irsg.setViewpoint(
-            Viewpoint::lookAt({0, -range_m, standingAltitude_m}, {0, 0, standingAltitude_m}));
+        irsg.view.sensor = {.width_px = side_px,
+                            .height_px = side_px,
+                            .horizontalFieldOfView_rad = 0.04,
+                            .band = Band::topHat(3.0, 5.0)};
+        irsg.view.viewpoint =
+            Viewpoint::lookAt({0, -range_m, standingAltitude_m}, {0, 0, standingAltitude_m});
     }
     RenderedImage render() {
-        irsg.setSettings(settings);
-        return irsg.render();
+        irsg.scene.settings = settings;
+        return irsg.imageWithReport();
     }
 
     ConstantAir air;
-    Irsg irsg;
+    InteractiveRenderer irsg;
     RenderSettings settings;
     const double blackBody = bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 320.0);
 };
@@ -88,7 +88,7 @@ class BackgroundScene : public ::testing::Test {
 } // namespace
 
 TEST_F(BackgroundScene, IsTheSumOfSkyboxSunAndEnvironmentBehindTheObject) {
-    irsg.setSkybox(plainSky(0.75f));
+    irsg.scene.skybox = plainSky(0.75f);
     settings.skybox = {4.0, 0.25};
     settings.sunDisc = true;
     const RenderedImage result = render();
@@ -106,7 +106,7 @@ TEST_F(BackgroundScene, IsTheSumOfSkyboxSunAndEnvironmentBehindTheObject) {
 
 TEST_F(BackgroundScene, EntersTheContrastPixelByPixel) {
     // Half the sphere stands before a wall: its contrast is against two backgrounds.
-    irsg.setTerrain(wall({0, 200, 500}, 1000.0, 1000.0, 2.0f));
+    irsg.scene.terrain = wall({0, 200, 500}, 1000.0, 1000.0, 2.0f);
     settings.terrain = {1.0, 0.0};
     const RenderedImage result = render();
     EXPECT_FLOAT_EQ(result.image.at(0, 0), 1.0f);
@@ -130,10 +130,10 @@ TEST_F(BackgroundScene, HidesTheObjectBehindAHillInEveryMode) {
             settings.zoomWindow = mode.zoomWindow;
             settings.samplesPerAxis = mode.samplesPerAxis;
             view(range_m);
-            irsg.setTerrain(nullptr);
+            irsg.scene.terrain = nullptr;
             render();
             const double whole_sr = irsg.measure().all.solidAngle_sr;
-            irsg.setTerrain(before);
+            irsg.scene.terrain = before;
             settings.terrainHides = true;
             const RenderedImage half = render();
             const std::string name = std::to_string(mode.zoomWindow) + "/" +
@@ -156,15 +156,15 @@ TEST_F(BackgroundScene, HidesTransparentSurfacesToo) {
     Entity shell =
         entityOf(modelOf(sphereMesh(1.0, 48, 96, one)), greyDatabase(0.3, 320.0, 0.0, 0.7));
     shell.pose.position_m = {0, 0, standingAltitude_m};
-    irsg.setEntities({shell});
-    irsg.setTerrain(wall({-500, -50, 500}, 1000.0, 1000.0, 2.0f));
+    irsg.scene.entities = {shell};
+    irsg.scene.terrain = wall({-500, -50, 500}, 1000.0, 1000.0, 2.0f);
     const RenderedImage hidden = render();
     EXPECT_EQ(hidden.report.all.coveredPixels, 0.0);
     EXPECT_FLOAT_EQ(hidden.image.at(32, 32), 3.0f);
 }
 
 TEST_F(BackgroundScene, CountsFlooredPixelsAndSaysSo) {
-    irsg.setSkybox(plainSky(0.0f));
+    irsg.scene.skybox = plainSky(0.0f);
     settings.skybox = {4.0, 0.5};
     const RenderedImage result = render();
     EXPECT_EQ(result.image.at(0, 0), 0.0f);

@@ -10,7 +10,7 @@
 
 #include "irsg/render/opengl/GlEngine.h"
 #include "irsg/render/opengl/WindowStream.h"
-#include "irsg/scene/Irsg.h"
+#include "irsg/scene/InteractiveRenderer.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;
@@ -36,14 +36,14 @@ SignatureDatabase measuredBody() {
     return database;
 }
 
-void aim(Irsg& irsg, double azimuth_rad) {
+void aim(InteractiveRenderer& irsg, double azimuth_rad) {
     look(irsg, {.range_m = 80.0, .azimuth_rad = azimuth_rad, .elevation_rad = 0.1});
 }
 
-Irsg glazedBody() {
-    Irsg irsg;
-    irsg.setEnvironment(brightAir());
-    irsg.setEntities({entityOf(modelOf(glazedMesh()), measuredBody())});
+InteractiveRenderer glazedBody() {
+    InteractiveRenderer irsg;
+    irsg.scene.environment = brightAir();
+    irsg.scene.entities = {entityOf(modelOf(glazedMesh()), measuredBody())};
     return irsg;
 }
 
@@ -60,53 +60,53 @@ constexpr std::array azimuths_rad{0.0, 0.7, 1.9, 3.1};
 TEST(BegunReports, AreThoseOfOneCallEachInWhateverOrderTheyAreFinished) {
     std::vector<decltype(numbersOf({}))> expected;
     for (const double azimuth_rad : azimuths_rad) {
-        Irsg alone = glazedBody();
+        InteractiveRenderer alone = glazedBody();
         aim(alone, azimuth_rad);
         expected.push_back(numbersOf(alone.measure(std::vector<Band>{})));
     }
     EXPECT_NE(std::get<0>(expected[0]), std::get<0>(expected[1]));
 
     for (const auto& order : {std::array<std::size_t, 4>{0, 1, 2, 3}, {3, 1, 0, 2}}) {
-        Irsg irsg = glazedBody();
-        std::vector<std::shared_ptr<Renderer::Begun>> begun;
+        InteractiveRenderer irsg = glazedBody();
+        std::vector<PendingRender> begun;
         for (const double azimuth_rad : azimuths_rad) {
             aim(irsg, azimuth_rad);
-            begun.push_back(irsg.beginMeasure({}));
+            begun.push_back(irsg.begin(Outputs::reports()));
         }
         for (const std::size_t i : order) {
-            EXPECT_EQ(numbersOf(irsg.finishMeasure(begun[i])), expected[i]) << i;
+            EXPECT_EQ(numbersOf(begun[i].get().reports), expected[i]) << i;
         }
     }
 }
 
 TEST(BegunReports, OfOneViewShareItsDrawing) {
-    Irsg irsg = glazedBody();
+    InteractiveRenderer irsg = glazedBody();
     aim(irsg, 0.4);
-    const auto first = irsg.beginMeasure({});
-    EntityState hotter = irsg.entities().front().state;
+    PendingRender first = irsg.begin(Outputs::reports());
+    EntityState hotter = irsg.scene.entities.front().state;
     hotter.time_s = 5.0;
-    irsg.setState(0, hotter);
-    const auto second = irsg.beginMeasure({Band::topHat(3.5, 4.5)});
-    const auto ofSecond = numbersOf(irsg.finishMeasure(second));
-    const auto ofFirst = numbersOf(irsg.finishMeasure(first));
+    irsg.scene.entities[0].state = hotter;
+    PendingRender second = irsg.begin(Outputs::reports({Band::topHat(3.5, 4.5)}));
+    const auto ofSecond = numbersOf(second.get().reports);
+    const auto ofFirst = numbersOf(first.get().reports);
     for (const StageTimes::Stage& stage : irsg.stageTimes().stages) {
         EXPECT_TRUE(stage.name != "factor sums" || stage.calls == 1);
     }
 
-    Irsg alone = glazedBody();
+    InteractiveRenderer alone = glazedBody();
     aim(alone, 0.4);
     EXPECT_EQ(ofFirst, numbersOf(alone.measure(std::vector<Band>{})));
-    alone.setState(0, hotter);
+    alone.scene.entities[0].state = hotter;
     EXPECT_EQ(ofSecond, numbersOf(alone.measure(std::vector<Band>{Band::topHat(3.5, 4.5)})));
 }
 
 TEST(BegunReports, MayBeDroppedUnfinished) {
-    Irsg irsg = glazedBody();
+    InteractiveRenderer irsg = glazedBody();
     aim(irsg, 0.4);
     const auto expected = numbersOf(irsg.measure(std::vector<Band>{}));
     for (const double azimuth_rad : azimuths_rad) {
         aim(irsg, azimuth_rad);
-        irsg.beginMeasure({});
+        irsg.begin(Outputs::reports());
     }
     aim(irsg, 0.4);
     EXPECT_EQ(numbersOf(irsg.measure(std::vector<Band>{})), expected);
@@ -116,11 +116,11 @@ TEST(BegunReports, OfAPictureAreThoseOfASweepHoweverLarge) {
     RenderSettings settings;
     settings.zoomWindow = 128;
     for (const double fieldOfView_deg : {60.0, 6.0}) { // a few dozen pixels, and most of the frame
-        Irsg irsg = glazedBody();
-        irsg.setSettings(settings);
-        irsg.setSensor(sensorOf(640, 512, fieldOfView_deg));
+        InteractiveRenderer irsg = glazedBody();
+        irsg.scene.settings = settings;
+        irsg.view.sensor = sensorOf(640, 512, fieldOfView_deg);
         aim(irsg, 0.7);
-        const RenderedImage picture = irsg.render();
+        const RenderedImage picture = irsg.imageWithReport();
         const ObjectRadiometry swept = irsg.measure().all;
         EXPECT_NEAR(picture.report.all.intensity_W_sr / swept.intensity_W_sr, 1.0, 1e-6);
         EXPECT_NEAR(picture.report.all.contrastIntensity_W_sr / swept.contrastIntensity_W_sr, 1.0,
@@ -131,7 +131,7 @@ TEST(BegunReports, OfAPictureAreThoseOfASweepHoweverLarge) {
         for (const float pixel : picture.image.primary().values) {
             above_W_m2_sr += static_cast<double>(pixel) - picture.report.background_W_m2_sr;
         }
-        const double pitch = irsg.sensor().pixelPitch();
+        const double pitch = irsg.view.sensor.pixelPitch();
         const double ofPixels_W_sr = above_W_m2_sr * pitch * pitch * 80.0 * 80.0;
         EXPECT_NEAR(ofPixels_W_sr / swept.contrastIntensity_W_sr, 1.0, 0.01) << fieldOfView_deg;
     }

@@ -94,17 +94,17 @@ constexpr std::array<double, 3> emissivities{0.5, 0.7, 0.9};
 /// Intensities on the axis from afar, as parts of that of black walls.
 std::array<double, 3> normalEmissivities(const Mesh& mesh) {
     const std::shared_ptr<const Model> model = modelOf(oneSided(mesh));
-    Irsg irsg;
-    irsg.setEnvironment(Environment::vacuum());
-    irsg.setSensor(sensorOf(32, 32, 0.3));
+    InteractiveRenderer irsg;
+    irsg.scene.environment = Environment::vacuum();
+    irsg.view.sensor = sensorOf(32, 32, 0.3);
     const auto intensity = [&](double emissivity, int bounces) {
         Entity entity = entityOf(model, greyDatabase(emissivity, 500.0));
         entity.pose.position_m.z = standingAltitude_m;
         entity.referencePoint_m = Vec3{};
-        irsg.setSettings(lightSettings(bounces));
-        irsg.setEntities({entity});
+        irsg.scene.settings = lightSettings(bounces);
+        irsg.scene.entities = {entity};
         const Vec3 at{0, 0, standingAltitude_m};
-        irsg.setViewpoint(Viewpoint::lookAt(at + Vec3{0, 0, 1000}, at, {0, 1, 0}, {0, 1, 0}));
+        irsg.view.viewpoint = Viewpoint::lookAt(at + Vec3{0, 0, 1000}, at, {0, 1, 0}, {0, 1, 0});
         return irsg.measure().all.intensity_W_sr;
     };
     const double black = intensity(1.0, 0);

@@ -88,8 +88,8 @@ double glint_W_sr(const Material& material, double phase_deg, EngineChoice engin
     const double cosine = std::cos(radians(phase_deg));
     const double apart_rad = std::acos((cosine - std::pow(std::sin(elevation_rad), 2)) /
                                        std::pow(std::cos(elevation_rad), 2));
-    Irsg irsg = rendererOf({ballOf(material, 2.0)}, sunAlone(engine),
-                           environmentOf(air, {apart_rad, elevation_rad}));
+    InteractiveRenderer irsg = rendererOf({ballOf(material, 2.0)}, sunAlone(engine),
+                                          environmentOf(air, {apart_rad, elevation_rad}));
     look(irsg, {.range_m = 3000.0,
                 .azimuth_rad = 0.0,
                 .elevation_rad = elevation_rad,
@@ -195,12 +195,12 @@ TEST_F(DirectionalSurfaces, EmitByDirection) {
     RenderSettings settings = lightSettings(0);
     for (const EngineChoice engine : {EngineChoice::opengl, EngineChoice::rays}) {
         settings.engine = engine;
-        Irsg irsg = rendererOf({ballOf(facets("ggx", 0.001, 0.3), 400.0)}, settings);
+        InteractiveRenderer irsg = rendererOf({ballOf(facets("ggx", 0.001, 0.3), 400.0)}, settings);
         look(irsg, {.range_m = 3000.0, .width_px = 65, .height_px = 65, .fieldOfView_rad = 0.001});
         const double black = static_cast<double>(reference::bandRadiance({3.0, 5.0}, 400.0));
         EXPECT_NEAR(irsg.measure().all.intensity_W_sr / (black * pi * 0.3 * 20.0 / 21.0), 1.0,
                     0.002);
-        const RadianceImage image = irsg.render().image;
+        const RadianceImage image = irsg.imageWithReport().image;
         EXPECT_NEAR(static_cast<double>(image.at(32, 32)) / black, 0.3, 5e-4);
     }
 }
@@ -220,10 +220,10 @@ TEST_F(DirectionalSurfaces, AreInvisibleInAnIsothermalEnclosure) {
         for (const EngineChoice engine : {EngineChoice::opengl, EngineChoice::rays}) {
             RenderSettings settings;
             settings.engine = engine;
-            Irsg irsg =
+            InteractiveRenderer irsg =
                 rendererOf({ballOf(material, 300.0)}, settings, environmentOf(air, {0.0, -0.5}));
             look(irsg, {.range_m = 60.0, .band = band});
-            const RadianceImage image = irsg.render().image;
+            const RadianceImage image = irsg.imageWithReport().image;
             for (const float value : image.primary().values) {
                 ASSERT_NEAR(static_cast<double>(value) / (black * band.area_um()), 1.0, 2e-6)
                     << material.surfaceModel << " " << material.roughness << " "
@@ -321,7 +321,7 @@ TEST_F(DirectionalSurfaces, ShowTheSkyAlongTheMirrorDirection) {
             RenderSettings settings;
             settings.engine = engine;
             settings.background = BackgroundMode::none;
-            Irsg irsg = rendererOf({plate}, settings, environment);
+            InteractiveRenderer irsg = rendererOf({plate}, settings, environment);
             look(irsg, {.range_m = 300.0,
                         .elevation_rad = radians(elevation_deg),
                         .width_px = 65,
@@ -330,7 +330,8 @@ TEST_F(DirectionalSurfaces, ShowTheSkyAlongTheMirrorDirection) {
             const double cosine = std::sin(radians(std::abs(elevation_deg)));
             const double expected =
                 width_um * schlick(0.6, cosine) * sky->at(radians(elevation_deg));
-            EXPECT_NEAR(static_cast<double>(irsg.render().image.at(32, 32)) / expected, 1.0, 0.003)
+            EXPECT_NEAR(static_cast<double>(irsg.imageWithReport().image.at(32, 32)) / expected,
+                        1.0, 0.003)
                 << elevation_deg;
         }
     }
@@ -370,7 +371,7 @@ TEST_F(DirectionalSurfaces, AreTheSameByEveryWay) {
         settings.sunShadows = SunShadowMode::point;
         settings.bounces = convergedBounces;
         settings.hotSpots = false; // windows that do not follow the scales
-        Irsg irsg = rendererOf({polishedCorner()}, settings, brightAir());
+        InteractiveRenderer irsg = rendererOf({polishedCorner()}, settings, brightAir());
         View view;
         view.azimuth_rad = 2.2;
         view.elevation_rad = 0.7;
@@ -378,7 +379,7 @@ TEST_F(DirectionalSurfaces, AreTheSameByEveryWay) {
         look(irsg, view);
         const double swept = irsg.measure().all.intensity_W_sr;
         byEngine[engine == EngineChoice::rays ? 1 : 0] = swept;
-        EXPECT_NEAR(irsg.render().report.all.intensity_W_sr / swept, 1.0, 2e-3);
+        EXPECT_NEAR(irsg.imageWithReport().report.all.intensity_W_sr / swept, 1.0, 2e-3);
         const RadianceImage drawn = irsg.picture(), summed = irsg.picture();
         for (std::size_t i = 0; i < drawn.find("L")->values.size(); ++i) {
             ASSERT_NEAR(drawn.find("L")->values[i], summed.find("L")->values[i],
@@ -408,7 +409,7 @@ TEST_F(DirectionalSurfaces, AreTheSameByEveryWay) {
             other.temperatureScale[2] = scales[0];
             other.emissivityScale[2] = scales[1];
             other.emissivityScale[3] = scales[2];
-            Irsg there = rendererOf({other}, irsg.settings(), brightAir());
+            InteractiveRenderer there = rendererOf({other}, irsg.scene.settings, brightAir());
             look(there, view);
             const double expected = there.measure().all.intensity_W_sr;
             EXPECT_NEAR(values.intensity[0] / expected, 1.0,
@@ -417,10 +418,10 @@ TEST_F(DirectionalSurfaces, AreTheSameByEveryWay) {
         }
 
         // Truth layers add up to the picture, and what is explained of a pixel to the pixel.
-        RenderSettings truth = irsg.settings();
+        RenderSettings truth = irsg.scene.settings;
         truth.truthLayers = true;
-        irsg.setSettings(truth);
-        const RadianceImage layers = irsg.render().image;
+        irsg.scene.settings = truth;
+        const RadianceImage layers = irsg.imageWithReport().image;
         const std::vector<float>& whole = layers.find("L")->values;
         double mirrors = 0.0;
         const std::array names{"thermal",          "sun",       "up", "down", "path", "mirror",
@@ -442,7 +443,7 @@ TEST_F(DirectionalSurfaces, AreTheSameByEveryWay) {
         }
         const auto explainer = irsg.explainer();
         for (const int x : {20, 32, 40}) {
-            const PixelExplanation pixel = irsg.explain(*explainer, x, 30);
+            const PixelExplanation pixel = explainer(x, 30);
             EXPECT_NEAR(pixel.radiance_W_m2_sr / static_cast<double>(layers.at(x, 30)), 1.0, 2e-5);
             double parts = pixel.backgroundLeft_W_m2_sr;
             for (const ExplainedSurface& surface : pixel.surfaces) {
@@ -456,7 +457,7 @@ TEST_F(DirectionalSurfaces, AreTheSameByEveryWay) {
 
 TEST_F(DirectionalSurfaces, AreRefusedWhereTheModelIsUnknown) {
     Entity ball = ballOf(facets("phong", 0.2, 0.5), 300.0, 8);
-    Irsg irsg = rendererOf({ball}, RenderSettings{});
+    InteractiveRenderer irsg = rendererOf({ball}, RenderSettings{});
     look(irsg, {});
     EXPECT_THROW(irsg.measure(), InputError);
 }

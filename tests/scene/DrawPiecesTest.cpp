@@ -71,24 +71,24 @@ TEST(DrawPieces, HoldEveryTriangleOnceWithItsCodes) {
 
 // A window that shows a part of a model leaves out the pieces beside it, and shows the same.
 TEST(DrawPieces, ThatAWindowCannotShowAreNotMissed) {
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(ConstantAir{});
     RenderSettings settings;
     settings.zoomWindow = 0;
     settings.samplesPerAxis = 1;
-    irsg.setSettings(settings);
+    irsg.scene.settings = settings;
     SignatureDatabase database = greyDatabase(0.9, 320.0, 1.0);
-    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 60, 120, {1, 1})), database)});
+    irsg.scene.entities = {entityOf(modelOf(sphereMesh(1.0, 60, 120, {1, 1})), database)};
     const View whole{
         .range_m = 20.0, .width_px = 60, .height_px = 60, .fieldOfView_rad = 2.0 * std::atan(0.06)};
     look(irsg, whole);
-    const RadianceImage all = irsg.render().image;
+    const RadianceImage all = irsg.imageWithReport().image;
     // The middle half of the same image plane.
     View middle = whole;
     middle.width_px = middle.height_px = 30;
     middle.fieldOfView_rad = 2.0 * std::atan(0.03);
     look(irsg, middle);
-    const RadianceImage part = irsg.render().image;
+    const RadianceImage part = irsg.imageWithReport().image;
     const float least = 0.1f * all.primary().values[all.offset(30, 30)];
     for (int y = 0; y < 30; ++y) {
         for (int x = 0; x < 30; ++x) {

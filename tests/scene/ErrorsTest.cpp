@@ -72,8 +72,10 @@ double contrastOf(const ViewFactors& view, const SampleWindow& window) {
     return std::sqrt(sum);
 }
 
-RenderReport measured(Irsg& irsg, bool errors, bool alongRange = false) {
-    return irsg.finishMeasure(irsg.beginMeasure({}, alongRange, false, errors)).front();
+RenderReport measured(InteractiveRenderer& irsg, bool errors, bool alongRange = false) {
+    return irsg.begin(Outputs::reports().alongRange(alongRange).withErrors(errors))
+        .get()
+        .reports.front();
 }
 
 } // namespace
@@ -153,9 +155,9 @@ TEST(ErrorsOfScenes, CoverWhatIsWrong) {
 }
 
 TEST(ErrorsOfScenes, AreThoseOfTheScatterOfARangeCurve) {
-    Irsg irsg;
-    irsg.setEnvironment(Environment::vacuum());
-    irsg.setEntities({sampleAircraft()});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = Environment::vacuum();
+    irsg.scene.entities = {sampleAircraft()};
     for (const bool alongRange : {true, false}) {
         double sum = 0.0, squares = 0.0, errors = 0.0;
         constexpr int count = 15;
@@ -181,9 +183,9 @@ TEST(ErrorsOfScenes, AreOfferedOnRequestAndChangeNoNumber) {
     const RandomScene scene = randomScene(403, RandomAir::none);
     Renderer renderer;
     const auto reportOf = [&](bool image, bool errors) {
-        return renderer
-            .render(scene.scene, scene.view, {.image = image, .reports = true, .errors = errors})
-            .reports.front();
+        const Outputs outputs = image ? Outputs(Outputs::imageWithReports().withErrors(errors))
+                                      : Outputs::reports().withErrors(errors);
+        return renderer.render(scene.scene, scene.view, outputs).reports.front();
     };
     for (const bool image : {false, true}) {
         const RenderReport plain = reportOf(image, false), with = reportOf(image, true);
@@ -201,14 +203,14 @@ TEST(ErrorsOfScenes, AreOfferedOnRequestAndChangeNoNumber) {
 }
 
 TEST(ErrorsOfScenes, OfASpectrumAreThoseOfItsBand) {
-    Irsg irsg;
-    irsg.setEnvironment(Environment::vacuum());
-    irsg.setEntities(
-        {entityOf(modelOf(sphereMesh(5.0, 24, 48, {1, 1})), greyDatabase(0.9, 290.0))});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = Environment::vacuum();
+    irsg.scene.entities = {
+        entityOf(modelOf(sphereMesh(5.0, 24, 48, {1, 1})), greyDatabase(0.9, 290.0))};
     // What it emits has the same outline at every wavelength, what it reflects has not.
-    RenderSettings settings = irsg.settings();
+    RenderSettings settings = irsg.scene.settings;
     settings.sun = settings.ambientReflection = ReflectionMode::off;
-    irsg.setSettings(settings);
+    irsg.scene.settings = settings;
     look(irsg, {.range_m = 3000.0, .fieldOfView_rad = 0.06});
     const std::vector<double> wavenumbers_per_cm = {3000.0, 2000.0, 2500.0};
     EXPECT_TRUE(irsg.measureSpectrum(wavenumbers_per_cm).errors.empty());
@@ -223,7 +225,7 @@ TEST(ErrorsOfScenes, OfASpectrumAreThoseOfItsBand) {
         EXPECT_EQ(grey.errors[i].intensity_W_sr.air, 0.0);
     }
     // Of air and what lies behind: what the wavenumbers of a band have adds to that of the band.
-    irsg.setEnvironment(environmentOf(smartAir(6)));
+    irsg.scene.environment = environmentOf(smartAir(6));
     look(irsg, {.range_m = 300.0, .fieldOfView_rad = 0.06});
     const RenderReport report = measured(irsg, true);
     std::vector<double> fine_per_cm;
@@ -248,15 +250,15 @@ TEST(ErrorsOfScenes, OfASpectrumAreThoseOfItsBand) {
 
 TEST(ErrorsOfScenes, OfTheBackgroundAreThoseOfAHorizonBehindTheObject) {
     // Seen level from its own height, with the horizon behind its lower part.
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(smartAir(6)));
-    irsg.setEntities(
-        {entityOf(modelOf(sphereMesh(5.0, 24, 48, {1, 1})), greyDatabase(0.9, 290.0))});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(smartAir(6));
+    irsg.scene.entities = {
+        entityOf(modelOf(sphereMesh(5.0, 24, 48, {1, 1})), greyDatabase(0.9, 290.0))};
     look(irsg, {.range_m = 300.0, .fieldOfView_rad = 0.06});
     const ObjectRadiometry rough = measured(irsg, true).all;
-    RenderSettings settings = irsg.settings();
+    RenderSettings settings = irsg.scene.settings;
     settings.backgroundRows = 65;
-    irsg.setSettings(settings);
+    irsg.scene.settings = settings;
     const ObjectRadiometry fine = measured(irsg, true).all;
     const double wrong = std::abs(rough.contrastIntensity_W_sr - fine.contrastIntensity_W_sr);
     EXPECT_GT(wrong, 0.0);

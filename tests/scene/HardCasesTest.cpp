@@ -39,12 +39,12 @@ bool allFinite(const RadianceImage& image) {
 
 /// A sphere in the dark, with settings that a test changes.
 struct Stage {
-    Irsg irsg;
+    InteractiveRenderer irsg;
     std::shared_ptr<const Model> sphere = modelOf(sphereMesh(1.0, 32, 64, one));
 
     Stage() {
-        irsg.setEnvironment(darkness());
-        irsg.setEntities({entityOf(sphere, greyDatabase(0.9, 320.0))});
+        irsg.scene.environment = darkness();
+        irsg.scene.entities = {entityOf(sphere, greyDatabase(0.9, 320.0))};
         look(irsg, {});
     }
 };
@@ -52,8 +52,8 @@ struct Stage {
 } // namespace
 
 TEST(FloatTargets, KeepRadiancesFarAboveOneAndBelowZero) {
-    Irsg irsg;
-    irsg.setEnvironment(darkness());
+    InteractiveRenderer irsg;
+    irsg.scene.environment = darkness();
     const auto model = modelOf(plateMesh({0, 0, 0}, {1, 0, 0}, {0, 0, 1}, one));
     for (double level : {1e6, -3.5, 123.25}) {
         SignatureDatabase database = greyDatabase(1.0, 300.0);
@@ -66,38 +66,39 @@ TEST(FloatTargets, KeepRadiancesFarAboveOneAndBelowZero) {
             "W m-2 sr-1 um-1",
             "",
             {{"c", Spectrum({1.0, 10.0}, {level / 2.0, level / 2.0}, Spectrum::Outside::zero)}}};
-        irsg.setEntities({entityOf(model, database)});
+        irsg.scene.entities = {entityOf(model, database)};
         look(irsg, {.range_m = 50.0, .fieldOfView_rad = 0.01});
-        const RenderedImage rendered = irsg.render();
+        const RenderedImage rendered = irsg.imageWithReport();
         EXPECT_EQ(rendered.image.at(32, 32), static_cast<float>(level));
     }
 }
 
 TEST(Drawing, ShowsAChangedMaterialInTheVeryNextFrame) {
     Stage stage;
-    const double before = total(stage.irsg.render().image);
-    stage.irsg.setDatabase(0, std::make_shared<const SignatureDatabase>(greyDatabase(0.45, 320.0)));
-    EXPECT_NEAR(total(stage.irsg.render().image) / before, 0.5, 1e-6);
+    const double before = total(stage.irsg.imageWithReport().image);
+    stage.irsg.scene.entities[0].database =
+        std::make_shared<const SignatureDatabase>(greyDatabase(0.45, 320.0));
+    EXPECT_NEAR(total(stage.irsg.imageWithReport().image) / before, 0.5, 1e-6);
 }
 
 TEST(Drawing, IsBitEqualWhenRepeated) {
     Stage stage;
-    const RadianceImage first = stage.irsg.render().image;
+    const RadianceImage first = stage.irsg.imageWithReport().image;
     look(stage.irsg, {.azimuth_rad = 1.0});
-    stage.irsg.render();
+    stage.irsg.imageWithReport();
     look(stage.irsg, {});
-    EXPECT_EQ(stage.irsg.render().image.primary().values, first.primary().values);
+    EXPECT_EQ(stage.irsg.imageWithReport().image.primary().values, first.primary().values);
 }
 
 TEST(Drawing, PutsTheSkyAtTheTop) {
     // A plate above the axis of the camera is seen in the upper half of the picture, one to
     // starboard of a target seen from its nose in the left half.
-    Irsg irsg;
-    irsg.setEnvironment(darkness());
+    InteractiveRenderer irsg;
+    irsg.scene.environment = darkness();
     const auto model = modelOf(plateMesh({0.5, 0, 0.5}, {0.3, 0, 0}, {0, 0, 0.3}, one));
-    irsg.setEntities({entityOf(model, greyDatabase(1.0, 300.0))});
+    irsg.scene.entities = {entityOf(model, greyDatabase(1.0, 300.0))};
     look(irsg, {.range_m = 50.0});
-    const RadianceImage image = irsg.render().image;
+    const RadianceImage image = irsg.imageWithReport().image;
     EXPECT_GT(image.at(16, 16), 0.0f);
     EXPECT_EQ(image.at(48, 16), 0.0f);
     EXPECT_EQ(image.at(16, 48), 0.0f);
@@ -110,9 +111,9 @@ TEST(Drawing, TurnsWithTargetAndSensorTogether) {
     auto intensity = [&](double yaw_rad) {
         Entity entity = entityOf(box, greyDatabase(0.9, 320.0, 1.0));
         entity.pose.attitude.yaw_rad = yaw_rad;
-        stage.irsg.setEntities({entity});
+        stage.irsg.scene.entities = {entity};
         look(stage.irsg, {.azimuth_rad = 0.6, .elevation_rad = 0.3, .fieldOfView_rad = 0.08});
-        return stage.irsg.render().report.all.intensity_W_sr;
+        return stage.irsg.imageWithReport().report.all.intensity_W_sr;
     };
     for (double yaw : {0.5, 2.0, 4.0}) {
         EXPECT_NEAR(intensity(yaw) / intensity(0.0), 1.0, 1e-3) << yaw;
@@ -121,11 +122,11 @@ TEST(Drawing, TurnsWithTargetAndSensorTogether) {
 
 TEST(Drawing, KeepsItsDigitsFarFromTheWorldsOrigin) {
     Stage stage;
-    const double here = total(stage.irsg.render().image);
+    const double here = total(stage.irsg.imageWithReport().image);
     Pose far{{6.4e6, -6.4e6, standingAltitude_m}, {}};
-    stage.irsg.setPose(0, far);
+    stage.irsg.scene.entities[0].pose = far;
     look(stage.irsg, {});
-    EXPECT_NEAR(total(stage.irsg.render().image) / here, 1.0, 1e-5);
+    EXPECT_NEAR(total(stage.irsg.imageWithReport().image) / here, 1.0, 1e-5);
 }
 
 TEST(Drawing, KeepsItsDigitsAtTenThousandKilometres) {
@@ -134,10 +135,11 @@ TEST(Drawing, KeepsItsDigitsAtTenThousandKilometres) {
         RenderSettings settings;
         settings.zoomWindow = 0;
         settings.samplesPerAxis = 4;
-        stage.irsg.setSettings(settings);
+        stage.irsg.scene.settings = settings;
         look(stage.irsg, {.range_m = range_m, .fieldOfView_rad = 2.4 / range_m});
         const double expected = 0.9 * bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 320.0) * pi;
-        EXPECT_NEAR(stage.irsg.render().report.all.intensity_W_sr / expected, 1.0, 5e-3) << range_m;
+        EXPECT_NEAR(stage.irsg.imageWithReport().report.all.intensity_W_sr / expected, 1.0, 5e-3)
+            << range_m;
     }
 }
 
@@ -145,7 +147,7 @@ TEST(Drawing, WorksFromInsideAnObjectAndAtRangeZero) {
     Stage stage;
     for (double range_m : {0.5, 1e-9}) {
         look(stage.irsg, {.range_m = range_m, .fieldOfView_rad = 1.0});
-        const RadianceImage image = stage.irsg.render().image;
+        const RadianceImage image = stage.irsg.imageWithReport().image;
         const double expected = 0.9 * bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 320.0);
         EXPECT_NEAR(static_cast<double>(image.at(32, 32)) / expected, 1.0, 1e-5) << range_m;
     }
@@ -156,7 +158,7 @@ TEST(Drawing, HandlesEveryShapeOfImage) {
     const int sizes[][2] = {{1, 1}, {1, 37}, {37, 1}, {2, 2}, {53, 47}, {640, 3}};
     for (const auto& size : sizes) {
         look(stage.irsg, {.width_px = size[0], .height_px = size[1], .fieldOfView_rad = 0.02});
-        const RadianceImage image = stage.irsg.render().image;
+        const RadianceImage image = stage.irsg.imageWithReport().image;
         EXPECT_EQ(image.width(), size[0]);
         EXPECT_EQ(image.height(), size[1]);
         EXPECT_TRUE(allFinite(image));
@@ -173,31 +175,31 @@ TEST(Drawing, GivesTheSamePictureInOneTileAndInMany) {
     auto intensityWith = [&](int samples) {
         settings.zoomWindow = 0;
         settings.samplesPerAxis = samples;
-        stage.irsg.setSettings(settings);
+        stage.irsg.scene.settings = settings;
         look(stage.irsg, {.width_px = 300, .height_px = 300, .fieldOfView_rad = 0.022});
-        return stage.irsg.render().report.all.intensity_W_sr;
+        return stage.irsg.imageWithReport().report.all.intensity_W_sr;
     };
     EXPECT_NEAR(intensityWith(16) / intensityWith(4), 1.0, 2e-4);
 }
 
 TEST(Drawing, SeesNothingOfAnObjectBehindTheCameraOrOutsideTheFrame) {
     Stage stage;
-    Viewpoint away = stage.irsg.viewpoint();
+    Viewpoint away = stage.irsg.view.viewpoint;
     away.backward = away.backward * -1.0;
     away.right = away.right * -1.0;
-    stage.irsg.setViewpoint(away);
-    EXPECT_EQ(total(stage.irsg.render().image), 0.0);
+    stage.irsg.view.viewpoint = away;
+    EXPECT_EQ(total(stage.irsg.imageWithReport().image), 0.0);
 
     look(stage.irsg, {});
-    stage.irsg.setPose(0, {{50.0, 0.0, standingAltitude_m}, {}});
-    EXPECT_EQ(total(stage.irsg.render().image), 0.0);
+    stage.irsg.scene.entities[0].pose = {{50.0, 0.0, standingAltitude_m}, {}};
+    EXPECT_EQ(total(stage.irsg.imageWithReport().image), 0.0);
     EXPECT_EQ(stage.irsg.measure().all.intensity_W_sr, 0.0);
 }
 
 TEST(Drawing, DropsAnObjectOfAThousandthOfAPixelWithoutHarm) {
     Stage stage;
     look(stage.irsg, {.range_m = 1e6, .fieldOfView_rad = 0.128});
-    const RenderedImage rendered = stage.irsg.render();
+    const RenderedImage rendered = stage.irsg.imageWithReport();
     EXPECT_TRUE(allFinite(rendered.image));
     EXPECT_LE(rendered.report.all.coveredPixels, 1.0);
 }
@@ -209,9 +211,9 @@ TEST(Drawing, SurvivesDegenerateTrianglesAndMissingNormals) {
     mesh.push_back(
         {{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, one, false});
     Stage stage;
-    stage.irsg.setEntities({entityOf(modelOf(mesh), greyDatabase(0.5, 320.0, 1.0))});
+    stage.irsg.scene.entities = {entityOf(modelOf(mesh), greyDatabase(0.5, 320.0, 1.0))};
     look(stage.irsg, {});
-    EXPECT_TRUE(allFinite(stage.irsg.render().image));
+    EXPECT_TRUE(allFinite(stage.irsg.imageWithReport().image));
 }
 
 TEST(Drawing, LeavesNothingBehindAfterAHundredAnalyses) {
@@ -232,9 +234,9 @@ TEST(Drawing, LeavesNothingBehindAfterAHundredAnalyses) {
         return count;
     };
     Stage keepsTheContext;
-    keepsTheContext.irsg.render();
+    keepsTheContext.irsg.imageWithReport();
     for (int i = 0; i < 5; ++i) {
-        Stage().irsg.render();
+        Stage().irsg.imageWithReport();
     }
     const int threadsBefore = threads(), filesBefore = files();
     const HeldByContext before = heldByContext();
@@ -242,7 +244,7 @@ TEST(Drawing, LeavesNothingBehindAfterAHundredAnalyses) {
     EXPECT_GT(before.buffers, 0);
     for (int i = 0; i < 100; ++i) {
         Stage stage;
-        stage.irsg.render();
+        stage.irsg.imageWithReport();
     }
     const HeldByContext after = heldByContext();
     EXPECT_EQ(threads(), threadsBefore);
@@ -259,18 +261,18 @@ TEST(Layers, BeyondTheLimitAreCountedAndReported) {
         const Mesh plate = plateMesh({0, i * 0.1, 0}, {1, 0, 0}, {0, 0, 1}, one);
         mesh.insert(mesh.end(), plate.begin(), plate.end());
     }
-    Irsg irsg;
-    irsg.setEnvironment(darkness());
+    InteractiveRenderer irsg;
+    irsg.scene.environment = darkness();
     RenderSettings settings;
     settings.zoomWindow = 0;
     settings.samplesPerAxis = 1;
-    irsg.setEntities({entityOf(modelOf(mesh), greyDatabase(0.3, 320.0, 0.0, 0.7))});
+    irsg.scene.entities = {entityOf(modelOf(mesh), greyDatabase(0.3, 320.0, 0.0, 0.7))};
     const double one_W_m2_sr = 0.3 * bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 320.0);
     for (int limit : {3, 6, 64}) {
         settings.maximumLayers = limit;
-        irsg.setSettings(settings);
+        irsg.scene.settings = settings;
         look(irsg, {.range_m = 50.0, .fieldOfView_rad = 0.01});
-        const RenderedImage rendered = irsg.render();
+        const RenderedImage rendered = irsg.imageWithReport();
         const int drawn = std::min(limit, 6);
         EXPECT_NEAR(static_cast<double>(rendered.image.at(32, 32)) / one_W_m2_sr,
                     (1.0 - std::pow(0.7, drawn)) / 0.3, 1e-5);
@@ -290,14 +292,14 @@ TEST(Layers, OfCoplanarGlassDoNotDependOnTheOrderInTheFile) {
     SignatureDatabase database = greyDatabase(0.3, 320.0, 0.0, 0.7);
     database.temperatures[2] = fixedTemperature(350.0);
     database.materials[2] = greyMaterial(0.5, 0.4);
-    Irsg irsg;
-    irsg.setEnvironment(darkness());
-    irsg.setEntities({entityOf(modelOf(forward), database)});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = darkness();
+    irsg.scene.entities = {entityOf(modelOf(forward), database)};
     look(irsg, {});
-    const RadianceImage a = irsg.render().image;
-    irsg.setEntities({entityOf(modelOf(backward), database)});
+    const RadianceImage a = irsg.imageWithReport().image;
+    irsg.scene.entities = {entityOf(modelOf(backward), database)};
     look(irsg, {});
-    EXPECT_EQ(irsg.render().image.primary().values, a.primary().values);
+    EXPECT_EQ(irsg.imageWithReport().image.primary().values, a.primary().values);
 }
 
 struct Refusal {
@@ -316,7 +318,7 @@ TEST_P(SceneChecks, NameWhatIsWrong) {
     Stage stage;
     GetParam().spoil(stage);
     try {
-        stage.irsg.render();
+        stage.irsg.imageWithReport();
         FAIL() << "must be refused";
     } catch (const InputError& error) {
         const std::string what = error.what();
@@ -326,7 +328,7 @@ TEST_P(SceneChecks, NameWhatIsWrong) {
 }
 
 void replaceDatabase(Stage& stage, const SignatureDatabase& database) {
-    stage.irsg.setDatabase(0, std::make_shared<const SignatureDatabase>(database));
+    stage.irsg.scene.entities[0].database = std::make_shared<const SignatureDatabase>(database);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -338,7 +340,7 @@ INSTANTIATE_TEST_SUITE_P(
                             "altitude", "at least 0 m"},
                     Refusal{"TargetBelowGround",
                             [](Stage& s) {
-                                s.irsg.setPose(0, {{0, 0, -10}, {}});
+                                s.irsg.scene.entities[0].pose = {{0, 0, -10}, {}};
                             },
                             "altitude", "at least 0 m"},
                     Refusal{"TemperatureWithoutEntry",
@@ -377,7 +379,7 @@ INSTANTIATE_TEST_SUITE_P(
                             [](Stage& s) {
                                 RenderSettings settings;
                                 settings.samplesPerAxis = 17;
-                                s.irsg.setSettings(settings);
+                                s.irsg.scene.settings = settings;
                             },
                             "samples per axis", "1 to 16"},
                     Refusal{"BackgroundNotANumber",
@@ -385,7 +387,7 @@ INSTANTIATE_TEST_SUITE_P(
                                 RenderSettings settings;
                                 settings.background = BackgroundMode::constant;
                                 settings.background_W_m2_sr = std::nan("");
-                                s.irsg.setSettings(settings);
+                                s.irsg.scene.settings = settings;
                             },
                             "background", "finite radiance"}),
     [](const auto& row) { return std::string(row.param.name); });

@@ -51,7 +51,7 @@ double wall_W_sr() {
     return 30.0 * 10.0 * radiance_W_m2_sr(skin_K);
 }
 
-void lookFromFar(Irsg& irsg, double size_px) {
+void lookFromFar(InteractiveRenderer& irsg, double size_px) {
     constexpr double range_m = 1e6; // so far that solid angle times range squared is area
     View view;
     view.range_m = range_m;
@@ -70,18 +70,19 @@ RenderSettings settingsOf(int zoomWindow, bool hotSpots) {
 }
 
 /// Largest error of the intensity over phases, as a part of what the lips give.
-double largestError(Irsg& irsg, double size_px) {
+double largestError(InteractiveRenderer& irsg, double size_px) {
     double largest = 0.0;
     for (int i = 0; i < 12; ++i) {
-        irsg.setPose(0, {{0, 0, standingAltitude_m}, {}});
+        irsg.scene.entities[0].pose = {{0, 0, standingAltitude_m}, {}};
         lookFromFar(irsg, size_px);
-        const Viewpoint& camera = irsg.viewpoint();
+        const Viewpoint& camera = irsg.view.viewpoint;
         const double pixel_m = 30.0 / size_px;
-        irsg.setPose(0, {Vec3{0, 0, standingAltitude_m} +
-                             camera.right * (std::fmod(i * 0.61803398875, 1.0) * pixel_m) +
-                             camera.up * (std::fmod(i * 0.41421356237, 1.0) * pixel_m),
-                         {}});
-        const double intensity_W_sr = irsg.render().report.all.intensity_W_sr;
+        irsg.scene.entities[0].pose = {
+            Vec3{0, 0, standingAltitude_m} +
+                camera.right * (std::fmod(i * 0.61803398875, 1.0) * pixel_m) +
+                camera.up * (std::fmod(i * 0.41421356237, 1.0) * pixel_m),
+            {}};
+        const double intensity_W_sr = irsg.imageWithReport().report.all.intensity_W_sr;
         largest = std::max(largest, std::abs(intensity_W_sr - wall_W_sr() - lips_W_sr()));
     }
     return largest / lips_W_sr();
@@ -90,8 +91,8 @@ double largestError(Irsg& irsg, double size_px) {
 } // namespace
 
 TEST(HotParts, AreSurfacesThatShineOutOfTheirObject) {
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(ConstantAir{});
     for (const auto& [temperature_K, isHot] :
          {std::pair{900.0, true}, {500.0, true}, {330.0, false}, {300.0, false}, {200.0, false}}) {
         Entity entity = wall();
@@ -121,31 +122,31 @@ TEST(HotParts, AreFoundPieceByPiece) {
 
 TEST(HotParts, AreNarrowerThanTheSamplesAndKeepTheirIntensity) {
     // 30 m in 256 samples are 12 cm each; the lips are 2 cm wide.
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
-    irsg.setEntities({wall()});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.entities = {wall()};
     for (const double size_px : {90.0, 30.0, 3.0, 0.7, 0.04, 0.01}) {
-        irsg.setSettings(settingsOf(256, true));
+        irsg.scene.settings = settingsOf(256, true);
         EXPECT_LT(largestError(irsg, size_px), 0.03) << size_px << " px";
     }
-    irsg.setSettings(settingsOf(256, false));
+    irsg.scene.settings = settingsOf(256, false);
     EXPECT_GT(largestError(irsg, 30.0), 0.1);
 }
 
 TEST(HotParts, AreTheSameInImagesAndInFactors) {
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
-    irsg.setEntities({wall()});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.entities = {wall()};
     for (const bool hotSpots : {true, false, true}) {
-        irsg.setSettings(settingsOf(256, hotSpots));
+        irsg.scene.settings = settingsOf(256, hotSpots);
         lookFromFar(irsg, 20.3);
-        const double image = irsg.render().report.all.intensity_W_sr;
+        const double image = irsg.imageWithReport().report.all.intensity_W_sr;
         EXPECT_NEAR(irsg.measure().all.intensity_W_sr / image, 1.0, 1e-6);
     }
     // Another temperature changes what is hot, and with it the factors.
     SignatureDatabase cold = *wall().database;
     cold.temperatures[2] = fixedTemperature(skin_K);
-    irsg.setDatabase(0, std::make_shared<const SignatureDatabase>(cold));
-    const double image = irsg.render().report.all.intensity_W_sr;
+    irsg.scene.entities[0].database = std::make_shared<const SignatureDatabase>(cold);
+    const double image = irsg.imageWithReport().report.all.intensity_W_sr;
     EXPECT_NEAR(irsg.measure().all.intensity_W_sr / image, 1.0, 1e-6);
 }

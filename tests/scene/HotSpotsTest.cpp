@@ -82,28 +82,29 @@ RenderSettings settingsOf(int zoomWindow, bool hotSpots = true) {
     return settings;
 }
 
-Irsg& generator() {
-    static Irsg irsg;
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
+InteractiveRenderer& generator() {
+    static InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(ConstantAir{});
     return irsg;
 }
 
 /// At the first object, which stands at some phase of the pixels: the camera turns by a part of
 /// one, so that what it sees of the object stays the same.
-void look(Irsg& irsg, double azimuth_rad, double elevation_rad, double range_m, int phase) {
+void look(InteractiveRenderer& irsg, double azimuth_rad, double elevation_rad, double range_m,
+          int phase) {
     const Vec3 place_m{0, 0, standingAltitude_m};
-    irsg.setPose(0, {place_m, {}});
+    irsg.scene.entities[0].pose = {place_m, {}};
     test::look(irsg, {.range_m = range_m,
                       .azimuth_rad = azimuth_rad,
                       .elevation_rad = elevation_rad,
                       .width_px = 400,
                       .height_px = 320,
                       .fieldOfView_rad = 2.0 * std::atan(200.0 * pixel_rad)});
-    const Viewpoint camera = irsg.viewpoint();
+    const Viewpoint camera = irsg.view.viewpoint;
     const double pixel_m = pixel_rad * range_m;
-    irsg.setViewpoint(Viewpoint::lookAt(
+    irsg.view.viewpoint = Viewpoint::lookAt(
         camera.position_m, place_m + camera.right * (part(phase, 0.61803398875) * pixel_m) +
-                               camera.up * (part(phase, 0.41421356237) * pixel_m)));
+                               camera.up * (part(phase, 0.41421356237) * pixel_m));
 }
 
 struct Errors {
@@ -151,7 +152,7 @@ void expectWithoutAJump(const CurveErrors& errors, double known, const std::stri
 }
 
 /// From 2 to 40 km.
-CurveErrors errorsOf(Irsg& irsg, const Spots& spots) {
+CurveErrors errorsOf(InteractiveRenderer& irsg, const Spots& spots) {
     constexpr int places = 5, phases = 3;
     CurveErrors errors;
     for (int place = 0; place < places; ++place) {
@@ -169,7 +170,7 @@ CurveErrors errorsOf(Irsg& irsg, const Spots& spots) {
 } // namespace
 
 TEST(HotSpots, KeepTheirIntensityHoweverManyTheyAre) {
-    Irsg& irsg = generator();
+    InteractiveRenderer& irsg = generator();
     // The truth is that of far away, where a wall of 30 m has no middle that is nearer than its
     // ends.
     constexpr double known = 5e-5;
@@ -177,8 +178,8 @@ TEST(HotSpots, KeepTheirIntensityHoweverManyTheyAre) {
         double before = 0.0;
         for (const int count : {1, 4, 16, 17, 40, 90, 200}) {
             const Spots spots(count);
-            irsg.setEntities({hotAndCold(spots.mesh)});
-            irsg.setSettings(settingsOf(size));
+            irsg.scene.entities = {hotAndCold(spots.mesh)};
+            irsg.scene.settings = settingsOf(size);
             const CurveErrors errors = errorsOf(irsg, spots);
             const std::string name =
                 std::to_string(count) + " spots, window " + std::to_string(size);
@@ -205,9 +206,9 @@ TEST(HotSpots, OfSeveralStatesAreDrawnOnceForAll) {
     database.temperatures[2].terms.power = LookupTable({0.0, 1.0}, {0.0, hot_K - skin_K});
     wall.database = std::make_shared<const SignatureDatabase>(database);
     const auto measured = [&](const std::vector<double>& powers, bool areShared, long& drawings) {
-        Irsg irsg;
-        irsg.setEnvironment(environmentOf(ConstantAir{}));
-        irsg.setSettings(settingsOf(128));
+        InteractiveRenderer irsg;
+        irsg.scene.environment = environmentOf(ConstantAir{});
+        irsg.scene.settings = settingsOf(128);
         Entity entity = wall;
         for (const double power : powers) {
             EntityState state;
@@ -216,13 +217,13 @@ TEST(HotSpots, OfSeveralStatesAreDrawnOnceForAll) {
                 entity.otherStates.push_back(state);
             }
         }
-        irsg.setEntities({entity});
+        irsg.scene.entities = {entity};
         look(irsg, 0.0, 0.0, 8000.0, 2);
         std::vector<double> intensities_W_sr;
         for (const double power : powers) {
             EntityState state;
             state.power = power;
-            irsg.setState(0, state);
+            irsg.scene.entities[0].state = state;
             intensities_W_sr.push_back(irsg.measure().all.intensity_W_sr);
         }
         drawings = 0;
@@ -245,22 +246,22 @@ TEST(HotSpots, OfSeveralStatesAreDrawnOnceForAll) {
 
 TEST(HotSpots, ThatAreHiddenCostNothingAndChangeNothing) {
     // From behind, a screen hides them all.
-    Irsg& irsg = generator();
+    InteractiveRenderer& irsg = generator();
     const Mesh screen = plateMesh({0, -0.5, 0}, {0, 0, 7}, {17, 0, 0}, skin);
-    irsg.setEntities({hotAndCold(joined(Spots(20).mesh, screen))});
+    irsg.scene.entities = {hotAndCold(joined(Spots(20).mesh, screen))};
     for (const int size : {128, 256}) {
         look(irsg, pi, 0.0, 4e3, 1);
-        irsg.setSettings(settingsOf(size, true));
-        const RenderedImage with = irsg.render();
-        irsg.setSettings(settingsOf(size, false));
-        const RenderedImage without = irsg.render();
+        irsg.scene.settings = settingsOf(size, true);
+        const RenderedImage with = irsg.imageWithReport();
+        irsg.scene.settings = settingsOf(size, false);
+        const RenderedImage without = irsg.imageWithReport();
         EXPECT_EQ(with.report.windows.size(), without.report.windows.size());
         EXPECT_EQ(with.report.all.intensity_W_sr, without.report.all.intensity_W_sr);
         EXPECT_EQ(with.image.primary().values, without.image.primary().values);
 
         look(irsg, 0.0, 0.0, 4e3, 1);
-        irsg.setSettings(settingsOf(size, true));
-        EXPECT_GT(irsg.render().report.windows.size(), 10u);
+        irsg.scene.settings = settingsOf(size, true);
+        EXPECT_GT(irsg.imageWithReport().report.windows.size(), 10u);
     }
 }
 
@@ -332,10 +333,10 @@ TEST(HotAircraft, TurnsWithoutAJump) {
         }
         mesh = joined(mesh, pipe);
     }
-    Irsg& irsg = generator();
-    irsg.setEntities({hotAndCold(mesh)});
+    InteractiveRenderer& irsg = generator();
+    irsg.scene.entities = {hotAndCold(mesh)};
     const auto intensityAt = [&](int degree, int size, int phase) {
-        irsg.setSettings(settingsOf(size));
+        irsg.scene.settings = settingsOf(size);
         look(irsg, radians(degree), radians(4.0), 5e3, phase);
         return irsg.measure().all.intensity_W_sr;
     };
@@ -367,18 +368,19 @@ TEST(HotAircraft, TurnsWithoutAJump) {
 
 TEST(LongThinBody, KeepsItsIntensityFromOneAspectToTheNext) {
     // 86 x 4 pixels and slimmer, seen from its edge and ever more from above.
-    Irsg& irsg = generator();
+    InteractiveRenderer& irsg = generator();
     for (const auto& [thickness_m, most] : {std::pair{4.0, 3e-4}, {1.2, 6e-4}, {0.4, 1e-3}}) {
         const Mesh mesh = boxMesh({43.0, 30.0, 0.5 * thickness_m}, std::vector<IrCodes>(6, skin));
-        irsg.setEntities({hotAndCold(mesh)});
-        irsg.setSettings(settingsOf(256));
+        irsg.scene.entities = {hotAndCold(mesh)};
+        irsg.scene.settings = settingsOf(256);
         CurveErrors errors;
         constexpr int aspects = 32, phases = 4;
         for (int aspect = 0; aspect < aspects; ++aspect) {
             std::vector<double> ofPhases;
             for (int phase = 0; phase < phases; ++phase) {
                 look(irsg, 0.0, radians(0.025 * aspect), 1.0 / pixel_rad, phases * aspect + phase);
-                const Vec3 away = irsg.viewpoint().position_m - irsg.entities()[0].pose.position_m;
+                const Vec3 away =
+                    irsg.view.viewpoint.position_m - irsg.scene.entities[0].pose.position_m;
                 const double truth =
                     radiance_W_m2_sr(skin_K) * convexSolidAngle_sr(mesh, away) * dot(away, away);
                 ofPhases.push_back(irsg.measure().all.intensity_W_sr / truth - 1.0);

@@ -100,13 +100,14 @@ RenderSettings brightSettings(EngineChoice engine, int bounces) {
 TEST_F(LightBetweenTest, EveryWayGivesTheSame) {
     for (const EngineChoice engine : {EngineChoice::opengl, EngineChoice::rays}) {
         for (const int bounces : {1, convergedBounces}) {
-            Irsg irsg = rendererOf({corner()}, brightSettings(engine, bounces), brightAir());
+            InteractiveRenderer irsg =
+                rendererOf({corner()}, brightSettings(engine, bounces), brightAir());
             View view;
             view.azimuth_rad = 2.2;
             view.elevation_rad = 0.7;
             view.fieldOfView_rad = 0.08;
             look(irsg, view);
-            const RenderedImage picture = irsg.render();
+            const RenderedImage picture = irsg.imageWithReport();
             const double seen = picture.report.all.intensity_W_sr;
             const double swept = irsg.measure().all.intensity_W_sr;
             EXPECT_NEAR(seen / swept, 1.0, 2e-3);
@@ -138,7 +139,7 @@ TEST_F(LightBetweenTest, EveryWayGivesTheSame) {
                 Entity other = corner();
                 other.temperatureScale[2] = scales[0];
                 other.emissivityScale[2] = scales[1];
-                Irsg there = rendererOf({other}, irsg.settings(), brightAir());
+                InteractiveRenderer there = rendererOf({other}, irsg.scene.settings, brightAir());
                 look(there, view);
                 const double expected = there.measure().all.intensity_W_sr;
                 // What is reflected on the way counts to the first order.
@@ -149,10 +150,10 @@ TEST_F(LightBetweenTest, EveryWayGivesTheSame) {
             const auto bands = irsg.measure({Band::topHat(3.0, 5.0), Band::topHat(4.2, 4.5)});
             EXPECT_NEAR(bands[0].all.intensity_W_sr / swept, 1.0, 1e-9);
 
-            RenderSettings truth = irsg.settings();
+            RenderSettings truth = irsg.scene.settings;
             truth.truthLayers = true;
-            irsg.setSettings(truth);
-            const RadianceImage layers = irsg.render().image;
+            irsg.scene.settings = truth;
+            const RadianceImage layers = irsg.imageWithReport().image;
             const std::vector<float>& whole = layers.find("L")->values;
             double others = 0.0;
             for (std::size_t i = 0; i < whole.size(); ++i) {
@@ -206,7 +207,7 @@ double worstDraw(const std::vector<ScalingInput>& inputs, bool isSpectrum) {
     const RenderSettings settings = brightSettings(EngineChoice::rays, convergedBounces);
     const View view{.azimuth_rad = 0.5, .elevation_rad = 0.9, .fieldOfView_rad = 0.08};
     const std::vector<double> wavenumbers_per_cm{2100.0, 2600.0, 3100.0};
-    Irsg irsg = rendererOf({openBox()}, settings, brightAir());
+    InteractiveRenderer irsg = rendererOf({openBox()}, settings, brightAir());
     look(irsg, view);
     const auto scaled =
         isSpectrum ? irsg.scaledSpectrum(inputs, wavenumbers_per_cm) : irsg.scaledView(inputs);
@@ -224,7 +225,7 @@ double worstDraw(const std::vector<ScalingInput>& inputs, bool isSpectrum) {
         }
         ScaledValues found;
         scaled->evaluate(scales, found);
-        Irsg there = rendererOf({box}, settings, brightAir());
+        InteractiveRenderer there = rendererOf({box}, settings, brightAir());
         look(there, view);
         std::vector<double> expected{there.measure().all.intensity_W_sr};
         if (isSpectrum) {
@@ -250,10 +251,10 @@ TEST_F(LightBetweenTest, ThreadsChangeNoBit) {
     std::vector<float> first;
     for (const unsigned threads : {1u, 3u, 0u}) {
         setMostThreads(threads);
-        Irsg irsg = rendererOf({corner()}, brightSettings(EngineChoice::rays, convergedBounces),
-                               brightAir());
+        InteractiveRenderer irsg = rendererOf(
+            {corner()}, brightSettings(EngineChoice::rays, convergedBounces), brightAir());
         look(irsg, {.azimuth_rad = 2.2, .elevation_rad = 0.7, .fieldOfView_rad = 0.08});
-        const RadianceImage image = irsg.render().image;
+        const RadianceImage image = irsg.imageWithReport().image;
         if (first.empty()) {
             first = image.find("L")->values;
         }
@@ -267,9 +268,10 @@ TEST_F(LightBetweenTest, ConvexBodiesAreAsBefore) {
     entity.pose.position_m.z = standingAltitude_m;
     std::vector<std::vector<float>> images;
     for (const int bounces : {0, convergedBounces}) {
-        Irsg irsg = rendererOf({entity}, brightSettings(EngineChoice::rays, bounces), brightAir());
+        InteractiveRenderer irsg =
+            rendererOf({entity}, brightSettings(EngineChoice::rays, bounces), brightAir());
         look(irsg, {});
-        images.push_back(irsg.render().image.find("L")->values);
+        images.push_back(irsg.imageWithReport().image.find("L")->values);
     }
     EXPECT_EQ(images[0], images[1]);
 }
@@ -300,7 +302,7 @@ TEST_F(LightBetweenTest, OthersLightAsOwnPartsDo) {
         }
         RenderSettings settings = brightSettings(EngineChoice::rays, i == 2 ? 0 : convergedBounces);
         settings.lightError = 0.004;
-        Irsg irsg = rendererOf(entities, settings, brightAir());
+        InteractiveRenderer irsg = rendererOf(entities, settings, brightAir());
         look(irsg, {.azimuth_rad = 0.5, .elevation_rad = 0.9, .fieldOfView_rad = 0.1});
         intensity[static_cast<std::size_t>(i)] = irsg.measure().all.intensity_W_sr;
     }

@@ -1,9 +1,9 @@
-// Irsg::picture(): the image of render() for a window that follows edits.
+// InteractiveRenderer::picture(): the image of render() for a window that follows edits.
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "irsg/scene/Irsg.h"
+#include "irsg/scene/InteractiveRenderer.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;
@@ -27,16 +27,16 @@ SignatureDatabase glazing() {
 class PictureTest : public testing::Test {
   protected:
     PictureTest() {
-        irsg.setEnvironment(brightAir());
-        irsg.setEntities({entityOf(modelOf(glazedMesh()), glazing())});
+        irsg.scene.environment = brightAir();
+        irsg.scene.entities = {entityOf(modelOf(glazedMesh()), glazing())};
         // Windows that do not follow the temperatures, so that drawings can be counted.
         RenderSettings settings;
         settings.hotSpots = false;
-        irsg.setSettings(settings);
+        irsg.scene.settings = settings;
         look(irsg, {.range_m = 100.0, .azimuth_rad = 0.5, .elevation_rad = 0.2});
     }
     void edit(const SignatureDatabase& database) {
-        irsg.setDatabase(0, std::make_shared<const SignatureDatabase>(database));
+        irsg.scene.entities[0].database = std::make_shared<const SignatureDatabase>(database);
     }
     long callsOf(const char* stage) const {
         for (const auto& known : irsg.stageTimes().stages) {
@@ -48,7 +48,7 @@ class PictureTest : public testing::Test {
     }
     void expectThatOfRender(const char* what) {
         const RadianceImage found = irsg.picture();
-        const RadianceImage expected = irsg.render().image;
+        const RadianceImage expected = irsg.imageWithReport().image;
         ASSERT_EQ(found.width(), expected.width());
         double worst = 0.0;
         for (std::size_t i = 0; i < found.primary().values.size(); ++i) {
@@ -60,7 +60,7 @@ class PictureTest : public testing::Test {
         EXPECT_EQ(found.attributes, expected.attributes) << what;
     }
 
-    Irsg irsg;
+    InteractiveRenderer irsg;
 };
 
 TEST_F(PictureTest, FollowsEveryEditAsRenderDoesAndDrawsTheViewOnce) {
@@ -99,15 +99,15 @@ TEST_F(PictureTest, FollowsTheViewTheFieldTheSunAndThePose) {
     }
     Environment moved = brightAir();
     moved.sun.azimuth_rad = 2.0;
-    irsg.setEnvironment(moved);
+    irsg.scene.environment = moved;
     expectThatOfRender("sun");
     look(irsg, {.range_m = 90.0, .azimuth_rad = 0.6, .elevation_rad = 0.2});
     expectThatOfRender("view");
-    irsg.setPose(0, {.position_m = {0.0, 0.0, 0.0}, .attitude = {.yaw_rad = 0.3}});
+    irsg.scene.entities[0].pose = {.position_m = {0.0, 0.0, 0.0}, .attitude = {.yaw_rad = 0.3}};
     expectThatOfRender("pose");
-    Sensor sensor = irsg.sensor();
+    Sensor sensor = irsg.view.sensor;
     sensor.horizontalFieldOfView_rad *= 1.3;
-    irsg.setSensor(sensor);
+    irsg.view.sensor = sensor;
     expectThatOfRender("field");
     EXPECT_EQ(callsOf("sums of pixels"), 1);
     expectThatOfRender("the same again");
@@ -120,13 +120,13 @@ TEST_F(PictureTest, IsThatOfRenderWhateverTheAntialiasing) {
             RenderSettings settings;
             settings.zoomWindow = zoomWindow;
             settings.zoomStrategy = strategy;
-            irsg.setSettings(settings);
+            irsg.scene.settings = settings;
             for (int times = 0; times < 3; ++times) {
                 expectThatOfRender("near");
             }
         }
     }
-    irsg.setSettings({});
+    irsg.scene.settings = {};
     look(irsg, {.range_m = 1e6});
     for (int times = 0; times < 3; ++times) {
         expectThatOfRender("a point");

@@ -35,12 +35,12 @@ Mesh plate(double y_m, IrCodes codes, double half_m = 1.0) {
 }
 
 /// A scene with one object, 100 m before a sensor that looks at its middle.
-Irsg sceneOf(const Mesh& mesh, const SignatureDatabase& database, const Environment& environment,
-             RenderSettings settings = {}) {
-    Irsg irsg;
-    irsg.setSettings(settings);
-    irsg.setEnvironment(environment);
-    irsg.setEntities({entityOf(modelOf(mesh), database)});
+InteractiveRenderer sceneOf(const Mesh& mesh, const SignatureDatabase& database,
+                            const Environment& environment, RenderSettings settings = {}) {
+    InteractiveRenderer irsg;
+    irsg.scene.settings = settings;
+    irsg.scene.environment = environment;
+    irsg.scene.entities = {entityOf(modelOf(mesh), database)};
     look(irsg, {.width_px = 16, .height_px = 16, .fieldOfView_rad = 0.04});
     return irsg;
 }
@@ -49,9 +49,9 @@ struct Compared {
     PixelExplanation computed;
     double drawn = 0.0;
 };
-Compared explained(Irsg& irsg, int x, int y) {
+Compared explained(InteractiveRenderer& irsg, int x, int y) {
     const double drawn = static_cast<double>(irsg.picture().at(x, y));
-    return {irsg.explain(*irsg.explainer(), x, y), drawn};
+    return {irsg.explainer()(x, y), drawn};
 }
 
 const ExplainedTerm& term(const ExplainedSurface& surface, const std::string& name) {
@@ -77,8 +77,8 @@ ConstantAir clearAir() {
 }
 
 TEST_F(PixelExplanationTest, OfAPlateIsItsClosedForm) {
-    Irsg irsg = sceneOf(plate(0.0, {1, 1}, 2.0), greyDatabase(0.8, 320.0),
-                        environmentOf(clearAir(), {0.0, radians(30.0)}));
+    InteractiveRenderer irsg = sceneOf(plate(0.0, {1, 1}, 2.0), greyDatabase(0.8, 320.0),
+                                       environmentOf(clearAir(), {0.0, radians(30.0)}));
     const auto [pixel, drawn] = explained(irsg, 12, 8);
     ASSERT_EQ(pixel.surfaces.size(), 1u);
     const ExplainedSurface& surface = pixel.surfaces.front();
@@ -114,8 +114,8 @@ TEST_F(PixelExplanationTest, TellsAPlumeFromWhatIsBehindIt) {
     database.materials[2] = greyMaterial(0.3, 0.7);
     database.materials[2].name = "gas";
     // The sensor stands where the nose points to, at +y.
-    Irsg irsg = sceneOf(joined(plate(-0.5, {1, 1}), plate(0.5, {2, 2})), database,
-                        environmentOf(clearAir()));
+    InteractiveRenderer irsg = sceneOf(joined(plate(-0.5, {1, 1}), plate(0.5, {2, 2})), database,
+                                       environmentOf(clearAir()));
     const auto [pixel, drawn] = explained(irsg, 8, 8);
     ASSERT_EQ(pixel.surfaces.size(), 2u);
     const ExplainedSurface &gas = pixel.surfaces[0], &body = pixel.surfaces[1];
@@ -134,7 +134,7 @@ TEST_F(PixelExplanationTest, TellsAPlumeFromWhatIsBehindIt) {
 }
 
 TEST_F(PixelExplanationTest, OfBackgroundAloneIsTheBackground) {
-    Irsg irsg =
+    InteractiveRenderer irsg =
         sceneOf(plate(0.0, {1, 1}, 0.3), greyDatabase(0.8, 320.0), environmentOf(clearAir()));
     const auto [pixel, drawn] = explained(irsg, 0, 0);
     EXPECT_TRUE(pixel.surfaces.empty());
@@ -148,8 +148,8 @@ TEST_F(PixelExplanationTest, SharesAPixelThatAnEdgeCrosses) {
     settings.zoomWindow = 0;
     settings.samplesPerAxis = 4;
     // The pixels are 0.25 m wide: the edge halves those of column 8 + 2.
-    Irsg irsg = sceneOf(plate(0.0, {1, 1}, 0.625), greyDatabase(1.0, 320.0),
-                        environmentOf(clearAir()), settings);
+    InteractiveRenderer irsg = sceneOf(plate(0.0, {1, 1}, 0.625), greyDatabase(1.0, 320.0),
+                                       environmentOf(clearAir()), settings);
     const auto [pixel, drawn] = explained(irsg, 10, 8);
     ASSERT_EQ(pixel.surfaces.size(), 1u);
     EXPECT_EQ(pixel.samples, 16);
@@ -160,7 +160,8 @@ TEST_F(PixelExplanationTest, SharesAPixelThatAnEdgeCrosses) {
 }
 
 TEST_F(PixelExplanationTest, KnowsAnObjectThatIsAPoint) {
-    Irsg irsg = sceneOf(plate(0.0, {1, 1}), greyDatabase(0.8, 320.0), environmentOf(clearAir()));
+    InteractiveRenderer irsg =
+        sceneOf(plate(0.0, {1, 1}), greyDatabase(0.8, 320.0), environmentOf(clearAir()));
     look(irsg, {.range_m = 1e6, .width_px = 15, .height_px = 15, .fieldOfView_rad = 0.04});
     const auto [pixel, drawn] = explained(irsg, 7, 7);
     ASSERT_EQ(pixel.surfaces.size(), 1u);
@@ -179,14 +180,14 @@ TEST_F(PixelExplanationTest, AddsUpToWhatIsDrawnOfABodyInAllItsLight) {
         database.temperatures[i] = fixedTemperature(290.0 + 20.0 * i);
         database.materials[i] = greyMaterial(0.5, i == 3 ? 0.4 : 0.0, i == 2 ? 1.0 : 0.0);
     }
-    Irsg irsg =
+    InteractiveRenderer irsg =
         sceneOf(glazedMesh(), database, environmentOf(clearAir(), {0.5, radians(40.0)}), settings);
     const RadianceImage image = irsg.picture();
     const auto ready = irsg.explainer();
     int interior = 0;
     for (int y = 0; y < 16; ++y) {
         for (int x = 0; x < 16; ++x) {
-            const PixelExplanation pixel = irsg.explain(*ready, x, y);
+            const PixelExplanation pixel = ready(x, y);
             double sum = pixel.backgroundLeft_W_m2_sr;
             for (const ExplainedSurface& surface : pixel.surfaces) {
                 sum += surface.betweenSurfaces_W_m2_sr;
@@ -205,10 +206,11 @@ TEST_F(PixelExplanationTest, AddsUpToWhatIsDrawnOfABodyInAllItsLight) {
 }
 
 TEST_F(PixelExplanationTest, RefusesAPixelOutsideTheFrame) {
-    Irsg irsg = sceneOf(plate(0.0, {1, 1}), greyDatabase(0.8, 320.0), environmentOf(clearAir()));
+    InteractiveRenderer irsg =
+        sceneOf(plate(0.0, {1, 1}), greyDatabase(0.8, 320.0), environmentOf(clearAir()));
     const auto ready = irsg.explainer();
-    EXPECT_THROW(irsg.explain(*ready, 16, 0), LogicError);
-    EXPECT_THROW(irsg.explain(*ready, 0, -1), LogicError);
+    EXPECT_THROW(ready(16, 0), LogicError);
+    EXPECT_THROW(ready(0, -1), LogicError);
 }
 
 } // namespace

@@ -12,7 +12,7 @@
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/render/rays/RaysBuilt.h"
-#include "irsg/scene/Irsg.h"
+#include "irsg/scene/InteractiveRenderer.h"
 #include "irsg/scene/Renderer.h"
 #include "tests/support/SceneFixtures.h"
 
@@ -58,8 +58,8 @@ Mesh platesBehindEachOther(bool withOther) {
     return withOther ? joined(mesh, wall(2.0, otherGas)) : mesh;
 }
 
-double centreRadiance(Irsg& irsg) {
-    const RadianceImage image = irsg.render().image;
+double centreRadiance(InteractiveRenderer& irsg) {
+    const RadianceImage image = irsg.imageWithReport().image;
     return static_cast<double>(
         image.primary().values[image.offset(image.width() / 2, image.height() / 2)]);
 }
@@ -74,10 +74,10 @@ RenderSettings emissionAlone() {
 } // namespace
 
 TEST(BodyInGas, ShowsWhatItsClosedFormSays) {
-    Irsg irsg;
-    irsg.setEnvironment(Environment::vacuum());
-    irsg.setSettings(emissionAlone());
-    irsg.setEntities({entityOf(modelOf(platesBehindEachOther(false)), bodyInGas())});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = Environment::vacuum();
+    irsg.scene.settings = emissionAlone();
+    irsg.scene.entities = {entityOf(modelOf(platesBehindEachOther(false)), bodyInGas())};
     look(irsg, {.range_m = 100.0, .fieldOfView_rad = 0.02});
     const double expected =
         inBand(3.0, 4.2, body_K) + inBand(4.2, 4.5, gas_K) + inBand(4.5, 5.0, body_K);
@@ -85,10 +85,10 @@ TEST(BodyInGas, ShowsWhatItsClosedFormSays) {
 }
 
 TEST(BodyInGas, ShowsWhatItsClosedFormSaysInTwoGasesThatOverlap) {
-    Irsg irsg;
-    irsg.setEnvironment(Environment::vacuum());
-    irsg.setSettings(emissionAlone());
-    irsg.setEntities({entityOf(modelOf(platesBehindEachOther(true)), bodyInGas())});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = Environment::vacuum();
+    irsg.scene.settings = emissionAlone();
+    irsg.scene.entities = {entityOf(modelOf(platesBehindEachOther(true)), bodyInGas())};
     look(irsg, {.range_m = 100.0, .fieldOfView_rad = 0.02});
     // The nearer gas hides the farther one where both are black.
     const double expected = inBand(3.0, 4.2, body_K) + inBand(4.2, 4.4, gas_K) +
@@ -98,21 +98,21 @@ TEST(BodyInGas, ShowsWhatItsClosedFormSaysInTwoGasesThatOverlap) {
 
 TEST(BodyInGas, ShowsWhatItDoesInAFirstPictureWhateverWasDrawnBefore) {
     // Where all kinds of surfaces are known samples are gone through once, else twice.
-    const auto pictureOf = [](Irsg& irsg, double azimuth_rad) {
+    const auto pictureOf = [](InteractiveRenderer& irsg, double azimuth_rad) {
         look(irsg, {.range_m = 30.0, .azimuth_rad = azimuth_rad, .fieldOfView_rad = 0.2});
-        return irsg.render().image.primary().values;
+        return irsg.imageWithReport().image.primary().values;
     };
-    const auto prepare = [](Irsg& irsg) {
-        irsg.setEnvironment(brightAir());
-        irsg.setEntities(
-            {entityOf(modelOf(joined(boxMesh({2, 2, 2}, std::vector<IrCodes>(6, gas)),
-                                     plateMesh({6, 0, 0}, {0, 3, 0}, {0, 0, -3}, otherGas))),
-                      bodyInGas())});
+    const auto prepare = [](InteractiveRenderer& irsg) {
+        irsg.scene.environment = brightAir();
+        irsg.scene.entities = {
+            entityOf(modelOf(joined(boxMesh({2, 2, 2}, std::vector<IrCodes>(6, gas)),
+                                    plateMesh({6, 0, 0}, {0, 3, 0}, {0, 0, -3}, otherGas))),
+                     bodyInGas())};
     };
-    Irsg irsg;
+    InteractiveRenderer irsg;
     prepare(irsg);
     for (const double azimuth_deg : {0.0, 0.0, 60.0, 90.0, 0.0}) {
-        Irsg anew;
+        InteractiveRenderer anew;
         prepare(anew);
         EXPECT_EQ(pictureOf(irsg, radians(azimuth_deg)), pictureOf(anew, radians(azimuth_deg)))
             << azimuth_deg;
@@ -121,20 +121,20 @@ TEST(BodyInGas, ShowsWhatItDoesInAFirstPictureWhateverWasDrawnBefore) {
 
 TEST(EveryWayToANumber, GivesTheSameNumber) {
     for (const int zoomWindow : {0, 128}) {
-        Irsg irsg;
-        irsg.setEnvironment(brightAir());
+        InteractiveRenderer irsg;
+        irsg.scene.environment = brightAir();
         SignatureDatabase database = bodyInGas();
         database.materials[1] = greyMaterial(0.7);
-        irsg.setEntities(
-            {entityOf(modelOf(joined(sphereMesh(1.0, 24, 48, body),
-                                     boxMesh({2, 2, 2}, std::vector<IrCodes>(6, gas)))),
-                      database)});
+        irsg.scene.entities = {
+            entityOf(modelOf(joined(sphereMesh(1.0, 24, 48, body),
+                                    boxMesh({2, 2, 2}, std::vector<IrCodes>(6, gas)))),
+                     database)};
         RenderSettings settings;
         settings.zoomWindow = zoomWindow;
         settings.truthLayers = true;
-        irsg.setSettings(settings);
+        irsg.scene.settings = settings;
         look(irsg, {.range_m = 150.0, .azimuth_rad = 0.4, .elevation_rad = 0.3});
-        const RenderedImage image = irsg.render();
+        const RenderedImage image = irsg.imageWithReport();
         const RenderReport sweep = irsg.measure();
         const double intensity = sweep.all.intensity_W_sr;
         EXPECT_NEAR(image.report.all.intensity_W_sr / intensity, 1.0, 2e-6);
@@ -171,16 +171,16 @@ TEST(EveryWayToANumber, GivesTheSameNumber) {
 }
 
 TEST(SeveralBands, AreThoseOfRunsOfTheirOwnAndAddUp) {
-    Irsg irsg;
-    irsg.setEnvironment(brightAir());
-    irsg.setEntities({entityOf(modelOf(glazedMesh()), [] {
+    InteractiveRenderer irsg;
+    irsg.scene.environment = brightAir();
+    irsg.scene.entities = {entityOf(modelOf(glazedMesh()), [] {
         SignatureDatabase database = bodyInGas();
         database.materials[3] = greyMaterial(0.3, 0.6);
         return database;
-    }())});
+    }())};
     RenderSettings settings;
     settings.hotSpots = false; // windows do not follow the bands
-    irsg.setSettings(settings);
+    irsg.scene.settings = settings;
     look(irsg, {.range_m = 150.0, .azimuth_rad = 0.4});
     const std::vector<Band> bands{Band::topHat(3.0, 4.0), Band::topHat(4.0, 5.0),
                                   Band::topHat(3.0, 5.0), Band::topHat(4.2, 4.5)};
@@ -209,23 +209,23 @@ TEST(SeveralBands, AreThoseOfRunsOfTheirOwnAndAddUp) {
 }
 
 TEST(Threads, LeaveEveryBitAsItIs) {
-    Irsg irsg;
-    irsg.setEnvironment(brightAir());
-    irsg.setEntities({entityOf(modelOf(glazedMesh()), [] {
+    InteractiveRenderer irsg;
+    irsg.scene.environment = brightAir();
+    irsg.scene.entities = {entityOf(modelOf(glazedMesh()), [] {
         SignatureDatabase database = bodyInGas();
         database.materials[3] = greyMaterial(0.3, 0.6);
         return database;
-    }())});
+    }())};
     look(irsg, {.range_m = 100.0, .azimuth_rad = 0.5, .elevation_rad = 0.2});
     const auto all = [&](unsigned threads) {
         setMostThreads(threads);
-        Irsg fresh;
-        fresh.setEnvironment(irsg.environment());
-        fresh.setEntities(irsg.entities());
-        fresh.setSensor(irsg.sensor());
-        fresh.setViewpoint(irsg.viewpoint());
+        InteractiveRenderer fresh;
+        fresh.scene.environment = irsg.scene.environment;
+        fresh.scene.entities = irsg.scene.entities;
+        fresh.view.sensor = irsg.view.sensor;
+        fresh.view.viewpoint = irsg.view.viewpoint;
         const RenderReport report = fresh.measure();
-        std::vector<float> pixels = fresh.render().image.primary().values;
+        std::vector<float> pixels = fresh.imageWithReport().image.primary().values;
         for (int i = 0; i < 2; ++i) { // the second is a sum of factors
             const std::vector<float> followed = fresh.picture().primary().values;
             pixels.insert(pixels.end(), followed.begin(), followed.end());
@@ -244,12 +244,12 @@ TEST(Threads, LeaveEveryBitAsItIs) {
 TEST(PlainShader, AddsUpWhatTheEvaluatorDoes) {
     for (const ReflectionMode mode :
          {ReflectionMode::off, ReflectionMode::approx, ReflectionMode::smart}) {
-        Irsg irsg;
-        irsg.setEnvironment(brightAir());
+        InteractiveRenderer irsg;
+        irsg.scene.environment = brightAir();
         RenderSettings settings;
         settings.zoomWindow = 0;
         settings.sun = settings.ambientReflection = mode;
-        irsg.setSettings(settings);
+        irsg.scene.settings = settings;
         SignatureDatabase database = bodyInGas();
         database.materials[1] = greyMaterial(0.6, 0.0, 1.7);
         database.materials[2] = greyMaterial(0.5, 0.5);
@@ -257,9 +257,9 @@ TEST(PlainShader, AddsUpWhatTheEvaluatorDoes) {
         const auto imageOf = [&](const Mesh& mesh) {
             Entity entity = entityOf(modelOf(mesh), database);
             entity.referencePoint_m = Vec3{};
-            irsg.setEntities({entity});
+            irsg.scene.entities = {entity};
             look(irsg, {.range_m = 60.0, .azimuth_rad = 0.4, .elevation_rad = 0.3});
-            return irsg.render().image.primary().values;
+            return irsg.imageWithReport().image.primary().values;
         };
         const std::vector<float> plain = imageOf(opaque);
         // A pane beyond the field's edge: it is in the window's scene and nowhere in the picture.
@@ -327,7 +327,7 @@ TEST(RadianceTerms, TakeAnotherTermFromOneRecord) {
         view.viewpoint = Viewpoint::lookAt({0, 0, standingAltitude_m + 500.0},
                                            {0, 0, standingAltitude_m}, {0, 1, 0}, {0, 1, 0});
         Renderer renderer(list);
-        const Rendered made = renderer.render(scene, view, {.image = true, .reports = true});
+        const Rendered made = renderer.render(scene, view, Outputs::imageWithReports());
         const std::size_t middle = made.image.offset(16, 16);
         const double width_um = 2.0;
         const double lit = 0.75 / pi * 3.0 * 0.8 * width_um;
@@ -352,21 +352,21 @@ TEST(AirAlongAnObject, IsTakenAtTheRangeOfEverySample) {
     parameters.extinction_per_m = Spectrum::constant(perMetre);
     parameters.airTemperature_K = parameters.groundTemperature_K = 50.0; // it does not shine
     environment.add(std::make_shared<BeerLambert>(parameters));
-    Irsg irsg;
-    irsg.setEnvironment(environment);
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environment;
     RenderSettings settings = emissionAlone();
-    irsg.setSettings(settings);
+    irsg.scene.settings = settings;
     // Two walls, one 3 m behind the other and beside it: each fills half of the field.
     const Mesh mesh = joined(plateMesh({-5, 1.5, 0}, {5, 0, 0}, {0, 0, -5}, body),
                              plateMesh({5, -1.5, 0}, {5, 0, 0}, {0, 0, -5}, body));
     Entity entity = entityOf(modelOf(mesh), greyDatabase(1.0, 600.0));
     entity.referencePoint_m = Vec3{};
-    irsg.setEntities({entity});
+    irsg.scene.entities = {entity};
     look(irsg, {.range_m = 20.0, .fieldOfView_rad = 0.2});
-    const RenderedImage rendered = irsg.render();
+    const RenderedImage rendered = irsg.imageWithReport();
     const RadianceImage& image = rendered.image;
     const double black = bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 600.0);
-    const Viewpoint eye = irsg.viewpoint();
+    const Viewpoint eye = irsg.view.viewpoint;
     for (const int x : {8, 24, 40, 56}) {
         // The pixel's ray: from the nose the camera's right is the model's left.
         const double across = (x + 0.5 - 32.0) / 32.0 * std::tan(0.1);
@@ -381,8 +381,8 @@ TEST(AirAlongAnObject, IsTakenAtTheRangeOfEverySample) {
 
     // In one slice, the bound that is told covers what is wrong.
     settings.airSliceFrom = 1e9;
-    irsg.setSettings(settings);
-    const RenderedImage coarse = irsg.render();
+    irsg.scene.settings = settings;
+    const RenderedImage coarse = irsg.imageWithReport();
     const double wrong = static_cast<double>(coarse.image.primary().values[image.offset(8, 32)]) /
                              static_cast<double>(image.primary().values[image.offset(8, 32)]) -
                          1.0;
@@ -404,9 +404,9 @@ TEST(AirAlongAnObject, IsTakenAlongAShipThatIsSeenFromItsBow) {
         entityOf(Model::load(std::filesystem::path(SMAT_SOURCE_DIR) / "samples/ship/ship.flt"),
                  greyDatabase(1.0, 320.0));
     ship.fallbackTemperature = ship.fallbackMaterial = 1;
-    Irsg irsg;
-    irsg.setEnvironment(environment);
-    irsg.setEntities({ship});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environment;
+    irsg.scene.entities = {ship};
     RenderSettings settings = emissionAlone();
     settings.zoomWindow = 0;
     settings.samplesPerAxis = 1; // whose distance is that of the pixel
@@ -420,8 +420,8 @@ TEST(AirAlongAnObject, IsTakenAlongAShipThatIsSeenFromItsBow) {
     };
     const auto sumsWith = [&](double airSliceFrom) {
         settings.airSliceFrom = airSliceFrom;
-        irsg.setSettings(settings);
-        RenderedImage rendered = irsg.render();
+        irsg.scene.settings = settings;
+        RenderedImage rendered = irsg.imageWithReport();
         Sums sums;
         sums.airError = rendered.report.all.airError;
         const std::vector<float>& ranges = rendered.image.channel("range", "m").values;
@@ -462,9 +462,10 @@ TEST(AirOfASweep, IsAskedOnceForAPathThatItsCasesShare) {
     auto air = std::make_shared<CountingAir>();
     Environment environment;
     environment.add(air);
-    Irsg irsg;
-    irsg.setEnvironment(environment);
-    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 16, 32, body)), greyDatabase(0.9, 320.0))});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environment;
+    irsg.scene.entities = {
+        entityOf(modelOf(sphereMesh(1.0, 16, 32, body)), greyDatabase(0.9, 320.0))};
     look(irsg, {.range_m = 100.0});
     irsg.measure();
     const long first = air->asked;

@@ -20,10 +20,10 @@ RenderSettings samples(int perAxis) {
     return settings;
 }
 
-Irsg& generator() {
-    static Irsg irsg;
-    irsg.setEnvironment(Environment::vacuum());
-    irsg.setSettings({});
+InteractiveRenderer& generator() {
+    static InteractiveRenderer irsg;
+    irsg.scene.environment = Environment::vacuum();
+    irsg.scene.settings = {};
     return irsg;
 }
 
@@ -39,13 +39,14 @@ float centreOf(const RadianceImage& image) {
 } // namespace
 
 TEST(GreySphere, ShowsItsPlanckRadianceInTheCentrePixel) {
-    Irsg& irsg = generator();
-    irsg.setEnvironment(darkness());
-    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 64, 128, one)), greyDatabase(0.9, 320.0))});
+    InteractiveRenderer& irsg = generator();
+    irsg.scene.environment = darkness();
+    irsg.scene.entities = {
+        entityOf(modelOf(sphereMesh(1.0, 64, 128, one)), greyDatabase(0.9, 320.0))};
     for (const Band& band : {Band::topHat(3.0, 5.0), Band::topHat(8.0, 12.0)}) {
         look(irsg, {.range_m = 100.0, .band = band});
         const double expected = 0.9 * bandRadiance_W_m2_sr(band, 320.0);
-        const double found = static_cast<double>(centreOf(irsg.render().image));
+        const double found = static_cast<double>(centreOf(irsg.imageWithReport().image));
         EXPECT_NEAR(found / expected, 1.0, 1e-5) << band.name();
         RecordProperty("relative_error_" + band.name(), std::to_string(found / expected - 1.0));
     }
@@ -56,17 +57,17 @@ TEST(GreySphere, HasTheIntensityOfItsMeshOverAllPixelPhases) {
     // lattice.
     const Mesh mesh = sphereMesh(1.0, 128, 256, one);
     const double range_m = 1000.0, pixel_rad = 2.0 / range_m / 34.0;
-    Irsg& irsg = generator();
-    irsg.setEnvironment(darkness());
-    irsg.setSettings(samples(4));
-    irsg.setEntities({entityOf(modelOf(mesh), greyDatabase(0.9, 320.0))});
+    InteractiveRenderer& irsg = generator();
+    irsg.scene.environment = darkness();
+    irsg.scene.settings = samples(4);
+    irsg.scene.entities = {entityOf(modelOf(mesh), greyDatabase(0.9, 320.0))};
     look(irsg, {.range_m = range_m,
                 .width_px = 48,
                 .height_px = 48,
                 .fieldOfView_rad = 2.0 * std::atan(24.0 * pixel_rad)});
 
     const double radiance = 0.9 * bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 320.0);
-    const Viewpoint camera = irsg.viewpoint();
+    const Viewpoint camera = irsg.view.viewpoint;
     double squares = 0.0, worst = 0.0;
     for (int i = 0; i < 16; ++i) {
         for (int j = 0; j < 16; ++j) {
@@ -75,10 +76,11 @@ TEST(GreySphere, HasTheIntensityOfItsMeshOverAllPixelPhases) {
             const double v = std::fmod(j * 0.41421356237 + 0.3, 1.0) * step_m;
             Pose pose{{0, 0, standingAltitude_m}, {}};
             pose.position_m = pose.position_m + camera.right * u + camera.up * v;
-            irsg.setPose(0, pose);
+            irsg.scene.entities[0].pose = pose;
             const Vec3 from = camera.position_m - pose.position_m;
             const double truth = radiance * convexSolidAngle_sr(mesh, from) * dot(from, from);
-            const double error = irsg.render().report.all.contrastIntensity_W_sr / truth - 1.0;
+            const double error =
+                irsg.imageWithReport().report.all.contrastIntensity_W_sr / truth - 1.0;
             squares += error * error;
             worst = std::max(worst, std::abs(error));
         }
@@ -92,18 +94,18 @@ TEST(GreySphere, HasTheIntensityOfItsMeshOverAllPixelPhases) {
 }
 
 TEST(GreySphere, RadiatesTwoThirdsWithAnAngleFactorOfOne) {
-    Irsg& irsg = generator();
-    irsg.setEnvironment(darkness());
-    irsg.setSettings(samples(4));
+    InteractiveRenderer& irsg = generator();
+    irsg.scene.environment = darkness();
+    irsg.scene.settings = samples(4);
     const auto model = modelOf(sphereMesh(1.0, 128, 256, one));
     const double range_m = 20000.0;
     auto intensity = [&](double n) {
-        irsg.setEntities({entityOf(model, greyDatabase(0.9, 320.0, n))});
+        irsg.scene.entities = {entityOf(model, greyDatabase(0.9, 320.0, n))};
         look(irsg, {.range_m = range_m,
                     .width_px = 256,
                     .height_px = 256,
                     .fieldOfView_rad = 2.4 / range_m});
-        return irsg.render().report.all.intensity_W_sr;
+        return irsg.imageWithReport().report.all.intensity_W_sr;
     };
     const double lambert = intensity(0.0);
     // Over the disc of a distant sphere the mean of cos^N is 2 / (N + 2).
@@ -113,18 +115,18 @@ TEST(GreySphere, RadiatesTwoThirdsWithAnAngleFactorOfOne) {
 }
 
 TEST(GreySphere, FollowsTheAngleFactorAlongItsRadius) {
-    Irsg& irsg = generator();
-    irsg.setEnvironment(darkness());
-    irsg.setSettings(samples(1));
+    InteractiveRenderer& irsg = generator();
+    irsg.scene.environment = darkness();
+    irsg.scene.settings = samples(1);
     const auto model = modelOf(sphereMesh(1.0, 128, 256, one));
     const double range_m = 20000.0;
     for (double n : {0.0, 0.25, 1.0, 3.0}) {
-        irsg.setEntities({entityOf(model, greyDatabase(1.0, 300.0, n))});
+        irsg.scene.entities = {entityOf(model, greyDatabase(1.0, 300.0, n))};
         look(irsg, {.range_m = range_m,
                     .width_px = 201,
                     .height_px = 201,
                     .fieldOfView_rad = 2.0 / range_m});
-        const RadianceImage image = irsg.render().image;
+        const RadianceImage image = irsg.imageWithReport().image;
         const double black = bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 300.0);
         for (int x = 100; x < 195; x += 5) {
             const double sine = (x - 100) / 100.5;
@@ -136,16 +138,17 @@ TEST(GreySphere, FollowsTheAngleFactorAlongItsRadius) {
 }
 
 TEST(GreySphere, ObeysTheInverseSquareLaw) {
-    Irsg& irsg = generator();
-    irsg.setEnvironment(darkness());
-    irsg.setSettings(samples(8));
-    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 64, 128, one)), greyDatabase(0.9, 320.0))});
+    InteractiveRenderer& irsg = generator();
+    irsg.scene.environment = darkness();
+    irsg.scene.settings = samples(8);
+    irsg.scene.entities = {
+        entityOf(modelOf(sphereMesh(1.0, 64, 128, one)), greyDatabase(0.9, 320.0))};
     auto irradianceAt = [&](double range_m) {
         look(irsg, {.range_m = range_m,
                     .width_px = 200,
                     .height_px = 200,
                     .fieldOfView_rad = 2.6 / range_m});
-        return irsg.render().report.all.irradiance_W_m2;
+        return irsg.imageWithReport().report.all.irradiance_W_m2;
     };
     EXPECT_NEAR(irradianceAt(1000.0) / irradianceAt(2000.0), 4.0, 4e-5);
     EXPECT_NEAR(irradianceAt(1e4) / irradianceAt(1e7), 1e6, 20.0);
@@ -174,18 +177,19 @@ TEST_P(ReflectionOnASphere, FollowsTheFormulaAlongTheVerticalGreatCircle) {
     air.downValue = c.down;
     air.transmittanceValue = 0.5;
     const SunPosition sun{radians(30.0), radians(40.0)};
-    Irsg& irsg = generator();
-    irsg.setEnvironment(environmentOf(air, sun));
+    InteractiveRenderer& irsg = generator();
+    irsg.scene.environment = environmentOf(air, sun);
     RenderSettings settings = samples(1);
     settings.sun = c.sunMode;
     settings.ambientReflection = c.fluxMode;
     settings.fluxWeights = c.weights;
-    irsg.setSettings(settings);
-    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 256, 512, one)), greyDatabase(0.3, 1.0))});
+    irsg.scene.settings = settings;
+    irsg.scene.entities = {
+        entityOf(modelOf(sphereMesh(1.0, 256, 512, one)), greyDatabase(0.3, 1.0))};
     const double range_m = 20000.0;
     look(irsg,
          {.range_m = range_m, .width_px = 101, .height_px = 101, .fieldOfView_rad = 2.0 / range_m});
-    const RadianceImage image = irsg.render().image;
+    const RadianceImage image = irsg.imageWithReport().image;
 
     const double full = 0.7 * 0.5 / pi * 2.0; // rho tau / pi over 2 um, for a flux of 1
     for (int y = 3; y < 98; ++y) {
@@ -241,19 +245,19 @@ class TwoSidedPlate : public testing::TestWithParam<PlateCase> {};
 TEST_P(TwoSidedPlate, IsLitOnTheSideThatIsSeen) {
     const PlateCase& c = GetParam();
     const Vec3 x{1, 0, 0}, y{0, 1, 0};
-    Irsg& irsg = generator();
-    irsg.setEntities(
-        {entityOf(modelOf(plateMesh({0, 0, 0}, c.frontUp ? x : y, c.frontUp ? y : x, one)),
-                  greyDatabase(0.4, 300.0))});
+    InteractiveRenderer& irsg = generator();
+    irsg.scene.entities = {
+        entityOf(modelOf(plateMesh({0, 0, 0}, c.frontUp ? x : y, c.frontUp ? y : x, one)),
+                 greyDatabase(0.4, 300.0))};
     const double elevation = radians(c.seenFromAbove ? 60.0 : -60.0);
     auto seen = [&](double sun, double up, double down) {
         ConstantAir air;
         air.sunValue = sun;
         air.upValue = up;
         air.downValue = down;
-        irsg.setEnvironment(environmentOf(air, {0.0, radians(c.sunElevation_deg)}));
+        irsg.scene.environment = environmentOf(air, {0.0, radians(c.sunElevation_deg)});
         look(irsg, {.range_m = 50.0, .elevation_rad = elevation, .fieldOfView_rad = 0.01});
-        return static_cast<double>(centreOf(irsg.render().image));
+        return static_cast<double>(centreOf(irsg.imageWithReport().image));
     };
     const double thermal = 0.4 * bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 300.0);
     const double full = 0.6 / pi * 2.0;
@@ -282,12 +286,12 @@ TEST(Surface, ThatTransmitsEverythingIsExactlyTheBackground) {
     air.backgroundValue = 0.731;
     air.pathRadianceValue = 0.2;
     air.sunValue = air.upValue = air.downValue = 1.0;
-    Irsg& irsg = generator();
-    irsg.setEnvironment(environmentOf(air));
-    irsg.setEntities(
-        {entityOf(modelOf(sphereMesh(1.0, 16, 32, one)), greyDatabase(0.0, 300.0, 0.0, 1.0))});
+    InteractiveRenderer& irsg = generator();
+    irsg.scene.environment = environmentOf(air);
+    irsg.scene.entities = {
+        entityOf(modelOf(sphereMesh(1.0, 16, 32, one)), greyDatabase(0.0, 300.0, 0.0, 1.0))};
     look(irsg, {.range_m = 60.0});
-    const RenderedImage rendered = irsg.render();
+    const RenderedImage rendered = irsg.imageWithReport();
     for (float value : rendered.image.primary().values) {
         EXPECT_EQ(value, static_cast<float>(rendered.report.background_W_m2_sr));
     }
@@ -301,14 +305,14 @@ TEST(Surface, ThatIsBlackAndColdShowsExactlyThePathRadiance) {
     air.transmittanceValue = 0.3;
     air.backgroundValue = 5.0;
     air.sunValue = air.upValue = air.downValue = 1.0;
-    Irsg& irsg = generator();
-    irsg.setEnvironment(environmentOf(air));
+    InteractiveRenderer& irsg = generator();
+    irsg.scene.environment = environmentOf(air);
     RenderSettings settings;
     settings.sun = settings.ambientReflection = ReflectionMode::off;
-    irsg.setSettings(settings);
-    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(1.0, 1.0))});
+    irsg.scene.settings = settings;
+    irsg.scene.entities = {entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(1.0, 1.0))};
     look(irsg, {.range_m = 60.0});
-    EXPECT_EQ(centreOf(irsg.render().image), static_cast<float>(0.4));
+    EXPECT_EQ(centreOf(irsg.imageWithReport().image), static_cast<float>(0.4));
 }
 
 TEST(Surface, IsInvisibleInAnIsothermalEnclosure) {
@@ -320,12 +324,12 @@ TEST(Surface, IsInvisibleInAnIsothermalEnclosure) {
     air.pathRadianceValue = 0.4 * black;
     air.backgroundValue = black;
     air.upValue = air.downValue = pi * black;
-    Irsg& irsg = generator();
-    irsg.setEnvironment(environmentOf(air, {0.0, -0.5}));
-    irsg.setEntities(
-        {entityOf(modelOf(sphereMesh(1.0, 64, 128, one)), greyDatabase(0.55, 300.0, 0.0, 0.0))});
+    InteractiveRenderer& irsg = generator();
+    irsg.scene.environment = environmentOf(air, {0.0, -0.5});
+    irsg.scene.entities = {
+        entityOf(modelOf(sphereMesh(1.0, 64, 128, one)), greyDatabase(0.55, 300.0, 0.0, 0.0))};
     look(irsg, {.range_m = 60.0, .band = band});
-    const RadianceImage image = irsg.render().image;
+    const RadianceImage image = irsg.imageWithReport().image;
     for (float value : image.primary().values) {
         EXPECT_NEAR(static_cast<double>(value) / (black * band.area_um()), 1.0, 2e-7);
     }

@@ -37,11 +37,11 @@ Entity grey(const Mesh& mesh) {
     return entityOf(modelOf(mesh), greyDatabase(emissivity, temperature_K));
 }
 
-Irsg generatorOf(std::vector<Entity> entities, int zoomWindow = 256) {
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
-    irsg.setSettings(settingsOf(zoomWindow));
-    irsg.setEntities(std::move(entities));
+InteractiveRenderer generatorOf(std::vector<Entity> entities, int zoomWindow = 256) {
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.settings = settingsOf(zoomWindow);
+    irsg.scene.entities = std::move(entities);
     return irsg;
 }
 
@@ -57,7 +57,7 @@ struct Aspect {
     double azimuth_deg = 0.0, elevation_deg = 0.0;
 };
 
-void look(Irsg& irsg, const Aspect& aspect, double range_m) {
+void look(InteractiveRenderer& irsg, const Aspect& aspect, double range_m) {
     test::look(irsg, {.range_m = range_m,
                       .azimuth_rad = radians(aspect.azimuth_deg),
                       .elevation_rad = radians(aspect.elevation_deg),
@@ -66,11 +66,11 @@ void look(Irsg& irsg, const Aspect& aspect, double range_m) {
                       .fieldOfView_rad = 0.2});
 }
 
-RenderReport along(Irsg& irsg) {
-    return irsg.measureAlongRange({}).front();
+RenderReport along(InteractiveRenderer& irsg) {
+    return irsg.render(Outputs::reports().alongRange()).reports.front();
 }
 
-long drawings(const Irsg& irsg) {
+long drawings(const InteractiveRenderer& irsg) {
     for (const StageTimes::Stage& stage : irsg.stageTimes().stages) {
         if (stage.name == "drawing") {
             return stage.calls;
@@ -101,7 +101,7 @@ std::vector<double> steps(const std::vector<double>& values) {
 struct Curves {
     Aspect aspect;
     std::vector<double> ranges_m = rangesFrom(470.0, 40.0, 40);
-    Irsg irsg = generatorOf({sampleAircraft()}, 128);
+    InteractiveRenderer irsg = generatorOf({sampleAircraft()}, 128);
 
     double drawnAt(double range_m) {
         look(irsg, aspect, range_m);
@@ -116,7 +116,7 @@ struct Curves {
         return values;
     }
     std::vector<double> interpolated(int zoomWindow) {
-        irsg.setSettings(settingsOf(zoomWindow));
+        irsg.scene.settings = settingsOf(zoomWindow);
         std::vector<double> values;
         for (const double range_m : ranges_m) {
             look(irsg, aspect, range_m);
@@ -199,18 +199,19 @@ TEST(RangeCurve, OfConvexBodiesIsTheirSolidAngle) {
     const double radiance_W_m2_sr =
         emissivity * bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), temperature_K);
     for (const Body& body : bodies) {
-        Irsg irsg = generatorOf({grey(body.mesh)});
+        InteractiveRenderer irsg = generatorOf({grey(body.mesh)});
         std::vector<double> errors, ofIrradiance, ofPixels;
         for (const double range_m : rangesFrom(120.0, 100.0, 40)) {
             look(irsg, body.aspect, range_m);
             const RenderReport report = along(irsg);
-            const Vec3 from = irsg.viewpoint().position_m - irsg.entities()[0].pose.position_m;
+            const Vec3 from =
+                irsg.view.viewpoint.position_m - irsg.scene.entities[0].pose.position_m;
             const double truth_sr = convexSolidAngle_sr(body.mesh, from);
             errors.push_back(report.all.intensity_W_sr /
                                  (radiance_W_m2_sr * truth_sr * range_m * range_m) -
                              1.0);
             // Seen at the axis, where cosines are near 1 and pixels alike.
-            const double pitch = irsg.sensor().pixelPitch();
+            const double pitch = irsg.view.sensor.pixelPitch();
             ofIrradiance.push_back(report.all.irradiance_W_m2 * range_m * range_m /
                                        report.all.contrastIntensity_W_sr -
                                    1.0);
@@ -242,7 +243,7 @@ TEST(RangeCurve, OfAHotAircraftSeenNoseOnIsRightAndSmoothInEveryMode) {
         EXPECT_LT(worstOf(errors), 2.5 * most) << name;
         expectSmooth(name, errors);
     }
-    curves.irsg.setSettings(settingsOf(128));
+    curves.irsg.scene.settings = settingsOf(128);
     print("nose on, window 128, each drawn", differences(curves.drawn(), truth));
 }
 
@@ -293,8 +294,8 @@ TEST(RangeCurve, TakesStrongAirAlongAnObjectAtEveryRange) {
     const Mesh mesh = joined(joined(plateMesh({-2, 4, 0}, {0, 0, 2}, {1.5, 0, 0}, one),
                                     plateMesh({2, -4, 0}, {0, 0, 2}, {1.5, 0, 0}, one)),
                              glass);
-    Irsg irsg = generatorOf({entityOf(modelOf(mesh), database)}, 512);
-    irsg.setEnvironment(environment);
+    InteractiveRenderer irsg = generatorOf({entityOf(modelOf(mesh), database)}, 512);
+    irsg.scene.environment = environment;
     bool wasSliced = false;
     for (const double range_m : rangesFrom(110.0, 8.0, 9)) {
         look(irsg, {10, 5}, range_m);
@@ -303,25 +304,25 @@ TEST(RangeCurve, TakesStrongAirAlongAnObjectAtEveryRange) {
         EXPECT_NEAR(curve.contrastIntensity_W_sr / drawn.contrastIntensity_W_sr, 1.0, 4e-3)
             << range_m;
         EXPECT_EQ(curve.airError, drawn.airError);
-        RenderSettings settings = irsg.settings();
+        RenderSettings settings = irsg.scene.settings;
         settings.airSliceFrom = 1e9;
-        irsg.setSettings(settings);
+        irsg.scene.settings = settings;
         wasSliced |=
             std::abs(irsg.measure().all.intensity_W_sr / drawn.intensity_W_sr - 1.0) > 5e-3;
         settings.airSliceFrom = RenderSettings{}.airSliceFrom;
-        irsg.setSettings(settings);
+        irsg.scene.settings = settings;
     }
     EXPECT_TRUE(wasSliced) << "slices matter here";
 }
 
 TEST(RangeCurve, DrawsWhatIsNearOrCutOffOrOverlapsOrIsNotLookedAt) {
     const Mesh box = boxMesh({2, 6, 1.5}, std::vector<IrCodes>(6, one));
-    const auto isDrawn = [](Irsg& irsg) {
+    const auto isDrawn = [](InteractiveRenderer& irsg) {
         const ObjectRadiometry drawn = irsg.measure().all, curve = along(irsg).all;
         return drawn.intensity_W_sr == curve.intensity_W_sr &&
                drawn.irradiance_W_m2 == curve.irradiance_W_m2;
     };
-    Irsg irsg = generatorOf({grey(box)});
+    InteractiveRenderer irsg = generatorOf({grey(box)});
     look(irsg, {30, 10}, 300.0);
     EXPECT_FALSE(isDrawn(irsg));
 
@@ -329,29 +330,29 @@ TEST(RangeCurve, DrawsWhatIsNearOrCutOffOrOverlapsOrIsNotLookedAt) {
     EXPECT_TRUE(isDrawn(irsg)) << "nearer than 16 times what it reaches";
 
     look(irsg, {30, 10}, 300.0);
-    Sensor narrow = irsg.sensor();
+    Sensor narrow = irsg.view.sensor;
     narrow.horizontalFieldOfView_rad = 0.02;
-    irsg.setSensor(narrow);
+    irsg.view.sensor = narrow;
     EXPECT_TRUE(isDrawn(irsg)) << "cut off";
 
     look(irsg, {30, 10}, 300.0);
-    irsg.setPose(0, {{3, 0, standingAltitude_m}, {}});
+    irsg.scene.entities[0].pose = {{3, 0, standingAltitude_m}, {}};
     EXPECT_TRUE(isDrawn(irsg)) << "the sensor looks beside it";
 
-    irsg.setPose(0, {{0, 0, standingAltitude_m}, {}});
+    irsg.scene.entities[0].pose = {{0, 0, standingAltitude_m}, {}};
     for (const auto& [name, change] :
          {std::pair{"supersampling", +[](RenderSettings& s) { s.zoomWindow = 0; }},
           {"published zoom", +[](RenderSettings& s) { s.zoomStrategy = ZoomStrategy::sills; }}}) {
         RenderSettings settings = settingsOf(256);
         change(settings);
-        irsg.setSettings(settings);
+        irsg.scene.settings = settings;
         look(irsg, {30, 10}, 300.0);
         EXPECT_TRUE(isDrawn(irsg)) << name;
     }
 
     Entity behind = grey(box);
-    behind.pose.position_m = irsg.entities()[0].pose.position_m + Vec3{0, -20, 0};
-    Irsg two = generatorOf({irsg.entities()[0], behind});
+    behind.pose.position_m = irsg.scene.entities[0].pose.position_m + Vec3{0, -20, 0};
+    InteractiveRenderer two = generatorOf({irsg.scene.entities[0], behind});
     look(two, {5, 2}, 300.0);
     EXPECT_TRUE(isDrawn(two)) << "one before the other";
 }
@@ -359,9 +360,9 @@ TEST(RangeCurve, DrawsWhatIsNearOrCutOffOrOverlapsOrIsNotLookedAt) {
 TEST(RangeCurve, DrawsOtherObjectsBesideTheOneThatIsLookedAt) {
     const Mesh box = boxMesh({2, 6, 1.5}, std::vector<IrCodes>(6, one));
     Entity beside = grey(sphereMesh(1.0, 16, 32, one));
-    Irsg irsg = generatorOf({grey(box), beside});
-    irsg.setPose(0, {{0, 0, standingAltitude_m}, {}});
-    irsg.setPose(1, {{12, 0, standingAltitude_m}, {}});
+    InteractiveRenderer irsg = generatorOf({grey(box), beside});
+    irsg.scene.entities[0].pose = {{0, 0, standingAltitude_m}, {}};
+    irsg.scene.entities[1].pose = {{12, 0, standingAltitude_m}, {}};
     look(irsg, {0, 0}, 300.0);
     const RenderReport drawn = irsg.measure(), curve = along(irsg);
     EXPECT_EQ(curve.objects[1].intensity_W_sr, drawn.objects[1].intensity_W_sr);
@@ -375,7 +376,7 @@ TEST(RangeCurve, HasTheSameBitsForAnyNumberOfThreadsAndInAnyOrder) {
     const std::vector<double> ranges_m = rangesFrom(500.0, 20.0, 7);
     const auto curveOf = [&](unsigned threads, bool isReversed) {
         setMostThreads(threads);
-        Irsg irsg = generatorOf({sampleAircraft()}, 128);
+        InteractiveRenderer irsg = generatorOf({sampleAircraft()}, 128);
         std::vector<double> curve(ranges_m.size());
         for (std::size_t i = 0; i < ranges_m.size(); ++i) {
             const std::size_t k = isReversed ? ranges_m.size() - 1 - i : i;
@@ -391,12 +392,12 @@ TEST(RangeCurve, HasTheSameBitsForAnyNumberOfThreadsAndInAnyOrder) {
 }
 
 TEST(RangeCurve, LeavesImagesAndOtherSweepsAsTheyAre) {
-    Irsg irsg = generatorOf({sampleAircraft()}, 128);
+    InteractiveRenderer irsg = generatorOf({sampleAircraft()}, 128);
     look(irsg, {150, 12}, 2000.0);
-    const double image = irsg.render().report.all.intensity_W_sr;
+    const double image = irsg.imageWithReport().report.all.intensity_W_sr;
     const double drawn = irsg.measure().all.intensity_W_sr;
     EXPECT_NEAR(image / drawn, 1.0, 1e-5);
     along(irsg);
     EXPECT_EQ(irsg.measure().all.intensity_W_sr, drawn);
-    EXPECT_EQ(irsg.render().report.all.intensity_W_sr, image);
+    EXPECT_EQ(irsg.imageWithReport().report.all.intensity_W_sr, image);
 }

@@ -131,16 +131,16 @@ void expectTheCaster(const Case& c, EngineChoice engine) {
              s.nAngleFactor});
     }
 
-    Irsg irsg;
+    InteractiveRenderer irsg;
     RenderSettings settings;
     settings.engine = engine;
     settings.zoomWindow = 0;
     settings.samplesPerAxis = 1;
-    irsg.setSettings(settings);
-    irsg.setEnvironment(environmentOf(air, sun));
+    irsg.scene.settings = settings;
+    irsg.scene.environment = environmentOf(air, sun);
     Entity entity = entityOf(modelOf(c.mesh), database);
     entity.pose.attitude = c.attitude;
-    irsg.setEntities({entity});
+    irsg.scene.entities = {entity};
     View view = c.view;
     view.band = band;
     look(irsg, view);
@@ -154,8 +154,8 @@ void expectTheCaster(const Case& c, EngineChoice engine) {
     }
     rays.sunDirection = direction(sun.azimuth_rad, sun.elevation_rad);
     rays.background = air.backgroundValue * width_um;
-    const std::vector<RayPixel> truth = castRays(rays, irsg.sensor(), irsg.viewpoint());
-    const RenderedImage rendered = irsg.render();
+    const std::vector<RayPixel> truth = castRays(rays, irsg.view.sensor, irsg.view.viewpoint);
+    const RenderedImage rendered = irsg.imageWithReport();
 
     double worst = 0.0, total = 0.0, totalTruth = 0.0;
     int compared = 0, covered = 0, silhouettes = 0;

@@ -33,13 +33,13 @@ class RayEngineTest : public testing::Test {
     void TearDown() override { setMostThreads(0); }
 };
 
-Irsg withEngine(EngineChoice engine, RenderSettings settings, const std::vector<Entity>& entities,
-                const View& view) {
-    Irsg irsg;
+InteractiveRenderer withEngine(EngineChoice engine, RenderSettings settings,
+                               const std::vector<Entity>& entities, const View& view) {
+    InteractiveRenderer irsg;
     settings.engine = engine;
-    irsg.setSettings(settings);
-    irsg.setEnvironment(brightAir());
-    irsg.setEntities(entities);
+    irsg.scene.settings = settings;
+    irsg.scene.environment = brightAir();
+    irsg.scene.entities = entities;
     look(irsg, view);
     return irsg;
 }
@@ -68,10 +68,10 @@ Entity dressed(const std::shared_ptr<const Model>& model) {
 }
 
 /// For every pixel what its middle meets, near to far; of one entity at standing altitude.
-std::vector<std::vector<std::pair<int, unsigned>>> facetsOf(const Irsg& irsg) {
-    const Entity& entity = irsg.entities().front();
+std::vector<std::vector<std::pair<int, unsigned>>> facetsOf(const InteractiveRenderer& irsg) {
+    const Entity& entity = irsg.scene.entities.front();
     PreparedEntities prepared;
-    prepared.keep(irsg.entities());
+    prepared.keep(irsg.scene.entities);
     PreparedModel& model = prepared.of(entity);
     const RayMesh& mesh = *model.forRays();
     PieceUses uses(model.items.size());
@@ -79,8 +79,8 @@ std::vector<std::vector<std::pair<int, unsigned>>> facetsOf(const Irsg& irsg) {
         uses.set(i, {true, !materialEntry(entity, model.items[i].codes.material)->isOpaque(),
                      model.items[i].cullsBackFaces, model.items[i].layer});
     }
-    const Sensor& sensor = irsg.sensor();
-    const Viewpoint& eye = irsg.viewpoint();
+    const Sensor& sensor = irsg.view.sensor;
+    const Viewpoint& eye = irsg.view.viewpoint;
     const double pitch = sensor.pixelPitch();
     std::vector<std::vector<std::pair<int, unsigned>>> met;
     for (int y = 0; y < sensor.height_px; ++y) {
@@ -123,9 +123,9 @@ bool isInterior(const std::vector<std::vector<std::pair<int, unsigned>>>& met, i
 /// radiance there; expects some pixels to compare.
 void expectAlike(const std::vector<Entity>& entities, const View& view, double tolerance,
                  RenderSettings settings = plainPixels()) {
-    Irsg drawn = withEngine(EngineChoice::opengl, settings, entities, view);
-    Irsg traced = withEngine(EngineChoice::rays, settings, entities, view);
-    const RenderedImage a = drawn.render(), b = traced.render();
+    InteractiveRenderer drawn = withEngine(EngineChoice::opengl, settings, entities, view);
+    InteractiveRenderer traced = withEngine(EngineChoice::rays, settings, entities, view);
+    const RenderedImage a = drawn.imageWithReport(), b = traced.imageWithReport();
     const auto met = facetsOf(drawn);
     const int width = a.image.width(), height = a.image.height();
     double worst = 0.0;
@@ -274,14 +274,15 @@ TEST_F(RayEngineTest, SamplesTheSameWindowsSoThatSumsAreThoseOfOpenGl) {
                         .width_px = 160,
                         .height_px = 128,
                         .fieldOfView_rad = 0.04};
-        Irsg drawn = withEngine(EngineChoice::opengl, {}, {entity}, view);
-        Irsg traced = withEngine(EngineChoice::rays, {}, {entity}, view);
+        InteractiveRenderer drawn = withEngine(EngineChoice::opengl, {}, {entity}, view);
+        InteractiveRenderer traced = withEngine(EngineChoice::rays, {}, {entity}, view);
         const RenderReport a = drawn.measure(), b = traced.measure();
         EXPECT_NEAR(b.all.intensity_W_sr / a.all.intensity_W_sr, 1.0, 1e-3) << range_m;
         EXPECT_NEAR(b.all.solidAngle_sr / a.all.solidAngle_sr, 1.0, 1e-3) << range_m;
         std::printf("  %8.0f m: %.1e\n", range_m,
                     b.all.intensity_W_sr / a.all.intensity_W_sr - 1.0);
-        const RenderedImage drawnImage = drawn.render(), tracedImage = traced.render();
+        const RenderedImage drawnImage = drawn.imageWithReport(),
+                            tracedImage = traced.imageWithReport();
         EXPECT_EQ(drawnImage.image.attributes.at("windows"),
                   tracedImage.image.attributes.at("windows"));
         EXPECT_NEAR(tracedImage.report.all.intensity_W_sr / drawnImage.report.all.intensity_W_sr,
@@ -303,8 +304,8 @@ TEST_F(RayEngineTest, GivesTheSameBytesWithAnyNumberOfThreads) {
     std::vector<double> sums;
     for (const unsigned threads : {1u, 2u, 5u}) {
         setMostThreads(threads);
-        Irsg irsg = withEngine(EngineChoice::rays, {}, {entity}, view);
-        pictures.push_back(irsg.render().image.primary().values);
+        InteractiveRenderer irsg = withEngine(EngineChoice::rays, {}, {entity}, view);
+        pictures.push_back(irsg.imageWithReport().image.primary().values);
         sums.push_back(irsg.measure().all.intensity_W_sr);
     }
     for (std::size_t i = 1; i < pictures.size(); ++i) {
@@ -328,14 +329,14 @@ TEST_F(RayEngineTest, SeesTerrainBehindAndBeforeObjects) {
         settings.terrain = {5.0, 0.2};
         std::vector<RadianceImage> images;
         for (const EngineChoice engine : {EngineChoice::opengl, EngineChoice::rays}) {
-            Irsg irsg = withEngine(engine, settings, {entity},
-                                   {.range_m = 20.0,
-                                    .azimuth_rad = pi,
-                                    .width_px = 90,
-                                    .height_px = 70,
-                                    .fieldOfView_rad = 0.5});
-            irsg.setTerrain(terrain);
-            images.push_back(irsg.render().image);
+            InteractiveRenderer irsg = withEngine(engine, settings, {entity},
+                                                  {.range_m = 20.0,
+                                                   .azimuth_rad = pi,
+                                                   .width_px = 90,
+                                                   .height_px = 70,
+                                                   .fieldOfView_rad = 0.5});
+            irsg.scene.terrain = terrain;
+            images.push_back(irsg.imageWithReport().image);
         }
         int differ = 0;
         double most = 0.0, mean = 0.0;
@@ -365,22 +366,22 @@ TEST_F(RayEngineTest, AsksForNoEgl) {
     }
     Entity entity = dressed(sampleModel("box"));
     entity.pose.position_m.z = standingAltitude_m;
-    Irsg irsg = withEngine(EngineChoice::rays, {}, {entity}, {.range_m = 200.0});
-    EXPECT_GT(irsg.render().report.all.intensity_W_sr, 0.0);
+    InteractiveRenderer irsg = withEngine(EngineChoice::rays, {}, {entity}, {.range_m = 200.0});
+    EXPECT_GT(irsg.imageWithReport().report.all.intensity_W_sr, 0.0);
     EXPECT_NE(irsg.rendererDescription().find("Embree"), std::string::npos);
     std::ifstream maps("/proc/self/maps");
     for (std::string line; std::getline(maps, line);) {
         EXPECT_EQ(line.find("libEGL"), std::string::npos) << line;
     }
     // Without OpenGL auto takes rays, and OpenGL is refused.
-    RenderSettings settings = irsg.settings();
+    RenderSettings settings = irsg.scene.settings;
     settings.engine = EngineChoice::automatic;
-    irsg.setSettings(settings);
-    EXPECT_NE(irsg.render().report.renderer.find("(auto: this machine has no OpenGL)"),
+    irsg.scene.settings = settings;
+    EXPECT_NE(irsg.imageWithReport().report.renderer.find("(auto: this machine has no OpenGL)"),
               std::string::npos);
     settings.engine = EngineChoice::opengl;
-    irsg.setSettings(settings);
-    EXPECT_THROW(irsg.render(), InputError);
+    irsg.scene.settings = settings;
+    EXPECT_THROW(irsg.imageWithReport(), InputError);
 }
 
 TEST_F(RayEngineTest, IsChosenByItselfAndSaysSo) {
@@ -388,14 +389,14 @@ TEST_F(RayEngineTest, IsChosenByItselfAndSaysSo) {
     few.pose.position_m.z = standingAltitude_m;
     Entity many = entityOf(modelOf(sphereMesh(1.0, 330, 330, {1, 1})), greyDatabase(0.5, 300.0));
     many.pose.position_m.z = standingAltitude_m;
-    Irsg irsg = withEngine(EngineChoice::automatic, {}, {few}, {});
-    const std::string drawn = irsg.render().report.renderer;
+    InteractiveRenderer irsg = withEngine(EngineChoice::automatic, {}, {few}, {});
+    const std::string drawn = irsg.imageWithReport().report.renderer;
     EXPECT_NE(drawn.find("(auto: "), std::string::npos) << drawn;
     if (drawn.find("llvmpipe") == std::string::npos) {
         GTEST_SKIP() << "a graphics card draws any scene";
     }
-    irsg.setEntities({many});
-    const std::string traced = irsg.render().report.renderer;
+    irsg.scene.entities = {many};
+    const std::string traced = irsg.imageWithReport().report.renderer;
     EXPECT_NE(traced.find("Embree"), std::string::npos) << traced;
     EXPECT_EQ(irsg.rendererDescription(), traced);
 }
@@ -408,6 +409,6 @@ TEST(RaysAbsent, AreRefusedByName) {
         entityOf(modelOf(boxMesh({1, 1, 1}, {{1, 1}, {1, 1}, {1, 1}, {1, 1}, {1, 1}, {1, 1}})),
                  greyDatabase(0.5, 300.0));
     entity.pose.position_m.z = standingAltitude_m;
-    Irsg irsg = withEngine(EngineChoice::rays, {}, {entity}, {});
-    EXPECT_NE(refusalOf([&] { irsg.render(); }).find("render.engine"), std::string::npos);
+    InteractiveRenderer irsg = withEngine(EngineChoice::rays, {}, {entity}, {});
+    EXPECT_NE(refusalOf([&] { irsg.imageWithReport(); }).find("render.engine"), std::string::npos);
 }

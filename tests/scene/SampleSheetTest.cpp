@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "irsg/render/sampling/PixelAlignedStrategy.h"
-#include "irsg/scene/Irsg.h"
+#include "irsg/scene/InteractiveRenderer.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;

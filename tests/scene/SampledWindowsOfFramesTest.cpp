@@ -23,21 +23,21 @@ Entity sphere(const std::string& name, double x_m) {
 /// The windows that a frame of 64 pixels tells of, in which 2 m are `size_px` wide.
 std::vector<SampledWindow> windowsIn(const std::vector<Entity>& entities, double size_px,
                                      const std::function<void(RenderSettings&)>& change = {}) {
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(ConstantAir{});
     RenderSettings settings;
     settings.background = BackgroundMode::constant;
     if (change) {
         change(settings);
     }
-    irsg.setSettings(settings);
-    irsg.setEntities(entities);
-    irsg.setPose(0, {{entities[0].pose.position_m}, {}});
+    irsg.scene.settings = settings;
+    irsg.scene.entities = entities;
+    irsg.scene.entities[0].pose = {{entities[0].pose.position_m}, {}};
     look(irsg, {.range_m = 2.0 / (size_px * pixel_rad),
                 .width_px = frame_px,
                 .height_px = frame_px,
                 .fieldOfView_rad = 2.0 * std::atan(0.5 * frame_px * pixel_rad)});
-    const RenderedImage frame = irsg.render();
+    const RenderedImage frame = irsg.imageWithReport();
     EXPECT_EQ(windowsOf(frame.image).size(), frame.report.windows.size());
     return frame.report.windows;
 }

@@ -21,9 +21,9 @@ RenderSettings settingsOfTests() {
     return settings;
 }
 
-Irsg& generator() {
-    static Irsg irsg;
-    irsg.setSettings(settingsOfTests());
+InteractiveRenderer& generator() {
+    static InteractiveRenderer irsg;
+    irsg.scene.settings = settingsOfTests();
     return irsg;
 }
 
@@ -73,10 +73,10 @@ Entity scaled(Entity entity, const std::vector<double>& scales) {
 } // namespace
 
 TEST(ScaledView, SaysWhatTheRendererSaysOfAScaledScene) {
-    Irsg& irsg = generator();
-    irsg.setEnvironment(brightAir());
+    InteractiveRenderer& irsg = generator();
+    irsg.scene.environment = brightAir();
     for (const Band& band : {Band::topHat(3.0, 5.0), Band::topHat(8.0, 12.0)}) {
-        irsg.setEntities({glazedSphere()});
+        irsg.scene.entities = {glazedSphere()};
         look(irsg, {.range_m = 100.0, .azimuth_rad = 0.5, .elevation_rad = 0.2, .band = band});
         const auto view = irsg.scaledView(inputs);
         ASSERT_EQ(view->size(), 1u);
@@ -84,7 +84,7 @@ TEST(ScaledView, SaysWhatTheRendererSaysOfAScaledScene) {
             const std::vector<double> scales = draw(number);
             ScaledValues found;
             view->evaluate(scales, found);
-            irsg.setEntities({scaled(glazedSphere(), scales)});
+            irsg.scene.entities = {scaled(glazedSphere(), scales)};
             const ObjectRadiometry expected = irsg.measure().all;
             // The quadrature follows the coldest surface, which a scale may change.
             EXPECT_NEAR(found.intensity[0] / expected.intensity_W_sr, 1.0, 2e-6) << number;
@@ -102,9 +102,9 @@ TEST(ScaledView, StaysNearTheRendererWhereAScaledSpectrumIsCutInsideTheBand) {
     // Where the scaled emissivity meets 1 - t between two nodes of the quadrature it has a kink
     // there that neither of the two knows of: what remains is the quadrature's error, not physics
     // (spectra agree wavelength by wavelength).
-    Irsg& irsg = generator();
-    irsg.setEnvironment(brightAir());
-    irsg.setEntities({glazedSphere()});
+    InteractiveRenderer& irsg = generator();
+    irsg.scene.environment = brightAir();
+    irsg.scene.entities = {glazedSphere()};
     look(irsg, {.range_m = 100.0, .azimuth_rad = 0.5, .elevation_rad = 0.2});
     std::vector<ScalingInput> wider = inputs;
     wider[4].most = 1.3;
@@ -114,15 +114,15 @@ TEST(ScaledView, StaysNearTheRendererWhereAScaledSpectrumIsCutInsideTheBand) {
         scales[4] = cut;
         ScaledValues found;
         view->evaluate(scales, found);
-        irsg.setEntities({scaled(glazedSphere(), scales)});
+        irsg.scene.entities = {scaled(glazedSphere(), scales)};
         EXPECT_NEAR(found.intensity[0] / irsg.measure().all.intensity_W_sr, 1.0, 5e-4) << cut;
     }
 }
 
 TEST(ScaledView, IsTheUnscaledSceneAtScalesOfOne) {
-    Irsg& irsg = generator();
-    irsg.setEnvironment(brightAir());
-    irsg.setEntities({glazedSphere()});
+    InteractiveRenderer& irsg = generator();
+    irsg.scene.environment = brightAir();
+    irsg.scene.entities = {glazedSphere()};
     look(irsg, {.range_m = 100.0});
     ScaledValues found;
     irsg.scaledView(inputs)->evaluate(std::vector<double>(inputs.size(), 1.0), found);
@@ -133,9 +133,9 @@ TEST(ScaledView, IsTheUnscaledSceneAtScalesOfOne) {
 }
 
 TEST(ScaledView, ScalesSpectraWavelengthByWavelength) {
-    Irsg& irsg = generator();
-    irsg.setEnvironment(brightAir());
-    irsg.setEntities({glazedSphere()});
+    InteractiveRenderer& irsg = generator();
+    irsg.scene.environment = brightAir();
+    irsg.scene.entities = {glazedSphere()};
     look(irsg, {.range_m = 100.0, .azimuth_rad = 0.5});
     // In any order, and one of them twice.
     const std::vector<double> wavenumbers{2500.0, 2000.0, 2200.0, 2500.0, 3300.0};
@@ -145,7 +145,7 @@ TEST(ScaledView, ScalesSpectraWavelengthByWavelength) {
         const std::vector<double> scales = draw(number);
         ScaledValues found;
         view->evaluate(scales, found);
-        irsg.setEntities({scaled(glazedSphere(), scales)});
+        irsg.scene.entities = {scaled(glazedSphere(), scales)};
         const IntensitySpectrum expected = irsg.measureSpectrum(wavenumbers);
         for (std::size_t i = 0; i < wavenumbers.size(); ++i) {
             EXPECT_NEAR(found.intensity[i] / expected.intensity_W_sr_um[i], 1.0, 1e-10);
@@ -164,15 +164,15 @@ TEST(Scalings, KeepEmissivityAndReflectivityAndTransmissivityAtOne) {
     const double black = planckRadiance_W_m2_sr_um(wavelength_um, temperature_K);
     ConstantAir air;
     air.upValue = air.downValue = pi * black;
-    Irsg& irsg = generator();
-    irsg.setEnvironment(environmentOf(air));
+    InteractiveRenderer& irsg = generator();
+    irsg.scene.environment = environmentOf(air);
     const Band band = Band::topHat(wavelength_um - 1e-4, wavelength_um + 1e-4);
     double first = 0.0;
     for (const double scale : {1.0, 0.0, 0.3, 1.25, 4.0}) {
         Entity sphere =
             entityOf(modelOf(sphereMesh(1.0, 32, 64, {1, 1})), greyDatabase(0.8, temperature_K));
         sphere.emissivityScale[1] = scale;
-        irsg.setEntities({sphere});
+        irsg.scene.entities = {sphere};
         look(irsg, {.range_m = 100.0, .band = band});
         const double intensity = irsg.measure().all.intensity_W_sr;
         first = first == 0.0 ? intensity : first;
@@ -181,13 +181,13 @@ TEST(Scalings, KeepEmissivityAndReflectivityAndTransmissivityAtOne) {
 }
 
 TEST(Scalings, NeverEmitMoreThanABlackBody) {
-    Irsg& irsg = generator();
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
+    InteractiveRenderer& irsg = generator();
+    irsg.scene.environment = environmentOf(ConstantAir{});
     const auto intensityOf = [&](double emissivity, double scale) {
         Entity sphere =
             entityOf(modelOf(sphereMesh(1.0, 32, 64, {1, 1})), greyDatabase(emissivity, 320.0));
         sphere.emissivityScale[1] = scale;
-        irsg.setEntities({sphere});
+        irsg.scene.entities = {sphere};
         look(irsg, {.range_m = 100.0});
         return irsg.measure().all.intensity_W_sr;
     };
@@ -196,12 +196,12 @@ TEST(Scalings, NeverEmitMoreThanABlackBody) {
 }
 
 TEST(Scalings, MultiplyTheTemperatureInKelvinAndTheEmissionOfASpectrumOnlyByEmissivity) {
-    Irsg& irsg = generator();
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
+    InteractiveRenderer& irsg = generator();
+    irsg.scene.environment = environmentOf(ConstantAir{});
     const auto intensityOf = [&](Entity entity, double temperature, double emissivity) {
         entity.temperatureScale[1] = temperature;
         entity.emissivityScale[1] = emissivity;
-        irsg.setEntities({entity});
+        irsg.scene.entities = {entity};
         look(irsg, {.range_m = 100.0});
         return irsg.measure().all.intensity_W_sr;
     };

@@ -95,17 +95,17 @@ class ScatteringScene : public testing::Test {
         }
     }
 
-    Irsg& sphere(double temperature_K, const Environment& environment, const View& view,
-                 const RenderSettings& settings = scattering()) {
-        irsg.setEnvironment(environment);
-        irsg.setSettings(settings);
-        irsg.setEntities(
-            {entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(1.0, temperature_K))});
+    InteractiveRenderer& sphere(double temperature_K, const Environment& environment,
+                                const View& view, const RenderSettings& settings = scattering()) {
+        irsg.scene.environment = environment;
+        irsg.scene.settings = settings;
+        irsg.scene.entities = {
+            entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(1.0, temperature_K))};
         look(irsg, view);
         return irsg;
     }
 
-    Irsg irsg;
+    InteractiveRenderer irsg;
 };
 
 double sumOf(const RadianceImage& image) {
@@ -135,7 +135,7 @@ TEST_F(ScatteringScene, LeavesAnObjectInvisibleThatShinesAsItsBackground) {
         for (const double width_per_rad : {20.0, 200.0}) {
             const Environment hazy =
                 with(environmentOf(air), databaseFile(0.05, width_per_rad), coefficient_per_m);
-            const RenderedImage seen = sphere(300.0, hazy, {}, settings).render();
+            const RenderedImage seen = sphere(300.0, hazy, {}, settings).imageWithReport();
             const auto [least, most] = std::ranges::minmax(seen.image.primary().values);
             EXPECT_GT(number(seen.image, "scattering.mesh.gain"), 1.05);
             EXPECT_LE((most - least) / most, 1e-5f) << coefficient_per_m;
@@ -147,8 +147,8 @@ TEST_F(ScatteringScene, GivesItsLightTheGainOfTheMtfLessTheReportedCut) {
     // A field of view that ends inside the frame.
     const Environment air = with(darkness(), databaseFile(0.012), 0.02);
     const View view{.width_px = 96, .height_px = 80};
-    const RadianceImage clear = sphere(400.0, air, view, scattering(false)).render().image;
-    const RadianceImage hazy = sphere(400.0, air, view).render().image;
+    const RadianceImage clear = sphere(400.0, air, view, scattering(false)).imageWithReport().image;
+    const RadianceImage hazy = sphere(400.0, air, view).imageWithReport().image;
     EXPECT_NEAR(number(hazy, "scattering.mesh.optical_depth"), 2.0, 1e-6);
     const double gain = number(hazy, "scattering.mesh.gain");
     EXPECT_NEAR(gain, std::exp(1.8), 1e-6);
@@ -159,12 +159,12 @@ TEST_F(ScatteringScene, GivesItsLightTheGainOfTheMtfLessTheReportedCut) {
 TEST_F(ScatteringScene, ReachesPointSourcesToo) {
     const Environment air = with(darkness(), databaseFile(0.012), 2e-4);
     const View view{.range_m = 1e4, .width_px = 65, .height_px = 65, .fieldOfView_rad = 1.0};
-    const RadianceImage seen = sphere(400.0, air, view).render().image;
+    const RadianceImage seen = sphere(400.0, air, view).imageWithReport().image;
     EXPECT_GT(seen.at(32, 32), 0.0f);
     // Its haze is narrower than a pixel here; with finer ones it is seen around the point.
     const View fine{.range_m = 1e6, .width_px = 65, .height_px = 65, .fieldOfView_rad = 0.012};
     const Environment thin = with(darkness(), databaseFile(0.012), 2e-6);
-    const RadianceImage spread = sphere(400.0, thin, fine).render().image;
+    const RadianceImage spread = sphere(400.0, thin, fine).imageWithReport().image;
     EXPECT_GT(spread.at(40, 32), 0.0f);
     EXPECT_NEAR(spread.at(40, 32) / spread.at(24, 32), 1.0f, 1e-4f);
     EXPECT_NEAR(spread.at(32 + 5, 32) / spread.at(32 + 3, 32 + 4), 1.0f, 0.01f);
@@ -173,60 +173,61 @@ TEST_F(ScatteringScene, ReachesPointSourcesToo) {
 TEST_F(ScatteringScene, IsTheSameHazeWithEveryAntialiasing) {
     const Environment air = with(darkness(), databaseFile(0.2, 20.0), 0.02);
     const View view{.width_px = 64, .height_px = 64};
-    const RadianceImage aligned = sphere(400.0, air, view).render().image;
+    const RadianceImage aligned = sphere(400.0, air, view).imageWithReport().image;
     RenderSettings settings = scattering();
     for (const int perAxis : {1, 4}) {
         settings.zoomWindow = 0;
         settings.samplesPerAxis = perAxis;
-        const RadianceImage seen = sphere(400.0, air, view, settings).render().image;
+        const RadianceImage seen = sphere(400.0, air, view, settings).imageWithReport().image;
         EXPECT_NEAR(seen.at(4, 32) / aligned.at(4, 32), 1.0f, 0.02f) << perAxis;
     }
     settings = scattering();
     settings.zoomStrategy = ZoomStrategy::sills;
-    const RadianceImage published = sphere(400.0, air, view, settings).render().image;
+    const RadianceImage published = sphere(400.0, air, view, settings).imageWithReport().image;
     EXPECT_NEAR(published.at(4, 32) / aligned.at(4, 32), 1.0f, 0.02f);
 }
 
 TEST_F(ScatteringScene, SpreadsEveryObjectByItsOwnPath) {
-    irsg.setEnvironment(with(darkness(), databaseFile(0.05), 0.01));
-    irsg.setSettings(scattering());
+    irsg.scene.environment = with(darkness(), databaseFile(0.05), 0.01);
+    irsg.scene.settings = scattering();
     Entity near = entityOf(modelOf(sphereMesh(1.0, 16, 32, one)), greyDatabase(1.0, 350.0));
     Entity far = near;
     near.name = "near";
     far.name = "far";
-    irsg.setEntities({near, far});
+    irsg.scene.entities = {near, far};
     look(irsg, {});
-    const Viewpoint eye = irsg.viewpoint();
+    const Viewpoint eye = irsg.view.viewpoint;
     const Vec3 back = eye.forward();
-    irsg.setPose(1, {{back.x * 200.0 + eye.right.x * 6.0, back.y * 200.0 + eye.right.y * 6.0,
-                      standingAltitude_m + eye.right.z * 6.0},
-                     {}});
-    const RadianceImage image = irsg.render().image;
+    irsg.scene.entities[1].pose = {{back.x * 200.0 + eye.right.x * 6.0,
+                                    back.y * 200.0 + eye.right.y * 6.0,
+                                    standingAltitude_m + eye.right.z * 6.0},
+                                   {}};
+    const RadianceImage image = irsg.imageWithReport().image;
     EXPECT_NEAR(number(image, "scattering.near.optical_depth"), 1.0, 1e-6);
     EXPECT_NEAR(number(image, "scattering.far.optical_depth"), 3.0, 0.01);
 }
 
 TEST_F(ScatteringScene, SaysWhenHazeFromOutsideTheFrameIsMissing) {
-    irsg.setEnvironment(with(darkness(), databaseFile(0.05), 0.01));
-    irsg.setSettings(scattering());
+    irsg.scene.environment = with(darkness(), databaseFile(0.05), 0.01);
+    irsg.scene.settings = scattering();
     Entity inner = entityOf(modelOf(sphereMesh(1.0, 16, 32, one)), greyDatabase(1.0, 350.0));
     Entity other = inner;
     inner.name = "inside";
     other.name = "other";
-    irsg.setEntities({inner, other});
+    irsg.scene.entities = {inner, other};
     look(irsg, {});
-    const Viewpoint eye = irsg.viewpoint();
-    const double halfFrame_m = 100.0 * std::tan(0.5 * irsg.sensor().horizontalFieldOfView_rad);
+    const Viewpoint eye = irsg.view.viewpoint;
+    const double halfFrame_m = 100.0 * std::tan(0.5 * irsg.view.sensor.horizontalFieldOfView_rad);
     struct Row {
         double right; ///< in halves of the frame
         bool isTold;
     };
     for (const Row row : {Row{0.3, false}, Row{1.0, true}, Row{1.8, true}, Row{1e3, false}}) {
         const double right_m = row.right * halfFrame_m;
-        irsg.setPose(1, {{eye.right.x * right_m, eye.right.y * right_m,
-                          standingAltitude_m + eye.right.z * right_m},
-                         {}});
-        const auto warnings = irsg.render().report.warnings;
+        irsg.scene.entities[1].pose = {{eye.right.x * right_m, eye.right.y * right_m,
+                                        standingAltitude_m + eye.right.z * right_m},
+                                       {}};
+        const auto warnings = irsg.imageWithReport().report.warnings;
         EXPECT_EQ(std::ranges::any_of(warnings,
                                       [](const std::string& warning) {
                                           return warning.find("'other' reaches beyond the frame") !=
@@ -243,7 +244,8 @@ TEST_F(ScatteringScene, FollowsAnUnevenBackground) {
     RenderSettings settings = scattering();
     settings.backgroundRows = 8;
     const Environment air = with(isothermal(300.0, 0.005), databaseFile(0.02), 0.005);
-    const RadianceImage seen = sphere(300.0, air, {.elevation_rad = 0.01}, settings).render().image;
+    const RadianceImage seen =
+        sphere(300.0, air, {.elevation_rad = 0.01}, settings).imageWithReport().image;
     const auto [least, most] = std::ranges::minmax(seen.primary().values);
     EXPECT_LE((most - least) / most, 1e-5f);
 }
@@ -260,27 +262,28 @@ TEST_F(ScatteringScene, SaysWhenItTakesTheOpticalDepthFromTheTransmittance) {
     Environment environment;
     environment.add(std::make_shared<Quiet>(air));
     const RenderedImage seen =
-        sphere(400.0, with(environment, databaseFile(0.05), 0.0), {}).render();
+        sphere(400.0, with(environment, databaseFile(0.05), 0.0), {}).imageWithReport();
     EXPECT_NEAR(number(seen.image, "scattering.mesh.optical_depth"), 1.5, 1e-9);
     EXPECT_THAT(seen.report.warnings, Contains(HasSubstr("eq. 10")));
 }
 
 TEST_F(ScatteringScene, SaysWhenNothingScatters) {
     const RenderedImage seen =
-        sphere(400.0, with(isothermal(290.0, 0.005), databaseFile(0.05), 0.0), {}).render();
+        sphere(400.0, with(isothermal(290.0, 0.005), databaseFile(0.05), 0.0), {})
+            .imageWithReport();
     EXPECT_THAT(seen.report.warnings, Contains(HasSubstr("nothing scatters")));
     EXPECT_THAT(seen.report.warnings, Contains(HasSubstr("direct light")));
 }
 
 TEST_F(ScatteringScene, SaysWhenTheDatabaseDoesNotFitTheSensor) {
     const RenderedImage seen =
-        sphere(400.0, with(darkness(), databaseFile(0.012), 0.02), {}).render();
+        sphere(400.0, with(darkness(), databaseFile(0.012), 0.02), {}).imageWithReport();
     EXPECT_THAT(seen.report.warnings, Contains(HasSubstr("is too small for that of the sensor")));
 }
 
 TEST_F(ScatteringScene, RefusesWhatTheDatabaseDoesNotReach) {
     try {
-        sphere(400.0, with(darkness(), databaseFile(0.05), 0.1), {}).render();
+        sphere(400.0, with(darkness(), databaseFile(0.05), 0.1), {}).imageWithReport();
         FAIL();
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr("the path to 'mesh'"));
@@ -290,7 +293,7 @@ TEST_F(ScatteringScene, RefusesWhatTheDatabaseDoesNotReach) {
 
 TEST_F(ScatteringScene, RefusesToScatterWithoutADatabase) {
     try {
-        sphere(400.0, darkness(), {}).render();
+        sphere(400.0, darkness(), {}).imageWithReport();
         FAIL();
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr("an AtmosphereScatteringLUT or an MTF database"));
@@ -301,13 +304,14 @@ TEST(ScatteringWithoutItsFloor, IsRefusedByName) {
     if (isScatteringBuilt()) {
         GTEST_SKIP() << "this build has irsg/scattering";
     }
-    Irsg irsg;
-    irsg.setEnvironment(with(darkness(), "haze.mtf", 0.01));
-    irsg.setSettings(scattering());
-    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 8, 16, one)), greyDatabase(1.0, 300.0))});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = with(darkness(), "haze.mtf", 0.01);
+    irsg.scene.settings = scattering();
+    irsg.scene.entities = {
+        entityOf(modelOf(sphereMesh(1.0, 8, 16, one)), greyDatabase(1.0, 300.0))};
     look(irsg, {});
     try {
-        irsg.render();
+        irsg.imageWithReport();
         FAIL();
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr("irsg/scattering"));

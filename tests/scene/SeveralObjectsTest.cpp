@@ -17,18 +17,18 @@ constexpr double emissivity = 0.9, temperature_K = 320.0, apart_m = 800.0;
 class TwoSpheres : public testing::Test {
   protected:
     void SetUp() override {
-        irsg.setEnvironment(environmentOf(ConstantAir{}));
+        irsg.scene.environment = environmentOf(ConstantAir{});
         Entity far = entityOf(modelOf(sphereMesh(1.0, 48, 96, {1, 1})),
                               greyDatabase(emissivity, temperature_K));
         Entity near = far;
         far.name = "far";
         near.name = "near";
         near.pose.position_m = {12.0, apart_m, standingAltitude_m};
-        irsg.setEntities({far, near});
+        irsg.scene.entities = {far, near};
     }
     void lookFrom(double range_m) {
         look(irsg, {.range_m = range_m, .width_px = 320, .height_px = 200, .fieldOfView_rad = 0.4});
-        irsg.setPose(1, {{12.0, apart_m, standingAltitude_m}, {}});
+        irsg.scene.entities[1].pose = {{12.0, apart_m, standingAltitude_m}, {}};
     }
     /// Of one sphere, at its own range, as far as its facets are one.
     static double intensity_W_sr() {
@@ -49,7 +49,7 @@ class TwoSpheres : public testing::Test {
                     1.0, 1e-5);
     }
 
-    Irsg irsg;
+    InteractiveRenderer irsg;
 };
 
 } // namespace
@@ -59,7 +59,7 @@ TEST_F(TwoSpheres, HaveTheSumOfTheirIntensitiesAtEveryRange) {
         SCOPED_TRACE(range_m);
         lookFrom(range_m);
         expectBoth(irsg.measure(), range_m);
-        expectBoth(irsg.render().report, range_m);
+        expectBoth(irsg.imageWithReport().report, range_m);
     }
 }
 
@@ -103,10 +103,10 @@ TEST_F(TwoSpheres, AreScaledEachAtItsOwnRange) {
 }
 
 TEST(OneObject, IsTheSceneAndHasNoSpectrumBesideIt) {
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
-    irsg.setEntities(
-        {entityOf(modelOf(sphereMesh(1.0, 32, 64, {1, 1})), greyDatabase(0.9, 320.0))});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.entities = {
+        entityOf(modelOf(sphereMesh(1.0, 32, 64, {1, 1})), greyDatabase(0.9, 320.0))};
     look(irsg, {.range_m = 100.0});
     const RenderReport report = irsg.measure();
     EXPECT_EQ(report.all.intensity_W_sr, report.objects.at(0).intensity_W_sr);

@@ -46,12 +46,12 @@ double intensity(const std::shared_ptr<const Model>& model, EngineChoice engine,
     auto database = greyDatabase(1.0, 300.0);
     database.temperatures[2] = fixedTemperature(500.0);
     database.temperatures[3] = fixedTemperature(900.0);
-    Irsg irsg;
+    InteractiveRenderer irsg;
     RenderSettings settings;
     settings.engine = engine;
-    irsg.setSettings(settings);
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
-    irsg.setEntities({entityOf(model, database)});
+    irsg.scene.settings = settings;
+    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.entities = {entityOf(model, database)};
     look(irsg, {.range_m = 1000.0, .azimuth_rad = azimuth_rad, .elevation_rad = 0.9});
     return irsg.measure().all.intensity_W_sr;
 }

@@ -40,13 +40,13 @@ double mean(const std::vector<double>& values) {
     return sum / static_cast<double>(values.size());
 }
 
-Irsg& generator(ZoomStrategy strategy, int size = 256) {
-    static Irsg irsg;
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
+InteractiveRenderer& generator(ZoomStrategy strategy, int size = 256) {
+    static InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(ConstantAir{});
     RenderSettings settings;
     settings.zoomWindow = size;
     settings.zoomStrategy = strategy;
-    irsg.setSettings(settings);
+    irsg.scene.settings = settings;
     return irsg;
 }
 
@@ -59,8 +59,8 @@ View viewOf(double size_m, double size_px) {
 }
 
 /// Least and largest intensity over 8 x 8 places among the pixels, relative to the mean.
-std::pair<double, double> swing(Irsg& irsg) {
-    const Viewpoint camera = irsg.viewpoint();
+std::pair<double, double> swing(InteractiveRenderer& irsg) {
+    const Viewpoint camera = irsg.view.viewpoint;
     const double step_m = pixel_rad * length(camera.position_m - Vec3{0, 0, standingAltitude_m});
     double least = 1e300, largest = 0.0, sum = 0.0;
     for (int i = 0; i < 8; ++i) {
@@ -68,8 +68,8 @@ std::pair<double, double> swing(Irsg& irsg) {
             Pose pose{{0, 0, standingAltitude_m}, {}};
             pose.position_m = pose.position_m + camera.right * ((i / 8.0 + 0.03) * step_m) +
                               camera.up * ((j / 8.0 + 0.05) * step_m);
-            irsg.setPose(0, pose);
-            const double intensity = irsg.render().report.all.intensity_W_sr;
+            irsg.scene.entities[0].pose = pose;
+            const double intensity = irsg.imageWithReport().report.all.intensity_W_sr;
             least = std::min(least, intensity);
             largest = std::max(largest, intensity);
             sum += intensity / 64.0;
@@ -159,8 +159,9 @@ TEST(PixelSizeBasedLod, SaysWhenItSwitchesAndNotBefore) {
 }
 
 TEST(PublishedZoom, KeepsTheIntensityOfASphereAndSwingsWithALopsidedBody) {
-    Irsg& irsg = generator(ZoomStrategy::sills);
-    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 48, 96, one)), greyDatabase(0.9, 320.0))});
+    InteractiveRenderer& irsg = generator(ZoomStrategy::sills);
+    irsg.scene.entities = {
+        entityOf(modelOf(sphereMesh(1.0, 48, 96, one)), greyDatabase(0.9, 320.0))};
     look(irsg, viewOf(2.0, 1.5));
     const auto sphere = swing(irsg);
     EXPECT_GT(sphere.first, 0.98);
@@ -169,7 +170,7 @@ TEST(PublishedZoom, KeepsTheIntensityOfASphereAndSwingsWithALopsidedBody) {
     // An L in a square of two pixels, as the texture of 2 x 2 texels sees it.
     const Mesh lopsided = joined(plateMesh({-0.85, 0, 0}, {0, 0, 1}, {0.15, 0, 0}, one),
                                  plateMesh({0.15, 0, -0.85}, {0, 0, 0.15}, {0.85, 0, 0}, one));
-    irsg.setEntities({entityOf(modelOf(lopsided), greyDatabase(0.9, 320.0))});
+    irsg.scene.entities = {entityOf(modelOf(lopsided), greyDatabase(0.9, 320.0))};
     look(irsg, viewOf(2.0, 1.4));
     const auto published = swing(irsg);
     EXPECT_LT(published.first, 0.9);
@@ -180,59 +181,62 @@ TEST(PublishedZoom, KeepsTheIntensityOfASphereAndSwingsWithALopsidedBody) {
 }
 
 TEST(PublishedZoom, DrawsObjectsAboveItsSizeAsTheyAreAndSaysSo) {
-    Irsg& irsg = generator(ZoomStrategy::sills, 64);
-    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 48, 96, one)), greyDatabase(0.9, 320.0))});
+    InteractiveRenderer& irsg = generator(ZoomStrategy::sills, 64);
+    irsg.scene.entities = {
+        entityOf(modelOf(sphereMesh(1.0, 48, 96, one)), greyDatabase(0.9, 320.0))};
     look(irsg, viewOf(2.0, 60.0));
-    const double zoomed = irsg.render().report.all.coveredPixels;
+    const double zoomed = irsg.imageWithReport().report.all.coveredPixels;
     EXPECT_NEAR(zoomed / (pi * 900.0), 1.0, 5e-3);
     look(irsg, viewOf(2.0, 70.0));
-    const RenderReport report = irsg.render().report;
+    const RenderReport report = irsg.imageWithReport().report;
     EXPECT_NEAR(report.all.coveredPixels / (pi * 35.0 * 35.0), 1.0, 5e-3);
     EXPECT_THAT(report.warnings, testing::Contains(testing::HasSubstr("threshold is 64")));
 }
 
 TEST(PublishedZoom, SaysWhereSumsAreThoseOfAlignedWindows) {
-    Irsg& irsg = generator(ZoomStrategy::sills);
+    InteractiveRenderer& irsg = generator(ZoomStrategy::sills);
     const Entity sphere = entityOf(modelOf(sphereMesh(1.0, 12, 24, one)), greyDatabase(0.9, 320.0));
-    irsg.setEntities({sphere});
+    irsg.scene.entities = {sphere};
     look(irsg, viewOf(2.0, 12.0));
     const auto isSaid = testing::Contains(testing::HasSubstr("drawn in pictures alone"));
-    EXPECT_THAT(irsg.render().report.warnings, testing::Not(isSaid)); // sums of its own pixels
+    EXPECT_THAT(irsg.imageWithReport().report.warnings,
+                testing::Not(isSaid)); // sums of its own pixels
     for (const RenderReport& report : irsg.measure({Band::topHat(3, 5), Band::topHat(8, 12)})) {
         EXPECT_THAT(report.warnings, isSaid);
     }
-    irsg.setEntities({sphere, sphere});
+    irsg.scene.entities = {sphere, sphere};
     look(irsg, viewOf(2.0, 12.0));
-    EXPECT_THAT(irsg.render().report.warnings, isSaid);
+    EXPECT_THAT(irsg.imageWithReport().report.warnings, isSaid);
     generator(ZoomStrategy::aligned);
-    EXPECT_THAT(irsg.render().report.warnings, testing::Not(isSaid));
+    EXPECT_THAT(irsg.imageWithReport().report.warnings, testing::Not(isSaid));
 }
 
 TEST(PublishedZoom, MayBeExchangedFromFrameToFrame) {
-    Irsg& irsg = generator(ZoomStrategy::aligned);
-    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 48, 96, one)), greyDatabase(0.9, 320.0))});
+    InteractiveRenderer& irsg = generator(ZoomStrategy::aligned);
+    irsg.scene.entities = {
+        entityOf(modelOf(sphereMesh(1.0, 48, 96, one)), greyDatabase(0.9, 320.0))};
     look(irsg, viewOf(2.0, 10.3));
-    const auto aligned = irsg.render().image.primary().values;
-    const auto published = generator(ZoomStrategy::sills).render().image.primary().values;
+    const auto aligned = irsg.imageWithReport().image.primary().values;
+    const auto published = generator(ZoomStrategy::sills).imageWithReport().image.primary().values;
     EXPECT_NE(aligned, published);
-    EXPECT_EQ(generator(ZoomStrategy::aligned).render().image.primary().values, aligned);
+    EXPECT_EQ(generator(ZoomStrategy::aligned).imageWithReport().image.primary().values, aligned);
 }
 
 TEST(PublishedZoom, LaysTheNearerObjectOverTheFarther) {
-    Irsg& irsg = generator(ZoomStrategy::sills);
+    InteractiveRenderer& irsg = generator(ZoomStrategy::sills);
     Entity nearer = entityOf(modelOf(sphereMesh(1.0, 48, 96, one)), greyDatabase(0.9, 320.0));
     Entity farther = entityOf(nearer.model, greyDatabase(1.0, 900.0));
-    irsg.setEntities({nearer, farther});
+    irsg.scene.entities = {nearer, farther};
     look(irsg, viewOf(2.0, 12.0));
-    irsg.setPose(1, {{0, -10, standingAltitude_m}, {}});
-    const int middle = irsg.sensor().width_px / 2;
+    irsg.scene.entities[1].pose = {{0, -10, standingAltitude_m}, {}};
+    const int middle = irsg.view.sensor.width_px / 2;
     const double cold = 0.9 * bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 320.0);
-    EXPECT_NEAR(irsg.render().image.at(middle, middle) / cold, 1.0, 1e-4);
+    EXPECT_NEAR(irsg.imageWithReport().image.at(middle, middle) / cold, 1.0, 1e-4);
 }
 
 TEST(PublishedZoom, RefusesASizeThatIsNoPowerOfTwo) {
-    Irsg& irsg = generator(ZoomStrategy::sills, 100);
-    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 8, 8, one)), greyDatabase(0.9, 320.0))});
-    EXPECT_THAT([&] { irsg.checkConfiguration(); },
+    InteractiveRenderer& irsg = generator(ZoomStrategy::sills, 100);
+    irsg.scene.entities = {entityOf(modelOf(sphereMesh(1.0, 8, 8, one)), greyDatabase(0.9, 320.0))};
+    EXPECT_THAT([&] { irsg.check(); },
                 testing::ThrowsMessage<InputError>(testing::HasSubstr("a power of two")));
 }

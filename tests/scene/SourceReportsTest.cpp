@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/radiometry/Planck.h"
-#include "irsg/scene/Irsg.h"
+#include "irsg/scene/InteractiveRenderer.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;
@@ -12,20 +12,22 @@ namespace {
 
 const std::vector<Band> bands{Band::topHat(3.0, 5.0), Band::topHat(8.0, 12.0)};
 
-std::vector<RenderReport> measured(Irsg& irsg, bool alongRange, bool source) {
-    return irsg.finishMeasure(irsg.beginMeasure(bands, alongRange, source));
+std::vector<RenderReport> measured(InteractiveRenderer& irsg, bool alongRange, bool source) {
+    return irsg.begin(Outputs::reports(bands).alongRange(alongRange).withSource(source))
+        .get()
+        .reports;
 }
 
-Irsg glazed(const Environment& environment, double range_m) {
-    Irsg irsg;
-    irsg.setEnvironment(environment);
+InteractiveRenderer glazed(const Environment& environment, double range_m) {
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environment;
     SignatureDatabase database;
     for (const auto& [code, temperature_K, emissivity, transmissivity] :
          {std::tuple{1, 420.0, 0.9, 0.0}, {2, 320.0, 0.5, 0.0}, {3, 300.0, 0.3, 0.6}}) {
         database.temperatures[code] = fixedTemperature(temperature_K);
         database.materials[code] = greyMaterial(emissivity, transmissivity);
     }
-    irsg.setEntities({entityOf(modelOf(glazedMesh()), database)});
+    irsg.scene.entities = {entityOf(modelOf(glazedMesh()), database)};
     look(irsg, {.range_m = range_m, .azimuth_rad = 0.7, .elevation_rad = 0.2});
     return irsg;
 }
@@ -52,10 +54,10 @@ Environment hazyAir() {
 } // namespace
 
 TEST(SourceReports, OfABlackPlateIsItsPlanckRadianceWhateverTheAir) {
-    Irsg irsg;
-    irsg.setEnvironment(hazyAir());
-    irsg.setEntities({entityOf(modelOf(plateMesh({0, 0, 0}, {-1, 0, 0}, {0, 0, 1}, {1, 1})),
-                               greyDatabase(1.0, 320.0))});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = hazyAir();
+    irsg.scene.entities = {entityOf(modelOf(plateMesh({0, 0, 0}, {-1, 0, 0}, {0, 0, 1}, {1, 1})),
+                                    greyDatabase(1.0, 320.0))};
     look(irsg, {.range_m = 3000.0, .fieldOfView_rad = 2e-3});
     const auto reports = measured(irsg, false, true);
     ASSERT_EQ(reports.size(), 4u);
@@ -70,10 +72,10 @@ TEST(SourceReports, OfABlackPlateIsItsPlanckRadianceWhateverTheAir) {
 
 TEST(SourceReports, AreThoseOfTheSameLightThroughClearAirBeforeNothing) {
     for (const bool alongRange : {false, true}) {
-        Irsg hazy = glazed(hazyAir(), 300.0), clear = glazed(clearAir(), 300.0);
+        InteractiveRenderer hazy = glazed(hazyAir(), 300.0), clear = glazed(clearAir(), 300.0);
         RenderSettings settings;
         settings.background = BackgroundMode::none;
-        clear.setSettings(settings);
+        clear.scene.settings = settings;
         const auto source = measured(hazy, alongRange, true);
         const auto expected = measured(clear, alongRange, false);
         for (std::size_t k = 0; k < 2; ++k) {
@@ -87,12 +89,12 @@ TEST(SourceReports, AreThoseOfTheSameLightThroughClearAirBeforeNothing) {
 TEST(SourceReports, LeaveThoseOfTheBandsAsTheyAre) {
     for (const BackgroundMode background :
          {BackgroundMode::environment, BackgroundMode::constant, BackgroundMode::none}) {
-        Irsg with = glazed(hazyAir(), 300.0), without = glazed(hazyAir(), 300.0);
+        InteractiveRenderer with = glazed(hazyAir(), 300.0), without = glazed(hazyAir(), 300.0);
         RenderSettings settings;
         settings.background = background;
         settings.background_W_m2_sr = 0.3;
-        with.setSettings(settings);
-        without.setSettings(settings);
+        with.scene.settings = settings;
+        without.scene.settings = settings;
         const auto reports = measured(with, false, true);
         const auto expected = measured(without, false, false);
         ASSERT_EQ(reports.size(), 4u);

@@ -92,8 +92,8 @@ SignatureDatabase gasDatabase(double referenceDistance_m) {
     return database;
 }
 
-double centreRadiance(Irsg& irsg) {
-    const RadianceImage image = irsg.render().image;
+double centreRadiance(InteractiveRenderer& irsg) {
+    const RadianceImage image = irsg.imageWithReport().image;
     return static_cast<double>(image.at(image.width() / 2, image.height() / 2));
 }
 
@@ -101,15 +101,15 @@ double centreRadiance(Irsg& irsg) {
 
 TEST(IntensitySpectrumOfASphere, IsPlancksLawTimesItsArea) {
     const Mesh mesh = sphereMesh(1.0, 64, 128, one);
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
-    irsg.setEntities({entityOf(modelOf(mesh), greyDatabase(0.9, 450.0))});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.entities = {entityOf(modelOf(mesh), greyDatabase(0.9, 450.0))};
     look(irsg, {.range_m = 1000.0, .width_px = 200, .height_px = 200, .fieldOfView_rad = 0.0024});
     const std::vector<double> wavenumbers_per_cm{2000.0, 3333.0, 2500.0, 2100.5};
     const IntensitySpectrum spectrum = irsg.measureSpectrum(wavenumbers_per_cm);
 
     EXPECT_EQ(spectrum.wavenumbers_per_cm, wavenumbers_per_cm) << "in the order that was asked for";
-    const Vec3 from = irsg.viewpoint().position_m - irsg.referencePoint(0);
+    const Vec3 from = irsg.view.viewpoint.position_m - irsg.referencePoint(0);
     const double area_m2 = convexSolidAngle_sr(mesh, from) * dot(from, from);
     for (std::size_t i = 0; i < wavenumbers_per_cm.size(); ++i) {
         const double expected =
@@ -123,14 +123,14 @@ TEST(IntensitySpectrumOfASphere, IsPlancksLawTimesItsArea) {
 }
 
 TEST(IntensitySpectrumOfAScene, IntegratesToItsInBandIntensity) {
-    Irsg irsg;
+    InteractiveRenderer irsg;
     auto air = std::make_shared<TwoBandAir>();
     air->sunValue = 2.0;
     Environment environment;
     environment.add(air);
-    irsg.setEnvironment(environment);
-    irsg.setEntities({entityOf(modelOf(boxMesh({1, 2, 1}, std::vector<IrCodes>(6, one))),
-                               greyDatabase(0.7, 330.0))});
+    irsg.scene.environment = environment;
+    irsg.scene.entities = {entityOf(modelOf(boxMesh({1, 2, 1}, std::vector<IrCodes>(6, one))),
+                                    greyDatabase(0.7, 330.0))};
     look(irsg, {.azimuth_rad = 0.4, .fieldOfView_rad = 0.08});
     std::vector<double> wavelengths_um, wavenumbers_per_cm;
     for (int i = 0; i <= 4000; ++i) {
@@ -149,15 +149,16 @@ TEST(IntensitySpectrumOfAScene, IntegratesToItsInBandIntensity) {
 }
 
 TEST(IntensitySpectrumOfAScene, ReachesTheEndsOfATable) {
-    Irsg irsg;
-    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(0.9, 450.0))});
+    InteractiveRenderer irsg;
+    irsg.scene.entities = {
+        entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(0.9, 450.0))};
     for (const SpectralRange range : {SpectralRange{3.0, 5.0}, SpectralRange{8.0, 12.0}}) {
         look(irsg, {.band = Band::topHat(range.min_um, range.max_um)});
-        RenderSettings settings = irsg.settings();
+        RenderSettings settings = irsg.scene.settings;
         settings.sun = settings.ambientReflection = ReflectionMode::off;
         settings.background = BackgroundMode::constant;
         settings.background_W_m2_sr = 0.0;
-        irsg.setSettings(settings);
+        irsg.scene.settings = settings;
 
         std::vector<double> wavenumbers_per_cm;
         for (int i = 0; i <= 40; ++i) {
@@ -166,9 +167,9 @@ TEST(IntensitySpectrumOfAScene, ReachesTheEndsOfATable) {
         }
         wavenumbers_per_cm.front() = 1e4 / range.max_um;
         wavenumbers_per_cm.back() = 1e4 / range.min_um;
-        irsg.setEnvironment(Environment::vacuum());
+        irsg.scene.environment = Environment::vacuum();
         const IntensitySpectrum bare = irsg.measureSpectrum(wavenumbers_per_cm);
-        irsg.setEnvironment(tabulatedAir({range}));
+        irsg.scene.environment = tabulatedAir({range});
         const IntensitySpectrum all = irsg.measureSpectrum(wavenumbers_per_cm);
         const double area_m2 =
             bare.intensity_W_sr_um[0] / (0.9 * planckRadiance_W_m2_sr_um(range.max_um, 450.0));
@@ -194,23 +195,24 @@ TEST(IntensitySpectrumOfAScene, ReachesTheEndsOfATable) {
 }
 
 TEST(IntensitySpectrumOfAScene, MayEndWhereTwoTablesMeet) {
-    Irsg irsg;
-    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(0.9, 450.0))});
+    InteractiveRenderer irsg;
+    irsg.scene.entities = {
+        entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(0.9, 450.0))};
     look(irsg, {.band = Band::topHat(3.0, 4.0)});
-    RenderSettings settings = irsg.settings();
+    RenderSettings settings = irsg.scene.settings;
     settings.sun = settings.ambientReflection = ReflectionMode::off;
     settings.background = BackgroundMode::constant;
-    irsg.setSettings(settings);
-    irsg.setEnvironment(tabulatedAir({{3.0, 4.0}, {4.0, 5.0}}));
+    irsg.scene.settings = settings;
+    irsg.scene.environment = tabulatedAir({{3.0, 4.0}, {4.0, 5.0}});
     const double first = irsg.measureSpectrum({3000.0}).intensity_W_sr_um.at(0);
     EXPECT_GT(irsg.measureSpectrum({2500.0}).intensity_W_sr_um.at(0), first);
     EXPECT_GT(irsg.measureSpectrum({2500.0, 2000.0}).intensity_W_sr_um.at(1), first);
 }
 
 TEST(UserSpectrum, AddsItsComponentsWithTheirFactors) {
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
-    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), gasDatabase(0.0))});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.entities = {entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), gasDatabase(0.0))};
     // CO2 is a triangle of area 2.5, H2O a constant of area 1; the aspect angle is the azimuth
     // here.
     for (double azimuth_deg : {0.0, 45.0, 90.0, 180.0}) {
@@ -221,12 +223,12 @@ TEST(UserSpectrum, AddsItsComponentsWithTheirFactors) {
 }
 
 TEST(UserSpectrum, IsCalibratedAsAWhole) {
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(ConstantAir{});
     SignatureDatabase database = gasDatabase(0.0);
     for (const double calibration : {1.0, 0.8, 1.25, 0.0}) {
         database.spectra["gas"].calibrationFactor = calibration;
-        irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), database)});
+        irsg.scene.entities = {entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), database)};
         for (const double azimuth_deg : {0.0, 90.0}) {
             look(irsg, {.azimuth_rad = radians(azimuth_deg)});
             const double expected = calibration * (2.0 * (1.0 + azimuth_deg / 90.0) * 2.5 + 1.0);
@@ -236,13 +238,13 @@ TEST(UserSpectrum, IsCalibratedAsAWhole) {
 }
 
 TEST(UserSpectrum, LosesTheAirBeyondItsReferenceDistanceOnly) {
-    Irsg irsg;
+    InteractiveRenderer irsg;
     Environment environment;
     environment.add(std::make_shared<TwoBandAir>());
-    irsg.setEnvironment(environment);
+    irsg.scene.environment = environment;
     auto radianceAt = [&](double range_m, double reference_m) {
-        irsg.setEntities(
-            {entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), gasDatabase(reference_m))});
+        irsg.scene.entities = {
+            entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), gasDatabase(reference_m))};
         look(irsg, {.range_m = range_m, .fieldOfView_rad = 1.0 / range_m});
         return centreRadiance(irsg);
     };
@@ -255,11 +257,11 @@ TEST(UserSpectrum, LosesTheAirBeyondItsReferenceDistanceOnly) {
 }
 
 TEST(UserSpectrum, PassesARatioOrTheSegmentThatIsLeft) {
-    Irsg irsg;
+    InteractiveRenderer irsg;
     Environment environment;
     environment.add(std::make_shared<SaturatedAir>());
-    irsg.setEnvironment(environment);
-    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), gasDatabase(500.0))});
+    irsg.scene.environment = environment;
+    irsg.scene.entities = {entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), gasDatabase(500.0))};
     look(irsg, {.range_m = 1500.0, .fieldOfView_rad = 1.0 / 1500.0});
     const double inFoulAir = 2.0 * 2.5 + 0.5; // CO2 all in 4-5 um, half of H2O
     const std::vector<std::pair<ReferenceTransmittance, double>> expected = {
@@ -267,17 +269,17 @@ TEST(UserSpectrum, PassesARatioOrTheSegmentThatIsLeft) {
         {ReferenceTransmittance::segment, std::exp(-std::sqrt(1.0))},
         {ReferenceTransmittance::ratio, std::exp(-(std::sqrt(1.5) - std::sqrt(0.5)))}};
     for (const auto& [rule, transmittance] : expected) {
-        RenderSettings settings = irsg.settings();
+        RenderSettings settings = irsg.scene.settings;
         settings.referenceTransmittance = rule;
-        irsg.setSettings(settings);
+        irsg.scene.settings = settings;
         EXPECT_NEAR(centreRadiance(irsg), 0.5 + inFoulAir * transmittance, 1e-3);
     }
 }
 
 TEST(UserSpectrum, SaysWhenItIsSeenFromNearerThanItWasMeasured) {
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
-    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 16, 32, one)), gasDatabase(500.0))});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.entities = {entityOf(modelOf(sphereMesh(1.0, 16, 32, one)), gasDatabase(500.0))};
     look(irsg, {.range_m = 100.0});
     const RenderReport report = irsg.measure();
     ASSERT_EQ(report.warnings.size(), 1u);
@@ -293,9 +295,9 @@ TEST(ProjectedFactorsOfAScene, MultiplySpectrallyWhatAScalarCannot) {
         Spectrum({3.0, 4.0, 4.000001, 5.0}, {1.0, 1.0, 0.0, 0.0});
     const Mesh mesh = joined(plateMesh({0, 0, 0}, {0.5, 0, 0}, {0, 0, 0.5}, one),
                              plateMesh({0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {2, 2}));
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
-    irsg.setEntities({entityOf(modelOf(mesh), database)});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.entities = {entityOf(modelOf(mesh), database)};
     look(irsg, {.range_m = 200.0, .fieldOfView_rad = 0.02});
     const RenderReport report = irsg.measure();
     const double exact = bandRadiance_W_m2_sr(Band::topHat(3.0, 4.0), 400.0);
@@ -308,9 +310,10 @@ TEST(ProjectedFactorsOfAScene, MultiplySpectrallyWhatAScalarCannot) {
 }
 
 TEST(ProjectedFactorsOfAScene, AreKeptWhileOnlySignaturesChange) {
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
-    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(0.9, 320.0))});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.entities = {
+        entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(0.9, 320.0))};
     look(irsg, {});
     auto drawings = [&] {
         for (const StageTimes::Stage& stage : irsg.stageTimes().stages) {
@@ -322,10 +325,12 @@ TEST(ProjectedFactorsOfAScene, AreKeptWhileOnlySignaturesChange) {
     };
     const double before = irsg.measure().all.intensity_W_sr;
     const long drawn = drawings();
-    irsg.setDatabase(0, std::make_shared<const SignatureDatabase>(greyDatabase(0.3, 320.0)));
+    irsg.scene.entities[0].database =
+        std::make_shared<const SignatureDatabase>(greyDatabase(0.3, 320.0));
     EXPECT_NEAR(irsg.measure().all.intensity_W_sr / before, 1.0 / 3.0, 1e-12);
     EXPECT_EQ(drawings(), drawn) << "another emissivity is a dot product";
-    irsg.setDatabase(0, std::make_shared<const SignatureDatabase>(greyDatabase(0.3, 320.0, 1.0)));
+    irsg.scene.entities[0].database =
+        std::make_shared<const SignatureDatabase>(greyDatabase(0.3, 320.0, 1.0));
     irsg.measure();
     EXPECT_EQ(drawings(), drawn + 1) << "another N is another drawing";
     look(irsg, {.azimuth_rad = 0.1});
@@ -346,16 +351,16 @@ TEST(TruthLayersOfAnImage, AddUpToItsRadianceAndNameTheSurfaces) {
     database.materials[9] = greyMaterial(0.2, 0.5);
     const Mesh mesh =
         joined(sphereMesh(1.0, 32, 64, one), plateMesh({0, 2, 0}, {0.5, 0, 0}, {0, 0, 2}, {7, 9}));
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(air));
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(air);
     RenderSettings settings;
     settings.truthLayers = true;
     settings.zoomWindow = 0;
     settings.samplesPerAxis = 3;
-    irsg.setSettings(settings);
-    irsg.setEntities({entityOf(modelOf(mesh), database)});
+    irsg.scene.settings = settings;
+    irsg.scene.entities = {entityOf(modelOf(mesh), database)};
     look(irsg, {.range_m = 100.0, .width_px = 65, .height_px = 65, .fieldOfView_rad = 0.05});
-    const RadianceImage image = irsg.render().image;
+    const RadianceImage image = irsg.imageWithReport().image;
 
     const std::vector<float>& radiance = image.primary().values;
     for (std::size_t i = 0; i < radiance.size(); ++i) {
@@ -375,11 +380,12 @@ TEST(TruthLayersOfAnImage, AddUpToItsRadianceAndNameTheSurfaces) {
 }
 
 TEST(StageTimesOfAnImage, NameEveryStageThatTookTime) {
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
-    irsg.setEntities({entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(0.9, 320.0))});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.entities = {
+        entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(0.9, 320.0))};
     look(irsg, {});
-    irsg.render();
+    irsg.imageWithReport();
     std::vector<std::string> names;
     for (const StageTimes::Stage& stage : irsg.stageTimes().stages) {
         names.push_back(stage.name);
@@ -395,17 +401,17 @@ TEST(StageTimesOfAnImage, NameEveryStageThatTookTime) {
 }
 
 TEST(SeveralEntities, AreMeasuredEachAndTogether) {
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(ConstantAir{});
     const auto sphere = modelOf(sphereMesh(1.0, 32, 64, one));
     Entity first = entityOf(sphere, greyDatabase(0.9, 320.0));
     Entity second = entityOf(sphere, greyDatabase(0.9, 350.0));
     first.name = "first";
     second.name = "second";
     second.pose.position_m.x += 3.0;
-    irsg.setEntities({first, second});
+    irsg.scene.entities = {first, second};
     look(irsg, {.range_m = 200.0, .width_px = 128, .height_px = 64});
-    const RenderReport report = irsg.render().report;
+    const RenderReport report = irsg.imageWithReport().report;
     ASSERT_EQ(report.objects.size(), 2u);
     EXPECT_NEAR(report.objects[1].intensity_W_sr / report.objects[0].intensity_W_sr,
                 bandRadiance_W_m2_sr(midwave, 350.0) / bandRadiance_W_m2_sr(midwave, 320.0), 5e-3);

@@ -61,13 +61,13 @@ TEST(Subfaces, HideTheFaceTheyLieOnFromAnyDirectionAndRange) {
                  l3 = bandRadiance_W_m2_sr(band, 900.0);
     const double radianceTimesArea = 8.0 * l1 + 0.75 * l2 + 0.25 * l3;
 
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(ConstantAir{});
     RenderSettings settings;
     settings.zoomWindow = 0;
     settings.samplesPerAxis = 4;
-    irsg.setSettings(settings);
-    irsg.setEntities({entityOf(model, database)});
+    irsg.scene.settings = settings;
+    irsg.scene.entities = {entityOf(model, database)};
     for (const double range_m : {20.0, 1000.0, 50000.0}) {
         for (const double elevation_deg : {90.0, 50.0, 8.0}) {
             for (const double azimuth_deg : {0.0, 33.0}) {

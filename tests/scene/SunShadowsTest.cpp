@@ -96,10 +96,11 @@ struct SphereAbovePlate {
 };
 
 /// From straight above, north up, with a square of the plate in the field.
-void lookDown(Irsg& irsg, const Vec3& middle_m, double range_m, double width_m, int pixels) {
-    irsg.setSensor(sensorOf(pixels, pixels, degrees(2.0 * std::atan(0.5 * width_m / range_m))));
+void lookDown(InteractiveRenderer& irsg, const Vec3& middle_m, double range_m, double width_m,
+              int pixels) {
+    irsg.view.sensor = sensorOf(pixels, pixels, degrees(2.0 * std::atan(0.5 * width_m / range_m)));
     const Vec3 at = middle_m + Vec3{0, 0, standingAltitude_m};
-    irsg.setViewpoint(Viewpoint::lookAt(at + Vec3{0, 0, range_m}, at, {0, 1, 0}, {0, 1, 0}));
+    irsg.view.viewpoint = Viewpoint::lookAt(at + Vec3{0, 0, range_m}, at, {0, 1, 0}, {0, 1, 0});
 }
 
 class SunShadowsTest : public testing::TestWithParam<EngineChoice> {
@@ -109,11 +110,12 @@ class SunShadowsTest : public testing::TestWithParam<EngineChoice> {
             GTEST_SKIP() << whyNoRays();
         }
     }
-    Irsg made(const std::vector<Entity>& entities, const RenderSettings& settings) const {
-        Irsg irsg;
-        irsg.setEnvironment(sunlit());
-        irsg.setSettings(settings);
-        irsg.setEntities(entities);
+    InteractiveRenderer made(const std::vector<Entity>& entities,
+                             const RenderSettings& settings) const {
+        InteractiveRenderer irsg;
+        irsg.scene.environment = sunlit();
+        irsg.scene.settings = settings;
+        irsg.scene.entities = entities;
         return irsg;
     }
 };
@@ -128,13 +130,13 @@ Spectrum inHalves(double below, double above) {
 TEST_P(SunShadowsTest, OfASphereOnAPlateIsAnEllipse) {
     const SphereAbovePlate scene;
     const Vec3 middle = scene.shadowMiddle_m();
-    Irsg irsg =
+    InteractiveRenderer irsg =
         made({scene.entity()}, onePixelOneSample(shadowSettings(GetParam(), SunShadowMode::point)));
     for (const double range_m : {300.0, 30000.0}) {
         constexpr double width_m = 2.0;
         constexpr int pixels = 400;
         lookDown(irsg, middle, range_m, width_m, pixels);
-        const RadianceImage image = irsg.render().image;
+        const RadianceImage image = irsg.imageWithReport().image;
         const std::vector<float>& sees = image.find("sun_visibility")->values;
         const std::vector<float>& material = image.find("material_index")->values;
         const std::vector<float>& reflected = image.find("sun")->values;
@@ -169,13 +171,13 @@ TEST_P(SunShadowsTest, OfADiscHaveThePenumbraOfTwoCircles) {
     SphereAbovePlate scene;
     scene.height_m = 40.0; // the sphere is 1.4 times as wide as the sun
     scene.half_m = 60.0;
-    Irsg irsg =
+    InteractiveRenderer irsg =
         made({scene.entity()}, onePixelOneSample(shadowSettings(GetParam(), SunShadowMode::disc)));
     constexpr double width_m = 3.0;
     constexpr int pixels = 160;
     const Vec3 middle = scene.shadowMiddle_m();
     lookDown(irsg, middle, 300.0, width_m, pixels);
-    const RadianceImage image = irsg.render().image;
+    const RadianceImage image = irsg.imageWithReport().image;
     const std::vector<float>& sees = image.find("sun_visibility")->values;
     double square = 0.0, sum = 0.0, expectedSum = 0.0, worst = 0.0;
     int between = 0;
@@ -216,7 +218,7 @@ TEST_P(SunShadowsTest, OfGlassMultiplyItsTransmissivityNodeByNode) {
         Entity entity = entityOf(modelOf(mesh), database);
         entity.pose.position_m.z = standingAltitude_m;
         entity.referencePoint_m = Vec3{};
-        Irsg irsg =
+        InteractiveRenderer irsg =
             made({entity}, onePixelOneSample(shadowSettings(GetParam(), SunShadowMode::point)));
         look(irsg, {.range_m = 20.0,
                     .azimuth_rad = 0.3,
@@ -224,7 +226,7 @@ TEST_P(SunShadowsTest, OfGlassMultiplyItsTransmissivityNodeByNode) {
                     .width_px = 9,
                     .height_px = 9,
                     .fieldOfView_rad = 0.02});
-        const RadianceImage image = irsg.render().image;
+        const RadianceImage image = irsg.imageWithReport().image;
         const std::size_t i = image.offset(4, 4);
         const double cosine = std::sin(sun.elevation_rad);
         const double expected =
@@ -233,7 +235,7 @@ TEST_P(SunShadowsTest, OfGlassMultiplyItsTransmissivityNodeByNode) {
         EXPECT_EQ(image.find("sun_visibility")->values[i], 1.0f);
         // The same from factors, and as a picture that is followed.
         const double reported = irsg.measure().all.intensity_W_sr;
-        const double ofPicture = irsg.render().report.all.intensity_W_sr;
+        const double ofPicture = irsg.imageWithReport().report.all.intensity_W_sr;
         EXPECT_NEAR(reported / ofPicture, 1.0, 1e-5);
         irsg.picture();
         const RadianceImage followed = irsg.picture();
@@ -251,7 +253,7 @@ TEST_P(SunShadowsTest, LeaveConvexBodiesAsTheyAre) {
             entity.pose.position_m.z = standingAltitude_m;
             std::vector<double> intensities;
             for (const SunShadowMode mode : {SunShadowMode::off, SunShadowMode::point}) {
-                Irsg irsg = made({entity}, shadowSettings(GetParam(), mode));
+                InteractiveRenderer irsg = made({entity}, shadowSettings(GetParam(), mode));
                 look(irsg, {.range_m = 300.0, .azimuth_rad = azimuth_rad});
                 intensities.push_back(irsg.measure().all.intensity_W_sr);
             }
@@ -291,9 +293,9 @@ TEST_P(SunShadowsTest, AreCastByOtherEntitiesAndTerrainAlsoFromOutsideTheFrame) 
                             ReflectionMode reflection = ReflectionMode::smart) {
         RenderSettings settings = shadowSettings(GetParam(), SunShadowMode::point);
         settings.sun = reflection;
-        Irsg irsg = made(entities, settings);
+        InteractiveRenderer irsg = made(entities, settings);
         if (withTerrain) {
-            irsg.setTerrain(terrain);
+            irsg.scene.terrain = terrain;
         }
         look(irsg, {.range_m = range_m, .azimuth_rad = 4.0, .elevation_rad = 0.9});
         return irsg.measure().objects.front().intensity_W_sr;
@@ -317,13 +319,13 @@ TEST_P(SunShadowsTest, AreTheSameInSweepsAsInPicturesAndWithBothEngines) {
     Entity entity = entityOf(model, database);
     entity.pose.position_m.z = standingAltitude_m;
     const auto intensity = [&](EngineChoice engine, SunShadowMode mode, bool asPicture) {
-        Irsg irsg = made({entity}, shadowSettings(engine, mode));
+        InteractiveRenderer irsg = made({entity}, shadowSettings(engine, mode));
         look(irsg, {.range_m = 1500.0,
                     .azimuth_rad = 0.9,
                     .elevation_rad = 0.7,
                     .width_px = 96,
                     .height_px = 96});
-        return asPicture ? irsg.render().report.all.intensity_W_sr
+        return asPicture ? irsg.imageWithReport().report.all.intensity_W_sr
                          : irsg.measure().all.intensity_W_sr;
     };
     const double swept = intensity(GetParam(), SunShadowMode::point, false);

@@ -78,7 +78,7 @@ SignatureDatabase bodyInPlume() {
 struct Case {
     Scene scene;
     SensorView view;
-    Wanted wanted;
+    std::vector<Band> bands;
 
     void seeFrom(double range_m, double azimuth_rad, double elevation_rad, double aside = 0.0) {
         const Vec3 target = scene.entities.front().pose.position_m;
@@ -100,8 +100,7 @@ Case first(bool inVacuum = false) {
     entity.pose.position_m = {0, 0, standingAltitude_m};
     one.scene.entities = {entity};
     one.view.sensor = sensorOf(48, 48, 3.0);
-    one.wanted.reports = true;
-    one.wanted.bands = {Band::topHat(3.0, 5.0), Band::topHat(4.2, 4.5)};
+    one.bands = {Band::topHat(3.0, 5.0), Band::topHat(4.2, 4.5)};
     one.seeFrom(150.0, 0.4, 0.3);
     return one;
 }
@@ -152,9 +151,9 @@ const std::vector<Change> changes{
      }},
     {"bands",
      [](Case& one) {
-         one.wanted.bands = {Band::topHat(3.0, 5.0), Band::topHat(8, 9)};
+         one.bands = {Band::topHat(3.0, 5.0), Band::topHat(8, 9)};
      }},
-    {"order of the bands", [](Case& one) { std::ranges::reverse(one.wanted.bands); }},
+    {"order of the bands", [](Case& one) { std::ranges::reverse(one.bands); }},
     {"atmosphere",
      [](Case& one) {
          one.scene.environment = Environment();
@@ -183,7 +182,8 @@ const std::vector<Change> changes{
 auto told(Renderer& renderer, const Case& one) {
     std::vector<double> numbers;
     std::vector<std::string> lines;
-    for (const RenderReport& report : renderer.render(one.scene, one.view, one.wanted).reports) {
+    for (const RenderReport& report :
+         renderer.render(one.scene, one.view, Outputs::reports(one.bands)).reports) {
         numbers.insert(numbers.end(), {report.totalIrradiance_W_m2, report.background_W_m2_sr});
         std::vector<ObjectRadiometry> objects = report.objects;
         objects.push_back(report.all);
@@ -322,9 +322,9 @@ TEST(CachesOfASweep, LetAirGoThatNobodyHasAnyMore) {
     };
     const auto render = [&](double range_m) {
         one.seeFrom(range_m, 0.4, 0.3);
-        renderer.render(one.scene, one.view, one.wanted);
+        renderer.render(one.scene, one.view, Outputs::reports(one.bands));
     };
-    one.wanted.bands = {Band::topHat(4.2, 4.3)};
+    one.bands = {Band::topHat(4.2, 4.3)};
     std::vector<std::weak_ptr<const GasTable>> gone;
     for (const auto mode : {CalculationMode::spectral, CalculationMode::wideband}) {
         gone.push_back(opened(mode));

@@ -166,12 +166,12 @@ TEST(TextureCut, IsDrawnAlikeByOpenGlAndByRays) {
     const auto whole =
         Model::fromGraph(sheet(pictureOf(64, 64, disc), osg::Texture::REPEAT), "whole");
     const auto intensity = [](const std::shared_ptr<const Model>& drawn, EngineChoice engine) {
-        Irsg irsg;
+        InteractiveRenderer irsg;
         RenderSettings settings;
         settings.engine = engine;
-        irsg.setSettings(settings);
-        irsg.setEnvironment(environmentOf(ConstantAir{}));
-        irsg.setEntities({entityOf(drawn, greyDatabase(1.0, 400.0))});
+        irsg.scene.settings = settings;
+        irsg.scene.environment = environmentOf(ConstantAir{});
+        irsg.scene.entities = {entityOf(drawn, greyDatabase(1.0, 400.0))};
         look(irsg, {.elevation_rad = 1.0});
         return irsg.measure().all.intensity_W_sr;
     };

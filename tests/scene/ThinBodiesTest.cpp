@@ -60,32 +60,32 @@ struct Errors {
 /// every lattice; against the solid angle.
 Errors errorsOf(const Mesh& mesh, int zoomWindow, double pixels, double length_m,
                 double pitch_deg) {
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(ConstantAir{}));
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(ConstantAir{});
     RenderSettings settings;
     settings.zoomWindow = zoomWindow;
     settings.background = BackgroundMode::constant;
-    irsg.setSettings(settings);
-    irsg.setEntities({entityOf(modelOf(mesh), greyDatabase(emissivity, temperature_K))});
+    irsg.scene.settings = settings;
+    irsg.scene.entities = {entityOf(modelOf(mesh), greyDatabase(emissivity, temperature_K))};
     const double range_m = length_m / (pixels * pixel_rad);
     const double radiance_W_m2_sr =
         emissivity * bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), temperature_K);
     Errors errors;
     for (int step = 0; step < 24; ++step) {
-        irsg.setPose(0, {{0, 0, standingAltitude_m}, {0, radians(pitch_deg), 0}});
+        irsg.scene.entities[0].pose = {{0, 0, standingAltitude_m}, {0, radians(pitch_deg), 0}};
         look(irsg, {.range_m = range_m,
                     .azimuth_rad = radians(70.0 + step),
                     .elevation_rad = 0.0,
                     .width_px = 200,
                     .height_px = 200,
                     .fieldOfView_rad = 2.0 * std::atan(100.0 * pixel_rad)});
-        const Viewpoint& camera = irsg.viewpoint();
+        const Viewpoint& camera = irsg.view.viewpoint;
         const double pixel_m = pixel_rad * range_m;
-        Pose pose = irsg.entities()[0].pose;
+        Pose pose = irsg.scene.entities[0].pose;
         pose.position_m = pose.position_m +
                           camera.right * (std::fmod(step * 0.61803398875, 1.0) * pixel_m) +
                           camera.up * (std::fmod(step * 0.41421356237, 1.0) * pixel_m);
-        irsg.setPose(0, pose);
+        irsg.scene.entities[0].pose = pose;
         const Vec3 away = camera.position_m - pose.position_m;
         const Vec3 from = pose.attitude.rotation().transposed() * away;
         const double truth = radiance_W_m2_sr * convexSolidAngle_sr(mesh, from) * dot(away, away);

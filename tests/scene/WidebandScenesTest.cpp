@@ -26,17 +26,17 @@ using testing::HasSubstr;
 
 const IrCodes one{1, 1}, two{2, 2};
 
-RenderReport measured(Irsg& irsg, CalculationMode mode,
+RenderReport measured(InteractiveRenderer& irsg, CalculationMode mode,
                       ReflectionMode reflection = ReflectionMode::smart) {
-    RenderSettings settings = irsg.settings();
+    RenderSettings settings = irsg.scene.settings;
     settings.mode = mode;
     settings.sun = settings.ambientReflection = reflection;
     settings.samplesPerAxis = 1;
-    irsg.setSettings(settings);
+    irsg.scene.settings = settings;
     return irsg.measure();
 }
 
-long trainings(const Irsg& irsg) {
+long trainings(const InteractiveRenderer& irsg) {
     for (const StageTimes::Stage& stage : irsg.stageTimes().stages) {
         if (stage.name == "wideband points") {
             return stage.calls;
@@ -45,7 +45,7 @@ long trainings(const Irsg& irsg) {
     return 0;
 }
 
-std::string refusal(Irsg& irsg) {
+std::string refusal(InteractiveRenderer& irsg) {
     return smat::test::refusalOf([&] { measured(irsg, CalculationMode::wideband); });
 }
 
@@ -55,11 +55,11 @@ class WidebandScenes : public testing::TestWithParam<WidebandAir> {};
 // reflect has its own, as the spectral mode multiplies means of bins there.
 TEST_P(WidebandScenes, HaveTheIntensityAndTheBackgroundOfTheSpectralMode) {
     const Band band = GetParam().band();
-    Irsg irsg;
-    irsg.setEnvironment(GetParam().environment());
+    InteractiveRenderer irsg;
+    irsg.scene.environment = GetParam().environment();
     double worst = 0.0;
     for (const WidebandScene& scene : widebandScenes(band)) {
-        irsg.setEntities({scene.entity});
+        irsg.scene.entities = {scene.entity};
         look(irsg, scene.view);
         const RenderReport spectral =
             measured(irsg, CalculationMode::spectral, ReflectionMode::off);
@@ -177,16 +177,17 @@ TEST(WidebandPointsOfAScene, AreThoseOfAGasHoweverFaintItIs) {
 }
 
 TEST(WidebandPointsOfAScene, AreTrainedOnceForAnEnvironmentABandAndItsSpectra) {
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(smartAir(2, 3.0, 5.0)));
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(smartAir(2, 3.0, 5.0));
     const Band band = Band::topHat(3.0, 5.0), narrow = Band::topHat(4.5, 4.9),
                wide = Band::topHat(2.8, 5.0);
-    irsg.setEntities({entityOf(box(), painted(band, 300.0))});
+    irsg.scene.entities = {entityOf(box(), painted(band, 300.0))};
     for (const double azimuth_rad : {0.0, 1.0, 2.0}) {
         look(irsg, {.azimuth_rad = azimuth_rad, .band = band});
         measured(irsg, CalculationMode::wideband);
     }
-    irsg.setDatabase(0, std::make_shared<const SignatureDatabase>(painted(band, 350.0)));
+    irsg.scene.entities[0].database =
+        std::make_shared<const SignatureDatabase>(painted(band, 350.0));
     measured(irsg, CalculationMode::wideband);
     EXPECT_EQ(trainings(irsg), 1) << "views and temperatures are no training";
 
@@ -196,19 +197,20 @@ TEST(WidebandPointsOfAScene, AreTrainedOnceForAnEnvironmentABandAndItsSpectra) {
     measured(irsg, CalculationMode::wideband);
     EXPECT_EQ(trainings(irsg), 2) << "and so is a band that comes back";
 
-    irsg.setDatabase(0, std::make_shared<const SignatureDatabase>(painted(wide, 350.0)));
+    irsg.scene.entities[0].database =
+        std::make_shared<const SignatureDatabase>(painted(wide, 350.0));
     measured(irsg, CalculationMode::wideband);
     EXPECT_EQ(trainings(irsg), 3) << "another paint is";
-    irsg.setEnvironment(environmentOf(smartAir(5, 3.0, 5.0)));
+    irsg.scene.environment = environmentOf(smartAir(5, 3.0, 5.0));
     measured(irsg, CalculationMode::wideband);
     EXPECT_EQ(trainings(irsg), 4) << "and so is other air, wherever it lies in memory";
 }
 
 TEST(WidebandScene, DoesNotDependOnWhatWasDrawnBefore) {
     auto result = [](const std::vector<double>& ranges_m, CalculationMode mode) {
-        Irsg irsg;
-        irsg.setEnvironment(environmentOf(smartAir(2)));
-        irsg.setEntities({entityOf(box(), withGas(0.0))});
+        InteractiveRenderer irsg;
+        irsg.scene.environment = environmentOf(smartAir(2));
+        irsg.scene.entities = {entityOf(box(), withGas(0.0))};
         RenderReport report;
         for (const double range_m : ranges_m) {
             look(irsg, {.range_m = range_m, .azimuth_rad = 0.5});
@@ -226,29 +228,29 @@ TEST(WidebandScene, DoesNotDependOnWhatWasDrawnBefore) {
 }
 
 TEST(WidebandScene, KeepsAConstantBackgroundToItsLastDigits) {
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(smartAir(2)));
-    irsg.setEntities({entityOf(ball(), greyDatabase(0.9, 300.0))});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(smartAir(2));
+    irsg.scene.entities = {entityOf(ball(), greyDatabase(0.9, 300.0))};
     RenderSettings settings;
     settings.background = BackgroundMode::constant;
     settings.background_W_m2_sr = 1.25;
-    irsg.setSettings(settings);
+    irsg.scene.settings = settings;
     look(irsg, {});
     EXPECT_NEAR(measured(irsg, CalculationMode::wideband).background_W_m2_sr, 1.25, 1e-12);
     settings.background = BackgroundMode::none;
-    irsg.setSettings(settings);
+    irsg.scene.settings = settings;
     EXPECT_EQ(measured(irsg, CalculationMode::wideband).background_W_m2_sr, 0.0);
 }
 
 TEST(WidebandScene, HasSpectraOfTheSpectralModeAndSaysSo) {
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(smartAir(2)));
-    irsg.setEntities({entityOf(ball(), greyDatabase(0.9, 300.0))});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(smartAir(2));
+    irsg.scene.entities = {entityOf(ball(), greyDatabase(0.9, 300.0))};
     look(irsg, {});
     const IntensitySpectrum spectral = irsg.measureSpectrum({2200.0, 2500.0});
     RenderSettings settings;
     settings.mode = CalculationMode::wideband;
-    irsg.setSettings(settings);
+    irsg.scene.settings = settings;
     const IntensitySpectrum wideband = irsg.measureSpectrum({2200.0, 2500.0});
     EXPECT_EQ(wideband.intensity_W_sr_um, spectral.intensity_W_sr_um);
     ASSERT_FALSE(wideband.warnings.empty());
@@ -257,9 +259,9 @@ TEST(WidebandScene, HasSpectraOfTheSpectralModeAndSaysSo) {
 }
 
 TEST(WidebandScene, OfAnAircraftWithItsPlumesHasTheIntensityOfTheSpectralMode) {
-    Irsg irsg;
-    irsg.setEnvironment(environmentOf(smartAir(2)));
-    irsg.setEntities({sampleAircraft()});
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environmentOf(smartAir(2));
+    irsg.scene.entities = {sampleAircraft()};
     for (const double range_m : {900.0, 3000.0, 8000.0}) {
         look(irsg, {.range_m = range_m,
                     .azimuth_rad = radians(150.0),
@@ -275,24 +277,24 @@ TEST(WidebandScene, OfAnAircraftWithItsPlumesHasTheIntensityOfTheSpectralMode) {
 }
 
 TEST(WidebandScene, IsRefusedByNameWithoutAirThatHasTheMode) {
-    Irsg irsg;
-    irsg.setEntities({entityOf(ball(), greyDatabase(0.9, 300.0))});
+    InteractiveRenderer irsg;
+    irsg.scene.entities = {entityOf(ball(), greyDatabase(0.9, 300.0))};
     look(irsg, {});
-    irsg.setEnvironment(Environment::vacuum());
+    irsg.scene.environment = Environment::vacuum();
     EXPECT_THAT(refusal(irsg), HasSubstr("wideband-ck over 3-5 um"));
-    EXPECT_THROW(irsg.checkConfiguration(), InputError);
+    EXPECT_THROW(irsg.check(), InputError);
 
     SpectraAtmosphereParameters measured;
     measured.name = "measured";
     measured.spectra[AtmosphereProperty::transmittance] = Spectrum({2.0, 6.0}, {0.5, 0.6});
     measured.path = AtmosphericPath{0.0, 0.0, 1000.0};
-    irsg.setEnvironment(environmentOf(std::make_shared<SpectraAtmosphere>(measured)));
+    irsg.scene.environment = environmentOf(std::make_shared<SpectraAtmosphere>(measured));
     EXPECT_THAT(refusal(irsg), HasSubstr("measured (has no wideband mode: it knows one line"));
 
-    irsg.setEnvironment(environmentOf(smartAir(2, 8.0, 12.0)));
+    irsg.scene.environment = environmentOf(smartAir(2, 8.0, 12.0));
     EXPECT_THAT(refusal(irsg), HasSubstr("holds only 8-12 um"));
 
-    irsg.setEnvironment(environmentOf(smartAir(2, 3.0, 5.0, 1)));
+    irsg.scene.environment = environmentOf(smartAir(2, 3.0, 5.0, 1));
     EXPECT_THAT(refusal(irsg), HasSubstr("wideband upward flux over 3-5 um"));
     EXPECT_THAT(refusal(irsg), HasSubstr("ScatteringMode 2"));
 }

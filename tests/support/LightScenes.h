@@ -21,25 +21,26 @@ inline RenderSettings lightSettings(int bounces, double error = 0.005) {
     return settings;
 }
 
-inline Irsg rendererOf(const std::vector<Entity>& entities, const RenderSettings& settings,
-                       const Environment& environment = Environment::vacuum()) {
-    Irsg irsg;
-    irsg.setEnvironment(environment);
-    irsg.setSettings(settings);
-    irsg.setEntities(entities);
+inline InteractiveRenderer rendererOf(const std::vector<Entity>& entities,
+                                      const RenderSettings& settings,
+                                      const Environment& environment = Environment::vacuum()) {
+    InteractiveRenderer irsg;
+    irsg.scene.environment = environment;
+    irsg.scene.settings = settings;
+    irsg.scene.entities = entities;
     return irsg;
 }
 
 /// What a camera in a closed room of 2 x 1.5 x 1 m about its origin sees in 3 to 5 um, pixel by
 /// pixel.
 inline std::vector<double> pixelsInRoom(const Entity& room, int bounces, double error) {
-    Irsg irsg = rendererOf({room}, lightSettings(bounces, error));
+    InteractiveRenderer irsg = rendererOf({room}, lightSettings(bounces, error));
     Sensor sensor = sensorOf(24, 20, 100.0);
     sensor.band = Band::topHat(3.0, 5.0);
-    irsg.setSensor(sensor);
+    irsg.view.sensor = sensor;
     const Vec3 eye{1.6, 1.1, standingAltitude_m + 0.6};
-    irsg.setViewpoint(Viewpoint::lookAt(eye, eye + Vec3{-std::cos(0.6), -std::sin(0.6), -0.2}));
-    const RadianceImage image = irsg.render().image;
+    irsg.view.viewpoint = Viewpoint::lookAt(eye, eye + Vec3{-std::cos(0.6), -std::sin(0.6), -0.2});
+    const RadianceImage image = irsg.imageWithReport().image;
     const std::vector<float>& values = image.find("L")->values;
     return {values.begin(), values.end()};
 }

@@ -154,8 +154,8 @@ RandomScene randomScene(unsigned number, RandomAir air) {
     }
     random.scene.entities = {entity};
 
-    Irsg places;
-    places.setEntities(random.scene.entities);
+    InteractiveRenderer places;
+    places.scene.entities = random.scene.entities;
     const double range_m = extent_m * draw.logarithmic(10.0, 400.0);
     const double lowest = std::max(-0.9, -900.0 / range_m);
     random.view.sensor.width_px = random.view.sensor.height_px = 320;
@@ -176,7 +176,7 @@ std::array<JudgedNumber, 2> judged(Renderer& renderer, const RandomScene& random
     const auto measured = [&](const Scene& scene, bool alongRange, bool errors) {
         return renderer
             .render(scene, random.view,
-                    {.reports = true, .alongRange = alongRange, .errors = errors})
+                    Outputs::reports().alongRange(alongRange).withErrors(errors))
             .reports.front()
             .all;
     };

@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "irsg/scene/Irsg.h"
+#include "irsg/scene/InteractiveRenderer.h"
 
 namespace irsg::test {
 

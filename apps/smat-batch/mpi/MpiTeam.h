@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "apps/smat-batch/CaseTeam.h"
+#include "smatcore/jobs/CaseTeam.h"
 
 namespace smat::batch {
 

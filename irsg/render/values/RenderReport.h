@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "irsg/image/RadianceImage.h"
@@ -22,7 +23,7 @@ struct ObjectRadiometry {
     /// Bound of what the air's change over the object's extent leaves wrong, as a part of what
     /// arrives from it.
     double airError = 0.0;
-    std::optional<RadiometryErrors> errors; ///< where they were asked for (Wanted::errors)
+    std::optional<RadiometryErrors> errors; ///< where they were asked for (Outputs)
 
     /// Adds what another has seen to its sums.
     void addSums(const ObjectRadiometry& other) {
@@ -71,7 +72,7 @@ struct IntensitySpectrum {
     std::vector<double> intensity_W_sr_um;
     std::vector<double> contrastIntensity_W_sr_um;
     std::vector<double> irradiance_W_m2_um; ///< of the contrast
-    /// A wavenumber each, per um, where they were asked for (Wanted::errors). What of the air they
+    /// A wavenumber each, per um, where they were asked for (Outputs). What of the air they
     /// hold is its change over the objects' extent: its bins are the resolution of a spectrum.
     std::vector<RadiometryErrors> errors;
     std::vector<ObjectSpectrum> objects; ///< where there are several
@@ -79,7 +80,7 @@ struct IntensitySpectrum {
     std::vector<std::string> warnings;
 };
 
-/// Time spent in each stage since the last reset, s.
+/// Time spent in each stage, s.
 struct StageTimes {
     struct Stage {
         std::string name;
@@ -87,6 +88,21 @@ struct StageTimes {
         long calls = 0;
     };
     std::vector<Stage> stages;
+
+    /// What came to them since an earlier look at the same stages.
+    StageTimes since(const StageTimes& earlier) const {
+        StageTimes spent;
+        for (Stage stage : stages) {
+            for (const Stage& before : earlier.stages)
+                if (before.name == stage.name) {
+                    stage.seconds -= before.seconds;
+                    stage.calls -= before.calls;
+                }
+            if (stage.calls > 0)
+                spent.stages.push_back(std::move(stage));
+        }
+        return spent;
+    }
 };
 
 } // namespace irsg

@@ -1,15 +1,18 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "smatcore/analysis/CaseFile.h"
+#include "smatcore/support/Progress.h"
 
-namespace smat::batch {
+namespace smat {
 
 /// Several processes that draw the cases of one sweep together, each whenever it has nothing else
 /// to do. One of them leads: it has the file of the cases, to which the others send theirs.
@@ -45,4 +48,23 @@ class CaseDispenser {
     std::size_t takers_, given_ = 0;
 };
 
-} // namespace smat::batch
+/// Where the cases of a run are.
+struct CasePlace {
+    std::filesystem::path result; ///< its first file
+    CaseShare share;
+    bool resumes = false;
+    std::map<std::string, std::string> inputs; ///< as they are before anything is drawn
+
+    CaseFile::Options options() const { return {share, resumes, inputs, 0.0}; }
+};
+
+/// Goes through the cases of a store.
+using CaseWork =
+    std::function<void(CaseStore& store, const ProgressCallback& progress, std::stop_token stop)>;
+
+/// Draws cases with all processes of a team into the file of its leader. True in the leader, who
+/// makes the result of them. Throws InputError for a part of a sweep.
+bool drawnByTeam(const CasePlace& place, CaseTeam& team, const CaseWork& work,
+                 const ProgressCallback& progress);
+
+} // namespace smat

@@ -1,0 +1,147 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "irsg/radiance/ScaledView.h"
+#include "irsg/radiometry/Band.h"
+
+namespace irsg {
+
+/// What of a view is asked for; whatever is not asked for is not computed. It is made by the named
+/// functions below, which hold what goes together and nothing else:
+///
+///     Outputs::image()
+///     Outputs::reports({midWave, longWave}).withErrors()
+///     Outputs::spectrum(wavenumbers_per_cm)
+class Outputs {
+  public:
+    class ImageWithReports;
+    class Reports;
+    class OfSpectrum;
+    class OfScales;
+
+    /// The radiance image in the sensor's band, and a report of how it was drawn (windows,
+    /// warnings), which has no sums.
+    static Outputs image();
+    /// The same with the radiometry of the objects.
+    static ImageWithReports imageWithReports();
+    /// An image of a window that follows edits: for the second one of a view what each pixel takes
+    /// of each surface is drawn and kept, and from then on another time, temperature, spectrum or
+    /// air is a sum, equal to an image within the rounding of float.
+    static Outputs followedImage();
+    /// The radiometry of the objects, in double, from factors that are kept and drawn anew only
+    /// when geometry, viewpoint, raster, transparency or N change: a report for each band, from the
+    /// same drawings; without bands one in the sensor's.
+    static Reports reports(std::vector<Band> bands = {});
+    /// The radiometry of the objects at these wavenumbers, cm-1, > 0, in any order; it is computed
+    /// in the spectral mode, whichever is set.
+    static OfSpectrum spectrum(std::vector<double> wavenumbers_per_cm);
+    /// The view as a function of these scales, in each band, without bands in the sensor's. The
+    /// entities' own scales must be empty (LogicError).
+    static OfScales scaledView(std::vector<ScalingInput> scalings, std::vector<Band> bands = {});
+    /// The same of a spectrum().
+    static Outputs scaledSpectrum(std::vector<ScalingInput> scalings,
+                                  std::vector<double> wavenumbers_per_cm);
+
+    bool hasImage() const { return image_; }
+    bool isFollowed() const { return followed_; }
+    bool hasReports() const { return reports_; }
+    bool isAlongRange() const { return alongRange_; }
+    bool hasSource() const { return source_; }
+    bool hasErrors() const { return errors_; }
+    bool isByObject() const { return byObject_; }
+    /// None: that of the sensor.
+    const std::vector<Band>& bands() const { return bands_; }
+    /// Of a spectrum; none of anything else.
+    const std::vector<double>& wavenumbers_per_cm() const { return wavenumbers_per_cm_; }
+    const std::vector<ScalingInput>& scalings() const { return scalings_; }
+    /// Quantities in bands, not those of wavenumbers.
+    bool isInBands() const { return wavenumbers_per_cm_.empty(); }
+
+  private:
+    Outputs() = default;
+
+    bool image_ = false, followed_ = false, reports_ = false, alongRange_ = false, source_ = false,
+         errors_ = false, byObject_ = false;
+    std::vector<Band> bands_;
+    std::vector<double> wavenumbers_per_cm_;
+    std::vector<ScalingInput> scalings_;
+};
+
+class Outputs::ImageWithReports : public Outputs {
+  public:
+    /// The sums come with their errors (ErrorParts).
+    ImageWithReports withErrors(bool on = true) const {
+        ImageWithReports made = *this;
+        made.errors_ = on;
+        return made;
+    }
+
+  private:
+    friend class Outputs;
+    explicit ImageWithReports(Outputs outputs) : Outputs(std::move(outputs)) {}
+};
+
+class Outputs::Reports : public Outputs {
+  public:
+    /// The reports are of one of many ranges along a line of sight. The object that the sensor
+    /// looks at is not drawn for each: its factors are interpolated between those of a few
+    /// distances, the same for every range, so that a curve has no noise of drawings and costs few.
+    /// At a single range it then differs from an image by the sampling errors of both. See
+    /// RangeFactors for when; else it is drawn as without.
+    Reports alongRange(bool on = true) const {
+        Reports made = *this;
+        made.alongRange_ = on;
+        return made;
+    }
+    /// Behind the reports of the bands one more of each, in the same order, of the source: what
+    /// leaves the objects towards the sensor, lit as they are, with no air between and nothing
+    /// behind them. Its intensity is that of contrast, and from the same drawings. A measured
+    /// spectrum is taken as it was measured, at its reference distance.
+    Reports withSource(bool on = true) const {
+        Reports made = *this;
+        made.source_ = on;
+        return made;
+    }
+    /// The sums come with their errors (ErrorParts).
+    Reports withErrors(bool on = true) const {
+        Reports made = *this;
+        made.errors_ = on;
+        return made;
+    }
+
+  private:
+    friend class Outputs;
+    explicit Reports(Outputs outputs) : Outputs(std::move(outputs)) {}
+};
+
+class Outputs::OfSpectrum : public Outputs {
+  public:
+    /// Its numbers come with their errors (ErrorParts).
+    OfSpectrum withErrors(bool on = true) const {
+        OfSpectrum made = *this;
+        made.errors_ = on;
+        return made;
+    }
+
+  private:
+    friend class Outputs;
+    explicit OfSpectrum(Outputs outputs) : Outputs(std::move(outputs)) {}
+};
+
+class Outputs::OfScales : public Outputs {
+  public:
+    /// Behind the view of all objects in a band one of each object alone, in their order.
+    OfScales byObject() const {
+        OfScales made = *this;
+        made.byObject_ = true;
+        return made;
+    }
+
+  private:
+    friend class Outputs;
+    explicit OfScales(Outputs outputs) : Outputs(std::move(outputs)) {}
+};
+
+} // namespace irsg

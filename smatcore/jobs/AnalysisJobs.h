@@ -1,0 +1,90 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "smatcore/analysis/AnalysisGenerator.h"
+#include "smatcore/analysis/CaseFile.h"
+#include "smatcore/analysis/Frontier.h"
+#include "smatcore/analysis/MonteCarlo.h"
+#include "smatcore/data/RenderDoor.h"
+#include "smatcore/project/SceneBuilder.h"
+
+namespace smat {
+
+class CaseTeam;
+
+/// An analysis with the files its result goes to.
+struct Job {
+    AnalysisData data;
+    std::vector<std::filesystem::path> files; ///< none: the result stays in the data
+    /// Of a sweep: which of its cases are drawn, and whether a run that was ended is gone on with.
+    CaseShare share;
+    bool resumes = false;
+};
+
+/// A job with its cases.
+struct PlannedJob : Job {
+    AnalysisPlan plan;
+};
+
+/// What is drawn for these jobs: an image of several bands becomes an image a band, FILE@BAND.exr,
+/// and parts of a sweep have the fixed steps that its settings leave open, as which cases an
+/// adaptive one has follows from all of them. `byTeam`: several processes draw each sweep. Throws
+/// InputError with everything that is wrong with the plans of all jobs.
+std::vector<PlannedJob> planJobs(const std::vector<Job>& jobs, bool byTeam = false);
+
+/// What goes on while a job runs.
+struct JobControl {
+    ProgressCallback progress = {};
+    std::stop_token stop = {};
+    StageTimer* timer = nullptr;
+    CaseTeam* team = nullptr; ///< whose processes draw a sweep together; none: this one alone
+    /// Is told the scene before the first drawing.
+    std::function<void(const SceneDescription&)> loaded = {};
+};
+
+/// What became of one, beside its data.
+struct JobOutcome {
+    bool isLed = true; ///< false: another process of the team makes the result
+    std::vector<std::filesystem::path> files;
+    std::vector<std::string> remarks; ///< on its files
+};
+
+/// Runs jobs one after the other, of window, command line and MPI, with one renderer and the models
+/// that it has loaded.
+class JobRunner {
+  public:
+    /// `loader` stands in for irsg::Model::load.
+    explicit JobRunner(DoorMaker makeDoor = openRenderDoor, SceneBuilder::ModelLoader loader = {})
+        : makeDoor_(std::move(makeDoor)), scenes_(std::move(loader)) {}
+
+    SceneBuilder& scenes() { return scenes_; }
+    /// Opened by the first who asks.
+    const RenderDoor& door();
+    bool hasDoor() const { return door_.isOpen(); }
+
+    /// Builds the scene, runs the plan, saves. The cases of a sweep stand beside its first file
+    /// until it is saved (CaseFile); of a part they are the result. A stop keeps and marks what was
+    /// done. Throws InputError.
+    JobOutcome run(PlannedJob& job, const JobControl& control = {});
+    /// See MonteCarlo and Frontier; neither saves.
+    void run(MonteCarloData& data, const JobControl& control = {});
+    void run(AnalysisData& data, const Frontier::Options& options, const JobControl& control = {});
+
+  private:
+    SceneFactory factory() {
+        return [this](const Project& project, const Settings& settings) {
+            return scenes_.build(project, settings);
+        };
+    }
+
+    DoorMaker makeDoor_;
+    RenderDoor door_;
+    SceneBuilder scenes_;
+};
+
+} // namespace smat
