@@ -18,6 +18,7 @@
 #include "gui/widgets/Theme.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/Wording.h"
 #include "smatcore/data/Provenance.h"
 #include "smatcore/data/RenderDoor.h"
 #include "smatcore/support/FreedMemory.h"

@@ -2,8 +2,8 @@
 # into a folder of their own, builds the program against them with find_package, runs it on a sample, and
 # holds what it prints against what is known.
 #
-# SOURCE and BUILD are the project's folders, WORK is a folder that is made anew. README is "irsg" or
-# "smatcore".
+# SOURCE and BUILD are the project's folders, WORK is a folder that is made anew. README is
+# "irsg/README.md", "smatcore/README.md" or "docs/embedding.md".
 
 function(run_step what)
     execute_process(COMMAND ${ARGN} WORKING_DIRECTORY "${WORK}" RESULT_VARIABLE status
@@ -16,10 +16,10 @@ endfunction()
 
 # Writes the only block of a language in the README to a file.
 function(extract_block language file)
-    file(READ "${SOURCE}/${README}/README.md" text)
+    file(READ "${SOURCE}/${README}" text)
     string(FIND "${text}" "```${language}\n" start)
     if(start EQUAL -1)
-        message(FATAL_ERROR "${README}/README.md has no block of ${language}")
+        message(FATAL_ERROR "${README} has no block of ${language}")
     endif()
     string(LENGTH "```${language}\n" fence)
     math(EXPR start "${start} + ${fence}")
@@ -29,10 +29,14 @@ function(extract_block language file)
     file(WRITE "${WORK}/${file}" "${text}")
 endfunction()
 
-if(README STREQUAL irsg)
+if(README STREQUAL "irsg/README.md")
     set(packages irsg)
     set(program sphere)
     set(arguments "${SOURCE}/samples/sphere/sphere.flt" "${SOURCE}/samples/sphere/sphere.sigdb")
+elseif(README STREQUAL "docs/embedding.md")
+    set(packages irsg)
+    set(program embedding)
+    set(arguments "${SOURCE}/samples/box/box.flt" "${SOURCE}/samples/box/box.sigdb")
 else()
     set(packages irsg smat)
     set(program frame)
@@ -54,7 +58,7 @@ run_step("Building" "${CMAKE_COMMAND}" --build build)
 run_step("Running" ./build/${program} ${arguments})
 message(STATUS "${output}")
 
-if(README STREQUAL irsg)
+if(README STREQUAL "irsg/README.md")
     # The closed form of a grey sphere, 0.9 times the band radiance of 320 K in 3 to 5 um, and pi r^2 times
     # that less what facets and raster cost.
     if(NOT output MATCHES "centre pixel 3\\.3252[456789][0-9]* W m-2 sr-1, intensity 10\\.4[345][0-9]* W sr-1")
@@ -62,6 +66,17 @@ if(README STREQUAL irsg)
     endif()
     if(NOT EXISTS "${WORK}/sphere.exr")
         message(FATAL_ERROR "the program wrote no sphere.exr")
+    endif()
+elseif(README STREQUAL "docs/embedding.md")
+    # Area times Planck's radiance of nose, starboard, tail and port, each 1 or 2 m nearer than the
+    # centre is at 500 m.
+    foreach(row "0,3\\.7[567]" "90,27\\.2" "180,7\\.4[345]" "270,4(6\\.9|7\\.0)")
+        if(NOT output MATCHES "\n${row}")
+            message(FATAL_ERROR "expected a row like ${row}:\n${output}")
+        endif()
+    endforeach()
+    if(NOT EXISTS "${WORK}/image.exr")
+        message(FATAL_ERROR "the program wrote no image.exr")
     endif()
 else()
     # What the program that we ship writes of the same frame.
