@@ -43,6 +43,7 @@ ORDER = [
     ["smatcore/project"],
     ["smatcore/tables"],
     ["smatcore/analysis", "smatcore/analysis/kinds"],
+    ["smatcore/jobs"],
     ["smatcore/results"],
     ["smatcore/simulate", "smatcore/tools"],
     ["smatcore/selftest"],

@@ -151,4 +151,13 @@ Vec3 PreparedEntities::referencePoint(const Entity& entity) {
         .point_m;
 }
 
+double PreparedEntities::reach_m(const Entity& entity) {
+    const BoundingSphere& sphere = of(entity).boundingSphere;
+    return sphere.radius_m + length(sphere.centre_m - referencePoint(entity));
+}
+
+Vec3 PreparedEntities::towards(const Entity& entity, const Vec3& place_m) {
+    return normalized(place_m - entity.pose.toWorld(referencePoint(entity)));
+}
+
 } // namespace irsg

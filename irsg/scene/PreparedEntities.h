@@ -51,6 +51,10 @@ class PreparedEntities {
     /// In model axes: the entity's own, or the centre of the box around what lets no light through,
     /// or around all of it.
     Vec3 referencePoint(const Entity& entity);
+    /// How far an entity reaches from its reference point at most, m.
+    double reach_m(const Entity& entity);
+    /// From an entity's reference point, in the world; unit.
+    Vec3 towards(const Entity& entity, const Vec3& place_m);
 
   private:
     struct Reference {

@@ -69,7 +69,6 @@ class Renderer {
     struct Impl;
     struct Begun;
     struct Explainer;
-    PixelExplanation explain(Explainer& explainer, int x, int y);
 
     std::unique_ptr<Impl> impl_;
 };

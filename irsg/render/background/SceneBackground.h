@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "irsg/geometry/view/FrameBackground.h"
@@ -56,6 +57,8 @@ class SceneBackground {
                          BackgroundReport& report);
     /// Of the last drawing.
     const BackgroundLayers& layers() const { return layers_; }
+    /// Hands those over.
+    BackgroundLayers takeLayers() { return std::exchange(layers_, {}); }
 
   private:
     void drawSun(const FieldRays& rays, const Horizon& horizon, const BandSky& sky,

@@ -1,6 +1,8 @@
+#include "irsg/scene/PixelExplainer.h"
+
 #include <algorithm>
-#include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "irsg/core/Errors.h"
@@ -9,16 +11,10 @@
 #include "irsg/render/rays/WindowRays.h"
 #include "irsg/render/rays/WindowSamples.h"
 #include "irsg/render/sampling/SampleSheet.h"
-#include "irsg/scene/RendererImpl.h"
 
 namespace irsg {
 
 namespace {
-
-Scene withRays(Scene scene) {
-    scene.settings.engine = EngineChoice::rays;
-    return scene;
-}
 
 /// The samples of a window that belong to a pixel.
 std::vector<SampleRun> runsOf(const SampleWindow& window, int x, int y) {
@@ -65,51 +61,18 @@ std::vector<SampleRun> withNeighbours(const std::vector<SampleRun>& runs,
 
 } // namespace
 
-struct Renderer::Explainer {
-    Explainer(Impl& of, const Scene& ofScene, SensorView ofView)
-        : scene(withRays(ofScene)),
-          view(std::move(ofView)),
-          outputs(Outputs::image()),
-          frame(of.frame(scene, view, outputs)),
-          layers(of.background.layers()) {
-        if (frame.drawn.empty())
-            return;
-        const int side = frame.engine->largestSide();
-        sheets = sheetsOf(
-            piecesOf(of.antialiasing.strategyFor(scene.settings).windows(frame.drawn), side), side);
-    }
-    Explainer(const Explainer&) = delete;
-    Explainer& operator=(const Explainer&) = delete;
-
-    const Scene scene;
-    const SensorView view;
-    const Outputs outputs;
-    const Impl::Frame frame; // of these
-    const BackgroundLayers layers;
-    std::vector<SampleSheet> sheets;
-    FactorSamples samples; // room for those of a sheet
-};
-
-std::function<PixelExplanation(int x, int y)> Renderer::explainer(const Scene& scene,
-                                                                  const SensorView& view) {
-    auto ready = std::make_shared<Explainer>(*impl_, scene, view);
-    return [this, ready](int x, int y) { return explain(*ready, x, y); };
-}
-
-PixelExplanation Renderer::explain(Explainer& explainer, int x, int y) {
-    Impl& p = *impl_;
-    const Impl::Frame& frame = explainer.frame;
-    const Sensor& sensor = frame.view.sensor;
+PixelExplanation PixelExplainer::at(int x, int y) {
+    const Frame& frame = frame_;
+    const Sensor& sensor = frame.sensor();
     if (x < 0 || y < 0 || x >= sensor.width_px || y >= sensor.height_px)
         throw LogicError("a pixel outside the frame was to be explained");
     // Frames share evaluated scenes, and another may have been drawn since.
-    frame.evaluated->turnTo(frame.scene.entities, frame.geometry);
-    frame.evaluated->radiances.setBackground(frame.background);
+    EvaluatedScene& evaluated = frame.evaluation().turned(frame.scene().entities);
 
     PixelExplanation result;
     result.x = x;
     result.y = y;
-    const FrameBackground& background = frame.backgrounds.front();
+    const FrameBackground& background = frame.backgrounds.byOutput.front();
     result.background_W_m2_sr = background.at(x, y);
     const std::size_t pixel =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(sensor.width_px) +
@@ -118,9 +81,9 @@ PixelExplanation Renderer::explain(Explainer& explainer, int x, int y) {
         if (pixel < values.size())
             into = values[pixel];
     };
-    part(explainer.layers.sky, result.sky_W_m2_sr);
-    part(explainer.layers.environment, result.environment_W_m2_sr);
-    part(explainer.layers.terrain, result.terrain_W_m2_sr);
+    part(frame.backgrounds.layers.sky, result.sky_W_m2_sr);
+    part(frame.backgrounds.layers.environment, result.environment_W_m2_sr);
+    part(frame.backgrounds.layers.terrain, result.terrain_W_m2_sr);
 
     // The facets of the middles of the pixels around.
     std::optional<std::vector<WindowRays::Facet>> facets;
@@ -135,21 +98,21 @@ PixelExplanation Renderer::explain(Explainer& explainer, int x, int y) {
     around.tileX = x - 1;
     around.tileY = y - 1;
     around.tilesWide = around.tilesHigh = 3;
-    for (const ZoomEntityInfo& object : frame.seen)
+    for (const ZoomEntityInfo& object : frame.plan.seen)
         around.entities.push_back(object.entity);
     std::ranges::sort(around.entities);
-    SurfaceScene scene = p.sceneOf(frame, frame.camera, around);
-    if (frame.scene.terrain && !scene.terrain.mesh)
-        scene.terrain = {-1, p.rayTerrain.meshOf(frame.scene.terrain),
-                         frame.camera.eyeFromModel(frame.scene.terrain->pose())};
+    SurfaceScene scene = surfaces_.sceneOf(frame.surfaces, frame.request.camera, around);
+    if (frame.scene().terrain && !scene.terrain.mesh)
+        scene.terrain = {-1, terrainRays_.meshOf(frame.scene().terrain),
+                         frame.request.camera.eyeFromModel(frame.scene().terrain->pose())};
     const WindowRays middles(scene, around);
     for (int i = 0; i < 9; ++i)
         compare(middles.facetsAt(i % 3, i / 3));
 
     // The samples that the image takes of the pixel.
-    PixelTerms terms(frame.evaluated->radiometry, frame.evaluated->radiances, p.fronts,
-                     frame.light.get(), result.background_W_m2_sr);
-    for (const SampleSheet& sheet : explainer.sheets) {
+    PixelTerms terms(evaluated.radiometry, evaluated.radiances, fronts_, frame.light(),
+                     result.background_W_m2_sr);
+    for (const SampleSheet& sheet : sheets_) {
         std::optional<SheetScene> drawn;
         for (std::size_t w = 0; w < sheet.windows.size(); ++w) {
             const SampleWindow& window = sheet.windows[w];
@@ -157,11 +120,11 @@ PixelExplanation Renderer::explain(Explainer& explainer, int x, int y) {
             if (runs.empty())
                 continue;
             if (!drawn)
-                drawn = p.scenesOf(frame, frame.camera, sheet);
-            FactorSamples& samples = explainer.samples;
-            RayEngine::traceRuns(*drawn, w, frame.lobes ? withNeighbours(runs, window) : runs,
-                                 samples);
-            p.sortAndShade(frame, *drawn, samples);
+                drawn = surfaces_.scenesOf(frame.surfaces, frame.request.camera, sheet);
+            FactorSamples& samples = samples_;
+            RayEngine::traceRuns(
+                *drawn, w, frame.shading().lobes ? withNeighbours(runs, window) : runs, samples);
+            frame.shading().sortAndApply(*drawn, frame.settings(), samples);
             const WindowRays rays(drawn->scenes[w], window);
             for (const SampleRun& run : runs)
                 for (int column = run.firstColumn; column < run.firstColumn + run.count; ++column) {
@@ -176,33 +139,34 @@ PixelExplanation Renderer::explain(Explainer& explainer, int x, int y) {
                 }
         }
     }
-    for (const ZoomEntityInfo& object : frame.points) {
-        const PointPlace place = p.placeOf(frame, object);
+    for (const ZoomEntityInfo& object : frame.plan.points) {
+        const PointPlace place = AspectSampler::placeOf(frame, object);
         if (place.x != x || place.y != y)
             continue;
-        const PointFactors& factors = p.pointFactors(frame, object);
+        const PointFactors& factors = aspects_.pointFactors(frame, object);
         terms.addPoint(factors, 1.0 / (place.distance_m * place.distance_m * place.solidAngle_sr),
                        place.distance_m);
         result.isInterior = false;
-        result.remarks.push_back("'" + frame.entity(object.entity).name +
+        result.remarks.push_back("'" + frame.request.entity(object.entity).name +
                                  "' is so small that all of it is in this pixel, as a point");
-        if (frame.light)
+        if (frame.light())
             result.remarks.push_back("the light between its surfaces is not explained");
     }
 
-    result.surfaces = terms.surfaces(frame.scene.entities);
+    result.surfaces = terms.surfaces(frame.scene().entities);
     result.backgroundLeft_W_m2_sr = result.background_W_m2_sr;
     for (const ExplainedSurface& surface : result.surfaces) {
         result.backgroundLeft_W_m2_sr -= surface.hidden_W_m2_sr;
         result.radiance_W_m2_sr += surface.radiance_W_m2_sr;
     }
     result.radiance_W_m2_sr += result.backgroundLeft_W_m2_sr;
-    if (pixel < explainer.layers.coverage.size() && explainer.layers.coverage[pixel] > 0.0)
+    if (pixel < frame.backgrounds.layers.coverage.size() &&
+        frame.backgrounds.layers.coverage[pixel] > 0.0)
         result.remarks.push_back("OpenGL interpolates the terrain's texture less exactly than it "
                                  "is done here, by some 1e-5 of the picture");
-    if (frame.scene.settings.scattering)
+    if (frame.settings().scattering)
         result.remarks.push_back("the haze that droplets add to the image is not explained");
-    if (frame.scene.settings.zoomsAsPublished())
+    if (frame.settings().zoomsAsPublished())
         result.remarks.push_back("the antialiasing as published resamples what it draws; these are "
                                  "samples of the pixel");
     return result;

@@ -1,0 +1,243 @@
+#include "irsg/scene/AspectSampler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "irsg/render/sampling/PixelAlignedStrategy.h"
+#include "irsg/scene/KeyNumbers.h"
+#include "irsg/scene/ViewKey.h"
+
+namespace irsg {
+
+namespace {
+
+/// The rows of a frame as they are drawn, without or with slices of one entity alone.
+SurfaceRows drawnRows(const SurfaceRows& rows, std::size_t entities, int sliced = -1,
+                      SliceNodes slices_m = {}) {
+    std::vector<bool> transparent;
+    for (std::size_t row = 0; row < rows.keys().size(); ++row)
+        transparent.push_back(rows.isTransparent(static_cast<int>(row)));
+    std::vector<SliceNodes> slices(entities);
+    if (sliced >= 0)
+        slices[static_cast<std::size_t>(sliced)] = std::move(slices_m);
+    return {rows.keys(), transparent, std::move(slices), rows.lobes()};
+}
+
+/// Slices about a distance of what reaches so far before and behind it.
+SliceNodes slicesAbout(double distance_m, double reach_m) {
+    SliceNodes slices_m;
+    for (std::size_t i = 0; i <= RangeFactors::slices; ++i) {
+        const double part = static_cast<double>(i) / RangeFactors::slices;
+        slices_m.push_back(distance_m + (2.0 * part - 1.0) * reach_m);
+    }
+    return slices_m;
+}
+
+/// A view of one object from far away, as it is at unit distance.
+PointFactors pointOf(const ViewFactors& view, double distance_m) {
+    PointFactors point{FactorField<double>(1, view.layout.factorCount + 1), {}, {}};
+    FactorField<double>& field = point.sums_sr_m2;
+    view.field.forEach(0, [&](std::size_t kind, std::span<const double> numbers) {
+        double* own = field.at(0, field.kindOf(view.field.kinds()[kind]));
+        for (std::size_t i = 0; i < field.width(); ++i)
+            own[i] = numbers[i] * distance_m * distance_m;
+    });
+    addLight(view.light, distance_m * distance_m, point.light_sr_m2);
+    for (const ViewFactors& contrast : view.contrasts)
+        point.contrasts.push_back(pointOf(contrast, distance_m));
+    return point;
+}
+
+/// A view of one object as it is at unit distance, in pixels 1 m wide there.
+ViewFactors atUnitDistance(const ViewFactors& view, double distance_m, double pixel_sr) {
+    ViewFactors unit{
+        view.layout, FactorField<double>(1, view.layout.width()), {}, view.layersLeftOver, {}};
+    const double square_m2 = distance_m * distance_m;
+    addLight(view.light, square_m2, unit.light);
+    view.field.forEach(0, [&](std::size_t kind, std::span<const double> numbers) {
+        double* sums = unit.field.at(0, unit.field.kindOf(view.field.kinds()[kind]));
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            sums[i] = numbers[i] * square_m2;
+        sums[view.layout.pixels()] *= pixel_sr;
+    });
+    for (const ViewFactors& contrast : view.contrasts)
+        unit.contrasts.push_back(atUnitDistance(contrast, distance_m, pixel_sr));
+    return unit;
+}
+
+} // namespace
+
+PointAspect AspectSampler::aspectOf(const Frame& frame, int entity, const Vec3& from) const {
+    const RenderSettings& settings = frame.settings();
+    const SurfaceRows& rows = frame.rows();
+    const Rotation toModel = frame.request.entity(entity).pose.attitude.rotation().transposed();
+    PointAspect aspect{frame.request.entity(entity).model,
+                       {static_cast<double>(settings.zoomWindow),
+                        static_cast<double>(settings.maximumLayers),
+                        frame.surfaces.engine.isRays ? 1.0 : 0.0},
+                       terms_.glsl(settings)};
+    appendTo(aspect.numbers, from);
+    aspect.numbers.push_back(frame.request.withErrors ? 1.0 : 0.0);
+    aspect.numbers.push_back(frame.shading().shadows ? static_cast<double>(settings.sunShadows)
+                                                     : 0.0);
+    appendReceivers(frame.shading(), frame.settings().lightError, aspect.numbers);
+    appendLobes(frame.surfaces, aspect.numbers);
+    if (frame.shading().shadows)
+        aspect.numbers.insert(aspect.numbers.end(), frame.shading().shadows->reflects().begin(),
+                              frame.shading().shadows->reflects().end());
+    // Others may stand between it and the sun.
+    for (const Entity& other : frame.scene().entities)
+        if (frame.shading().shadows &&
+            (frame.scene().entities.size() > 1 || frame.scene().terrain)) {
+            appendTo(aspect.numbers, other.pose.position_m);
+            appendTo(aspect.numbers, other.pose.attitude);
+        }
+    for (const FrameDirection& direction : terms_.directions)
+        appendTo(aspect.numbers, toModel * direction.world(frame.scene().environment.sun));
+    for (std::size_t row = 0; row < rows.keys().size(); ++row) {
+        // Rows are numbered through the scene.
+        aspect.numbers.push_back(rows.keys()[row].first);
+        if (rows.keys()[row].first == entity) {
+            aspect.numbers.push_back(
+                static_cast<double>(frame.evaluation().rows[row].nAngleFactor));
+            aspect.numbers.push_back(rows.isTransparent(static_cast<int>(row)) ? 1.0 : 0.0);
+            aspect.numbers.push_back(frame.evaluation().hot[row] ? 1.0 : 0.0);
+        }
+    }
+    return aspect;
+}
+
+void AspectSampler::forgetOtherTerrain(const Frame& frame) {
+    if (!frame.shading().shadows || shadowingTerrain_ == frame.scene().terrain)
+        return;
+    shadowingTerrain_ = frame.scene().terrain;
+    pointSources_ = {};
+    rangeFactors_ = {};
+}
+
+ViewFactors AspectSampler::sampleAlone(const Frame& frame, int entity, const CameraFrame& camera,
+                                       int zoomWindow, const SurfaceRows& rows) {
+    FactorSums sums(camera.sensor(), rows, fronts_, terms_.factorCount(), {}, frame.exchange(),
+                    frame.request.withErrors);
+    ViewFactors view = sums.emptyView();
+    const auto seen = planner_.seenBy(frame.surfaces, camera, entity);
+    if (!seen)
+        return view;
+    sampler_.onEngine(frame.surfaces.engine, [&] {
+        FactorSamples samples;
+        const PixelAlignedStrategy strategy(zoomWindow);
+        for (const SampleWindow& window :
+             piecesOf(strategy.windows({*seen}), frame.surfaces.engine.engine.largestSide())) {
+            SurfaceScene alone = sampler_.sceneOf(frame.surfaces, camera, window);
+            alone.occluders.clear();
+            alone.terrain = {};
+            frame.surfaces.engine.engine.drawFactors({SampleSheet::of(window), {alone}},
+                                                     rows.isSliced() || frame.shading().isNeeded(),
+                                                     samples);
+            clock_.timed("layer sorting", [&] {
+                frame.shading().sortAndApply({SampleSheet::of(window), {alone}}, frame.settings(),
+                                             samples);
+            });
+            clock_.timed("factor sums", [&] { sums.addToView(window, samples, view); });
+        }
+    });
+    return view;
+}
+
+PointPlace AspectSampler::placeOf(const Frame& frame, const ZoomEntityInfo& object) {
+    const ImageRectangle& extent = object.extent;
+    const int x = static_cast<int>(0.5 * (extent.left + extent.right));
+    const int y = static_cast<int>(0.5 * (extent.top + extent.bottom));
+    const PixelGrid::Pixel pixel = PixelGrid(frame.sensor()).at(x, y);
+    return {x, y, length(object.centre_m - frame.request.view.viewpoint.position_m),
+            pixel.solidAngle_sr, pixel.cosOffAxis};
+}
+
+const PointFactors& AspectSampler::pointFactors(const Frame& frame, const ZoomEntityInfo& object) {
+    forgetOtherTerrain(frame);
+    const Rotation toWorld = frame.request.entity(object.entity).pose.attitude.rotation();
+    const Vec3 from =
+        PointSources::onGrid(toWorld.transposed() *
+                             normalized(frame.request.view.viewpoint.position_m - object.centre_m));
+    const double distance_m = PointSources::cameraDistance_radii * object.radius_m;
+    return pointSources_.of(object.entity, aspectOf(frame, object.entity, from), [&] {
+        // A few pixels of a camera that looks at it from far. No phases average its error, so its
+        // window is larger than that of other objects, but not by much: one that turns is drawn
+        // anew for every frame.
+        Sensor few = frame.sensor();
+        few.width_px = few.height_px = 4;
+        few.horizontalFieldOfView_rad = 2.0 * std::asin(1.0 / PointSources::cameraDistance_radii);
+        const Vec3 place = object.centre_m + toWorld * from * distance_m;
+        const CameraFrame zoom(few,
+                               Viewpoint::lookAt(place, object.centre_m, toWorld * Vec3{0, 0, 1},
+                                                 toWorld * Vec3{0, 1, 0}));
+        // The air is no matter here.
+        const SurfaceRows rows = drawnRows(frame.rows(), frame.scene().entities.size());
+        const ViewFactors view =
+            sampleAlone(frame, object.entity, zoom, frame.settings().zoomWindow * 3 / 2, rows);
+        return pointOf(view, distance_m);
+    });
+}
+
+void AspectSampler::addAlongRange(const Frame& frame, const ZoomEntityInfo& object,
+                                  ViewFactors& view) {
+    forgetOtherTerrain(frame);
+    const Entity& entity = frame.request.entity(object.entity);
+    const ObjectGeometry& geometry =
+        frame.evaluation().geometry[static_cast<std::size_t>(object.entity)];
+    // In air every range takes the same drawings, whether it is sliced there or not.
+    const bool isSliced = geometry.slices_m.size() > 1 || geometry.airError > 0.0;
+    const double reach_m = prepared_.reach_m(entity);
+    const Vec3 from =
+        PointSources::onGrid(entity.pose.attitude.rotation().transposed() *
+                                 prepared_.towards(entity, frame.request.view.viewpoint.position_m),
+                             RangeFactors::directionStep);
+    PointAspect aspect = aspectOf(frame, object.entity, from);
+    appendTo(aspect.numbers, prepared_.referencePoint(entity));
+    aspect.numbers.push_back(isSliced ? 1.0 : 0.0);
+
+    const RangePlace place{geometry.path.range_m, frame.sensor().pixelPitch()};
+    const auto addNode = [&](std::size_t node, double weight, bool isError) {
+        const double distance_m = reach_m / RangeFactors::nodes[node];
+        const SurfaceRows rows =
+            drawnRows(frame.rows(), frame.scene().entities.size(), object.entity,
+                      isSliced ? slicesAbout(distance_m, reach_m) : SliceNodes{});
+        const ViewFactors& drawn = rangeFactors_.at(object.entity, aspect, node, [&] {
+            return sampleAtNode(frame, object.entity, from, node, rows);
+        });
+        if (!isError)
+            return addAtRange(drawn, weight, rows, distance_m, frame.rows(), place, view);
+        // Its own contrasts are those of the sum already.
+        addAtRange(drawn, weight, rows, distance_m, frame.rows(), place, view.contrasts.back());
+    };
+    const double nearness = reach_m / place.range_m;
+    for (const auto& [node, weight] : RangeFactors::weightsAt(nearness))
+        addNode(node, weight, false);
+    if (!view.contrasts.empty())
+        for (const auto& [node, weight] : RangeFactors::errorWeightsAt(nearness))
+            addNode(node, weight, true);
+}
+
+ViewFactors AspectSampler::sampleAtNode(const Frame& frame, int entity, const Vec3& from,
+                                        std::size_t node, const SurfaceRows& rows) {
+    // Pixels that are small in terms of the object, as each has the solid angle of its middle.
+    constexpr int pixels = 32;
+    // No phases average the error of a node, so that its window is larger than that of a frame.
+    const int zoomWindow = frame.settings().zoomWindow * 3 / 2;
+    const Entity& own = frame.request.entity(entity);
+    const double distance_m = prepared_.reach_m(own) / RangeFactors::nodes[node];
+    const Rotation toWorld = own.pose.attitude.rotation();
+    const Vec3 at_m = own.pose.toWorld(prepared_.referencePoint(own));
+    Sensor sensor = frame.sensor();
+    sensor.width_px = sensor.height_px = pixels;
+    sensor.horizontalFieldOfView_rad = 2.0 * std::asin(RangeFactors::nodes[node]);
+    const CameraFrame camera(sensor,
+                             Viewpoint::lookAt(at_m + toWorld * from * distance_m, at_m,
+                                               toWorld * Vec3{0, 0, 1}, toWorld * Vec3{0, 1, 0}));
+
+    return atUnitDistance(sampleAlone(frame, entity, camera, zoomWindow, rows), distance_m,
+                          sensor.pixelPitch() * sensor.pixelPitch());
+}
+
+} // namespace irsg

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "irsg/radiance/PointSources.h"
+#include "irsg/radiance/RangeFactors.h"
+#include "irsg/radiance/ViewFactors.h"
+#include "irsg/scene/Frame.h"
+#include "irsg/scene/FramePlanner.h"
+#include "irsg/scene/PreparedEntities.h"
+#include "irsg/scene/StageClock.h"
+#include "irsg/scene/SurfaceSampler.h"
+
+namespace irsg {
+
+/// Samples objects alone for an aspect, which serves at many distances. Keeps point sources and the
+/// factors at the nodes of ranges by the aspects that they are of.
+class AspectSampler {
+  public:
+    /// All must live as long.
+    AspectSampler(const RadianceTerms& terms, PreparedEntities& prepared, FramePlanner& planner,
+                  SurfaceSampler& sampler, Fronts& fronts, StageClock& clock)
+        : terms_(terms),
+          prepared_(prepared),
+          planner_(planner),
+          sampler_(sampler),
+          fronts_(fronts),
+          clock_(clock) {}
+
+    /// Factors of a point source of the plan at unit distance; valid until the next call.
+    const PointFactors& pointFactors(const Frame& frame, const ZoomEntityInfo& object);
+    static PointPlace placeOf(const Frame& frame, const ZoomEntityInfo& object);
+    /// Adds an object along the range of the plan to a view.
+    void addAlongRange(const Frame& frame, const ZoomEntityInfo& object, ViewFactors& view);
+
+  private:
+    /// An entity as it is seen from a direction in its model's axes.
+    PointAspect aspectOf(const Frame& frame, int entity, const Vec3& from) const;
+    /// Forgets what was sampled in the shadow of another terrain, which aspects do not name.
+    void forgetOtherTerrain(const Frame& frame);
+    /// Factors of one entity as a camera of its own sees it, with nothing before it.
+    ViewFactors sampleAlone(const Frame& frame, int entity, const CameraFrame& camera,
+                            int zoomWindow, const SurfaceRows& rows);
+    ViewFactors sampleAtNode(const Frame& frame, int entity, const Vec3& from, std::size_t node,
+                             const SurfaceRows& rows);
+
+    const RadianceTerms& terms_;
+    PreparedEntities& prepared_;
+    FramePlanner& planner_;
+    SurfaceSampler& sampler_;
+    Fronts& fronts_;
+    StageClock& clock_;
+    PointSources pointSources_;
+    RangeFactors rangeFactors_;
+    std::shared_ptr<const Terrain> shadowingTerrain_; // of what is kept
+};
+
+} // namespace irsg

@@ -1,0 +1,232 @@
+#include "irsg/scene/FramePlanner.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "irsg/radiance/PointSources.h"
+#include "irsg/radiance/RangeFactors.h"
+#include "irsg/render/rays/RayEngine.h"
+#include "irsg/scene/SceneCheck.h"
+
+namespace irsg {
+
+namespace {
+
+/// The samples of a probe around its parts.
+std::vector<SampleRun> runsAround(const std::vector<HotPart>& parts, const SampleWindow& probe) {
+    const auto width = static_cast<std::size_t>(probe.tilesWide);
+    std::vector<char> isWanted(width * static_cast<std::size_t>(probe.tilesHigh));
+    for (const HotPart& part : parts) {
+        const ProbedTiles tiles = tilesAround(part, probe);
+        for (int row = tiles.top; row <= tiles.bottom; ++row)
+            std::fill_n(isWanted.begin() + static_cast<std::ptrdiff_t>(row) * probe.tilesWide +
+                            tiles.left,
+                        tiles.right - tiles.left + 1, 1);
+    }
+    std::vector<SampleRun> runs;
+    for (int row = 0; row < probe.tilesHigh; ++row)
+        for (int column = 0; column < probe.tilesWide; ++column) {
+            if (isWanted[static_cast<std::size_t>(row) * width +
+                         static_cast<std::size_t>(column)] == 0)
+                continue;
+            if (runs.empty() || runs.back().row != row ||
+                runs.back().firstColumn + runs.back().count != column)
+                runs.push_back({row, column, 0});
+            ++runs.back().count;
+        }
+    return runs;
+}
+
+/// The long edges of an object as a camera sees them; those that reach behind it are left out.
+std::vector<ImageEdge> edgesOf(const std::vector<ModelEdge>& edges, const Pose& pose,
+                               const CameraFrame& camera) {
+    std::vector<ImageEdge> seen;
+    for (const ModelEdge& edge : edges) {
+        const auto from = camera.placeOf(pose.toWorld(edge.from_m));
+        const auto to = camera.placeOf(pose.toWorld(edge.to_m));
+        if (from && to)
+            seen.push_back({to->first - from->first, to->second - from->second});
+    }
+    return seen;
+}
+
+/// True where all of an object is inside the frame, and no other object in its part of it.
+bool isWholeAndApart(const Sensor& sensor, const std::vector<ZoomEntityInfo>& seen,
+                     const ZoomEntityInfo& object) {
+    const ImageRectangle& extent = object.extent;
+    const bool isWhole = extent.left > 0.0 && extent.right < sensor.width_px && extent.top > 0.0 &&
+                         extent.bottom < sensor.height_px;
+    return isWhole && std::ranges::none_of(seen, [&](const ZoomEntityInfo& other) {
+               return other.entity != object.entity && other.extent.intersects(extent);
+           });
+}
+
+/// True where terrain that may hide objects is in or beside the pixels of a rectangle.
+bool touchesTerrain(const FrameRequest& request, const FrameBackgrounds& backgrounds,
+                    const ImageRectangle& extent) {
+    const std::vector<double>& coverage = backgrounds.layers.coverage;
+    if (coverage.empty() || !request.scene.settings.terrainHides)
+        return false;
+    const Sensor& sensor = request.view.sensor;
+    const auto pixel = [](double place, int size) {
+        return static_cast<int>(std::clamp(place, 0.0, size - 1.0));
+    };
+    for (int y = pixel(extent.top - 1.0, sensor.height_px);
+         y <= pixel(extent.bottom + 1.0, sensor.height_px); ++y)
+        for (int x = pixel(extent.left - 1.0, sensor.width_px);
+             x <= pixel(extent.right + 1.0, sensor.width_px); ++x)
+            if (coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(sensor.width_px) +
+                         static_cast<std::size_t>(x)] > 0.0)
+                return true;
+    return false;
+}
+
+bool isAmong(const std::vector<ZoomEntityInfo>& objects, const ZoomEntityInfo& object) {
+    return std::ranges::find(objects, object.entity, &ZoomEntityInfo::entity) != objects.end();
+}
+
+} // namespace
+
+std::vector<ObjectGeometry> FramePlanner::geometry(const Scene& scene, const Viewpoint& viewpoint) {
+    prepared_.keep(scene.entities);
+    std::vector<Vec3> points;
+    for (const Entity& entity : scene.entities)
+        points.push_back(entity.pose.toWorld(prepared_.referencePoint(entity)));
+    std::vector<ObjectGeometry> objects = objectGeometry(scene.entities, points, viewpoint);
+    for (std::size_t e = 0; e < objects.size(); ++e) {
+        const Entity& entity = scene.entities[e];
+        // About the reference point, so that views from one distance have the same slices.
+        const double reach_m = prepared_.reach_m(entity);
+        objects[e].nearest_m = std::max(objects[e].path.range_m - reach_m, 0.0);
+        objects[e].farthest_m = objects[e].path.range_m + reach_m;
+    }
+    return objects;
+}
+
+std::optional<ZoomEntityInfo> FramePlanner::placeOf(const SceneSurfaces& surfaces,
+                                                    const CameraFrame& camera, int entity) {
+    const Entity& own = surfaces.entity(entity);
+    const PreparedModel& model = prepared_.of(own);
+    auto seen = zoomEntityInfo(entity, camera, own.model->bounds(), model.boundingSphere, own.pose);
+    if (seen)
+        seen->edges = edgesOf(model.longEdges, own.pose, camera);
+    return seen;
+}
+
+std::optional<ZoomEntityInfo> FramePlanner::seenBy(const SceneSurfaces& surfaces,
+                                                   const CameraFrame& camera, int entity) {
+    auto seen = placeOf(surfaces, camera, entity);
+    if (seen)
+        seen->details = detailsOf(surfaces, camera, entity);
+    return seen;
+}
+
+FramePlan FramePlanner::plan(const FrameRequest& request, const SceneSurfaces& surfaces,
+                             const FrameBackgrounds& backgrounds) {
+    const RenderSettings& settings = request.scene.settings;
+    std::vector<ZoomEntityInfo> seen;
+    for (int e = 0; e < static_cast<int>(request.scene.entities.size()); ++e)
+        if (auto object = placeOf(surfaces, request.camera, e))
+            seen.push_back(std::move(*object));
+
+    FramePlan plan;
+    const bool mayBeAlongRange =
+        request.alongRange && settings.zoomsAligned() && backgrounds.areUniform();
+    const bool mayBePoints = settings.zoomsAligned() && settings.pointSourceBelow_px > 0.0;
+    for (const ZoomEntityInfo& object : seen) {
+        if (mayBeAlongRange && isAlongRange(request, surfaces, backgrounds, seen, object)) {
+            plan.alongRange.push_back(object);
+            continue;
+        }
+        const std::size_t slices =
+            surfaces.evaluation.geometry[static_cast<std::size_t>(object.entity)].slices_m.size();
+        const bool isPoint = mayBePoints && slices < 2 &&
+                             object.extent.extent() < settings.pointSourceBelow_px &&
+                             isWholeAndApart(request.view.sensor, seen, object) &&
+                             !touchesTerrain(request, backgrounds, object.extent);
+        (isPoint ? plan.points : plan.drawn).push_back(object);
+        plan.seen.push_back(object);
+    }
+    addDetails(request, surfaces, plan);
+    return plan;
+}
+
+bool FramePlanner::isAlongRange(const FrameRequest& request, const SceneSurfaces& surfaces,
+                                const FrameBackgrounds& backgrounds,
+                                const std::vector<ZoomEntityInfo>& seen,
+                                const ZoomEntityInfo& object) {
+    const Entity& entity = request.entity(object.entity);
+    const double range_m =
+        surfaces.evaluation.geometry[static_cast<std::size_t>(object.entity)].path.range_m;
+    const double reach_m = prepared_.reach_m(entity);
+    if (!(reach_m > 0.0) || reach_m > RangeFactors::closest * range_m)
+        return false;
+    // Cosines off the axis are those of a camera that looks at the reference point.
+    constexpr double nearby = 1e-6;
+    const Viewpoint& viewpoint = request.view.viewpoint;
+    const bool isLookedAt =
+        length(prepared_.towards(entity, viewpoint.position_m) - viewpoint.backward) < nearby;
+    return isLookedAt && isWholeAndApart(request.view.sensor, seen, object) &&
+           !touchesTerrain(request, backgrounds, object.extent);
+}
+
+std::vector<ImageRectangle> FramePlanner::detailsOf(const SceneSurfaces& surfaces,
+                                                    const CameraFrame& camera, int entity) {
+    std::vector<IrCodes> hot;
+    const std::vector<SurfaceKey>& keys = surfaces.rows().keys();
+    for (std::size_t row = 0; row < surfaces.evaluation.hot.size(); ++row)
+        if (surfaces.evaluation.hot[row] && keys[row].first == entity)
+            hot.push_back(keys[row].second);
+    PreparedModel& model = prepared_.of(surfaces.entity(entity));
+    const std::vector<HotPart> parts =
+        model.hotParts.seenBy(camera, surfaces.entity(entity).pose, model.items, hot);
+    std::vector<ImageRectangle> details;
+    if (parts.empty())
+        return details;
+    const SampleWindow probe = probeOf(parts, entity);
+    SurfaceScene scene = sampler_.sceneOf(surfaces, camera, probe);
+    std::erase_if(scene.items, [](const SurfaceItem& item) { return item.transparent; });
+    scene.occluders.clear();
+    scene.terrain = {};
+    FactorSamples samples;
+    if (areRaysBuilt()) {
+        // A few rays are there while a drawing that was begun before goes on.
+        scene.bodies = {{entity, clock_.timed("ray trees", [&] { return model.forRays(); }),
+                         camera.eyeFromModel(surfaces.entity(entity).pose)}};
+        const SheetScene sheet{SampleSheet::of(probe), {std::move(scene)}};
+        clock_.timed("hot parts",
+                     [&] { RayEngine::traceRuns(sheet, 0, runsAround(parts, probe), samples); });
+    } else {
+        const SheetScene sheet{SampleSheet::of(probe), {std::move(scene)}};
+        sampler_.onEngine(surfaces.engine,
+                          [&] { surfaces.engine.engine.drawFactors(sheet, true, samples); });
+    }
+    for (const HotPart& part : parts)
+        if (!isHidden(part, probe, samples))
+            details.push_back(part.extent);
+    return details;
+}
+
+void FramePlanner::addDetails(const FrameRequest& request, const SceneSurfaces& surfaces,
+                              FramePlan& plan) {
+    const std::vector<bool>& hot = surfaces.evaluation.hot;
+    if (std::ranges::find(hot, true) == hot.end())
+        return;
+    ViewKey key = viewKey(terms_, request, surfaces, plan.alongRange);
+    if (details_.key != key) {
+        details_.byEntity.clear();
+        details_.key = std::move(key);
+    }
+    for (std::vector<ZoomEntityInfo>* objects : {&plan.seen, &plan.drawn})
+        for (ZoomEntityInfo& object : *objects) {
+            if (isAmong(plan.points, object) && !request.scene.settings.truthLayers)
+                continue;
+            const auto [known, isNew] = details_.byEntity.try_emplace(object.entity);
+            if (isNew)
+                known->second = detailsOf(surfaces, request.camera, object.entity);
+            object.details = known->second;
+        }
+}
+
+} // namespace irsg

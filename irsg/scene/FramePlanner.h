@@ -1,0 +1,60 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "irsg/scene/FramePlan.h"
+#include "irsg/scene/FrameRequest.h"
+#include "irsg/scene/PreparedEntities.h"
+#include "irsg/scene/SceneEvaluation.h"
+#include "irsg/scene/SceneSurfaces.h"
+#include "irsg/scene/StageClock.h"
+#include "irsg/scene/SurfaceSampler.h"
+#include "irsg/scene/ViewKey.h"
+
+namespace irsg {
+
+/// Decides how the objects of a frame are sampled: in windows, as points, or between distances, and
+/// where hot parts are worth samples of their own. Keeps the hot parts that the last view showed.
+class FramePlanner {
+  public:
+    /// All must live as long.
+    FramePlanner(const RadianceTerms& terms, PreparedEntities& prepared, SurfaceSampler& sampler,
+                 StageClock& clock)
+        : terms_(terms), prepared_(prepared), sampler_(sampler), clock_(clock) {}
+
+    /// Prepares the entities of a scene. By entity: where it stands towards the sensor, and how far
+    /// it reaches along the line of sight. Throws InputError for what is below ground.
+    std::vector<ObjectGeometry> geometry(const Scene& scene, const Viewpoint& viewpoint);
+    FramePlan plan(const FrameRequest& request, const SceneSurfaces& surfaces,
+                   const FrameBackgrounds& backgrounds);
+
+    /// An object as a camera sees it, with its long edges and its hot parts; nothing where it does
+    /// not.
+    std::optional<ZoomEntityInfo> seenBy(const SceneSurfaces& surfaces, const CameraFrame& camera,
+                                         int entity);
+
+  private:
+    std::optional<ZoomEntityInfo> placeOf(const SceneSurfaces& surfaces, const CameraFrame& camera,
+                                          int entity);
+    bool isAlongRange(const FrameRequest& request, const SceneSurfaces& surfaces,
+                      const FrameBackgrounds& backgrounds, const std::vector<ZoomEntityInfo>& seen,
+                      const ZoomEntityInfo& object);
+    /// Where a camera sees the hot parts of an entity that are not hidden by the entity itself.
+    std::vector<ImageRectangle> detailsOf(const SceneSurfaces& surfaces, const CameraFrame& camera,
+                                          int entity);
+    void addDetails(const FrameRequest& request, const SceneSurfaces& surfaces, FramePlan& plan);
+
+    const RadianceTerms& terms_;
+    PreparedEntities& prepared_;
+    SurfaceSampler& sampler_;
+    StageClock& clock_;
+    /// The details of the last view, by entity.
+    struct {
+        std::optional<ViewKey> key;
+        std::map<int, std::vector<ImageRectangle>> byEntity;
+    } details_;
+};
+
+} // namespace irsg

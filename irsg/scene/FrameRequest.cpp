@@ -1,0 +1,35 @@
+#include "irsg/scene/FrameRequest.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "irsg/radiance/SceneAir.h"
+
+namespace irsg {
+
+namespace {
+
+LineOfSight centreOf(const Viewpoint& viewpoint) {
+    const Vec3 view = viewpoint.forward();
+    LineOfSight sight;
+    sight.sensorAltitude_m = std::max(viewpoint.position_m.z, 0.0);
+    sight.elevation_rad = std::asin(std::clamp(view.z, -1.0, 1.0));
+    sight.azimuth_rad = std::atan2(view.x, view.y);
+    return steadied(sight);
+}
+
+} // namespace
+
+FrameRequest::FrameRequest(const Scene& ofScene, const SensorView& ofView, const Outputs& outputs)
+    : scene(ofScene),
+      view(ofView),
+      camera(ofView.sensor, ofView.viewpoint),
+      centre(centreOf(ofView.viewpoint)),
+      bands(outputs.bands().empty() ? std::vector<Band>{ofView.sensor.band} : outputs.bands()),
+      withSources(outputs.hasSource() && !outputs.hasImage()),
+      withErrors(outputs.hasErrors() &&
+                 (outputs.hasReports() || !outputs.wavenumbers_per_cm().empty())),
+      alongRange(outputs.isAlongRange() && !outputs.hasImage()),
+      isScaled(!outputs.scalings().empty()) {}
+
+} // namespace irsg

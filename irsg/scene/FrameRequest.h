@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "irsg/atmosphere/path/AtmosphericQuery.h"
+#include "irsg/geometry/view/CameraFrame.h"
+#include "irsg/radiometry/Band.h"
+#include "irsg/scene/Scene.h"
+
+namespace irsg {
+
+/// One view of a scene and what is asked of it: the input of every stage. Scene and view must live
+/// as long.
+struct FrameRequest {
+    FrameRequest(const Scene& ofScene, const SensorView& ofView, const Outputs& outputs);
+
+    const Scene& scene;
+    const SensorView& view;
+    CameraFrame camera;
+    LineOfSight centre; ///< through the middle of the field, unbounded
+    std::vector<Band> bands;
+    bool withSources; ///< outputs are the bands, then their sources
+    bool withErrors;
+    bool alongRange; ///< objects may be interpolated between distances
+    bool isScaled;   ///< emissivities may be scaled, those of surfaces that reflect nothing, too
+
+    const Entity& entity(int e) const { return scene.entities[static_cast<std::size_t>(e)]; }
+};
+
+} // namespace irsg

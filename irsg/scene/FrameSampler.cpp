@@ -1,0 +1,262 @@
+#include "irsg/scene/FrameSampler.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "irsg/radiance/Reductions.h"
+#include "irsg/radiance/SampleRadiances.h"
+#include "irsg/radiance/TruthLayers.h"
+#include "irsg/render/sampling/SampleSheet.h"
+
+namespace irsg {
+
+namespace {
+
+std::vector<const FrameBackground*> pointersTo(const std::vector<FrameBackground>& backgrounds) {
+    std::vector<const FrameBackground*> pointers;
+    for (const FrameBackground& background : backgrounds)
+        pointers.push_back(&background);
+    return pointers;
+}
+
+/// What was sampled in one go, for people to see.
+std::vector<SampledWindow> sampledWindows(const Frame& frame,
+                                          const std::vector<DrawnWindow>& drawn) {
+    std::vector<SampledWindow> result;
+    const auto tell = [&](const DrawnWindow& window) {
+        const ImageRectangle& r = window.rectangle;
+        SampledWindow& told = result.emplace_back(
+            SampledWindow{r.left, r.top, r.right, r.bottom, window.across, window.down, {}});
+        for (const int entity : window.entities)
+            told.objects += (told.objects.empty() ? "" : ", ") + frame.request.entity(entity).name;
+    };
+    for (const DrawnWindow& window : drawn)
+        tell(window);
+    for (const ZoomEntityInfo& point : frame.plan.points)
+        tell({point.extent, 0.0, 0.0, {point.entity}});
+    return result;
+}
+
+/// Draws windows as radiances: as the shader adds them up, where one scale for each factor is
+/// all there is to know of a surface, else from factors.
+class SurfaceRttPass : public RttPass {
+  public:
+    SurfaceRttPass(const Frame& frame, const SurfaceSampler& surfaces, Fronts& fronts,
+                   FactorSamples& room)
+        : frame_(frame),
+          surfaces_(surfaces),
+          room_(room),
+          radiances_(frame.rows(), fronts, frame.evaluation().evaluated->radiances, frame.light()) {
+    }
+    int largestSide() const override { return frame_.surfaces.engine.engine.largestSide(); }
+    void draw(const CameraFrame& camera, const SampleSheet& sheet,
+              RadianceSamples& samples) override {
+        Stopwatch watch(seconds);
+        const SheetScene scene = surfaces_.scenesOf(frame_.surfaces, camera, sheet);
+        const auto isSlicedIn = [&](const SampleWindow& window) {
+            return std::ranges::any_of(window.entities, [&](int e) {
+                return frame_.evaluation().geometry[static_cast<std::size_t>(e)].slices_m.size() >
+                       1;
+            });
+        };
+        const bool isSliced = std::ranges::any_of(sheet.windows, isSlicedIn);
+        if (!isSliced && !frame_.shading().isNeeded() &&
+            std::ranges::none_of(scene.scenes, &SurfaceScene::hasTransparent))
+            return frame_.surfaces.engine.engine.drawRadiance(scene, samples);
+        FactorSamples& factors = room_;
+        frame_.surfaces.engine.engine.drawFactors(scene, isSliced || frame_.shading().isNeeded(),
+                                                  factors);
+        {
+            Stopwatch sorting(sortSeconds);
+            frame_.shading().sortAndApply(scene, frame_.settings(), factors);
+        }
+        Stopwatch evaluating(evaluateSeconds);
+        radiances_.evaluate(factors, samples);
+        if (factors.size() > mostSamplesKept)
+            factors = {};
+        layersLeftOver += samples.layersLeftOver;
+    }
+    double seconds = 0.0, sortSeconds = 0.0, evaluateSeconds = 0.0;
+    int layersLeftOver = 0;
+
+  private:
+    const Frame& frame_;
+    const SurfaceSampler& surfaces_;
+    FactorSamples& room_;
+    SampleRadiances radiances_;
+};
+
+} // namespace
+
+ViewSampling::ViewSampling(ViewKey key, const Frame& frame, std::size_t factorCount)
+    : key_(std::move(key)),
+      varying_(frame.backgrounds.varying()),
+      sums_(frame.sensor(), key_.rows, fronts_, factorCount, pointersTo(varying_), frame.exchange(),
+            frame.request.withErrors),
+      factors_(sums_.emptyView()) {}
+
+bool ViewSampling::isOf(const ViewKey& key, const std::vector<FrameBackground>& varying) const {
+    return key_ == key &&
+           std::ranges::equal(
+               varying, varying_,
+               [](const FrameBackground& a, const FrameBackground& b) { return a.variesLike(b); });
+}
+
+FrameSampler::FrameSampler(const RadianceTerms& terms, SurfaceSampler& surfaces,
+                           AspectSampler& aspects, Fronts& fronts, StageClock& clock)
+    : terms_(terms), surfaces_(surfaces), aspects_(aspects), fronts_(fronts), clock_(clock) {}
+
+FrameSampler::~FrameSampler() = default;
+
+std::vector<SampleWindow> FrameSampler::windowsOf(const Frame& frame,
+                                                  const std::vector<ZoomEntityInfo>& objects) {
+    if (objects.empty())
+        return {};
+    return antialiasing_.strategyFor(frame.settings()).windows(objects);
+}
+
+std::vector<SampleWindow> FrameSampler::windowsOfSums(const Frame& frame) {
+    if (frame.plan.drawn.empty())
+        return {};
+    return antialiasing_.strategyFor(frame.settings()).windowsOfSums(frame.plan.drawn);
+}
+
+bool FrameSampler::sumsSampleAsPictures(const Frame& frame) {
+    return frame.plan.drawn.empty() || windowsOfSums(frame) == windowsOf(frame, frame.plan.drawn);
+}
+
+std::vector<SampleSheet> FrameSampler::sheetsOfPicture(const Frame& frame) {
+    if (frame.plan.drawn.empty())
+        return {};
+    const int side = frame.surfaces.engine.engine.largestSide();
+    return sheetsOf(piecesOf(windowsOf(frame, frame.plan.drawn), side), side);
+}
+
+std::shared_ptr<ViewSampling> FrameSampler::begin(const Frame& frame) {
+    ViewKey key = viewKey(terms_, frame.request, frame.surfaces, frame.plan.alongRange);
+    if (view_ && view_->isOf(key, frame.backgrounds.varying()))
+        return view_;
+    view_.reset();
+    auto sampling = std::make_shared<ViewSampling>(std::move(key), frame, terms_.factorCount());
+    // It outlives what is begun here: it waits for that when it goes.
+    sampling->windows_ = surfaces_.begin(
+        frame.surfaces, frame.request.camera, windowsOfSums(frame), frame.rows().isSliced(),
+        [own = sampling.get()](const SampleWindow& window, const FactorSamples& samples) {
+            own->sums_.addToView(window, samples, own->factors_);
+        });
+    return view_ = sampling;
+}
+
+const ViewFactors& FrameSampler::factorsOf(const Frame& frame, ViewSampling& sampling) {
+    if (sampling.failure_)
+        std::rethrow_exception(sampling.failure_);
+    if (!sampling.windows_.valid())
+        return sampling.factors_;
+    try {
+        surfaces_.waitFor(sampling.windows_, "factor sums");
+        ViewFactors own = std::exchange(sampling.factors_, sampling.sums_.emptyView());
+        sampling.factors_.layersLeftOver = own.layersLeftOver;
+        const auto take = [&](ViewFactors& from, ViewFactors& to) {
+            for (auto& [kind, sums] : from.light)
+                to.light[{fronts_.numberOf(sampling.fronts_.materials(kind.first)), kind.second}] =
+                    std::move(sums);
+            to.field.add(
+                from.field, [](std::size_t) { return std::size_t{0}; },
+                [&](int front) { return fronts_.numberOf(sampling.fronts_.materials(front)); });
+        };
+        take(own, sampling.factors_);
+        for (std::size_t k = 0; k < own.contrasts.size(); ++k)
+            take(own.contrasts[k], sampling.factors_.contrasts[k]);
+        for (const ZoomEntityInfo& object : frame.plan.points)
+            addPointToView(aspects_.pointFactors(frame, object), frame.rows(),
+                           AspectSampler::placeOf(frame, object), pointersTo(sampling.varying_),
+                           sampling.factors_);
+        for (const ZoomEntityInfo& object : frame.plan.alongRange)
+            aspects_.addAlongRange(frame, object, sampling.factors_);
+    } catch (...) {
+        sampling.failure_ = std::current_exception();
+        view_.reset(); // the next one tries again
+        throw;
+    }
+    return sampling.factors_;
+}
+
+SampledPicture FrameSampler::picture(const Frame& frame) {
+    AbstractZoomAntialiasingStrategy& strategy = antialiasing_.strategyFor(frame.settings());
+    std::optional<FrameReduction> reduction;
+    std::vector<std::string> warnings;
+    int layersLeftOver = 0;
+    if (frame.plan.drawn.empty()) {
+        reduction.emplace(frame.sensor(), std::vector<SampleWindow>{});
+    } else {
+        double all_s = 0.0, drawing_s = 0.0, sorting_s = 0.0, evaluating_s = 0.0;
+        surfaces_.onEngine(frame.surfaces.engine, [&] {
+            Stopwatch watch(all_s);
+            SurfaceRttPass rtt(frame, surfaces_, fronts_, pictureFactors_);
+            reduction = strategy.draw(frame.request.camera, frame.plan.drawn, rtt);
+            drawing_s = rtt.seconds;
+            sorting_s = rtt.sortSeconds;
+            evaluating_s = rtt.evaluateSeconds;
+            layersLeftOver = rtt.layersLeftOver;
+        });
+        clock_.add("layer sorting", sorting_s);
+        clock_.add("evaluation", evaluating_s);
+        clock_.add("reduction", all_s - drawing_s);
+        warnings = strategy.takeMessages();
+    }
+    for (const ZoomEntityInfo& object : frame.plan.points)
+        addPointToPixel(aspects_.pointFactors(frame, object), frame.rows(),
+                        AspectSampler::placeOf(frame, object),
+                        frame.evaluation().evaluated->radiances, frame.light(), *reduction);
+    return {std::move(*reduction), sampledWindows(frame, strategy.takeWindows()),
+            std::move(warnings), layersLeftOver};
+}
+
+SampledPicture FrameSampler::followedPicture(const Frame& frame) {
+    // Points are not drawn here, and the published antialiasing resamples what it draws.
+    const bool isSum = frame.plan.points.empty() && !frame.settings().zoomsAsPublished();
+    std::optional<ViewKey> key;
+    if (isSum)
+        key = viewKey(terms_, frame.request, frame.surfaces, frame.plan.alongRange);
+    if (!isSum || key != followed_.key) {
+        followed_.key = std::move(key);
+        followed_.factors.reset();
+        return picture(frame);
+    }
+
+    const std::vector<SampleWindow> planned =
+        antialiasing_.strategyFor(frame.settings()).windows(frame.plan.drawn);
+    if (!followed_.factors)
+        followed_.factors = pixelFactors(frame);
+    FrameReduction reduction(frame.sensor(),
+                             piecesOf(planned, frame.surfaces.engine.engine.largestSide()));
+    clock_.timed("sums of pixels", [&] {
+        addPixels(*followed_.factors, frame.sensor().width_px,
+                  frame.evaluation().evaluated->radiances, frame.light(), reduction);
+    });
+    return {std::move(reduction), sampledWindows(frame, DrawnWindow::of(planned)), {}, 0};
+}
+
+PixelFactors FrameSampler::pixelFactors(const Frame& frame) {
+    FactorSums sums(frame.sensor(), frame.rows(), fronts_, terms_.factorCount(), {},
+                    frame.exchange());
+    PixelFactors factors = sums.emptyPixels();
+    surfaces_.sample(frame.surfaces, frame.request.camera, windowsOf(frame, frame.plan.drawn),
+                     frame.rows().isSliced(), "factors of pixels",
+                     [&](const SampleWindow& window, const FactorSamples& samples) {
+                         sums.addToPixels(window, samples, factors);
+                     });
+    return factors;
+}
+
+void FrameSampler::addTruthLayers(const Frame& frame, RadianceImage& image) {
+    EvaluatedScene& evaluated = *frame.evaluation().evaluated;
+    TruthLayers truth(evaluated.radiometry, evaluated.radiances, fronts_,
+                      frame.backgrounds.byOutput.front(), frame.light(), image);
+    surfaces_.sample(frame.surfaces, frame.request.camera, windowsOf(frame, frame.plan.seen), true,
+                     "truth layers", [&](const SampleWindow& window, const FactorSamples& samples) {
+                         truth.add(window, samples);
+                     });
+}
+
+} // namespace irsg

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <cstddef>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "irsg/image/RadianceImage.h"
+#include "irsg/radiance/ViewFactors.h"
+#include "irsg/render/sampling/FrameReduction.h"
+#include "irsg/render/sampling/ZoomAntialiasingManager.h"
+#include "irsg/render/values/RenderReport.h"
+#include "irsg/scene/AspectSampler.h"
+#include "irsg/scene/Frame.h"
+#include "irsg/scene/StageClock.h"
+#include "irsg/scene/SurfaceSampler.h"
+#include "irsg/scene/ViewKey.h"
+
+namespace irsg {
+
+class ViewSampling;
+
+/// The pixels of a picture in the first band, without its background, and how they were sampled.
+struct SampledPicture {
+    FrameReduction pixels;
+    std::vector<SampledWindow> windows;
+    std::vector<std::string> warnings;
+    int layersLeftOver = 0;
+};
+
+/// Samples frames: factors of views, of which sums are made, factors of pixels, and pictures. Keeps
+/// the factors of the view that was begun last and of the pixels that were followed last.
+class FrameSampler {
+  public:
+    /// All must live as long.
+    FrameSampler(const RadianceTerms& terms, SurfaceSampler& surfaces, AspectSampler& aspects,
+                 Fronts& fronts, StageClock& clock);
+    ~FrameSampler();
+
+    /// Begins to sample the factors of a view, unless they are known or under way. The frame must
+    /// live until the sampling is done.
+    std::shared_ptr<ViewSampling> begin(const Frame& frame);
+    /// What that gives. Throws what sampling threw.
+    const ViewFactors& factorsOf(const Frame& frame, ViewSampling& sampling);
+    const ViewFactors& factorsOf(const Frame& frame) { return factorsOf(frame, *begin(frame)); }
+
+    /// With the strategy that the settings ask for.
+    SampledPicture picture(const Frame& frame);
+    /// The same for a window that follows edits: a sum where the view is that of the last one.
+    SampledPicture followedPicture(const Frame& frame);
+    /// The windows of a picture, side by side as they are drawn.
+    std::vector<SampleSheet> sheetsOfPicture(const Frame& frame);
+    /// True where the windows of sums are those of the picture.
+    bool sumsSampleAsPictures(const Frame& frame);
+    /// What the pixels of a picture take of each surface that is drawn into windows.
+    PixelFactors pixelFactors(const Frame& frame);
+    void addTruthLayers(const Frame& frame, RadianceImage& image);
+
+  private:
+    std::vector<SampleWindow> windowsOf(const Frame& frame,
+                                        const std::vector<ZoomEntityInfo>& objects);
+    std::vector<SampleWindow> windowsOfSums(const Frame& frame);
+
+    const RadianceTerms& terms_;
+    SurfaceSampler& surfaces_;
+    AspectSampler& aspects_;
+    Fronts& fronts_;
+    StageClock& clock_;
+    ZoomAntialiasingManager antialiasing_;
+    FactorSamples pictureFactors_; // room for those of the next picture
+    /// The last view of a followed picture, and once it was asked for twice what its pixels are
+    /// made of.
+    struct {
+        std::optional<ViewKey> key;
+        std::optional<PixelFactors> factors;
+    } followed_;
+    std::shared_ptr<ViewSampling> view_; // last: it waits for what uses all others
+};
+
+/// The factors of a view and how far they are.
+class ViewSampling {
+  public:
+    ViewSampling(ViewKey key, const Frame& frame, std::size_t factorCount);
+    ~ViewSampling() { wait(); }
+    ViewSampling(const ViewSampling&) = delete;
+    ViewSampling& operator=(const ViewSampling&) = delete;
+
+    bool isOf(const ViewKey& key, const std::vector<FrameBackground>& varying) const;
+    /// Waits until nothing refers to the frame any more that it was begun for.
+    void wait() const {
+        if (windows_.valid())
+            windows_.wait();
+    }
+
+  private:
+    friend class FrameSampler;
+
+    ViewKey key_;
+    std::vector<FrameBackground> varying_; // backgrounds that vary over the view
+    Fronts fronts_;                        // of its own, as it is summed on another thread
+    FactorSums sums_;
+    SurfaceSampler::Sampling windows_; // until they were waited for
+    ViewFactors factors_;              // with the renderer's numbers of fronts from then on
+    std::exception_ptr failure_;       // of the sampling, for all who share it
+};
+
+} // namespace irsg

@@ -1,0 +1,131 @@
+#include "irsg/scene/InterReflection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "irsg/core/Errors.h"
+#include "irsg/scene/KeyNumbers.h"
+
+namespace irsg {
+
+namespace {
+
+/// What a surface of a cosine to the zenith sees of the sky.
+double skyFactor(double cosine) {
+    return 0.5 * (1.0 + cosine);
+}
+double publishedSkyFactor(double cosine) {
+    return 1.0 - std::acos(std::clamp(cosine, -1.0, 1.0)) / pi;
+}
+
+LightSources sourcesOf(const Scene& scene) {
+    const RenderSettings& settings = scene.settings;
+    LightSources sources;
+    sources.towardsSun =
+        direction(scene.environment.sun.azimuth_rad, scene.environment.sun.elevation_rad);
+    sources.skyOf = settings.fluxWeights == FluxWeights::report ? publishedSkyFactor : skyFactor;
+    sources.isSkyOn = settings.ambientReflection != ReflectionMode::off;
+    sources.isSunOn = settings.sun != ReflectionMode::off;
+    sources.isSunShadowed = settings.sunShadows != SunShadowMode::off;
+    if (settings.sun == ReflectionMode::approx)
+        sources.sunAlways = 0.25;
+    return sources;
+}
+
+} // namespace
+
+bool InterReflection::isAskedFor(const RenderSettings& settings) {
+    return settings.bounces != 0 && settings.ambientReflection != ReflectionMode::approx;
+}
+
+std::shared_ptr<const LightExchange>
+InterReflection::exchangeOf(const Scene& scene, const SurfaceRows& rows,
+                            const std::vector<SunShadows::Caster>& casters) {
+    const RenderSettings& settings = scene.settings;
+    Known key;
+    std::vector<LightExchange::Body> bodies;
+    for (std::size_t e = 0; e < scene.entities.size(); ++e) {
+        const Entity& entity = scene.entities[e];
+        bool isAmongOthers = false;
+        for (const Entity& other : scene.entities) {
+            const BoundingBox &box = entity.model->bounds(), &others = other.model->bounds();
+            isAmongOthers =
+                isAmongOthers ||
+                (&other != &entity &&
+                 LightExchange::areNear(entity.pose.toWorld(box.centre()), 0.5 * box.diagonal_m(),
+                                        other.pose.toWorld(others.centre()),
+                                        0.5 * others.diagonal_m(), settings.lightError));
+        }
+        bodies.push_back(
+            {static_cast<int>(e),
+             prepared_.of(entity).lightBetween(casters[e].uses, settings.lightError, isAmongOthers),
+             entity.model->bounds()});
+        key.bodies.push_back(bodies.back().light);
+        appendTo(key.numbers, entity.pose.attitude);
+        // One alone is lit alike wherever it stands.
+        if (scene.entities.size() > 1 || scene.terrain)
+            appendTo(key.numbers, entity.pose.position_m);
+    }
+    const LightSources sources = sourcesOf(scene);
+    appendTo(key.numbers, sources.towardsSun);
+    key.numbers.insert(key.numbers.end(),
+                       {settings.lightError, sources.sunAlways, sources.isSkyOn ? 1.0 : 0.0,
+                        sources.isSunOn ? 1.0 : 0.0, sources.isSunShadowed ? 1.0 : 0.0,
+                        settings.terrainHides ? 1.0 : 0.0,
+                        static_cast<double>(settings.fluxWeights)});
+    key.terrain = scene.terrain;
+    key.keys = rows.keys();
+    const auto isAsked = [&](const Known& one) {
+        return one.numbers == key.numbers && one.bodies == key.bodies &&
+               one.terrain == key.terrain && one.keys == key.keys;
+    };
+    if (const Known* known = exchanges_.find(isAsked))
+        return known->exchange;
+    key.exchange = std::make_shared<const LightExchange>(std::move(bodies), casters, sources,
+                                                         settings.lightError);
+    return exchanges_.add(std::move(key)).exchange;
+}
+
+InterReflected InterReflection::of(const Scene& scene, const SceneEvaluation& evaluation,
+                                   const std::vector<SunShadows::Caster>& casters) {
+    InterReflected found;
+    found.exchange = clock_.timed("light between surfaces", [&] {
+        return exchangeOf(scene, evaluation.surfaceRows(), casters);
+    });
+    if (found.exchange->changesNothing())
+        found.exchange = nullptr;
+    EvaluatedScene& evaluated = *evaluation.evaluated;
+    const bool isKnown = evaluated.light && &evaluated.light->exchange() == found.exchange.get() &&
+                         evaluated.light->bounces() == scene.settings.bounces;
+    if (!isKnown)
+        evaluated.light = lightOf(found.exchange, evaluated.radiometry, scene.settings);
+    found.light = evaluated.light;
+    return found;
+}
+
+std::shared_ptr<SceneLight>
+InterReflection::lightOf(const std::shared_ptr<const LightExchange>& exchange,
+                         const SceneRadiometry& radiometry, const RenderSettings& settings) {
+    if (!exchange)
+        return nullptr;
+    return clock_.timed("light between surfaces", [&] {
+        return std::make_shared<SceneLight>(exchange, radiometry, fronts_, settings, solutions_);
+    });
+}
+
+void warnOfExchange(const LightExchange& exchange, const Scene& scene,
+                    std::vector<std::string>& warnings) {
+    for (const LightExchange::Body& body : exchange.bodies()) {
+        if (!body.light->isLimited())
+            continue;
+        const auto entity = static_cast<std::size_t>(body.entity);
+        warnings.push_back("the view factors between the surfaces of '" +
+                           scene.entities[entity].name + "' are known to " +
+                           numberText(std::round(1e4 * body.light->error()) / 1e4) + " only (" +
+                           numberText(scene.settings.lightError) +
+                           " was asked): that takes more rays than are sent for a model");
+    }
+}
+
+} // namespace irsg

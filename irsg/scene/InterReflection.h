@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "irsg/core/RecentlyUsed.h"
+#include "irsg/render/rays/SunShadows.h"
+#include "irsg/scene/InterReflected.h"
+#include "irsg/scene/PreparedEntities.h"
+#include "irsg/scene/Scene.h"
+#include "irsg/scene/SceneEvaluation.h"
+#include "irsg/scene/StageClock.h"
+
+namespace irsg {
+
+/// Finds what surfaces send each other. Caches hold the exchange of scenes by all that it depends
+/// on, and solutions of the balance.
+class InterReflection {
+  public:
+    /// All must live as long; `fronts` may grow.
+    InterReflection(PreparedEntities& prepared, const Fronts& fronts, StageClock& clock)
+        : prepared_(prepared), fronts_(fronts), clock_(clock) {}
+
+    static bool isAskedFor(const RenderSettings& settings);
+    /// `casters`: what stands in the way of light, entity by entity. The light is kept with the
+    /// evaluated scene, which turns it to other aspects.
+    InterReflected of(const Scene& scene, const SceneEvaluation& evaluation,
+                      const std::vector<SunShadows::Caster>& casters);
+    /// The light of a known exchange in the outputs of a radiometry, which must live as long; null
+    /// for no exchange.
+    std::shared_ptr<SceneLight> lightOf(const std::shared_ptr<const LightExchange>& exchange,
+                                        const SceneRadiometry& radiometry,
+                                        const RenderSettings& settings);
+
+  private:
+    /// An exchange, and all that it depends on.
+    struct Known {
+        std::vector<double> numbers;
+        std::vector<std::shared_ptr<const BodyLight>> bodies;
+        std::shared_ptr<const Terrain> terrain;
+        std::vector<SurfaceKey> keys;
+        std::shared_ptr<const LightExchange> exchange;
+    };
+    std::shared_ptr<const LightExchange> exchangeOf(const Scene& scene, const SurfaceRows& rows,
+                                                    const std::vector<SunShadows::Caster>& casters);
+
+    PreparedEntities& prepared_;
+    const Fronts& fronts_;
+    StageClock& clock_;
+    RecentlyUsed<Known> exchanges_{4};
+    LightSolutions solutions_;
+};
+
+/// Says of which bodies the view factors are not known as well as was asked.
+void warnOfExchange(const LightExchange& exchange, const Scene& scene,
+                    std::vector<std::string>& warnings);
+
+} // namespace irsg

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "irsg/render/background/TerrainRays.h"
+#include "irsg/render/values/PixelExplanation.h"
+#include "irsg/scene/AspectSampler.h"
+#include "irsg/scene/Frame.h"
+#include "irsg/scene/FrameSampler.h"
+#include "irsg/scene/SurfaceSampler.h"
+
+namespace irsg {
+
+/// Says what the pixels of a picture are made of, by rays through the samples that it takes of
+/// them.
+class PixelExplainer {
+  public:
+    /// A frame whose engine is rays. All must live as long; `fronts` may grow.
+    PixelExplainer(const Frame& frame, FrameSampler& sampler, SurfaceSampler& surfaces,
+                   AspectSampler& aspects, TerrainRays& terrainRays, Fronts& fronts)
+        : frame_(frame),
+          surfaces_(surfaces),
+          aspects_(aspects),
+          terrainRays_(terrainRays),
+          fronts_(fronts),
+          sheets_(sampler.sheetsOfPicture(frame)) {}
+
+    /// LogicError for a pixel outside the frame.
+    PixelExplanation at(int x, int y);
+
+  private:
+    const Frame& frame_;
+    SurfaceSampler& surfaces_;
+    AspectSampler& aspects_;
+    TerrainRays& terrainRays_;
+    Fronts& fronts_;
+    std::vector<SampleSheet> sheets_;
+    FactorSamples samples_; // room for those of a sheet
+};
+
+} // namespace irsg

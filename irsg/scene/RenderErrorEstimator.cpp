@@ -1,0 +1,405 @@
+#include "irsg/scene/RenderErrorEstimator.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "irsg/atmosphere/ck/SensorCkData.h"
+#include "irsg/core/Errors.h"
+#include "irsg/render/background/FieldRays.h"
+
+namespace irsg {
+
+namespace {
+
+/// Of the root of the summed squares of all contrasts: two standard deviations of the sum, see
+/// docs/errors.md.
+constexpr double errorPerContrast = 1.25;
+/// The same of objects with directional surfaces. Their lobes are drawn at least as wide as samples
+/// lie apart, on all lattices alike, which contrasts do not show, and a few samples have most of a
+/// glint; measured, see docs/errors.md.
+constexpr double errorPerContrastOfLobes = 2.5;
+/// Of the difference to bins that are the next narrower: those have an error, too.
+constexpr double ofNarrower = 1.5;
+/// Standard deviations that an error is.
+constexpr double deviations = 2.0;
+
+/// Squares of contrasts.
+struct Squares {
+    double intensity = 0.0, contrast = 0.0, irradiance = 0.0;
+
+    void add(const ObjectRadiometry& sums) {
+        intensity += sums.intensity_W_sr * sums.intensity_W_sr;
+        contrast += sums.contrastIntensity_W_sr * sums.contrastIntensity_W_sr;
+        irradiance += sums.irradiance_W_m2 * sums.irradiance_W_m2;
+    }
+    RadiometryErrors errors(bool haveLobes) const {
+        const double scale = haveLobes ? errorPerContrastOfLobes : errorPerContrast;
+        RadiometryErrors errors;
+        errors.intensity_W_sr.sampling = scale * std::sqrt(intensity);
+        errors.contrastIntensity_W_sr.sampling = scale * std::sqrt(contrast);
+        errors.irradiance_W_m2.sampling = scale * std::sqrt(irradiance);
+        return errors;
+    }
+};
+
+/// Which entities have directional surfaces, by entity, and whether any has.
+std::vector<bool> haveLobes(const SurfaceRows& rows, std::size_t entities) {
+    std::vector<bool> have(entities + 1, false);
+    for (std::size_t drawn = 0; drawn < rows.keys().size(); ++drawn)
+        if (rows.firstLobe(static_cast<int>(drawn)) >= 0)
+            have[static_cast<std::size_t>(rows.keys()[drawn].first)] = have.back() = true;
+    return have;
+}
+
+/// Of samples alone, in the outputs of an evaluation. `varying`: see objectSums.
+ErrorsByOutput ofSamples(const Frame& frame, const ViewFactors& factors, EvaluatedScene& evaluated,
+                         SceneLight* light, const std::vector<int>& varying) {
+    const SurfaceRows& rows = evaluated.radiometry.rows();
+    const std::vector<double> ranges_m = frame.evaluation().ranges_m();
+    std::vector<std::vector<Squares>> squares(
+        varying.size(), std::vector<Squares>(frame.evaluation().geometry.size() + 1));
+    for (const std::vector<ObjectSums>& sums :
+         contrastSums(factors, evaluated.radiances, light, rows, ranges_m, varying)) {
+        for (std::size_t output = 0; output < sums.size(); ++output) {
+            for (std::size_t e = 0; e < ranges_m.size(); ++e)
+                squares[output][e].add(sums[output].objects[e]);
+            squares[output].back().add(sums[output].all);
+        }
+    }
+    const std::vector<bool> lobes = haveLobes(rows, ranges_m.size());
+    ErrorsByOutput errors(varying.size());
+    for (std::size_t output = 0; output < errors.size(); ++output)
+        for (std::size_t e = 0; e < squares[output].size(); ++e)
+            errors[output].push_back(squares[output][e].errors(lobes[e]));
+    return errors;
+}
+
+/// The nearer half of what an object reaches, where the atmosphere of its reference point stands
+/// for all of it; none where that is so of none.
+std::optional<std::vector<ObjectGeometry>> seenPlaces(std::vector<ObjectGeometry> nearer) {
+    // What is seen of an object lies before its reference point.
+    constexpr double before = 0.6; // of how far it reaches
+    bool isMoved = false;
+    for (ObjectGeometry& object : nearer)
+        if (object.slices_m.size() < 2 && object.likelyAirError > 0.0) {
+            object.path.range_m = std::max(
+                object.path.range_m - before * 0.5 * (object.farthest_m - object.nearest_m), 0.0);
+            isMoved = true;
+        }
+    if (!isMoved)
+        return std::nullopt;
+    return nearer;
+}
+
+/// What is seen along a line of sight, in as many numbers as there are bands or wavelengths.
+using SeenAlong = std::function<std::vector<double>(const LineOfSight&)>;
+
+/// Of the background behind an object, in the unit of what is seen. `grid`: what is used of the
+/// background in places, as a part of what is used in the middle; none: the same everywhere.
+std::vector<double> ofBackground(const Frame& frame, std::size_t entity, const SeenAlong& seenAlong,
+                                 const std::function<double(double x, double y)>& grid) {
+    std::optional<ImageRectangle> extent;
+    for (const auto* objects : {&frame.plan.seen, &frame.plan.alongRange})
+        for (const ZoomEntityInfo& object : *objects)
+            if (object.entity == static_cast<int>(entity))
+                extent = object.extent;
+    const std::vector<double> centre = seenAlong(frame.request.centre);
+    std::vector<double> mean(centre.size(), 0.0), least, most;
+    if (!extent)
+        return mean;
+
+    // Down through the middle of the object: its mean as over a disc.
+    constexpr std::array heights = {-0.7071, 0.0, 0.7071}; // of half the extent
+    constexpr std::array weights = {0.25, 0.5, 0.25};
+    const FieldRays rays(frame.sensor(), frame.request.view.viewpoint);
+    const double middle = 0.5 * (extent->left + extent->right);
+    // By steps of a small part of what the object takes up, so that cases share lines of sight; of
+    // a grid, whose errors are smaller than a step makes, where they are.
+    constexpr double stepsOfExtent = 16.0;
+    const double extent_rad =
+        std::abs(elevationOf_rad(rays.at(rays.u(middle), rays.v(extent->top))) -
+                 elevationOf_rad(rays.at(rays.u(middle), rays.v(extent->bottom))));
+    const double step_rad = std::exp2(std::floor(
+        std::log2(std::max(extent_rad / stepsOfExtent, std::numeric_limits<double>::min()))));
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        const double y = 0.5 * (extent->top + extent->bottom + heights[i] * extent->height());
+        const Vec3 direction = rays.at(rays.u(middle), rays.v(y));
+        const double used = grid ? grid(middle, y) : 1.0;
+        const double exact_rad = elevationOf_rad(direction);
+        const double elevation_rad = grid ? exact_rad : step_rad * std::round(exact_rad / step_rad);
+        std::vector<double> difference = seenAlong(
+            {frame.request.centre.sensorAltitude_m, elevation_rad, azimuthOf_rad(direction)});
+        for (std::size_t k = 0; k < difference.size(); ++k) {
+            difference[k] -= used * centre[k];
+            mean[k] += weights[i] * difference[k];
+            if (i > 0) {
+                least[k] = std::min(least[k], difference[k]);
+                most[k] = std::max(most[k], difference[k]);
+            }
+        }
+        if (i == 0)
+            least = most = difference;
+    }
+    // Objects are no discs: more of one may be seen before the brighter part.
+    constexpr double ofShape = 0.12;
+    for (std::size_t k = 0; k < mean.size(); ++k)
+        mean[k] = std::abs(mean[k]) + ofShape * (most[k] - least[k]);
+    return mean;
+}
+
+bool knowsBackground(const Scene& scene) {
+    const RenderSettings& settings = scene.settings;
+    const bool isGrid = settings.backgroundRows * settings.backgroundColumns != 1;
+    // Of a grid below pictures it is not known apart.
+    return settings.background == BackgroundMode::environment &&
+           !(isGrid && (scene.skybox || scene.terrain));
+}
+
+} // namespace
+
+ErrorsByOutput RenderErrorEstimator::ofBands(const Frame& frame, const ViewFactors& factors,
+                                             const std::vector<ObjectSums>& sums) {
+    ErrorsByOutput errors = ofSamples(frame, factors, *frame.evaluation().evaluated, frame.light(),
+                                      frame.backgrounds.numbersOfVarying());
+    const Environment& own = frame.scene().environment;
+    other_.answers.setEnvironment(frame.settings().mode == CalculationMode::wideband
+                                      ? other_.like(own)
+                                      : other_.of(own, frame.request.bands.front()));
+    addOfAtmosphere(frame, factors, sums, errors);
+    addOfBackground(frame, sums, errors);
+    return errors;
+}
+
+std::vector<ObjectSums>
+RenderErrorEstimator::sumsElsewhere(const Frame& frame, const ViewFactors& factors,
+                                    const std::vector<ObjectGeometry>& geometry) {
+    const auto sampled = other_.sampled.of(
+        other_.answers, evaluator_.airScene(frame.request, geometry), frame.request.bands,
+        frame.request.withSources, evaluator_.sampler(frame.scene(), other_.answers),
+        frame.evaluation().sampled->slices_m);
+    const auto evaluated =
+        other_.radiometry.of(terms_, frame.scene().entities, geometry, sampled, fronts_);
+    evaluated->radiances.setBackground(sampled->background);
+    // Backgrounds as in the middle of the field, and no light between surfaces.
+    const std::vector<int> uniform(evaluated->radiances.outputs(), -1);
+    return objectSums(factors, evaluated->radiances, nullptr, frame.rows(),
+                      frame.evaluation().ranges_m(), uniform);
+}
+
+void RenderErrorEstimator::addOfAtmosphere(const Frame& frame, const ViewFactors& factors,
+                                           const std::vector<ObjectSums>& sums,
+                                           ErrorsByOutput& errors) {
+    const bool isWideband = frame.settings().mode == CalculationMode::wideband;
+    const Environment& own = frame.scene().environment;
+    const Environment& other = isWideband ? own : other_.of(own, frame.request.bands.front());
+    const bool hasBins = !isWideband && !AirIdentity(other).isOf(own);
+    const std::size_t entities = frame.evaluation().geometry.size();
+
+    // As parts of the intensity: its error, and that of the contrast.
+    struct AirParts {
+        double intensity = 0.0, contrast = 0.0;
+        void add(double ofIntensity, double ofContrast) {
+            intensity = std::hypot(intensity, ofIntensity);
+            contrast = std::hypot(contrast, ofContrast);
+        }
+    };
+    std::vector<std::vector<AirParts>> parts(sums.size(), std::vector<AirParts>(entities));
+    const auto addDifference = [&](const std::vector<ObjectSums>& a,
+                                   const std::vector<ObjectSums>& b, double times = 1.0) {
+        for (std::size_t o = 0; o < parts.size(); ++o)
+            for (std::size_t e = 0; e < entities; ++e) {
+                const ObjectRadiometry &one = a[o].objects[e], &two = b[o].objects[e];
+                if (two.intensity_W_sr > 0.0)
+                    parts[o][e].add(
+                        times * (one.intensity_W_sr - two.intensity_W_sr) / two.intensity_W_sr,
+                        times * (one.contrastIntensity_W_sr - two.contrastIntensity_W_sr) /
+                            two.intensity_W_sr);
+            }
+    };
+    const auto addLikely = [&](bool ofSliced) {
+        for (std::size_t o = 0; o < parts.size(); ++o)
+            for (std::size_t e = 0; e < entities; ++e) {
+                const ObjectGeometry& object = frame.evaluation().geometry[e];
+                if ((object.slices_m.size() > 1) == ofSliced &&
+                    !frame.evaluation().sampled->ofOutput(o).isSource)
+                    parts[o][e].add(object.likelyAirError, object.likelyAirError);
+            }
+    };
+    addLikely(true); // slices are thin, and radiance nearly linear over each
+
+    const std::optional<std::vector<ObjectGeometry>> nearer =
+        seenPlaces(frame.evaluation().geometry);
+    if (hasBins || nearer) {
+        const std::vector<ObjectSums> there =
+            sumsElsewhere(frame, factors, frame.evaluation().geometry);
+        if (hasBins) {
+            const std::vector<int> uniform(sums.size(), -1);
+            const auto nodes = own.nodesOf(frame.request.bands.front());
+            const auto others = other.nodesOf(frame.request.bands.front());
+            const bool isNarrower = nodes && others && others->size() > nodes->size();
+            addDifference(objectSums(factors, frame.evaluation().evaluated->radiances, nullptr,
+                                     frame.rows(), frame.evaluation().ranges_m(), uniform),
+                          there, isNarrower ? ofNarrower : 1.0);
+        }
+        try {
+            if (nearer)
+                addDifference(sumsElsewhere(frame, factors, *nearer), there);
+        } catch (const InputError&) {
+            addLikely(false); // some air answers for the path to the reference point alone
+        }
+    }
+    for (std::size_t o = 0; isWideband && o < sums.size(); ++o)
+        if (const auto* points =
+                SensorCkData::of(*frame.evaluation().sampled->ofOutput(o).sampling))
+            for (AirParts& one : parts[o])
+                one.add(deviations * points->heldOutRms(), deviations * points->heldOutRms());
+
+    for (std::size_t o = 0; o < sums.size(); ++o) {
+        RadiometryErrors& all = errors[o].back();
+        for (std::size_t e = 0; e < entities; ++e) {
+            RadiometryErrors& object = errors[o][e];
+            const double intensity_W_sr = std::abs(sums[o].objects[e].intensity_W_sr);
+            const double range_m = frame.evaluation().geometry[e].path.range_m;
+            object.intensity_W_sr.air = intensity_W_sr * parts[o][e].intensity;
+            object.contrastIntensity_W_sr.air = intensity_W_sr * parts[o][e].contrast;
+            object.irradiance_W_m2.air = object.contrastIntensity_W_sr.air / (range_m * range_m);
+            // The air before all of them is one.
+            all.intensity_W_sr.air += object.intensity_W_sr.air;
+            all.contrastIntensity_W_sr.air += object.contrastIntensity_W_sr.air;
+            all.irradiance_W_m2.air += object.irradiance_W_m2.air;
+        }
+    }
+}
+
+double RenderErrorEstimator::background_W_m2_sr(const Frame& frame, std::size_t entity,
+                                                std::size_t band) {
+    const Environment& environment = other_.answers.environment();
+    const auto sampling = otherNodes(frame, frame.request.bands[band]);
+    const auto seenAlong = [&](const LineOfSight& sight) {
+        return std::vector<double>{sampling->integrate(
+            *other_.answers
+                 .at(AtmosphericQuery::backgroundRadiance(steadied(sight), environment.sun),
+                     sampling)
+                 .value)};
+    };
+    // What is used there, in the bins of what it is compared with.
+    const Sensor& sensor = frame.sensor();
+    const double own = frame.evaluation().evaluated->radiances.background_W_m2_sr(band);
+    const auto pixel = [](double place, int size) {
+        return static_cast<int>(std::clamp(place, 0.0, size - 1.0));
+    };
+    std::function<double(double, double)> grid;
+    if (frame.settings().backgroundRows * frame.settings().backgroundColumns != 1)
+        grid = [&](double x, double y) {
+            return own > 0.0 ? frame.backgrounds.byOutput[band].at(pixel(x, sensor.width_px),
+                                                                   pixel(y, sensor.height_px)) /
+                                   own
+                             : 1.0;
+        };
+    return ofBackground(frame, entity, seenAlong, grid).front();
+}
+
+std::shared_ptr<const SpectralSampling> RenderErrorEstimator::otherNodes(const Frame& frame,
+                                                                         const Band& band) {
+    std::shared_ptr<const SpectralSampling> nodes;
+    if (frame.settings().mode == CalculationMode::spectral)
+        nodes = evaluator_.nodes(other_.answers.environment(), band);
+    for (std::size_t k = 0; !nodes && k < frame.request.bands.size(); ++k)
+        if (frame.request.bands[k] == band)
+            return evaluator_.samplingOf(frame.request, frame.evaluation(), k);
+    return nodes;
+}
+
+void RenderErrorEstimator::addOfBackground(const Frame& frame, const std::vector<ObjectSums>& sums,
+                                           ErrorsByOutput& errors) {
+    if (!knowsBackground(frame.scene()))
+        return;
+    for (std::size_t o = 0; o < frame.request.bands.size(); ++o) {
+        RadiometryErrors& all = errors[o].back();
+        for (std::size_t e = 0; e < frame.evaluation().geometry.size(); ++e) {
+            RadiometryErrors& object = errors[o][e];
+            const double range_m = frame.evaluation().geometry[e].path.range_m;
+            const double error_W_m2 =
+                background_W_m2_sr(frame, e, o) * sums[o].objects[e].solidAngle_sr;
+            object.irradiance_W_m2.background = error_W_m2;
+            object.contrastIntensity_W_sr.background = error_W_m2 * range_m * range_m;
+            all.irradiance_W_m2.background += error_W_m2;
+            all.contrastIntensity_W_sr.background += error_W_m2 * range_m * range_m;
+        }
+    }
+}
+
+ErrorsByOutput RenderErrorEstimator::ofSpectrum(const Frame& frame, const ViewFactors& factors,
+                                                const EvaluatedSpectrum& evaluated,
+                                                SceneLight* light,
+                                                const std::vector<double>& wavelengths_um,
+                                                const std::vector<ObjectSums>& sums) {
+    const std::size_t entities = frame.evaluation().geometry.size();
+    const std::vector<double> ranges_m = frame.evaluation().ranges_m();
+    const std::vector<int> uniform(sums.size(), -1);
+    ErrorsByOutput errors = ofSamples(frame, factors, *evaluated.scene, light, uniform);
+
+    // Sums along other paths and as they are, both without light between surfaces.
+    const auto sumsAlong = [&](const std::vector<ObjectGeometry>& geometry) {
+        const EvaluatedSpectrum there =
+            evaluator_.atWavelengths(frame.request, geometry, wavelengths_um);
+        return objectSums(factors, there.scene->radiances, nullptr, there.scene->radiometry.rows(),
+                          ranges_m, uniform);
+    };
+    std::vector<ObjectSums> here, nearer;
+    try {
+        if (const auto places = seenPlaces(frame.evaluation().geometry)) {
+            here = sumsAlong(frame.evaluation().geometry);
+            nearer = sumsAlong(*places);
+        }
+    } catch (const InputError&) {
+        nearer.clear(); // some air answers for the path to the reference point alone
+    }
+    const auto ofAir = [&](std::size_t k, std::size_t e) {
+        const ObjectGeometry& object = frame.evaluation().geometry[e];
+        const double intensity = std::abs(sums[k].objects[e].intensity_W_sr);
+        if (object.slices_m.size() > 1 || nearer.empty())
+            return std::pair(intensity * object.likelyAirError, intensity * object.likelyAirError);
+        const ObjectRadiometry &a = here[k].objects[e], &b = nearer[k].objects[e];
+        if (!(a.intensity_W_sr > 0.0))
+            return std::pair(0.0, 0.0);
+        const double share = intensity / a.intensity_W_sr;
+        return std::pair(share * std::abs(b.intensity_W_sr - a.intensity_W_sr),
+                         share * std::abs(b.contrastIntensity_W_sr - a.contrastIntensity_W_sr));
+    };
+    const auto seenAlong = [&](const LineOfSight& sight) {
+        const std::vector<double>& values =
+            *evaluator_.answers()
+                 .at(AtmosphericQuery::backgroundRadiance(steadied(sight),
+                                                          frame.scene().environment.sun),
+                     evaluated.nodes)
+                 .value;
+        std::vector<double> seen;
+        for (std::size_t k = 0; k < wavelengths_um.size(); ++k)
+            seen.push_back(evaluated.scene->radiometry.integrate(values, k));
+        return seen;
+    };
+    for (std::size_t e = 0; e < entities; ++e) {
+        std::vector<double> behind(sums.size(), 0.0);
+        if (knowsBackground(frame.scene()))
+            behind = ofBackground(frame, e, seenAlong, {});
+        for (std::size_t k = 0; k < sums.size(); ++k) {
+            const auto [intensity, contrast] = ofAir(k, e);
+            const double square_m2 = ranges_m[e] * ranges_m[e];
+            const double background = behind[k] * sums[k].objects[e].solidAngle_sr;
+            for (RadiometryErrors* one : {&errors[k][e], &errors[k].back()}) {
+                one->intensity_W_sr.air += intensity;
+                one->contrastIntensity_W_sr.air += contrast;
+                one->irradiance_W_m2.air += contrast / square_m2;
+                one->contrastIntensity_W_sr.background += background * square_m2;
+                one->irradiance_W_m2.background += background;
+            }
+        }
+    }
+    return errors;
+}
+
+} // namespace irsg

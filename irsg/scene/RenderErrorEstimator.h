@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "irsg/radiance/OtherAir.h"
+#include "irsg/radiance/Reductions.h"
+#include "irsg/scene/Frame.h"
+#include "irsg/scene/SceneEvaluator.h"
+
+namespace irsg {
+
+/// By output the errors of each entity, then those of all together.
+using ErrorsByOutput = std::vector<std::vector<RadiometryErrors>>;
+
+/// Says how wrong the sums of a view may be, for their samples, their atmosphere and what is behind
+/// the objects. Keeps the same atmospheres in other spectral bins, and scenes in them.
+class RenderErrorEstimator {
+  public:
+    /// All must live as long; `fronts` may grow.
+    RenderErrorEstimator(const RadianceTerms& terms, SceneEvaluator& evaluator,
+                         const Fronts& fronts)
+        : terms_(terms), evaluator_(evaluator), fronts_(fronts) {}
+
+    /// Of sums in the bands of a frame, whose evaluated scene is turned to it.
+    ErrorsByOutput ofBands(const Frame& frame, const ViewFactors& factors,
+                           const std::vector<ObjectSums>& sums);
+    /// Of sums at ascending wavelengths. `light`: between surfaces, or null.
+    ErrorsByOutput ofSpectrum(const Frame& frame, const ViewFactors& factors,
+                              const EvaluatedSpectrum& evaluated, SceneLight* light,
+                              const std::vector<double>& wavelengths_um,
+                              const std::vector<ObjectSums>& sums);
+
+  private:
+    void addOfAtmosphere(const Frame& frame, const ViewFactors& factors,
+                         const std::vector<ObjectSums>& sums, ErrorsByOutput& errors);
+    void addOfBackground(const Frame& frame, const std::vector<ObjectSums>& sums,
+                         ErrorsByOutput& errors);
+    /// Sums as they are in another atmosphere, or in the same one along other paths.
+    std::vector<ObjectSums> sumsElsewhere(const Frame& frame, const ViewFactors& factors,
+                                          const std::vector<ObjectGeometry>& geometry);
+    /// The nodes that the other atmosphere has of itself; else those of the frame.
+    std::shared_ptr<const SpectralSampling> otherNodes(const Frame& frame, const Band& band);
+    /// Of the background behind an object in a band, W m-2 sr-1.
+    double background_W_m2_sr(const Frame& frame, std::size_t entity, std::size_t band);
+
+    const RadianceTerms& terms_;
+    SceneEvaluator& evaluator_;
+    const Fronts& fronts_;
+    OtherAir other_;
+};
+
+} // namespace irsg

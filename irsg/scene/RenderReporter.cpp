@@ -1,0 +1,157 @@
+#include "irsg/scene/RenderReporter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "irsg/atmosphere/NearestRun.h"
+#include "irsg/core/Wording.h"
+#include "irsg/geometry/view/PixelGrid.h"
+#include "irsg/radiometry/Units.h"
+
+namespace irsg {
+
+namespace {
+
+/// What the air's change over an object's extent may leave wrong without a word.
+constexpr double airErrorToTell = 0.0051;
+constexpr const char* sillsInSums =
+    "the published zoom (sills) is drawn in pictures alone: intensities, contrast and irradiances "
+    "of several objects or bands are those of aligned windows";
+constexpr const char* scatteringInSums =
+    "scattering: images show the haze; intensities, contrast and irradiances of objects are those "
+    "of their direct light";
+
+} // namespace
+
+RenderReport RenderReporter::report(const Frame& frame, const FrameReduction& pixels) {
+    RenderReport report;
+    const double range_m = frame.evaluation().geometry.empty()
+                               ? 0.0
+                               : frame.evaluation().geometry.front().path.range_m;
+    report.all = pixels.objects(frame.backgrounds.byOutput.front(), range_m);
+    fill(frame, 0, report);
+    if (!frame.evaluation().geometry.empty()) {
+        report.all.airError = frame.evaluation().geometry.front().airError;
+        report.objects.assign(1, report.all);
+        report.objects.front().name = frame.scene().entities.front().name;
+    }
+    report.totalIrradiance_W_m2 = totalIrradiance_W_m2(frame, 0, report.all.irradiance_W_m2);
+    return report;
+}
+
+std::vector<RenderReport> RenderReporter::reports(const Frame& frame, const ViewFactors& factors) {
+    return clock_.timed("evaluation", [&] {
+        // Frames share evaluated scenes, and another may have been begun since.
+        EvaluatedScene& evaluated = frame.evaluation().turned(frame.scene().entities);
+        const std::vector<double> ranges_m = frame.evaluation().ranges_m();
+        std::vector<ObjectSums> sums =
+            objectSums(factors, evaluated.radiances, frame.light(), frame.rows(), ranges_m,
+                       frame.backgrounds.numbersOfVarying());
+        ErrorsByOutput errors;
+        if (frame.request.withErrors)
+            errors = errors_.ofBands(frame, factors, sums);
+        std::vector<RenderReport> all(sums.size());
+        for (std::size_t band = 0; band < sums.size(); ++band) {
+            RenderReport& report = all[band];
+            report.objects = std::move(sums[band].objects);
+            report.all = std::move(sums[band].all);
+            report.all.name = "all";
+            report.all.range_m = ranges_m.empty() ? 0.0 : ranges_m.front();
+            for (std::size_t e = 0; e < report.objects.size(); ++e) {
+                report.objects[e].name = frame.scene().entities[e].name;
+                report.objects[e].range_m = ranges_m[e];
+                report.objects[e].airError = frame.evaluation().geometry[e].airError;
+                report.all.airError =
+                    std::max(report.all.airError, frame.evaluation().geometry[e].airError);
+            }
+            for (std::size_t e = 0; frame.request.withErrors && e < report.objects.size(); ++e)
+                report.objects[e].errors = errors[band][e];
+            if (frame.request.withErrors)
+                report.all.errors = errors[band].back();
+            report.layersLeftOver = factors.layersLeftOver;
+            fill(frame, band, report);
+            report.totalIrradiance_W_m2 =
+                totalIrradiance_W_m2(frame, band, report.all.irradiance_W_m2);
+        }
+        if (frame.settings().zoomsAsPublished())
+            for (RenderReport& report : all)
+                report.warnings.push_back(sillsInSums);
+        return all;
+    });
+}
+
+double RenderReporter::projectedSolidAngle_sr(const Sensor& sensor) {
+    const std::array<double, 3> raster{static_cast<double>(sensor.width_px),
+                                       static_cast<double>(sensor.height_px),
+                                       sensor.horizontalFieldOfView_rad};
+    if (raster != solidAngle_.raster) {
+        solidAngle_.raster = raster;
+        solidAngle_.projected_sr = PixelGrid(sensor).projectedSolidAngle_sr();
+    }
+    return solidAngle_.projected_sr;
+}
+
+double RenderReporter::totalIrradiance_W_m2(const Frame& frame, std::size_t output,
+                                            double contrast_W_m2) {
+    const PixelGrid grid(frame.sensor());
+    const FrameBackground& background = frame.backgrounds.byOutput[output];
+    if (background.isUniform())
+        return contrast_W_m2 + background.centre_W_m2_sr() * projectedSolidAngle_sr(frame.sensor());
+    double behind_W_m2 = 0.0;
+    for (int y = 0; y < frame.sensor().height_px; ++y)
+        for (int x = 0; x < frame.sensor().width_px; ++x) {
+            const PixelGrid::Pixel pixel = grid.at(x, y);
+            behind_W_m2 += background.at(x, y) * pixel.solidAngle_sr * pixel.cosOffAxis;
+        }
+    return contrast_W_m2 + behind_W_m2;
+}
+
+void RenderReporter::fill(const Frame& frame, std::size_t output, RenderReport& report) {
+    report.background_W_m2_sr = frame.backgrounds.byOutput[output].centre_W_m2_sr();
+    report.answeredBy = frame.evaluation().sampled->answeredBy;
+    addAnswer(report.answeredBy, frame.backgrounds.report.answeredBy);
+    for (const auto* warnings : {&frame.evaluation().sampled->warnings, &frame.shading().warnings,
+                                 &frame.backgrounds.report.warnings})
+        report.warnings.insert(report.warnings.end(), warnings->begin(), warnings->end());
+    report.flooredPixels = frame.backgrounds.report.flooredPixels;
+    if (report.flooredPixels > 0)
+        report.warnings.push_back("the background of " + std::to_string(report.flooredPixels) +
+                                  " pixels was below 0 and is 0 now");
+    if (frame.settings().scattering)
+        report.warnings.push_back(scatteringInSums);
+    for (std::size_t e = 0; e < frame.evaluation().geometry.size(); ++e)
+        if (frame.evaluation().geometry[e].airError > airErrorToTell)
+            report.warnings.push_back(
+                "the air changes over the extent of '" + frame.scene().entities[e].name +
+                "': its radiance may be wrong by up to " +
+                roundedText(std::round(1000.0 * frame.evaluation().geometry[e].airError) / 10.0,
+                            9) +
+                " %");
+    if (frame.exchange())
+        warnOfExchange(*frame.exchange(), frame.scene(), report.warnings);
+    report.renderer = frame.surfaces.engine.description;
+}
+
+void RenderReporter::describe(const Frame& frame, RadianceImage& image) {
+    const Sensor& sensor = frame.sensor();
+    const RenderSettings& settings = frame.settings();
+    const Band& band = frame.request.bands.front();
+    image.attributes["band.name"] = band.name();
+    image.attributes["band.min_um"] = roundedText(band.range().min_um, 9);
+    image.attributes["band.max_um"] = roundedText(band.range().max_um, 9);
+    image.attributes["sensor.horizontal_field_of_view_deg"] =
+        roundedText(degrees(sensor.horizontalFieldOfView_rad), 9);
+    if (settings.zoomWindow > 0)
+        image.attributes["zoom_window"] = std::to_string(settings.zoomWindow);
+    else
+        image.attributes["samples_per_axis"] = std::to_string(settings.samplesPerAxis);
+    image.attributes["background_W_m2_sr"] =
+        roundedText(frame.backgrounds.byOutput.front().centre_W_m2_sr(), 9);
+    image.attributes["renderer"] = frame.surfaces.engine.description;
+    if (!frame.evaluation().geometry.empty())
+        image.attributes["range_m"] =
+            roundedText(frame.evaluation().geometry.front().path.range_m, 9);
+}
+
+} // namespace irsg

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "irsg/image/RadianceImage.h"
+#include "irsg/radiance/ViewFactors.h"
+#include "irsg/render/sampling/FrameReduction.h"
+#include "irsg/render/values/RenderReport.h"
+#include "irsg/scene/Frame.h"
+#include "irsg/scene/RenderErrorEstimator.h"
+#include "irsg/scene/StageClock.h"
+
+namespace irsg {
+
+/// Makes reports of what was sampled: the radiometry of the objects, and who and what it is from.
+class RenderReporter {
+  public:
+    /// Both must live as long.
+    RenderReporter(RenderErrorEstimator& errors, StageClock& clock)
+        : errors_(errors), clock_(clock) {}
+
+    /// By output, from the factors of a view.
+    std::vector<RenderReport> reports(const Frame& frame, const ViewFactors& factors);
+    /// What the pixels of a picture of at most one object add up to, in the first band.
+    RenderReport report(const Frame& frame, const FrameReduction& pixels);
+    /// Gives a picture its attributes.
+    static void describe(const Frame& frame, RadianceImage& image);
+
+  private:
+    void fill(const Frame& frame, std::size_t output, RenderReport& report);
+    double totalIrradiance_W_m2(const Frame& frame, std::size_t output, double contrast_W_m2);
+    double projectedSolidAngle_sr(const Sensor& sensor);
+
+    RenderErrorEstimator& errors_;
+    StageClock& clock_;
+    /// Sum of omega cos(theta) over the frame, of the last raster.
+    struct {
+        std::array<double, 3> raster{};
+        double projected_sr = 0.0;
+    } solidAngle_;
+};
+
+} // namespace irsg

@@ -1,0 +1,190 @@
+#include "irsg/scene/SceneEvaluator.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "irsg/atmosphere/NearestRun.h"
+#include "irsg/core/NewLines.h"
+#include "irsg/radiance/HotSurfaces.h"
+#include "irsg/render/background/BandSky.h"
+
+namespace irsg {
+
+namespace {
+
+/// Gives objects with directional surfaces the directions of the sky that these reflect.
+void takeMirrorGrids(const Scene& scene, const Band& band, std::vector<ObjectGeometry>& geometry) {
+    if (scene.settings.ambientReflection != ReflectionMode::smart)
+        return;
+    const bool byAzimuth =
+        std::ranges::any_of(scene.environment.atmospheres(), [](const auto& atmosphere) {
+            return atmosphere->dependsOnAzimuth(AtmosphereProperty::backgroundRadiance);
+        });
+    for (std::size_t e = 0; e < geometry.size(); ++e) {
+        const Entity& entity = scene.entities[e];
+        const bool hasLobes = std::ranges::any_of(entity.model->codes(), [&](const auto& use) {
+            const Material* material = materialEntry(entity, use.first.material);
+            return material != nullptr && !material->surfaceModel.empty();
+        });
+        if (hasLobes)
+            geometry[e].mirror = MirrorGrid(scene.environment.horizonElevation_rad(
+                                                geometry[e].path.targetAltitude_m, band.range()),
+                                            byAzimuth);
+    }
+}
+
+/// What the shader is told of each drawn row, in the first output.
+std::vector<SurfaceRow> rowsOf(EvaluatedScene& evaluated) {
+    const SurfaceRows& rows = evaluated.radiometry.rows();
+    KindRadiances& radiances = evaluated.radiances;
+    std::vector<FactorKind> kinds;
+    for (std::size_t drawn = 0; drawn < rows.keys().size(); ++drawn)
+        kinds.push_back({0, rows.first(static_cast<int>(drawn))});
+    radiances.prepare(kinds);
+    std::vector<SurfaceRow> all;
+    all.reserve(kinds.size());
+    for (const FactorKind& kind : kinds) {
+        const KindRadiance radiance = radiances.of(kind);
+        SurfaceRow& row = all.emplace_back();
+        std::ranges::transform(radiance.perFactor, row.radiance.begin(),
+                               [](double value) { return static_cast<float>(value); });
+        row.constant = static_cast<float>(radiance.constant);
+        row.opacity = static_cast<float>(radiance.opacity);
+        row.nAngleFactor = static_cast<float>(evaluated.radiometry.surface(kind.row).nAngleFactor);
+    }
+    return all;
+}
+
+} // namespace
+
+SceneEvaluation SceneEvaluator::evaluate(const FrameRequest& request,
+                                         std::vector<ObjectGeometry> geometry) {
+    return clock_.timed("radiometry", [&] {
+        const Scene& scene = request.scene;
+        answers_.setEnvironment(scene.environment);
+        takeMirrorGrids(scene, request.bands.front(), geometry);
+        std::shared_ptr<const SampledScene> sampled =
+            sampledScenes_.of(answers_, airScene(request, geometry), request.bands,
+                              request.withSources, sampler(scene, answers_));
+        for (std::size_t e = 0; e < geometry.size(); ++e) {
+            geometry[e].slices_m = sampled->slices_m[e];
+            geometry[e].airError = sampled->airError[e];
+            geometry[e].likelyAirError = sampled->likelyAirError[e];
+        }
+        std::shared_ptr<EvaluatedScene> evaluated =
+            radiometry_.of(terms_, scene.entities, geometry, sampled, fronts_);
+        evaluated->radiances.setBackground(sampled->background);
+        std::vector<SurfaceRow> rows = rowsOf(*evaluated);
+        std::vector<bool> hot = hotRows(scene, geometry, sampled, evaluated->radiometry);
+        return SceneEvaluation{std::move(geometry), std::move(sampled), std::move(evaluated),
+                               std::move(rows), std::move(hot)};
+    });
+}
+
+FrameBackgrounds SceneEvaluator::backgrounds(const FrameRequest& request,
+                                             const SceneEvaluation& evaluation,
+                                             TerrainPainter& terrainPainter) {
+    return clock_.timed("background", [&] {
+        const Scene& scene = request.scene;
+        const RenderSettings& settings = scene.settings;
+        background_.setSkybox(scene.skybox);
+        background_.setTerrain(scene.terrain);
+        const KindRadiances& radiances = evaluation.evaluated->radiances;
+        FrameBackgrounds all;
+        for (std::size_t k = 0; k < radiances.outputs(); ++k) {
+            if (evaluation.sampled->ofOutput(k).isSource) {
+                all.byOutput.emplace_back(0.0);
+                continue;
+            }
+            const std::shared_ptr<const SpectralSampling> nodes =
+                samplingOf(request, evaluation, k);
+            const BandSky sky(scene.environment, *nodes);
+            BackgroundSettings wanted;
+            wanted.asksEnvironment = settings.background == BackgroundMode::environment;
+            wanted.uniform_W_m2_sr = radiances.background_W_m2_sr(k);
+            wanted.rows = settings.backgroundRows;
+            wanted.columns = settings.backgroundColumns;
+            wanted.sunDisc = settings.sunDisc;
+            wanted.skybox = settings.skybox;
+            wanted.terrain = settings.terrain;
+            BackgroundReport report;
+            all.byOutput.push_back(background_.draw(request.view.sensor, request.view.viewpoint,
+                                                    sky, wanted, terrainPainter, report));
+            all.report.flooredPixels += report.flooredPixels;
+            addAnswer(all.report.answeredBy, report.answeredBy);
+            addNew(all.report.warnings, report.warnings);
+        }
+        all.layers = background_.takeLayers();
+        return all;
+    });
+}
+
+EvaluatedSpectrum SceneEvaluator::atWavelengths(const FrameRequest& request,
+                                                const std::vector<ObjectGeometry>& geometry,
+                                                const std::vector<double>& wavelengths_um) {
+    const std::vector<SampledBand> bands{
+        SceneSampling::wavelengths(answers_, airScene(request, geometry), wavelengths_um)};
+    auto scene =
+        std::make_unique<EvaluatedScene>(terms_, request.scene.entities, geometry, bands, fronts_);
+    scene->radiances.setBackground(backgroundOf(bands, request.scene.settings));
+    return {bands.front().sampling, std::move(scene)};
+}
+
+SampledScenes::Sampler SceneEvaluator::sampler(const Scene& ofScene,
+                                               AtmosphericQueryCache& answers) {
+    return [this, &ofScene, &answers](const AirScene& scene, const std::vector<Band>& bands) {
+        if (scene.settings.mode != CalculationMode::wideband)
+            return sampling_.spectral(answers, scene, bands);
+        std::vector<SampledBand> sampled;
+        sampled.reserve(bands.size());
+        for (const Band& band : bands)
+            sampled.push_back(SceneSampling::wideband(answers, scene, wideband(ofScene, band)));
+        return sampled;
+    };
+}
+
+std::shared_ptr<const SpectralSampling>
+SceneEvaluator::samplingOf(const FrameRequest& request, const SceneEvaluation& evaluation,
+                           std::size_t band) {
+    const SampledBand& sampled = evaluation.sampled->ofOutput(band);
+    return sampled.outputs.size() == 1
+               ? sampled.sampling
+               : sampling_.nodes(request.scene.environment, request.bands[band]);
+}
+
+std::shared_ptr<const WidebandPoints> SceneEvaluator::wideband(const Scene& scene,
+                                                               const Band& band) {
+    WidebandSpectra spectra = widebandSpectraOf(scene.entities);
+    const double error = scene.settings.widebandError;
+    widebandPoints_.letGo([](const auto& kept) { return kept->isGone(); });
+    return widebandPoints_.of(
+        [&](const auto& kept) { return kept->areOf(scene.environment, band, spectra, error); },
+        [&] {
+            return clock_.timed("wideband points", [&] {
+                return std::make_shared<const WidebandPoints>(scene.environment, band,
+                                                              std::move(spectra), error);
+            });
+        });
+}
+
+std::vector<bool> SceneEvaluator::hotRows(const Scene& scene,
+                                          const std::vector<ObjectGeometry>& geometry,
+                                          const std::shared_ptr<const SampledScene>& sampled,
+                                          const SceneRadiometry& radiometry) {
+    if (!scene.settings.hotSpots || !scene.settings.zoomsAligned())
+        return std::vector<bool>(radiometry.rows().keys().size(), false);
+    std::vector<bool> hot = hotSurfaces(radiometry, scene.entities);
+    std::vector<Entity> entities = scene.entities;
+    const std::size_t states = entities.empty() ? 0 : entities.front().otherStates.size();
+    for (std::size_t i = 0; i < states; ++i) {
+        for (Entity& entity : entities)
+            entity.state = entity.otherStates.at(i);
+        const auto other = radiometry_.of(terms_, entities, geometry, sampled, fronts_);
+        const std::vector<bool> there = hotSurfaces(other->radiometry, entities);
+        for (std::size_t row = 0; row < hot.size(); ++row)
+            hot[row] = hot[row] || there.at(row);
+    }
+    return hot;
+}
+
+} // namespace irsg

@@ -1,0 +1,160 @@
+#include "irsg/scene/SurfaceSampler.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "irsg/core/Errors.h"
+#include "irsg/render/background/Terrain.h"
+#include "irsg/render/sampling/AbstractZoomAntialiasingStrategy.h"
+
+namespace irsg {
+
+FactorMaking SurfaceSampler::factorMaking(const SceneSurfaces& surfaces,
+                                          const CameraFrame& camera) const {
+    const bool withNormals = surfaces.shading.lobes != nullptr;
+    FactorMaking making{terms_.factorCount() + (withNormals ? normalFactors : 0),
+                        terms_.glsl(surfaces.scene.settings, withNormals),
+                        {},
+                        {},
+                        {}};
+    if (making.factorCount > mostFactors)
+        throw LogicError("more factors than there is room for beside the normals of surfaces");
+    if (surfaces.engine.isRays)
+        making.functions = terms_.functions(surfaces.scene.settings, withNormals);
+    if (surfaces.shading.shadows)
+        making.shadowedFrom = terms_.shadowedFrom(surfaces.scene.settings);
+    for (const FrameDirection& direction : terms_.directions)
+        making.directionsEye.emplace_back(
+            direction.name, camera.toEye(direction.world(surfaces.scene.environment.sun)));
+    return making;
+}
+
+SurfaceScene SurfaceSampler::sceneOf(const SceneSurfaces& surfaces, const CameraFrame& camera,
+                                     const SampleWindow& window) const {
+    const auto stands = [&](int entity) {
+        return std::ranges::binary_search(window.entities, entity);
+    };
+    SurfaceScene scene;
+    scene.camera = &camera;
+    scene.factors = factorMaking(surfaces, camera);
+    scene.rows = surfaces.evaluation.rows;
+    if (surfaces.scene.terrain && surfaces.scene.settings.terrainHides) {
+        scene.occluders = surfaces.scene.terrain->occluders(camera);
+        if (surfaces.engine.terrainMesh)
+            scene.terrain = {-1, surfaces.engine.terrainMesh,
+                             camera.eyeFromModel(surfaces.scene.terrain->pose())};
+    }
+    std::optional<osg::Matrixd> eyeFromModel;
+    int last = -1; // items of an entity follow one another
+    for (const SurfaceItem& item : surfaces.items)
+        if (stands(item.entity)) {
+            if (std::exchange(last, item.entity) != item.entity || !eyeFromModel) {
+                eyeFromModel = camera.eyeFromModel(surfaces.entity(item.entity).pose);
+                if (!surfaces.engine.meshes.empty())
+                    scene.bodies.push_back(
+                        {item.entity, surfaces.engine.meshes[static_cast<std::size_t>(item.entity)],
+                         *eyeFromModel});
+            }
+            scene.items.push_back(item);
+            scene.items.back().eyeFromLocal = item.eyeFromLocal * *eyeFromModel;
+        }
+
+    bool isFirst = true;
+    for (int e : window.entities) {
+        const Entity& entity = surfaces.entity(e);
+        const auto depth = camera.depthOf(entity.model->bounds(), entity.pose);
+        if (!depth)
+            continue;
+        DepthRange& all = scene.depth;
+        all.near_m = isFirst ? depth->near_m : std::min(all.near_m, depth->near_m);
+        all.far_m = isFirst ? depth->far_m : std::max(all.far_m, depth->far_m);
+        isFirst = false;
+    }
+    return scene;
+}
+
+SheetScene SurfaceSampler::scenesOf(const SceneSurfaces& surfaces, const CameraFrame& camera,
+                                    const SampleSheet& sheet) const {
+    SheetScene result{sheet, {}};
+    for (const SampleWindow& window : sheet.windows)
+        result.scenes.push_back(sceneOf(surfaces, camera, window));
+    return result;
+}
+
+void SurfaceSampler::onEngine(const FrameEngine& engine, const std::function<void()>& work) {
+    double waited_s = 0.0, drawing_s = 0.0, reading_s = 0.0;
+    {
+        auto waiting = std::make_unique<Stopwatch>(waited_s);
+        engine.engine.run([&] {
+            waiting.reset(); // for drawings that were begun before
+            work();
+            drawing_s = engine.engine.takeDrawSeconds();
+            reading_s = engine.engine.takeReadSeconds();
+        });
+    }
+    clock_.add("drawing", waited_s + drawing_s);
+    clock_.add("read back", reading_s);
+}
+
+SurfaceSampler::Sampling SurfaceSampler::begin(const SceneSurfaces& surfaces,
+                                               const CameraFrame& camera,
+                                               const std::vector<SampleWindow>& windows,
+                                               bool withDistance, Take take) {
+    const int side = surfaces.engine.engine.largestSide();
+    auto planned = std::make_shared<const std::vector<SampleSheet>>(
+        windows.empty() ? std::vector<SampleSheet>{} : sheetsOf(piecesOf(windows, side), side));
+    WindowStream::Work work;
+    work.drawings = planned->size();
+    work.maximumLayers = surfaces.scene.settings.maximumLayers;
+    work.draw = [this, &surfaces, &camera, planned, withDistance](
+                    std::size_t i, FactorSamples& samples, WindowStream::Seconds& seconds) {
+        SampleEngine& engine = surfaces.engine.engine;
+        engine.drawFactors(scenesOf(surfaces, camera, (*planned)[i]),
+                           withDistance || surfaces.shading.isNeeded(), samples);
+        seconds.drawing += engine.takeDrawSeconds();
+        seconds.reading += engine.takeReadSeconds();
+    };
+    if (surfaces.shading.isNeeded())
+        work.shade = [&surfaces, &camera, planned, this](std::size_t i, FactorSamples& samples) {
+            surfaces.shading.apply(scenesOf(surfaces, camera, (*planned)[i]),
+                                   surfaces.scene.settings, samples);
+        };
+    work.take = [planned, take = std::move(take)](std::size_t i, const FactorSamples& samples) {
+        for (const SampleWindow& window : (*planned)[i].windows)
+            take(window, samples);
+    };
+    return stream_.start(surfaces.engine.engine, std::move(work));
+}
+
+void SurfaceSampler::waitFor(Sampling& sampling, const char* stage) {
+    WindowStream::Seconds seconds;
+    double waited_s = 0.0;
+    {
+        Stopwatch watch(waited_s);
+        seconds = sampling.get();
+    }
+    const double all_s =
+        seconds.drawing + seconds.reading + seconds.sorting + seconds.shading + seconds.taking;
+    if (!(all_s > 0.0))
+        return; // nothing was drawn
+    const double part = waited_s / all_s;
+    clock_.add("drawing", part * seconds.drawing);
+    clock_.add("read back", part * seconds.reading);
+    clock_.add("layer sorting", part * seconds.sorting);
+    if (seconds.shading > 0.0)
+        clock_.add("sun shadows", part * seconds.shading);
+    clock_.add(stage, part * seconds.taking);
+}
+
+void SurfaceSampler::sample(const SceneSurfaces& surfaces, const CameraFrame& camera,
+                            const std::vector<SampleWindow>& windows, bool withDistance,
+                            const char* stage, Take take) {
+    if (windows.empty())
+        return;
+    Sampling sampling = begin(surfaces, camera, windows, withDistance, std::move(take));
+    waitFor(sampling, stage);
+}
+
+} // namespace irsg

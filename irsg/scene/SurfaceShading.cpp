@@ -1,0 +1,21 @@
+#include "irsg/scene/SurfaceShading.h"
+
+#include "irsg/render/sampling/LayerSort.h"
+
+namespace irsg {
+
+void SurfaceShading::apply(const SheetScene& sheet, const RenderSettings& settings,
+                           FactorSamples& samples) const {
+    if (shadows)
+        shadows->apply(sheet, settings.truthLayers, samples);
+    if (lobes)
+        lobes->apply(sheet, between.exchange ? shadows.get() : nullptr, samples);
+}
+
+void SurfaceShading::sortAndApply(const SheetScene& sheet, const RenderSettings& settings,
+                                  FactorSamples& samples) const {
+    sortLayers(samples, settings.maximumLayers);
+    apply(sheet, settings, samples);
+}
+
+} // namespace irsg
