@@ -8,6 +8,7 @@
 #include "irsg/core/Wording.h"
 #include "irsg/geometry/view/PixelGrid.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/scene/InterReflection.h"
 
 namespace irsg {
 
