@@ -6,6 +6,7 @@
 #include "irsg/atmosphere/path/AtmosphericQuery.h"
 #include "irsg/geometry/view/CameraFrame.h"
 #include "irsg/radiometry/Band.h"
+#include "irsg/scene/Outputs.h"
 #include "irsg/scene/Scene.h"
 
 namespace irsg {
