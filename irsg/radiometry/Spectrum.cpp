@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Interpolation.h"
 #include "irsg/radiometry/GaussLegendre.h"
 
 namespace irsg {
@@ -91,19 +92,15 @@ Spectrum::Spectrum(std::vector<double> wavelengths_um, std::vector<double> value
 }
 
 double Spectrum::valueAt(double wavelength_um, std::size_t upper) const {
-    if (wavelength_um < wavelengths_um_.front())
-        return outside_ == Outside::hold ? values_.front() : 0.0;
-    if (wavelength_um > wavelengths_um_.back())
-        return outside_ == Outside::hold ? values_.back() : 0.0;
-    const double lower_um = wavelengths_um_[upper - 1];
-    const double t = (wavelength_um - lower_um) / (wavelengths_um_[upper] - lower_um);
-    return std::lerp(values_[upper - 1], values_[upper], t);
+    if (outside_ == Outside::zero &&
+        (wavelength_um < wavelengths_um_.front() || wavelength_um > wavelengths_um_.back()))
+        return 0.0;
+    const Bracket place = bracketNear(upper - 1, wavelengths_um_, wavelength_um);
+    return lerp(values_[place.below], values_[place.above], place.fraction);
 }
 
 std::size_t Spectrum::upperNode(double wavelength_um) const {
-    const auto found = std::ranges::lower_bound(wavelengths_um_, wavelength_um);
-    return std::clamp<std::size_t>(static_cast<std::size_t>(found - wavelengths_um_.begin()), 1,
-                                   size() - 1);
+    return bracket(wavelengths_um_, wavelength_um).above;
 }
 
 double Spectrum::at(double wavelength_um) const {
@@ -122,7 +119,7 @@ std::vector<double> Spectrum::sample(std::span<const double> wavelengths_um) con
         if (wavelength_um < before_um)
             throw LogicError("a spectrum was asked for wavelengths that do not ascend");
         before_um = wavelength_um;
-        while (upper + 1 < size() && wavelengths_um_[upper] < wavelength_um)
+        while (upper + 1 < size() && wavelengths_um_[upper] <= wavelength_um)
             ++upper;
         samples.push_back(valueAt(wavelength_um, upper));
     }
