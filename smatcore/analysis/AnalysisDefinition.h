@@ -56,8 +56,4 @@ inline constexpr double mostCases = 1e6;
 /// 0.30000000000000004.
 double stepped(double first, std::size_t i, double step);
 
-/// At a part from 0 to 1 of the way from `first` to `last`, both above 0, where equal parts are
-/// equal ratios.
-double byEqualRatios(double first, double last, double part);
-
 } // namespace smat

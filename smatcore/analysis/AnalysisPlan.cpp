@@ -1,7 +1,5 @@
 #include "smatcore/analysis/AnalysisPlan.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "irsg/core/CsvTable.h"
@@ -154,10 +152,6 @@ double AnalysisCase::value(irsg::Quantity quantity) const {
 
 double stepped(double first, std::size_t i, double step) {
     return irsg::parseNumber(fmt::format("{:.13g}", first + static_cast<double>(i) * step)).value();
-}
-
-double byEqualRatios(double first, double last, double part) {
-    return first * std::pow(last / first, part);
 }
 
 std::string AnalysisPlan::place(const AnalysisCase& one) const {

@@ -1,5 +1,6 @@
 #include <optional>
 
+#include "irsg/core/Interpolation.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -84,7 +85,7 @@ void planCondition(AnalysisPlan& plan, const Project&, const Settings& settings,
     for (int i = 0; i < points; ++i) {
         AnalysisCase one = startingCase(settings);
         one.coordinate = i == points - 1 ? to
-                         : isLogarithmic ? byEqualRatios(from, to, i / (points - 1.0))
+                         : isLogarithmic ? irsg::lerpByRatio(from, to, i / (points - 1.0))
                                          : stepped(from, static_cast<std::size_t>(i), step);
         one.*condition.value = one.coordinate;
         plan.cases.push_back(one);

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "irsg/core/Interpolation.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -64,7 +65,7 @@ void planRange(AnalysisPlan& plan, const Project&, const Settings& settings,
     for (int i = 0; i < static_cast<int>(points); ++i) {
         const double share = i / intervals;
         axis.places.push_back(share == 1.0  ? to_m
-                              : logarithmic ? byEqualRatios(from_m, to_m, share)
+                              : logarithmic ? irsg::lerpByRatio(from_m, to_m, share)
                                             : from_m + (to_m - from_m) * share);
     }
     const auto casesAt = [settings](const std::vector<RefinedAxis>& axes) {
