@@ -6,7 +6,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/ParallelFor.h"
 #include "irsg/radiance/NodeBlocks.h"
-#include "irsg/radiometry/SumsOfProducts.h"
+#include "irsg/radiometry/DotProducts.h"
 
 namespace irsg {
 
@@ -236,7 +236,7 @@ void KindRadiances::addBlock(int drawn, const std::vector<int>& rows,
                 of = of ? through : light;
             }
             sums[r * groups.size() + s] +=
-                of ? sumOfProducts(values, of, count) : sumOf(values, count);
+                of ? dotProduct(values, of, count) : sumOf(values, count);
         }
     }
 }
@@ -339,8 +339,7 @@ std::vector<double> KindRadiances::terms(const FactorKind& kind, std::size_t out
     for (std::size_t k = 0; k < radiometry_.terms().terms.size(); ++k) {
         const std::vector<double> sent = apparentTerm(
             radiometry_.surface(kind.row), radiometry_.terms(), k, radiometry_.air(kind.row));
-        sums.push_back(sent.empty() ? 0.0
-                                    : sumOfProducts(through.data(), &sent[first], last - first));
+        sums.push_back(sent.empty() ? 0.0 : dotProduct(through.data(), &sent[first], last - first));
     }
     return sums;
 }

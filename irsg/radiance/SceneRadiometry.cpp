@@ -5,7 +5,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/NewLines.h"
 #include "irsg/core/ParallelFor.h"
-#include "irsg/radiometry/SumsOfProducts.h"
+#include "irsg/radiometry/DotProducts.h"
 #include "irsg/signature/SurfaceModels.h"
 
 namespace irsg {

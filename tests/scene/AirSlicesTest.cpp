@@ -9,7 +9,7 @@
 #include "irsg/radiance/KindRadiances.h"
 #include "irsg/radiance/SampledScene.h"
 #include "irsg/radiance/exchange/LightIntegrals.h"
-#include "irsg/radiometry/SumsOfProducts.h"
+#include "irsg/radiometry/DotProducts.h"
 #include "irsg/scene/InteractiveRenderer.h"
 #include "tests/support/SceneFixtures.h"
 

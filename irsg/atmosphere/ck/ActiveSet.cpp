@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "irsg/core/VectorClones.h"
-#include "irsg/radiometry/SumsOfProducts.h"
+#include "irsg/radiometry/DotProducts.h"
 
 namespace irsg {
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t lanes = 16; ///< sums that run side by side, so that compilers make vectors
 
-IRSG_VECTOR_CLONES double sumOfProducts(const float* a, const float* b, std::size_t n) {
+IRSG_VECTOR_CLONES double dotProduct(const float* a, const float* b, std::size_t n) {
     std::array<double, lanes> sums{};
     std::size_t r = 0;
     for (; r + lanes <= n; r += lanes)
@@ -34,7 +34,7 @@ IRSG_VECTOR_CLONES double coarseSum(const float* a, const float* b, std::size_t 
     return sumOf(sums);
 }
 
-IRSG_VECTOR_CLONES double sumOfProducts(const double* a, const float* b, std::size_t n) {
+IRSG_VECTOR_CLONES double dotProduct(const double* a, const float* b, std::size_t n) {
     std::array<double, lanes> sums{};
     std::size_t k = 0;
     for (; k + lanes <= n; k += lanes)
@@ -68,15 +68,15 @@ IRSG_VECTOR_CLONES void subtractScaled(double factor, const double* a, std::size
 } // namespace
 
 double product(const float* a, const float* b, std::size_t n) {
-    return sumOfProducts(a, b, n);
+    return dotProduct(a, b, n);
 }
 
 double product(const double* a, const float* b, std::size_t n) {
-    return sumOfProducts(a, b, n);
+    return dotProduct(a, b, n);
 }
 
 double product(const double* a, const double* b, std::size_t n) {
-    return sumOfProducts(a, b, n);
+    return dotProduct(a, b, n);
 }
 
 double coarseProduct(const float* a, const float* b, std::size_t n) {
@@ -245,7 +245,7 @@ bool ActiveSet::decompose() {
         double* own = &factor_[row(i)];
         for (std::size_t j = 0; j <= i; ++j) {
             const double* other = &factor_[row(j)];
-            const double sum = gram_[row(i) + j] - sumOfProducts(own, other, j);
+            const double sum = gram_[row(i) + j] - dotProduct(own, other, j);
             if (i != j)
                 own[j] = sum / other[j];
             else if (sum <= 1e-11 * gram_[row(i) + i])
@@ -262,7 +262,7 @@ std::vector<double> ActiveSet::solution() const {
     const std::size_t n = columns_.size();
     std::vector<double> x(n);
     for (std::size_t i = 0; i < n; ++i)
-        x[i] = (right_[i] - sumOfProducts(&factor_[row(i)], x.data(), i)) / factor_[row(i) + i];
+        x[i] = (right_[i] - dotProduct(&factor_[row(i)], x.data(), i)) / factor_[row(i) + i];
     for (std::size_t i = n; i-- > 0;) { // by rows of the factor, as they lie
         x[i] /= factor_[row(i) + i];
         subtractScaled(x[i], &factor_[row(i)], i, x.data());

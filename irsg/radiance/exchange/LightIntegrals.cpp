@@ -7,7 +7,7 @@
 #include <map>
 
 #include "irsg/core/ParallelFor.h"
-#include "irsg/radiometry/SumsOfProducts.h"
+#include "irsg/radiometry/DotProducts.h"
 
 namespace irsg {
 
@@ -141,8 +141,7 @@ std::vector<std::vector<double>> LightIntegrals::sumsOf(std::span<const FactorKi
                           &knots_.parts[first], count, below, above);
             for (const auto& [term, place] : apart) {
                 const double* const light = lightOn(kinds[k], term) + first;
-                all[k][place] -=
-                    sumOfProducts(below, light, count) + sumOfProducts(above, light, count);
+                all[k][place] -= dotProduct(below, light, count) + dotProduct(above, light, count);
             }
         }
         // Nodes that follow each other between the same knots share their sums.
@@ -153,8 +152,7 @@ std::vector<std::vector<double>> LightIntegrals::sumsOf(std::span<const FactorKi
             std::array<const double*, 2 * kindsTogether> vectors{};
             for (std::size_t v = 0; v < wide; ++v)
                 vectors[v] = &parts[v < 2 * kinds.size() ? v : 0][from];
-            sumsOfProducts({vectors.data(), wide}, others, first + from, to - from,
-                           products.data());
+            dotProducts({vectors.data(), wide}, others, first + from, to - from, products.data());
             for (std::size_t k = 0; k < kinds.size(); ++k) {
                 double* const low = &all[k][2 + at.low * columns];
                 double* const high = &all[k][2 + at.high * columns];

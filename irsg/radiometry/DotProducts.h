@@ -9,16 +9,16 @@ namespace irsg {
 /// processor has, and in an order that is the same on every machine.
 
 /// Sum of a[i] b[i].
-double sumOfProducts(const double* a, const double* b, std::size_t count);
+double dotProduct(const double* a, const double* b, std::size_t count);
 
-/// The most vectors that sumsOfProducts takes at once.
+/// The most vectors that dotProducts takes at once.
 inline constexpr std::size_t mostTogether = 8;
 
 /// The same of each of `vectors`, 1, 2, 4 or 8 of them, with each of `others`, which are read from
 /// place `from` on: sums[k * vectors.size() + v] of vector v with the k-th. The more vectors, the
 /// less is read for each sum.
-void sumsOfProducts(std::span<const double* const> vectors, std::span<const double* const> others,
-                    std::size_t from, std::size_t count, double* sums);
+void dotProducts(std::span<const double* const> vectors, std::span<const double* const> others,
+                 std::size_t from, std::size_t count, double* sums);
 
 /// products[i] = a[i] b[i]; it may be one of them.
 void fillProducts(const double* a, const double* b, std::size_t count, double* products);

@@ -1,4 +1,4 @@
-#include "irsg/radiometry/SumsOfProducts.h"
+#include "irsg/radiometry/DotProducts.h"
 
 #include <array>
 #include <cstring>
@@ -101,12 +101,12 @@ void splitProducts(const double* a, const double* b, const double* parts, std::s
     splitAll(a, b, parts, count, first, second);
 }
 
-double sumOfProducts(const double* a, const double* b, std::size_t count) {
+double dotProduct(const double* a, const double* b, std::size_t count) {
     return ofTwo(a, b, count);
 }
 
-void sumsOfProducts(std::span<const double* const> vectors, std::span<const double* const> others,
-                    std::size_t from, std::size_t count, double* sums) {
+void dotProducts(std::span<const double* const> vectors, std::span<const double* const> others,
+                 std::size_t from, std::size_t count, double* sums) {
     const Table table{vectors.data(), others.data(), others.size(), from, count, sums};
     switch (vectors.size()) {
     case 1:

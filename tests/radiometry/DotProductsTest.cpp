@@ -1,4 +1,4 @@
-#include "irsg/radiometry/SumsOfProducts.h"
+#include "irsg/radiometry/DotProducts.h"
 
 #include <cmath>
 #include <vector>
@@ -33,12 +33,12 @@ double sumOneByOne(const double* a, const double* b, std::size_t count) {
 TEST(SumOfProducts, IsExactForWholeNumbersOfAnyLength) {
     for (std::size_t count = 0; count < 70; ++count) {
         const std::vector<double> a = wholeNumbers(count, 1.0), b = wholeNumbers(count, -20.0);
-        EXPECT_EQ(sumOfProducts(a.data(), b.data(), count), sumOneByOne(a.data(), b.data(), count))
+        EXPECT_EQ(dotProduct(a.data(), b.data(), count), sumOneByOne(a.data(), b.data(), count))
             << count;
     }
 }
 
-TEST(SumsOfProducts, AreThoseOfEveryVectorWithEveryOther) {
+TEST(DotProducts, AreThoseOfEveryVectorWithEveryOther) {
     constexpr std::size_t most = 70, from = 3;
     std::vector<std::vector<double>> vectors, others;
     for (std::size_t v = 0; v < mostTogether; ++v) {
@@ -60,7 +60,7 @@ TEST(SumsOfProducts, AreThoseOfEveryVectorWithEveryOther) {
                 ofVectors.push_back(vectors[v].data());
             }
             std::vector<double> sums(width * others.size(), std::nan(""));
-            sumsOfProducts(ofVectors, ofOthers, from, count, sums.data());
+            dotProducts(ofVectors, ofOthers, from, count, sums.data());
             for (std::size_t k = 0; k < others.size(); ++k) {
                 for (std::size_t v = 0; v < width; ++v) {
                     EXPECT_EQ(sums[k * width + v],
@@ -72,7 +72,7 @@ TEST(SumsOfProducts, AreThoseOfEveryVectorWithEveryOther) {
     }
 }
 
-TEST(SumsOfProducts, AreTheSameToTheLastBitHoweverManyAreTakenTogether) {
+TEST(DotProducts, AreTheSameToTheLastBitHoweverManyAreTakenTogether) {
     constexpr std::size_t count = 131;
     std::vector<double> a, b;
     for (std::size_t i = 0; i < count; ++i) {
@@ -81,20 +81,20 @@ TEST(SumsOfProducts, AreTheSameToTheLastBitHoweverManyAreTakenTogether) {
     }
     const std::vector<const double*> other{b.data()};
     double alone = 0.0;
-    sumsOfProducts(std::vector<const double*>{a.data()}, other, 0, count, &alone);
+    dotProducts(std::vector<const double*>{a.data()}, other, 0, count, &alone);
     for (const std::size_t width : {2U, 4U, 8U}) {
         std::vector<double> sums(width);
-        sumsOfProducts(std::vector<const double*>(width, a.data()), other, 0, count, sums.data());
+        dotProducts(std::vector<const double*>(width, a.data()), other, 0, count, sums.data());
         EXPECT_EQ(sums, std::vector<double>(width, alone)) << width;
     }
     EXPECT_NEAR(alone, sumOneByOne(a.data(), b.data(), count), 1e-15);
 }
 
-TEST(SumsOfProducts, RefuseNumbersOfVectorsThatTheyAreNotMadeFor) {
+TEST(DotProducts, RefuseNumbersOfVectorsThatTheyAreNotMadeFor) {
     const std::vector<double> a{1.0};
     const std::vector<const double*> three(3, a.data());
     double sums[3];
-    EXPECT_THROW(sumsOfProducts(three, three, 0, 1, sums), LogicError);
+    EXPECT_THROW(dotProducts(three, three, 0, 1, sums), LogicError);
 }
 
 TEST(Products, AreMadeInPlaceAndSplitWithoutLoss) {
