@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "irsg/core/NewLines.h"
+#include "irsg/core/AppendUnique.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/settings/SettingInfo.h"
 
@@ -47,7 +47,7 @@ std::vector<std::string> withNamesOfToday(const CLI::App& app, std::vector<std::
         const auto found = names.find(std::string_view(argument).substr(0, end));
         if (found == names.end())
             return;
-        irsg::addNew(remarks, found->first + " is called " + found->second + " now");
+        irsg::appendUnique(remarks, found->first + " is called " + found->second + " now");
         argument.replace(0, end, found->second);
     };
     // Only options of all commands stand before the command, of which one takes a value.

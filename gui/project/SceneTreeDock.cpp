@@ -82,7 +82,7 @@ SceneTreeDock::SceneTreeDock(Workbench& workbench, QWidget* parent)
         fill();
         followDatabases();
     });
-    connect(tree_, &QTreeWidget::itemChanged, this, &SceneTreeDock::takeName);
+    connect(tree_, &QTreeWidget::itemChanged, this, &SceneTreeDock::atomicRename);
     connect(tree_, &QTreeWidget::itemSelectionChanged, this, &SceneTreeDock::onSelected);
     connect(tree_, &QTreeWidget::itemActivated, this, &SceneTreeDock::onActivated);
     connect(tree_, &QWidget::customContextMenuRequested, this, &SceneTreeDock::showMenu);
@@ -152,7 +152,7 @@ void SceneTreeDock::rename(int model) {
     }
 }
 
-void SceneTreeDock::takeName(QTreeWidgetItem* item) {
+void SceneTreeDock::atomicRename(QTreeWidgetItem* item) {
     if (treePartOf(item) != TreePart::model)
         return;
     const auto model = static_cast<std::size_t>(item->data(0, treeModelRole).toInt());

@@ -64,7 +64,7 @@ class SceneTreeDock : public QDockWidget {
     void onProjectChanged();
     void followDatabases();
     void showChosen();
-    void takeName(QTreeWidgetItem* item);
+    void atomicRename(QTreeWidgetItem* item);
     QSet<QString> openBranches() const;
     void fill();
     void fillModel(QTreeWidgetItem* root, std::size_t number);

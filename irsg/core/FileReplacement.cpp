@@ -14,9 +14,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "irsg/core/AtomicRename.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
-#include "irsg/core/NameTaking.h"
 
 namespace irsg {
 
@@ -201,12 +201,12 @@ int FileReplacement::linkToTarget() const {
 }
 
 /// 0 or the system's error.
-int FileReplacement::takeNameOfTarget(Existing existing) const {
+int FileReplacement::atomicRenameToTarget(Existing existing) const {
     struct stat old {};
     const bool stands = stat(target_.c_str(), &old) == 0;
     const std::string calling = callingOf(descriptor_), part = neighbourOf(target_).string();
-    return takeName({descriptor_, isOnDiskOfTarget_, calling.c_str(), part.c_str(), target_.c_str(),
-                     stands ? &old : nullptr, existing == Existing::replace});
+    return atomicRename({descriptor_, isOnDiskOfTarget_, calling.c_str(), part.c_str(),
+                         target_.c_str(), stands ? &old : nullptr, existing == Existing::replace});
 }
 
 void FileReplacement::commit(Existing existing) {
@@ -218,7 +218,7 @@ void FileReplacement::commit(Existing existing) {
     if (isOnDiskOfTarget_ && (existing == Existing::refuse || !stands))
         error = linkToTarget();
     if (error == EEXIST && (existing == Existing::replace || !isOnDiskOfTarget_))
-        error = takeNameOfTarget(existing);
+        error = atomicRenameToTarget(existing);
     if (error == EEXIST)
         refuseToWrite(named_, "a file that exists already", "the name of a new file");
     if (error != 0)

@@ -8,7 +8,7 @@ namespace irsg {
 
 /// A file that is written without a name (in memory where the file system knows no files without
 /// names) and takes its place in one step: whoever is killed at any moment leaves the old file or
-/// the new one and nothing else (takeName). After a loss of power in the middle of that step a
+/// the new one and nothing else (atomicRename). After a loss of power in the middle of that step a
 /// hidden neighbour (".NAME.XXX.part") may be left; the next program that writes into the folder
 /// removes it. Writers of one file do not meet: the last one wins.
 class FileReplacement {
@@ -35,7 +35,7 @@ class FileReplacement {
   private:
     void takePermissions();
     int linkToTarget() const;
-    int takeNameOfTarget(Existing existing) const;
+    int atomicRenameToTarget(Existing existing) const;
 
     std::filesystem::path named_;  ///< as messages call it
     std::filesystem::path target_; ///< behind a link

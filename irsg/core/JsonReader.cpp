@@ -7,9 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/Diagnostics.h"
 #include "irsg/core/Errors.h"
-#include "irsg/core/NewLines.h"
 #include "irsg/core/Wording.h"
 
 namespace irsg {
@@ -335,7 +335,7 @@ Json JsonReader::unknown() const {
 }
 
 void JsonReader::remark(const std::string& sentence) const {
-    addNew(document_->remarks, {sentence});
+    appendUnique(document_->remarks, {sentence});
 }
 
 const std::vector<std::string>& JsonReader::remarks() const {

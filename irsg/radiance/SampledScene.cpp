@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "irsg/atmosphere/NearestRun.h"
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
-#include "irsg/core/NewLines.h"
 #include "irsg/radiance/AirSlices.h"
 #include "irsg/radiance/SceneRadiometry.h"
 
@@ -93,7 +93,7 @@ std::shared_ptr<const SampledScene> SampledScenes::make(AtmosphericQueryCache& a
         if (isSliced)
             SceneSampling::takeAir(answers, own, band);
         addAnswer(made->answeredBy, band.air.answeredBy);
-        addNew(made->warnings, band.air.warnings);
+        appendUnique(made->warnings, band.air.warnings);
     }
     const std::size_t seen = made->bands.size();
     for (std::size_t k = 0; withSources && k < seen; ++k)

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
-#include "irsg/core/NewLines.h"
 #include "irsg/core/ParallelFor.h"
 #include "irsg/radiometry/DotProducts.h"
 #include "irsg/signature/SurfaceModels.h"
@@ -44,7 +44,7 @@ SceneRadiometry::SceneRadiometry(const RadianceTerms& terms, const std::vector<E
             outputs_.emplace_back(wavelengths_um_.size() + first, wavelengths_um_.size() + last);
         append(wavelengths_um_, band.sampling->wavelengths_um());
         append(weights_um_, band.sampling->weights_um());
-        addNew(warnings_, band.air.warnings);
+        appendUnique(warnings_, band.air.warnings);
     }
     for (std::size_t e = 0; e < geometry.size(); ++e) {
         std::vector<int>& steps = sliceSteps_.emplace_back();

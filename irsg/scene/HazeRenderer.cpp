@@ -4,7 +4,7 @@
 
 #include "irsg/atmosphere/AtmosphereScatteringLut.h"
 #include "irsg/atmosphere/NearestRun.h"
-#include "irsg/core/NewLines.h"
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/Wording.h"
 #include "irsg/radiance/Reductions.h"
 #include "irsg/radiance/ScatteringDepth.h"
@@ -33,13 +33,15 @@ std::vector<ScatteredObject> HazeRenderer::objectsOf(const Frame& frame,
         const std::string& name = frame.scene().entities[e].name;
         objects.push_back({name, path.opticalDepth, {}});
         if (path.fromTransmittance)
-            addNew(warnings, {"scattering: no atmosphere has a scattering optical depth, so that "
-                              "eq. 10 takes it from the transmittance of " +
-                              withoutNearestRun(path.answeredBy) +
-                              ": absorption by gases blurs as if it scattered"});
+            appendUnique(warnings,
+                         {"scattering: no atmosphere has a scattering optical depth, so that "
+                          "eq. 10 takes it from the transmittance of " +
+                          withoutNearestRun(path.answeredBy) +
+                          ": absorption by gases blurs as if it scattered"});
         else if (path.opticalDepth == 0.0)
-            addNew(warnings, {"scattering: nothing scatters on the path to '" + name + "', as " +
-                              withoutNearestRun(path.answeredBy) + " says: it has no haze"});
+            appendUnique(warnings,
+                         {"scattering: nothing scatters on the path to '" + name + "', as " +
+                          withoutNearestRun(path.answeredBy) + " says: it has no haze"});
     }
     return objects;
 }
@@ -60,9 +62,10 @@ void HazeRenderer::warnOfOutside(const Frame& frame, int support_px,
             continue;
         const ImageRectangle whole = extent->intersectedWith(*box);
         if (whole.intersects(near) && !(whole.intersectedWith(seen) == whole))
-            addNew(warnings, {"scattering: '" + entity.name +
-                              "' reaches beyond the frame: what of it lies outside sends no haze "
-                              "into the picture"});
+            appendUnique(warnings,
+                         {"scattering: '" + entity.name +
+                          "' reaches beyond the frame: what of it lies outside sends no haze "
+                          "into the picture"});
     }
 }
 

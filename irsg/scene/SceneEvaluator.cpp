@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "irsg/atmosphere/NearestRun.h"
-#include "irsg/core/NewLines.h"
+#include "irsg/core/AppendUnique.h"
 #include "irsg/radiance/HotSurfaces.h"
 #include "irsg/render/background/BandSky.h"
 
@@ -112,7 +112,7 @@ FrameBackgrounds SceneEvaluator::backgrounds(const FrameRequest& request,
                                                     sky, wanted, terrainPainter, report));
             all.report.flooredPixels += report.flooredPixels;
             addAnswer(all.report.answeredBy, report.answeredBy);
-            addNew(all.report.warnings, report.warnings);
+            appendUnique(all.report.warnings, report.warnings);
         }
         all.layers = background_.takeLayers();
         return all;

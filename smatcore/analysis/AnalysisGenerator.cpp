@@ -9,7 +9,7 @@
 
 #include "irsg/atmosphere/EnvironmentVariants.h"
 #include "irsg/atmosphere/NearestRun.h"
-#include "irsg/core/NewLines.h"
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/Quantity.h"
 #include "irsg/core/Wording.h"
 #include "smatcore/analysis/AdaptiveSweep.h"
@@ -185,7 +185,7 @@ PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan cases, SceneDescription 
         data.renderer = door.description(scene);
         before = door.stageTimes();
     }
-    irsg::addNew(data.warnings, scene.remarks);
+    irsg::appendUnique(data.warnings, scene.remarks);
     SweepTable table(cases, scene, data.table);
     std::optional<AdaptiveSweep> adaptive;
     if (!cases.refined.empty())
@@ -199,7 +199,7 @@ PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan cases, SceneDescription 
             return SweepTarget::choose(door, *placer, scene, cases, data.settings);
         }();
         if (target)
-            irsg::addNew(data.answeredBy, target->choice().sentences);
+            irsg::appendUnique(data.answeredBy, target->choice().sentences);
         const StageTimer::Scope scope(control.timer, "analyse");
         logInfo(cases.description);
         std::size_t done = 0;
@@ -209,7 +209,7 @@ PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan cases, SceneDescription 
         const std::vector<std::string> ofLoading = data.warnings;
         const auto tellWarnings = [&] {
             data.warnings = ofLoading;
-            irsg::addNew(data.warnings, warnings.sentences());
+            irsg::appendUnique(data.warnings, warnings.sentences());
         };
         const auto take = [&](const CaseRecord& record) {
             data.table.insertRow(adaptive ? adaptive->add(record.row) : done, record.row);

@@ -4,8 +4,8 @@
 #include <optional>
 #include <system_error>
 
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
-#include "irsg/core/NewLines.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/Conditions.h"
 #include "smatcore/project/ProjectFile.h"
@@ -118,7 +118,7 @@ AnalysisData analysisOf(const StatedProvenance& stated, const std::vector<Projec
             stated.refuse(key, value, "a value that this version knows");
     if (remarks != nullptr)
         for (const auto& [key, value] : stated.all().entries)
-            irsg::addNew(*remarks, formerNameRemarks(key, value));
+            irsg::appendUnique(*remarks, formerNameRemarks(key, value));
     // Where adaptive steps are not stated there were none.
     if (stated.text(key::stepsOf(analysis)).empty())
         data.settings = withFixedSteps(data.kind, data.settings);

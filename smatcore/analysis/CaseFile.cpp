@@ -10,11 +10,11 @@
 #include <nlohmann/json.hpp>
 
 #include "irsg/atmosphere/NearestRun.h"
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/core/JsonReader.h"
-#include "irsg/core/NewLines.h"
 #include "smatcore/analysis/InputFiles.h"
 #include "smatcore/analysis/ResultFile.h"
 
@@ -422,7 +422,7 @@ AnalysisData joinedCases(const std::vector<fs::path>& files) {
                             : "not finished or not given: part " + names) +
                    " (--resume goes on with it)");
     }
-    irsg::addNew(before, warnings.sentences());
+    irsg::appendUnique(before, warnings.sentences());
     for (const OrderedJson& entry : head["provenance"]) {
         const std::string key = entry["key"];
         if (key == "state")

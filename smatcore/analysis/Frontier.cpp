@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "irsg/atmosphere/NearestRun.h"
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
-#include "irsg/core/NewLines.h"
 #include "irsg/core/Wording.h"
 #include "irsg/radiance/WidebandAir.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
@@ -302,7 +302,7 @@ void Frontier::run(AnalysisData& data, const RenderDoor& door, const SceneFactor
     for (const irsg::Entity& entity : scene.entities)
         data.databases.push_back(entity.database);
     data.renderer = door.description(scene);
-    irsg::addNew(data.warnings, scene.remarks);
+    irsg::appendUnique(data.warnings, scene.remarks);
     const irsg::Vec3 reference =
         scene.entities.front().pose.toWorld(placer.referencePoints().front());
     const auto places = CasePlacer::placesIn(scene);

@@ -8,8 +8,8 @@
 
 #include "irsg/atmosphere/EnvironmentVariants.h"
 #include "irsg/atmosphere/NearestRun.h"
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
-#include "irsg/core/NewLines.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
 #include "smatcore/analysis/DrawLoop.h"
@@ -47,7 +47,7 @@ class Run {
             data_.errors = errorColumnsOf(analysis.settings);
         scene_ = scenes(analysis.project, analysis.settings);
         scene_.environment = irsg::onTheFly(scene_.environment);
-        irsg::addNew(analysis.warnings, scene_.remarks);
+        irsg::appendUnique(analysis.warnings, scene_.remarks);
         data_.scalings = sceneScalings(analysis.project, scene_, analysis.warnings);
         const std::size_t places = plan_.kind->form == AnalysisForm::spectrum
                                        ? plan_.wavenumbers_per_cm.size()
@@ -166,7 +166,7 @@ class Run {
             irsg::addAnswer(analysis.answeredBy, record->answeredBy);
             ++done_;
         }
-        irsg::addNew(analysis.warnings, warnings.sentences());
+        irsg::appendUnique(analysis.warnings, warnings.sentences());
         if (done_ < total_)
             analysis.warnings.push_back(fmt::format("stopped after {} of {} cases", done_, total_));
         analysis.state =

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "irsg/atmosphere/NearestRun.h"
-#include "irsg/core/NewLines.h"
+#include "irsg/core/AppendUnique.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -75,7 +75,7 @@ void MonteCarloViews::draw(const Telling& tell, const std::stop_token& stop) {
             warnings_.add(sentence);
         drawPhases(one, std::move(placed), tell, stop);
     }
-    irsg::addNew(analysis.warnings, warnings_.sentences());
+    irsg::appendUnique(analysis.warnings, warnings_.sentences());
     for (std::size_t band = 0; band < bands_.size(); ++band) {
         const auto append = [](std::vector<double>& all, const std::vector<double>& more) {
             all.insert(all.end(), more.begin(), more.end());

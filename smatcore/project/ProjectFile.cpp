@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "irsg/core/NewLines.h"
+#include "irsg/core/AppendUnique.h"
 #include "smatcore/project/JsonWriting.h"
 #include "smatcore/project/ProjectReader.h"
 #include "smatcore/support/NearestNames.h"
@@ -157,7 +157,7 @@ std::string knownKeysLike(const std::string& path) {
     if (path.starts_with("analyses."))
         names = {"kind", "notes"};
     for (const SettingInfo& setting : settingTable())
-        irsg::addNew(names, setting.section());
+        irsg::appendUnique(names, setting.section());
     return didYouMean(key, names);
 }
 

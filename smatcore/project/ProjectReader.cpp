@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "irsg/core/NewLines.h"
+#include "irsg/core/AppendUnique.h"
 #include "smatcore/project/JsonReading.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -107,7 +107,7 @@ Project readProject(const std::string& text, const std::string& file,
     project.unknownKeys = leftOver(root);
     root.throwRefused();
     if (remarks != nullptr)
-        irsg::addNew(*remarks, root.remarks());
+        irsg::appendUnique(*remarks, root.remarks());
     return project;
 }
 

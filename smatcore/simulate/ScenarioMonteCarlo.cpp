@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
-#include "irsg/core/NewLines.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/DrawLoop.h"
 #include "smatcore/analysis/MonteCarloFile.h"
@@ -186,7 +186,7 @@ class ScenarioRun {
 
     void addViews(std::size_t sensor, double time_s) {
         const auto [frame, placed] = generator_.place(sensor, time_s);
-        irsg::addNew(run_.warnings, frame.warnings);
+        irsg::appendUnique(run_.warnings, frame.warnings);
         // The renderer counts those that are there.
         std::vector<int> drawnOf;
         int drawn = 0;
@@ -214,8 +214,8 @@ class ScenarioRun {
             series.data.abscissae.push_back(time_s);
             for (std::size_t band = 0; band < bands.size(); ++band) {
                 const auto index = static_cast<std::size_t>(place);
-                irsg::addNew(series.data.analysis.answeredBy, reports[band].answeredBy);
-                irsg::addNew(run_.warnings, reports[band].warnings);
+                irsg::appendUnique(series.data.analysis.answeredBy, reports[band].answeredBy);
+                irsg::appendUnique(run_.warnings, reports[band].warnings);
                 series.nominal[band].push_back(
                     valueOf(series.entity ? reports[band].objects.at(index) : reports[band].all));
                 series.views[band].push_back(

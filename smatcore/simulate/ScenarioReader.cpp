@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "irsg/core/NewLines.h"
+#include "irsg/core/AppendUnique.h"
 #include "smatcore/project/JsonReading.h"
 #include "smatcore/simulate/ScenarioFile.h"
 
@@ -199,7 +199,7 @@ Scenario readScenario(const std::string& text, const std::string& file,
     checkNames(scenario, entities, sensors);
     root.throwRefused();
     if (remarks != nullptr)
-        irsg::addNew(*remarks, root.remarks());
+        irsg::appendUnique(*remarks, root.remarks());
     return scenario;
 }
 

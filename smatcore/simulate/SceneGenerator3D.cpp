@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
-#include "irsg/core/NewLines.h"
 #include "smatcore/analysis/ErrorColumns.h"
 
 namespace smat {
@@ -166,7 +166,7 @@ irsg::RenderedImage SceneGenerator3D::render(const SensorFrame& frame, const Pla
     if (!sums)
         return {std::move(rendered.image), std::move(drawn)};
     sums->windows = std::move(drawn.windows);
-    irsg::addNew(sums->warnings, drawn.warnings);
+    irsg::appendUnique(sums->warnings, drawn.warnings);
     sums->layersLeftOver = drawn.layersLeftOver;
     return {std::move(rendered.image), std::move(*sums)};
 }

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "irsg/atmosphere/NearestRun.h"
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
-#include "irsg/core/NewLines.h"
 #include "smatcore/analysis/CaseWarnings.h"
 #include "smatcore/analysis/ErrorColumns.h"
 #include "smatcore/data/ColumnName.h"
@@ -43,7 +43,7 @@ SensorResult resultOf(const LoadedScenario& loaded, std::size_t sensor) {
                         .table = {},
                         .answeredBy = {},
                         .warnings = loaded.sensors[sensor].warnings};
-    irsg::addNew(result.warnings, loaded.sensors[sensor].scene.remarks);
+    irsg::appendUnique(result.warnings, loaded.sensors[sensor].scene.remarks);
     result.table.add(Quantity::time);
     result.table.add("frame", "");
     const std::vector<std::string> bands = labelsOf(loaded, sensor);
@@ -121,7 +121,7 @@ class Closing {
         : result_(result), warnings_(warnings) {}
     ~Closing() {
         for (std::size_t i = 0; i < warnings_.size(); ++i)
-            irsg::addNew(result_.sensors[i].warnings, warnings_[i].sentences());
+            irsg::appendUnique(result_.sensors[i].warnings, warnings_[i].sentences());
         result_.elapsed_s = elapsed_s();
     }
     Closing(const Closing&) = delete;

@@ -58,7 +58,7 @@ void killWhile(const std::function<void(int)>& work, int delay_us) {
 }
 
 /// The names in a folder once nobody works there: what a killed program began to put in place is
-/// put there by another (takeName).
+/// put there by another (atomicRename).
 std::set<std::string> namesAtRest(const fs::path& folder) {
     std::set<std::string> names;
     for (int i = 0; i < 1000; ++i) {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "irsg/atmosphere/engine/CallOnceFast.h"
 #include "irsg/atmosphere/engine/GasTable.h"
-#include "irsg/atmosphere/engine/Once.h"
 
 namespace irsg {
 
@@ -23,7 +23,7 @@ class NodeAbsorption {
 
   private:
     struct Row {
-        Once once;
+        CallOnceFast once;
         std::vector<float> steps; ///< see GasTable::steps
     };
     const float* row(Gas gas, std::size_t point) const;

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "irsg/atmosphere/engine/AtmosphericColumn.h"
+#include "irsg/atmosphere/engine/CallOnceFast.h"
 #include "irsg/atmosphere/engine/Continuum.h"
 #include "irsg/atmosphere/engine/NodeAbsorption.h"
-#include "irsg/atmosphere/engine/Once.h"
 
 namespace irsg {
 
@@ -66,7 +66,7 @@ class NodeColumn {
         std::vector<double> extinction, scattering, asymmetry, forwardPeak, rayleigh;
     };
     struct Level {
-        Once extinctionOnce, phaseOnce, planckOnce;
+        CallOnceFast extinctionOnce, phaseOnce, planckOnce;
         Smooth smooth;
         std::vector<float> extinction, scattering, asymmetry, forwardPeak;
         std::vector<double> planck;
@@ -93,7 +93,7 @@ class NodeColumn {
     std::vector<double> smoothPart_;         ///< and how far to the next
     std::vector<Optics> optics_;
     mutable std::vector<Level> levels_;
-    mutable Once sunOnce_;
+    mutable CallOnceFast sunOnce_;
     mutable std::vector<double> sun_;
 };
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "irsg/atmosphere/engine/CallOnceFast.h"
 #include "irsg/atmosphere/engine/NodeColumn.h"
-#include "irsg/atmosphere/engine/Once.h"
 #include "irsg/atmosphere/engine/RayPath.h"
 
 namespace irsg {
@@ -51,7 +51,7 @@ class LevelSources {
 
   private:
     struct Level {
-        Once once;
+        CallOnceFast once;
         Rows rows;
     };
     void scatteredAt(std::size_t level, Rows& rows) const;
@@ -84,7 +84,7 @@ class BeamSources {
 
   private:
     struct Level {
-        Once once;
+        CallOnceFast once;
         Row row;
     };
     Row emittedAt(std::size_t level, std::size_t kind) const;

@@ -56,7 +56,7 @@ struct Block {
     NodeColumn column;
     DiffuseLight light;
     /// Source functions without the sun, and those of the last few suns: see State::integratePath.
-    mutable Once sunlessOnce;
+    mutable CallOnceFast sunlessOnce;
     mutable std::optional<LevelSources> sunless;
     mutable std::mutex litMutex;
     mutable RecentlyUsed<std::shared_ptr<const LitSources>> lit{litKept};

@@ -6,8 +6,8 @@
 #include <optional>
 #include <system_error>
 
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/FileStamp.h"
-#include "irsg/core/NewLines.h"
 #include "irsg/core/RecentlyUsed.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scattering/MtfFilter.h"
@@ -200,7 +200,7 @@ std::vector<ScatteredLight> SceneScattering::addHaze(const std::filesystem::path
     const MtfDatabase& database = impl_->load(file);
     const double pitch_rad = sensor.pixelPitch();
     const int support_px = supportOf(database, sensor);
-    addNew(warnings, misfits(file, database, sensor, halfFieldOf(database)));
+    appendUnique(warnings, misfits(file, database, sensor, halfFieldOf(database)));
 
     std::vector<ScatteredLight> told;
     std::vector<double> sums(image.primary().values.size(), 0.0);

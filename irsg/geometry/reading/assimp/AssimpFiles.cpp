@@ -6,9 +6,9 @@
 
 #include <assimp/IOStream.hpp>
 
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
-#include "irsg/core/NewLines.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
 #include "irsg/geometry/reading/sandbox/GltfFile.h"
 #include "irsg/geometry/reading/sandbox/ReadingLimits.h"
@@ -75,13 +75,13 @@ Assimp::IOStream* AssimpFiles::Open(const char* name, const char* mode) {
         if (name == file_.string())
             return new Bytes(readFile(place_, largestModel_B));
         if (const auto refusal = refusalOf(decodedUri(name), FileKind::buffers)) {
-            addNew(remarks_, "refers to " + std::string(name) + ", which is not opened: " +
-                                 *refusal + ", expected " + expectationOf(FileKind::buffers));
+            appendUnique(remarks_, "refers to " + std::string(name) + ", which is not opened: " +
+                                       *refusal + ", expected " + expectationOf(FileKind::buffers));
             return nullptr;
         }
         const fs::path found = find(name);
         if (found.empty()) {
-            addNew(remarks_, "refers to " + std::string(name) + ", which is missing");
+            appendUnique(remarks_, "refers to " + std::string(name) + ", which is missing");
             return nullptr;
         }
         std::error_code failure;
@@ -89,7 +89,7 @@ Assimp::IOStream* AssimpFiles::Open(const char* name, const char* mode) {
             allowMore(size);
         return new Bytes(readFile(found, largestModel_B));
     } catch (const InputError& error) {
-        addNew(remarks_, error.what());
+        appendUnique(remarks_, error.what());
         return nullptr;
     }
 }

@@ -15,8 +15,8 @@
 #include <assimp/scene.h>
 #include <osgDB/FileNameUtils>
 
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
-#include "irsg/core/NewLines.h"
 #include "irsg/geometry/reading/assimp/AssimpFiles.h"
 #include "irsg/geometry/reading/assimp/AssimpGraph.h"
 #include "irsg/geometry/reading/assimp/AssimpStates.h"
@@ -60,7 +60,7 @@ class Warnings {
                 if (line.find(known) != line.npos)
                     return;
             if (lines.size() < most && !line.empty())
-                addNew(lines, line);
+                appendUnique(lines, line);
         }
         std::vector<std::string>& lines;
     };
@@ -123,7 +123,7 @@ class AssimpModel {
         loaded.node = graph.make();
         loaded.remarks = std::move(remarks_);
         for (const auto& more : {states.remarks(), graph.remarks()})
-            addNew(loaded.remarks, more);
+            appendUnique(loaded.remarks, more);
         compare(graph, loaded.remarks);
         return loaded;
     }
@@ -143,9 +143,9 @@ class AssimpModel {
             scene_ = importer.ReadFile(file_.string(), 0);
             complaint = importer.GetErrorString();
             for (const std::string& line : warnings.lines())
-                addNew(remarks_, line);
+                appendUnique(remarks_, line);
         }
-        addNew(remarks_, files->remarks());
+        appendUnique(remarks_, files->remarks());
         if (complaint.find("bad_alloc") != complaint.npos)
             throw std::bad_alloc();
         if (scene_ && scene_->mRootNode)
@@ -163,7 +163,7 @@ class AssimpModel {
     void takeGltf(FileAxes& axes) {
         axes = {1.0, ModelAxis::plusY, ModelAxis::plusZ,
                 "the format: glTF is in metres, with y up and the front along z"};
-        addNew(remarks_, gltf_.remarks);
+        appendUnique(remarks_, gltf_.remarks);
         for (unsigned int i = 0; i < scene_->mNumMaterials; ++i)
             if (i >= gltf_.materials)
                 scene_->mMaterials[i]->RemoveProperty(AI_MATKEY_NAME);
@@ -217,7 +217,7 @@ class AssimpModel {
         if (stated.scaledPlaces) {
             delete[] read.mTextureCoords[0];
             read.mTextureCoords[0] = nullptr;
-            addNew(remarks_, "texture coordinates in whole numbers are left out");
+            appendUnique(remarks_, "texture coordinates in whole numbers are left out");
         }
         checkExtent(read, stated, where);
     }
@@ -240,13 +240,14 @@ class AssimpModel {
         const double mayDiffer = 1e-5 * size + 1e-6 * far;
         if (!((least - *stated.least).length() <= mayDiffer &&
               (most - *stated.most).length() <= mayDiffer))
-            addNew(remarks_, where + ": positions do not reach from least to most as the file "
-                                     "says: one of both is damaged");
+            appendUnique(remarks_, where +
+                                       ": positions do not reach from least to most as the file "
+                                       "says: one of both is damaged");
     }
 
     void takeStated(FileAxes& axes) {
         axes = stated_.axes;
-        addNew(remarks_, stated_.remarks);
+        appendUnique(remarks_, stated_.remarks);
         // What Assimp turned and scales is what the outermost node does: files have no other for
         // it.
         root().mTransformation = aiMatrix4x4();
@@ -261,10 +262,10 @@ class AssimpModel {
             refuse("", numberText(graph.placedPolygons()) + " polygons that were read",
                    numberText(*stated_.placedPolygons) + ", which the file has");
         if (stated_.corners && graph.corners() < *stated_.corners)
-            addNew(remarks, "of " + std::to_string(*stated_.corners) +
-                                " corners of polygons in the file " +
-                                std::to_string(graph.corners()) +
-                                " were read: the others belong to meshes that are placed nowhere");
+            appendUnique(remarks,
+                         "of " + std::to_string(*stated_.corners) +
+                             " corners of polygons in the file " + std::to_string(graph.corners()) +
+                             " were read: the others belong to meshes that are placed nowhere");
     }
 
     const fs::path &place_, &file_;

@@ -14,8 +14,8 @@
 #include <osg/Texture2D>
 #include <osgDB/Registry>
 
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
-#include "irsg/core/NewLines.h"
 #include "irsg/geometry/reading/GuardedReading.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
 #include "irsg/geometry/reading/sandbox/GltfFile.h"
@@ -142,7 +142,8 @@ void AssimpStates::paint(osg::StateSet& state, const aiMaterial& material) {
     if (!findPicture(material, picture))
         return;
     if (picture.moved)
-        addNew(remarks_, "pictures that their material moves, turns or scales lie as they are");
+        appendUnique(remarks_,
+                     "pictures that their material moves, turns or scales lie as they are");
     const auto read = image(picture.name.C_Str());
     if (!read)
         return;
@@ -160,7 +161,7 @@ osg::ref_ptr<osg::Image> AssimpStates::image(const std::string& name) {
         const aiTexture* texture = scene_.GetEmbeddedTexture(name.c_str());
         place->second = texture ? embedded(*texture, name) : beside(name);
     } catch (const InputError& error) {
-        addNew(remarks_, error.what());
+        appendUnique(remarks_, error.what());
     }
     return place->second;
 }
@@ -168,7 +169,7 @@ osg::ref_ptr<osg::Image> AssimpStates::image(const std::string& name) {
 osg::ref_ptr<osg::Image> AssimpStates::embedded(const aiTexture& texture, const std::string& name) {
     const std::string called = "the picture " + name + " in the file";
     if (texture.mHeight != 0 || !texture.pcData) {
-        addNew(remarks_, called + " has no format and is left out");
+        appendUnique(remarks_, called + " has no format and is left out");
         return nullptr;
     }
     const std::string_view bytes(reinterpret_cast<const char*>(texture.pcData), texture.mWidth);
@@ -176,7 +177,7 @@ osg::ref_ptr<osg::Image> AssimpStates::embedded(const aiTexture& texture, const 
                                   : bytes.starts_with("\xFF\xD8\xFF") ? "jpg"
                                                                       : texture.achFormatHint;
     if (const auto refusal = refusalOf("picture." + extension, FileKind::picture)) {
-        addNew(remarks_, called + " is not opened: " + *refusal);
+        appendUnique(remarks_, called + " is not opened: " + *refusal);
         return nullptr;
     }
     allowMore(bytes.size());
@@ -186,7 +187,7 @@ osg::ref_ptr<osg::Image> AssimpStates::embedded(const aiTexture& texture, const 
     if (reader)
         image = reader->readImage(stream, GuardedReading::options()).takeImage();
     if (!image || !image->valid()) {
-        addNew(remarks_, called + " cannot be read and is left out");
+        appendUnique(remarks_, called + " cannot be read and is left out");
         return nullptr;
     }
     return image;
@@ -195,8 +196,8 @@ osg::ref_ptr<osg::Image> AssimpStates::embedded(const aiTexture& texture, const 
 osg::ref_ptr<osg::Image> AssimpStates::beside(const std::string& name) {
     std::string written = decodedUri(name);
     if (const auto refusal = refusalOf(written, FileKind::picture)) {
-        addNew(remarks_, "refers to " + written + ", which is not opened: " + *refusal +
-                             ", expected " + expectationOf(FileKind::picture));
+        appendUnique(remarks_, "refers to " + written + ", which is not opened: " + *refusal +
+                                   ", expected " + expectationOf(FileKind::picture));
         return nullptr;
     }
     // Many files name pictures by where they lay on the machine that wrote them.
@@ -212,7 +213,7 @@ osg::ref_ptr<osg::Image> AssimpStates::beside(const std::string& name) {
         image->setFileName(path.string());
         return image;
     }
-    addNew(remarks_, "refers to " + written + ", which is missing");
+    appendUnique(remarks_, "refers to " + written + ", which is missing");
     return nullptr;
 }
 

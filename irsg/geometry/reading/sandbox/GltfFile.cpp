@@ -5,7 +5,7 @@
 
 #include <osg/Quat>
 
-#include "irsg/core/NewLines.h"
+#include "irsg/core/AppendUnique.h"
 #include "irsg/geometry/reading/sandbox/GltfBuffers.h"
 #include "irsg/geometry/reading/sandbox/GltfJson.h"
 
@@ -137,7 +137,7 @@ class GltfText {
         primitive.faces = primitive.vertices == 0 ? 0 : facesOf(mode, corners);
         json_.index(given, path, "material", json_.list("materials").size());
         if (GltfJson::find(given, "targets"))
-            addNew(into_.remarks, "shapes between which meshes could change are left out");
+            appendUnique(into_.remarks, "shapes between which meshes could change are left out");
         return primitive;
     }
 

@@ -7,9 +7,9 @@
 #include <osg/Material>
 #include <osg/Texture2D>
 
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/FileReading.h"
-#include "irsg/core/NewLines.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
 #include "irsg/geometry/reading/text/TextWords.h"
 
@@ -61,20 +61,20 @@ ObjMaterials::ObjMaterials(fs::path folder, PictureReading picture)
 
 void ObjMaterials::read(const std::string& name, std::vector<std::string>& remarks) {
     if (const auto refusal = refusalOf(name, FileKind::materials)) {
-        addNew(remarks, "refers to " + name + ", which is not opened: " + *refusal + ", expected " +
-                            expectationOf(FileKind::materials));
+        appendUnique(remarks, "refers to " + name + ", which is not opened: " + *refusal +
+                                  ", expected " + expectationOf(FileKind::materials));
         return;
     }
     const fs::path file = pathOf(folder_, name);
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored)) {
-        addNew(remarks, "refers to " + name + ", which is missing");
+        appendUnique(remarks, "refers to " + name + ", which is missing");
         return;
     }
     try {
         readText(readFile(file), file.string(), remarks);
     } catch (const InputError& error) {
-        addNew(remarks, error.what());
+        appendUnique(remarks, error.what());
     }
 }
 
@@ -120,8 +120,9 @@ void ObjMaterials::readText(const std::string& text, const std::string& file,
     }
     finish();
     if (!diagnostics.empty())
-        addNew(remarks, diagnostics.front().message() + " (" + std::to_string(diagnostics.size()) +
-                            " lines like this are left out)");
+        appendUnique(remarks, diagnostics.front().message() + " (" +
+                                  std::to_string(diagnostics.size()) +
+                                  " lines like this are left out)");
 }
 
 osg::ref_ptr<osg::Image> ObjMaterials::image(const std::string& name,
@@ -130,14 +131,14 @@ osg::ref_ptr<osg::Image> ObjMaterials::image(const std::string& name,
     if (!added)
         return place->second;
     if (const auto refusal = refusalOf(name, FileKind::picture)) {
-        addNew(remarks, "refers to " + name + ", which is not opened: " + *refusal + ", expected " +
-                            expectationOf(FileKind::picture));
+        appendUnique(remarks, "refers to " + name + ", which is not opened: " + *refusal +
+                                  ", expected " + expectationOf(FileKind::picture));
         return nullptr;
     }
     const fs::path file = pathOf(folder_, name);
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored)) {
-        addNew(remarks, "refers to " + name + ", which is missing");
+        appendUnique(remarks, "refers to " + name + ", which is missing");
         return nullptr;
     }
     if (picture_) {
@@ -145,7 +146,7 @@ osg::ref_ptr<osg::Image> ObjMaterials::image(const std::string& name,
             place->second = picture_(file);
             place->second->setFileName(file.string());
         } catch (const InputError& error) {
-            addNew(remarks, error.what());
+            appendUnique(remarks, error.what());
         }
     }
     return place->second;

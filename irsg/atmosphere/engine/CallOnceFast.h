@@ -7,7 +7,7 @@ namespace irsg {
 
 /// std::call_once whose calls after the first cost one load: for values that are computed when they
 /// are first asked for and read often.
-class Once {
+class CallOnceFast {
   public:
     template <typename Function>
     void call(Function&& function) {

@@ -5,7 +5,7 @@ struct stat;
 namespace irsg {
 
 /// A whole file without a name, and the name that it is to have.
-struct NameTaking {
+struct AtomicRename {
     int descriptor;         ///< of the file
     bool isOnDiskOfTarget;  ///< on its file system, where a link is a name; else it is copied
     const char* calling;    ///< what the system calls the file ("/proc/self/fd/N")
@@ -23,6 +23,6 @@ struct NameTaking {
 /// makes these calls, which goes on where the caller is killed, and after which the caller clears
 /// up where it is killed itself. The name stays only where both end between two calls (a loss of
 /// power, say).
-int takeName(const NameTaking& taking);
+int atomicRename(const AtomicRename& taking);
 
 } // namespace irsg

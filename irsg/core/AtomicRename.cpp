@@ -1,4 +1,4 @@
-#include "irsg/core/NameTaking.h"
+#include "irsg/core/AtomicRename.h"
 
 #include <cerrno>
 #include <csignal>
@@ -19,7 +19,7 @@ namespace {
 
 /// What the process that takes the name and its caller share.
 struct Errand {
-    const NameTaking& taking;
+    const AtomicRename& taking;
     bool isDone = false;
     bool isSecondTime = false; ///< the first was cut off
     int error = 0;
@@ -30,7 +30,7 @@ struct Errand {
 
 // Below nothing may allocate or throw: other threads of the caller stand still wherever they were.
 
-int copied(const NameTaking& taking, int to) {
+int copied(const AtomicRename& taking, int to) {
     char block[16 * 1024];
     for (off_t at = 0;;) {
         const ssize_t count = pread(taking.descriptor, block, sizeof block, at);
@@ -52,7 +52,7 @@ int copied(const NameTaking& taking, int to) {
 
 /// A copy of the file as the hidden neighbour, on the disk.
 int copyAsPart(Errand& errand) {
-    const NameTaking& taking = errand.taking;
+    const AtomicRename& taking = errand.taking;
     const int part = open(taking.part, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (part < 0)
         return errno;
@@ -72,7 +72,7 @@ int copyAsPart(Errand& errand) {
 }
 
 int nameAsPart(Errand& errand) {
-    const NameTaking& taking = errand.taking;
+    const AtomicRename& taking = errand.taking;
     if (!taking.isOnDiskOfTarget)
         return copyAsPart(errand);
     // A file that had a name and lost it gets none again: what was linked stays so.
@@ -83,7 +83,7 @@ int nameAsPart(Errand& errand) {
     return 0;
 }
 
-int moveToTarget(const NameTaking& taking) {
+int moveToTarget(const AtomicRename& taking) {
     if (!taking.mayReplace) {
         if (renameat2(AT_FDCWD, taking.part, AT_FDCWD, taking.target, RENAME_NOREPLACE) == 0)
             return 0;
@@ -98,7 +98,7 @@ int moveToTarget(const NameTaking& taking) {
 }
 
 void carryOut(Errand& errand) {
-    const NameTaking& taking = errand.taking;
+    const AtomicRename& taking = errand.taking;
     int error = nameAsPart(errand);
     struct stat named {};
     if (error == 0 && stat(taking.part, &named) != 0)
@@ -128,7 +128,7 @@ bool isInPlace(const Errand& errand) {
 
 } // namespace
 
-int takeName(const NameTaking& taking) {
+int atomicRename(const AtomicRename& taking) {
     constexpr std::size_t stackSize = 256 * 1024;
     const std::unique_ptr<std::byte[]> stack(new std::byte[stackSize]);
     Errand errand{taking};
