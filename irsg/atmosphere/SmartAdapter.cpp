@@ -45,7 +45,7 @@ Profile SmartAdapter::profile(const AtmosphereSmartParameters& parameters,
     scale(Gas::H2O, parameters.waterScale);
     if (parameters.meteoModel != 2)
         return profile;
-    return profile.withMeteo(
+    return profile.adjustedToSurfaceObservation(
         {.height_m = parameters.measurementHeight_m,
          .temperature_K = kelvinFromCelsius(parameters.temperatureMH_C),
          .pressure_hPa = parameters.pressureMH_mbar,

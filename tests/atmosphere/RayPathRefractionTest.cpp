@@ -132,7 +132,7 @@ TEST(RayPathRefraction, HasTheLengthsOfModtran) {
 
 TEST(RayPathRefraction, SurvivesInversionsThatWouldTrapIt) {
     const Profile profile = Profile::model(ModelAtmosphere::subarcticWinter)
-                                .withMeteo({2.0, 263.15, 1013.0, 0.8, 253.15});
+                                .adjustedToSurfaceObservation({2.0, 263.15, 1013.0, 0.8, 253.15});
     const RayTracer tracer(profile, gridOf(profile));
     for (const double range : {1.0, 100.0, 5e3, 20e3, 50e3, 100e3}) {
         for (const double altitude : {0.0, 0.5, 1.0, 2.0, 10.0, 60.0}) {

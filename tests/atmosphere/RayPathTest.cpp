@@ -294,7 +294,7 @@ TEST(RayPath, HasTheRangeAskedBetweenAnyTwoEnds) {
     for (const bool isMeasured : {false, true}) {
         Profile profile = Profile::model(ModelAtmosphere::midlatitudeWinter);
         if (isMeasured) {
-            profile = profile.withMeteo({3.0, 275.0, 1000.0, 0.5, 266.0});
+            profile = profile.adjustedToSurfaceObservation({3.0, 275.0, 1000.0, 0.5, 266.0});
         }
         const RayTracer tracer(profile, gridOf(profile));
         for (int i = 0; i < 6000; ++i) {

@@ -20,7 +20,7 @@ enum class ModelAtmosphere {
 };
 
 /// Weather measured near the ground (the report's MeteoModel 2).
-struct MeteoMeasurement {
+struct SurfaceObservation {
     double height_m = 5.0;               ///< measurement height, 2 to 40
     double temperature_K = 293.15;       ///< at that height
     double pressure_hPa = 1013.0;        ///< at that height, 800 to 1200
@@ -75,9 +75,9 @@ class Profile {
     /// From 1 km up temperature and mole fractions are unchanged and join with a continuous first
     /// derivative; so is pressure, except that a misfit above 0.05 remains as a constant factor
     /// (the ground then lies at another altitude than the model's). The profile has to reach 1 km.
-    /// Throws InputError for values outside the ranges of MeteoMeasurement, temperatures 213.15 to
-    /// 333.15 K. docs/atmosphere-profiles.md has the reasons.
-    Profile withMeteo(const MeteoMeasurement& measured) const;
+    /// Throws InputError for values outside the ranges of SurfaceObservation, temperatures 213.15
+    /// to 333.15 K. docs/atmosphere-profiles.md has the reasons.
+    Profile adjustedToSurfaceObservation(const SurfaceObservation& measured) const;
 
     const std::string& name() const { return name_; }
     const std::vector<AtmosphericState>& levels() const { return levels_; }

@@ -68,7 +68,7 @@ class TemperatureShift {
     double slopeAtZero_ = 0.0;
 };
 
-void check(const MeteoMeasurement& measured, const Profile& profile) {
+void check(const SurfaceObservation& measured, const Profile& profile) {
     std::vector<Diagnostic> diagnostics;
     const auto require = [&](const char* what, double value, double least, double most,
                              const char* unit) {
@@ -111,7 +111,7 @@ void setWater(AtmosphericState& air, double humidity) {
 
 } // namespace
 
-Profile Profile::withMeteo(const MeteoMeasurement& measured) const {
+Profile Profile::adjustedToSurfaceObservation(const SurfaceObservation& measured) const {
     check(measured, *this);
     const double height_m = measured.height_m;
     const AtmosphericState atHeight = at(height_m);

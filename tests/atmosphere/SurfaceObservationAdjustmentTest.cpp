@@ -28,10 +28,10 @@ void expectSaneAir(const Profile& air) {
 
 } // namespace
 
-TEST(MeteoReshape, PassesThroughTheMeasurements) {
-    const MeteoMeasurement measured{12.0, 291.3, 1004.5, 0.63, 295.1};
+TEST(SurfaceObservationAdjustment, PassesThroughTheMeasurements) {
+    const SurfaceObservation measured{12.0, 291.3, 1004.5, 0.63, 295.1};
     for (const ModelAtmosphere model : allModels) {
-        const Profile air = Profile::model(model).withMeteo(measured);
+        const Profile air = Profile::model(model).adjustedToSurfaceObservation(measured);
         EXPECT_NEAR(air.at(0.0).temperature_K, 295.1, 1e-9);
         EXPECT_NEAR(air.at(12.0).temperature_K, 291.3, 1e-9);
         EXPECT_NEAR(air.at(12.0).pressure_hPa, 1004.5, 1e-9);
@@ -41,9 +41,9 @@ TEST(MeteoReshape, PassesThroughTheMeasurements) {
     }
 }
 
-TEST(MeteoReshape, ChangesNothingFromOneKilometreUp) {
+TEST(SurfaceObservationAdjustment, ChangesNothingFromOneKilometreUp) {
     const Profile before = Profile::model(ModelAtmosphere::midlatitudeSummer);
-    const Profile after = before.withMeteo({5.0, 288.0, 1005.0, 0.9, 286.0});
+    const Profile after = before.adjustedToSurfaceObservation({5.0, 288.0, 1005.0, 0.9, 286.0});
     for (const double z : {1000.0, 1001.0, 1500.0, 8300.0, 50000.0, 100000.0}) {
         EXPECT_NEAR(after.at(z).temperature_K, before.at(z).temperature_K, 1e-9);
         EXPECT_NEAR(after.at(z).pressure_hPa / before.at(z).pressure_hPa, 1.0, 1e-12);
@@ -56,10 +56,11 @@ TEST(MeteoReshape, ChangesNothingFromOneKilometreUp) {
 }
 
 // The levels sample a curve with a continuous derivative: the last pieces approach the slope above.
-TEST(MeteoReshape, JoinsTheAirAboveSmoothly) {
+TEST(SurfaceObservationAdjustment, JoinsTheAirAboveSmoothly) {
     for (const ModelAtmosphere model : allModels) {
         const Profile before = Profile::model(model);
-        const Profile after = before.withMeteo({5.0, 293.15, 1010.0, 0.5, 293.15});
+        const Profile after =
+            before.adjustedToSurfaceObservation({5.0, 293.15, 1010.0, 0.5, 293.15});
         const auto slope = [](const Profile& air, double z) {
             return (air.at(z + 20.0).temperature_K - air.at(z).temperature_K) / 20.0;
         };
@@ -70,13 +71,13 @@ TEST(MeteoReshape, JoinsTheAirAboveSmoothly) {
     }
 }
 
-TEST(MeteoReshape, OfTheModelsOwnValuesIsTheModel) {
+TEST(SurfaceObservationAdjustment, OfTheModelsOwnValuesIsTheModel) {
     for (const ModelAtmosphere model : allModels) {
         const Profile before = Profile::model(model);
         const AtmosphericState ten = before.at(10.0);
-        const Profile after =
-            before.withMeteo({10.0, ten.temperature_K, ten.pressure_hPa, relativeHumidity(ten),
-                              before.at(0.0).temperature_K});
+        const Profile after = before.adjustedToSurfaceObservation(
+            {10.0, ten.temperature_K, ten.pressure_hPa, relativeHumidity(ten),
+             before.at(0.0).temperature_K});
         for (const double z : {0.0, 5.0, 100.0, 300.0, 555.0, 900.0}) {
             EXPECT_NEAR(after.at(z).temperature_K, before.at(z).temperature_K, 1e-9);
             EXPECT_NEAR(after.at(z).pressure_hPa, before.at(z).pressure_hPa, 0.6);
@@ -85,9 +86,9 @@ TEST(MeteoReshape, OfTheModelsOwnValuesIsTheModel) {
 }
 
 // 30 hPa per 254 m or so: the barometric formula of moist air between levels.
-TEST(MeteoReshape, IsHydrostaticUpToTheMisfitThatItSpreads) {
+TEST(SurfaceObservationAdjustment, IsHydrostaticUpToTheMisfitThatItSpreads) {
     const Profile air = Profile::model(ModelAtmosphere::usStandard1976)
-                            .withMeteo({10.0, 288.0, 1012.0, 0.5, 288.1});
+                            .adjustedToSurfaceObservation({10.0, 288.0, 1012.0, 0.5, 288.1});
     const double belowTheMeasurement =
         std::log(air.at(0.0).pressure_hPa / air.at(10.0).pressure_hPa);
     const double water = air.at(5.0).fraction(Gas::H2O);
@@ -102,10 +103,10 @@ TEST(MeteoReshape, IsHydrostaticUpToTheMisfitThatItSpreads) {
     }
 }
 
-TEST(MeteoReshape, OfWeatherFarFromTheModelStaysSane) {
+TEST(SurfaceObservationAdjustment, OfWeatherFarFromTheModelStaysSane) {
     struct Case {
         const char* name;
-        MeteoMeasurement measured;
+        SurfaceObservation measured;
     };
     const Case cases[] = {{"40 C", {5.0, 313.15, 1013.0, 1.0, 313.15}},
                           {"-40 C", {5.0, 233.15, 1013.0, 1.0, 233.15}},
@@ -120,7 +121,7 @@ TEST(MeteoReshape, OfWeatherFarFromTheModelStaysSane) {
         for (const ModelAtmosphere model : allModels) {
             SCOPED_TRACE(each.name);
             const Profile before = Profile::model(model);
-            const Profile air = before.withMeteo(each.measured);
+            const Profile air = before.adjustedToSurfaceObservation(each.measured);
             expectSaneAir(air);
             // Between the ground and the measurement, and from there to the model: no overshoot.
             const double ground = air.at(0.0).temperature_K;
@@ -142,26 +143,27 @@ TEST(MeteoReshape, OfWeatherFarFromTheModelStaysSane) {
 
 // A pressure that no weather of the air above explains goes up as a factor; ordinary weather does
 // not.
-TEST(MeteoReshape, LeavesThePressureAboveAloneInOrdinaryWeather) {
+TEST(SurfaceObservationAdjustment, LeavesThePressureAboveAloneInOrdinaryWeather) {
     for (const ModelAtmosphere model : allModels) {
         for (const double pressure_hPa : {975.0, 1013.0, 1040.0}) {
             const Profile before = Profile::model(model);
             const double own_K = before.at(5.0).temperature_K;
-            const Profile after = before.withMeteo({5.0, own_K, pressure_hPa, 0.5, own_K});
+            const Profile after =
+                before.adjustedToSurfaceObservation({5.0, own_K, pressure_hPa, 0.5, own_K});
             EXPECT_NEAR(after.at(5000.0).pressure_hPa, before.at(5000.0).pressure_hPa, 1e-9);
         }
     }
     const Profile before = Profile::model(ModelAtmosphere::usStandard1976);
-    const Profile high = before.withMeteo({5.0, 288.0, 800.0, 0.5, 288.0});
+    const Profile high = before.adjustedToSurfaceObservation({5.0, 288.0, 800.0, 0.5, 288.0});
     EXPECT_NEAR(high.at(5000.0).pressure_hPa / before.at(5000.0).pressure_hPa,
                 800.0 / 1012.4 * 1.051, 0.005);
 }
 
-TEST(MeteoReshape, RefusesWeatherByName) {
+TEST(SurfaceObservationAdjustment, RefusesWeatherByName) {
     const double nan = std::nan("");
     struct Case {
         const char* name;
-        MeteoMeasurement measured;
+        SurfaceObservation measured;
         const char* words;
     };
     const Case cases[] = {{"too low", {1.9, 290, 1000, 0.5, 290}, "height_m"},
@@ -177,7 +179,7 @@ TEST(MeteoReshape, RefusesWeatherByName) {
     for (const Case& each : cases) {
         SCOPED_TRACE(each.name);
         try {
-            air.withMeteo(each.measured);
+            air.adjustedToSurfaceObservation(each.measured);
             FAIL() << "nothing was refused";
         } catch (const InputError& error) {
             EXPECT_THAT(error.what(), HasSubstr(each.words));
@@ -185,5 +187,5 @@ TEST(MeteoReshape, RefusesWeatherByName) {
     }
     const Profile low(
         {AtmosphericState{0.0, 1000.0, 290.0, {}}, AtmosphericState{500.0, 950.0, 287.0, {}}});
-    EXPECT_THROW(low.withMeteo({}), InputError);
+    EXPECT_THROW(low.adjustedToSurfaceObservation({}), InputError);
 }
