@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "irsg/radiance/ViewKindSums.h"
+#include "irsg/radiance/ViewSurfaceSums.h"
 #include "irsg/render/sampling/SampleWindow.h"
 
 namespace irsg {
@@ -24,13 +24,13 @@ namespace irsg {
 enum class Contrast { rows, columns, both };
 inline constexpr std::size_t contrastKinds = 3;
 
-/// Sums of samples as ViewKindSums makes them, with their contrasts.
+/// Sums of samples as ViewSurfaceSums makes them, with their contrasts.
 template <std::size_t Factors>
 class ContrastSums {
   public:
     /// Of the rows from one on to before another, counted from the top. All must live as long.
     ContrastSums(const SampleWindow& window, std::size_t firstRow, std::size_t lastRow,
-                 const ViewKindSums<Factors>& empty)
+                 const ViewSurfaceSums<Factors>& empty)
         : window_(window),
           firstRow_(static_cast<int>(firstRow)),
           lastRow_(static_cast<int>(lastRow)),
@@ -68,42 +68,42 @@ class ContrastSums {
     void add(int front, const SurfaceRows::Between& between, const FactorSamples::Layer& layer) {
         now_->add(front, between, layer);
         if (isCorrected_)
-            for (ViewKindSums<Factors>& sums : corrections_)
+            for (ViewSurfaceSums<Factors>& sums : corrections_)
                 sums.add(front, between, layer);
     }
     void addLight(int front, const SurfaceRows::Between& between,
                   const FactorSamples::Layer& layer) {
         now_->addLight(front, between, layer);
         if (isCorrected_)
-            for (ViewKindSums<Factors>& sums : corrections_)
+            for (ViewSurfaceSums<Factors>& sums : corrections_)
                 sums.addLight(front, between, layer);
     }
 
     /// No sample comes after it.
     void finishLight() {
-        for (ViewKindSums<Factors>& sums : classes_)
+        for (ViewSurfaceSums<Factors>& sums : classes_)
             sums.finishLight();
-        for (ViewKindSums<Factors>& sums : corrections_)
+        for (ViewSurfaceSums<Factors>& sums : corrections_)
             sums.finishLight();
     }
     void addMirror(int front, const FactorSamples& samples, const FactorSamples::Layer& layer,
                    const FactorSamples::Mirror& mirror) {
         now_->addMirror(front, samples, layer, mirror);
         if (isCorrected_)
-            for (ViewKindSums<Factors>& sums : corrections_)
+            for (ViewSurfaceSums<Factors>& sums : corrections_)
                 sums.addMirror(front, samples, layer, mirror);
     }
     void finish() {
-        for (ViewKindSums<Factors>& sums : classes_)
+        for (ViewSurfaceSums<Factors>& sums : classes_)
             sums.finish();
-        for (ViewKindSums<Factors>& sums : corrections_)
+        for (ViewSurfaceSums<Factors>& sums : corrections_)
             sums.finish();
     }
 
     /// Calls visit(sums, sign) for what the sum of all is made of.
     template <typename Visit>
     void forEachOfSum(Visit visit) const {
-        for (const ViewKindSums<Factors>& sums : classes_)
+        for (const ViewSurfaceSums<Factors>& sums : classes_)
             visit(sums, 1.0);
     }
     /// The same of a contrast.
@@ -156,10 +156,10 @@ class ContrastSums {
 
     const SampleWindow& window_;
     int firstRow_, lastRow_;
-    std::size_t cells_;                            ///< of a row
-    std::array<ViewKindSums<Factors>, 4> classes_; ///< by parity of row and column
-    std::array<ViewKindSums<Factors>, contrastKinds> corrections_;
-    ViewKindSums<Factors>* now_ = nullptr;
+    std::size_t cells_;                               ///< of a row
+    std::array<ViewSurfaceSums<Factors>, 4> classes_; ///< by parity of row and column
+    std::array<ViewSurfaceSums<Factors>, contrastKinds> corrections_;
+    ViewSurfaceSums<Factors>* now_ = nullptr;
     bool isCorrected_ = false, hasCorrections_ = false;
     // The run and the row of the present sample.
     double weight_ = 0.0;

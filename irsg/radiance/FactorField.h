@@ -12,9 +12,9 @@
 namespace irsg {
 
 /// What lies before a surface (its number in Fronts) and which row of SurfaceRows it is.
-struct FactorKind {
-    int front = 0, row = 0;
-    bool operator==(const FactorKind&) const = default;
+struct SurfaceStackId {
+    int stack = 0, row = 0;
+    bool operator==(const SurfaceStackId&) const = default;
 };
 
 /// Geometry once, physics many times: sums of factors, by cell (a pixel, or one for a whole view)
@@ -30,17 +30,17 @@ class FactorField {
 
     std::size_t width() const { return width_; }
     std::size_t cells() const { return heads_.size(); }
-    const std::vector<FactorKind>& kinds() const { return kinds_; }
+    const std::vector<SurfaceStackId>& kinds() const { return kinds_; }
     std::size_t entries() const { return entries_.size(); }
 
-    int kindOf(const FactorKind& kind) {
-        const auto front = static_cast<std::size_t>(kind.front);
+    int kindOf(const SurfaceStackId& kind) {
+        const auto stack = static_cast<std::size_t>(kind.stack);
         const auto row = static_cast<std::size_t>(kind.row);
-        if (front >= numbers_.size())
-            numbers_.resize(front + 1);
-        if (row >= numbers_[front].size())
-            numbers_[front].resize(row + 1, none);
-        std::int32_t& number = numbers_[front][row];
+        if (stack >= numbers_.size())
+            numbers_.resize(stack + 1);
+        if (row >= numbers_[stack].size())
+            numbers_[stack].resize(row + 1, none);
+        std::int32_t& number = numbers_[stack][row];
         if (number == none) {
             number = static_cast<std::int32_t>(kinds_.size());
             kinds_.push_back(kind);
@@ -69,12 +69,12 @@ class FactorField {
     }
 
     /// Adds a field of equal width times a scale, entry by entry in its order. `cellOf(cell)` is
-    /// the cell here of one there, `frontOf(front)` likewise.
-    template <typename Other, typename CellOf, typename FrontOf>
-    void add(const FactorField<Other>& other, CellOf cellOf, FrontOf frontOf, Real scale = 1) {
+    /// the cell here of one there, `stackOf(front)` likewise.
+    template <typename Other, typename CellOf, typename StackOf>
+    void add(const FactorField<Other>& other, CellOf cellOf, StackOf stackOf, Real scale = 1) {
         std::vector<int> kinds;
-        for (const FactorKind& kind : other.kinds())
-            kinds.push_back(kindOf({frontOf(kind.front), kind.row}));
+        for (const SurfaceStackId& kind : other.kinds())
+            kinds.push_back(kindOf({stackOf(kind.stack), kind.row}));
         for (std::size_t cell = 0; cell < other.cells(); ++cell)
             other.forEach(cell, [&](std::size_t kind, std::span<const Other> numbers) {
                 Real* sums = at(cellOf(cell), kinds[kind]);
@@ -120,7 +120,7 @@ class FactorField {
     std::vector<std::int32_t> heads_; // first entry of each cell
     std::vector<Entry> entries_;
     std::vector<Real> values_;
-    std::vector<FactorKind> kinds_;
+    std::vector<SurfaceStackId> kinds_;
     std::vector<std::vector<std::int32_t>> numbers_; // [front][row]: kind
     // Of the cell that was written last: the entry of each kind, and the last of its list.
     std::size_t cell_ = std::numeric_limits<std::size_t>::max();

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "irsg/radiance/FactorField.h"
-#include "irsg/radiance/Fronts.h"
+#include "irsg/radiance/OccluderStacks.h"
 #include "irsg/radiance/SurfaceRows.h"
 #include "irsg/render/sampling/Samples.h"
 
@@ -19,7 +19,7 @@ class LayerWalk {
   public:
     explicit LayerWalk(const SurfaceRows& rows) : rows_(rows), drawn_(rows.keys().size()) {}
 
-    const Fronts& fronts() const { return fronts_; }
+    const OccluderStacks& occluderStacks() const { return occluderStacks_; }
 
     /// Calls visit(front, between, layer) for every layer of a sample, front to back. Light that a
     /// layer gets through something comes after it, as if that stood before the layer, too, and
@@ -30,10 +30,10 @@ class LayerWalk {
     void forEachPlace(const FactorSamples& samples, std::size_t sample, const Visit& visit) {
         forEachPlace(
             samples, sample, visit,
-            [&](int front, const FactorSamples::Layer& layer, const FactorSamples::Mirror& mirror) {
+            [&](int stack, const FactorSamples::Layer& layer, const FactorSamples::Mirror& mirror) {
                 forEachShare(samples, mirror, [&](std::size_t place, float coverage) {
                     const int row = mirror.row + static_cast<int>(place);
-                    visit(front, rows_.at(row, layer.distance_m),
+                    visit(stack, rows_.at(row, layer.distance_m),
                           FactorSamples::Layer{row,
                                                layer.distance_m,
                                                {noFactors.data(), layer.factors.size()},
@@ -49,17 +49,17 @@ class LayerWalk {
                       const VisitMirror& visitMirror) {
         if (samples.through.empty() && samples.lobes.empty() && samples.mirrors.empty())
             return forEachLayerAlone(samples, sample, visit);
-        int front = 0;
+        int stack = 0;
         OfLayers<FactorSamples::Through> light(samples.through, sample, lightFrom_);
         OfLayers<FactorSamples::Lobe> lobes(samples.lobes, sample, lobesFrom_);
         OfLayers<FactorSamples::Mirror> mirrors(samples.mirrors, sample, mirrorsFrom_);
         samples.forEachLayer(sample, [&](const FactorSamples::Layer& layer) {
             const SurfaceRows::Between between = rows_.at(layer.row, layer.distance_m);
-            visit(front, between, layer);
+            visit(stack, between, layer);
             const auto throughOf = [&](const FactorSamples::Layer& of,
                                        const SurfaceRows::Between& at, double scale) {
                 light.ofThisLayer([&](const FactorSamples::Through& one) {
-                    visit(behindSet(front, samples.throughSets[one.set]), at,
+                    visit(behindSet(stack, samples.throughSets[one.set]), at,
                           lightAlone(of, one, static_cast<float>(scale)));
                 });
             };
@@ -67,17 +67,17 @@ class LayerWalk {
             lobes.ofThisLayer([&](const FactorSamples::Lobe& one) {
                 const FactorSamples::Layer lobe = lobeOf(samples, layer, one);
                 const SurfaceRows::Between at = rows_.at(lobe.row, lobe.distance_m);
-                visit(front, at, lobe);
+                visit(stack, at, lobe);
                 if (one.sun != 0.0f)
                     throughOf(lobe, at, static_cast<double>(one.sun));
             });
             mirrors.ofThisLayer(
-                [&](const FactorSamples::Mirror& one) { visitMirror(front, layer, one); });
+                [&](const FactorSamples::Mirror& one) { visitMirror(stack, layer, one); });
             light.goOn();
             lobes.goOn();
             mirrors.goOn();
             if (rows_.isTransparent(layer.row))
-                front = behind(front, layer.row);
+                stack = behind(stack, layer.row);
         });
     }
     /// Calls visit(kind, weight, layer) for every layer of a sample, front to back; twice for one
@@ -117,22 +117,22 @@ class LayerWalk {
     template <typename Visit>
     [[gnu::always_inline]] void forEachLayerAlone(const FactorSamples& samples, std::size_t sample,
                                                   const Visit& visit) {
-        int front = 0;
+        int stack = 0;
         samples.forEachLayer(
             sample, [&](const FactorSamples::Layer& layer) __attribute__((always_inline)) {
-                visit(front, rows_.at(layer.row, layer.distance_m), layer);
+                visit(stack, rows_.at(layer.row, layer.distance_m), layer);
                 if (rows_.isTransparent(layer.row))
-                    front = behind(front, layer.row);
+                    stack = behind(stack, layer.row);
             });
     }
 
     template <typename Visit>
     auto byRows(const Visit& visit) const {
-        return [ this, &visit ](int front, const SurfaceRows::Between& between,
+        return [ this, &visit ](int stack, const SurfaceRows::Between& between,
                                 const FactorSamples::Layer& layer) __attribute__((always_inline)) {
-            visit(FactorKind{front, between.row}, 1.0f - between.next, layer);
+            visit(SurfaceStackId{stack, between.row}, 1.0f - between.next, layer);
             if (rows_.isSliced(layer.row))
-                visit(FactorKind{front, between.row + 1}, between.next, layer);
+                visit(SurfaceStackId{stack, between.row + 1}, between.next, layer);
         };
     }
 
@@ -201,26 +201,26 @@ class LayerWalk {
                 rows_.lobe(lobe.row).light < 0 ? layer.place : nullptr,
                 true};
     }
-    int behindSet(int front, const std::vector<FrontMaterial>& set) {
-        for (const FrontMaterial& material : set)
-            front = fronts_.behind(front, material);
-        return front;
+    int behindSet(int stack, const std::vector<OccluderMaterial>& set) {
+        for (const OccluderMaterial& material : set)
+            stack = occluderStacks_.behind(stack, material);
+        return stack;
     }
-    [[gnu::always_inline]] int behind(int front, int drawn) {
+    [[gnu::always_inline]] int behind(int stack, int drawn) {
         const std::size_t place =
-            static_cast<std::size_t>(front) * drawn_ + static_cast<std::size_t>(drawn);
+            static_cast<std::size_t>(stack) * drawn_ + static_cast<std::size_t>(drawn);
         return place < next_.size() && next_[place] >= 0 ? next_[place]
-                                                         : newBehind(place, front, drawn);
+                                                         : newBehind(place, stack, drawn);
     }
-    [[gnu::noinline]] int newBehind(std::size_t place, int front, int drawn) {
+    [[gnu::noinline]] int newBehind(std::size_t place, int stack, int drawn) {
         if (place >= next_.size())
-            next_.resize((static_cast<std::size_t>(front) + 1) * drawn_, -1);
-        return next_[place] = fronts_.behind(front, rows_.material(drawn));
+            next_.resize((static_cast<std::size_t>(stack) + 1) * drawn_, -1);
+        return next_[place] = occluderStacks_.behind(stack, rows_.material(drawn));
     }
 
     const SurfaceRows& rows_;
     std::size_t drawn_; // rows of the drawing
-    Fronts fronts_;
+    OccluderStacks occluderStacks_;
     std::vector<int> next_; // by front and drawn row
     std::array<float, mostFactors> light_{}, lobe_{};
     std::size_t lightFrom_ = 0, lobesFrom_ = 0, mirrorsFrom_ = 0;

@@ -7,17 +7,17 @@
 
 namespace irsg {
 
-PixelTerms::PixelTerms(const SceneRadiometry& radiometry, KindRadiances& radiances, Fronts& fronts,
-                       SceneLight* light, double background_W_m2_sr)
+PixelTerms::PixelTerms(const SceneRadiometry& radiometry, SurfaceRadianceTable& radiances,
+                       OccluderStacks& occluderStacks, SceneLight* light, double background_W_m2_sr)
     : radiometry_(radiometry),
       radiances_(radiances),
-      fronts_(fronts),
+      occluderStacks_(occluderStacks),
       light_(light),
       background_W_m2_sr_(background_W_m2_sr),
       walk_(radiometry.rows()) {}
 
-const PixelTerms::KnownKind& PixelTerms::knownOf(const FactorKind& kind) {
-    const auto [place, isNew] = known_.try_emplace({kind.front, kind.row});
+const PixelTerms::KnownSurfaceStack& PixelTerms::knownOf(const SurfaceStackId& kind) {
+    const auto [place, isNew] = known_.try_emplace({kind.stack, kind.row});
     if (isNew) {
         radiances_.prepare({kind});
         place->second.terms = radiances_.terms(kind);
@@ -41,8 +41,9 @@ PixelTerms::Sums& PixelTerms::sumsOf(const Key& key, int row) {
 }
 
 template <typename Drawn>
-void PixelTerms::addKind(const FactorKind& kind, Sums& sums, double coverage, const Drawn& drawn) {
-    const KnownKind& known = knownOf(kind);
+void PixelTerms::addKind(const SurfaceStackId& kind, Sums& sums, double coverage,
+                         const Drawn& drawn) {
+    const KnownSurfaceStack& known = knownOf(kind);
     const std::vector<RadianceTerm>& list = radiometry_.terms().terms;
     const bool isLobe = radiometry_.rows().isLobe(radiometry_.rows().drawnOf(kind.row));
     for (std::size_t k = 0; k < list.size(); ++k) {
@@ -67,22 +68,22 @@ void PixelTerms::add(const FactorSamples& samples, std::size_t sample, double sh
     int number = 0, ofLayer = 0;
     walk_.forEachPlace(
         samples, sample,
-        [&](int front, const SurfaceRows::Between& between, const FactorSamples::Layer& layer) {
+        [&](int stack, const SurfaceRows::Between& between, const FactorSamples::Layer& layer) {
             // A lobe belongs to its surface.
-            const bool isLightAlone = layer.isLobe ? front != ofLayer : layer.coverage == 0.0f;
+            const bool isLightAlone = layer.isLobe ? stack != ofLayer : layer.coverage == 0.0f;
             if (!isLightAlone && !layer.isLobe) {
                 ++number;
-                ofLayer = front;
+                ofLayer = stack;
             }
-            const int shared = fronts_.numberOf(walk_.fronts().materials(front));
+            const int shared = occluderStacks_.numberOf(walk_.occluderStacks().materials(stack));
             Sums& sums = sumsOf({number, isLightAlone, rows.surfaceOf(layer.row), shared},
                                 layer.isLobe ? rows.first(rows.surfaceOf(layer.row)) : between.row);
             const auto addRow = [&](int row, double part) {
-                const FactorKind kind{shared, row};
+                const SurfaceStackId kind{shared, row};
                 addKind(kind, sums, part * static_cast<double>(layer.coverage), [&](std::size_t f) {
                     return part * static_cast<double>(layer.factors[f]);
                 });
-                const KnownKind& known = knownOf(kind);
+                const KnownSurfaceStack& known = knownOf(kind);
                 if (!known.light || !layer.place)
                     return;
                 const SceneLight::AtReceiver at =
@@ -108,12 +109,12 @@ void PixelTerms::add(const FactorSamples& samples, std::size_t sample, double sh
 void PixelTerms::addPoint(const PointFactors& atUnitDistance, double scale, double range_m) {
     const FactorField<double>& field = atUnitDistance.sums_sr_m2;
     field.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
-        const FactorKind& drawn = field.kinds()[number];
-        const FactorKind kind{drawn.front, radiometry_.rows().first(drawn.row)};
-        const int layer = 1 + static_cast<int>(fronts_.materials(drawn.front).size());
+        const SurfaceStackId& drawn = field.kinds()[number];
+        const SurfaceStackId kind{drawn.stack, radiometry_.rows().first(drawn.row)};
+        const int layer = 1 + static_cast<int>(occluderStacks_.materials(drawn.stack).size());
         const bool isLobe = radiometry_.rows().isLobe(drawn.row);
         const int surface = radiometry_.rows().surfaceOf(drawn.row);
-        Sums& sums = sumsOf({layer, !isLobe && numbers[0] == 0.0, surface, drawn.front},
+        Sums& sums = sumsOf({layer, !isLobe && numbers[0] == 0.0, surface, drawn.stack},
                             radiometry_.rows().first(surface));
         const double coverage = scale * numbers[0];
         addKind(kind, sums, coverage, [&](std::size_t f) { return scale * numbers[1 + f]; });
@@ -129,7 +130,7 @@ double PixelTerms::mean(const std::vector<double>& values) const {
 
 ExplainedSurface PixelTerms::explained(const Key& key, const Sums& sums,
                                        const std::vector<Entity>& entities) const {
-    const auto& [layer, isLightAlone, drawn, front] = key;
+    const auto& [layer, isLightAlone, drawn, stack] = key;
     const auto& [e, codes] = radiometry_.rows().keys()[static_cast<std::size_t>(drawn)];
     const Entity& entity = entities[static_cast<std::size_t>(e)];
     const SurfaceSpectra& spectra = radiometry_.surfaces()[static_cast<std::size_t>(drawn)];
@@ -156,7 +157,7 @@ ExplainedSurface PixelTerms::explained(const Key& key, const Sums& sums,
     const AirSamples& air = radiometry_.air(sums.row);
     surface.airTransmittance = mean(*air.transmittance);
     std::vector<double> through(spectra.transmissivity.size(), 1.0);
-    for (const auto& [of, material] : fronts_.materials(front)) {
+    for (const auto& [of, material] : occluderStacks_.materials(stack)) {
         const std::vector<double>& lets = radiometry_.transmissivity(of, material);
         for (std::size_t i = 0; i < through.size(); ++i)
             through[i] *= lets[i];

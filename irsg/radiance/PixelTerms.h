@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "irsg/geometry/Entity.h"
-#include "irsg/radiance/KindRadiances.h"
 #include "irsg/radiance/LayerWalk.h"
 #include "irsg/radiance/PointSources.h"
+#include "irsg/radiance/SurfaceRadianceTable.h"
 #include "irsg/radiance/exchange/SceneLight.h"
 #include "irsg/render/values/PixelExplanation.h"
 
@@ -19,8 +19,8 @@ class PixelTerms {
   public:
     /// All must live as long. `light`: between surfaces, or null; `background_W_m2_sr`: behind the
     /// pixel.
-    PixelTerms(const SceneRadiometry& radiometry, KindRadiances& radiances, Fronts& fronts,
-               SceneLight* light, double background_W_m2_sr);
+    PixelTerms(const SceneRadiometry& radiometry, SurfaceRadianceTable& radiances,
+               OccluderStacks& occluderStacks, SceneLight* light, double background_W_m2_sr);
 
     /// A sample that is `share` of the pixel's area.
     void add(const FactorSamples& samples, std::size_t sample, double share);
@@ -39,29 +39,29 @@ class PixelTerms {
         std::vector<double> drawn, radiance_W_m2_sr, atOne_W_m2_sr;
         int row = 0; ///< the first that was met
     };
-    struct KnownKind {
+    struct KnownSurfaceStack {
         std::vector<double> terms;
         double opacity = 0.0;
         const std::vector<SceneLight::AtReceiver>* light = nullptr;
     };
-    const KnownKind& knownOf(const FactorKind& kind);
+    const KnownSurfaceStack& knownOf(const SurfaceStackId& kind);
     Sums& sumsOf(const Key& key, int row);
     /// Adds factors of a kind: what `drawn(f)` of each factor f is.
     /// Of a lobe, `coverage` is what stands for it, and counts for radiances alone.
     template <typename Drawn>
-    void addKind(const FactorKind& kind, Sums& sums, double coverage, const Drawn& drawn);
+    void addKind(const SurfaceStackId& kind, Sums& sums, double coverage, const Drawn& drawn);
     ExplainedSurface explained(const Key& key, const Sums& sums,
                                const std::vector<Entity>& entities) const;
     /// Mean over the band.
     double mean(const std::vector<double>& values) const;
 
     const SceneRadiometry& radiometry_;
-    KindRadiances& radiances_;
-    Fronts& fronts_;
+    SurfaceRadianceTable& radiances_;
+    OccluderStacks& occluderStacks_;
     SceneLight* light_;
     double background_W_m2_sr_;
     LayerWalk walk_;
-    std::map<std::pair<int, int>, KnownKind> known_;
+    std::map<std::pair<int, int>, KnownSurfaceStack> known_;
     std::map<Key, Sums> sums_;
 };
 

@@ -28,9 +28,10 @@ std::vector<double> aspectsOf(const std::vector<ObjectGeometry>& geometry) {
 
 EvaluatedScene::EvaluatedScene(const RadianceTerms& terms, const std::vector<Entity>& entities,
                                const std::vector<ObjectGeometry>& geometry,
-                               const std::vector<SampledBand>& bands, const Fronts& fronts)
+                               const std::vector<SampledBand>& bands,
+                               const OccluderStacks& occluderStacks)
     : radiometry(terms, entities, geometry, bands),
-      radiances(radiometry, fronts),
+      radiances(radiometry, occluderStacks),
       planck(radiometry.wavelengths_um()),
       aspects_rad_(aspectsOf(geometry)) {}
 
@@ -49,7 +50,8 @@ void EvaluatedScene::turnTo(const std::vector<Entity>& entities,
 std::shared_ptr<EvaluatedScene>
 RadiometryCache::of(const RadianceTerms& terms, const std::vector<Entity>& entities,
                     const std::vector<ObjectGeometry>& geometry,
-                    const std::shared_ptr<const SampledScene>& sampled, const Fronts& fronts) {
+                    const std::shared_ptr<const SampledScene>& sampled,
+                    const OccluderStacks& occluderStacks) {
     Kept key;
     for (std::size_t e = 0; e < entities.size(); ++e) {
         key.entities.push_back(EntityKey::of(entities[e]));
@@ -65,7 +67,8 @@ RadiometryCache::of(const RadianceTerms& terms, const std::vector<Entity>& entit
         return known->scene;
     }
     key.sampled = sampled;
-    key.scene = std::make_shared<EvaluatedScene>(terms, entities, geometry, sampled->bands, fronts);
+    key.scene =
+        std::make_shared<EvaluatedScene>(terms, entities, geometry, sampled->bands, occluderStacks);
     const std::shared_ptr<EvaluatedScene> scene = kept_.add(std::move(key)).scene;
     forget();
     return scene;

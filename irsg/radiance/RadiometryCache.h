@@ -5,10 +5,10 @@
 
 #include "irsg/core/RecentlyUsed.h"
 #include "irsg/radiance/EntityKey.h"
-#include "irsg/radiance/KindRadiances.h"
 #include "irsg/radiance/PlanckTable.h"
 #include "irsg/radiance/SampledScene.h"
 #include "irsg/radiance/SceneRadiometry.h"
+#include "irsg/radiance/SurfaceRadianceTable.h"
 #include "irsg/radiance/exchange/SceneLight.h"
 
 namespace irsg {
@@ -17,13 +17,13 @@ namespace irsg {
 struct EvaluatedScene {
     EvaluatedScene(const RadianceTerms& terms, const std::vector<Entity>& entities,
                    const std::vector<ObjectGeometry>& geometry,
-                   const std::vector<SampledBand>& bands, const Fronts& fronts);
+                   const std::vector<SampledBand>& bands, const OccluderStacks& occluderStacks);
 
     /// Makes it that of other aspects.
     void turnTo(const std::vector<Entity>& entities, const std::vector<ObjectGeometry>& geometry);
 
     SceneRadiometry radiometry;
-    KindRadiances radiances;
+    SurfaceRadianceTable radiances;
     PlanckTable planck; ///< of scaled views
     /// Between the surfaces of this scene, as the renderer set it; null for none.
     std::shared_ptr<SceneLight> light;
@@ -43,7 +43,7 @@ class RadiometryCache {
                                        const std::vector<Entity>& entities,
                                        const std::vector<ObjectGeometry>& geometry,
                                        const std::shared_ptr<const SampledScene>& sampled,
-                                       const Fronts& fronts);
+                                       const OccluderStacks& occluderStacks);
 
   private:
     struct Kept {

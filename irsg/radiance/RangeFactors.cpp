@@ -93,9 +93,9 @@ void addAtRange(const ViewFactors& atUnitDistance, double weight, const SurfaceR
             addLight({{{kind.first, row}, sums}}, scale * static_cast<double>(part), view.light);
         });
     atUnitDistance.field.forEach(0, [&](std::size_t number, std::span<const double> source) {
-        const FactorKind& kind = atUnitDistance.field.kinds()[number];
+        const SurfaceStackId& kind = atUnitDistance.field.kinds()[number];
         forEachRowOf(kind.row, [&](int row, float part) {
-            double* sums = view.field.at(0, view.field.kindOf({kind.front, row}));
+            double* sums = view.field.at(0, view.field.kindOf({kind.stack, row}));
             const double share = scale * static_cast<double>(part);
             for (std::size_t i = 0; i < layout.pixels(); ++i)
                 sums[i] += share * source[i];

@@ -14,7 +14,7 @@ constexpr std::size_t reductionParts = 16;
 
 /// Sum of what factors make of a kind; `numbers` begin with the coverage.
 template <typename Real>
-double radianceOf(const KindRadiance& kind, const Real* numbers) {
+double radianceOf(const SurfaceStackRadiance& kind, const Real* numbers) {
     double sum = kind.constant * static_cast<double>(numbers[0]);
     for (std::size_t f = 0; f < kind.perFactor.size(); ++f)
         sum += kind.perFactor[f] * static_cast<double>(numbers[1 + f]);
@@ -31,11 +31,11 @@ double dotProduct(std::span<const double> a, std::span<const double> b) {
 /// Adds the light between surfaces to the sums over objects.
 void addLightBetween(const LightSums& sums, SceneLight& light, const SurfaceRows& rows,
                      const std::vector<double>& ranges_m, std::vector<ObjectSums>& result) {
-    const std::vector<FactorKind> kinds = light.inOrder(sums);
+    const std::vector<SurfaceStackId> kinds = light.inOrder(sums);
     light.prepare(kinds);
     std::vector<std::array<std::vector<double>, 2>> all(kinds.size());
     parallelFor(kinds.size(), [&](std::size_t k) {
-        const std::vector<double>& own = sums.at({kinds[k].front, kinds[k].row});
+        const std::vector<double>& own = sums.at({kinds[k].stack, kinds[k].row});
         for (const bool withCosine : {false, true})
             all[k][withCosine ? 1 : 0] = light.contracted(kinds[k].row, own, withCosine);
     });
@@ -58,7 +58,7 @@ void addLightBetween(const LightSums& sums, SceneLight& light, const SurfaceRows
 namespace {
 
 /// Of factors whose kinds are prepared.
-std::vector<ObjectSums> sumsOf(const ViewFactors& view, const KindRadiances& radiances,
+std::vector<ObjectSums> sumsOf(const ViewFactors& view, const SurfaceRadianceTable& radiances,
                                SceneLight* light, const SurfaceRows& rows,
                                const std::vector<double>& ranges_m,
                                const std::vector<int>& varying) {
@@ -66,11 +66,11 @@ std::vector<ObjectSums> sumsOf(const ViewFactors& view, const KindRadiances& rad
     struct Seen {
         std::size_t entity;
         const double* numbers;
-        KindRadiances::InOutputs radiance;
+        SurfaceRadianceTable::InOutputs radiance;
     };
     std::vector<Seen> seen;
     view.field.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
-        const FactorKind& kind = view.field.kinds()[number];
+        const SurfaceStackId& kind = view.field.kinds()[number];
         const int drawn = rows.drawnOf(kind.row);
         seen.push_back({static_cast<std::size_t>(rows.keyOf(drawn).first), numbers.data(),
                         radiances.inOutputs(kind)});
@@ -80,7 +80,7 @@ std::vector<ObjectSums> sumsOf(const ViewFactors& view, const KindRadiances& rad
         sums.objects.resize(ranges_m.size());
 
     const auto add = [&](const Seen& one, std::size_t output) {
-        const KindRadiance radiance = one.radiance.at(output);
+        const SurfaceStackRadiance radiance = one.radiance.at(output);
         const double* plain = one.numbers + layout.coverage();
         const double* cosine = one.numbers + layout.withCosine(layout.coverage());
 
@@ -119,7 +119,7 @@ std::vector<ObjectSums> sumsOf(const ViewFactors& view, const KindRadiances& rad
 
 } // namespace
 
-std::vector<ObjectSums> objectSums(const ViewFactors& view, KindRadiances& radiances,
+std::vector<ObjectSums> objectSums(const ViewFactors& view, SurfaceRadianceTable& radiances,
                                    SceneLight* light, const SurfaceRows& rows,
                                    const std::vector<double>& ranges_m,
                                    const std::vector<int>& varying) {
@@ -127,7 +127,8 @@ std::vector<ObjectSums> objectSums(const ViewFactors& view, KindRadiances& radia
     return sumsOf(view, radiances, light, rows, ranges_m, varying);
 }
 
-std::vector<std::vector<ObjectSums>> contrastSums(const ViewFactors& view, KindRadiances& radiances,
+std::vector<std::vector<ObjectSums>> contrastSums(const ViewFactors& view,
+                                                  SurfaceRadianceTable& radiances,
                                                   SceneLight* light, const SurfaceRows& rows,
                                                   const std::vector<double>& ranges_m,
                                                   const std::vector<int>& varying) {
@@ -145,11 +146,11 @@ std::vector<std::vector<ObjectSums>> contrastSums(const ViewFactors& view, KindR
     return all;
 }
 
-void addPixels(const PixelFactors& pixels, int width_px, KindRadiances& radiances,
+void addPixels(const PixelFactors& pixels, int width_px, SurfaceRadianceTable& radiances,
                SceneLight* light, FrameReduction& frame) {
     radiances.prepare(pixels.field.kinds());
-    std::vector<KindRadiance> known;
-    for (const FactorKind& kind : pixels.field.kinds())
+    std::vector<SurfaceStackRadiance> known;
+    for (const SurfaceStackId& kind : pixels.field.kinds())
         known.push_back(radiances.of(kind));
     std::vector<double> ofReceivers;
     if (light)
@@ -176,7 +177,7 @@ double lightOfPoint(const PointFactors& atUnitDistance, const SurfaceRows& rows,
                     SceneLight& light) {
     double sent = 0.0;
     for (const auto& [drawn, sums] : atUnitDistance.light_sr_m2) {
-        const FactorKind kind{drawn.first, rows.first(drawn.second)};
+        const SurfaceStackId kind{drawn.first, rows.first(drawn.second)};
         if (!light.matters(rows.drawnOf(kind.row)))
             continue;
         light.prepare({kind});
@@ -186,7 +187,7 @@ double lightOfPoint(const PointFactors& atUnitDistance, const SurfaceRows& rows,
 }
 
 void addPointToPixel(const PointFactors& atUnitDistance, const SurfaceRows& rows,
-                     const PointPlace& place, KindRadiances& radiances, SceneLight* light,
+                     const PointPlace& place, SurfaceRadianceTable& radiances, SceneLight* light,
                      FrameReduction& frame) {
     const double scale = 1.0 / (place.distance_m * place.distance_m * place.solidAngle_sr);
     double sent = 0.0, opacity = 0.0;
@@ -194,10 +195,10 @@ void addPointToPixel(const PointFactors& atUnitDistance, const SurfaceRows& rows
         sent += scale * lightOfPoint(atUnitDistance, rows, *light);
     const FactorField<double>& field = atUnitDistance.sums_sr_m2;
     field.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
-        const FactorKind& drawn = field.kinds()[number];
-        const FactorKind kind{drawn.front, rows.first(drawn.row)};
+        const SurfaceStackId& drawn = field.kinds()[number];
+        const SurfaceStackId kind{drawn.stack, rows.first(drawn.row)};
         radiances.prepare({kind});
-        const KindRadiance radiance = radiances.of(kind);
+        const SurfaceStackRadiance radiance = radiances.of(kind);
         sent += scale * radianceOf(radiance, numbers.data());
         opacity += scale * radiance.opacity * numbers[0];
     });

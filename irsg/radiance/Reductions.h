@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "irsg/radiance/FactorField.h"
-#include "irsg/radiance/KindRadiances.h"
+#include "irsg/radiance/SurfaceRadianceTable.h"
 #include "irsg/radiance/ViewFactors.h"
 #include "irsg/render/sampling/FrameReduction.h"
 #include "irsg/render/values/RenderReport.h"
@@ -24,19 +24,20 @@ struct ObjectSums {
 /// that is uniform; what objects hide of a background that varies over the frame is the sum over
 /// their own pixels.
 /// `light`: between surfaces, or null.
-std::vector<ObjectSums> objectSums(const ViewFactors& view, KindRadiances& radiances,
+std::vector<ObjectSums> objectSums(const ViewFactors& view, SurfaceRadianceTable& radiances,
                                    SceneLight* light, const SurfaceRows& rows,
                                    const std::vector<double>& ranges_m,
                                    const std::vector<int>& varying);
 
 /// The same of each contrast of a view.
-std::vector<std::vector<ObjectSums>> contrastSums(const ViewFactors& view, KindRadiances& radiances,
+std::vector<std::vector<ObjectSums>> contrastSums(const ViewFactors& view,
+                                                  SurfaceRadianceTable& radiances,
                                                   SceneLight* light, const SurfaceRows& rows,
                                                   const std::vector<double>& ranges_m,
                                                   const std::vector<int>& varying);
 
 /// Adds the pixels of a view to a frame. `light`: between surfaces, or null.
-void addPixels(const PixelFactors& pixels, int width_px, KindRadiances& radiances,
+void addPixels(const PixelFactors& pixels, int width_px, SurfaceRadianceTable& radiances,
                SceneLight* light, FrameReduction& frame);
 
 /// What light between surfaces gives a point source at unit distance, W sr-1.
@@ -45,7 +46,7 @@ double lightOfPoint(const PointFactors& atUnitDistance, const SurfaceRows& rows,
 /// Adds a point source of unit distance (see addPointToView) to its pixel. `light`: between
 /// surfaces, or null.
 void addPointToPixel(const PointFactors& atUnitDistance, const SurfaceRows& rows,
-                     const PointPlace& place, KindRadiances& radiances, SceneLight* light,
+                     const PointPlace& place, SurfaceRadianceTable& radiances, SceneLight* light,
                      FrameReduction& frame);
 
 } // namespace irsg

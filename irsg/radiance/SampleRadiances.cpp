@@ -22,7 +22,7 @@ class MirrorRadiances {
   public:
     /// Of what one row of a surface mirrors, behind a front.
     struct OfRow {
-        FactorKind first; ///< of its places
+        SurfaceStackId first; ///< of its places
         int rowsOfPlace = 1;
         std::vector<double> ofNodes; ///< by component; NaN where not known yet
 
@@ -46,8 +46,8 @@ class MirrorRadiances {
                         for (std::size_t i = k * table.places; i < (k + 1) * table.places; ++i)
                             radiance +=
                                 static_cast<double>(shares[i]) *
-                                ofPlace(FactorKind{first.front,
-                                                   first.row + static_cast<int>(i) * rowsOfPlace});
+                                ofPlace(SurfaceStackId{
+                                    first.stack, first.row + static_cast<int>(i) * rowsOfPlace});
                     }
                     own += static_cast<double>(samples.mirrorScales[mirror.scales + k]) * radiance;
                 }
@@ -73,22 +73,22 @@ class MirrorRadiances {
 
     /// Calls `isNew(kind)` for the places of a row that is asked for for the first time.
     template <typename IsNew>
-    Found of(int front, const SurfaceRows& rows, const FactorSamples& samples,
+    Found of(int stack, const SurfaceRows& rows, const FactorSamples& samples,
              const FactorSamples::Layer& layer, const FactorSamples::Mirror& mirror, IsNew isNew) {
         const SurfaceRows::Between between = rows.at(mirror.row, layer.distance_m);
-        if (front != front_ || between.row != row_ || mirror.table != table_) {
-            front_ = front;
+        if (stack != stack_ || between.row != row_ || mirror.table != table_) {
+            stack_ = stack;
             row_ = between.row;
             table_ = mirror.table;
             const int rowsOfPlace = rows.first(mirror.row + 1) - rows.first(mirror.row);
             const auto take = [&](int row) {
-                OfRow& own = known_[{front, row, mirror.table}];
+                OfRow& own = known_[{stack, row, mirror.table}];
                 if (own.first.row < 0) {
-                    own.first = {front, row};
+                    own.first = {stack, row};
                     own.rowsOfPlace = rowsOfPlace;
                     const std::size_t places = samples.mirrorTables[mirror.table]->valuesOfNode();
                     for (std::size_t i = 0; i < places; ++i)
-                        isNew(FactorKind{front, row + static_cast<int>(i) * rowsOfPlace});
+                        isNew(SurfaceStackId{stack, row + static_cast<int>(i) * rowsOfPlace});
                 }
                 return &own;
             };
@@ -104,7 +104,7 @@ class MirrorRadiances {
         Unknown() { first.row = -1; }
     };
     std::map<std::tuple<int, int, std::uint32_t>, Unknown> known_; // front, row, table
-    int front_ = -1, row_ = -1;
+    int stack_ = -1, row_ = -1;
     std::uint32_t table_ = 0;
     Found last_;
 };
@@ -112,9 +112,13 @@ class MirrorRadiances {
 /// Some of the samples, and the kinds that they show, under numbers of its own.
 class SamplesOfPart {
   public:
-    SamplesOfPart(const SurfaceRows& rows, const Fronts& fronts, const KindRadiances& radiances,
-                  const SceneLight* light)
-        : rows_(rows), fronts_(fronts), radiances_(radiances), light_(light), walk_(rows) {}
+    SamplesOfPart(const SurfaceRows& rows, const OccluderStacks& occluderStacks,
+                  const SurfaceRadianceTable& radiances, const SceneLight* light)
+        : rows_(rows),
+          occluderStacks_(occluderStacks),
+          radiances_(radiances),
+          light_(light),
+          walk_(rows) {}
 
     /// Samples `first` to before `last`; false where some of their kinds are not prepared, which
     /// are all known by then.
@@ -127,9 +131,9 @@ class SamplesOfPart {
                 evaluateSample(samples, i, &planes[2 * i]);
         return isPrepared_;
     }
-    const std::vector<FactorKind>& kinds() const { return kinds_.kinds(); }
-    const std::vector<FrontMaterial>& materials(int front) const {
-        return walk_.fronts().materials(front);
+    const std::vector<SurfaceStackId>& kinds() const { return kinds_.kinds(); }
+    const std::vector<OccluderMaterial>& materials(int stack) const {
+        return walk_.occluderStacks().materials(stack);
     }
     /// Looks for kinds again, which have been prepared.
     void takePrepared() {
@@ -140,13 +144,13 @@ class SamplesOfPart {
   private:
     struct Known {
         bool isPrepared = false;
-        KindRadiance radiance;
+        SurfaceStackRadiance radiance;
         const std::vector<SceneLight::AtReceiver>* light = nullptr; // where it matters
     };
 
-    Known find(const FactorKind& kind) const {
-        const FactorKind shared{fronts_.find(materials(kind.front)), kind.row};
-        if (shared.front < 0 || !radiances_.isPrepared(shared))
+    Known find(const SurfaceStackId& kind) const {
+        const SurfaceStackId shared{occluderStacks_.find(materials(kind.stack)), kind.row};
+        if (shared.stack < 0 || !radiances_.isPrepared(shared))
             return {};
         Known known{true, radiances_.of(shared), nullptr};
         if (light_ && light_->matters(rows_.drawnOf(kind.row))) {
@@ -155,13 +159,13 @@ class SamplesOfPart {
         }
         return known;
     }
-    [[gnu::always_inline]] const Known& knownOf(const FactorKind& kind) {
+    [[gnu::always_inline]] const Known& knownOf(const SurfaceStackId& kind) {
         const auto number = static_cast<std::size_t>(kinds_.kindOf(kind));
         if (number == known_.size())
             take(kind);
         return known_[number];
     }
-    [[gnu::noinline]] void take(const FactorKind& kind) {
+    [[gnu::noinline]] void take(const SurfaceStackId& kind) {
         known_.push_back(find(kind));
         isPrepared_ = isPrepared_ && known_.back().isPrepared;
     }
@@ -170,12 +174,12 @@ class SamplesOfPart {
         double sent = 0.0, opacity = 0.0;
         walk_.forEachLayer(
             samples, i,
-            [&](const FactorKind& kind, float weight,
+            [&](const SurfaceStackId& kind, float weight,
                 const FactorSamples::Layer& layer) __attribute__((always_inline)) {
                 const Known& known = knownOf(kind);
                 if (!isPrepared_)
                     return;
-                const KindRadiance& radiance = known.radiance;
+                const SurfaceStackRadiance& radiance = known.radiance;
                 const auto coverage = static_cast<double>(layer.coverage);
                 double own = coverage * radiance.constant;
                 if (known.light && layer.place)
@@ -186,11 +190,11 @@ class SamplesOfPart {
                 sent += static_cast<double>(weight) * own;
                 opacity += static_cast<double>(weight) * coverage * radiance.opacity;
             },
-            [&](int front, const FactorSamples::Layer& layer, const FactorSamples::Mirror& mirror) {
-                const auto found = mirrors_.of(front, rows_, samples, layer, mirror,
-                                               [&](const FactorKind& kind) { knownOf(kind); });
+            [&](int stack, const FactorSamples::Layer& layer, const FactorSamples::Mirror& mirror) {
+                const auto found = mirrors_.of(stack, rows_, samples, layer, mirror,
+                                               [&](const SurfaceStackId& kind) { knownOf(kind); });
                 if (isPrepared_)
-                    sent += found.sum(samples, mirror, [&](const FactorKind& kind) {
+                    sent += found.sum(samples, mirror, [&](const SurfaceStackId& kind) {
                         return knownOf(kind).radiance.constant;
                     });
             });
@@ -199,8 +203,8 @@ class SamplesOfPart {
     }
 
     const SurfaceRows& rows_;
-    const Fronts& fronts_;
-    const KindRadiances& radiances_;
+    const OccluderStacks& occluderStacks_;
+    const SurfaceRadianceTable& radiances_;
     const SceneLight* light_;
     LayerWalk walk_;
     FactorField<double> kinds_; // for its numbers of kinds alone
@@ -211,9 +215,9 @@ class SamplesOfPart {
 
 } // namespace
 
-SampleRadiances::SampleRadiances(const SurfaceRows& rows, Fronts& fronts, KindRadiances& radiances,
-                                 SceneLight* light)
-    : rows_(rows), fronts_(fronts), radiances_(radiances), light_(light) {}
+SampleRadiances::SampleRadiances(const SurfaceRows& rows, OccluderStacks& occluderStacks,
+                                 SurfaceRadianceTable& radiances, SceneLight* light)
+    : rows_(rows), occluderStacks_(occluderStacks), radiances_(radiances), light_(light) {}
 
 void SampleRadiances::evaluate(const FactorSamples& samples, RadianceSamples& result) {
     const std::size_t count = samples.size();
@@ -223,7 +227,7 @@ void SampleRadiances::evaluate(const FactorSamples& samples, RadianceSamples& re
     result.planes.resize(2 * count);
 
     std::vector<SamplesOfPart> all(evaluationParts,
-                                   SamplesOfPart(rows_, fronts_, radiances_, light_));
+                                   SamplesOfPart(rows_, occluderStacks_, radiances_, light_));
     std::array<char, evaluationParts> isDone{};
     const auto evaluate = [&] {
         parallelFor(evaluationParts, [&](std::size_t p) {
@@ -237,15 +241,15 @@ void SampleRadiances::evaluate(const FactorSamples& samples, RadianceSamples& re
     if (evaluate())
         return;
 
-    std::vector<FactorKind> kinds;
+    std::vector<SurfaceStackId> kinds;
     for (std::size_t p = 0; p < evaluationParts; ++p)
-        for (const FactorKind& kind : all[p].kinds())
+        for (const SurfaceStackId& kind : all[p].kinds())
             if (!isDone[p])
-                kinds.push_back({fronts_.numberOf(all[p].materials(kind.front)), kind.row});
+                kinds.push_back({occluderStacks_.numberOf(all[p].materials(kind.stack)), kind.row});
     radiances_.prepare(kinds);
     if (light_) {
         light_->prepare(kinds);
-        for (const FactorKind& kind : kinds)
+        for (const SurfaceStackId& kind : kinds)
             if (light_->matters(rows_.drawnOf(kind.row)))
                 light_->atReceivers(kind);
     }

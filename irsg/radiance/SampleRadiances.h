@@ -1,7 +1,7 @@
 #pragma once
 
-#include "irsg/radiance/Fronts.h"
-#include "irsg/radiance/KindRadiances.h"
+#include "irsg/radiance/OccluderStacks.h"
+#include "irsg/radiance/SurfaceRadianceTable.h"
 #include "irsg/radiance/SurfaceRows.h"
 #include "irsg/radiance/exchange/SceneLight.h"
 #include "irsg/render/sampling/Samples.h"
@@ -13,15 +13,15 @@ namespace irsg {
 class SampleRadiances {
   public:
     /// `light`: between surfaces, or null.
-    SampleRadiances(const SurfaceRows& rows, Fronts& fronts, KindRadiances& radiances,
-                    SceneLight* light);
+    SampleRadiances(const SurfaceRows& rows, OccluderStacks& occluderStacks,
+                    SurfaceRadianceTable& radiances, SceneLight* light);
     /// Goes through the samples once where kinds of surfaces are known already, else twice.
     void evaluate(const FactorSamples& samples, RadianceSamples& result);
 
   private:
     const SurfaceRows& rows_;
-    Fronts& fronts_;
-    KindRadiances& radiances_;
+    OccluderStacks& occluderStacks_;
+    SurfaceRadianceTable& radiances_;
     SceneLight* light_;
 };
 

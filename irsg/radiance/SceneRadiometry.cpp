@@ -256,7 +256,7 @@ const std::vector<double>& SceneRadiometry::transmissivity(int entity, int mater
     return transmissivities_.at({entity, material});
 }
 
-void SceneRadiometry::fillPassed(const std::vector<FrontMaterial>& front, std::size_t first,
+void SceneRadiometry::fillPassed(const std::vector<OccluderMaterial>& front, std::size_t first,
                                  std::size_t count, double* values) const {
     std::copy_n(weights_um_.data() + first, count, values);
     for (const auto& [entity, material] : front)

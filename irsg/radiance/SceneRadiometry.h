@@ -15,7 +15,7 @@ namespace irsg {
 
 /// A scene's spectra on the nodes of its bands, one band behind the other: what every drawn row of
 /// SurfaceRows sends, and the air between each row and the sensor. Their products, which are what
-/// arrives, are left to KindRadiances: an object has many more rows than surfaces and air.
+/// arrives, are left to SurfaceRadianceTable: an object has many more rows than surfaces and air.
 class SceneRadiometry {
   public:
     /// `bands` hold the air of the entities in the same order, sliced as `geometry` says. Their
@@ -55,8 +55,8 @@ class SceneRadiometry {
     const std::vector<double>& transmissivity(int entity, int material) const;
 
     /// Weights times what materials in front let through, for `count` nodes from `first` on.
-    void fillPassed(const std::vector<FrontMaterial>& front, std::size_t first, std::size_t count,
-                    double* values) const;
+    void fillPassed(const std::vector<OccluderMaterial>& front, std::size_t first,
+                    std::size_t count, double* values) const;
     /// Sum of weight times value over an output.
     double integrate(const std::vector<double>& values, std::size_t output = 0) const;
     /// In-band emission of a drawn row as it arrives from its first row, W m-2 sr-1.

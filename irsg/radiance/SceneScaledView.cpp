@@ -12,7 +12,7 @@
 namespace irsg {
 
 SceneScaledView::SceneScaledView(const ViewFactors& view, const SceneRadiometry& radiometry,
-                                 const KindRadiances& radiances, SceneLight* light,
+                                 const SurfaceRadianceTable& radiances, SceneLight* light,
                                  PlanckTable& planck, const std::vector<double>& ranges_m,
                                  std::pair<std::size_t, std::size_t> nodes,
                                  const std::vector<ScalingInput>& inputs, bool isSpectrum,
@@ -108,13 +108,14 @@ SceneScaledView::Surface SceneScaledView::surfaceOf(const SceneRadiometry& radio
 }
 
 void SceneScaledView::gather(const ViewFactors& view, const SceneRadiometry& radiometry,
-                             const KindRadiances& radiances, const std::vector<double>& ranges_m,
+                             const SurfaceRadianceTable& radiances,
+                             const std::vector<double>& ranges_m,
                              std::vector<Surface>& surfaces) const {
     const std::size_t count = wavelengths_um_.size();
     const std::vector<RadianceTerm>& terms = radiometry.terms().terms;
     std::map<int, std::vector<double>> passed; // by front
     view.field.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
-        const FactorKind& kind = view.field.kinds()[number];
+        const SurfaceStackId& kind = view.field.kinds()[number];
         const int drawn = radiometry.rows().drawnOf(kind.row);
         Surface& surface = surfaces[static_cast<std::size_t>(drawn)];
         const SurfaceSpectra& spectra = radiometry.surfaces()[static_cast<std::size_t>(drawn)];
@@ -122,9 +123,9 @@ void SceneScaledView::gather(const ViewFactors& view, const SceneRadiometry& rad
         const double range_m =
             ranges_m[static_cast<std::size_t>(radiometry.rows().keyOf(drawn).first)];
         const double square_m2 = range_m * range_m;
-        const auto [front, isNew] = passed.try_emplace(kind.front);
+        const auto [stack, isNew] = passed.try_emplace(kind.stack);
         if (isNew)
-            front->second = radiances.passed(kind.front, nodes_);
+            stack->second = radiances.passed(kind.stack, nodes_);
         for (Surface::Drive* drive : {&surface.emitted, &surface.reflected}) {
             drive->intensity.resize(count);
             drive->irradiance.resize(count);
@@ -149,7 +150,7 @@ void SceneScaledView::gather(const ViewFactors& view, const SceneRadiometry& rad
             const double plain_sr = sumOf(view.layout.coverage());
             const double cosine_sr = sumOf(view.layout.withCosine(view.layout.coverage()));
             Surface::Drive& drive = isEmission ? surface.emitted : surface.reflected;
-            const std::vector<double> unit = unitOf(spectra, term, air, k, front->second);
+            const std::vector<double> unit = unitOf(spectra, term, air, k, stack->second);
             for (std::size_t i = 0; i < count; ++i) {
                 drive.intensity[i] += unit[i] * plain_sr * square_m2;
                 drive.irradiance[i] += unit[i] * cosine_sr;

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "irsg/radiance/KindRadiances.h"
 #include "irsg/radiance/ScaledSum.h"
 #include "irsg/radiance/ScaledView.h"
 #include "irsg/radiance/SceneRadiometry.h"
+#include "irsg/radiance/SurfaceRadianceTable.h"
 #include "irsg/radiance/ViewFactors.h"
 #include "irsg/radiance/exchange/ScaledLight.h"
 
@@ -29,7 +29,7 @@ class SceneScaledView : public ScaledView {
     /// radiometry must have been made at; `ranges_m` by entity. With `only` of what that entity
     /// sends alone, and `nominal` is its own.
     SceneScaledView(const ViewFactors& view, const SceneRadiometry& radiometry,
-                    const KindRadiances& radiances, SceneLight* light, PlanckTable& planck,
+                    const SurfaceRadianceTable& radiances, SceneLight* light, PlanckTable& planck,
                     const std::vector<double>& ranges_m, std::pair<std::size_t, std::size_t> nodes,
                     const std::vector<ScalingInput>& inputs, bool isSpectrum, ScaledValues nominal,
                     std::optional<int> only = {});
@@ -52,7 +52,7 @@ class SceneScaledView : public ScaledView {
     };
     Surface surfaceOf(const SceneRadiometry& radiometry, int drawn) const;
     void gather(const ViewFactors& view, const SceneRadiometry& radiometry,
-                const KindRadiances& radiances, const std::vector<double>& ranges_m,
+                const SurfaceRadianceTable& radiances, const std::vector<double>& ranges_m,
                 std::vector<Surface>& surfaces) const;
     /// By node, from what passes the materials in front: what multiplies the emissivity times
     /// Planck's law, the measured emission's scale or the reflectivity in a term.

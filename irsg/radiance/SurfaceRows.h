@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "irsg/geometry/reading/ModelValues.h"
-#include "irsg/radiance/Fronts.h"
+#include "irsg/radiance/OccluderStacks.h"
 
 namespace irsg {
 
@@ -66,7 +66,7 @@ class SurfaceRows {
     bool isTransparent(int drawn) const {
         return drawn_[static_cast<std::size_t>(drawn)].isTransparent;
     }
-    FrontMaterial material(int drawn) const {
+    OccluderMaterial material(int drawn) const {
         const auto& [entity, codes] = keyOf(drawn);
         return {entity, codes.material};
     }

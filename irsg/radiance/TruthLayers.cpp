@@ -17,12 +17,12 @@ const char* const radianceUnit = "W m-2 sr-1";
 
 } // namespace
 
-TruthLayers::TruthLayers(const SceneRadiometry& radiometry, KindRadiances& radiances,
-                         Fronts& fronts, const FrameBackground& background, SceneLight* light,
-                         RadianceImage& image)
+TruthLayers::TruthLayers(const SceneRadiometry& radiometry, SurfaceRadianceTable& radiances,
+                         OccluderStacks& occluderStacks, const FrameBackground& background,
+                         SceneLight* light, RadianceImage& image)
     : radiometry_(radiometry),
       radiances_(radiances),
-      fronts_(fronts),
+      occluderStacks_(occluderStacks),
       background_(background),
       light_(light),
       image_(image),
@@ -47,10 +47,11 @@ TruthLayers::TruthLayers(const SceneRadiometry& radiometry, KindRadiances& radia
     offMiddle_px_.assign(behind.size(), std::numeric_limits<float>::infinity());
 }
 
-const TruthLayers::KindTerms& TruthLayers::termsOf(const FactorKind& kind) {
+const TruthLayers::SurfaceStackTerms& TruthLayers::termsOf(const SurfaceStackId& kind) {
     const auto number = static_cast<std::size_t>(kinds_.kindOf(kind));
     if (number >= terms_.size()) {
-        const FactorKind shared{fronts_.numberOf(walk_.fronts().materials(kind.front)), kind.row};
+        const SurfaceStackId shared{
+            occluderStacks_.numberOf(walk_.occluderStacks().materials(kind.stack)), kind.row};
         radiances_.prepare({shared});
         terms_.push_back({radiances_.terms(shared), radiances_.of(shared).opacity});
         if (light_ && light_->matters(radiometry_.rows().drawnOf(kind.row)))
@@ -98,10 +99,10 @@ void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) 
             std::optional<FactorSamples::Layer> nearest;
             walk_.forEachLayer(
                 samples, i,
-                [&](const FactorKind& kind, float part, const FactorSamples::Layer& layer) {
+                [&](const SurfaceStackId& kind, float part, const FactorSamples::Layer& layer) {
                     if (!nearest)
                         nearest = layer;
-                    const KindTerms& known = termsOf(kind);
+                    const SurfaceStackTerms& known = termsOf(kind);
                     for (std::size_t k = 0; k < list.size(); ++k) {
                         const TermFactor& factor = list[k].factor;
                         const auto coverage = static_cast<double>(layer.coverage);

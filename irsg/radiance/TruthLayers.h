@@ -5,8 +5,8 @@
 
 #include "irsg/geometry/view/FrameBackground.h"
 #include "irsg/image/RadianceImage.h"
-#include "irsg/radiance/KindRadiances.h"
 #include "irsg/radiance/LayerWalk.h"
+#include "irsg/radiance/SurfaceRadianceTable.h"
 #include "irsg/radiance/exchange/SceneLight.h"
 #include "irsg/render/sampling/SampleWindow.h"
 
@@ -28,31 +28,32 @@ class TruthLayers {
   public:
     /// `image` must outlive this and have the size of the sensor, the others must live as long.
     /// `light`: between surfaces, or null.
-    TruthLayers(const SceneRadiometry& radiometry, KindRadiances& radiances, Fronts& fronts,
-                const FrameBackground& background, SceneLight* light, RadianceImage& image);
+    TruthLayers(const SceneRadiometry& radiometry, SurfaceRadianceTable& radiances,
+                OccluderStacks& occluderStacks, const FrameBackground& background,
+                SceneLight* light, RadianceImage& image);
 
     /// Samples with the distances of their opaque surfaces.
     void add(const SampleWindow& window, const FactorSamples& samples);
 
   private:
-    struct KindTerms {
+    struct SurfaceStackTerms {
         std::vector<double> terms;
         double opacity = 0.0;
         const std::vector<SceneLight::AtReceiver>* light = nullptr;
     };
-    const KindTerms& termsOf(const FactorKind& kind);
+    const SurfaceStackTerms& termsOf(const SurfaceStackId& kind);
 
     const SceneRadiometry& radiometry_;
-    KindRadiances& radiances_;
-    Fronts& fronts_;
+    SurfaceRadianceTable& radiances_;
+    OccluderStacks& occluderStacks_;
     const FrameBackground& background_;
     SceneLight* light_;
     RadianceImage& image_;
     LayerWalk walk_;
-    FactorField<double> kinds_;       // for its numbers of the walk's kinds alone
-    std::vector<KindTerms> terms_;    // by number
-    std::vector<std::size_t> shown_;  // terms that have a channel
-    std::vector<float> offMiddle_px_; // of the sample whose surface is named, by pixel
+    FactorField<double> kinds_;            // for its numbers of the walk's kinds alone
+    std::vector<SurfaceStackTerms> terms_; // by number
+    std::vector<std::size_t> shown_;       // terms that have a channel
+    std::vector<float> offMiddle_px_;      // of the sample whose surface is named, by pixel
 };
 
 } // namespace irsg

@@ -9,8 +9,8 @@
 #include "irsg/core/ParallelFor.h"
 #include "irsg/radiance/ContrastSums.h"
 #include "irsg/radiance/LayerWalk.h"
-#include "irsg/radiance/PixelKindSums.h"
-#include "irsg/radiance/ViewKindSums.h"
+#include "irsg/radiance/PixelSurfaceSums.h"
+#include "irsg/radiance/ViewSurfaceSums.h"
 
 namespace irsg {
 
@@ -39,17 +39,17 @@ void addRows(const SampleWindow& window, const FactorSamples& samples, std::size
                                   sums.at(i);
                               walk.forEachPlace(
                                   samples, i,
-                                  [&](int front, const SurfaceRows::Between& between,
+                                  [&](int stack, const SurfaceRows::Between& between,
                                       const FactorSamples::Layer& layer)
                                       __attribute__((always_inline)) {
                                           if (layer.coverage > 0.0f && !layer.isLobe)
-                                              sums.add(front, between, layer);
+                                              sums.add(stack, between, layer);
                                           else
-                                              sums.addLight(front, between, layer);
+                                              sums.addLight(stack, between, layer);
                                       },
-                                  [&](int front, const FactorSamples::Layer& layer,
+                                  [&](int stack, const FactorSamples::Layer& layer,
                                       const FactorSamples::Mirror& mirror) {
-                                      sums.addMirror(front, samples, layer, mirror);
+                                      sums.addMirror(stack, samples, layer, mirror);
                                   });
                           }
                       });
@@ -68,23 +68,24 @@ int layersLeftOver(const SampleWindow& window, const FactorSamples& samples) {
 }
 
 /// The numbers that a walk's fronts have in a common list.
-std::vector<int> numbersOf(const Fronts& own, Fronts& common) {
+std::vector<int> numbersOf(const OccluderStacks& own, OccluderStacks& common) {
     std::vector<int> numbers;
-    for (std::size_t front = 0; front < own.size(); ++front)
-        numbers.push_back(common.numberOf(own.materials(static_cast<int>(front))));
+    for (std::size_t stack = 0; stack < own.size(); ++stack)
+        numbers.push_back(common.numberOf(own.materials(static_cast<int>(stack))));
     return numbers;
 }
 
 } // namespace
 
-FactorSums::FactorSums(const Sensor& sensor, const SurfaceRows& rows, Fronts& fronts,
-                       std::size_t factorCount, std::vector<const FrameBackground*> varying,
+FactorSums::FactorSums(const Sensor& sensor, const SurfaceRows& rows,
+                       OccluderStacks& occluderStacks, std::size_t factorCount,
+                       std::vector<const FrameBackground*> varying,
                        std::shared_ptr<const LightExchange> exchange, bool withContrasts)
     : width_px_(sensor.width_px),
       height_px_(sensor.height_px),
       grid_(sensor),
       rows_(rows),
-      fronts_(fronts),
+      occluderStacks_(occluderStacks),
       layout_{factorCount, varying.size()},
       varying_(std::move(varying)),
       exchange_(std::move(exchange)),
@@ -111,8 +112,8 @@ void FactorSums::addFactorsToView(const SampleWindow& window, const FactorSample
                                   ViewFactors& view) {
     const auto rows = static_cast<std::size_t>(window.height());
     std::vector<LayerWalk> walks(lightParts, LayerWalk(rows_));
-    const ViewKindSums<Factors> none(rows_, grid_, varying_, exchange_.get(), window.share());
-    std::array<std::optional<ViewKindSums<Factors>>, lightParts> sums;
+    const ViewSurfaceSums<Factors> none(rows_, grid_, varying_, exchange_.get(), window.share());
+    std::array<std::optional<ViewSurfaceSums<Factors>>, lightParts> sums;
     std::array<std::optional<ContrastSums<Factors>>, lightParts> contrasts;
     parallelFor(lightParts, [&](std::size_t p) {
         const std::size_t begin = beginOfPart(p, lightParts, rows),
@@ -127,14 +128,15 @@ void FactorSums::addFactorsToView(const SampleWindow& window, const FactorSample
             addTo(sums[p].emplace(none));
     });
     for (std::size_t p = 0; p < lightParts; ++p) {
-        const std::vector<int> fronts = numbersOf(walks[p].fronts(), fronts_);
+        const std::vector<int> occluderStacks =
+            numbersOf(walks[p].occluderStacks(), occluderStacks_);
         const auto addTo = [&](ViewFactors& to) {
-            return [&](const ViewKindSums<Factors>& own, double sign) {
-                const auto frontOf = [&](int front) {
-                    return fronts[static_cast<std::size_t>(front)];
+            return [&](const ViewSurfaceSums<Factors>& own, double sign) {
+                const auto stackOf = [&](int stack) {
+                    return occluderStacks[static_cast<std::size_t>(stack)];
                 };
-                own.addTo(to.field, layout_, frontOf, sign);
-                own.addLightTo(to.light, frontOf, sign);
+                own.addTo(to.field, layout_, stackOf, sign);
+                own.addLightTo(to.light, stackOf, sign);
             };
         };
         if (!withContrasts_) {
@@ -173,7 +175,7 @@ void FactorSums::addToPixels(const SampleWindow& window, const FactorSamples& sa
                              PixelFactors& pixels) {
     const auto rows = static_cast<std::size_t>(window.height());
     std::vector<LayerWalk> walks(lightParts, LayerWalk(rows_));
-    std::array<std::optional<PixelKindSums>, lightParts> sums;
+    std::array<std::optional<PixelSurfaceSums>, lightParts> sums;
     parallelFor(lightParts, [&](std::size_t p) {
         const std::size_t begin = beginOfPart(p, lightParts, rows),
                           end = beginOfPart(p + 1, lightParts, rows);
@@ -193,7 +195,8 @@ void FactorSums::addToPixels(const SampleWindow& window, const FactorSamples& sa
     for (std::size_t p = 0; p < lightParts; ++p) {
         if (!sums[p])
             continue;
-        const std::vector<int> fronts = numbersOf(walks[p].fronts(), fronts_);
+        const std::vector<int> occluderStacks =
+            numbersOf(walks[p].occluderStacks(), occluderStacks_);
         const PixelWindow& own = sums[p]->pixels();
         const auto width = static_cast<std::size_t>(own.width);
         const auto cellOf = [&](std::size_t cell) {
@@ -201,9 +204,11 @@ void FactorSums::addToPixels(const SampleWindow& window, const FactorSamples& sa
                        static_cast<std::size_t>(width_px_) +
                    static_cast<std::size_t>(own.x) + cell % width;
         };
-        const auto frontOf = [&](int front) { return fronts[static_cast<std::size_t>(front)]; };
-        pixels.field.add(sums[p]->field(), cellOf, frontOf);
-        pixels.light.add(sums[p]->light(), cellOf, frontOf);
+        const auto stackOf = [&](int stack) {
+            return occluderStacks[static_cast<std::size_t>(stack)];
+        };
+        pixels.field.add(sums[p]->field(), cellOf, stackOf);
+        pixels.light.add(sums[p]->light(), cellOf, stackOf);
     }
 }
 
@@ -221,8 +226,8 @@ void addPointToView(const PointFactors& atUnitDistance, const SurfaceRows& rows,
     addLight(light, scale, view.light);
     const FactorField<double>& field = atUnitDistance.sums_sr_m2;
     field.forEach(0, [&](std::size_t number, std::span<const double> source) {
-        const FactorKind& drawn = field.kinds()[number];
-        double* sums = view.field.at(0, view.field.kindOf({drawn.front, rows.first(drawn.row)}));
+        const SurfaceStackId& drawn = field.kinds()[number];
+        double* sums = view.field.at(0, view.field.kindOf({drawn.stack, rows.first(drawn.row)}));
         for (std::size_t i = 0; i <= layout.factorCount; ++i) {
             sums[i] += scale * source[i];
             sums[layout.withCosine(i)] += scale * source[i] * place.cosOffAxis;

@@ -7,7 +7,7 @@
 #include "irsg/geometry/view/FrameBackground.h"
 #include "irsg/geometry/view/PixelGrid.h"
 #include "irsg/radiance/FactorField.h"
-#include "irsg/radiance/Fronts.h"
+#include "irsg/radiance/OccluderStacks.h"
 #include "irsg/radiance/SurfaceRows.h"
 #include "irsg/radiance/exchange/SceneLight.h"
 #include "irsg/render/sampling/SampleWindow.h"
@@ -54,11 +54,11 @@ struct PixelFactors {
 };
 
 /// Sums the factors of a view, or of each of its pixels, on all cores; the sums do not depend on
-/// their number. What is in front has the numbers of `fronts`.
+/// their number. What is in front has the numbers of `occluderStacks`.
 class FactorSums {
   public:
     /// `varying`: backgrounds that are not uniform. All must live as long.
-    FactorSums(const Sensor& sensor, const SurfaceRows& rows, Fronts& fronts,
+    FactorSums(const Sensor& sensor, const SurfaceRows& rows, OccluderStacks& occluderStacks,
                std::size_t factorCount, std::vector<const FrameBackground*> varying = {},
                std::shared_ptr<const LightExchange> exchange = nullptr, bool withContrasts = false);
 
@@ -79,7 +79,7 @@ class FactorSums {
     int width_px_, height_px_;
     PixelGrid grid_;
     const SurfaceRows& rows_;
-    Fronts& fronts_;
+    OccluderStacks& occluderStacks_;
     ViewLayout layout_;
     std::vector<const FrameBackground*> varying_;
     std::shared_ptr<const LightExchange> exchange_;

@@ -118,8 +118,8 @@ void AspectSampler::forgetOtherTerrain(const Frame& frame) {
 
 ViewFactors AspectSampler::sampleAlone(const Frame& frame, int entity, const CameraFrame& camera,
                                        int zoomWindow, const SurfaceRows& rows) {
-    FactorSums sums(camera.sensor(), rows, fronts_, terms_.factorCount(), {}, frame.exchange(),
-                    frame.request.withErrors);
+    FactorSums sums(camera.sensor(), rows, occluderStacks_, terms_.factorCount(), {},
+                    frame.exchange(), frame.request.withErrors);
     ViewFactors view = sums.emptyView();
     const auto seen = planner_.seenBy(frame.surfaces, camera, entity);
     if (!seen)

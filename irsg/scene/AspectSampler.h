@@ -20,12 +20,12 @@ class AspectSampler {
   public:
     /// All must live as long.
     AspectSampler(const RadianceTerms& terms, PreparedEntities& prepared, FramePlanner& planner,
-                  SurfaceSampler& sampler, Fronts& fronts, StageClock& clock)
+                  SurfaceSampler& sampler, OccluderStacks& occluderStacks, StageClock& clock)
         : terms_(terms),
           prepared_(prepared),
           planner_(planner),
           sampler_(sampler),
-          fronts_(fronts),
+          occluderStacks_(occluderStacks),
           clock_(clock) {}
 
     /// Factors of a point source of the plan at unit distance; valid until the next call.
@@ -49,7 +49,7 @@ class AspectSampler {
     PreparedEntities& prepared_;
     FramePlanner& planner_;
     SurfaceSampler& sampler_;
-    Fronts& fronts_;
+    OccluderStacks& occluderStacks_;
     StageClock& clock_;
     PointSources pointSources_;
     RangeFactors rangeFactors_;

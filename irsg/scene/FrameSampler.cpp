@@ -41,13 +41,13 @@ std::vector<SampledWindow> sampledWindows(const Frame& frame,
 /// all there is to know of a surface, else from factors.
 class SurfaceRttPass : public RttPass {
   public:
-    SurfaceRttPass(const Frame& frame, const SurfaceSampler& surfaces, Fronts& fronts,
-                   FactorSamples& room)
+    SurfaceRttPass(const Frame& frame, const SurfaceSampler& surfaces,
+                   OccluderStacks& occluderStacks, FactorSamples& room)
         : frame_(frame),
           surfaces_(surfaces),
           room_(room),
-          radiances_(frame.rows(), fronts, frame.evaluation().evaluated->radiances, frame.light()) {
-    }
+          radiances_(frame.rows(), occluderStacks, frame.evaluation().evaluated->radiances,
+                     frame.light()) {}
     int largestSide() const override { return frame_.surfaces.engine.engine.largestSide(); }
     void draw(const CameraFrame& camera, const SampleSheet& sheet,
               RadianceSamples& samples) override {
@@ -91,8 +91,8 @@ class SurfaceRttPass : public RttPass {
 ViewSampling::ViewSampling(ViewKey key, const Frame& frame, std::size_t factorCount)
     : key_(std::move(key)),
       varying_(frame.backgrounds.varying()),
-      sums_(frame.sensor(), key_.rows, fronts_, factorCount, pointersTo(varying_), frame.exchange(),
-            frame.request.withErrors),
+      sums_(frame.sensor(), key_.rows, occluderStacks_, factorCount, pointersTo(varying_),
+            frame.exchange(), frame.request.withErrors),
       factors_(sums_.emptyView()) {}
 
 bool ViewSampling::isOf(const ViewKey& key, const std::vector<FrameBackground>& varying) const {
@@ -103,8 +103,13 @@ bool ViewSampling::isOf(const ViewKey& key, const std::vector<FrameBackground>& 
 }
 
 FrameSampler::FrameSampler(const RadianceTerms& terms, SurfaceSampler& surfaces,
-                           AspectSampler& aspects, Fronts& fronts, StageClock& clock)
-    : terms_(terms), surfaces_(surfaces), aspects_(aspects), fronts_(fronts), clock_(clock) {}
+                           AspectSampler& aspects, OccluderStacks& occluderStacks,
+                           StageClock& clock)
+    : terms_(terms),
+      surfaces_(surfaces),
+      aspects_(aspects),
+      occluderStacks_(occluderStacks),
+      clock_(clock) {}
 
 FrameSampler::~FrameSampler() = default;
 
@@ -158,11 +163,13 @@ const ViewFactors& FrameSampler::factorsOf(const Frame& frame, ViewSampling& sam
         sampling.factors_.layersLeftOver = own.layersLeftOver;
         const auto take = [&](ViewFactors& from, ViewFactors& to) {
             for (auto& [kind, sums] : from.light)
-                to.light[{fronts_.numberOf(sampling.fronts_.materials(kind.first)), kind.second}] =
-                    std::move(sums);
+                to.light[{occluderStacks_.numberOf(sampling.occluderStacks_.materials(kind.first)),
+                          kind.second}] = std::move(sums);
             to.field.add(
                 from.field, [](std::size_t) { return std::size_t{0}; },
-                [&](int front) { return fronts_.numberOf(sampling.fronts_.materials(front)); });
+                [&](int stack) {
+                    return occluderStacks_.numberOf(sampling.occluderStacks_.materials(stack));
+                });
         };
         take(own, sampling.factors_);
         for (std::size_t k = 0; k < own.contrasts.size(); ++k)
@@ -192,7 +199,7 @@ SampledPicture FrameSampler::picture(const Frame& frame) {
         double all_s = 0.0, drawing_s = 0.0, sorting_s = 0.0, evaluating_s = 0.0;
         surfaces_.onEngine(frame.surfaces.engine, [&] {
             Stopwatch watch(all_s);
-            SurfaceRttPass rtt(frame, surfaces_, fronts_, pictureFactors_);
+            SurfaceRttPass rtt(frame, surfaces_, occluderStacks_, pictureFactors_);
             reduction = strategy.draw(frame.request.camera, frame.plan.drawn, rtt);
             drawing_s = rtt.seconds;
             sorting_s = rtt.sortSeconds;
@@ -238,7 +245,7 @@ SampledPicture FrameSampler::followedPicture(const Frame& frame) {
 }
 
 PixelFactors FrameSampler::pixelFactors(const Frame& frame) {
-    FactorSums sums(frame.sensor(), frame.rows(), fronts_, terms_.factorCount(), {},
+    FactorSums sums(frame.sensor(), frame.rows(), occluderStacks_, terms_.factorCount(), {},
                     frame.exchange());
     PixelFactors factors = sums.emptyPixels();
     surfaces_.sample(frame.surfaces, frame.request.camera, windowsOf(frame, frame.plan.drawn),
@@ -251,7 +258,7 @@ PixelFactors FrameSampler::pixelFactors(const Frame& frame) {
 
 void FrameSampler::addTruthLayers(const Frame& frame, RadianceImage& image) {
     EvaluatedScene& evaluated = *frame.evaluation().evaluated;
-    TruthLayers truth(evaluated.radiometry, evaluated.radiances, fronts_,
+    TruthLayers truth(evaluated.radiometry, evaluated.radiances, occluderStacks_,
                       frame.backgrounds.byOutput.front(), frame.light(), image);
     surfaces_.sample(frame.surfaces, frame.request.camera, windowsOf(frame, frame.plan.seen), true,
                      "truth layers", [&](const SampleWindow& window, const FactorSamples& samples) {

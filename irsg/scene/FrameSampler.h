@@ -36,7 +36,7 @@ class FrameSampler {
   public:
     /// All must live as long.
     FrameSampler(const RadianceTerms& terms, SurfaceSampler& surfaces, AspectSampler& aspects,
-                 Fronts& fronts, StageClock& clock);
+                 OccluderStacks& occluderStacks, StageClock& clock);
     ~FrameSampler();
 
     /// Begins to sample the factors of a view, unless they are known or under way. The frame must
@@ -66,7 +66,7 @@ class FrameSampler {
     const RadianceTerms& terms_;
     SurfaceSampler& surfaces_;
     AspectSampler& aspects_;
-    Fronts& fronts_;
+    OccluderStacks& occluderStacks_;
     StageClock& clock_;
     ZoomAntialiasingManager antialiasing_;
     FactorSamples pictureFactors_; // room for those of the next picture
@@ -99,7 +99,7 @@ class ViewSampling {
 
     ViewKey key_;
     std::vector<FrameBackground> varying_; // backgrounds that vary over the view
-    Fronts fronts_;                        // of its own, as it is summed on another thread
+    OccluderStacks occluderStacks_;        // of its own, as it is summed on another thread
     FactorSums sums_;
     SurfaceSampler::Sampling windows_; // until they were waited for
     ViewFactors factors_;              // with the renderer's numbers of fronts from then on

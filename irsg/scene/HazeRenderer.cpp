@@ -15,7 +15,7 @@ namespace {
 
 /// What one kind of surface sends, of factors that begin with the coverage.
 template <typename Real>
-double sentBy(const KindRadiance& kind, std::span<const Real> numbers) {
+double sentBy(const SurfaceStackRadiance& kind, std::span<const Real> numbers) {
     double sum = kind.constant * static_cast<double>(numbers[0]);
     for (std::size_t f = 0; f < kind.perFactor.size(); ++f)
         sum += kind.perFactor[f] * static_cast<double>(numbers[1 + f]);
@@ -75,9 +75,9 @@ void HazeRenderer::addPixels(const Frame& frame, const PixelFactors& factors,
     std::vector<double> ofReceivers;
     if (frame.light())
         ofReceivers = radiancesOf(factors.light.kinds(), factors.receivers, *frame.light());
-    KindRadiances& radiances = frame.evaluation().evaluated->radiances;
+    SurfaceRadianceTable& radiances = frame.evaluation().evaluated->radiances;
     const SurfaceRows& rows = frame.rows();
-    const auto objectOf = [&](const FactorKind& kind) -> ScatteredObject& {
+    const auto objectOf = [&](const SurfaceStackId& kind) -> ScatteredObject& {
         return objects[static_cast<std::size_t>(rows.keyOf(rows.drawnOf(kind.row)).first)];
     };
     radiances.prepare(field.kinds());
@@ -85,8 +85,8 @@ void HazeRenderer::addPixels(const Frame& frame, const PixelFactors& factors,
     for (std::size_t cell = 0; cell < field.cells(); ++cell) {
         const int x = static_cast<int>(cell) % width, y = static_cast<int>(cell) / width;
         field.forEach(cell, [&](std::size_t number, std::span<const float> numbers) {
-            const FactorKind& kind = field.kinds()[number];
-            const KindRadiance radiance = radiances.of(kind);
+            const SurfaceStackId& kind = field.kinds()[number];
+            const SurfaceStackRadiance radiance = radiances.of(kind);
             std::vector<ScatteredObject::Pixel>& pixels = objectOf(kind).pixels;
             if (pixels.empty() || pixels.back().x != x || pixels.back().y != y)
                 pixels.push_back({x, y, 0.0, 0.0});
@@ -95,16 +95,16 @@ void HazeRenderer::addPixels(const Frame& frame, const PixelFactors& factors,
         });
         if (frame.light())
             factors.light.forEach(cell, [&](std::size_t number, std::span<const float> part) {
-                const FactorKind& kind = factors.light.kinds()[number];
+                const SurfaceStackId& kind = factors.light.kinds()[number];
                 const int row = factors.receivers.receiverOf(kind.row).first;
-                objectOf({kind.front, row}).pixels.back().radiance_W_m2_sr +=
+                objectOf({kind.stack, row}).pixels.back().radiance_W_m2_sr +=
                     ofReceivers[number] * static_cast<double>(part[0]);
             });
     }
 }
 
 void HazeRenderer::addPoints(const Frame& frame, std::vector<ScatteredObject>& objects) {
-    KindRadiances& radiances = frame.evaluation().evaluated->radiances;
+    SurfaceRadianceTable& radiances = frame.evaluation().evaluated->radiances;
     const SurfaceRows& rows = frame.rows();
     for (const ZoomEntityInfo& object : frame.plan.points) {
         const PointPlace place = AspectSampler::placeOf(frame, object);
@@ -115,10 +115,10 @@ void HazeRenderer::addPoints(const Frame& frame, std::vector<ScatteredObject>& o
             pixel.radiance_W_m2_sr += scale * lightOfPoint(point, rows, *frame.light());
         const FactorField<double>& sums_sr_m2 = point.sums_sr_m2;
         sums_sr_m2.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
-            const FactorKind& own = sums_sr_m2.kinds()[number];
-            const FactorKind kind{own.front, rows.first(own.row)};
+            const SurfaceStackId& own = sums_sr_m2.kinds()[number];
+            const SurfaceStackId kind{own.stack, rows.first(own.row)};
             radiances.prepare({kind});
-            const KindRadiance radiance = radiances.of(kind);
+            const SurfaceStackRadiance radiance = radiances.of(kind);
             pixel.radiance_W_m2_sr += scale * sentBy(radiance, numbers);
             pixel.opacity += scale * radiance.opacity * numbers[0];
         });

@@ -110,7 +110,8 @@ InterReflection::lightOf(const std::shared_ptr<const LightExchange>& exchange,
     if (!exchange)
         return nullptr;
     return clock_.timed("light between surfaces", [&] {
-        return std::make_shared<SceneLight>(exchange, radiometry, fronts_, settings, solutions_);
+        return std::make_shared<SceneLight>(exchange, radiometry, occluderStacks_, settings,
+                                            solutions_);
     });
 }
 

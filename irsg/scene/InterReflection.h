@@ -18,9 +18,10 @@ namespace irsg {
 /// on, and solutions of the balance.
 class InterReflection {
   public:
-    /// All must live as long; `fronts` may grow.
-    InterReflection(PreparedEntities& prepared, const Fronts& fronts, StageClock& clock)
-        : prepared_(prepared), fronts_(fronts), clock_(clock) {}
+    /// All must live as long; `occluderStacks` may grow.
+    InterReflection(PreparedEntities& prepared, const OccluderStacks& occluderStacks,
+                    StageClock& clock)
+        : prepared_(prepared), occluderStacks_(occluderStacks), clock_(clock) {}
 
     static bool isAskedFor(const RenderSettings& settings);
     /// `casters`: what stands in the way of light, entity by entity. The light is kept with the
@@ -46,7 +47,7 @@ class InterReflection {
                                                     const std::vector<SunShadows::Caster>& casters);
 
     PreparedEntities& prepared_;
-    const Fronts& fronts_;
+    const OccluderStacks& occluderStacks_;
     StageClock& clock_;
     RecentlyUsed<Known> exchanges_{4};
     LightSolutions solutions_;

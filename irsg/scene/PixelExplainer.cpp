@@ -110,7 +110,7 @@ PixelExplanation PixelExplainer::at(int x, int y) {
         compare(middles.facetsAt(i % 3, i / 3));
 
     // The samples that the image takes of the pixel.
-    PixelTerms terms(evaluated.radiometry, evaluated.radiances, fronts_, frame.light(),
+    PixelTerms terms(evaluated.radiometry, evaluated.radiances, occluderStacks_, frame.light(),
                      result.background_W_m2_sr);
     for (const SampleSheet& sheet : sheets_) {
         std::optional<SheetScene> drawn;

@@ -15,14 +15,14 @@ namespace irsg {
 /// them.
 class PixelExplainer {
   public:
-    /// A frame whose engine is rays. All must live as long; `fronts` may grow.
+    /// A frame whose engine is rays. All must live as long; `occluderStacks` may grow.
     PixelExplainer(const Frame& frame, FrameSampler& sampler, SurfaceSampler& surfaces,
-                   AspectSampler& aspects, TerrainRays& terrainRays, Fronts& fronts)
+                   AspectSampler& aspects, TerrainRays& terrainRays, OccluderStacks& occluderStacks)
         : frame_(frame),
           surfaces_(surfaces),
           aspects_(aspects),
           terrainRays_(terrainRays),
-          fronts_(fronts),
+          occluderStacks_(occluderStacks),
           sheets_(sampler.sheetsOfPicture(frame)) {}
 
     /// LogicError for a pixel outside the frame.
@@ -33,7 +33,7 @@ class PixelExplainer {
     SurfaceSampler& surfaces_;
     AspectSampler& aspects_;
     TerrainRays& terrainRays_;
-    Fronts& fronts_;
+    OccluderStacks& occluderStacks_;
     std::vector<SampleSheet> sheets_;
     FactorSamples samples_; // room for those of a sheet
 };

@@ -181,7 +181,7 @@ RenderErrorEstimator::sumsElsewhere(const Frame& frame, const ViewFactors& facto
         frame.request.withSources, evaluator_.sampler(frame.scene(), other_.answers),
         frame.evaluation().sampled->slices_m);
     const auto evaluated =
-        other_.radiometry.of(terms_, frame.scene().entities, geometry, sampled, fronts_);
+        other_.radiometry.of(terms_, frame.scene().entities, geometry, sampled, occluderStacks_);
     evaluated->radiances.setBackground(sampled->background);
     // Backgrounds as in the middle of the field, and no light between surfaces.
     const std::vector<int> uniform(evaluated->radiances.outputs(), -1);

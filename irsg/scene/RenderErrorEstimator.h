@@ -19,10 +19,10 @@ using ErrorsByOutput = std::vector<std::vector<RadiometryErrors>>;
 /// the objects. Keeps the same atmospheres in other spectral bins, and scenes in them.
 class RenderErrorEstimator {
   public:
-    /// All must live as long; `fronts` may grow.
+    /// All must live as long; `occluderStacks` may grow.
     RenderErrorEstimator(const RadianceTerms& terms, SceneEvaluator& evaluator,
-                         const Fronts& fronts)
-        : terms_(terms), evaluator_(evaluator), fronts_(fronts) {}
+                         const OccluderStacks& occluderStacks)
+        : terms_(terms), evaluator_(evaluator), occluderStacks_(occluderStacks) {}
 
     /// Of sums in the bands of a frame, whose evaluated scene is turned to it.
     ErrorsByOutput ofBands(const Frame& frame, const ViewFactors& factors,
@@ -48,7 +48,7 @@ class RenderErrorEstimator {
 
     const RadianceTerms& terms_;
     SceneEvaluator& evaluator_;
-    const Fronts& fronts_;
+    const OccluderStacks& occluderStacks_;
     OtherAir other_;
 };
 

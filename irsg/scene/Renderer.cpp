@@ -167,7 +167,7 @@ struct Renderer::Explainer {
         : scene(withRays(ofScene)),
           view(std::move(ofView)),
           frame(of.frame(scene, view, Outputs::image())),
-          pixels(frame, of.sampler, of.surfaces, of.aspects, of.terrainRays, of.fronts) {}
+          pixels(frame, of.sampler, of.surfaces, of.aspects, of.terrainRays, of.occluderStacks) {}
     Explainer(const Explainer&) = delete;
     Explainer& operator=(const Explainer&) = delete;
 

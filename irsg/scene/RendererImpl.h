@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "irsg/radiance/Fronts.h"
+#include "irsg/radiance/OccluderStacks.h"
 #include "irsg/render/background/TerrainRays.h"
 #include "irsg/scene/AspectSampler.h"
 #include "irsg/scene/Frame.h"
@@ -34,19 +34,20 @@ struct Renderer::Impl {
 
     const RadianceTerms& terms;
     StageClock clock;
-    Fronts fronts; ///< numbers of what lies before surfaces, which samples give and spectra take
+    OccluderStacks occluderStacks; ///< numbers of what lies before surfaces, which samples give and
+                                   ///< spectra take
     PreparedEntities prepared;
     TerrainRays terrainRays;
 
     SampleEngines engines{prepared, terrainRays, clock};
-    SceneEvaluator evaluator{terms, fronts, clock};
-    InterReflection interReflection{prepared, fronts, clock};
+    SceneEvaluator evaluator{terms, occluderStacks, clock};
+    InterReflection interReflection{prepared, occluderStacks, clock};
     SurfaceShader shader{terms, prepared, terrainRays, interReflection, clock};
     SurfaceSampler surfaces{terms, clock};
     FramePlanner planner{terms, prepared, surfaces, clock};
-    AspectSampler aspects{terms, prepared, planner, surfaces, fronts, clock};
-    FrameSampler sampler{terms, surfaces, aspects, fronts, clock};
-    RenderErrorEstimator errors{terms, evaluator, fronts};
+    AspectSampler aspects{terms, prepared, planner, surfaces, occluderStacks, clock};
+    FrameSampler sampler{terms, surfaces, aspects, occluderStacks, clock};
+    RenderErrorEstimator errors{terms, evaluator, occluderStacks};
     RenderReporter reporter{errors, clock};
     SpectrumReporter spectra{evaluator, interReflection, errors, clock};
     HazeRenderer haze{prepared, evaluator, sampler, aspects, clock};

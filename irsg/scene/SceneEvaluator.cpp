@@ -36,15 +36,15 @@ void takeMirrorGrids(const Scene& scene, const Band& band, std::vector<ObjectGeo
 /// What the shader is told of each drawn row, in the first output.
 std::vector<SurfaceRow> rowsOf(EvaluatedScene& evaluated) {
     const SurfaceRows& rows = evaluated.radiometry.rows();
-    KindRadiances& radiances = evaluated.radiances;
-    std::vector<FactorKind> kinds;
+    SurfaceRadianceTable& radiances = evaluated.radiances;
+    std::vector<SurfaceStackId> kinds;
     for (std::size_t drawn = 0; drawn < rows.keys().size(); ++drawn)
         kinds.push_back({0, rows.first(static_cast<int>(drawn))});
     radiances.prepare(kinds);
     std::vector<SurfaceRow> all;
     all.reserve(kinds.size());
-    for (const FactorKind& kind : kinds) {
-        const KindRadiance radiance = radiances.of(kind);
+    for (const SurfaceStackId& kind : kinds) {
+        const SurfaceStackRadiance radiance = radiances.of(kind);
         SurfaceRow& row = all.emplace_back();
         std::ranges::transform(radiance.perFactor, row.radiance.begin(),
                                [](double value) { return static_cast<float>(value); });
@@ -72,7 +72,7 @@ SceneEvaluation SceneEvaluator::evaluate(const FrameRequest& request,
             geometry[e].likelyAirError = sampled->likelyAirError[e];
         }
         std::shared_ptr<EvaluatedScene> evaluated =
-            radiometry_.of(terms_, scene.entities, geometry, sampled, fronts_);
+            radiometry_.of(terms_, scene.entities, geometry, sampled, occluderStacks_);
         evaluated->radiances.setBackground(sampled->background);
         std::vector<SurfaceRow> rows = rowsOf(*evaluated);
         std::vector<bool> hot = hotRows(scene, geometry, sampled, evaluated->radiometry);
@@ -89,7 +89,7 @@ FrameBackgrounds SceneEvaluator::backgrounds(const FrameRequest& request,
         const RenderSettings& settings = scene.settings;
         background_.setSkybox(scene.skybox);
         background_.setTerrain(scene.terrain);
-        const KindRadiances& radiances = evaluation.evaluated->radiances;
+        const SurfaceRadianceTable& radiances = evaluation.evaluated->radiances;
         FrameBackgrounds all;
         for (std::size_t k = 0; k < radiances.outputs(); ++k) {
             if (evaluation.sampled->ofOutput(k).isSource) {
@@ -124,8 +124,8 @@ EvaluatedSpectrum SceneEvaluator::atWavelengths(const FrameRequest& request,
                                                 const std::vector<double>& wavelengths_um) {
     const std::vector<SampledBand> bands{
         SceneSampling::wavelengths(answers_, airScene(request, geometry), wavelengths_um)};
-    auto scene =
-        std::make_unique<EvaluatedScene>(terms_, request.scene.entities, geometry, bands, fronts_);
+    auto scene = std::make_unique<EvaluatedScene>(terms_, request.scene.entities, geometry, bands,
+                                                  occluderStacks_);
     scene->radiances.setBackground(backgroundOf(bands, request.scene.settings));
     return {bands.front().sampling, std::move(scene)};
 }
@@ -179,7 +179,7 @@ std::vector<bool> SceneEvaluator::hotRows(const Scene& scene,
     for (std::size_t i = 0; i < states; ++i) {
         for (Entity& entity : entities)
             entity.state = entity.otherStates.at(i);
-        const auto other = radiometry_.of(terms_, entities, geometry, sampled, fronts_);
+        const auto other = radiometry_.of(terms_, entities, geometry, sampled, occluderStacks_);
         const std::vector<bool> there = hotSurfaces(other->radiometry, entities);
         for (std::size_t row = 0; row < hot.size(); ++row)
             hot[row] = hot[row] || there.at(row);

@@ -6,7 +6,7 @@
 
 #include "irsg/core/RecentlyUsed.h"
 #include "irsg/radiance/AtmosphericQueryCache.h"
-#include "irsg/radiance/Fronts.h"
+#include "irsg/radiance/OccluderStacks.h"
 #include "irsg/radiance/RadiometryCache.h"
 #include "irsg/radiance/SampledScene.h"
 #include "irsg/radiance/SceneSampling.h"
@@ -29,9 +29,10 @@ struct EvaluatedSpectrum {
 /// bands, sampled and evaluated scenes and wideband points, by what each follows from.
 class SceneEvaluator {
   public:
-    /// All must live as long; `fronts` may grow.
-    SceneEvaluator(const RadianceTerms& terms, const Fronts& fronts, StageClock& clock)
-        : terms_(terms), fronts_(fronts), clock_(clock) {}
+    /// All must live as long; `occluderStacks` may grow.
+    SceneEvaluator(const RadianceTerms& terms, const OccluderStacks& occluderStacks,
+                   StageClock& clock)
+        : terms_(terms), occluderStacks_(occluderStacks), clock_(clock) {}
 
     /// `geometry`: by entity, the paths that the atmosphere is asked along. Throws InputError where
     /// no atmosphere answers.
@@ -71,7 +72,7 @@ class SceneEvaluator {
                               const SceneRadiometry& radiometry);
 
     const RadianceTerms& terms_;
-    const Fronts& fronts_;
+    const OccluderStacks& occluderStacks_;
     StageClock& clock_;
     SceneBackground background_;
     AtmosphericQueryCache answers_;

@@ -87,7 +87,7 @@ SpectrumOfView SpectrumReporter::spectrum(const Frame& frame, const ViewFactors&
         }
         // What is seen of objects, by whatever it is covered: the nearest layer of every sample.
         factors.field.forEach(0, [&](std::size_t kind, std::span<const double> numbers) {
-            if (factors.field.kinds()[kind].front == 0)
+            if (factors.field.kinds()[kind].stack == 0)
                 spectrum.coveredPixels += numbers[factors.layout.pixels()];
         });
         if (!scalings.empty()) {

@@ -22,7 +22,7 @@ struct SpectrumOfView {
 /// Makes spectra of the factors of a view.
 class SpectrumReporter {
   public:
-    /// All must live as long; `fronts` may grow.
+    /// All must live as long; `occluderStacks` may grow.
     SpectrumReporter(SceneEvaluator& evaluator, InterReflection& interReflection,
                      RenderErrorEstimator& errors, StageClock& clock)
         : evaluator_(evaluator),

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/BeerLambert.h"
-#include "irsg/radiance/KindRadiances.h"
 #include "irsg/radiance/SampledScene.h"
+#include "irsg/radiance/SurfaceRadianceTable.h"
 #include "irsg/radiance/exchange/LightIntegrals.h"
 #include "irsg/radiometry/DotProducts.h"
 #include "irsg/scene/InteractiveRenderer.h"
@@ -137,14 +137,14 @@ TEST(SlicesOfBands, GiveWhatEachBandGivesAlone) {
 TEST(SlicesOfBands, SumUpToWhatTheirAirSays) {
     const SlicedWalls walls({weakBand, strongBand});
     const SceneRadiometry& radiometry = *walls.radiometry;
-    Fronts fronts;
-    KindRadiances radiances(radiometry, fronts);
+    OccluderStacks occluderStacks;
+    SurfaceRadianceTable radiances(radiometry, occluderStacks);
     for (int row = 0; row < radiometry.rows().size(); ++row) {
-        const FactorKind kind{0, row};
+        const SurfaceStackId kind{0, row};
         radiances.prepare({kind});
         for (std::size_t output = 0; output < 2; ++output) {
             // Factors of 1: view, sky and sun; nothing is left for the ground.
-            const KindRadiance found = radiances.of(kind, output);
+            const SurfaceStackRadiance found = radiances.of(kind, output);
             double sent = found.constant;
             for (const double perFactor : found.perFactor) {
                 sent += perFactor;
@@ -165,7 +165,7 @@ TEST(SlicesOfBands, SumUpLightBetweenSurfacesToWhatTheirAirSays) {
     const SlicedWalls walls({weakBand, strongBand});
     const SceneRadiometry& radiometry = *walls.radiometry;
     const std::size_t nodes = radiometry.weights_um().size();
-    Fronts fronts;
+    OccluderStacks occluderStacks;
     LightKnots knots;
     knots.count = 2;
     std::vector<std::vector<double>> sources(1, std::vector<double>(nodes));
@@ -176,9 +176,9 @@ TEST(SlicesOfBands, SumUpLightBetweenSurfacesToWhatTheirAirSays) {
     }
     // In place of the ground's light, of which this air has none: that of the first row.
     const std::size_t light = 4;
-    const LightIntegrals integrals(radiometry, fronts, knots, sources, -1, light);
+    const LightIntegrals integrals(radiometry, occluderStacks, knots, sources, -1, light);
     const std::vector<double>& taken_W_m2_um = *radiometry.air(0).light[light];
-    std::vector<FactorKind> kinds;
+    std::vector<SurfaceStackId> kinds;
     kinds.reserve(static_cast<std::size_t>(radiometry.rows().size()));
     for (int row = 0; row < radiometry.rows().size(); ++row) {
         kinds.push_back({0, row});

@@ -48,8 +48,8 @@ SampleWindow windowOf(int shearRows) {
 ViewFactors sumsOf(const SampleWindow& window, const FactorSamples& samples, bool withContrasts) {
     const Sensor sensor = sensorOf(16, 16, 0.01);
     const SurfaceRows rows({{0, {1, 1}}}, {false}, {{}});
-    Fronts fronts;
-    FactorSums sums(sensor, rows, fronts, 3, {}, nullptr, withContrasts);
+    OccluderStacks occluderStacks;
+    FactorSums sums(sensor, rows, occluderStacks, 3, {}, nullptr, withContrasts);
     ViewFactors view = sums.emptyView();
     sums.addToView(window, samples, view);
     return view;

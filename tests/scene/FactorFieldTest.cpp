@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "irsg/radiance/Fronts.h"
 #include "irsg/radiance/LayerWalk.h"
+#include "irsg/radiance/OccluderStacks.h"
 #include "irsg/radiance/SurfaceRows.h"
 #include "irsg/render/sampling/LayerSort.h"
 
@@ -23,7 +23,7 @@ SurfaceRows someRows(std::vector<SliceNodes> slices = {{}, {}}) {
 }
 
 struct Visit {
-    FactorKind kind;
+    SurfaceStackId kind;
     float weight;
     bool operator==(const Visit&) const = default;
 };
@@ -46,7 +46,7 @@ std::vector<Visit> visitsOf(LayerWalk& walk, const std::vector<std::int32_t>& dr
     sortLayers(samples, 10);
     std::vector<Visit> visits;
     walk.forEachLayer(samples, 0,
-                      [&](const FactorKind& kind, float weight, const FactorSamples::Layer&) {
+                      [&](const SurfaceStackId& kind, float weight, const FactorSamples::Layer&) {
                           visits.push_back({kind, weight});
                       });
     return visits;
@@ -81,29 +81,29 @@ TEST(FactorField, AddsAnotherWithItsOwnNumbers) {
     *whole.at(3, whole.kindOf({6, 3})) += 1.0F;
     whole.add(
         part, [](std::size_t cell) { return cell + 2; },
-        [](int front) { return front == 1 ? 6 : 0; });
+        [](int stack) { return stack == 1 ? 6 : 0; });
     float atThree = 0.0F, atTwo = 0.0F;
     whole.forEach(3, [&](std::size_t kind, std::span<const float> numbers) {
-        EXPECT_EQ(whole.kinds()[kind], (FactorKind{6, 3}));
+        EXPECT_EQ(whole.kinds()[kind], (SurfaceStackId{6, 3}));
         atThree += numbers[0];
     });
     whole.forEach(2, [&](std::size_t kind, std::span<const float> numbers) {
-        EXPECT_EQ(whole.kinds()[kind], (FactorKind{0, 3}));
+        EXPECT_EQ(whole.kinds()[kind], (SurfaceStackId{0, 3}));
         atTwo += numbers[0];
     });
     EXPECT_EQ(atThree, 3.0F);
     EXPECT_EQ(atTwo, 5.0F);
 }
 
-TEST(Fronts, AreSetsInWhichTheOrderDoesNotMatterButTheNumberDoes) {
-    Fronts fronts;
-    const FrontMaterial gas{0, 2}, glass{1, 7};
-    const int gasThenGlass = fronts.behind(fronts.behind(0, gas), glass);
-    EXPECT_EQ(gasThenGlass, fronts.behind(fronts.behind(0, glass), gas));
-    EXPECT_NE(gasThenGlass, fronts.behind(gasThenGlass, gas));
-    EXPECT_EQ(fronts.materials(gasThenGlass), (std::vector<FrontMaterial>{gas, glass}));
-    EXPECT_EQ(fronts.numberOf({gas, glass}), gasThenGlass);
-    EXPECT_TRUE(fronts.materials(0).empty());
+TEST(OccluderStacks, AreSetsInWhichTheOrderDoesNotMatterButTheNumberDoes) {
+    OccluderStacks occluderStacks;
+    const OccluderMaterial gas{0, 2}, glass{1, 7};
+    const int gasThenGlass = occluderStacks.behind(occluderStacks.behind(0, gas), glass);
+    EXPECT_EQ(gasThenGlass, occluderStacks.behind(occluderStacks.behind(0, glass), gas));
+    EXPECT_NE(gasThenGlass, occluderStacks.behind(gasThenGlass, gas));
+    EXPECT_EQ(occluderStacks.materials(gasThenGlass), (std::vector<OccluderMaterial>{gas, glass}));
+    EXPECT_EQ(occluderStacks.numberOf({gas, glass}), gasThenGlass);
+    EXPECT_TRUE(occluderStacks.materials(0).empty());
 }
 
 TEST(LayerWalk, KnowsWhatLiesBeforeEachLayer) {
@@ -111,12 +111,13 @@ TEST(LayerWalk, KnowsWhatLiesBeforeEachLayer) {
     LayerWalk walk(rows);
     const auto visits = visitsOf(walk, {1, 2, 1, 0}, {1, 2, 3, 4});
     ASSERT_EQ(visits.size(), 4U);
-    EXPECT_EQ(visits[0].kind, (FactorKind{0, 1}));
-    EXPECT_EQ(walk.fronts().materials(visits[1].kind.front), (std::vector<FrontMaterial>{{0, 2}}));
-    EXPECT_EQ(walk.fronts().materials(visits[2].kind.front),
-              (std::vector<FrontMaterial>{{0, 2}, {1, 7}}));
-    EXPECT_EQ(walk.fronts().materials(visits[3].kind.front),
-              (std::vector<FrontMaterial>{{0, 2}, {0, 2}, {1, 7}}));
+    EXPECT_EQ(visits[0].kind, (SurfaceStackId{0, 1}));
+    EXPECT_EQ(walk.occluderStacks().materials(visits[1].kind.stack),
+              (std::vector<OccluderMaterial>{{0, 2}}));
+    EXPECT_EQ(walk.occluderStacks().materials(visits[2].kind.stack),
+              (std::vector<OccluderMaterial>{{0, 2}, {1, 7}}));
+    EXPECT_EQ(walk.occluderStacks().materials(visits[3].kind.stack),
+              (std::vector<OccluderMaterial>{{0, 2}, {0, 2}, {1, 7}}));
 }
 
 TEST(LayerWalk, DividesASampleBetweenTheNodesAroundIt) {

@@ -103,8 +103,8 @@ void addPanes(FlightWriter& writer) {
 void addDoors(FlightWriter& writer) {
     for (const int side : {1, 3}) {
         // Along port one goes aft, along starboard forward.
-        const auto place = [&](double behindFront, double width) {
-            const double from = behindFront, to = behindFront + width;
+        const auto place = [&](double behindStack, double width) {
+            const double from = behindStack, to = behindStack + width;
             return side == 1 ? std::array{from, to} : std::array{1.0 - to, 1.0 - from};
         };
         for (const double at : {0.16, 0.55, 0.93}) {

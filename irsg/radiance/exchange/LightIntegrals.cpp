@@ -30,14 +30,14 @@ std::vector<double> between(const std::vector<std::vector<double>>& sums,
 
 } // namespace
 
-std::vector<double> LightIntegrals::of(const FactorKind& kind, std::size_t output) const {
+std::vector<double> LightIntegrals::of(const SurfaceStackId& kind, std::size_t output) const {
     const Taken taken = takenFor(std::span(&kind, 1), output);
     const std::vector<std::vector<double>> sums = sumsOf(taken.kinds, output);
     return between(sums, taken.about.front());
 }
 
 std::vector<std::vector<std::vector<double>>>
-LightIntegrals::ofAll(const std::vector<FactorKind>& kinds) const {
+LightIntegrals::ofAll(const std::vector<SurfaceStackId>& kinds) const {
     const std::size_t outputs = radiometry_.outputs().size();
     std::vector<Taken> taken;
     std::vector<std::vector<std::vector<double>>> sums(outputs); // by output and what it takes
@@ -64,17 +64,17 @@ LightIntegrals::ofAll(const std::vector<FactorKind>& kinds) const {
     return found;
 }
 
-LightIntegrals::Taken LightIntegrals::takenFor(std::span<const FactorKind> kinds,
+LightIntegrals::Taken LightIntegrals::takenFor(std::span<const SurfaceStackId> kinds,
                                                std::size_t output) const {
     Taken taken;
     std::map<std::pair<int, int>, int> places; // by front and row
-    for (const FactorKind& kind : kinds) {
+    for (const SurfaceStackId& kind : kinds) {
         const SliceBetween rows = radiometry_.rowsAbout(kind.row, output);
         const auto placeOf = [&](int row) {
             const auto [place, isNew] =
-                places.try_emplace({kind.front, row}, static_cast<int>(taken.kinds.size()));
+                places.try_emplace({kind.stack, row}, static_cast<int>(taken.kinds.size()));
             if (isNew)
-                taken.kinds.push_back({kind.front, row});
+                taken.kinds.push_back({kind.stack, row});
             return place->second;
         };
         const int below = placeOf(rows.below);
@@ -83,13 +83,13 @@ LightIntegrals::Taken LightIntegrals::takenFor(std::span<const FactorKind> kinds
     return taken;
 }
 
-const double* LightIntegrals::lightOn(const FactorKind& kind, int term) const {
+const double* LightIntegrals::lightOn(const SurfaceStackId& kind, int term) const {
     const SurfaceRows& rows = radiometry_.rows();
     const AirSamples& air = radiometry_.air(rows.first(rows.drawnOf(kind.row)));
     return air.light[static_cast<std::size_t>(term)]->data();
 }
 
-std::vector<std::vector<double>> LightIntegrals::sumsOf(std::span<const FactorKind> kinds,
+std::vector<std::vector<double>> LightIntegrals::sumsOf(std::span<const SurfaceStackId> kinds,
                                                         std::size_t output) const {
     const auto& [begin, end] = radiometry_.outputs()[output];
     const std::size_t columns = sources_W_m2_um_.size();
@@ -107,7 +107,7 @@ std::vector<std::vector<double>> LightIntegrals::sumsOf(std::span<const FactorKi
         if (term < 0)
             continue;
         const double* const first = lightOn(kinds.front(), term);
-        if (std::ranges::any_of(kinds, [&, term = term](const FactorKind& kind) {
+        if (std::ranges::any_of(kinds, [&, term = term](const SurfaceStackId& kind) {
                 return lightOn(kind, term) != first;
             })) {
             apart.emplace_back(term, place);
@@ -126,9 +126,9 @@ std::vector<std::vector<double>> LightIntegrals::sumsOf(std::span<const FactorKi
     for (std::size_t first = begin; first < end; first += nodesTogether) {
         const std::size_t count = std::min(nodesTogether, end - first);
         for (std::size_t k = 0; k < kinds.size(); ++k) {
-            const bool isBehindSame = k > 0 && kinds[k].front == kinds[k - 1].front;
+            const bool isBehindSame = k > 0 && kinds[k].stack == kinds[k - 1].stack;
             if (!isBehindSame)
-                radiometry_.fillPassed(fronts_.materials(kinds[k].front), first, count,
+                radiometry_.fillPassed(occluderStacks_.materials(kinds[k].stack), first, count,
                                        passed.data());
             const SurfaceSpectra& surface = radiometry_.surface(kinds[k].row);
             if (!isBehindSame || &surface != &radiometry_.surface(kinds[k - 1].row))

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "irsg/radiance/FactorField.h"
-#include "irsg/radiance/Fronts.h"
+#include "irsg/radiance/OccluderStacks.h"
 #include "irsg/radiance/SceneRadiometry.h"
 
 namespace irsg {
@@ -29,11 +29,11 @@ class LightIntegrals {
   public:
     /// All must live as long. `sources_W_m2_um` by source and node; terms of the light that is
     /// taken away, -1 for none.
-    LightIntegrals(const SceneRadiometry& radiometry, const Fronts& fronts, const LightKnots& knots,
-                   const std::vector<std::vector<double>>& sources_W_m2_um, int skyTerm,
-                   int groundTerm)
+    LightIntegrals(const SceneRadiometry& radiometry, const OccluderStacks& occluderStacks,
+                   const LightKnots& knots, const std::vector<std::vector<double>>& sources_W_m2_um,
+                   int skyTerm, int groundTerm)
         : radiometry_(radiometry),
-          fronts_(fronts),
+          occluderStacks_(occluderStacks),
           knots_(knots),
           sources_W_m2_um_(sources_W_m2_um),
           skyTerm_(skyTerm),
@@ -41,25 +41,26 @@ class LightIntegrals {
 
     /// Sky, ground, then the sources of each knot.
     std::size_t width() const { return 2 + sources_W_m2_um_.size() * knots_.count; }
-    std::vector<double> of(const FactorKind& kind, std::size_t output) const;
+    std::vector<double> of(const SurfaceStackId& kind, std::size_t output) const;
     /// By kind and output, on all cores.
-    std::vector<std::vector<std::vector<double>>> ofAll(const std::vector<FactorKind>& kinds) const;
+    std::vector<std::vector<std::vector<double>>>
+    ofAll(const std::vector<SurfaceStackId>& kinds) const;
 
   private:
     /// Kinds whose air an output takes, from which that of others follows.
     struct Taken {
-        std::vector<FactorKind> kinds;
+        std::vector<SurfaceStackId> kinds;
         std::vector<SliceBetween> about; ///< by kind that was asked for: between which of `kinds`
     };
-    Taken takenFor(std::span<const FactorKind> kinds, std::size_t output) const;
+    Taken takenFor(std::span<const SurfaceStackId> kinds, std::size_t output) const;
     /// Of a few kinds that are taken.
-    std::vector<std::vector<double>> sumsOf(std::span<const FactorKind> kinds,
+    std::vector<std::vector<double>> sumsOf(std::span<const SurfaceStackId> kinds,
                                             std::size_t output) const;
     /// By node.
-    const double* lightOn(const FactorKind& kind, int term) const;
+    const double* lightOn(const SurfaceStackId& kind, int term) const;
 
     const SceneRadiometry& radiometry_;
-    const Fronts& fronts_;
+    const OccluderStacks& occluderStacks_;
     const LightKnots& knots_;
     const std::vector<std::vector<double>>& sources_W_m2_um_;
     int skyTerm_, groundTerm_;

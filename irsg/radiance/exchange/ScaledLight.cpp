@@ -22,7 +22,7 @@ double emissivityAt(double scale, double emissivity, double absorbedAtMost) {
 
 struct ScaledLight::Making {
     const SceneRadiometry& radiometry;
-    const KindRadiances& radiances;
+    const SurfaceRadianceTable& radiances;
     SceneLight& light;
     const std::vector<ScaledRow>& rows;
     const std::vector<double>& ranges_m;
@@ -41,17 +41,17 @@ struct ScaledLight::Making {
 };
 
 ScaledLight::ScaledLight(const ViewFactors& view, const SceneRadiometry& radiometry,
-                         const KindRadiances& radiances, SceneLight& light,
+                         const SurfaceRadianceTable& radiances, SceneLight& light,
                          const std::vector<ScaledRow>& rows, const std::vector<double>& ranges_m,
                          std::pair<std::size_t, std::size_t> nodes, std::size_t inputs,
                          bool isSpectrum, std::optional<int> only)
     : isSpectrum_(isSpectrum) {
     Making making{radiometry, radiances, light, rows, ranges_m, nodes};
     makeBins(making);
-    for (const FactorKind& kind : light.inOrder(view.light)) {
+    for (const SurfaceStackId& kind : light.inOrder(view.light)) {
         const int drawn = radiometry.rows().drawnOf(kind.row);
         if (!only || radiometry.rows().keyOf(drawn).first == *only)
-            gather(making, kind.front, kind.row, view.light.at({kind.front, kind.row}));
+            gather(making, kind.stack, kind.row, view.light.at({kind.stack, kind.row}));
     }
     close(making);
     evaluate(std::vector<double>(inputs, 1.0), atOne_);
@@ -112,7 +112,7 @@ void ScaledLight::makeBins(Making& making) {
         making.response = &making.light.response(making.reflectors, making.nodes);
 }
 
-void ScaledLight::gather(Making& making, int front, int row, std::span<const double> sums) {
+void ScaledLight::gather(Making& making, int stack, int row, std::span<const double> sums) {
     const auto drawn = static_cast<std::size_t>(making.radiometry.rows().drawnOf(row));
     if (!making.light.matters(static_cast<int>(drawn)))
         return;
@@ -122,7 +122,7 @@ void ScaledLight::gather(Making& making, int front, int row, std::span<const dou
         making.radiometry.rows().keyOf(static_cast<int>(drawn)).first)];
     const SurfaceSpectra& own = making.surface(drawn);
     const std::vector<double>& through = *making.radiometry.air(row).transmittance;
-    std::vector<double> unit = making.radiances.passed(front, making.nodes);
+    std::vector<double> unit = making.radiances.passed(stack, making.nodes);
     std::vector<double> reflectivity(unit.size());
     for (std::size_t i = 0; i < unit.size(); ++i) {
         unit[i] *= through[first + i] / pi;

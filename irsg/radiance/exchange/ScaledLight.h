@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "irsg/radiance/KindRadiances.h"
 #include "irsg/radiance/ScaledView.h"
 #include "irsg/radiance/SceneRadiometry.h"
+#include "irsg/radiance/SurfaceRadianceTable.h"
 #include "irsg/radiance/ViewFactors.h"
 #include "irsg/radiance/exchange/SceneLight.h"
 
@@ -33,7 +33,7 @@ class ScaledLight {
     /// Of nodes `first` to before `last`; `rows` by drawn row, `ranges_m` by entity. With `only`
     /// what falls on that entity alone is counted.
     ScaledLight(const ViewFactors& view, const SceneRadiometry& radiometry,
-                const KindRadiances& radiances, SceneLight& light,
+                const SurfaceRadianceTable& radiances, SceneLight& light,
                 const std::vector<ScaledRow>& rows, const std::vector<double>& ranges_m,
                 std::pair<std::size_t, std::size_t> nodes, std::size_t inputs, bool isSpectrum,
                 std::optional<int> only = {});
@@ -64,7 +64,7 @@ class ScaledLight {
     };
     struct Making;
     void makeBins(Making& making);
-    void gather(Making& making, int front, int row, std::span<const double> sums);
+    void gather(Making& making, int stack, int row, std::span<const double> sums);
     void close(Making& making);
     void evaluate(std::span<const double> scales, std::vector<Pair>& byBin) const;
 

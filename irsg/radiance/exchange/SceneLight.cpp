@@ -94,11 +94,11 @@ class CurveDivision {
 } // namespace
 
 SceneLight::SceneLight(std::shared_ptr<const LightExchange> exchange,
-                       const SceneRadiometry& radiometry, const Fronts& fronts,
+                       const SceneRadiometry& radiometry, const OccluderStacks& occluderStacks,
                        const RenderSettings& settings, LightSolutions& solutions)
     : exchange_(std::move(exchange)),
       radiometry_(radiometry),
-      fronts_(fronts),
+      occluderStacks_(occluderStacks),
       bounces_(settings.bounces) {
     findColumns();
     findKnots(settings);
@@ -242,25 +242,26 @@ void SceneLight::turn() {
     responses_.clear();
 }
 
-std::vector<FactorKind> SceneLight::inOrder(const LightSums& sums) const {
-    std::vector<FactorKind> kinds;
+std::vector<SurfaceStackId> SceneLight::inOrder(const LightSums& sums) const {
+    std::vector<SurfaceStackId> kinds;
     for (const auto& [kind, numbers] : sums)
         kinds.push_back({kind.first, kind.second});
-    std::ranges::sort(kinds, [&](const FactorKind& a, const FactorKind& b) {
-        const auto &before = fronts_.materials(a.front), &after = fronts_.materials(b.front);
+    std::ranges::sort(kinds, [&](const SurfaceStackId& a, const SurfaceStackId& b) {
+        const auto &before = occluderStacks_.materials(a.stack),
+                   &after = occluderStacks_.materials(b.stack);
         return before == after ? a.row < b.row : before < after;
     });
     return kinds;
 }
 
-void SceneLight::prepare(const std::vector<FactorKind>& kinds) {
+void SceneLight::prepare(const std::vector<SurfaceStackId>& kinds) {
     if (radiometry_.outputs().size() > mostOutputsKept)
         return;
-    std::vector<FactorKind> missing;
+    std::vector<SurfaceStackId> missing;
     std::vector<std::vector<std::vector<double>>*> places;
-    for (const FactorKind& kind : kinds)
+    for (const SurfaceStackId& kind : kinds)
         if (matters(radiometry_.rows().drawnOf(kind.row))) {
-            const auto [place, isNew] = known_.try_emplace({kind.front, kind.row});
+            const auto [place, isNew] = known_.try_emplace({kind.stack, kind.row});
             if (isNew) {
                 missing.push_back(kind);
                 places.push_back(&place->second);
@@ -271,10 +272,10 @@ void SceneLight::prepare(const std::vector<FactorKind>& kinds) {
         *places[k] = std::move(found[k]);
 }
 
-std::span<const double> SceneLight::integrals(const FactorKind& kind, std::size_t output) {
+std::span<const double> SceneLight::integrals(const SurfaceStackId& kind, std::size_t output) {
     if (radiometry_.outputs().size() > mostOutputsKept)
         return passing_ = integrator().of(kind, output);
-    const auto known = known_.find({kind.front, kind.row});
+    const auto known = known_.find({kind.stack, kind.row});
     if (known == known_.end())
         throw LogicError("light between surfaces was asked for of a kind that was not prepared");
     return known->second[output];
@@ -299,13 +300,13 @@ std::vector<double> SceneLight::contracted(int row, std::span<const double> sums
 }
 
 const std::vector<SceneLight::AtReceiver>*
-SceneLight::findAtReceivers(const FactorKind& kind) const {
-    const auto place = atReceivers_.find({kind.front, kind.row});
+SceneLight::findAtReceivers(const SurfaceStackId& kind) const {
+    const auto place = atReceivers_.find({kind.stack, kind.row});
     return place == atReceivers_.end() ? nullptr : &place->second;
 }
 
-const std::vector<SceneLight::AtReceiver>& SceneLight::atReceivers(const FactorKind& kind) {
-    const auto [place, isNew] = atReceivers_.try_emplace({kind.front, kind.row});
+const std::vector<SceneLight::AtReceiver>& SceneLight::atReceivers(const SurfaceStackId& kind) {
+    const auto [place, isNew] = atReceivers_.try_emplace({kind.stack, kind.row});
     if (!isNew)
         return place->second;
     prepare({kind});
@@ -340,12 +341,12 @@ std::pair<int, std::size_t> ReceiverRows::receiverOf(int number) const {
     return {row, static_cast<std::size_t>(number - first_[static_cast<std::size_t>(row)])};
 }
 
-std::vector<double> radiancesOf(const std::vector<FactorKind>& receivers, const ReceiverRows& rows,
-                                SceneLight& light) {
+std::vector<double> radiancesOf(const std::vector<SurfaceStackId>& receivers,
+                                const ReceiverRows& rows, SceneLight& light) {
     std::vector<double> all;
-    for (const FactorKind& kind : receivers) {
+    for (const SurfaceStackId& kind : receivers) {
         const auto [row, local] = rows.receiverOf(kind.row);
-        const SceneLight::AtReceiver& at = light.atReceivers({kind.front, row})[local];
+        const SceneLight::AtReceiver& at = light.atReceivers({kind.stack, row})[local];
         all.push_back(at[0] + at[1] + at[2]);
     }
     return all;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "irsg/radiance/FactorField.h"
-#include "irsg/radiance/Fronts.h"
+#include "irsg/radiance/OccluderStacks.h"
 #include "irsg/radiance/SceneRadiometry.h"
 #include "irsg/radiance/exchange/LightIntegrals.h"
 #include "irsg/radiance/exchange/LightResponse.h"
@@ -32,9 +32,11 @@ using LightSums = std::map<std::pair<int, int>, std::vector<double>>; // by fron
 /// is a dot product: of the receiver's loss and G with integrals that the receivers of a row share.
 class SceneLight {
   public:
-    /// All must live as long; `fronts` may grow. Solutions are looked for among `solutions`.
+    /// All must live as long; `occluderStacks` may grow. Solutions are looked for among
+    /// `solutions`.
     SceneLight(std::shared_ptr<const LightExchange> exchange, const SceneRadiometry& radiometry,
-               const Fronts& fronts, const RenderSettings& settings, LightSolutions& solutions);
+               const OccluderStacks& occluderStacks, const RenderSettings& settings,
+               LightSolutions& solutions);
 
     const LightExchange& exchange() const { return *exchange_; }
     int bounces() const { return bounces_; }
@@ -45,20 +47,20 @@ class SceneLight {
 
     /// Radiances at the sensor where factors are 1, W m-2 sr-1: what the row's sky and ground give,
     /// taken away, and what each column gives, knot by knot.
-    std::span<const double> integrals(const FactorKind& kind, std::size_t output);
-    void prepare(const std::vector<FactorKind>& kinds);
+    std::span<const double> integrals(const SurfaceStackId& kind, std::size_t output);
+    void prepare(const std::vector<SurfaceStackId>& kinds);
     /// Kinds by what lies before them, not by the numbers that this got: sums that go by it are the
     /// same to the last digit whatever was seen before.
-    std::vector<FactorKind> inOrder(const LightSums& sums) const;
+    std::vector<SurfaceStackId> inOrder(const LightSums& sums) const;
 
     /// What sums of a kind make of the same numbers: of losses, and of columns.
     std::vector<double> contracted(int row, std::span<const double> sums, bool withCosine) const;
     /// In-band radiance in the first output at each receiver of a kind's drawn row: what is taken
     /// of that by sky and by ground, and what others give.
     using AtReceiver = std::array<double, 3>;
-    const std::vector<AtReceiver>& atReceivers(const FactorKind& kind);
+    const std::vector<AtReceiver>& atReceivers(const SurfaceStackId& kind);
     /// The same where it was asked for before, else null.
-    const std::vector<AtReceiver>* findAtReceivers(const FactorKind& kind) const;
+    const std::vector<AtReceiver>* findAtReceivers(const SurfaceStackId& kind) const;
 
     /// What falls on receivers of a row, by where it was emitted or first reflected: node by node,
     /// W m-2 um-1 times the unit of the sums.
@@ -93,7 +95,8 @@ class SceneLight {
     void findKnots(const RenderSettings& settings);
     void fillSources();
     LightIntegrals integrator() const {
-        return {radiometry_, fronts_, knotsOfNodes_, sources_W_m2_um_, skyTerm_, groundTerm_};
+        return {radiometry_,      occluderStacks_, knotsOfNodes_,
+                sources_W_m2_um_, skyTerm_,        groundTerm_};
     }
     std::size_t width() const { return integrator().width(); }
     /// Of the surface that a row is of.
@@ -105,7 +108,7 @@ class SceneLight {
 
     std::shared_ptr<const LightExchange> exchange_;
     const SceneRadiometry& radiometry_;
-    const Fronts& fronts_;
+    const OccluderStacks& occluderStacks_;
     int bounces_;
     int skyTerm_ = -1, groundTerm_ = -1;
     std::vector<LightColumn> columns_;
@@ -137,8 +140,8 @@ class ReceiverRows {
 };
 
 /// In-band radiance in the first output at the receivers that a field has entries of.
-std::vector<double> radiancesOf(const std::vector<FactorKind>& receivers, const ReceiverRows& rows,
-                                SceneLight& light);
+std::vector<double> radiancesOf(const std::vector<SurfaceStackId>& receivers,
+                                const ReceiverRows& rows, SceneLight& light);
 
 /// The same between the receivers about a sample's place; nothing where that is not known.
 SceneLight::AtReceiver lightAt(const LightExchange& exchange,

@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "irsg/radiance/FactorField.h"
-#include "irsg/radiance/Fronts.h"
+#include "irsg/radiance/OccluderStacks.h"
 #include "irsg/radiance/SceneRadiometry.h"
 
 namespace irsg {
 
 /// What one kind of surface sends through what lies before it, in one of the outputs of a sampling.
 /// A sum of factors F makes of it: constant F_coverage + sum of perFactor[f] F_f.
-struct KindRadiance {
+struct SurfaceStackRadiance {
     std::span<const double> perFactor; ///< W m-2 sr-1 at each drawn factor of 1
     double constant = 0.0;             ///< whatever the factors are
     double hidden = 0.0;               ///< of the background at the field's centre, that it hides
@@ -30,10 +30,10 @@ struct KindRadiance {
 /// times what the surface makes of light, times the air of the row. The first three are one vector
 /// for all rows of a surface. Each part of the emission has groups of its own, so that factors of
 /// measured spectra change without a sum over nodes.
-class KindRadiances {
+class SurfaceRadianceTable {
   public:
-    /// `radiometry` and `fronts` must live as long; `fronts` may grow.
-    KindRadiances(const SceneRadiometry& radiometry, const Fronts& fronts);
+    /// `radiometry` and `occluderStacks` must live as long; `occluderStacks` may grow.
+    SurfaceRadianceTable(const SceneRadiometry& radiometry, const OccluderStacks& occluderStacks);
 
     /// Spectral radiance behind the objects at the field's centre, by node; 0 at first. Another one
     /// leaves what surfaces send as it is.
@@ -46,33 +46,33 @@ class KindRadiances {
     std::size_t outputs() const { return outputs_; }
     std::size_t factorCount() const { return factorCount_; }
 
-    void prepare(const std::vector<FactorKind>& kinds);
-    bool isPrepared(const FactorKind& kind) const;
+    void prepare(const std::vector<SurfaceStackId>& kinds);
+    bool isPrepared(const SurfaceStackId& kind) const;
     /// LogicError for a kind that was not prepared.
-    KindRadiance of(const FactorKind& kind, std::size_t output = 0) const {
+    SurfaceStackRadiance of(const SurfaceStackId& kind, std::size_t output = 0) const {
         return inOutputs(kind).at(output);
     }
 
     /// A kind in all outputs, found once; valid until the next `prepare`.
     class InOutputs {
       public:
-        KindRadiance at(std::size_t output) const {
+        SurfaceStackRadiance at(std::size_t output) const {
             const double* sent = sent_ + output * (factorCount_ + 1);
             const double* hidden = hidden_ + 2 * output;
             return {{sent, factorCount_}, sent[factorCount_], hidden[0], hidden[1]};
         }
 
       private:
-        friend class KindRadiances;
+        friend class SurfaceRadianceTable;
         const double *sent_ = nullptr, *hidden_ = nullptr;
         std::size_t factorCount_ = 0;
     };
-    InOutputs inOutputs(const FactorKind& kind) const;
+    InOutputs inOutputs(const SurfaceStackId& kind) const;
 
     /// In an output: one value for each term at factor 1 (truth layers).
-    std::vector<double> terms(const FactorKind& kind, std::size_t output = 0) const;
+    std::vector<double> terms(const SurfaceStackId& kind, std::size_t output = 0) const;
     /// By node, first and before last: weight times what the materials in front let through.
-    std::vector<double> passed(int front, std::pair<std::size_t, std::size_t> nodes) const;
+    std::vector<double> passed(int stack, std::pair<std::size_t, std::size_t> nodes) const;
 
   private:
     /// Terms of the radiance that one sum over nodes serves: they share their drawn factor, their
@@ -103,21 +103,21 @@ class KindRadiances {
     /// Per factor, then constant.
     std::size_t valuesOfKind() const { return factorCount_ + 1; }
     std::vector<TermGroup> termGroupsOf(int drawn) const;
-    HiddenPlace& hiddenPlaceOf(int front, int drawn);
+    HiddenPlace& hiddenPlaceOf(int stack, int drawn);
     /// Gives new kinds their places, and lists what they need, by front and drawn row.
-    std::map<std::pair<int, int>, Work> plan(const std::vector<FactorKind>& kinds);
-    void evaluate(int front, int drawn, const Work& work, const std::vector<double>& passed);
+    std::map<std::pair<int, int>, Work> plan(const std::vector<SurfaceStackId>& kinds);
+    void evaluate(int stack, int drawn, const Work& work, const std::vector<double>& passed);
     /// Adds a block of nodes to the sums of rows of a surface, group by group.
     void addBlock(int drawn, const std::vector<int>& rows, const std::vector<double>& passed,
                   std::size_t begin, std::size_t count, std::vector<double>& sums) const;
     void fillGroup(int drawn, const TermGroup& group, const double* passed, std::size_t begin,
                    std::size_t count, double* values) const;
     void evaluateHidden(int drawn, const std::vector<double>& passed, double* into) const;
-    void combine(const FactorKind& kind);
-    Place& placeOf(const FactorKind& kind);
+    void combine(const SurfaceStackId& kind);
+    Place& placeOf(const SurfaceStackId& kind);
 
     const SceneRadiometry& radiometry_;
-    const Fronts& fronts_;
+    const OccluderStacks& occluderStacks_;
     std::size_t outputs_, factorCount_;
     std::vector<std::vector<TermGroup>> termGroups_;     // by drawn row
     SharedValues background_;                            // by node

@@ -13,12 +13,12 @@
 namespace irsg {
 
 /// Sums of a part of a view's samples by pixel and kind: coverage and factors as parts of a pixel.
-/// Takes what ViewKindSums takes.
-class PixelKindSums {
+/// Takes what ViewSurfaceSums takes.
+class PixelSurfaceSums {
   public:
     /// `pixels`: those of the part. `share`: a sample's part of a pixel.
-    PixelKindSums(const SurfaceRows& rows, const PixelWindow& pixels, std::size_t factorCount,
-                  const LightExchange* exchange, const ReceiverRows& receivers, double share)
+    PixelSurfaceSums(const SurfaceRows& rows, const PixelWindow& pixels, std::size_t factorCount,
+                     const LightExchange* exchange, const ReceiverRows& receivers, double share)
         : rows_(static_cast<std::size_t>(rows.size())),
           surfaces_(rows),
           pixels_(pixels),
@@ -35,43 +35,43 @@ class PixelKindSums {
                 static_cast<std::size_t>(x - pixels_.x);
     }
 
-    void add(int front, const SurfaceRows::Between& between, const FactorSamples::Layer& layer) {
+    void add(int stack, const SurfaceRows::Between& between, const FactorSamples::Layer& layer) {
         const float* factors = layer.factors.data();
         const auto next = static_cast<double>(between.next);
-        addTo({front, between.row}, 1.0 - next, factors);
+        addTo({stack, between.row}, 1.0 - next, factors);
         if (next > 0.0)
-            addTo({front, between.row + 1}, next, factors);
+            addTo({stack, between.row + 1}, next, factors);
         if (!layer.place || layer.place->triangle == FactorSamples::Place::none)
             return;
-        addReceivers({front, between.row}, 1.0 - next, *layer.place);
+        addReceivers({stack, between.row}, 1.0 - next, *layer.place);
         if (next > 0.0)
-            addReceivers({front, between.row + 1}, next, *layer.place);
+            addReceivers({stack, between.row + 1}, next, *layer.place);
     }
 
-    void addLight(int front, const SurfaceRows::Between& between,
+    void addLight(int stack, const SurfaceRows::Between& between,
                   const FactorSamples::Layer& layer) {
         const auto next = static_cast<double>(between.next);
         const auto coverage = static_cast<double>(layer.coverage);
         const auto addTo = [&](int row, double weight) {
-            this->addTo({front, row}, weight, layer.factors.data(), coverage);
+            this->addTo({stack, row}, weight, layer.factors.data(), coverage);
             if (layer.place && layer.place->triangle != FactorSamples::Place::none)
-                addReceivers({front, row}, weight * coverage, *layer.place);
+                addReceivers({stack, row}, weight * coverage, *layer.place);
         };
         addTo(between.row, 1.0 - next);
         if (next > 0.0)
             addTo(between.row + 1, next);
     }
 
-    void addMirror(int front, const FactorSamples& samples, const FactorSamples::Layer& layer,
+    void addMirror(int stack, const FactorSamples& samples, const FactorSamples::Layer& layer,
                    const FactorSamples::Mirror& mirror) {
         static constexpr std::array<float, mostFactors> none{};
         LayerWalk::forEachShare(samples, mirror, [&](std::size_t place, float coverage) {
             const SurfaceRows::Between between =
                 surfaces_.at(mirror.row + static_cast<int>(place), layer.distance_m);
             const auto next = static_cast<double>(between.next);
-            addTo({front, between.row}, 1.0 - next, none.data(), static_cast<double>(coverage));
+            addTo({stack, between.row}, 1.0 - next, none.data(), static_cast<double>(coverage));
             if (next > 0.0)
-                addTo({front, between.row + 1}, next, none.data(), static_cast<double>(coverage));
+                addTo({stack, between.row + 1}, next, none.data(), static_cast<double>(coverage));
         });
     }
     void finish() {}
@@ -85,19 +85,20 @@ class PixelKindSums {
     static std::size_t cellsOf(const PixelWindow& pixels) {
         return static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height);
     }
-    void addReceivers(const FactorKind& kind, double weight, const FactorSamples::Place& at) {
+    void addReceivers(const SurfaceStackId& kind, double weight, const FactorSamples::Place& at) {
         exchange_->forEachReceiver(
             at.triangle, at.u, at.v, [&](std::uint32_t receiver, float part) {
                 const int number = receivers_.numberOf(kind.row, exchange_->localOf(receiver));
-                *light_.at(cell_, light_.kindOf({kind.front, number})) +=
+                *light_.at(cell_, light_.kindOf({kind.stack, number})) +=
                     weight * part_ * static_cast<double>(part);
             });
     }
-    void addTo(const FactorKind& kind, double weight, const float* factors, double coverage = 1.0) {
+    void addTo(const SurfaceStackId& kind, double weight, const float* factors,
+               double coverage = 1.0) {
         const std::size_t place =
-            static_cast<std::size_t>(kind.front) * rows_ + static_cast<std::size_t>(kind.row);
+            static_cast<std::size_t>(kind.stack) * rows_ + static_cast<std::size_t>(kind.row);
         if (place >= numbers_.size())
-            numbers_.resize((static_cast<std::size_t>(kind.front) + 1) * rows_, -1);
+            numbers_.resize((static_cast<std::size_t>(kind.stack) + 1) * rows_, -1);
         int& number = numbers_[place];
         if (number < 0)
             number = field_.kindOf(kind);

@@ -25,12 +25,12 @@ namespace irsg {
 /// Every layer of every sample comes here: sums are dense, and their number is known when this is
 /// compiled.
 template <std::size_t Factors>
-class ViewKindSums {
+class ViewSurfaceSums {
   public:
     /// All must live as long. `share`: a sample's part of a pixel.
-    ViewKindSums(const SurfaceRows& rows, const PixelGrid& grid,
-                 const std::vector<const FrameBackground*>& varying, const LightExchange* exchange,
-                 double share)
+    ViewSurfaceSums(const SurfaceRows& rows, const PixelGrid& grid,
+                    const std::vector<const FrameBackground*>& varying,
+                    const LightExchange* exchange, double share)
         : rows_(static_cast<std::size_t>(rows.size())),
           surfaces_(rows),
           grid_(grid),
@@ -51,7 +51,7 @@ class ViewKindSums {
     }
 
     /// The same as others, times a factor.
-    void goTo(const ViewKindSums& others, double factor) {
+    void goTo(const ViewSurfaceSums& others, double factor) {
         endRun();
         part_ = factor * others.part_;
         omega_sr_ = factor * others.omega_sr_;
@@ -59,9 +59,9 @@ class ViewKindSums {
         behind_W_m2_sr_ = others.behind_W_m2_sr_;
     }
 
-    [[gnu::always_inline]] void add(int front, const SurfaceRows::Between& between,
+    [[gnu::always_inline]] void add(int stack, const SurfaceRows::Between& between,
                                     const FactorSamples::Layer& layer) {
-        const std::size_t place = placeOf(front, between.row);
+        const std::size_t place = placeOf(stack, between.row);
         const float* factors = layer.factors.data();
         if (layer.place && layer.place->triangle != FactorSamples::Place::none) {
             addReceivers(place, between.row, 1.0 - static_cast<double>(between.next), *layer.place);
@@ -74,9 +74,9 @@ class ViewKindSums {
     }
 
     /// Factors of what is covered already, and what lobes have for coverage.
-    void addLight(int front, const SurfaceRows::Between& between,
+    void addLight(int stack, const SurfaceRows::Between& between,
                   const FactorSamples::Layer& layer) {
-        const std::size_t place = placeOf(front, between.row);
+        const std::size_t place = placeOf(stack, between.row);
         const auto coverage = static_cast<double>(layer.coverage);
         const auto addTo = [&](std::size_t to, double weight) {
             Sums& sums = sums_[slotOf(to)];
@@ -96,13 +96,13 @@ class ViewKindSums {
     }
 
     /// What lobes mirror of the air, which is divided among its places once all is added.
-    void addMirror(int front, const FactorSamples& samples, const FactorSamples::Layer& layer,
+    void addMirror(int stack, const FactorSamples& samples, const FactorSamples::Layer& layer,
                    const FactorSamples::Mirror& mirror) {
         const SurfaceRows::Between between = surfaces_.at(mirror.row, layer.distance_m);
         const MirrorTable& table = *samples.mirrorTables[mirror.table];
         const float* scales = &samples.mirrorScales[mirror.scales];
         const auto addTo = [&](int row, double weight) {
-            Mirrors& mirrors = mirrorsOf(front, row, samples, mirror);
+            Mirrors& mirrors = mirrorsOf(stack, row, samples, mirror);
             for (std::size_t n = 0; n < mirror.nodes.size(); ++n) {
                 double* sums = mirrors.of(mirror.nodes[n], 2 * table.components);
                 const double ofNode = weight * static_cast<double>(mirror.weights[n]);
@@ -121,9 +121,9 @@ class ViewKindSums {
     void finish() {
         endRun();
         for (const auto& [key, mirrors] : mirrors_) {
-            const auto& [front, row, number] = key;
+            const auto& [stack, row, number] = key;
             const std::shared_ptr<const MirrorTable>& table = mirrors.table;
-            const std::size_t first = placeOf(front, row);
+            const std::size_t first = placeOf(stack, row);
             std::array<double, 2>* const sums = mirroredFrom(
                 first, table->valuesOfNode(), static_cast<std::size_t>(mirrors.rowsOfPlace));
             // In an order that what was seen before does not change.
@@ -152,32 +152,32 @@ class ViewKindSums {
                 addRun(std::exchange(runs_[slot], {}), receivers_[slot]);
     }
     /// Adds what was seen of receivers of light, finished, times a sign; see addTo.
-    template <typename FrontOf>
-    void addLightTo(LightSums& light, FrontOf frontOf, double sign) const {
+    template <typename StackOf>
+    void addLightTo(LightSums& light, StackOf stackOf, double sign) const {
         for (std::size_t place = 0; place < slots_.size() && !receivers_.empty(); ++place) {
             const auto slot = static_cast<std::size_t>(slots_[place]);
             if (slots_[place] == none || slot >= receivers_.size() || receivers_[slot].empty())
                 continue;
-            const FactorKind kind = kindOf(place, frontOf);
-            addScaled(receivers_[slot], sign, light[{kind.front, kind.row}]);
+            const SurfaceStackId kind = kindOf(place, stackOf);
+            addScaled(receivers_[slot], sign, light[{kind.stack, kind.row}]);
         }
     }
 
-    /// Adds what was seen times a sign to the one cell of a field. `frontOf(front)` is the number
+    /// Adds what was seen times a sign to the one cell of a field. `stackOf(front)` is the number
     /// there of one here.
-    template <typename FrontOf>
-    void addTo(FactorField<double>& field, const ViewLayout& layout, FrontOf frontOf,
+    template <typename StackOf>
+    void addTo(FactorField<double>& field, const ViewLayout& layout, StackOf stackOf,
                double sign) const {
         for (std::size_t place = 0; place < slots_.size(); ++place) {
             if (slots_[place] != none)
-                addSumsTo(field, layout, kindOf(place, frontOf),
+                addSumsTo(field, layout, kindOf(place, stackOf),
                           static_cast<std::size_t>(slots_[place]), sign);
             if (place >= mirrorSlots_.size() || mirrorSlots_[place] == none)
                 continue;
             const auto& [plain, cosine] = mirrored_[static_cast<std::size_t>(mirrorSlots_[place])];
             if (plain == 0.0)
                 continue;
-            double* numbers = field.at(0, field.kindOf(kindOf(place, frontOf)));
+            double* numbers = field.at(0, field.kindOf(kindOf(place, stackOf)));
             numbers[layout.coverage()] += sign * plain;
             numbers[layout.withCosine(layout.coverage())] += sign * cosine;
         }
@@ -218,19 +218,19 @@ class ViewKindSums {
     };
 
     /// Of a front and a row, for which there is a place from now on, and for the rows behind it.
-    [[gnu::always_inline]] std::size_t placeOf(int front, int row) {
+    [[gnu::always_inline]] std::size_t placeOf(int stack, int row) {
         const std::size_t place =
-            static_cast<std::size_t>(front) * rows_ + static_cast<std::size_t>(row);
+            static_cast<std::size_t>(stack) * rows_ + static_cast<std::size_t>(row);
         if (place >= slots_.size())
-            growTo(front);
+            growTo(stack);
         return place;
     }
-    [[gnu::noinline]] void growTo(int front) {
-        slots_.resize((static_cast<std::size_t>(front) + 1) * rows_, none);
+    [[gnu::noinline]] void growTo(int stack) {
+        slots_.resize((static_cast<std::size_t>(stack) + 1) * rows_, none);
     }
-    template <typename FrontOf>
-    FactorKind kindOf(std::size_t place, FrontOf frontOf) const {
-        return {frontOf(static_cast<int>(place / rows_)), static_cast<int>(place % rows_)};
+    template <typename StackOf>
+    SurfaceStackId kindOf(std::size_t place, StackOf stackOf) const {
+        return {stackOf(static_cast<int>(place / rows_)), static_cast<int>(place % rows_)};
     }
     /// Where the sums of a place are: few of them are seen in a part of a view, of lobes above all.
     [[gnu::always_inline]] std::size_t slotOf(std::size_t place) {
@@ -245,7 +245,7 @@ class ViewKindSums {
         return sums_.size() - 1;
     }
 
-    void addSumsTo(FactorField<double>& field, const ViewLayout& layout, const FactorKind& kind,
+    void addSumsTo(FactorField<double>& field, const ViewLayout& layout, const SurfaceStackId& kind,
                    std::size_t slot, double sign) const {
         const Sums& sums = sums_[slot];
         if (std::ranges::all_of(sums.plain, [](double sum) { return sum == 0.0; }))
@@ -373,9 +373,9 @@ class ViewKindSums {
         }
     };
     using MirrorKey = std::tuple<int, int, std::uint32_t>; // front, row of the first place, table
-    Mirrors& mirrorsOf(int front, int row, const FactorSamples& samples,
+    Mirrors& mirrorsOf(int stack, int row, const FactorSamples& samples,
                        const FactorSamples::Mirror& mirror) {
-        const MirrorKey key{front, row, mirror.table};
+        const MirrorKey key{stack, row, mirror.table};
         if (lastMirrors_ == nullptr || key != lastKey_) {
             lastKey_ = key;
             lastMirrors_ = &mirrors_[key];

@@ -1,4 +1,4 @@
-#include "irsg/radiance/KindRadiances.h"
+#include "irsg/radiance/SurfaceRadianceTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +24,8 @@ double sumOf(const double* a, std::size_t count) {
 
 /// A place of a table that grows as it is asked.
 template <typename Entry>
-Entry& at(std::vector<std::vector<Entry>>& table, int front, int row, std::size_t rows) {
-    const auto number = static_cast<std::size_t>(front);
+Entry& at(std::vector<std::vector<Entry>>& table, int stack, int row, std::size_t rows) {
+    const auto number = static_cast<std::size_t>(stack);
     if (number >= table.size())
         table.resize(number + 1);
     if (table[number].empty())
@@ -35,9 +35,10 @@ Entry& at(std::vector<std::vector<Entry>>& table, int front, int row, std::size_
 
 } // namespace
 
-KindRadiances::KindRadiances(const SceneRadiometry& radiometry, const Fronts& fronts)
+SurfaceRadianceTable::SurfaceRadianceTable(const SceneRadiometry& radiometry,
+                                           const OccluderStacks& occluderStacks)
     : radiometry_(radiometry),
-      fronts_(fronts),
+      occluderStacks_(occluderStacks),
       outputs_(radiometry.outputs().size()),
       factorCount_(radiometry.terms().factorCount()) {
     for (const auto& [first, last] : radiometry.outputs())
@@ -48,7 +49,7 @@ KindRadiances::KindRadiances(const SceneRadiometry& radiometry, const Fronts& fr
         std::make_shared<const std::vector<double>>(radiometry.wavelengths_um().size(), 0.0));
 }
 
-void KindRadiances::setBackground(SharedValues background) {
+void SurfaceRadianceTable::setBackground(SharedValues background) {
     if (areEqual(background, background_)) {
         background_ = std::move(background);
         return;
@@ -57,20 +58,20 @@ void KindRadiances::setBackground(SharedValues background) {
     inBand_.clear();
     for (std::size_t output = 0; output < outputs_; ++output)
         inBand_.push_back(radiometry_.integrate(*background_, output));
-    for (std::vector<HiddenPlace>& ofFront : hiddenPlaces_)
-        for (HiddenPlace& place : ofFront)
+    for (std::vector<HiddenPlace>& ofStack : hiddenPlaces_)
+        for (HiddenPlace& place : ofStack)
             place.isKnown = false;
 }
 
-void KindRadiances::turn(const std::vector<int>& drawn) {
-    for (std::vector<Place>& ofFront : places_)
+void SurfaceRadianceTable::turn(const std::vector<int>& drawn) {
+    for (std::vector<Place>& ofStack : places_)
         for (const int one : drawn)
             for (int row = radiometry_.rows().first(one);
-                 row < radiometry_.rows().first(one + 1) && !ofFront.empty(); ++row)
-                ofFront[static_cast<std::size_t>(row)].isCombined = false;
+                 row < radiometry_.rows().first(one + 1) && !ofStack.empty(); ++row)
+                ofStack[static_cast<std::size_t>(row)].isCombined = false;
 }
 
-std::vector<KindRadiances::TermGroup> KindRadiances::termGroupsOf(int drawn) const {
+std::vector<SurfaceRadianceTable::TermGroup> SurfaceRadianceTable::termGroupsOf(int drawn) const {
     const SurfaceSpectra& surface = radiometry_.surfaces()[static_cast<std::size_t>(drawn)];
     const AirSamples& air = radiometry_.air(radiometry_.rows().first(drawn));
     std::vector<TermGroup> groups;
@@ -106,32 +107,32 @@ std::vector<KindRadiances::TermGroup> KindRadiances::termGroupsOf(int drawn) con
     return groups;
 }
 
-KindRadiances::Place& KindRadiances::placeOf(const FactorKind& kind) {
-    return at(places_, kind.front, kind.row, static_cast<std::size_t>(radiometry_.rows().size()));
+SurfaceRadianceTable::Place& SurfaceRadianceTable::placeOf(const SurfaceStackId& kind) {
+    return at(places_, kind.stack, kind.row, static_cast<std::size_t>(radiometry_.rows().size()));
 }
 
-KindRadiances::HiddenPlace& KindRadiances::hiddenPlaceOf(int front, int drawn) {
-    return at(hiddenPlaces_, front, drawn, termGroups_.size());
+SurfaceRadianceTable::HiddenPlace& SurfaceRadianceTable::hiddenPlaceOf(int stack, int drawn) {
+    return at(hiddenPlaces_, stack, drawn, termGroups_.size());
 }
 
-std::vector<double> KindRadiances::passed(int front,
-                                          std::pair<std::size_t, std::size_t> nodes) const {
+std::vector<double> SurfaceRadianceTable::passed(int stack,
+                                                 std::pair<std::size_t, std::size_t> nodes) const {
     const auto& [first, last] = nodes;
     std::vector<double> product(last - first);
-    radiometry_.fillPassed(fronts_.materials(front), first, product.size(), product.data());
+    radiometry_.fillPassed(occluderStacks_.materials(stack), first, product.size(), product.data());
     return product;
 }
 
-std::map<std::pair<int, int>, KindRadiances::Work>
-KindRadiances::plan(const std::vector<FactorKind>& kinds) {
+std::map<std::pair<int, int>, SurfaceRadianceTable::Work>
+SurfaceRadianceTable::plan(const std::vector<SurfaceStackId>& kinds) {
     std::map<std::pair<int, int>, Work> all;
-    for (const FactorKind& kind : kinds) {
+    for (const SurfaceStackId& kind : kinds) {
         const int drawn = radiometry_.rows().drawnOf(kind.row);
         Place& place = placeOf(kind);
-        HiddenPlace& hidden = hiddenPlaceOf(kind.front, drawn);
+        HiddenPlace& hidden = hiddenPlaceOf(kind.stack, drawn);
         if (place.isKnown && hidden.isKnown)
             continue;
-        Work& work = all[{kind.front, drawn}];
+        Work& work = all[{kind.stack, drawn}];
         if (!place.isKnown) {
             place.groupSums = groupSums_.size();
             groupSums_.resize(groupSums_.size() +
@@ -152,7 +153,7 @@ KindRadiances::plan(const std::vector<FactorKind>& kinds) {
     return all;
 }
 
-void KindRadiances::prepare(const std::vector<FactorKind>& kinds) {
+void SurfaceRadianceTable::prepare(const std::vector<SurfaceStackId>& kinds) {
     const std::map<std::pair<int, int>, Work> wanted = plan(kinds);
     std::vector<std::pair<int, std::vector<double>>> through; // by front
     std::vector<std::pair<std::size_t, const std::pair<const std::pair<int, int>, Work>*>> all;
@@ -168,8 +169,8 @@ void KindRadiances::prepare(const std::vector<FactorKind>& kinds) {
         const auto& [surface, work] = *all[i].second;
         evaluate(surface.first, surface.second, work, through[all[i].first].second);
     });
-    std::vector<FactorKind> changed;
-    for (const FactorKind& kind : kinds)
+    std::vector<SurfaceStackId> changed;
+    for (const SurfaceStackId& kind : kinds)
         if (!std::exchange(placeOf(kind).isCombined, true))
             changed.push_back(kind);
     parallelFor(combineParts, [&](std::size_t part) {
@@ -179,10 +180,10 @@ void KindRadiances::prepare(const std::vector<FactorKind>& kinds) {
     });
 }
 
-void KindRadiances::evaluate(int front, int drawn, const Work& work,
-                             const std::vector<double>& passed) {
+void SurfaceRadianceTable::evaluate(int stack, int drawn, const Work& work,
+                                    const std::vector<double>& passed) {
     if (work.hidden)
-        evaluateHidden(drawn, passed, &hidden_[hiddenPlaceOf(front, drawn).at]);
+        evaluateHidden(drawn, passed, &hidden_[hiddenPlaceOf(stack, drawn).at]);
     if (work.rows.empty())
         return;
     const std::size_t groups = termGroups_[static_cast<std::size_t>(drawn)].size();
@@ -210,16 +211,16 @@ void KindRadiances::evaluate(int front, int drawn, const Work& work,
         for (std::size_t r = 0; r < work.rows.size(); ++r) {
             const double *below = sumsOf(about[r].below), *above = sumsOf(about[r].above);
             double* const own =
-                &groupSums_[placeOf({front, work.rows[r]}).groupSums + output * groups];
+                &groupSums_[placeOf({stack, work.rows[r]}).groupSums + output * groups];
             for (std::size_t s = 0; s < groups; ++s)
                 own[s] = std::lerp(below[s], above[s], about[r].part);
         }
     }
 }
 
-void KindRadiances::addBlock(int drawn, const std::vector<int>& rows,
-                             const std::vector<double>& passed, std::size_t begin,
-                             std::size_t count, std::vector<double>& sums) const {
+void SurfaceRadianceTable::addBlock(int drawn, const std::vector<int>& rows,
+                                    const std::vector<double>& passed, std::size_t begin,
+                                    std::size_t count, std::vector<double>& sums) const {
     double values[nodesOfBlock], through[nodesOfBlock];
     const std::vector<TermGroup>& groups = termGroups_[static_cast<std::size_t>(drawn)];
     for (std::size_t s = 0; s < groups.size(); ++s) {
@@ -241,8 +242,8 @@ void KindRadiances::addBlock(int drawn, const std::vector<int>& rows,
     }
 }
 
-void KindRadiances::fillGroup(int drawn, const TermGroup& group, const double* passed,
-                              std::size_t begin, std::size_t count, double* values) const {
+void SurfaceRadianceTable::fillGroup(int drawn, const TermGroup& group, const double* passed,
+                                     std::size_t begin, std::size_t count, double* values) const {
     const SurfaceSpectra& surface = radiometry_.surfaces()[static_cast<std::size_t>(drawn)];
     const AirSamples& air = radiometry_.air(radiometry_.rows().first(drawn));
     bool isFirst = true;
@@ -272,7 +273,7 @@ void KindRadiances::fillGroup(int drawn, const TermGroup& group, const double* p
     }
 }
 
-void KindRadiances::combine(const FactorKind& kind) {
+void SurfaceRadianceTable::combine(const SurfaceStackId& kind) {
     const int drawn = radiometry_.rows().drawnOf(kind.row);
     const std::vector<TermGroup>& groups = termGroups_[static_cast<std::size_t>(drawn)];
     const std::vector<SurfaceSpectra::Emission>& emission =
@@ -289,8 +290,8 @@ void KindRadiances::combine(const FactorKind& kind) {
     }
 }
 
-void KindRadiances::evaluateHidden(int drawn, const std::vector<double>& passed,
-                                   double* into) const {
+void SurfaceRadianceTable::evaluateHidden(int drawn, const std::vector<double>& passed,
+                                          double* into) const {
     const std::vector<double>& opacity =
         radiometry_.surfaces()[static_cast<std::size_t>(drawn)].opacity;
     if (opacity.empty()) { // a lobe
@@ -311,30 +312,31 @@ void KindRadiances::evaluateHidden(int drawn, const std::vector<double>& passed,
     }
 }
 
-bool KindRadiances::isPrepared(const FactorKind& kind) const {
-    const auto front = static_cast<std::size_t>(kind.front);
+bool SurfaceRadianceTable::isPrepared(const SurfaceStackId& kind) const {
+    const auto stack = static_cast<std::size_t>(kind.stack);
     const auto row = static_cast<std::size_t>(kind.row);
     const auto drawn = static_cast<std::size_t>(radiometry_.rows().drawnOf(kind.row));
-    return front < places_.size() && !places_[front].empty() && places_[front][row].isCombined &&
-           hiddenPlaces_[front][drawn].isKnown;
+    return stack < places_.size() && !places_[stack].empty() && places_[stack][row].isCombined &&
+           hiddenPlaces_[stack][drawn].isKnown;
 }
 
-KindRadiances::InOutputs KindRadiances::inOutputs(const FactorKind& kind) const {
+SurfaceRadianceTable::InOutputs SurfaceRadianceTable::inOutputs(const SurfaceStackId& kind) const {
     if (!isPrepared(kind))
         throw LogicError("a kind of surface was evaluated that was not prepared");
-    const auto front = static_cast<std::size_t>(kind.front);
+    const auto stack = static_cast<std::size_t>(kind.stack);
     const auto row = static_cast<std::size_t>(kind.row);
     const auto drawn = static_cast<std::size_t>(radiometry_.rows().drawnOf(kind.row));
     InOutputs found;
-    found.sent_ = &sent_[places_[front][row].sent];
-    found.hidden_ = &hidden_[hiddenPlaces_[front][drawn].at];
+    found.sent_ = &sent_[places_[stack][row].sent];
+    found.hidden_ = &hidden_[hiddenPlaces_[stack][drawn].at];
     found.factorCount_ = factorCount_;
     return found;
 }
 
-std::vector<double> KindRadiances::terms(const FactorKind& kind, std::size_t output) const {
+std::vector<double> SurfaceRadianceTable::terms(const SurfaceStackId& kind,
+                                                std::size_t output) const {
     const auto& [first, last] = radiometry_.outputs()[output];
-    const std::vector<double> through = passed(kind.front, {first, last});
+    const std::vector<double> through = passed(kind.stack, {first, last});
     std::vector<double> sums;
     for (std::size_t k = 0; k < radiometry_.terms().terms.size(); ++k) {
         const std::vector<double> sent = apparentTerm(

@@ -7,30 +7,30 @@
 namespace irsg {
 
 /// A transparent material of an entity: (its number in the scene, the material's index).
-using FrontMaterial = std::pair<int, int>;
+using OccluderMaterial = std::pair<int, int>;
 
 /// Numbers for what can lie before a surface: sets of transparent materials, each as often as it
 /// occurs, because the integral of a product of transmissivities does not factor. Their order does
 /// not matter to what they let through. 0 is nothing. A number stays what it is while the object
 /// lives.
-class Fronts {
+class OccluderStacks {
   public:
     /// The set with one more material.
-    int behind(int front, const FrontMaterial& material);
+    int behind(int stack, const OccluderMaterial& material);
     /// The number of a sorted set.
-    int numberOf(const std::vector<FrontMaterial>& materials);
+    int numberOf(const std::vector<OccluderMaterial>& materials);
     /// The same where it has one already, else -1.
-    int find(const std::vector<FrontMaterial>& materials) const;
+    int find(const std::vector<OccluderMaterial>& materials) const;
     /// Sorted.
-    const std::vector<FrontMaterial>& materials(int front) const {
-        return sets_[static_cast<std::size_t>(front)];
+    const std::vector<OccluderMaterial>& materials(int stack) const {
+        return sets_[static_cast<std::size_t>(stack)];
     }
     std::size_t size() const { return sets_.size(); }
 
   private:
-    std::vector<std::vector<FrontMaterial>> sets_{{}};
-    std::map<std::vector<FrontMaterial>, int> numbers_{{{}, 0}};
-    std::map<std::pair<int, FrontMaterial>, int> longer_;
+    std::vector<std::vector<OccluderMaterial>> sets_{{}};
+    std::map<std::vector<OccluderMaterial>, int> numbers_{{{}, 0}};
+    std::map<std::pair<int, OccluderMaterial>, int> longer_;
 };
 
 } // namespace irsg
