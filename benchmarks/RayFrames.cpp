@@ -128,7 +128,7 @@ void measureLight(const Entity& entity, EngineChoice engine, int aspects) {
 }
 
 /// What the view factors of a model cost that is seen for the first time.
-void measureFactors(const char* name, const Entity& entity) {
+void measureGeometry(const char* name, const Entity& entity) {
     const std::vector<DrawItem> items = inDrawPieces(collectDrawItems(*entity.model));
     std::vector<RayMesh::Piece> pieces;
     PieceUses uses(items.size());
@@ -249,7 +249,7 @@ int main(int argc, char** argv) {
         std::printf("%-12s %8s %9s %9s %9s %9s %9s %9s\n", "factors", "asked", "cold, s", "error",
                     "facets", "nodes", "rays/fac.", "pairs");
         for (const char* name : {"turboprop4", "ship", "corvette", "heron"})
-            measureFactors(name, sampleOf(name));
+            measureGeometry(name, sampleOf(name));
     }
     // Grey surfaces, but for the shells of plumes: times are those of geometry.
     SignatureDatabase database;

@@ -36,10 +36,11 @@ std::vector<std::string> tablesOf(const irsg::TemperatureEntry& entry) {
     });
     for (const irsg::ComponentFactor& factor : entry.factors) {
         const bool isKept = factor.selection == irsg::FactorSelection::constant;
-        irsg::forEachField<LookupTable>(irsg::factorFields(), [&](const auto& field, auto member) {
-            add(factor.component + "." + field.key + (isKept ? " (kept, not used)" : ""),
-                factor.*member);
-        });
+        irsg::forEachField<LookupTable>(
+            irsg::geometryBuffers(), [&](const auto& field, auto member) {
+                add(factor.component + "." + field.key + (isKept ? " (kept, not used)" : ""),
+                    factor.*member);
+            });
     }
     return names;
 }

@@ -39,18 +39,18 @@ FactorsPanel::FactorsPanel(EditorContext& context, QWidget* parent)
     axis_->setObjectName("factorAxis");
     axis_->setDrawBase(false);
     axis_->setExpanding(false);
-    irsg::forEachField<irsg::LookupTable>(irsg::factorFields(),
+    irsg::forEachField<irsg::LookupTable>(irsg::geometryBuffers(),
                                           [&](const Row& row, auto /*member*/) {
                                               rows_.push_back(&row);
                                               axis_->addTab(tr(row.label));
                                           });
-    irsg::forEachField<double>(irsg::factorFields(), [&](const Row& row, auto /*member*/) {
+    irsg::forEachField<double>(irsg::geometryBuffers(), [&](const Row& row, auto /*member*/) {
         constantRow_ = &row;
         constant_ = makeNumberField(row.key, row.unit, row.help, row.number, this);
         constant_->setObjectName("factorConstant");
     });
     irsg::forEachField<irsg::FactorSelection>(
-        irsg::factorFields(), [&](const Row& row, auto /*member*/) {
+        irsg::geometryBuffers(), [&](const Row& row, auto /*member*/) {
             selectionRow_ = &row;
             selection_ = new QComboBox(this);
             selection_->setObjectName("factorSelection");

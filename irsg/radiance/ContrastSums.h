@@ -65,14 +65,14 @@ class ContrastSums {
             corrections_[k].goTo(classes_[0], signs[k] * (wanted[k] / weight_ - 1.0));
     }
 
-    void add(int front, const SurfaceRows::Between& between, const FactorSamples::Layer& layer) {
+    void add(int front, const SurfaceRows::Between& between, const GeometrySamples::Layer& layer) {
         now_->add(front, between, layer);
         if (isCorrected_)
             for (ViewSurfaceSums<Factors>& sums : corrections_)
                 sums.add(front, between, layer);
     }
     void addLight(int front, const SurfaceRows::Between& between,
-                  const FactorSamples::Layer& layer) {
+                  const GeometrySamples::Layer& layer) {
         now_->addLight(front, between, layer);
         if (isCorrected_)
             for (ViewSurfaceSums<Factors>& sums : corrections_)
@@ -86,8 +86,8 @@ class ContrastSums {
         for (ViewSurfaceSums<Factors>& sums : corrections_)
             sums.finishLight();
     }
-    void addMirror(int front, const FactorSamples& samples, const FactorSamples::Layer& layer,
-                   const FactorSamples::Mirror& mirror) {
+    void addMirror(int front, const GeometrySamples& samples, const GeometrySamples::Layer& layer,
+                   const GeometrySamples::Mirror& mirror) {
         now_->addMirror(front, samples, layer, mirror);
         if (isCorrected_)
             for (ViewSurfaceSums<Factors>& sums : corrections_)

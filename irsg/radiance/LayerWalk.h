@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "irsg/radiance/FactorField.h"
+#include "irsg/radiance/GeometryBuffer.h"
 #include "irsg/radiance/OccluderStacks.h"
 #include "irsg/radiance/SurfaceRows.h"
 #include "irsg/render/sampling/Samples.h"
@@ -27,52 +27,52 @@ class LayerWalk {
     /// directional surfaces come after their layer in the same way, place by place of what they
     /// mirror.
     template <typename Visit>
-    void forEachPlace(const FactorSamples& samples, std::size_t sample, const Visit& visit) {
-        forEachPlace(
-            samples, sample, visit,
-            [&](int stack, const FactorSamples::Layer& layer, const FactorSamples::Mirror& mirror) {
-                forEachShare(samples, mirror, [&](std::size_t place, float coverage) {
-                    const int row = mirror.row + static_cast<int>(place);
-                    visit(stack, rows_.at(row, layer.distance_m),
-                          FactorSamples::Layer{row,
-                                               layer.distance_m,
-                                               {noFactors.data(), layer.factors.size()},
-                                               coverage,
-                                               nullptr,
-                                               true});
-                });
-            });
+    void forEachPlace(const GeometrySamples& samples, std::size_t sample, const Visit& visit) {
+        forEachPlace(samples, sample, visit,
+                     [&](int stack, const GeometrySamples::Layer& layer,
+                         const GeometrySamples::Mirror& mirror) {
+                         forEachShare(samples, mirror, [&](std::size_t place, float coverage) {
+                             const int row = mirror.row + static_cast<int>(place);
+                             visit(stack, rows_.at(row, layer.distance_m),
+                                   GeometrySamples::Layer{row,
+                                                          layer.distance_m,
+                                                          {noFactors.data(), layer.factors.size()},
+                                                          coverage,
+                                                          nullptr,
+                                                          true});
+                         });
+                     });
     }
     /// The same, with visitMirror(front, layer, mirror) for what lobes mirror.
     template <typename Visit, typename VisitMirror>
-    void forEachPlace(const FactorSamples& samples, std::size_t sample, const Visit& visit,
+    void forEachPlace(const GeometrySamples& samples, std::size_t sample, const Visit& visit,
                       const VisitMirror& visitMirror) {
         if (samples.through.empty() && samples.lobes.empty() && samples.mirrors.empty())
             return forEachLayerAlone(samples, sample, visit);
         int stack = 0;
-        OfLayers<FactorSamples::Through> light(samples.through, sample, lightFrom_);
-        OfLayers<FactorSamples::Lobe> lobes(samples.lobes, sample, lobesFrom_);
-        OfLayers<FactorSamples::Mirror> mirrors(samples.mirrors, sample, mirrorsFrom_);
-        samples.forEachLayer(sample, [&](const FactorSamples::Layer& layer) {
+        OfLayers<GeometrySamples::Through> light(samples.through, sample, lightFrom_);
+        OfLayers<GeometrySamples::Lobe> lobes(samples.lobes, sample, lobesFrom_);
+        OfLayers<GeometrySamples::Mirror> mirrors(samples.mirrors, sample, mirrorsFrom_);
+        samples.forEachLayer(sample, [&](const GeometrySamples::Layer& layer) {
             const SurfaceRows::Between between = rows_.at(layer.row, layer.distance_m);
             visit(stack, between, layer);
-            const auto throughOf = [&](const FactorSamples::Layer& of,
+            const auto throughOf = [&](const GeometrySamples::Layer& of,
                                        const SurfaceRows::Between& at, double scale) {
-                light.ofThisLayer([&](const FactorSamples::Through& one) {
+                light.ofThisLayer([&](const GeometrySamples::Through& one) {
                     visit(behindSet(stack, samples.throughSets[one.set]), at,
                           lightAlone(of, one, static_cast<float>(scale)));
                 });
             };
             throughOf(layer, between, 1.0);
-            lobes.ofThisLayer([&](const FactorSamples::Lobe& one) {
-                const FactorSamples::Layer lobe = lobeOf(samples, layer, one);
+            lobes.ofThisLayer([&](const GeometrySamples::Lobe& one) {
+                const GeometrySamples::Layer lobe = lobeOf(samples, layer, one);
                 const SurfaceRows::Between at = rows_.at(lobe.row, lobe.distance_m);
                 visit(stack, at, lobe);
                 if (one.sun != 0.0f)
                     throughOf(lobe, at, static_cast<double>(one.sun));
             });
             mirrors.ofThisLayer(
-                [&](const FactorSamples::Mirror& one) { visitMirror(stack, layer, one); });
+                [&](const GeometrySamples::Mirror& one) { visitMirror(stack, layer, one); });
             light.goOn();
             lobes.goOn();
             mirrors.goOn();
@@ -83,19 +83,19 @@ class LayerWalk {
     /// Calls visit(kind, weight, layer) for every layer of a sample, front to back; twice for one
     /// between two nodes of its entity's slices.
     template <typename Visit>
-    void forEachLayer(const FactorSamples& samples, std::size_t sample, const Visit& visit) {
+    void forEachLayer(const GeometrySamples& samples, std::size_t sample, const Visit& visit) {
         forEachPlace(samples, sample, byRows(visit));
     }
     /// The same, with visitMirror(front, layer, mirror) for what lobes mirror.
     template <typename Visit, typename VisitMirror>
-    void forEachLayer(const FactorSamples& samples, std::size_t sample, const Visit& visit,
+    void forEachLayer(const GeometrySamples& samples, std::size_t sample, const Visit& visit,
                       const VisitMirror& visitMirror) {
         forEachPlace(samples, sample, byRows(visit), visitMirror);
     }
 
     /// Calls visit(place, coverage) for the places of what a lobe mirrors, by component.
     template <typename Visit>
-    static void forEachShare(const FactorSamples& samples, const FactorSamples::Mirror& mirror,
+    static void forEachShare(const GeometrySamples& samples, const GeometrySamples::Mirror& mirror,
                              Visit visit) {
         const MirrorTable& table = *samples.mirrorTables[mirror.table];
         const float* const nodes[] = {table.of(mirror.nodes[0]), table.of(mirror.nodes[1]),
@@ -115,11 +115,11 @@ class LayerWalk {
 
     /// Of samples that nothing of the light belongs to.
     template <typename Visit>
-    [[gnu::always_inline]] void forEachLayerAlone(const FactorSamples& samples, std::size_t sample,
-                                                  const Visit& visit) {
+    [[gnu::always_inline]] void forEachLayerAlone(const GeometrySamples& samples,
+                                                  std::size_t sample, const Visit& visit) {
         int stack = 0;
         samples.forEachLayer(
-            sample, [&](const FactorSamples::Layer& layer) __attribute__((always_inline)) {
+            sample, [&](const GeometrySamples::Layer& layer) __attribute__((always_inline)) {
                 visit(stack, rows_.at(layer.row, layer.distance_m), layer);
                 if (rows_.isTransparent(layer.row))
                     stack = behind(stack, layer.row);
@@ -129,7 +129,8 @@ class LayerWalk {
     template <typename Visit>
     auto byRows(const Visit& visit) const {
         return [ this, &visit ](int stack, const SurfaceRows::Between& between,
-                                const FactorSamples::Layer& layer) __attribute__((always_inline)) {
+                                const GeometrySamples::Layer& layer)
+            __attribute__((always_inline)) {
             visit(SurfaceStackId{stack, between.row}, 1.0f - between.next, layer);
             if (rows_.isSliced(layer.row))
                 visit(SurfaceStackId{stack, between.row + 1}, between.next, layer);
@@ -178,15 +179,16 @@ class LayerWalk {
         std::uint32_t layer_ = 0;
     };
 
-    FactorSamples::Layer lightAlone(const FactorSamples::Layer& layer,
-                                    const FactorSamples::Through& light, float scale) {
+    GeometrySamples::Layer lightAlone(const GeometrySamples::Layer& layer,
+                                      const GeometrySamples::Through& light, float scale) {
         light_.fill(0.0f);
         light_[light.factor] = scale * light.value;
         return {layer.row, layer.distance_m, {light_.data(), layer.factors.size()},
                 0.0f,      nullptr,          layer.isLobe};
     }
-    FactorSamples::Layer lobeOf(const FactorSamples& samples, const FactorSamples::Layer& layer,
-                                const FactorSamples::Lobe& lobe) {
+    GeometrySamples::Layer lobeOf(const GeometrySamples& samples,
+                                  const GeometrySamples::Layer& layer,
+                                  const GeometrySamples::Lobe& lobe) {
         for (std::size_t f = 0; f < layer.factors.size(); ++f) {
             const LobeRole role = samples.lobeRoles[f];
             lobe_[f] = layer.factors[f] * (role == LobeRole::emission ? lobe.emission

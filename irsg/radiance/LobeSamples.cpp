@@ -61,7 +61,7 @@ struct LobeSamples::Window {
     std::optional<SunShadows::OpenPaths> open;
 
     /// The normal of the opaque surface of a sample, and its row + 1; 0 for none.
-    static std::pair<float, Vec3> opaqueAt(const FactorSamples& samples, std::size_t sample,
+    static std::pair<float, Vec3> opaqueAt(const GeometrySamples& samples, std::size_t sample,
                                            std::size_t first) {
         const auto number = [&](std::size_t f) {
             return static_cast<double>(f < 3 ? samples.opaque[4 * sample + 1 + f]
@@ -71,8 +71,8 @@ struct LobeSamples::Window {
     }
     /// How the normal changes from sample to sample along rows or columns, from the side that
     /// bends less.
-    Vec3 change(const FactorSamples& samples, std::size_t sample, int column, int row, bool isDown,
-                std::size_t first) const {
+    Vec3 change(const GeometrySamples& samples, std::size_t sample, int column, int row,
+                bool isDown, std::size_t first) const {
         const auto [own, normal] = opaqueAt(samples, sample, first);
         Vec3 least;
         double square = mostBend * mostBend;
@@ -93,9 +93,9 @@ struct LobeSamples::Window {
 
 /// Of a piece of the samples.
 struct LobeSamples::Found {
-    std::vector<FactorSamples::Lobe> lobes;
-    std::vector<FactorSamples::Mirror> mirrors; // nodes as keys, `table` as drawn row
-    std::vector<LobeTable::ViewCell> cells;     // of each of those
+    std::vector<GeometrySamples::Lobe> lobes;
+    std::vector<GeometrySamples::Mirror> mirrors; // nodes as keys, `table` as drawn row
+    std::vector<LobeTable::ViewCell> cells;       // of each of those
     std::vector<float> scales;
 };
 
@@ -106,7 +106,7 @@ LobeSamples::LobeSamples(const SurfaceRows& rows, Making making)
                                                                 : 0);
 }
 
-void LobeSamples::addLobes(const Window& own, int row, int column, const FactorSamples& samples,
+void LobeSamples::addLobes(const Window& own, int row, int column, const GeometrySamples& samples,
                            SunShadows::Neighbours& neighbours, Found& found) const {
     const std::size_t sample = indexOf(*own.window, column, row);
     if (samples.isEmpty(sample))
@@ -114,7 +114,7 @@ void LobeSamples::addLobes(const Window& own, int row, int column, const FactorS
     const std::size_t first = making_.roles.size();
     const Vec3 along = own.directions.at(column, row);
     std::uint32_t number = 0;
-    samples.forEachLayer(sample, [&](const FactorSamples::Layer& layer) {
+    samples.forEachLayer(sample, [&](const GeometrySamples::Layer& layer) {
         const std::uint32_t ofSample = number++;
         const auto drawn = static_cast<std::size_t>(layer.row);
         const SurfaceModel* model = making_.models[drawn].get();
@@ -265,7 +265,7 @@ class LobeSamples::TableUse {
 };
 
 void LobeSamples::apply(const SheetScene& sheet, const SunShadows* shadows,
-                        FactorSamples& samples) const {
+                        GeometrySamples& samples) const {
     samples.lobes.clear();
     samples.mirrors.clear();
     samples.mirrorScales.clear();
@@ -323,7 +323,7 @@ void LobeSamples::apply(const SheetScene& sheet, const SunShadows* shadows,
         samples.lobes.insert(samples.lobes.end(), piece.lobes.data() + line.begin,
                              piece.lobes.data() + line.end);
         for (std::size_t i = line.firstMirror; i < line.lastMirror; ++i) {
-            FactorSamples::Mirror mirror = piece.mirrors[i];
+            GeometrySamples::Mirror mirror = piece.mirrors[i];
             if (static_cast<std::size_t>(mirror.row) >= rows_.drawnCount())
                 throw LogicError("a surface mirrors the air in a row that there is not");
             const auto [number, table] = use.of(mirror.table, piece.cells[i]);

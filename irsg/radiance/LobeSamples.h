@@ -47,13 +47,13 @@ class LobeSamples {
 
     /// Of sorted layers that were drawn with normals, behind the factors, which are left out from
     /// now on. `shadows`: where light between surfaces counts, or null.
-    void apply(const SheetScene& sheet, const SunShadows* shadows, FactorSamples& samples) const;
+    void apply(const SheetScene& sheet, const SunShadows* shadows, GeometrySamples& samples) const;
 
   private:
     struct Window;
     struct Found;
     class TableUse;
-    void addLobes(const Window& window, int row, int column, const FactorSamples& samples,
+    void addLobes(const Window& window, int row, int column, const GeometrySamples& samples,
                   SunShadows::Neighbours& neighbours, Found& found) const;
 
     const SurfaceRows& rows_;

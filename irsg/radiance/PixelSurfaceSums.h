@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "irsg/geometry/view/ImageRectangle.h"
-#include "irsg/radiance/FactorField.h"
+#include "irsg/radiance/GeometryBuffer.h"
 #include "irsg/radiance/LayerWalk.h"
 #include "irsg/radiance/SurfaceRows.h"
 #include "irsg/radiance/exchange/SceneLight.h"
@@ -35,13 +35,13 @@ class PixelSurfaceSums {
                 static_cast<std::size_t>(x - pixels_.x);
     }
 
-    void add(int stack, const SurfaceRows::Between& between, const FactorSamples::Layer& layer) {
+    void add(int stack, const SurfaceRows::Between& between, const GeometrySamples::Layer& layer) {
         const float* factors = layer.factors.data();
         const auto next = static_cast<double>(between.next);
         addTo({stack, between.row}, 1.0 - next, factors);
         if (next > 0.0)
             addTo({stack, between.row + 1}, next, factors);
-        if (!layer.place || layer.place->triangle == FactorSamples::Place::none)
+        if (!layer.place || layer.place->triangle == GeometrySamples::Place::none)
             return;
         addReceivers({stack, between.row}, 1.0 - next, *layer.place);
         if (next > 0.0)
@@ -49,12 +49,12 @@ class PixelSurfaceSums {
     }
 
     void addLight(int stack, const SurfaceRows::Between& between,
-                  const FactorSamples::Layer& layer) {
+                  const GeometrySamples::Layer& layer) {
         const auto next = static_cast<double>(between.next);
         const auto coverage = static_cast<double>(layer.coverage);
         const auto addTo = [&](int row, double weight) {
             this->addTo({stack, row}, weight, layer.factors.data(), coverage);
-            if (layer.place && layer.place->triangle != FactorSamples::Place::none)
+            if (layer.place && layer.place->triangle != GeometrySamples::Place::none)
                 addReceivers({stack, row}, weight * coverage, *layer.place);
         };
         addTo(between.row, 1.0 - next);
@@ -62,8 +62,8 @@ class PixelSurfaceSums {
             addTo(between.row + 1, next);
     }
 
-    void addMirror(int stack, const FactorSamples& samples, const FactorSamples::Layer& layer,
-                   const FactorSamples::Mirror& mirror) {
+    void addMirror(int stack, const GeometrySamples& samples, const GeometrySamples::Layer& layer,
+                   const GeometrySamples::Mirror& mirror) {
         static constexpr std::array<float, mostFactors> none{};
         LayerWalk::forEachShare(samples, mirror, [&](std::size_t place, float coverage) {
             const SurfaceRows::Between between =
@@ -76,16 +76,16 @@ class PixelSurfaceSums {
     }
     void finish() {}
 
-    const FactorField<double>& field() const { return field_; }
+    const GeometryBuffer<double>& field() const { return field_; }
     /// Of receivers of light, whose kinds are numbered by ReceiverRows.
-    const FactorField<double>& light() const { return light_; }
+    const GeometryBuffer<double>& light() const { return light_; }
     const PixelWindow& pixels() const { return pixels_; }
 
   private:
     static std::size_t cellsOf(const PixelWindow& pixels) {
         return static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height);
     }
-    void addReceivers(const SurfaceStackId& kind, double weight, const FactorSamples::Place& at) {
+    void addReceivers(const SurfaceStackId& kind, double weight, const GeometrySamples::Place& at) {
         exchange_->forEachReceiver(
             at.triangle, at.u, at.v, [&](std::uint32_t receiver, float part) {
                 const int number = receivers_.numberOf(kind.row, exchange_->localOf(receiver));
@@ -116,8 +116,8 @@ class PixelSurfaceSums {
     const LightExchange* exchange_;
     const ReceiverRows& receivers_;
     double share_;
-    FactorField<double> field_; // float would round thousands of samples of a pixel
-    FactorField<double> light_;
+    GeometryBuffer<double> field_; // float would round thousands of samples of a pixel
+    GeometryBuffer<double> light_;
     std::vector<int> numbers_; // of the field, by front and row
     double part_ = 0.0;
     std::size_t cell_ = 0;

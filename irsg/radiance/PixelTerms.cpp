@@ -47,7 +47,7 @@ void PixelTerms::addKind(const SurfaceStackId& kind, Sums& sums, double coverage
     const std::vector<RadianceTerm>& list = radiometry_.terms().terms;
     const bool isLobe = radiometry_.rows().isLobe(radiometry_.rows().drawnOf(kind.row));
     for (std::size_t k = 0; k < list.size(); ++k) {
-        const TermFactor& factor = list[k].factor;
+        const TermGeometryFactor& factor = list[k].factor;
         double of = factor.drawn >= 0 ? drawn(static_cast<std::size_t>(factor.drawn)) : coverage;
         if (factor.complement)
             of = coverage - of;
@@ -63,12 +63,12 @@ void PixelTerms::addKind(const SurfaceStackId& kind, Sums& sums, double coverage
     sums.hidden_W_m2_sr += coverage * known.opacity * background_W_m2_sr_;
 }
 
-void PixelTerms::add(const FactorSamples& samples, std::size_t sample, double share) {
+void PixelTerms::add(const GeometrySamples& samples, std::size_t sample, double share) {
     const SurfaceRows& rows = radiometry_.rows();
     int number = 0, ofLayer = 0;
     walk_.forEachPlace(
         samples, sample,
-        [&](int stack, const SurfaceRows::Between& between, const FactorSamples::Layer& layer) {
+        [&](int stack, const SurfaceRows::Between& between, const GeometrySamples::Layer& layer) {
             // A lobe belongs to its surface.
             const bool isLightAlone = layer.isLobe ? stack != ofLayer : layer.coverage == 0.0f;
             if (!isLightAlone && !layer.isLobe) {
@@ -106,8 +106,8 @@ void PixelTerms::add(const FactorSamples& samples, std::size_t sample, double sh
         });
 }
 
-void PixelTerms::addPoint(const PointFactors& atUnitDistance, double scale, double range_m) {
-    const FactorField<double>& field = atUnitDistance.sums_sr_m2;
+void PixelTerms::addPoint(const PointGeometry& atUnitDistance, double scale, double range_m) {
+    const GeometryBuffer<double>& field = atUnitDistance.sums_sr_m2;
     field.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
         const SurfaceStackId& drawn = field.kinds()[number];
         const SurfaceStackId kind{drawn.stack, radiometry_.rows().first(drawn.row)};

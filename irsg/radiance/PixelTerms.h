@@ -23,9 +23,9 @@ class PixelTerms {
                OccluderStacks& occluderStacks, SceneLight* light, double background_W_m2_sr);
 
     /// A sample that is `share` of the pixel's area.
-    void add(const FactorSamples& samples, std::size_t sample, double share);
+    void add(const GeometrySamples& samples, std::size_t sample, double share);
     /// An object that the pixel has as a point at this range.
-    void addPoint(const PointFactors& atUnitDistance, double scale, double range_m);
+    void addPoint(const PointGeometry& atUnitDistance, double scale, double range_m);
 
     /// Near to far, those of most area first.
     std::vector<ExplainedSurface> surfaces(const std::vector<Entity>& entities) const;

@@ -9,8 +9,8 @@ Vec3 PointSources::onGrid(const Vec3& direction, double step) {
     return normalized({rounded(direction.x), rounded(direction.y), rounded(direction.z)});
 }
 
-const PointFactors& PointSources::of(int entity, const PointAspect& aspect,
-                                     const std::function<PointFactors()>& draw) {
+const PointGeometry& PointSources::of(int entity, const PointAspect& aspect,
+                                      const std::function<PointGeometry()>& draw) {
     RecentlyUsed<Kept>& kept = kept_.try_emplace(entity, mostKept).first->second;
     return kept
         .of([&](const Kept& known) { return known.aspect == aspect; },

@@ -9,7 +9,7 @@
 
 #include "irsg/core/RecentlyUsed.h"
 #include "irsg/geometry/model/Model.h"
-#include "irsg/radiance/ViewFactors.h"
+#include "irsg/radiance/ViewGeometry.h"
 
 namespace irsg {
 
@@ -44,13 +44,13 @@ class PointSources {
 
     /// Sums of an entity times the square of its distance, whose rows are those of the drawing.
     /// `draw` makes them where none that are kept are of this aspect.
-    const PointFactors& of(int entity, const PointAspect& aspect,
-                           const std::function<PointFactors()>& draw);
+    const PointGeometry& of(int entity, const PointAspect& aspect,
+                            const std::function<PointGeometry()>& draw);
 
   private:
     struct Kept {
         PointAspect aspect;
-        PointFactors factors;
+        PointGeometry factors;
     };
     /// Aspects that are kept of an entity: one that moves a pixel to and fro is seen from the
     /// neighbours of a point of the grid in turn.

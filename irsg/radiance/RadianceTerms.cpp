@@ -12,14 +12,14 @@ namespace irsg {
 namespace {
 
 /// The drawn factors of the standard list, by their place in it.
-enum StandardFactor { view, sky, sun };
+enum StandardGeometryFactor { view, sky, sun };
 /// The frame's directions, likewise.
 enum StandardDirection { zenithEye, sunEye };
 
 /// A factor in both languages; the shader's functions are those of surface.frag.glsl.
 struct Expression {
     std::string glsl;
-    FactorFunction function;
+    GeometryFactorFunction function;
 };
 
 Expression constant(const char* glsl, double value) {
@@ -70,7 +70,7 @@ Expression sunFactor(const RenderSettings& settings) {
             [](const SampleGeometry& sample) { return std::max(cosineTo(sunEye, sample), 0.0); }};
 }
 
-DrawnFactor drawn(const char* name, Expression (*expression)(const RenderSettings&)) {
+GeometryFactor drawn(const char* name, Expression (*expression)(const RenderSettings&)) {
     return {name, [=](const RenderSettings& settings) { return expression(settings).glsl; },
             [=](const RenderSettings& settings) { return expression(settings).function; }};
 }
@@ -149,7 +149,7 @@ std::string RadianceTerms::glsl(const RenderSettings& settings, bool withNormals
 
 std::vector<int> RadianceTerms::shadowedFrom(const RenderSettings& settings) const {
     std::vector<int> all;
-    for (const DrawnFactor& factor : factors)
+    for (const GeometryFactor& factor : factors)
         all.push_back(factor.shadowedFrom ? factor.shadowedFrom(settings) : -1);
     return all;
 }
@@ -168,10 +168,10 @@ std::vector<LobeRole> RadianceTerms::lobeRoles() const {
     return roles;
 }
 
-std::vector<FactorFunction> RadianceTerms::functions(const RenderSettings& settings,
-                                                     bool withNormals) const {
-    std::vector<FactorFunction> all;
-    for (const DrawnFactor& factor : factors) {
+std::vector<GeometryFactorFunction> RadianceTerms::functions(const RenderSettings& settings,
+                                                             bool withNormals) const {
+    std::vector<GeometryFactorFunction> all;
+    for (const GeometryFactor& factor : factors) {
         if (!factor.function)
             throw LogicError("the factor '" + factor.name + "' is known to OpenGL alone");
         all.push_back(factor.function(settings));

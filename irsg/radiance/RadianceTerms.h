@@ -28,20 +28,20 @@ struct FrameDirection {
 };
 
 /// What geometry alone makes of a sample: a number that the shader draws, 0 to 1.
-struct DrawnFactor {
+struct GeometryFactor {
     std::string name;
     /// GLSL expression of it under given settings, of `normal` (unit, to the side that is seen),
     /// `eyePosition` (m, from the eye to the sample), `nAngleFactor` and the frame's directions.
     std::function<std::string(const RenderSettings&)> glsl;
     /// The same on the CPU, for rays; a list without it is for OpenGL alone. (A test samples both.)
-    std::function<FactorFunction(const RenderSettings&)> function = {};
+    std::function<GeometryFactorFunction(const RenderSettings&)> function = {};
     /// Number of the frame's direction that its light comes from, where what stands there takes it
     /// away; none.
     std::function<int(const RenderSettings&)> shadowedFrom = {};
 };
 
 /// Which factor a term is multiplied with: number `drawn` of the drawn ones, 1 minus it, or 1.
-struct TermFactor {
+struct TermGeometryFactor {
     int drawn = -1;
     bool complement = false;
 };
@@ -54,7 +54,7 @@ enum class LightOrigin { none, sun, sky, ground };
 /// the sum over all terms of factor times surface quantity times light (times transmittance).
 struct RadianceTerm {
     std::string name; ///< of its truth layer
-    TermFactor factor;
+    TermGeometryFactor factor;
     SurfaceQuantity surface = SurfaceQuantity::emission;
     /// What the air sends onto the surface, or into the path before it; nothing: 1. Not asked for
     /// where `isOn` says no, and the term is 0 then.
@@ -72,7 +72,7 @@ struct RadianceTerm {
 class RadianceTerms {
   public:
     std::vector<FrameDirection> directions;
-    std::vector<DrawnFactor> factors;
+    std::vector<GeometryFactor> factors;
     std::vector<RadianceTerm> terms;
 
     /// Thermal emission, sun, ground and sky by reflection, and the path.
@@ -85,8 +85,8 @@ class RadianceTerms {
     /// By factor, the number of the direction from which its light is taken away; -1: none.
     std::vector<int> shadowedFrom(const RenderSettings& settings) const;
     /// The factors on the CPU; LogicError names one that has no function.
-    std::vector<FactorFunction> functions(const RenderSettings& settings,
-                                          bool withNormals = false) const;
+    std::vector<GeometryFactorFunction> functions(const RenderSettings& settings,
+                                                  bool withNormals = false) const;
     /// What lobes make of each factor.
     std::vector<LobeRole> lobeRoles() const;
 };

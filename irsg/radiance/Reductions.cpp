@@ -58,7 +58,7 @@ void addLightBetween(const LightSums& sums, SceneLight& light, const SurfaceRows
 namespace {
 
 /// Of factors whose kinds are prepared.
-std::vector<ObjectSums> sumsOf(const ViewFactors& view, const SurfaceRadianceTable& radiances,
+std::vector<ObjectSums> sumsOf(const ViewGeometry& view, const SurfaceRadianceTable& radiances,
                                SceneLight* light, const SurfaceRows& rows,
                                const std::vector<double>& ranges_m,
                                const std::vector<int>& varying) {
@@ -119,7 +119,7 @@ std::vector<ObjectSums> sumsOf(const ViewFactors& view, const SurfaceRadianceTab
 
 } // namespace
 
-std::vector<ObjectSums> objectSums(const ViewFactors& view, SurfaceRadianceTable& radiances,
+std::vector<ObjectSums> objectSums(const ViewGeometry& view, SurfaceRadianceTable& radiances,
                                    SceneLight* light, const SurfaceRows& rows,
                                    const std::vector<double>& ranges_m,
                                    const std::vector<int>& varying) {
@@ -127,12 +127,12 @@ std::vector<ObjectSums> objectSums(const ViewFactors& view, SurfaceRadianceTable
     return sumsOf(view, radiances, light, rows, ranges_m, varying);
 }
 
-std::vector<std::vector<ObjectSums>> contrastSums(const ViewFactors& view,
+std::vector<std::vector<ObjectSums>> contrastSums(const ViewGeometry& view,
                                                   SurfaceRadianceTable& radiances,
                                                   SceneLight* light, const SurfaceRows& rows,
                                                   const std::vector<double>& ranges_m,
                                                   const std::vector<int>& varying) {
-    for (const ViewFactors& contrast : view.contrasts)
+    for (const ViewGeometry& contrast : view.contrasts)
         radiances.prepare(contrast.field.kinds());
     std::vector<std::vector<ObjectSums>> all(view.contrasts.size());
     const auto sum = [&](std::size_t k) {
@@ -146,7 +146,7 @@ std::vector<std::vector<ObjectSums>> contrastSums(const ViewFactors& view,
     return all;
 }
 
-void addPixels(const PixelFactors& pixels, int width_px, SurfaceRadianceTable& radiances,
+void addPixels(const PixelGeometry& pixels, int width_px, SurfaceRadianceTable& radiances,
                SceneLight* light, FrameReduction& frame) {
     radiances.prepare(pixels.field.kinds());
     std::vector<SurfaceStackRadiance> known;
@@ -173,7 +173,7 @@ void addPixels(const PixelFactors& pixels, int width_px, SurfaceRadianceTable& r
     }
 }
 
-double lightOfPoint(const PointFactors& atUnitDistance, const SurfaceRows& rows,
+double lightOfPoint(const PointGeometry& atUnitDistance, const SurfaceRows& rows,
                     SceneLight& light) {
     double sent = 0.0;
     for (const auto& [drawn, sums] : atUnitDistance.light_sr_m2) {
@@ -186,14 +186,14 @@ double lightOfPoint(const PointFactors& atUnitDistance, const SurfaceRows& rows,
     return sent;
 }
 
-void addPointToPixel(const PointFactors& atUnitDistance, const SurfaceRows& rows,
+void addPointToPixel(const PointGeometry& atUnitDistance, const SurfaceRows& rows,
                      const PointPlace& place, SurfaceRadianceTable& radiances, SceneLight* light,
                      FrameReduction& frame) {
     const double scale = 1.0 / (place.distance_m * place.distance_m * place.solidAngle_sr);
     double sent = 0.0, opacity = 0.0;
     if (light)
         sent += scale * lightOfPoint(atUnitDistance, rows, *light);
-    const FactorField<double>& field = atUnitDistance.sums_sr_m2;
+    const GeometryBuffer<double>& field = atUnitDistance.sums_sr_m2;
     field.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
         const SurfaceStackId& drawn = field.kinds()[number];
         const SurfaceStackId kind{drawn.stack, rows.first(drawn.row)};

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "irsg/radiance/FactorField.h"
+#include "irsg/radiance/GeometryBuffer.h"
 #include "irsg/radiance/SurfaceRadianceTable.h"
-#include "irsg/radiance/ViewFactors.h"
+#include "irsg/radiance/ViewGeometry.h"
 #include "irsg/render/sampling/FrameReduction.h"
 #include "irsg/render/values/RenderReport.h"
 
@@ -24,28 +24,29 @@ struct ObjectSums {
 /// that is uniform; what objects hide of a background that varies over the frame is the sum over
 /// their own pixels.
 /// `light`: between surfaces, or null.
-std::vector<ObjectSums> objectSums(const ViewFactors& view, SurfaceRadianceTable& radiances,
+std::vector<ObjectSums> objectSums(const ViewGeometry& view, SurfaceRadianceTable& radiances,
                                    SceneLight* light, const SurfaceRows& rows,
                                    const std::vector<double>& ranges_m,
                                    const std::vector<int>& varying);
 
 /// The same of each contrast of a view.
-std::vector<std::vector<ObjectSums>> contrastSums(const ViewFactors& view,
+std::vector<std::vector<ObjectSums>> contrastSums(const ViewGeometry& view,
                                                   SurfaceRadianceTable& radiances,
                                                   SceneLight* light, const SurfaceRows& rows,
                                                   const std::vector<double>& ranges_m,
                                                   const std::vector<int>& varying);
 
 /// Adds the pixels of a view to a frame. `light`: between surfaces, or null.
-void addPixels(const PixelFactors& pixels, int width_px, SurfaceRadianceTable& radiances,
+void addPixels(const PixelGeometry& pixels, int width_px, SurfaceRadianceTable& radiances,
                SceneLight* light, FrameReduction& frame);
 
 /// What light between surfaces gives a point source at unit distance, W sr-1.
-double lightOfPoint(const PointFactors& atUnitDistance, const SurfaceRows& rows, SceneLight& light);
+double lightOfPoint(const PointGeometry& atUnitDistance, const SurfaceRows& rows,
+                    SceneLight& light);
 
 /// Adds a point source of unit distance (see addPointToView) to its pixel. `light`: between
 /// surfaces, or null.
-void addPointToPixel(const PointFactors& atUnitDistance, const SurfaceRows& rows,
+void addPointToPixel(const PointGeometry& atUnitDistance, const SurfaceRows& rows,
                      const PointPlace& place, SurfaceRadianceTable& radiances, SceneLight* light,
                      FrameReduction& frame);
 

@@ -28,7 +28,7 @@ class MirrorRadiances {
 
         /// W m-2 sr-1; `ofPlace(kind)` is the radiance of a place.
         template <typename OfPlace>
-        double at(const FactorSamples& samples, const FactorSamples::Mirror& mirror,
+        double at(const GeometrySamples& samples, const GeometrySamples::Mirror& mirror,
                   OfPlace ofPlace) {
             const MirrorTable& table = *samples.mirrorTables[mirror.table];
             double sum = 0.0;
@@ -62,7 +62,7 @@ class MirrorRadiances {
         double next = 0.0;
 
         template <typename OfPlace>
-        double sum(const FactorSamples& samples, const FactorSamples::Mirror& mirror,
+        double sum(const GeometrySamples& samples, const GeometrySamples::Mirror& mirror,
                    OfPlace ofPlace) const {
             double radiance = (1.0 - next) * own->at(samples, mirror, ofPlace);
             if (behind)
@@ -73,8 +73,9 @@ class MirrorRadiances {
 
     /// Calls `isNew(kind)` for the places of a row that is asked for for the first time.
     template <typename IsNew>
-    Found of(int stack, const SurfaceRows& rows, const FactorSamples& samples,
-             const FactorSamples::Layer& layer, const FactorSamples::Mirror& mirror, IsNew isNew) {
+    Found of(int stack, const SurfaceRows& rows, const GeometrySamples& samples,
+             const GeometrySamples::Layer& layer, const GeometrySamples::Mirror& mirror,
+             IsNew isNew) {
         const SurfaceRows::Between between = rows.at(mirror.row, layer.distance_m);
         if (stack != stack_ || between.row != row_ || mirror.table != table_) {
             stack_ = stack;
@@ -122,7 +123,7 @@ class SamplesOfPart {
 
     /// Samples `first` to before `last`; false where some of their kinds are not prepared, which
     /// are all known by then.
-    bool evaluate(const FactorSamples& samples, std::size_t first, std::size_t last,
+    bool evaluate(const GeometrySamples& samples, std::size_t first, std::size_t last,
                   std::vector<float>& planes) {
         isPrepared_ = true;
         std::fill(planes.data() + 2 * first, planes.data() + 2 * last, 0.0f);
@@ -170,12 +171,12 @@ class SamplesOfPart {
         isPrepared_ = isPrepared_ && known_.back().isPrepared;
     }
 
-    void evaluateSample(const FactorSamples& samples, std::size_t i, float* radianceAndOpacity) {
+    void evaluateSample(const GeometrySamples& samples, std::size_t i, float* radianceAndOpacity) {
         double sent = 0.0, opacity = 0.0;
         walk_.forEachLayer(
             samples, i,
             [&](const SurfaceStackId& kind, float weight,
-                const FactorSamples::Layer& layer) __attribute__((always_inline)) {
+                const GeometrySamples::Layer& layer) __attribute__((always_inline)) {
                 const Known& known = knownOf(kind);
                 if (!isPrepared_)
                     return;
@@ -190,7 +191,8 @@ class SamplesOfPart {
                 sent += static_cast<double>(weight) * own;
                 opacity += static_cast<double>(weight) * coverage * radiance.opacity;
             },
-            [&](int stack, const FactorSamples::Layer& layer, const FactorSamples::Mirror& mirror) {
+            [&](int stack, const GeometrySamples::Layer& layer,
+                const GeometrySamples::Mirror& mirror) {
                 const auto found = mirrors_.of(stack, rows_, samples, layer, mirror,
                                                [&](const SurfaceStackId& kind) { knownOf(kind); });
                 if (isPrepared_)
@@ -207,9 +209,9 @@ class SamplesOfPart {
     const SurfaceRadianceTable& radiances_;
     const SceneLight* light_;
     LayerWalk walk_;
-    FactorField<double> kinds_; // for its numbers of kinds alone
-    std::vector<Known> known_;  // by number
-    bool isPrepared_ = true;    // every kind so far
+    GeometryBuffer<double> kinds_; // for its numbers of kinds alone
+    std::vector<Known> known_;     // by number
+    bool isPrepared_ = true;       // every kind so far
     MirrorRadiances mirrors_;
 };
 
@@ -219,7 +221,7 @@ SampleRadiances::SampleRadiances(const SurfaceRows& rows, OccluderStacks& occlud
                                  SurfaceRadianceTable& radiances, SceneLight* light)
     : rows_(rows), occluderStacks_(occluderStacks), radiances_(radiances), light_(light) {}
 
-void SampleRadiances::evaluate(const FactorSamples& samples, RadianceSamples& result) {
+void SampleRadiances::evaluate(const GeometrySamples& samples, RadianceSamples& result) {
     const std::size_t count = samples.size();
     result.width = samples.width;
     result.height = samples.height;

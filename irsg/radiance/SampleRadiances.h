@@ -16,7 +16,7 @@ class SampleRadiances {
     SampleRadiances(const SurfaceRows& rows, OccluderStacks& occluderStacks,
                     SurfaceRadianceTable& radiances, SceneLight* light);
     /// Goes through the samples once where kinds of surfaces are known already, else twice.
-    void evaluate(const FactorSamples& samples, RadianceSamples& result);
+    void evaluate(const GeometrySamples& samples, RadianceSamples& result);
 
   private:
     const SurfaceRows& rows_;

@@ -11,7 +11,7 @@
 
 namespace irsg {
 
-SceneScaledView::SceneScaledView(const ViewFactors& view, const SceneRadiometry& radiometry,
+SceneScaledView::SceneScaledView(const ViewGeometry& view, const SceneRadiometry& radiometry,
                                  const SurfaceRadianceTable& radiances, SceneLight* light,
                                  PlanckTable& planck, const std::vector<double>& ranges_m,
                                  std::pair<std::size_t, std::size_t> nodes,
@@ -107,7 +107,7 @@ SceneScaledView::Surface SceneScaledView::surfaceOf(const SceneRadiometry& radio
     return surface;
 }
 
-void SceneScaledView::gather(const ViewFactors& view, const SceneRadiometry& radiometry,
+void SceneScaledView::gather(const ViewGeometry& view, const SceneRadiometry& radiometry,
                              const SurfaceRadianceTable& radiances,
                              const std::vector<double>& ranges_m,
                              std::vector<Surface>& surfaces) const {

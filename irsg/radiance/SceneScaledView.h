@@ -10,7 +10,7 @@
 #include "irsg/radiance/ScaledView.h"
 #include "irsg/radiance/SceneRadiometry.h"
 #include "irsg/radiance/SurfaceRadianceTable.h"
-#include "irsg/radiance/ViewFactors.h"
+#include "irsg/radiance/ViewGeometry.h"
 #include "irsg/radiance/exchange/ScaledLight.h"
 
 namespace irsg {
@@ -28,7 +28,7 @@ class SceneScaledView : public ScaledView {
     /// which every node is an output. `nominal` holds the values at scales of 1, which is what the
     /// radiometry must have been made at; `ranges_m` by entity. With `only` of what that entity
     /// sends alone, and `nominal` is its own.
-    SceneScaledView(const ViewFactors& view, const SceneRadiometry& radiometry,
+    SceneScaledView(const ViewGeometry& view, const SceneRadiometry& radiometry,
                     const SurfaceRadianceTable& radiances, SceneLight* light, PlanckTable& planck,
                     const std::vector<double>& ranges_m, std::pair<std::size_t, std::size_t> nodes,
                     const std::vector<ScalingInput>& inputs, bool isSpectrum, ScaledValues nominal,
@@ -51,7 +51,7 @@ class SceneScaledView : public ScaledView {
         std::optional<ScaledSum> sum;
     };
     Surface surfaceOf(const SceneRadiometry& radiometry, int drawn) const;
-    void gather(const ViewFactors& view, const SceneRadiometry& radiometry,
+    void gather(const ViewGeometry& view, const SceneRadiometry& radiometry,
                 const SurfaceRadianceTable& radiances, const std::vector<double>& ranges_m,
                 std::vector<Surface>& surfaces) const;
     /// By node, from what passes the materials in front: what multiplies the emissivity times

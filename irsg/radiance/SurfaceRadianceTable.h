@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "irsg/radiance/FactorField.h"
+#include "irsg/radiance/GeometryBuffer.h"
 #include "irsg/radiance/OccluderStacks.h"
 #include "irsg/radiance/SceneRadiometry.h"
 

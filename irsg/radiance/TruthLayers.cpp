@@ -60,7 +60,7 @@ const TruthLayers::SurfaceStackTerms& TruthLayers::termsOf(const SurfaceStackId&
     return terms_[number];
 }
 
-void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) {
+void TruthLayers::add(const SampleWindow& window, const GeometrySamples& samples) {
     const std::vector<RadianceTerm>& list = radiometry_.terms().terms;
     const SurfaceRows& rows = radiometry_.rows();
     const double share = window.share();
@@ -96,15 +96,15 @@ void TruthLayers::add(const SampleWindow& window, const FactorSamples& samples) 
         for (std::size_t i = first; i < last; ++i) {
             if (samples.isEmpty(i))
                 continue;
-            std::optional<FactorSamples::Layer> nearest;
+            std::optional<GeometrySamples::Layer> nearest;
             walk_.forEachLayer(
                 samples, i,
-                [&](const SurfaceStackId& kind, float part, const FactorSamples::Layer& layer) {
+                [&](const SurfaceStackId& kind, float part, const GeometrySamples::Layer& layer) {
                     if (!nearest)
                         nearest = layer;
                     const SurfaceStackTerms& known = termsOf(kind);
                     for (std::size_t k = 0; k < list.size(); ++k) {
-                        const TermFactor& factor = list[k].factor;
+                        const TermGeometryFactor& factor = list[k].factor;
                         const auto coverage = static_cast<double>(layer.coverage);
                         double drawn = coverage;
                         if (factor.drawn >= 0)

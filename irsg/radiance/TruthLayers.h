@@ -33,7 +33,7 @@ class TruthLayers {
                 SceneLight* light, RadianceImage& image);
 
     /// Samples with the distances of their opaque surfaces.
-    void add(const SampleWindow& window, const FactorSamples& samples);
+    void add(const SampleWindow& window, const GeometrySamples& samples);
 
   private:
     struct SurfaceStackTerms {
@@ -50,7 +50,7 @@ class TruthLayers {
     SceneLight* light_;
     RadianceImage& image_;
     LayerWalk walk_;
-    FactorField<double> kinds_;            // for its numbers of the walk's kinds alone
+    GeometryBuffer<double> kinds_;         // for its numbers of the walk's kinds alone
     std::vector<SurfaceStackTerms> terms_; // by number
     std::vector<std::size_t> shown_;       // terms that have a channel
     std::vector<float> offMiddle_px_;      // of the sample whose surface is named, by pixel

@@ -13,10 +13,10 @@
 
 #include "irsg/geometry/view/FrameBackground.h"
 #include "irsg/geometry/view/PixelGrid.h"
-#include "irsg/radiance/FactorField.h"
+#include "irsg/radiance/GeometryBuffer.h"
 #include "irsg/radiance/LayerWalk.h"
 #include "irsg/radiance/SurfaceRows.h"
-#include "irsg/radiance/ViewFactors.h"
+#include "irsg/radiance/ViewGeometry.h"
 #include "irsg/radiance/exchange/SceneLight.h"
 
 namespace irsg {
@@ -60,10 +60,10 @@ class ViewSurfaceSums {
     }
 
     [[gnu::always_inline]] void add(int stack, const SurfaceRows::Between& between,
-                                    const FactorSamples::Layer& layer) {
+                                    const GeometrySamples::Layer& layer) {
         const std::size_t place = placeOf(stack, between.row);
         const float* factors = layer.factors.data();
-        if (layer.place && layer.place->triangle != FactorSamples::Place::none) {
+        if (layer.place && layer.place->triangle != GeometrySamples::Place::none) {
             addReceivers(place, between.row, 1.0 - static_cast<double>(between.next), *layer.place);
             if (between.next > 0.0f)
                 addReceivers(place + 1, between.row, static_cast<double>(between.next),
@@ -75,7 +75,7 @@ class ViewSurfaceSums {
 
     /// Factors of what is covered already, and what lobes have for coverage.
     void addLight(int stack, const SurfaceRows::Between& between,
-                  const FactorSamples::Layer& layer) {
+                  const GeometrySamples::Layer& layer) {
         const std::size_t place = placeOf(stack, between.row);
         const auto coverage = static_cast<double>(layer.coverage);
         const auto addTo = [&](std::size_t to, double weight) {
@@ -87,7 +87,7 @@ class ViewSurfaceSums {
                 sums.plain[1 + f] += weight * omega_sr_ * factor;
                 sums.cosine[1 + f] += weight * projected_sr_ * factor;
             }
-            if (layer.place && layer.place->triangle != FactorSamples::Place::none)
+            if (layer.place && layer.place->triangle != GeometrySamples::Place::none)
                 addReceivers(to, between.row, weight * coverage, *layer.place);
         };
         addTo(place, 1.0 - static_cast<double>(between.next));
@@ -96,8 +96,8 @@ class ViewSurfaceSums {
     }
 
     /// What lobes mirror of the air, which is divided among its places once all is added.
-    void addMirror(int stack, const FactorSamples& samples, const FactorSamples::Layer& layer,
-                   const FactorSamples::Mirror& mirror) {
+    void addMirror(int stack, const GeometrySamples& samples, const GeometrySamples::Layer& layer,
+                   const GeometrySamples::Mirror& mirror) {
         const SurfaceRows::Between between = surfaces_.at(mirror.row, layer.distance_m);
         const MirrorTable& table = *samples.mirrorTables[mirror.table];
         const float* scales = &samples.mirrorScales[mirror.scales];
@@ -166,7 +166,7 @@ class ViewSurfaceSums {
     /// Adds what was seen times a sign to the one cell of a field. `stackOf(front)` is the number
     /// there of one here.
     template <typename StackOf>
-    void addTo(FactorField<double>& field, const ViewLayout& layout, StackOf stackOf,
+    void addTo(GeometryBuffer<double>& field, const ViewLayout& layout, StackOf stackOf,
                double sign) const {
         for (std::size_t place = 0; place < slots_.size(); ++place) {
             if (slots_[place] != none)
@@ -245,8 +245,8 @@ class ViewSurfaceSums {
         return sums_.size() - 1;
     }
 
-    void addSumsTo(FactorField<double>& field, const ViewLayout& layout, const SurfaceStackId& kind,
-                   std::size_t slot, double sign) const {
+    void addSumsTo(GeometryBuffer<double>& field, const ViewLayout& layout,
+                   const SurfaceStackId& kind, std::size_t slot, double sign) const {
         const Sums& sums = sums_[slot];
         if (std::ranges::all_of(sums.plain, [](double sum) { return sum == 0.0; }))
             return;
@@ -311,10 +311,10 @@ class ViewSurfaceSums {
 
     /// Samples that follow each other in one triangle, by the weights of its corners.
     struct Run {
-        std::uint32_t triangle = FactorSamples::Place::none;
+        std::uint32_t triangle = GeometrySamples::Place::none;
         std::array<double, 3> plain{}, cosine{};
     };
-    void addReceivers(std::size_t place, int row, double weight, const FactorSamples::Place& at) {
+    void addReceivers(std::size_t place, int row, double weight, const GeometrySamples::Place& at) {
         const std::size_t slot = slotOf(place);
         if (slot >= receivers_.size()) {
             receivers_.resize(sums_.size());
@@ -338,7 +338,7 @@ class ViewSurfaceSums {
         }
     }
     void addRun(const Run& run, std::vector<double>& sums) const {
-        if (run.triangle == FactorSamples::Place::none)
+        if (run.triangle == GeometrySamples::Place::none)
             return;
         exchange_->forEachReceiver(
             run.triangle, [&](std::uint32_t receiver, std::size_t corner, float part) {
@@ -373,8 +373,8 @@ class ViewSurfaceSums {
         }
     };
     using MirrorKey = std::tuple<int, int, std::uint32_t>; // front, row of the first place, table
-    Mirrors& mirrorsOf(int stack, int row, const FactorSamples& samples,
-                       const FactorSamples::Mirror& mirror) {
+    Mirrors& mirrorsOf(int stack, int row, const GeometrySamples& samples,
+                       const GeometrySamples::Mirror& mirror) {
         const MirrorKey key{stack, row, mirror.table};
         if (lastMirrors_ == nullptr || key != lastKey_) {
             lastKey_ = key;

@@ -27,32 +27,32 @@ SurfaceRows drawnRows(const SurfaceRows& rows, std::size_t entities, int sliced 
 /// Slices about a distance of what reaches so far before and behind it.
 SliceNodes slicesAbout(double distance_m, double reach_m) {
     SliceNodes slices_m;
-    for (std::size_t i = 0; i <= RangeFactors::slices; ++i) {
-        const double part = static_cast<double>(i) / RangeFactors::slices;
+    for (std::size_t i = 0; i <= RangeGeometry::slices; ++i) {
+        const double part = static_cast<double>(i) / RangeGeometry::slices;
         slices_m.push_back(distance_m + (2.0 * part - 1.0) * reach_m);
     }
     return slices_m;
 }
 
 /// A view of one object from far away, as it is at unit distance.
-PointFactors pointOf(const ViewFactors& view, double distance_m) {
-    PointFactors point{FactorField<double>(1, view.layout.factorCount + 1), {}, {}};
-    FactorField<double>& field = point.sums_sr_m2;
+PointGeometry pointOf(const ViewGeometry& view, double distance_m) {
+    PointGeometry point{GeometryBuffer<double>(1, view.layout.factorCount + 1), {}, {}};
+    GeometryBuffer<double>& field = point.sums_sr_m2;
     view.field.forEach(0, [&](std::size_t kind, std::span<const double> numbers) {
         double* own = field.at(0, field.kindOf(view.field.kinds()[kind]));
         for (std::size_t i = 0; i < field.width(); ++i)
             own[i] = numbers[i] * distance_m * distance_m;
     });
     addLight(view.light, distance_m * distance_m, point.light_sr_m2);
-    for (const ViewFactors& contrast : view.contrasts)
+    for (const ViewGeometry& contrast : view.contrasts)
         point.contrasts.push_back(pointOf(contrast, distance_m));
     return point;
 }
 
 /// A view of one object as it is at unit distance, in pixels 1 m wide there.
-ViewFactors atUnitDistance(const ViewFactors& view, double distance_m, double pixel_sr) {
-    ViewFactors unit{
-        view.layout, FactorField<double>(1, view.layout.width()), {}, view.layersLeftOver, {}};
+ViewGeometry atUnitDistance(const ViewGeometry& view, double distance_m, double pixel_sr) {
+    ViewGeometry unit{
+        view.layout, GeometryBuffer<double>(1, view.layout.width()), {}, view.layersLeftOver, {}};
     const double square_m2 = distance_m * distance_m;
     addLight(view.light, square_m2, unit.light);
     view.field.forEach(0, [&](std::size_t kind, std::span<const double> numbers) {
@@ -61,7 +61,7 @@ ViewFactors atUnitDistance(const ViewFactors& view, double distance_m, double pi
             sums[i] = numbers[i] * square_m2;
         sums[view.layout.pixels()] *= pixel_sr;
     });
-    for (const ViewFactors& contrast : view.contrasts)
+    for (const ViewGeometry& contrast : view.contrasts)
         unit.contrasts.push_back(atUnitDistance(contrast, distance_m, pixel_sr));
     return unit;
 }
@@ -116,25 +116,25 @@ void AspectSampler::forgetOtherTerrain(const Frame& frame) {
     rangeFactors_ = {};
 }
 
-ViewFactors AspectSampler::sampleAlone(const Frame& frame, int entity, const CameraFrame& camera,
-                                       int zoomWindow, const SurfaceRows& rows) {
-    FactorSums sums(camera.sensor(), rows, occluderStacks_, terms_.factorCount(), {},
-                    frame.exchange(), frame.request.withErrors);
-    ViewFactors view = sums.emptyView();
+ViewGeometry AspectSampler::sampleAlone(const Frame& frame, int entity, const CameraFrame& camera,
+                                        int zoomWindow, const SurfaceRows& rows) {
+    GeometrySums sums(camera.sensor(), rows, occluderStacks_, terms_.factorCount(), {},
+                      frame.exchange(), frame.request.withErrors);
+    ViewGeometry view = sums.emptyView();
     const auto seen = planner_.seenBy(frame.surfaces, camera, entity);
     if (!seen)
         return view;
     sampler_.onEngine(frame.surfaces.engine, [&] {
-        FactorSamples samples;
+        GeometrySamples samples;
         const PixelAlignedStrategy strategy(zoomWindow);
         for (const SampleWindow& window :
              piecesOf(strategy.windows({*seen}), frame.surfaces.engine.engine.largestSide())) {
             SurfaceScene alone = sampler_.sceneOf(frame.surfaces, camera, window);
             alone.occluders.clear();
             alone.terrain = {};
-            frame.surfaces.engine.engine.drawFactors({SampleSheet::of(window), {alone}},
-                                                     rows.isSliced() || frame.shading().isNeeded(),
-                                                     samples);
+            frame.surfaces.engine.engine.sampleGeometry(
+                {SampleSheet::of(window), {alone}}, rows.isSliced() || frame.shading().isNeeded(),
+                samples);
             clock_.timed("layer sorting", [&] {
                 frame.shading().sortAndApply({SampleSheet::of(window), {alone}}, frame.settings(),
                                              samples);
@@ -154,7 +154,8 @@ PointPlace AspectSampler::placeOf(const Frame& frame, const ZoomEntityInfo& obje
             pixel.solidAngle_sr, pixel.cosOffAxis};
 }
 
-const PointFactors& AspectSampler::pointFactors(const Frame& frame, const ZoomEntityInfo& object) {
+const PointGeometry& AspectSampler::pointGeometry(const Frame& frame,
+                                                  const ZoomEntityInfo& object) {
     forgetOtherTerrain(frame);
     const Rotation toWorld = frame.request.entity(object.entity).pose.attitude.rotation();
     const Vec3 from =
@@ -174,14 +175,14 @@ const PointFactors& AspectSampler::pointFactors(const Frame& frame, const ZoomEn
                                                  toWorld * Vec3{0, 1, 0}));
         // The air is no matter here.
         const SurfaceRows rows = drawnRows(frame.rows(), frame.scene().entities.size());
-        const ViewFactors view =
+        const ViewGeometry view =
             sampleAlone(frame, object.entity, zoom, frame.settings().zoomWindow * 3 / 2, rows);
         return pointOf(view, distance_m);
     });
 }
 
 void AspectSampler::addAlongRange(const Frame& frame, const ZoomEntityInfo& object,
-                                  ViewFactors& view) {
+                                  ViewGeometry& view) {
     forgetOtherTerrain(frame);
     const Entity& entity = frame.request.entity(object.entity);
     const ObjectGeometry& geometry =
@@ -192,18 +193,18 @@ void AspectSampler::addAlongRange(const Frame& frame, const ZoomEntityInfo& obje
     const Vec3 from =
         PointSources::onGrid(entity.pose.attitude.rotation().transposed() *
                                  prepared_.towards(entity, frame.request.view.viewpoint.position_m),
-                             RangeFactors::directionStep);
+                             RangeGeometry::directionStep);
     PointAspect aspect = aspectOf(frame, object.entity, from);
     appendTo(aspect.numbers, prepared_.referencePoint(entity));
     aspect.numbers.push_back(isSliced ? 1.0 : 0.0);
 
     const RangePlace place{geometry.path.range_m, frame.sensor().pixelPitch()};
     const auto addNode = [&](std::size_t node, double weight, bool isError) {
-        const double distance_m = reach_m / RangeFactors::nodes[node];
+        const double distance_m = reach_m / RangeGeometry::nodes[node];
         const SurfaceRows rows =
             drawnRows(frame.rows(), frame.scene().entities.size(), object.entity,
                       isSliced ? slicesAbout(distance_m, reach_m) : SliceNodes{});
-        const ViewFactors& drawn = rangeFactors_.at(object.entity, aspect, node, [&] {
+        const ViewGeometry& drawn = rangeFactors_.at(object.entity, aspect, node, [&] {
             return sampleAtNode(frame, object.entity, from, node, rows);
         });
         if (!isError)
@@ -212,26 +213,26 @@ void AspectSampler::addAlongRange(const Frame& frame, const ZoomEntityInfo& obje
         addAtRange(drawn, weight, rows, distance_m, frame.rows(), place, view.contrasts.back());
     };
     const double nearness = reach_m / place.range_m;
-    for (const auto& [node, weight] : RangeFactors::weightsAt(nearness))
+    for (const auto& [node, weight] : RangeGeometry::weightsAt(nearness))
         addNode(node, weight, false);
     if (!view.contrasts.empty())
-        for (const auto& [node, weight] : RangeFactors::errorWeightsAt(nearness))
+        for (const auto& [node, weight] : RangeGeometry::errorWeightsAt(nearness))
             addNode(node, weight, true);
 }
 
-ViewFactors AspectSampler::sampleAtNode(const Frame& frame, int entity, const Vec3& from,
-                                        std::size_t node, const SurfaceRows& rows) {
+ViewGeometry AspectSampler::sampleAtNode(const Frame& frame, int entity, const Vec3& from,
+                                         std::size_t node, const SurfaceRows& rows) {
     // Pixels that are small in terms of the object, as each has the solid angle of its middle.
     constexpr int pixels = 32;
     // No phases average the error of a node, so that its window is larger than that of a frame.
     const int zoomWindow = frame.settings().zoomWindow * 3 / 2;
     const Entity& own = frame.request.entity(entity);
-    const double distance_m = prepared_.reach_m(own) / RangeFactors::nodes[node];
+    const double distance_m = prepared_.reach_m(own) / RangeGeometry::nodes[node];
     const Rotation toWorld = own.pose.attitude.rotation();
     const Vec3 at_m = own.pose.toWorld(prepared_.referencePoint(own));
     Sensor sensor = frame.sensor();
     sensor.width_px = sensor.height_px = pixels;
-    sensor.horizontalFieldOfView_rad = 2.0 * std::asin(RangeFactors::nodes[node]);
+    sensor.horizontalFieldOfView_rad = 2.0 * std::asin(RangeGeometry::nodes[node]);
     const CameraFrame camera(sensor,
                              Viewpoint::lookAt(at_m + toWorld * from * distance_m, at_m,
                                                toWorld * Vec3{0, 0, 1}, toWorld * Vec3{0, 1, 0}));

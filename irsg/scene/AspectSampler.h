@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "irsg/radiance/PointSources.h"
-#include "irsg/radiance/RangeFactors.h"
-#include "irsg/radiance/ViewFactors.h"
+#include "irsg/radiance/RangeGeometry.h"
+#include "irsg/radiance/ViewGeometry.h"
 #include "irsg/scene/Frame.h"
 #include "irsg/scene/FramePlanner.h"
 #include "irsg/scene/PreparedEntities.h"
@@ -29,10 +29,10 @@ class AspectSampler {
           clock_(clock) {}
 
     /// Factors of a point source of the plan at unit distance; valid until the next call.
-    const PointFactors& pointFactors(const Frame& frame, const ZoomEntityInfo& object);
+    const PointGeometry& pointGeometry(const Frame& frame, const ZoomEntityInfo& object);
     static PointPlace placeOf(const Frame& frame, const ZoomEntityInfo& object);
     /// Adds an object along the range of the plan to a view.
-    void addAlongRange(const Frame& frame, const ZoomEntityInfo& object, ViewFactors& view);
+    void addAlongRange(const Frame& frame, const ZoomEntityInfo& object, ViewGeometry& view);
 
   private:
     /// An entity as it is seen from a direction in its model's axes.
@@ -40,10 +40,10 @@ class AspectSampler {
     /// Forgets what was sampled in the shadow of another terrain, which aspects do not name.
     void forgetOtherTerrain(const Frame& frame);
     /// Factors of one entity as a camera of its own sees it, with nothing before it.
-    ViewFactors sampleAlone(const Frame& frame, int entity, const CameraFrame& camera,
-                            int zoomWindow, const SurfaceRows& rows);
-    ViewFactors sampleAtNode(const Frame& frame, int entity, const Vec3& from, std::size_t node,
-                             const SurfaceRows& rows);
+    ViewGeometry sampleAlone(const Frame& frame, int entity, const CameraFrame& camera,
+                             int zoomWindow, const SurfaceRows& rows);
+    ViewGeometry sampleAtNode(const Frame& frame, int entity, const Vec3& from, std::size_t node,
+                              const SurfaceRows& rows);
 
     const RadianceTerms& terms_;
     PreparedEntities& prepared_;
@@ -52,7 +52,7 @@ class AspectSampler {
     OccluderStacks& occluderStacks_;
     StageClock& clock_;
     PointSources pointSources_;
-    RangeFactors rangeFactors_;
+    RangeGeometry rangeFactors_;
     std::shared_ptr<const Terrain> shadowingTerrain_; // of what is kept
 };
 

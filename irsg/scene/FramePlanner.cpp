@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "irsg/radiance/PointSources.h"
-#include "irsg/radiance/RangeFactors.h"
+#include "irsg/radiance/RangeGeometry.h"
 #include "irsg/render/rays/RayEngine.h"
 #include "irsg/scene/SceneCheck.h"
 
@@ -160,7 +160,7 @@ bool FramePlanner::isAlongRange(const FrameRequest& request, const SceneSurfaces
     const double range_m =
         surfaces.evaluation.geometry[static_cast<std::size_t>(object.entity)].path.range_m;
     const double reach_m = prepared_.reach_m(entity);
-    if (!(reach_m > 0.0) || reach_m > RangeFactors::closest * range_m)
+    if (!(reach_m > 0.0) || reach_m > RangeGeometry::closest * range_m)
         return false;
     // Cosines off the axis are those of a camera that looks at the reference point.
     constexpr double nearby = 1e-6;
@@ -189,7 +189,7 @@ std::vector<ImageRectangle> FramePlanner::detailsOf(const SceneSurfaces& surface
     std::erase_if(scene.items, [](const SurfaceItem& item) { return item.transparent; });
     scene.occluders.clear();
     scene.terrain = {};
-    FactorSamples samples;
+    GeometrySamples samples;
     if (areRaysBuilt()) {
         // A few rays are there while a drawing that was begun before goes on.
         scene.bodies = {{entity, clock_.timed("ray trees", [&] { return model.forRays(); }),
@@ -200,7 +200,7 @@ std::vector<ImageRectangle> FramePlanner::detailsOf(const SceneSurfaces& surface
     } else {
         const SheetScene sheet{SampleSheet::of(probe), {std::move(scene)}};
         sampler_.onEngine(surfaces.engine,
-                          [&] { surfaces.engine.engine.drawFactors(sheet, true, samples); });
+                          [&] { surfaces.engine.engine.sampleGeometry(sheet, true, samples); });
     }
     for (const HotPart& part : parts)
         if (!isHidden(part, probe, samples))

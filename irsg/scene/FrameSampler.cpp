@@ -42,7 +42,7 @@ std::vector<SampledWindow> sampledWindows(const Frame& frame,
 class SurfaceRttPass : public RttPass {
   public:
     SurfaceRttPass(const Frame& frame, const SurfaceSampler& surfaces,
-                   OccluderStacks& occluderStacks, FactorSamples& room)
+                   OccluderStacks& occluderStacks, GeometrySamples& room)
         : frame_(frame),
           surfaces_(surfaces),
           room_(room),
@@ -63,9 +63,9 @@ class SurfaceRttPass : public RttPass {
         if (!isSliced && !frame_.shading().isNeeded() &&
             std::ranges::none_of(scene.scenes, &SurfaceScene::hasTransparent))
             return frame_.surfaces.engine.engine.drawRadiance(scene, samples);
-        FactorSamples& factors = room_;
-        frame_.surfaces.engine.engine.drawFactors(scene, isSliced || frame_.shading().isNeeded(),
-                                                  factors);
+        GeometrySamples& factors = room_;
+        frame_.surfaces.engine.engine.sampleGeometry(scene, isSliced || frame_.shading().isNeeded(),
+                                                     factors);
         {
             Stopwatch sorting(sortSeconds);
             frame_.shading().sortAndApply(scene, frame_.settings(), factors);
@@ -82,7 +82,7 @@ class SurfaceRttPass : public RttPass {
   private:
     const Frame& frame_;
     const SurfaceSampler& surfaces_;
-    FactorSamples& room_;
+    GeometrySamples& room_;
     SampleRadiances radiances_;
 };
 
@@ -146,22 +146,22 @@ std::shared_ptr<ViewSampling> FrameSampler::begin(const Frame& frame) {
     // It outlives what is begun here: it waits for that when it goes.
     sampling->windows_ = surfaces_.begin(
         frame.surfaces, frame.request.camera, windowsOfSums(frame), frame.rows().isSliced(),
-        [own = sampling.get()](const SampleWindow& window, const FactorSamples& samples) {
+        [own = sampling.get()](const SampleWindow& window, const GeometrySamples& samples) {
             own->sums_.addToView(window, samples, own->factors_);
         });
     return view_ = sampling;
 }
 
-const ViewFactors& FrameSampler::factorsOf(const Frame& frame, ViewSampling& sampling) {
+const ViewGeometry& FrameSampler::factorsOf(const Frame& frame, ViewSampling& sampling) {
     if (sampling.failure_)
         std::rethrow_exception(sampling.failure_);
     if (!sampling.windows_.valid())
         return sampling.factors_;
     try {
         surfaces_.waitFor(sampling.windows_, "factor sums");
-        ViewFactors own = std::exchange(sampling.factors_, sampling.sums_.emptyView());
+        ViewGeometry own = std::exchange(sampling.factors_, sampling.sums_.emptyView());
         sampling.factors_.layersLeftOver = own.layersLeftOver;
-        const auto take = [&](ViewFactors& from, ViewFactors& to) {
+        const auto take = [&](ViewGeometry& from, ViewGeometry& to) {
             for (auto& [kind, sums] : from.light)
                 to.light[{occluderStacks_.numberOf(sampling.occluderStacks_.materials(kind.first)),
                           kind.second}] = std::move(sums);
@@ -175,7 +175,7 @@ const ViewFactors& FrameSampler::factorsOf(const Frame& frame, ViewSampling& sam
         for (std::size_t k = 0; k < own.contrasts.size(); ++k)
             take(own.contrasts[k], sampling.factors_.contrasts[k]);
         for (const ZoomEntityInfo& object : frame.plan.points)
-            addPointToView(aspects_.pointFactors(frame, object), frame.rows(),
+            addPointToView(aspects_.pointGeometry(frame, object), frame.rows(),
                            AspectSampler::placeOf(frame, object), pointersTo(sampling.varying_),
                            sampling.factors_);
         for (const ZoomEntityInfo& object : frame.plan.alongRange)
@@ -212,7 +212,7 @@ SampledPicture FrameSampler::picture(const Frame& frame) {
         warnings = strategy.takeMessages();
     }
     for (const ZoomEntityInfo& object : frame.plan.points)
-        addPointToPixel(aspects_.pointFactors(frame, object), frame.rows(),
+        addPointToPixel(aspects_.pointGeometry(frame, object), frame.rows(),
                         AspectSampler::placeOf(frame, object),
                         frame.evaluation().evaluated->radiances, frame.light(), *reduction);
     return {std::move(*reduction), sampledWindows(frame, strategy.takeWindows()),
@@ -244,13 +244,13 @@ SampledPicture FrameSampler::followedPicture(const Frame& frame) {
     return {std::move(reduction), sampledWindows(frame, DrawnWindow::of(planned)), {}, 0};
 }
 
-PixelFactors FrameSampler::pixelFactors(const Frame& frame) {
-    FactorSums sums(frame.sensor(), frame.rows(), occluderStacks_, terms_.factorCount(), {},
-                    frame.exchange());
-    PixelFactors factors = sums.emptyPixels();
+PixelGeometry FrameSampler::pixelFactors(const Frame& frame) {
+    GeometrySums sums(frame.sensor(), frame.rows(), occluderStacks_, terms_.factorCount(), {},
+                      frame.exchange());
+    PixelGeometry factors = sums.emptyPixels();
     surfaces_.sample(frame.surfaces, frame.request.camera, windowsOf(frame, frame.plan.drawn),
                      frame.rows().isSliced(), "factors of pixels",
-                     [&](const SampleWindow& window, const FactorSamples& samples) {
+                     [&](const SampleWindow& window, const GeometrySamples& samples) {
                          sums.addToPixels(window, samples, factors);
                      });
     return factors;
@@ -261,7 +261,8 @@ void FrameSampler::addTruthLayers(const Frame& frame, RadianceImage& image) {
     TruthLayers truth(evaluated.radiometry, evaluated.radiances, occluderStacks_,
                       frame.backgrounds.byOutput.front(), frame.light(), image);
     surfaces_.sample(frame.surfaces, frame.request.camera, windowsOf(frame, frame.plan.seen), true,
-                     "truth layers", [&](const SampleWindow& window, const FactorSamples& samples) {
+                     "truth layers",
+                     [&](const SampleWindow& window, const GeometrySamples& samples) {
                          truth.add(window, samples);
                      });
 }

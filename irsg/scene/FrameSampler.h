@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "irsg/image/RadianceImage.h"
-#include "irsg/radiance/ViewFactors.h"
+#include "irsg/radiance/ViewGeometry.h"
 #include "irsg/render/sampling/FrameReduction.h"
 #include "irsg/render/sampling/ZoomAntialiasingManager.h"
 #include "irsg/render/values/RenderReport.h"
@@ -43,8 +43,8 @@ class FrameSampler {
     /// live until the sampling is done.
     std::shared_ptr<ViewSampling> begin(const Frame& frame);
     /// What that gives. Throws what sampling threw.
-    const ViewFactors& factorsOf(const Frame& frame, ViewSampling& sampling);
-    const ViewFactors& factorsOf(const Frame& frame) { return factorsOf(frame, *begin(frame)); }
+    const ViewGeometry& factorsOf(const Frame& frame, ViewSampling& sampling);
+    const ViewGeometry& factorsOf(const Frame& frame) { return factorsOf(frame, *begin(frame)); }
 
     /// With the strategy that the settings ask for.
     SampledPicture picture(const Frame& frame);
@@ -55,7 +55,7 @@ class FrameSampler {
     /// True where the windows of sums are those of the picture.
     bool sumsSampleAsPictures(const Frame& frame);
     /// What the pixels of a picture take of each surface that is drawn into windows.
-    PixelFactors pixelFactors(const Frame& frame);
+    PixelGeometry pixelFactors(const Frame& frame);
     void addTruthLayers(const Frame& frame, RadianceImage& image);
 
   private:
@@ -69,12 +69,12 @@ class FrameSampler {
     OccluderStacks& occluderStacks_;
     StageClock& clock_;
     ZoomAntialiasingManager antialiasing_;
-    FactorSamples pictureFactors_; // room for those of the next picture
+    GeometrySamples pictureFactors_; // room for those of the next picture
     /// The last view of a followed picture, and once it was asked for twice what its pixels are
     /// made of.
     struct {
         std::optional<ViewKey> key;
-        std::optional<PixelFactors> factors;
+        std::optional<PixelGeometry> factors;
     } followed_;
     std::shared_ptr<ViewSampling> view_; // last: it waits for what uses all others
 };
@@ -100,9 +100,9 @@ class ViewSampling {
     ViewKey key_;
     std::vector<FrameBackground> varying_; // backgrounds that vary over the view
     OccluderStacks occluderStacks_;        // of its own, as it is summed on another thread
-    FactorSums sums_;
+    GeometrySums sums_;
     SurfaceSampler::Sampling windows_; // until they were waited for
-    ViewFactors factors_;              // with the renderer's numbers of fronts from then on
+    ViewGeometry factors_;             // with the renderer's numbers of fronts from then on
     std::exception_ptr failure_;       // of the sampling, for all who share it
 };
 

@@ -69,9 +69,9 @@ void HazeRenderer::warnOfOutside(const Frame& frame, int support_px,
     }
 }
 
-void HazeRenderer::addPixels(const Frame& frame, const PixelFactors& factors,
+void HazeRenderer::addPixels(const Frame& frame, const PixelGeometry& factors,
                              std::vector<ScatteredObject>& objects) {
-    const FactorField<float>& field = factors.field;
+    const GeometryBuffer<float>& field = factors.field;
     std::vector<double> ofReceivers;
     if (frame.light())
         ofReceivers = radiancesOf(factors.light.kinds(), factors.receivers, *frame.light());
@@ -110,10 +110,10 @@ void HazeRenderer::addPoints(const Frame& frame, std::vector<ScatteredObject>& o
         const PointPlace place = AspectSampler::placeOf(frame, object);
         const double scale = 1.0 / (place.distance_m * place.distance_m * place.solidAngle_sr);
         ScatteredObject::Pixel pixel{place.x, place.y, 0.0, 0.0};
-        const PointFactors& point = aspects_.pointFactors(frame, object);
+        const PointGeometry& point = aspects_.pointGeometry(frame, object);
         if (frame.light())
             pixel.radiance_W_m2_sr += scale * lightOfPoint(point, rows, *frame.light());
-        const FactorField<double>& sums_sr_m2 = point.sums_sr_m2;
+        const GeometryBuffer<double>& sums_sr_m2 = point.sums_sr_m2;
         sums_sr_m2.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
             const SurfaceStackId& own = sums_sr_m2.kinds()[number];
             const SurfaceStackId kind{own.stack, rows.first(own.row)};
@@ -131,7 +131,7 @@ void HazeRenderer::add(const Frame& frame, RadianceImage& image,
     std::vector<ScatteredObject> objects = objectsOf(frame, warnings);
     // What every pixel shows of each object, from the windows of the sampling. The published zoom
     // resamples what it draws, so that its objects are drawn on the pixels' own grid here.
-    const PixelFactors factors = sampler_.pixelFactors(frame);
+    const PixelGeometry factors = sampler_.pixelFactors(frame);
     clock_.timed("scattering", [&] {
         addPixels(frame, factors, objects);
         addPoints(frame, objects);

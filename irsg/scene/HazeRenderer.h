@@ -32,7 +32,7 @@ class HazeRenderer {
   private:
     /// The objects of a scene with the optical depths of their paths, still without pixels.
     std::vector<ScatteredObject> objectsOf(const Frame& frame, std::vector<std::string>& warnings);
-    void addPixels(const Frame& frame, const PixelFactors& factors,
+    void addPixels(const Frame& frame, const PixelGeometry& factors,
                    std::vector<ScatteredObject>& objects);
     void addPoints(const Frame& frame, std::vector<ScatteredObject>& objects);
     /// Tells of objects that are partly or wholly outside the frame, and near enough for their

@@ -89,7 +89,7 @@ class Outputs::Reports : public Outputs {
     /// looks at is not drawn for each: its factors are interpolated between those of a few
     /// distances, the same for every range, so that a curve has no noise of drawings and costs few.
     /// At a single range it then differs from an image by the sampling errors of both. See
-    /// RangeFactors for when; else it is drawn as without.
+    /// RangeGeometry for when; else it is drawn as without.
     Reports alongRange(bool on = true) const {
         Reports made = *this;
         made.alongRange_ = on;

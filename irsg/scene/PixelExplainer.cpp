@@ -121,7 +121,7 @@ PixelExplanation PixelExplainer::at(int x, int y) {
                 continue;
             if (!drawn)
                 drawn = surfaces_.scenesOf(frame.surfaces, frame.request.camera, sheet);
-            FactorSamples& samples = samples_;
+            GeometrySamples& samples = samples_;
             RayEngine::traceRuns(
                 *drawn, w, frame.shading().lobes ? withNeighbours(runs, window) : runs, samples);
             frame.shading().sortAndApply(*drawn, frame.settings(), samples);
@@ -143,7 +143,7 @@ PixelExplanation PixelExplainer::at(int x, int y) {
         const PointPlace place = AspectSampler::placeOf(frame, object);
         if (place.x != x || place.y != y)
             continue;
-        const PointFactors& factors = aspects_.pointFactors(frame, object);
+        const PointGeometry& factors = aspects_.pointGeometry(frame, object);
         terms.addPoint(factors, 1.0 / (place.distance_m * place.distance_m * place.solidAngle_sr),
                        place.distance_m);
         result.isInterior = false;

@@ -35,7 +35,7 @@ class PixelExplainer {
     TerrainRays& terrainRays_;
     OccluderStacks& occluderStacks_;
     std::vector<SampleSheet> sheets_;
-    FactorSamples samples_; // room for those of a sheet
+    GeometrySamples samples_; // room for those of a sheet
 };
 
 } // namespace irsg

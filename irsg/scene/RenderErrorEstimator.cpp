@@ -55,7 +55,7 @@ std::vector<bool> haveLobes(const SurfaceRows& rows, std::size_t entities) {
 }
 
 /// Of samples alone, in the outputs of an evaluation. `varying`: see objectSums.
-ErrorsByOutput ofSamples(const Frame& frame, const ViewFactors& factors, EvaluatedScene& evaluated,
+ErrorsByOutput ofSamples(const Frame& frame, const ViewGeometry& factors, EvaluatedScene& evaluated,
                          SceneLight* light, const std::vector<int>& varying) {
     const SurfaceRows& rows = evaluated.radiometry.rows();
     const std::vector<double> ranges_m = frame.evaluation().ranges_m();
@@ -160,7 +160,7 @@ bool knowsBackground(const Scene& scene) {
 
 } // namespace
 
-ErrorsByOutput RenderErrorEstimator::ofBands(const Frame& frame, const ViewFactors& factors,
+ErrorsByOutput RenderErrorEstimator::ofBands(const Frame& frame, const ViewGeometry& factors,
                                              const std::vector<ObjectSums>& sums) {
     ErrorsByOutput errors = ofSamples(frame, factors, *frame.evaluation().evaluated, frame.light(),
                                       frame.backgrounds.numbersOfVarying());
@@ -174,7 +174,7 @@ ErrorsByOutput RenderErrorEstimator::ofBands(const Frame& frame, const ViewFacto
 }
 
 std::vector<ObjectSums>
-RenderErrorEstimator::sumsElsewhere(const Frame& frame, const ViewFactors& factors,
+RenderErrorEstimator::sumsElsewhere(const Frame& frame, const ViewGeometry& factors,
                                     const std::vector<ObjectGeometry>& geometry) {
     const auto sampled = other_.sampled.of(
         other_.answers, evaluator_.airScene(frame.request, geometry), frame.request.bands,
@@ -189,7 +189,7 @@ RenderErrorEstimator::sumsElsewhere(const Frame& frame, const ViewFactors& facto
                       frame.evaluation().ranges_m(), uniform);
 }
 
-void RenderErrorEstimator::addOfAtmosphere(const Frame& frame, const ViewFactors& factors,
+void RenderErrorEstimator::addOfAtmosphere(const Frame& frame, const ViewGeometry& factors,
                                            const std::vector<ObjectSums>& sums,
                                            ErrorsByOutput& errors) {
     const bool isWideband = frame.settings().mode == CalculationMode::wideband;
@@ -332,7 +332,7 @@ void RenderErrorEstimator::addOfBackground(const Frame& frame, const std::vector
     }
 }
 
-ErrorsByOutput RenderErrorEstimator::ofSpectrum(const Frame& frame, const ViewFactors& factors,
+ErrorsByOutput RenderErrorEstimator::ofSpectrum(const Frame& frame, const ViewGeometry& factors,
                                                 const EvaluatedSpectrum& evaluated,
                                                 SceneLight* light,
                                                 const std::vector<double>& wavelengths_um,

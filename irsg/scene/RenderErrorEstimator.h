@@ -25,21 +25,21 @@ class RenderErrorEstimator {
         : terms_(terms), evaluator_(evaluator), occluderStacks_(occluderStacks) {}
 
     /// Of sums in the bands of a frame, whose evaluated scene is turned to it.
-    ErrorsByOutput ofBands(const Frame& frame, const ViewFactors& factors,
+    ErrorsByOutput ofBands(const Frame& frame, const ViewGeometry& factors,
                            const std::vector<ObjectSums>& sums);
     /// Of sums at ascending wavelengths. `light`: between surfaces, or null.
-    ErrorsByOutput ofSpectrum(const Frame& frame, const ViewFactors& factors,
+    ErrorsByOutput ofSpectrum(const Frame& frame, const ViewGeometry& factors,
                               const EvaluatedSpectrum& evaluated, SceneLight* light,
                               const std::vector<double>& wavelengths_um,
                               const std::vector<ObjectSums>& sums);
 
   private:
-    void addOfAtmosphere(const Frame& frame, const ViewFactors& factors,
+    void addOfAtmosphere(const Frame& frame, const ViewGeometry& factors,
                          const std::vector<ObjectSums>& sums, ErrorsByOutput& errors);
     void addOfBackground(const Frame& frame, const std::vector<ObjectSums>& sums,
                          ErrorsByOutput& errors);
     /// Sums as they are in another atmosphere, or in the same one along other paths.
-    std::vector<ObjectSums> sumsElsewhere(const Frame& frame, const ViewFactors& factors,
+    std::vector<ObjectSums> sumsElsewhere(const Frame& frame, const ViewGeometry& factors,
                                           const std::vector<ObjectGeometry>& geometry);
     /// The nodes that the other atmosphere has of itself; else those of the frame.
     std::shared_ptr<const SpectralSampling> otherNodes(const Frame& frame, const Band& band);

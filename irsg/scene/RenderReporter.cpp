@@ -41,7 +41,7 @@ RenderReport RenderReporter::report(const Frame& frame, const FrameReduction& pi
     return report;
 }
 
-std::vector<RenderReport> RenderReporter::reports(const Frame& frame, const ViewFactors& factors) {
+std::vector<RenderReport> RenderReporter::reports(const Frame& frame, const ViewGeometry& factors) {
     return clock_.timed("evaluation", [&] {
         // Frames share evaluated scenes, and another may have been begun since.
         EvaluatedScene& evaluated = frame.evaluation().turned(frame.scene().entities);

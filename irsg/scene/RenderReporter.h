@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "irsg/image/RadianceImage.h"
-#include "irsg/radiance/ViewFactors.h"
+#include "irsg/radiance/ViewGeometry.h"
 #include "irsg/render/sampling/FrameReduction.h"
 #include "irsg/render/values/RenderReport.h"
 #include "irsg/scene/Frame.h"
@@ -22,7 +22,7 @@ class RenderReporter {
         : errors_(errors), clock_(clock) {}
 
     /// By output, from the factors of a view.
-    std::vector<RenderReport> reports(const Frame& frame, const ViewFactors& factors);
+    std::vector<RenderReport> reports(const Frame& frame, const ViewGeometry& factors);
     /// What the pixels of a picture of at most one object add up to, in the first band.
     RenderReport report(const Frame& frame, const FrameReduction& pixels);
     /// Gives a picture its attributes.

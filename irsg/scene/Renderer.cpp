@@ -53,7 +53,7 @@ Rendered Renderer::render(const Scene& scene, const SensorView& view, const Outp
         else if (outputs.hasReports())
             result.reports = p.reports(frame);
         if (!outputs.scalings().empty() && outputs.wavenumbers_per_cm().empty()) {
-            const ViewFactors& factors = p.sampler.factorsOf(frame);
+            const ViewGeometry& factors = p.sampler.factorsOf(frame);
             const std::vector<RenderReport> nominal = p.reports(frame);
             p.clock.timed("scaled view", [&] {
                 EvaluatedScene& evaluated = *frame.evaluation().evaluated;

@@ -35,7 +35,7 @@ struct Wavelengths {
 
 } // namespace
 
-SpectrumOfView SpectrumReporter::spectrum(const Frame& frame, const ViewFactors& factors,
+SpectrumOfView SpectrumReporter::spectrum(const Frame& frame, const ViewGeometry& factors,
                                           const std::vector<double>& wavenumbers_per_cm,
                                           const std::vector<ScalingInput>& scalings) {
     return clock_.timed("evaluation", [&] {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "irsg/radiance/ScaledView.h"
-#include "irsg/radiance/ViewFactors.h"
+#include "irsg/radiance/ViewGeometry.h"
 #include "irsg/render/values/RenderReport.h"
 #include "irsg/scene/Frame.h"
 #include "irsg/scene/InterReflection.h"
@@ -31,7 +31,7 @@ class SpectrumReporter {
           clock_(clock) {}
 
     /// At positive wavenumbers in any order. `scalings`: what the view is to be a function of.
-    SpectrumOfView spectrum(const Frame& frame, const ViewFactors& factors,
+    SpectrumOfView spectrum(const Frame& frame, const ViewGeometry& factors,
                             const std::vector<double>& wavenumbers_per_cm,
                             const std::vector<ScalingInput>& scalings);
 

@@ -11,14 +11,14 @@
 
 namespace irsg {
 
-FactorMaking SurfaceSampler::factorMaking(const SceneSurfaces& surfaces,
-                                          const CameraFrame& camera) const {
+GeometryFactors SurfaceSampler::geometryFactors(const SceneSurfaces& surfaces,
+                                                const CameraFrame& camera) const {
     const bool withNormals = surfaces.shading.lobes != nullptr;
-    FactorMaking making{terms_.factorCount() + (withNormals ? normalFactors : 0),
-                        terms_.glsl(surfaces.scene.settings, withNormals),
-                        {},
-                        {},
-                        {}};
+    GeometryFactors making{terms_.factorCount() + (withNormals ? normalFactors : 0),
+                           terms_.glsl(surfaces.scene.settings, withNormals),
+                           {},
+                           {},
+                           {}};
     if (making.factorCount > mostFactors)
         throw LogicError("more factors than there is room for beside the normals of surfaces");
     if (surfaces.engine.isRays)
@@ -38,7 +38,7 @@ SurfaceScene SurfaceSampler::sceneOf(const SceneSurfaces& surfaces, const Camera
     };
     SurfaceScene scene;
     scene.camera = &camera;
-    scene.factors = factorMaking(surfaces, camera);
+    scene.factors = geometryFactors(surfaces, camera);
     scene.rows = surfaces.evaluation.rows;
     if (surfaces.scene.terrain && surfaces.scene.settings.terrainHides) {
         scene.occluders = surfaces.scene.terrain->occluders(camera);
@@ -109,19 +109,19 @@ SurfaceSampler::Sampling SurfaceSampler::begin(const SceneSurfaces& surfaces,
     work.drawings = planned->size();
     work.maximumLayers = surfaces.scene.settings.maximumLayers;
     work.draw = [this, &surfaces, &camera, planned, withDistance](
-                    std::size_t i, FactorSamples& samples, WindowStream::Seconds& seconds) {
+                    std::size_t i, GeometrySamples& samples, WindowStream::Seconds& seconds) {
         SampleEngine& engine = surfaces.engine.engine;
-        engine.drawFactors(scenesOf(surfaces, camera, (*planned)[i]),
-                           withDistance || surfaces.shading.isNeeded(), samples);
+        engine.sampleGeometry(scenesOf(surfaces, camera, (*planned)[i]),
+                              withDistance || surfaces.shading.isNeeded(), samples);
         seconds.drawing += engine.takeDrawSeconds();
         seconds.reading += engine.takeReadSeconds();
     };
     if (surfaces.shading.isNeeded())
-        work.shade = [&surfaces, &camera, planned, this](std::size_t i, FactorSamples& samples) {
+        work.shade = [&surfaces, &camera, planned, this](std::size_t i, GeometrySamples& samples) {
             surfaces.shading.apply(scenesOf(surfaces, camera, (*planned)[i]),
                                    surfaces.scene.settings, samples);
         };
-    work.take = [planned, take = std::move(take)](std::size_t i, const FactorSamples& samples) {
+    work.take = [planned, take = std::move(take)](std::size_t i, const GeometrySamples& samples) {
         for (const SampleWindow& window : (*planned)[i].windows)
             take(window, samples);
     };

@@ -15,7 +15,7 @@ namespace irsg {
 /// Asks an engine which surfaces the samples of windows meet, and shades them: factors come out.
 class SurfaceSampler {
   public:
-    using Take = std::function<void(const SampleWindow&, const FactorSamples&)>;
+    using Take = std::function<void(const SampleWindow&, const GeometrySamples&)>;
     using Sampling = std::future<WindowStream::Seconds>;
 
     /// Both must live as long.
@@ -44,7 +44,7 @@ class SurfaceSampler {
                 Take take);
 
   private:
-    FactorMaking factorMaking(const SceneSurfaces& surfaces, const CameraFrame& camera) const;
+    GeometryFactors geometryFactors(const SceneSurfaces& surfaces, const CameraFrame& camera) const;
 
     const RadianceTerms& terms_;
     StageClock& clock_;

@@ -5,7 +5,7 @@
 namespace irsg {
 
 void SurfaceShading::apply(const SheetScene& sheet, const RenderSettings& settings,
-                           FactorSamples& samples) const {
+                           GeometrySamples& samples) const {
     if (shadows)
         shadows->apply(sheet, settings.truthLayers, samples);
     if (lobes)
@@ -13,7 +13,7 @@ void SurfaceShading::apply(const SheetScene& sheet, const RenderSettings& settin
 }
 
 void SurfaceShading::sortAndApply(const SheetScene& sheet, const RenderSettings& settings,
-                                  FactorSamples& samples) const {
+                                  GeometrySamples& samples) const {
     sortLayers(samples, settings.maximumLayers);
     apply(sheet, settings, samples);
 }

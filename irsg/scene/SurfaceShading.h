@@ -22,10 +22,10 @@ struct SurfaceShading {
     bool isNeeded() const { return shadows || lobes; }
     /// Takes away light of the sun, and adds lobes.
     void apply(const SheetScene& sheet, const RenderSettings& settings,
-               FactorSamples& samples) const;
+               GeometrySamples& samples) const;
     /// Sorts the layers of a drawing, and does that.
     void sortAndApply(const SheetScene& sheet, const RenderSettings& settings,
-                      FactorSamples& samples) const;
+                      GeometrySamples& samples) const;
 };
 
 } // namespace irsg

@@ -23,7 +23,7 @@ std::vector<std::string> clampedTables(const SignatureDatabase& database,
         for (std::size_t i = 0; i < entry.factors.size(); ++i)
             if (entry.factors[i].selection == FactorSelection::table)
                 check(path + ".factors[" + std::to_string(i) + "]", entry.factors[i],
-                      factorFields());
+                      geometryBuffers());
     }
     return clamped;
 }

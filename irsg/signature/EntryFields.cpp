@@ -433,7 +433,7 @@ std::span<const EntryField<TemperatureTerms>> termFields() {
     return termRows;
 }
 
-std::span<const EntryField<ComponentFactor>> factorFields() {
+std::span<const EntryField<ComponentFactor>> geometryBuffers() {
     return factorRows;
 }
 
@@ -458,7 +458,7 @@ int formatVersionOf(const SignatureDatabase& database) {
         count(entry, temperatureFields());
         count(entry.terms, termFields());
         for (const ComponentFactor& factor : entry.factors)
-            count(factor, factorFields());
+            count(factor, geometryBuffers());
     }
     for (const auto& [index, material] : database.materials)
         count(material, materialFields());
@@ -474,7 +474,7 @@ int newestFormatVersion() {
             newest = std::max(newest, field.since);
     };
     count(termFields());
-    count(factorFields());
+    count(geometryBuffers());
     count(temperatureFields());
     count(materialFields());
     count(spectrumFields());

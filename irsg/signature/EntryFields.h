@@ -103,7 +103,7 @@ struct EntryField {
 
 /// The rows, in the order of forms and columns.
 std::span<const EntryField<TemperatureTerms>> termFields();
-std::span<const EntryField<ComponentFactor>> factorFields();
+std::span<const EntryField<ComponentFactor>> geometryBuffers();
 std::span<const EntryField<TemperatureEntry>> temperatureFields();
 std::span<const EntryField<Material>> materialFields();
 std::span<const EntryField<UserSpectrum>> spectrumFields();

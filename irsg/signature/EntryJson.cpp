@@ -70,7 +70,7 @@ void add(json& object, const char* key, const ReflectanceTable& table) {
 }
 void add(json& object, const char* key, const ComponentFactors& factors) {
     for (const ComponentFactor& factor : factors)
-        object[key].push_back(fieldsJson(factor, factorFields()));
+        object[key].push_back(fieldsJson(factor, geometryBuffers()));
 }
 
 template <typename Entry>

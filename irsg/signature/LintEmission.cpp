@@ -97,7 +97,7 @@ void lintEmission(int index, const TemperatureEntry& entry, const SignatureDatab
                 });
         }
         lintFields<ComponentFactor>(
-            ".factors[" + std::to_string(i) + "]", factor, factorFields(),
+            ".factors[" + std::to_string(i) + "]", factor, geometryBuffers(),
             [index, i, component = factor.component](auto change) {
                 return onFactor(index, i, component, std::move(change));
             },

@@ -110,7 +110,7 @@ class FieldReader {
     void into(ComponentFactors& factors) const {
         if (isAsked())
             for (const JsonReader& one : json_.list("a list of component factors"))
-                readWhole(one, factors.emplace_back(), factorFields());
+                readWhole(one, factors.emplace_back(), geometryBuffers());
     }
 
   private:

@@ -57,7 +57,7 @@ std::string columnsOf(std::span<const EntryField<Entry>> fields, int version) {
 std::vector<Table> schemaOf(int version) {
     const std::string term = "term" + oneOf("term", nodeNames<LookupTable>(termFields(), version));
     const std::string axis =
-        "axis" + oneOf("axis", nodeNames<LookupTable>(factorFields(), version));
+        "axis" + oneOf("axis", nodeNames<LookupTable>(geometryBuffers(), version));
     const std::string property =
         "property" + oneOf("property", nodeNames<Spectrum>(materialFields(), version));
     const std::string loop = "loop INTEGER NOT NULL CHECK (loop IN (0, 1))";
@@ -74,7 +74,7 @@ std::vector<Table> schemaOf(int version) {
          " ON DELETE CASCADE"},
         {"factor", "temperature INTEGER NOT NULL REFERENCES temperature(id) ON DELETE CASCADE,"
                    " position INTEGER NOT NULL" +
-                       columnsOf(factorFields(), version) +
+                       columnsOf(geometryBuffers(), version) +
                        ", PRIMARY KEY (temperature, position)"},
         {"factor_table", "temperature INTEGER NOT NULL, position INTEGER NOT NULL, " + axis + ", " +
                              loop +
@@ -200,7 +200,7 @@ void writeTemperatures(const SignatureDatabase& database, SQLite::Database& file
     EntryInsert row(file, "temperature", "id", temperatureFields(), version);
     Insert table(file, "temperature_table", "temperature, term, loop");
     Insert node(file, "temperature_node", "temperature, term, node, x, value_K");
-    EntryInsert factorRow(file, "factor", "temperature, position", factorFields(), version);
+    EntryInsert factorRow(file, "factor", "temperature, position", geometryBuffers(), version);
     Insert factorTable(file, "factor_table", "temperature, position, axis, loop");
     Insert factorNode(file, "factor_node", "temperature, position, axis, node, x, factor");
     for (const auto& [index, entry] : database.temperatures) {
@@ -218,7 +218,7 @@ void writeTemperatures(const SignatureDatabase& database, SQLite::Database& file
             const int number = nodeNumber(position);
             factorRow(factor, index, number);
             forEachField<LookupTable>(
-                factorFields(), [&, &id = index](const auto& field, auto member) {
+                geometryBuffers(), [&, &id = index](const auto& field, auto member) {
                     const LookupTable& values = factor.*member;
                     if (!values.empty())
                         factorTable(id, number, field.column, values.loop() ? 1 : 0);

@@ -315,11 +315,12 @@ class Reader {
 
     void readFactors() {
         std::map<std::pair<int, int>, std::size_t> places;
-        for (Rows row = entryRows("factor", "temperature, position", factorFields()); row.next();) {
+        for (Rows row = entryRows("factor", "temperature, position", geometryBuffers());
+             row.next();) {
             const int index = row.integer(0);
             ComponentFactors& factors = database_.temperatures[index].factors;
             places[{index, row.integer(1)}] = factors.size();
-            readFields(row, 2, factors.emplace_back(), factorFields());
+            readFields(row, 2, factors.emplace_back(), geometryBuffers());
         }
         std::map<std::pair<std::pair<int, int>, std::string>, Nodes> nodes;
         for (Rows row = rows("factor_node", "temperature, position, axis, x, factor",
@@ -336,10 +337,10 @@ class Reader {
             const std::string axis = row.text(2);
             const bool loop = row.integer(3) != 0;
             const auto place = places.find(key);
-            const auto member = memberOfNodes<LookupTable>(factorFields(), axis);
+            const auto member = memberOfNodes<LookupTable>(geometryBuffers(), axis);
             if (place == places.end() || member == nullptr) {
                 row.refuse("axis '" + axis + "'",
-                           nodeNamesExpected(factorFields()) + " of a factor");
+                           nodeNamesExpected(geometryBuffers()) + " of a factor");
                 continue;
             }
             ComponentFactor& factor = database_.temperatures[key.first].factors[place->second];

@@ -145,11 +145,11 @@ TEST(WindowStream, TakesWindowsInOrderAndStreamsOneAfterTheOther) {
     for (int number = 0; number < 3; ++number) {
         WindowStream::Work work;
         work.drawings = 5;
-        work.draw = [](std::size_t window, FactorSamples& samples, WindowStream::Seconds&) {
+        work.draw = [](std::size_t window, GeometrySamples& samples, WindowStream::Seconds&) {
             samples.words.clear();
             samples.width = static_cast<int>(window);
         };
-        work.take = [&taken, number](std::size_t window, const FactorSamples& samples) {
+        work.take = [&taken, number](std::size_t window, const GeometrySamples& samples) {
             EXPECT_EQ(samples.width, static_cast<int>(window));
             taken.emplace_back(number, window);
         };
@@ -173,12 +173,12 @@ TEST(WindowStream, TellsWhatFailedAndGoesOn) {
     const auto streamThat = [&](bool failsInDrawing, bool failsInTaking) {
         WindowStream::Work work;
         work.drawings = 4;
-        work.draw = [=](std::size_t window, FactorSamples&, WindowStream::Seconds&) {
+        work.draw = [=](std::size_t window, GeometrySamples&, WindowStream::Seconds&) {
             if (failsInDrawing && window == 2) {
                 throw std::runtime_error("drawing");
             }
         };
-        work.take = [=](std::size_t window, const FactorSamples&) {
+        work.take = [=](std::size_t window, const GeometrySamples&) {
             if (failsInTaking && window == 1) {
                 throw std::runtime_error("taking");
             }

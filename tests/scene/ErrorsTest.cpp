@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "irsg/radiance/RangeFactors.h"
-#include "irsg/radiance/ViewFactors.h"
+#include "irsg/radiance/RangeGeometry.h"
+#include "irsg/radiance/ViewGeometry.h"
 #include "irsg/radiometry/Units.h"
 #include "tests/support/RandomScenes.h"
 #include "tests/support/SampleAircraft.h"
@@ -20,8 +20,8 @@ using namespace irsg::test;
 namespace {
 
 /// Samples of a window of one surface, which is seen where `isSeen` says of row and column.
-FactorSamples samplesOf(const SampleWindow& window, const std::function<bool(int, int)>& isSeen) {
-    FactorSamples samples;
+GeometrySamples samplesOf(const SampleWindow& window, const std::function<bool(int, int)>& isSeen) {
+    GeometrySamples samples;
     samples.width = window.width();
     samples.height = window.height();
     samples.factorCount = 3;
@@ -45,18 +45,19 @@ SampleWindow windowOf(int shearRows) {
     return window;
 }
 
-ViewFactors sumsOf(const SampleWindow& window, const FactorSamples& samples, bool withContrasts) {
+ViewGeometry sumsOf(const SampleWindow& window, const GeometrySamples& samples,
+                    bool withContrasts) {
     const Sensor sensor = sensorOf(16, 16, 0.01);
     const SurfaceRows rows({{0, {1, 1}}}, {false}, {{}});
     OccluderStacks occluderStacks;
-    FactorSums sums(sensor, rows, occluderStacks, 3, {}, nullptr, withContrasts);
-    ViewFactors view = sums.emptyView();
+    GeometrySums sums(sensor, rows, occluderStacks, 3, {}, nullptr, withContrasts);
+    ViewGeometry view = sums.emptyView();
     sums.addToView(window, samples, view);
     return view;
 }
 
 /// In samples.
-double coverageOf(const ViewFactors& view, const SampleWindow& window) {
+double coverageOf(const ViewGeometry& view, const SampleWindow& window) {
     double pixels = 0.0;
     view.field.forEach(0, [&](std::size_t, std::span<const double> numbers) {
         pixels += numbers[view.layout.pixels()];
@@ -64,9 +65,9 @@ double coverageOf(const ViewFactors& view, const SampleWindow& window) {
     return pixels / window.share();
 }
 
-double contrastOf(const ViewFactors& view, const SampleWindow& window) {
+double contrastOf(const ViewGeometry& view, const SampleWindow& window) {
     double sum = 0.0;
-    for (const ViewFactors& contrast : view.contrasts) {
+    for (const ViewGeometry& contrast : view.contrasts) {
         sum += std::pow(coverageOf(contrast, window), 2);
     }
     return std::sqrt(sum);
@@ -83,7 +84,7 @@ RenderReport measured(InteractiveRenderer& irsg, bool errors, bool alongRange = 
 TEST(Contrasts, AreNothingWhereAllSamplesSeeTheSame) {
     for (const int shearRows : {0, 5, 16}) {
         SampleWindow window = windowOf(shearRows);
-        const FactorSamples samples = samplesOf(window, [](int, int) { return true; });
+        const GeometrySamples samples = samplesOf(window, [](int, int) { return true; });
         EXPECT_LT(contrastOf(sumsOf(window, samples, true), window), 1e-9) << shearRows;
         // Parts left to finer windows, of odd numbers of cells.
         const double side = window.cellWidth_px(), high = window.cellHeight_px();
@@ -98,7 +99,8 @@ TEST(Contrasts, AreNothingWhereAllSamplesSeeTheSame) {
 TEST(Contrasts, OfALevelEdgeAreHalfARowWhateverItsPhase) {
     const SampleWindow window = windowOf(0);
     for (int edge = 13; edge < 29; ++edge) {
-        const FactorSamples samples = samplesOf(window, [&](int row, int) { return row >= edge; });
+        const GeometrySamples samples =
+            samplesOf(window, [&](int row, int) { return row >= edge; });
         const double rows = contrastOf(sumsOf(window, samples, true), window) / window.width();
         // At a border of two parts it is of neither, or of both.
         EXPECT_TRUE((rows > 0.49 && rows < 0.75) || edge % 6 == 0) << edge << ": " << rows;
@@ -108,7 +110,7 @@ TEST(Contrasts, OfALevelEdgeAreHalfARowWhateverItsPhase) {
 TEST(Contrasts, LeaveTheSumsAsTheyAre) {
     SampleWindow window = windowOf(16);
     window.leftOut = {{6.0, 6.0, 7.0, 7.0}};
-    const FactorSamples samples =
+    const GeometrySamples samples =
         samplesOf(window, [](int row, int column) { return row + 2 * column > 40 && column < 44; });
     const double plain = coverageOf(sumsOf(window, samples, false), window);
     EXPECT_GT(plain, 500.0);
@@ -116,15 +118,15 @@ TEST(Contrasts, LeaveTheSumsAsTheyAre) {
     EXPECT_TRUE(sumsOf(window, samples, false).contrasts.empty());
 }
 
-TEST(RangeFactors, KnowThatParabolasAreInterpolatedExactlyAndCubicsAreNot) {
+TEST(RangeGeometry, KnowThatParabolasAreInterpolatedExactlyAndCubicsAreNot) {
     for (const double nearness : {1e-4, 0.01, 0.02, 0.04, 0.06}) {
         double sum = 0.0, square = 0.0, cube = 0.0, mean = 0.0;
-        for (const auto& [node, weight] : RangeFactors::errorWeightsAt(nearness)) {
-            const double at = RangeFactors::nodes[node];
+        for (const auto& [node, weight] : RangeGeometry::errorWeightsAt(nearness)) {
+            const double at = RangeGeometry::nodes[node];
             sum += weight, square += weight * at * at, cube += weight * at * at * at;
         }
-        for (const auto& [node, weight] : RangeFactors::weightsAt(nearness)) {
-            mean += weight * std::pow(RangeFactors::nodes[node], 3);
+        for (const auto& [node, weight] : RangeGeometry::weightsAt(nearness)) {
+            mean += weight * std::pow(RangeGeometry::nodes[node], 3);
         }
         EXPECT_NEAR(sum, 0.0, 1e-12) << nearness;
         EXPECT_NEAR(square, 0.0, 1e-14) << nearness;

@@ -271,7 +271,7 @@ TEST(HotSpots, AreHiddenWhereAProbeFindsSomethingBeforeAllOfThem) {
     probe.tileX = 5, probe.tileY = 4;
     probe.tilesWide = 12, probe.tilesHigh = 14;
     const auto samplesAt = [&](double distance_m) {
-        FactorSamples samples;
+        GeometrySamples samples;
         samples.width = probe.width(), samples.height = probe.height();
         const auto count = static_cast<std::size_t>(samples.width * samples.height);
         samples.opaque.assign(4 * count, 1.0f);
@@ -288,7 +288,7 @@ TEST(HotSpots, AreHiddenWhereAProbeFindsSomethingBeforeAllOfThem) {
                                        {14, 10, true},
                                        {11, 13, true},
                                        {7, 10, true}}) {
-        FactorSamples samples = samplesAt(99.0);
+        GeometrySamples samples = samplesAt(99.0);
         const int row = probe.tilesHigh - 1 - (y - 4);
         samples.distances_m[static_cast<std::size_t>(row * probe.tilesWide + x - 5)] = 200.0f;
         EXPECT_EQ(isHidden(part, probe, samples), hidden) << x << ", " << y;

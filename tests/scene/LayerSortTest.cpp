@@ -34,8 +34,8 @@ std::vector<float> listOf(const std::vector<Fragment>& fragments) {
     return list;
 }
 
-FactorSamples sorted(const std::vector<Fragment>& fragments, std::size_t samples, int layers) {
-    FactorSamples result;
+GeometrySamples sorted(const std::vector<Fragment>& fragments, std::size_t samples, int layers) {
+    GeometrySamples result;
     result.factorCount = 1;
     result.opaque.assign(4 * samples, 0.0f);
     gatherFragments(listOf(fragments), result);
@@ -69,11 +69,11 @@ TEST(LayerSort, PutsFragmentsInOrderBySampleAndDepth) {
     std::vector<Fragment> expected = fragments;
     std::ranges::sort(expected, {}, &Fragment::key);
 
-    const FactorSamples result = sorted(fragments, samples, 1000);
+    const GeometrySamples result = sorted(fragments, samples, 1000);
     std::size_t next = 0;
     for (std::size_t i = 0; i < samples; ++i) {
         const std::size_t before = next;
-        result.forEachLayer(i, [&](const FactorSamples::Layer& layer) {
+        result.forEachLayer(i, [&](const GeometrySamples::Layer& layer) {
             ASSERT_LT(next, expected.size());
             EXPECT_EQ(expected[next].sample, i);
             EXPECT_EQ(layer.row, static_cast<int>(expected[next].row) - 1);
@@ -89,9 +89,9 @@ TEST(LayerSort, PutsFragmentsInOrderBySampleAndDepth) {
 
 TEST(LayerSort, DoesNotDependOnTheOrderOfDrawing) {
     std::vector<Fragment> fragments = someFragments(500, 0, 30);
-    const FactorSamples one = sorted(fragments, 30, 100);
+    const GeometrySamples one = sorted(fragments, 30, 100);
     std::ranges::shuffle(fragments, std::mt19937(3));
-    const FactorSamples other = sorted(fragments, 30, 100);
+    const GeometrySamples other = sorted(fragments, 30, 100);
     EXPECT_EQ(one.ends, other.ends);
     EXPECT_EQ(one.words.size(), other.words.size());
     for (std::size_t i = 0; i < one.words.size(); ++i) {
@@ -108,15 +108,15 @@ TEST(LayerSort, LeavesTheFarthestOutAndCountsSuchSamples) {
                 {sample, 1.0f / static_cast<float>(1 + i), static_cast<float>(i + 1), 1.0f, 0.0f});
         }
     }
-    const FactorSamples result = sorted(fragments, 8, 3);
+    const GeometrySamples result = sorted(fragments, 8, 3);
     EXPECT_EQ(result.layersLeftOver, 2);
     std::vector<int> rows;
-    result.forEachLayer(2, [&](const FactorSamples::Layer& layer) { rows.push_back(layer.row); });
+    result.forEachLayer(2, [&](const GeometrySamples::Layer& layer) { rows.push_back(layer.row); });
     EXPECT_EQ(rows, (std::vector<int>{0, 1, 2}));
 }
 
-TEST(FactorSamples, ShowTheOpaqueSurfaceLastWithAllItsFactors) {
-    FactorSamples samples;
+TEST(GeometrySamples, ShowTheOpaqueSurfaceLastWithAllItsFactors) {
+    GeometrySamples samples;
     samples.factorCount = 6;
     samples.opaque = {0, 0, 0, 0, 3, 0.1f, 0.2f, 0.3f};
     samples.moreFactors = {0, 0, 0, 0, 0.4f, 0.5f, 0.6f, 0};
@@ -127,7 +127,7 @@ TEST(FactorSamples, ShowTheOpaqueSurfaceLastWithAllItsFactors) {
     sortLayers(samples, 4);
     EXPECT_TRUE(samples.isEmpty(0));
     std::vector<std::pair<int, std::vector<float>>> seen;
-    samples.forEachLayer(1, [&](const FactorSamples::Layer& layer) {
+    samples.forEachLayer(1, [&](const GeometrySamples::Layer& layer) {
         seen.emplace_back(layer.row,
                           std::vector<float>(layer.factors.begin(), layer.factors.end()));
     });

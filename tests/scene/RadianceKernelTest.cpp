@@ -281,7 +281,7 @@ TEST(RadianceTerms, TakeAnotherTermFromOneRecord) {
     list.factors.push_back(
         {"second sun",
          [](const RenderSettings&) { return std::string("max(dot(normal, secondSunEye), 0.0)"); },
-         [=](const RenderSettings&) -> FactorFunction {
+         [=](const RenderSettings&) -> GeometryFactorFunction {
              return [=](const SampleGeometry& sample) {
                  return std::max(dot(sample.normal, sample.directionsEye[place].second), 0.0);
              };

@@ -11,7 +11,7 @@
 
 #include "irsg/atmosphere/BeerLambert.h"
 #include "irsg/core/ParallelFor.h"
-#include "irsg/radiance/RangeFactors.h"
+#include "irsg/radiance/RangeGeometry.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 #include "tests/support/SampleAircraft.h"
@@ -149,29 +149,29 @@ void expectSmooth(const std::string& name, const std::vector<double>& errors) {
 
 } // namespace
 
-TEST(RangeFactors, WeighFewNodesSoThatParabolasStayWhatTheyAre) {
+TEST(RangeGeometry, WeighFewNodesSoThatParabolasStayWhatTheyAre) {
     for (const double nearness : {0.0, 1e-6, 1e-3, 0.012, 1.0 / 64, 0.02, 0.035, 0.05, 1.0 / 16}) {
         double sum = 0.0, linear = 0.0, square = 0.0;
-        for (const auto& [node, weight] : RangeFactors::weightsAt(nearness)) {
-            const double at = RangeFactors::nodes[node];
+        for (const auto& [node, weight] : RangeGeometry::weightsAt(nearness)) {
+            const double at = RangeGeometry::nodes[node];
             sum += weight, linear += weight * at, square += weight * at * at;
         }
-        EXPECT_LE(RangeFactors::weightsAt(nearness).size(), 4u);
+        EXPECT_LE(RangeGeometry::weightsAt(nearness).size(), 4u);
         EXPECT_NEAR(sum, 1.0, 1e-13) << nearness;
         EXPECT_NEAR(linear, nearness, 1e-14) << nearness;
         EXPECT_NEAR(square, nearness * nearness, 1e-15) << nearness;
     }
     // At a node it is that node's alone, and the slope is the same on both sides.
-    for (std::size_t node = 1; node + 1 < RangeFactors::nodes.size(); ++node) {
-        const double at = RangeFactors::nodes[node], step = 1e-7;
+    for (std::size_t node = 1; node + 1 < RangeGeometry::nodes.size(); ++node) {
+        const double at = RangeGeometry::nodes[node], step = 1e-7;
         const auto weights = [](double nearness) {
-            std::vector<double> all(RangeFactors::nodes.size());
-            for (const auto& [i, weight] : RangeFactors::weightsAt(nearness)) {
+            std::vector<double> all(RangeGeometry::nodes.size());
+            for (const auto& [i, weight] : RangeGeometry::weightsAt(nearness)) {
                 all[i] = weight;
             }
             return all;
         };
-        EXPECT_EQ(RangeFactors::weightsAt(at).size(), 1u);
+        EXPECT_EQ(RangeGeometry::weightsAt(at).size(), 1u);
         const std::vector<double> before = weights(at - step), here = weights(at),
                                   after = weights(at + step);
         for (std::size_t i = 0; i < here.size(); ++i) {

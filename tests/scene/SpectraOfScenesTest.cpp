@@ -286,7 +286,7 @@ TEST(UserSpectrum, SaysWhenItIsSeenFromNearerThanItWasMeasured) {
     EXPECT_NE(report.warnings[0].find("gas"), std::string::npos);
 }
 
-TEST(ProjectedFactorsOfAScene, MultiplySpectrallyWhatAScalarCannot) {
+TEST(ProjectedGeometryOfAScene, MultiplySpectrallyWhatAScalarCannot) {
     // A filter that passes 3-4 um only before a body at 400 K and another at 300 K.
     SignatureDatabase database = greyDatabase(1.0, 400.0);
     database.temperatures[2] = fixedTemperature(1.0);
@@ -309,7 +309,7 @@ TEST(ProjectedFactorsOfAScene, MultiplySpectrallyWhatAScalarCannot) {
     EXPECT_NEAR(centreRadiance(irsg), exact, 1e-4 * exact);
 }
 
-TEST(ProjectedFactorsOfAScene, AreKeptWhileOnlySignaturesChange) {
+TEST(ProjectedGeometryOfAScene, AreKeptWhileOnlySignaturesChange) {
     InteractiveRenderer irsg;
     irsg.scene.environment = environmentOf(ConstantAir{});
     irsg.scene.entities = {

@@ -110,7 +110,7 @@ std::span<const EntryField<TemperatureTerms>> EveryField<TemperatureTerms>::fiel
 }
 template <>
 std::span<const EntryField<ComponentFactor>> EveryField<ComponentFactor>::fields() {
-    return factorFields();
+    return geometryBuffers();
 }
 template <>
 std::span<const EntryField<TemperatureEntry>> EveryField<TemperatureEntry>::fields() {
@@ -330,7 +330,7 @@ TEST(EntryFields, StandInTheDescriptionOfTheFormat) {
         }
     };
     expectAll(termFields());
-    expectAll(factorFields());
+    expectAll(geometryBuffers());
     expectAll(temperatureFields());
     expectAll(materialFields());
     expectAll(spectrumFields());

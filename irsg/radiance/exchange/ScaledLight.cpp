@@ -40,7 +40,7 @@ struct ScaledLight::Making {
     const SurfaceSpectra& surface(std::size_t drawn) const { return radiometry.surfaces()[drawn]; }
 };
 
-ScaledLight::ScaledLight(const ViewFactors& view, const SceneRadiometry& radiometry,
+ScaledLight::ScaledLight(const ViewGeometry& view, const SceneRadiometry& radiometry,
                          const SurfaceRadianceTable& radiances, SceneLight& light,
                          const std::vector<ScaledRow>& rows, const std::vector<double>& ranges_m,
                          std::pair<std::size_t, std::size_t> nodes, std::size_t inputs,

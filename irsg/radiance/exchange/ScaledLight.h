@@ -10,7 +10,7 @@
 #include "irsg/radiance/ScaledView.h"
 #include "irsg/radiance/SceneRadiometry.h"
 #include "irsg/radiance/SurfaceRadianceTable.h"
-#include "irsg/radiance/ViewFactors.h"
+#include "irsg/radiance/ViewGeometry.h"
 #include "irsg/radiance/exchange/SceneLight.h"
 
 namespace irsg {
@@ -32,7 +32,7 @@ class ScaledLight {
   public:
     /// Of nodes `first` to before `last`; `rows` by drawn row, `ranges_m` by entity. With `only`
     /// what falls on that entity alone is counted.
-    ScaledLight(const ViewFactors& view, const SceneRadiometry& radiometry,
+    ScaledLight(const ViewGeometry& view, const SceneRadiometry& radiometry,
                 const SurfaceRadianceTable& radiances, SceneLight& light,
                 const std::vector<ScaledRow>& rows, const std::vector<double>& ranges_m,
                 std::pair<std::size_t, std::size_t> nodes, std::size_t inputs, bool isSpectrum,

@@ -354,9 +354,9 @@ std::vector<double> radiancesOf(const std::vector<SurfaceStackId>& receivers,
 
 SceneLight::AtReceiver lightAt(const LightExchange& exchange,
                                const std::vector<SceneLight::AtReceiver>& atReceivers,
-                               const FactorSamples::Place& place) {
+                               const GeometrySamples::Place& place) {
     SceneLight::AtReceiver all{};
-    if (place.triangle == FactorSamples::Place::none)
+    if (place.triangle == GeometrySamples::Place::none)
         return all;
     exchange.forEachReceiver(
         place.triangle, place.u, place.v, [&](std::uint32_t receiver, float part) {

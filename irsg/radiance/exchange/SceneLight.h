@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "irsg/radiance/FactorField.h"
+#include "irsg/radiance/GeometryBuffer.h"
 #include "irsg/radiance/OccluderStacks.h"
 #include "irsg/radiance/SceneRadiometry.h"
 #include "irsg/radiance/exchange/LightIntegrals.h"
@@ -146,6 +146,6 @@ std::vector<double> radiancesOf(const std::vector<SurfaceStackId>& receivers,
 /// The same between the receivers about a sample's place; nothing where that is not known.
 SceneLight::AtReceiver lightAt(const LightExchange& exchange,
                                const std::vector<SceneLight::AtReceiver>& atReceivers,
-                               const FactorSamples::Place& place);
+                               const GeometrySamples::Place& place);
 
 } // namespace irsg

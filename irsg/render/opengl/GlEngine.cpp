@@ -42,8 +42,9 @@ int GlEngine::largestSide() const {
 void GlEngine::drawRadiance(const SheetScene& sheet, RadianceSamples& samples) {
     impl_->pass->drawRadiance(*impl_->info, sheet, samples);
 }
-void GlEngine::drawFactors(const SheetScene& sheet, bool withDistance, FactorSamples& samples) {
-    impl_->pass->drawFactors(*impl_->info, sheet, withDistance, samples);
+void GlEngine::sampleGeometry(const SheetScene& sheet, bool withDistance,
+                              GeometrySamples& samples) {
+    impl_->pass->sampleGeometry(*impl_->info, sheet, withDistance, samples);
 }
 
 double GlEngine::takeDrawSeconds() {

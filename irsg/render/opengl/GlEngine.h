@@ -20,7 +20,8 @@ class GlEngine : public SampleEngine {
     std::string description() const override;
     int largestSide() const override;
     void drawRadiance(const SheetScene& sheet, RadianceSamples& samples) override;
-    void drawFactors(const SheetScene& sheet, bool withDistance, FactorSamples& samples) override;
+    void sampleGeometry(const SheetScene& sheet, bool withDistance,
+                        GeometrySamples& samples) override;
     double takeDrawSeconds() override;
     double takeReadSeconds() override;
     std::size_t bytes() const override;

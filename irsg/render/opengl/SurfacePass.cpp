@@ -30,7 +30,7 @@ namespace {
 enum Product { radianceProduct = 0, factorProduct = 1, factorProductWithDistance = 2 };
 
 /// Vectors of four words that a listed fragment takes.
-int vectorsOf(const FactorMaking& shader) {
+int vectorsOf(const GeometryFactors& shader) {
     return 1 + static_cast<int>((shader.factorCount + 3) / 4);
 }
 
@@ -127,8 +127,8 @@ struct SurfacePass::Impl {
     double drawSeconds = 0.0, readSeconds = 0.0;
 
     const ShaderProgram& program(Product product, int angle, bool transparent,
-                                 const FactorMaking& factorShader) {
-        const Variant variant{product, angle, transparent ? 1 : 0, factorShader.glsl};
+                                 const GeometryFactors& geometryShader) {
+        const Variant variant{product, angle, transparent ? 1 : 0, geometryShader.glsl};
         const auto found = programs.find(variant);
         if (found != programs.end())
             return found->second;
@@ -139,7 +139,7 @@ struct SurfacePass::Impl {
             .try_emplace(variant, std::vector<std::string>{"surface.vert.glsl"},
                          std::vector<std::string>{"surface.frag.glsl", "accurate.glsl"},
                          define("PRODUCT", product) + define("ANGLE_MODE", angle) +
-                             define("TRANSPARENT", transparent ? 1 : 0) + factorShader.glsl)
+                             define("TRANSPARENT", transparent ? 1 : 0) + geometryShader.glsl)
             .first->second;
     }
 
@@ -306,11 +306,11 @@ void SurfacePass::drawRadiance(osg::RenderInfo& info, const SheetScene& sheet,
     p.radiance.read(0, samples.width, samples.height, samples.planes);
 }
 
-void SurfacePass::drawFactors(osg::RenderInfo& info, const SheetScene& sheet, bool withDistance,
-                              FactorSamples& samples) {
+void SurfacePass::sampleGeometry(osg::RenderInfo& info, const SheetScene& sheet, bool withDistance,
+                                 GeometrySamples& samples) {
     Impl& p = *impl_;
     const int width = sheet.sheet.width, height = sheet.sheet.height;
-    const FactorMaking& factors = sheet.scenes.front().factors;
+    const GeometryFactors& factors = sheet.scenes.front().factors;
     const bool manyFactors = factors.factorCount > 3;
     FloatTarget& target = p.factors[manyFactors ? 1 : 0][withDistance ? 1 : 0];
     std::uint32_t listed = 0;

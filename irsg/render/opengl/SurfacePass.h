@@ -22,8 +22,8 @@ class SurfacePass {
     /// Radiances of rows; LogicError where an item is transparent.
     void drawRadiance(osg::RenderInfo& info, const SheetScene& sheet, RadianceSamples& samples);
     /// Factors of all layers, the transparent ones not sorted yet.
-    void drawFactors(osg::RenderInfo& info, const SheetScene& sheet, bool withDistance,
-                     FactorSamples& samples);
+    void sampleGeometry(osg::RenderInfo& info, const SheetScene& sheet, bool withDistance,
+                        GeometrySamples& samples);
 
     /// Memory of the targets and the list, which every drawing shares.
     std::size_t bytes() const;

@@ -30,7 +30,7 @@ std::future<WindowStream::Seconds> WindowStream::start(SampleEngine& engine, Wor
 void WindowStream::drawAll(const std::shared_ptr<Stream>& stream) {
     std::exception_ptr failure;
     for (std::size_t drawing = 0; drawing < stream->work.drawings; ++drawing) {
-        FactorSamples* samples = nullptr;
+        GeometrySamples* samples = nullptr;
         if (!failure) {
             samples = &free();
             try {
@@ -54,7 +54,7 @@ void WindowStream::drawAll(const std::shared_ptr<Stream>& stream) {
     });
 }
 
-void WindowStream::takeIn(Stream& stream, std::size_t drawing, FactorSamples& samples) {
+void WindowStream::takeIn(Stream& stream, std::size_t drawing, GeometrySamples& samples) {
     std::optional<OnThisThread> besideDrawing;
     if (ahead_ > 0)
         besideDrawing.emplace();
@@ -77,15 +77,15 @@ void WindowStream::takeIn(Stream& stream, std::size_t drawing, FactorSamples& sa
     giveBack(samples);
 }
 
-FactorSamples& WindowStream::free() {
+GeometrySamples& WindowStream::free() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return !free_.empty(); });
-    FactorSamples& samples = *free_.back();
+    GeometrySamples& samples = *free_.back();
     free_.pop_back();
     return samples;
 }
 
-void WindowStream::giveBack(FactorSamples& samples) {
+void WindowStream::giveBack(GeometrySamples& samples) {
     {
         const std::lock_guard lock(mutex_);
         free_.push_back(&samples);

@@ -31,11 +31,11 @@ class WindowStream {
         std::size_t drawings = 0;
         int maximumLayers = 0;
         /// On the engine's thread; adds to `drawing` and `reading`.
-        std::function<void(std::size_t drawing, FactorSamples&, Seconds&)> draw;
+        std::function<void(std::size_t drawing, GeometrySamples&, Seconds&)> draw;
         /// What is left to do to sorted layers, or nothing.
-        std::function<void(std::size_t drawing, FactorSamples&)> shade = {};
+        std::function<void(std::size_t drawing, GeometrySamples&)> shade = {};
         /// In the order of the drawings, with sorted layers.
-        std::function<void(std::size_t drawing, const FactorSamples&)> take;
+        std::function<void(std::size_t drawing, const GeometrySamples&)> take;
     };
 
     /// Returns at once. The future is ready when all is drawn and taken in, or has failed, and then
@@ -45,15 +45,15 @@ class WindowStream {
   private:
     struct Stream;
     void drawAll(const std::shared_ptr<Stream>& stream);
-    void takeIn(Stream& stream, std::size_t drawing, FactorSamples& samples);
-    FactorSamples& free();
-    void giveBack(FactorSamples& samples);
+    void takeIn(Stream& stream, std::size_t drawing, GeometrySamples& samples);
+    GeometrySamples& free();
+    void giveBack(GeometrySamples& samples);
 
     std::atomic<std::size_t> ahead_ = 0; // drawings that are not made yet
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::array<FactorSamples, 2> samples_;
-    std::vector<FactorSamples*> free_{&samples_[0], &samples_[1]};
+    std::array<GeometrySamples, 2> samples_;
+    std::vector<GeometrySamples*> free_{&samples_[0], &samples_[1]};
     TaskThread taker_; // last: what it does uses all others
 };
 

@@ -15,7 +15,7 @@ namespace irsg {
 namespace {
 
 /// Samples of a sheet that meet nothing.
-void makeRoom(const SheetScene& sheet, bool withDistance, FactorSamples& samples) {
+void makeRoom(const SheetScene& sheet, bool withDistance, GeometrySamples& samples) {
     const std::size_t factorCount = sheet.scenes.front().factors.factorCount;
     samples.width = sheet.sheet.width;
     samples.height = sheet.sheet.height;
@@ -29,7 +29,7 @@ void makeRoom(const SheetScene& sheet, bool withDistance, FactorSamples& samples
     samples.distances_m.assign(withDistance ? count : 0, 0.0f);
 }
 
-void gather(const std::vector<std::vector<float>>& lists, FactorSamples& samples) {
+void gather(const std::vector<std::vector<float>>& lists, GeometrySamples& samples) {
     std::size_t words = 0;
     for (const std::vector<float>& list : lists)
         words += list.size();
@@ -58,7 +58,8 @@ double RayEngine::takeDrawSeconds() {
     return std::exchange(drawSeconds_, 0.0);
 }
 
-void RayEngine::drawFactors(const SheetScene& sheet, bool withDistance, FactorSamples& samples) {
+void RayEngine::sampleGeometry(const SheetScene& sheet, bool withDistance,
+                               GeometrySamples& samples) {
     const Stopwatch watch(drawSeconds_);
     makeRoom(sheet, withDistance, samples);
     std::vector<WindowRays> windows;
@@ -74,7 +75,7 @@ void RayEngine::drawFactors(const SheetScene& sheet, bool withDistance, FactorSa
 }
 
 void RayEngine::traceRuns(const SheetScene& sheet, std::size_t window,
-                          const std::vector<SampleRun>& runs, FactorSamples& samples) {
+                          const std::vector<SampleRun>& runs, GeometrySamples& samples) {
     makeRoom(sheet, true, samples);
     const WindowRays rays(sheet.scenes[window], sheet.sheet.windows[window]);
     std::vector<std::vector<float>> lists(runs.size()); // of fragments
@@ -88,14 +89,14 @@ void RayEngine::traceRuns(const SheetScene& sheet, std::size_t window,
 void RayEngine::drawRadiance(const SheetScene& sheet, RadianceSamples& samples) {
     if (std::ranges::any_of(sheet.scenes, &SurfaceScene::hasTransparent))
         throw LogicError("radiance alone was drawn of what lies behind a transparent surface");
-    drawFactors(sheet, false, factors_);
+    sampleGeometry(sheet, false, factors_);
     samples.width = factors_.width;
     samples.height = factors_.height;
     samples.layersLeftOver = 0;
     samples.planes.assign(2 * factors_.size(), 0.0f);
     const std::vector<SurfaceRow>& rows = sheet.scenes.front().rows;
     for (std::size_t i = 0; i < factors_.size(); ++i)
-        factors_.forEachLayer(i, [&](const FactorSamples::Layer& layer) {
+        factors_.forEachLayer(i, [&](const GeometrySamples::Layer& layer) {
             const SurfaceRow& row = rows[static_cast<std::size_t>(layer.row)];
             float apparent = row.constant;
             for (std::size_t f = 0; f < layer.factors.size(); ++f)

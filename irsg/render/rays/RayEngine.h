@@ -24,16 +24,17 @@ class RayEngine : public SampleEngine {
     std::string description() const override;
     int largestSide() const override;
     void drawRadiance(const SheetScene& sheet, RadianceSamples& samples) override;
-    void drawFactors(const SheetScene& sheet, bool withDistance, FactorSamples& samples) override;
+    void sampleGeometry(const SheetScene& sheet, bool withDistance,
+                        GeometrySamples& samples) override;
     double takeDrawSeconds() override;
 
     /// The factors of some samples of a window with their distances, on the caller's thread; the
     /// others meet nothing.
     static void traceRuns(const SheetScene& sheet, std::size_t window,
-                          const std::vector<SampleRun>& runs, FactorSamples& samples);
+                          const std::vector<SampleRun>& runs, GeometrySamples& samples);
 
   private:
-    FactorSamples factors_; // of radiances
+    GeometrySamples factors_; // of radiances
     double drawSeconds_ = 0.0;
     TaskThread thread_; // last: what it does uses all others
 };

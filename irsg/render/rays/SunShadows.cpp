@@ -34,7 +34,7 @@ std::array<double, 2> onDisc(std::size_t i, std::size_t turn) {
 
 /// Where light from the sun passes, in the order of some rows.
 struct Passages {
-    std::vector<FactorSamples::Through> through;
+    std::vector<GeometrySamples::Through> through;
     std::vector<MaterialSet> sets;
     std::map<MaterialSet, std::uint32_t> numbers;
 
@@ -48,7 +48,7 @@ struct Passages {
 };
 
 /// The factors of a layer where they lie.
-float* factorOf(FactorSamples& samples, std::size_t sample, std::optional<std::size_t> fragment,
+float* factorOf(GeometrySamples& samples, std::size_t sample, std::optional<std::size_t> fragment,
                 std::size_t f) {
     if (fragment)
         return &samples.words[*fragment * samples.wordsPerFragment + 4 + f];
@@ -248,7 +248,8 @@ SunShadows::Shaded SunShadows::lightAt(const Place& place, const Vec3& towardsSu
     return light;
 }
 
-void SunShadows::apply(const SheetScene& sheet, bool withVisibility, FactorSamples& samples) const {
+void SunShadows::apply(const SheetScene& sheet, bool withVisibility,
+                       GeometrySamples& samples) const {
     samples.through.clear();
     samples.throughSets.clear();
     samples.sunVisibility.assign(withVisibility ? samples.size() : 0, 0.0f);
@@ -269,7 +270,7 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility, FactorSampl
         const Vec3 eyeDirection = source.directions.at(column, row);
         std::uint32_t number = 0;
         const auto [firstFragment, endOfFragments] = samples.fragmentsOf(sample);
-        samples.forEachLayer(sample, [&](const FactorSamples::Layer& layer) {
+        samples.forEachLayer(sample, [&](const GeometrySamples::Layer& layer) {
             const std::uint32_t own = number++;
             const auto drawnRow = static_cast<std::size_t>(layer.row);
             const bool isOfMatter = withVisibility || reflects_.empty() || reflects_[drawnRow];
@@ -285,7 +286,7 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility, FactorSampl
                 place = placeOf(source, eyeDirection, layer.row,
                                 static_cast<double>(layer.distance_m), column, neighbours);
                 if (place->isFound) {
-                    FactorSamples::Place& told =
+                    GeometrySamples::Place& told =
                         fragment ? samples.fragmentPlaces[*fragment] : samples.opaquePlaces[sample];
                     const LightMesh::Place on = places_.meshes[place->caster]->placeOf(place->hit);
                     told = {2 * places_.firstTriangle[place->caster] + on.triangle, on.u, on.v};
@@ -333,7 +334,7 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility, FactorSampl
 
     std::map<MaterialSet, std::uint32_t> numbers;
     for (Passages& passages : found)
-        for (FactorSamples::Through& one : passages.through) {
+        for (GeometrySamples::Through& one : passages.through) {
             const MaterialSet& set = passages.sets[one.set];
             const auto [known, isNew] =
                 numbers.try_emplace(set, static_cast<std::uint32_t>(samples.throughSets.size()));

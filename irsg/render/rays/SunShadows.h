@@ -98,7 +98,7 @@ class SunShadows {
     /// Takes the light away from the sorted layers of a drawing that has distances. Fills in the
     /// visibility of the sun where it is wanted. The result does not depend on the number of
     /// threads.
-    void apply(const SheetScene& sheet, bool withVisibility, FactorSamples& samples) const;
+    void apply(const SheetScene& sheet, bool withVisibility, GeometrySamples& samples) const;
 
   private:
     struct Shaded;

@@ -84,7 +84,7 @@ void WindowRays::fillFactors(const Met& met, const Vec3& eyeDirection, float* fa
         normal * (met.hit.isFront ? 1.0 : -1.0), eyeDirection * met.hit.distance_m,
         static_cast<double>(scene_.rows[static_cast<std::size_t>(row)].nAngleFactor),
         scene_.factors.directionsEye};
-    for (const FactorFunction& function : scene_.factors.functions)
+    for (const GeometryFactorFunction& function : scene_.factors.functions)
         *factors++ = static_cast<float>(function(geometry));
 }
 
@@ -136,7 +136,7 @@ std::vector<WindowRays::Facet> WindowRays::facetsAt(int column, int row) const {
     return facets;
 }
 
-void WindowRays::traceRow(int row, int firstColumn, int lastColumn, FactorSamples& samples,
+void WindowRays::traceRow(int row, int firstColumn, int lastColumn, GeometrySamples& samples,
                           std::vector<float>& fragments) const {
     thread_local std::vector<Met> layers;
     std::array<float, mostFactors + 1> factors{};

@@ -15,12 +15,12 @@ class WindowRays {
     WindowRays(const SurfaceScene& scene, const SampleWindow& window);
 
     /// Fills in the samples of a row, counted from the top, and appends fragments of transparent
-    /// surfaces, as FactorSamples has them. Rows may be traced at the same time.
-    void traceRow(int row, FactorSamples& samples, std::vector<float>& fragments) const {
+    /// surfaces, as GeometrySamples has them. Rows may be traced at the same time.
+    void traceRow(int row, GeometrySamples& samples, std::vector<float>& fragments) const {
         traceRow(row, 0, window_.width(), samples, fragments);
     }
     /// The same of the columns from one on to before another.
-    void traceRow(int row, int firstColumn, int lastColumn, FactorSamples& samples,
+    void traceRow(int row, int firstColumn, int lastColumn, GeometrySamples& samples,
                   std::vector<float>& fragments) const;
 
     /// A facet of an entity, -1 for the terrain, in a piece of its mesh.

@@ -161,7 +161,7 @@ ProbedTiles tilesAround(const HotPart& part, const SampleWindow& probe) {
             tile(part.extent.bottom + side_px, all.top, probe.tilesHigh)};
 }
 
-bool isHidden(const HotPart& part, const SampleWindow& probe, const FactorSamples& samples) {
+bool isHidden(const HotPart& part, const SampleWindow& probe, const GeometrySamples& samples) {
     constexpr double nearer = 1.0 - 1e-6; // beyond the rounding of float
     const ProbedTiles tiles = tilesAround(part, probe);
     for (int row = tiles.top; row <= tiles.bottom; ++row)

@@ -33,7 +33,7 @@ ProbedTiles tilesAround(const HotPart& part, const SampleWindow& probe);
 /// True where a probe, drawn with distances around the part at least, finds an opaque surface
 /// before all of a part and a tile around it. What is seen through a gap narrower than a tile is
 /// hidden, too: it is left to the window around.
-bool isHidden(const HotPart& part, const SampleWindow& probe, const FactorSamples& samples);
+bool isHidden(const HotPart& part, const SampleWindow& probe, const GeometrySamples& samples);
 
 /// The hot parts of one object, found once for each pair of codes that was ever hot.
 class HotParts {

@@ -89,7 +89,7 @@ class FragmentsOfSample {
 
 } // namespace
 
-void gatherFragments(std::span<const float> list, FactorSamples& samples) {
+void gatherFragments(std::span<const float> list, GeometrySamples& samples) {
     samples.words.resize(list.size());
     samples.lowest = samples.highest = 0;
     if (list.empty())
@@ -114,7 +114,7 @@ void gatherFragments(std::span<const float> list, FactorSamples& samples) {
     });
 }
 
-void sortLayers(FactorSamples& samples, int maximumLayers) {
+void sortLayers(GeometrySamples& samples, int maximumLayers) {
     samples.maximumLayers = static_cast<std::uint32_t>(maximumLayers);
     std::array<int, parts> leftOver{};
     parallelFor(parts, [&](std::size_t part) {

@@ -33,8 +33,8 @@ class SampleEngine {
     /// On the engine's thread: radiances of rows; LogicError where an item is transparent.
     virtual void drawRadiance(const SheetScene& sheet, RadianceSamples& samples) = 0;
     /// On the engine's thread: factors of all layers, the transparent ones not sorted yet.
-    virtual void drawFactors(const SheetScene& sheet, bool withDistance,
-                             FactorSamples& samples) = 0;
+    virtual void sampleGeometry(const SheetScene& sheet, bool withDistance,
+                                GeometrySamples& samples) = 0;
 
     /// Seconds spent drawing and reading back since the last call.
     virtual double takeDrawSeconds() = 0;

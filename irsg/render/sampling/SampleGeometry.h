@@ -16,6 +16,6 @@ struct SampleGeometry {
     double nAngleFactor = 0.0;
     const std::vector<std::pair<std::string, Vec3>>& directionsEye; ///< of the frame
 };
-using FactorFunction = std::function<double(const SampleGeometry&)>;
+using GeometryFactorFunction = std::function<double(const SampleGeometry&)>;
 
 } // namespace irsg

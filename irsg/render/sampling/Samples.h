@@ -43,7 +43,7 @@ struct RadianceSamples {
 
 /// One window of samples, bottom row first, each with the surfaces that it meets and what geometry
 /// makes of them: factors, which know no wavelength (surface.frag.glsl, LayerSort).
-struct FactorSamples {
+struct GeometrySamples {
     int width = 0, height = 0;
     std::size_t factorCount = 0; ///< drawn factors of a layer
 

@@ -54,10 +54,10 @@ struct SurfaceBody {
 };
 
 /// How factors are made of a sample's geometry: on the graphics card and on the CPU.
-struct FactorMaking {
-    std::size_t factorCount = 0;           ///< at most `mostFactors`
-    std::string glsl;                      ///< directions and FILL_FACTORS, see surface.frag.glsl
-    std::vector<FactorFunction> functions; ///< the same
+struct GeometryFactors {
+    std::size_t factorCount = 0; ///< at most `mostFactors`
+    std::string glsl;            ///< directions and FILL_FACTORS, see surface.frag.glsl
+    std::vector<GeometryFactorFunction> functions;           ///< the same
     std::vector<std::pair<std::string, Vec3>> directionsEye; ///< unit, eye space
     /// Of each factor, the number of the direction from which its light can be taken away; -1:
     /// none.
@@ -68,7 +68,7 @@ struct FactorMaking {
 struct SurfaceScene {
     const CameraFrame* camera = nullptr;
     DepthRange depth;
-    FactorMaking factors;
+    GeometryFactors factors;
     std::vector<SurfaceItem> items;
     std::vector<SurfaceBody> bodies;     ///< that the items belong to
     std::vector<OccluderItem> occluders; ///< at any depth: the range need not hold them

@@ -1,4 +1,4 @@
-#include "irsg/radiance/RangeFactors.h"
+#include "irsg/radiance/RangeGeometry.h"
 
 #include <algorithm>
 
@@ -10,20 +10,20 @@ namespace {
 
 /// Adds the weights of the parabola through three nodes from `first` on.
 void addParabola(double nearness, std::size_t first, double share,
-                 std::array<double, RangeFactors::nodes.size()>& weights) {
+                 std::array<double, RangeGeometry::nodes.size()>& weights) {
     for (std::size_t i = first; i < first + 3; ++i) {
         double weight = share;
         for (std::size_t j = first; j < first + 3; ++j)
             if (j != i)
-                weight *= (nearness - RangeFactors::nodes[j]) /
-                          (RangeFactors::nodes[i] - RangeFactors::nodes[j]);
+                weight *= (nearness - RangeGeometry::nodes[j]) /
+                          (RangeGeometry::nodes[i] - RangeGeometry::nodes[j]);
         weights[i] += weight;
     }
 }
 
 } // namespace
 
-std::vector<RangeFactors::Weight> RangeFactors::errorWeightsAt(double nearness) {
+std::vector<RangeGeometry::Weight> RangeGeometry::errorWeightsAt(double nearness) {
     constexpr std::size_t last = nodes.size() - 1;
     const std::size_t first =
         std::clamp<std::size_t>(bracket(nodes, nearness).below, 1, last - 2) - 1;
@@ -42,7 +42,7 @@ std::vector<RangeFactors::Weight> RangeFactors::errorWeightsAt(double nearness) 
     return result;
 }
 
-std::vector<RangeFactors::Weight> RangeFactors::weightsAt(double nearness) {
+std::vector<RangeGeometry::Weight> RangeGeometry::weightsAt(double nearness) {
     constexpr std::size_t last = nodes.size() - 1;
     const Bracket place = bracket(nodes, nearness);
     const std::size_t begin = place.below;
@@ -59,22 +59,22 @@ std::vector<RangeFactors::Weight> RangeFactors::weightsAt(double nearness) {
     return result;
 }
 
-const ViewFactors& RangeFactors::at(int entity, const PointAspect& aspect, std::size_t node,
-                                    const std::function<ViewFactors()>& draw) {
+const ViewGeometry& RangeGeometry::at(int entity, const PointAspect& aspect, std::size_t node,
+                                      const std::function<ViewGeometry()>& draw) {
     Kept& kept = kept_.try_emplace(entity, mostKept)
                      .first->second.of([&](const Kept& known) { return known.aspect == aspect; },
                                        [&] {
                                            return Kept{aspect, {}};
                                        });
-    std::optional<ViewFactors>& own = kept.atNode[node];
+    std::optional<ViewGeometry>& own = kept.atNode[node];
     if (!own)
         own = draw();
     return *own;
 }
 
-void addAtRange(const ViewFactors& atUnitDistance, double weight, const SurfaceRows& drawn,
+void addAtRange(const ViewGeometry& atUnitDistance, double weight, const SurfaceRows& drawn,
                 double drawn_m, const SurfaceRows& rows, const RangePlace& place,
-                ViewFactors& view) {
+                ViewGeometry& view) {
     const double scale = weight / (place.range_m * place.range_m);
     const ViewLayout& layout = view.layout;
     view.layersLeftOver = std::max(view.layersLeftOver, atUnitDistance.layersLeftOver);

@@ -22,11 +22,11 @@ struct SurfaceStackId {
 /// knows a wavelength; another band, temperature, time or scaling is a dot product, without
 /// drawing.
 template <typename Real>
-class FactorField {
+class GeometryBuffer {
   public:
     /// `width`: numbers of an entry.
-    FactorField(std::size_t cells, std::size_t width) : width_(width), heads_(cells, none) {}
-    FactorField() = default;
+    GeometryBuffer(std::size_t cells, std::size_t width) : width_(width), heads_(cells, none) {}
+    GeometryBuffer() = default;
 
     std::size_t width() const { return width_; }
     std::size_t cells() const { return heads_.size(); }
@@ -71,7 +71,7 @@ class FactorField {
     /// Adds a field of equal width times a scale, entry by entry in its order. `cellOf(cell)` is
     /// the cell here of one there, `stackOf(front)` likewise.
     template <typename Other, typename CellOf, typename StackOf>
-    void add(const FactorField<Other>& other, CellOf cellOf, StackOf stackOf, Real scale = 1) {
+    void add(const GeometryBuffer<Other>& other, CellOf cellOf, StackOf stackOf, Real scale = 1) {
         std::vector<int> kinds;
         for (const SurfaceStackId& kind : other.kinds())
             kinds.push_back(kindOf({stackOf(kind.stack), kind.row}));

@@ -1,4 +1,4 @@
-#include "irsg/radiance/ViewFactors.h"
+#include "irsg/radiance/ViewGeometry.h"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ constexpr std::size_t contrastBands = 4;
 
 /// Adds the samples of some rows of a window, counted from the top, to sums of theirs.
 template <typename Sums>
-void addRows(const SampleWindow& window, const FactorSamples& samples, std::size_t firstRow,
+void addRows(const SampleWindow& window, const GeometrySamples& samples, std::size_t firstRow,
              std::size_t lastRow, LayerWalk& walk, Sums& sums) {
     window.forEachRun(static_cast<int>(firstRow), static_cast<int>(lastRow),
                       [&](std::size_t first, int count, int x, int y, double weight) {
@@ -40,15 +40,15 @@ void addRows(const SampleWindow& window, const FactorSamples& samples, std::size
                               walk.forEachPlace(
                                   samples, i,
                                   [&](int stack, const SurfaceRows::Between& between,
-                                      const FactorSamples::Layer& layer)
+                                      const GeometrySamples::Layer& layer)
                                       __attribute__((always_inline)) {
                                           if (layer.coverage > 0.0f && !layer.isLobe)
                                               sums.add(stack, between, layer);
                                           else
                                               sums.addLight(stack, between, layer);
                                       },
-                                  [&](int stack, const FactorSamples::Layer& layer,
-                                      const FactorSamples::Mirror& mirror) {
+                                  [&](int stack, const GeometrySamples::Layer& layer,
+                                      const GeometrySamples::Mirror& mirror) {
                                       sums.addMirror(stack, samples, layer, mirror);
                                   });
                           }
@@ -57,7 +57,7 @@ void addRows(const SampleWindow& window, const FactorSamples& samples, std::size
 }
 
 /// Samples of a window, which may share the drawing, that have more layers than are kept.
-int layersLeftOver(const SampleWindow& window, const FactorSamples& samples) {
+int layersLeftOver(const SampleWindow& window, const GeometrySamples& samples) {
     int count = 0;
     if (samples.layersLeftOver > 0)
         window.forEachRun([&](std::size_t first, int length, int, int, double) {
@@ -77,10 +77,10 @@ std::vector<int> numbersOf(const OccluderStacks& own, OccluderStacks& common) {
 
 } // namespace
 
-FactorSums::FactorSums(const Sensor& sensor, const SurfaceRows& rows,
-                       OccluderStacks& occluderStacks, std::size_t factorCount,
-                       std::vector<const FrameBackground*> varying,
-                       std::shared_ptr<const LightExchange> exchange, bool withContrasts)
+GeometrySums::GeometrySums(const Sensor& sensor, const SurfaceRows& rows,
+                           OccluderStacks& occluderStacks, std::size_t factorCount,
+                           std::vector<const FrameBackground*> varying,
+                           std::shared_ptr<const LightExchange> exchange, bool withContrasts)
     : width_px_(sensor.width_px),
       height_px_(sensor.height_px),
       grid_(sensor),
@@ -91,25 +91,25 @@ FactorSums::FactorSums(const Sensor& sensor, const SurfaceRows& rows,
       exchange_(std::move(exchange)),
       withContrasts_(withContrasts) {}
 
-ViewFactors FactorSums::emptyView() const {
-    const ViewFactors empty{layout_, FactorField<double>(1, layout_.width()), {}, 0, {}};
-    ViewFactors view = empty;
+ViewGeometry GeometrySums::emptyView() const {
+    const ViewGeometry empty{layout_, GeometryBuffer<double>(1, layout_.width()), {}, 0, {}};
+    ViewGeometry view = empty;
     if (withContrasts_)
         view.contrasts.assign(contrastBands * contrastKinds + 1, empty);
     return view;
 }
 
-PixelFactors FactorSums::emptyPixels() const {
+PixelGeometry GeometrySums::emptyPixels() const {
     const std::size_t pixels =
         static_cast<std::size_t>(width_px_) * static_cast<std::size_t>(height_px_);
-    return {FactorField<float>(pixels, layout_.factorCount + 1),
-            FactorField<float>(exchange_ ? pixels : 0, 1),
+    return {GeometryBuffer<float>(pixels, layout_.factorCount + 1),
+            GeometryBuffer<float>(exchange_ ? pixels : 0, 1),
             exchange_ ? ReceiverRows(rows_, *exchange_) : ReceiverRows()};
 }
 
 template <std::size_t Factors>
-void FactorSums::addFactorsToView(const SampleWindow& window, const FactorSamples& samples,
-                                  ViewFactors& view) {
+void GeometrySums::addGeometryToView(const SampleWindow& window, const GeometrySamples& samples,
+                                     ViewGeometry& view) {
     const auto rows = static_cast<std::size_t>(window.height());
     std::vector<LayerWalk> walks(lightParts, LayerWalk(rows_));
     const ViewSurfaceSums<Factors> none(rows_, grid_, varying_, exchange_.get(), window.share());
@@ -130,7 +130,7 @@ void FactorSums::addFactorsToView(const SampleWindow& window, const FactorSample
     for (std::size_t p = 0; p < lightParts; ++p) {
         const std::vector<int> occluderStacks =
             numbersOf(walks[p].occluderStacks(), occluderStacks_);
-        const auto addTo = [&](ViewFactors& to) {
+        const auto addTo = [&](ViewGeometry& to) {
             return [&](const ViewSurfaceSums<Factors>& own, double sign) {
                 const auto stackOf = [&](int stack) {
                     return occluderStacks[static_cast<std::size_t>(stack)];
@@ -161,18 +161,18 @@ void addLight(const LightSums& light, double scale, LightSums& to) {
         addScaled(sums, scale, to[kind]);
 }
 
-void FactorSums::addToView(const SampleWindow& window, const FactorSamples& samples,
-                           ViewFactors& view) {
+void GeometrySums::addToView(const SampleWindow& window, const GeometrySamples& samples,
+                             ViewGeometry& view) {
     view.layersLeftOver += layersLeftOver(window, samples);
     const auto addFor = [&]<std::size_t... I>(std::index_sequence<I...>) {
-        ((layout_.factorCount == I + 1 ? addFactorsToView<I + 1>(window, samples, view) : void()),
+        ((layout_.factorCount == I + 1 ? addGeometryToView<I + 1>(window, samples, view) : void()),
          ...);
     };
     addFor(std::make_index_sequence<mostFactors>());
 }
 
-void FactorSums::addToPixels(const SampleWindow& window, const FactorSamples& samples,
-                             PixelFactors& pixels) {
+void GeometrySums::addToPixels(const SampleWindow& window, const GeometrySamples& samples,
+                               PixelGeometry& pixels) {
     const auto rows = static_cast<std::size_t>(window.height());
     std::vector<LayerWalk> walks(lightParts, LayerWalk(rows_));
     std::array<std::optional<PixelSurfaceSums>, lightParts> sums;
@@ -212,9 +212,9 @@ void FactorSums::addToPixels(const SampleWindow& window, const FactorSamples& sa
     }
 }
 
-void addPointToView(const PointFactors& atUnitDistance, const SurfaceRows& rows,
+void addPointToView(const PointGeometry& atUnitDistance, const SurfaceRows& rows,
                     const PointPlace& place, const std::vector<const FrameBackground*>& varying,
-                    ViewFactors& view) {
+                    ViewGeometry& view) {
     const double scale = 1.0 / (place.distance_m * place.distance_m);
     const ViewLayout& layout = view.layout;
     LightSums light;
@@ -224,7 +224,7 @@ void addPointToView(const PointFactors& atUnitDistance, const SurfaceRows& rows,
             own[i + 1] = own[i] * place.cosOffAxis;
     }
     addLight(light, scale, view.light);
-    const FactorField<double>& field = atUnitDistance.sums_sr_m2;
+    const GeometryBuffer<double>& field = atUnitDistance.sums_sr_m2;
     field.forEach(0, [&](std::size_t number, std::span<const double> source) {
         const SurfaceStackId& drawn = field.kinds()[number];
         double* sums = view.field.at(0, view.field.kindOf({drawn.stack, rows.first(drawn.row)}));

@@ -20,7 +20,7 @@ using namespace irsg::test;
 
 namespace {
 
-class ViewFactorsTest : public RaysTest {};
+class ViewGeometryTest : public RaysTest {};
 
 /// View factors between the surfaces of a mesh by the material of their codes.
 class Factors {
@@ -108,7 +108,7 @@ double coaxialDiscs(double r1, double r2, double h) { // C-41
 
 } // namespace
 
-TEST_F(ViewFactorsTest, AreThoseOfTheCatalogue) {
+TEST_F(ViewGeometryTest, AreThoseOfTheCatalogue) {
     struct Pair {
         const char* name;
         int from, to;
@@ -177,7 +177,7 @@ TEST_F(ViewFactorsTest, AreThoseOfTheCatalogue) {
     }
 }
 
-TEST_F(ViewFactorsTest, AreReciprocal) {
+TEST_F(ViewGeometryTest, AreReciprocal) {
     const Mesh walls = joined(plateMesh({}, {1, 0, 0}, {0, 1, 0}, {1, 1}),
                               plateMesh({-1, 0, 0.7}, {0, 1, 0}, {0, 0, 0.7}, {2, 2}));
     const Mesh ball = moved(sphereMesh(0.3, 48, 96, {3, 3}), {0.2, 0.1, 0.6});
@@ -190,7 +190,7 @@ TEST_F(ViewFactorsTest, AreReciprocal) {
     }
 }
 
-TEST_F(ViewFactorsTest, ASmallSenderIsKnownByItsOwnRays) {
+TEST_F(ViewGeometryTest, ASmallSenderIsKnownByItsOwnRays) {
     // A disc of 0.02 m over the middle of a plate of 1 m2, at the error that models have: of the
     // plate's rays at most a few meet it. The disc sees of the plate what its
     // middle does: four corners, each of an element before the corner of a rectangle.
@@ -205,7 +205,7 @@ TEST_F(ViewFactorsTest, ASmallSenderIsKnownByItsOwnRays) {
     std::printf("  plate to disc %.3e, expected %.3e\n", factors.between(2, 1), expected * area_m2);
 }
 
-TEST_F(ViewFactorsTest, GasGetsLightAndStandsInNobodysWay) {
+TEST_F(ViewGeometryTest, GasGetsLightAndStandsInNobodysWay) {
     const Mesh plates = joined(plateMesh({}, {0.5, 0, 0}, {0, 0.5, 0}, {1, 1}),
                                plateMesh({0, 0, 1}, {0, 0.5, 0}, {0.5, 0, 0}, {2, 2}));
     const Factors clear(plates, 0.001);
@@ -217,7 +217,7 @@ TEST_F(ViewFactorsTest, GasGetsLightAndStandsInNobodysWay) {
     EXPECT_EQ(gas.between(1, 3), 0.0);
 }
 
-TEST_F(ViewFactorsTest, NobodyGetsLightOfWhatLiesInsideOfABody) {
+TEST_F(ViewGeometryTest, NobodyGetsLightOfWhatLiesInsideOfABody) {
     // The plate in the box looks out through the backs of its sides, which nobody sees; of it, the
     // plate outside sees the side of the box.
     const Mesh mesh = joined(joined(plateMesh({}, {0, 0.3, 0}, {0, 0, 0.3}, {1, 1}),
@@ -229,7 +229,7 @@ TEST_F(ViewFactorsTest, NobodyGetsLightOfWhatLiesInsideOfABody) {
     EXPECT_GT(factors.between(3, 2), 0.1);
 }
 
-TEST_F(ViewFactorsTest, AreFoundOnceWhileAnyRendererHoldsThem) {
+TEST_F(ViewGeometryTest, AreFoundOnceWhileAnyRendererHoldsThem) {
     const Mesh walls = joined(plateMesh({}, {1, 0, 0}, {0, 1, 0}, {1, 1}),
                               plateMesh({-1, 0, 0.7}, {0, 1, 0}, {0, 0, 0.7}, {2, 2}));
     // Each renderer has models, pieces and meshes of its own.
@@ -255,7 +255,7 @@ TEST_F(ViewFactorsTest, AreFoundOnceWhileAnyRendererHoldsThem) {
     EXPECT_TRUE(last.expired());
 }
 
-TEST_F(ViewFactorsTest, OfConvexBodiesTakeNoRays) {
+TEST_F(ViewGeometryTest, OfConvexBodiesTakeNoRays) {
     EXPECT_EQ(Factors(sphereMesh(1.0, 40, 80, {1, 1}), 0.01).light().raysSent(), 0u);
     EXPECT_EQ(Factors(boxMesh({1, 2, 3}, std::vector<IrCodes>(6, {1, 1})), 0.01).light().raysSent(),
               0u);

@@ -1,5 +1,5 @@
 // What the factors of a view are kept in: fields, fronts, rows, and the walk through layers.
-#include "irsg/radiance/FactorField.h"
+#include "irsg/radiance/GeometryBuffer.h"
 
 #include <bit>
 #include <tuple>
@@ -31,7 +31,7 @@ struct Visit {
 std::vector<Visit> visitsOf(LayerWalk& walk, const std::vector<std::int32_t>& drawn,
                             const std::vector<float>& distances_m) {
     // One sample whose layers were all listed, the nearest last.
-    FactorSamples samples;
+    GeometrySamples samples;
     samples.factorCount = 3;
     samples.opaque = {0.0f, 0.0f, 0.0f, 0.0f};
     std::vector<float> list;
@@ -46,7 +46,7 @@ std::vector<Visit> visitsOf(LayerWalk& walk, const std::vector<std::int32_t>& dr
     sortLayers(samples, 10);
     std::vector<Visit> visits;
     walk.forEachLayer(samples, 0,
-                      [&](const SurfaceStackId& kind, float weight, const FactorSamples::Layer&) {
+                      [&](const SurfaceStackId& kind, float weight, const GeometrySamples::Layer&) {
                           visits.push_back({kind, weight});
                       });
     return visits;
@@ -54,8 +54,8 @@ std::vector<Visit> visitsOf(LayerWalk& walk, const std::vector<std::int32_t>& dr
 
 } // namespace
 
-TEST(FactorField, KeepsSumsByCellAndKindWhateverTheOrder) {
-    FactorField<double> field(3, 2);
+TEST(GeometryBuffer, KeepsSumsByCellAndKindWhateverTheOrder) {
+    GeometryBuffer<double> field(3, 2);
     const int a = field.kindOf({0, 4}), b = field.kindOf({2, 1});
     EXPECT_EQ(field.kindOf({0, 4}), a);
     EXPECT_NE(a, b);
@@ -74,8 +74,8 @@ TEST(FactorField, KeepsSumsByCellAndKindWhateverTheOrder) {
                          {0, b, 2.0, 0.0}, {2, a, 2.0, 40.0}, {2, b, 1.0, 20.0}}));
 }
 
-TEST(FactorField, AddsAnotherWithItsOwnNumbers) {
-    FactorField<float> part(2, 1), whole(4, 1);
+TEST(GeometryBuffer, AddsAnotherWithItsOwnNumbers) {
+    GeometryBuffer<float> part(2, 1), whole(4, 1);
     *part.at(1, part.kindOf({1, 3})) += 2.0F;
     *part.at(0, part.kindOf({0, 3})) += 5.0F;
     *whole.at(3, whole.kindOf({6, 3})) += 1.0F;

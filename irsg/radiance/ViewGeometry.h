@@ -6,7 +6,7 @@
 
 #include "irsg/geometry/view/FrameBackground.h"
 #include "irsg/geometry/view/PixelGrid.h"
-#include "irsg/radiance/FactorField.h"
+#include "irsg/radiance/GeometryBuffer.h"
 #include "irsg/radiance/OccluderStacks.h"
 #include "irsg/radiance/SurfaceRows.h"
 #include "irsg/radiance/exchange/SceneLight.h"
@@ -34,47 +34,48 @@ struct ViewLayout {
 };
 
 /// The factors of a view, summed over all its pixels.
-struct ViewFactors {
+struct ViewGeometry {
     ViewLayout layout;
-    FactorField<double> field; ///< of one cell
-    LightSums light;           ///< of receivers of light, where surfaces light each other
+    GeometryBuffer<double> field; ///< of one cell
+    LightSums light;              ///< of receivers of light, where surfaces light each other
     int layersLeftOver = 0;
     /// The same sums with signs, by which interleaved lattices of the samples differ
     /// (ContrastSums): what the error of the sums follows from; the last is what interpolation
-    /// between distances is likely to leave wrong (RangeFactors). None where nobody asked for it.
-    std::vector<ViewFactors> contrasts = {};
+    /// between distances is likely to leave wrong (RangeGeometry). None where nobody asked for it.
+    std::vector<ViewGeometry> contrasts = {};
 };
 
 /// The factors of each pixel: coverage and each drawn factor, as parts of a pixel, and the
 /// receivers of light in it.
-struct PixelFactors {
-    FactorField<float> field;
-    FactorField<float> light; ///< of width 1, its rows numbered by `receivers`
+struct PixelGeometry {
+    GeometryBuffer<float> field;
+    GeometryBuffer<float> light; ///< of width 1, its rows numbered by `receivers`
     ReceiverRows receivers;
 };
 
 /// Sums the factors of a view, or of each of its pixels, on all cores; the sums do not depend on
 /// their number. What is in front has the numbers of `occluderStacks`.
-class FactorSums {
+class GeometrySums {
   public:
     /// `varying`: backgrounds that are not uniform. All must live as long.
-    FactorSums(const Sensor& sensor, const SurfaceRows& rows, OccluderStacks& occluderStacks,
-               std::size_t factorCount, std::vector<const FrameBackground*> varying = {},
-               std::shared_ptr<const LightExchange> exchange = nullptr, bool withContrasts = false);
+    GeometrySums(const Sensor& sensor, const SurfaceRows& rows, OccluderStacks& occluderStacks,
+                 std::size_t factorCount, std::vector<const FrameBackground*> varying = {},
+                 std::shared_ptr<const LightExchange> exchange = nullptr,
+                 bool withContrasts = false);
 
     /// To the sums of the view.
-    void addToView(const SampleWindow& window, const FactorSamples& samples, ViewFactors& view);
-    ViewFactors emptyView() const;
+    void addToView(const SampleWindow& window, const GeometrySamples& samples, ViewGeometry& view);
+    ViewGeometry emptyView() const;
 
     /// To the sums of the pixels, row by row: coverage and each drawn factor, as parts of a pixel.
-    void addToPixels(const SampleWindow& window, const FactorSamples& samples,
-                     PixelFactors& pixels);
-    PixelFactors emptyPixels() const;
+    void addToPixels(const SampleWindow& window, const GeometrySamples& samples,
+                     PixelGeometry& pixels);
+    PixelGeometry emptyPixels() const;
 
   private:
     template <std::size_t Factors>
-    void addFactorsToView(const SampleWindow& window, const FactorSamples& samples,
-                          ViewFactors& view);
+    void addGeometryToView(const SampleWindow& window, const GeometrySamples& samples,
+                           ViewGeometry& view);
 
     int width_px_, height_px_;
     PixelGrid grid_;
@@ -98,15 +99,15 @@ struct PointPlace {
 
 /// Factors of one source at unit distance: coverage and factors in sr m2, in the one cell of a
 /// field, and its receivers of light likewise, by drawn row.
-struct PointFactors {
-    FactorField<double> sums_sr_m2;
+struct PointGeometry {
+    GeometryBuffer<double> sums_sr_m2;
     LightSums light_sr_m2;
-    std::vector<PointFactors> contrasts = {}; ///< see ViewFactors
+    std::vector<PointGeometry> contrasts = {}; ///< see ViewGeometry
 };
 
 /// Such a source, seen from farther away in the middle of one pixel, added to a view.
-void addPointToView(const PointFactors& atUnitDistance, const SurfaceRows& rows,
+void addPointToView(const PointGeometry& atUnitDistance, const SurfaceRows& rows,
                     const PointPlace& place, const std::vector<const FrameBackground*>& varying,
-                    ViewFactors& view);
+                    ViewGeometry& view);
 
 } // namespace irsg

@@ -11,7 +11,7 @@
 #include "irsg/core/RecentlyUsed.h"
 #include "irsg/radiance/PointSources.h"
 #include "irsg/radiance/SurfaceRows.h"
-#include "irsg/radiance/ViewFactors.h"
+#include "irsg/radiance/ViewGeometry.h"
 
 namespace irsg {
 
@@ -24,7 +24,7 @@ namespace irsg {
 /// the nearness `closest`: 1e-4 RMS for the sample aircraft; 2e-3 at most where a side as large as
 /// the front comes into sight at some distance, because that corner of the curve is rounded.
 /// Nearer by objects are drawn.
-class RangeFactors {
+class RangeGeometry {
   public:
     static constexpr double closest = 1.0 / 16.0;
     /// Nearness of the nodes. The first is the farthest that float tells depths at, and stands for
@@ -50,13 +50,13 @@ class RangeFactors {
 
     /// Factors of an entity at a node, kept for its aspect, as they are at unit distance: coverage
     /// and factors in sr m2, pixels in those of pixels 1 m wide at 1 m.
-    const ViewFactors& at(int entity, const PointAspect& aspect, std::size_t node,
-                          const std::function<ViewFactors()>& draw);
+    const ViewGeometry& at(int entity, const PointAspect& aspect, std::size_t node,
+                           const std::function<ViewGeometry()>& draw);
 
   private:
     struct Kept {
         PointAspect aspect;
-        std::array<std::optional<ViewFactors>, nodes.size()> atNode;
+        std::array<std::optional<ViewGeometry>, nodes.size()> atNode;
     };
     static constexpr std::size_t mostKept = 4; ///< aspects of an entity
     std::map<int, RecentlyUsed<Kept>> kept_;   // by entity
@@ -68,10 +68,10 @@ struct RangePlace {
     double pixel_rad = 0.0; ///< width of a pixel at unit depth
 };
 
-/// Adds factors as RangeFactors keeps them to a view. Slices of the object are those of `drawn`
+/// Adds factors as RangeGeometry keeps them to a view. Slices of the object are those of `drawn`
 /// around `drawn_m`; they move to the object's range and are shared among the slices of `rows`.
-void addAtRange(const ViewFactors& atUnitDistance, double weight, const SurfaceRows& drawn,
+void addAtRange(const ViewGeometry& atUnitDistance, double weight, const SurfaceRows& drawn,
                 double drawn_m, const SurfaceRows& rows, const RangePlace& place,
-                ViewFactors& view);
+                ViewGeometry& view);
 
 } // namespace irsg
