@@ -103,10 +103,11 @@ void addAtRange(const ViewGeometry& atUnitDistance, double weight, const Surface
                 share * source[layout.pixels()] / (place.pixel_rad * place.pixel_rad);
         });
     });
-    for (std::size_t k = 0; k < std::min(view.contrasts.size(), atUnitDistance.contrasts.size());
+    for (std::size_t k = 0; k < std::min(view.sublatticeDifferences.size(),
+                                         atUnitDistance.sublatticeDifferences.size());
          ++k)
-        addAtRange(atUnitDistance.contrasts[k], weight, drawn, drawn_m, rows, place,
-                   view.contrasts[k]);
+        addAtRange(atUnitDistance.sublatticeDifferences[k], weight, drawn, drawn_m, rows, place,
+                   view.sublatticeDifferences[k]);
 }
 
 } // namespace irsg

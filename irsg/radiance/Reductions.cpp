@@ -127,16 +127,15 @@ std::vector<ObjectSums> objectSums(const ViewGeometry& view, SurfaceRadianceTabl
     return sumsOf(view, radiances, light, rows, ranges_m, varying);
 }
 
-std::vector<std::vector<ObjectSums>> contrastSums(const ViewGeometry& view,
-                                                  SurfaceRadianceTable& radiances,
-                                                  SceneLight* light, const SurfaceRows& rows,
-                                                  const std::vector<double>& ranges_m,
-                                                  const std::vector<int>& varying) {
-    for (const ViewGeometry& contrast : view.contrasts)
+std::vector<std::vector<ObjectSums>>
+sublatticeDifferenceSums(const ViewGeometry& view, SurfaceRadianceTable& radiances,
+                         SceneLight* light, const SurfaceRows& rows,
+                         const std::vector<double>& ranges_m, const std::vector<int>& varying) {
+    for (const ViewGeometry& contrast : view.sublatticeDifferences)
         radiances.prepare(contrast.field.kinds());
-    std::vector<std::vector<ObjectSums>> all(view.contrasts.size());
+    std::vector<std::vector<ObjectSums>> all(view.sublatticeDifferences.size());
     const auto sum = [&](std::size_t k) {
-        all[k] = sumsOf(view.contrasts[k], radiances, light, rows, ranges_m, varying);
+        all[k] = sumsOf(view.sublatticeDifferences[k], radiances, light, rows, ranges_m, varying);
     };
     // Light between surfaces is prepared as it is asked for.
     if (light == nullptr)

@@ -30,11 +30,10 @@ std::vector<ObjectSums> objectSums(const ViewGeometry& view, SurfaceRadianceTabl
                                    const std::vector<int>& varying);
 
 /// The same of each contrast of a view.
-std::vector<std::vector<ObjectSums>> contrastSums(const ViewGeometry& view,
-                                                  SurfaceRadianceTable& radiances,
-                                                  SceneLight* light, const SurfaceRows& rows,
-                                                  const std::vector<double>& ranges_m,
-                                                  const std::vector<int>& varying);
+std::vector<std::vector<ObjectSums>>
+sublatticeDifferenceSums(const ViewGeometry& view, SurfaceRadianceTable& radiances,
+                         SceneLight* light, const SurfaceRows& rows,
+                         const std::vector<double>& ranges_m, const std::vector<int>& varying);
 
 /// Adds the pixels of a view to a frame. `light`: between surfaces, or null.
 void addPixels(const PixelGeometry& pixels, int width_px, SurfaceRadianceTable& radiances,

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "irsg/core/ParallelFor.h"
-#include "irsg/radiance/ContrastSums.h"
 #include "irsg/radiance/LayerWalk.h"
 #include "irsg/radiance/PixelSurfaceSums.h"
+#include "irsg/radiance/SublatticeDifferences.h"
 #include "irsg/radiance/ViewSurfaceSums.h"
 
 namespace irsg {
@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t lightParts = 8;
 /// Parts whose contrasts are kept apart: what edges far from each other do is not lost between
 /// them.
-constexpr std::size_t contrastBands = 4;
+constexpr std::size_t sublatticeStrips = 4;
 
 /// Adds the samples of some rows of a window, counted from the top, to sums of theirs.
 template <typename Sums>
@@ -80,7 +80,8 @@ std::vector<int> numbersOf(const OccluderStacks& own, OccluderStacks& common) {
 GeometrySums::GeometrySums(const Sensor& sensor, const SurfaceRows& rows,
                            OccluderStacks& occluderStacks, std::size_t factorCount,
                            std::vector<const FrameBackground*> varying,
-                           std::shared_ptr<const LightExchange> exchange, bool withContrasts)
+                           std::shared_ptr<const LightExchange> exchange,
+                           bool withSublatticeDifferences)
     : width_px_(sensor.width_px),
       height_px_(sensor.height_px),
       grid_(sensor),
@@ -89,13 +90,13 @@ GeometrySums::GeometrySums(const Sensor& sensor, const SurfaceRows& rows,
       layout_{factorCount, varying.size()},
       varying_(std::move(varying)),
       exchange_(std::move(exchange)),
-      withContrasts_(withContrasts) {}
+      withSublatticeDifferences_(withSublatticeDifferences) {}
 
 ViewGeometry GeometrySums::emptyView() const {
     const ViewGeometry empty{layout_, GeometryBuffer<double>(1, layout_.width()), {}, 0, {}};
     ViewGeometry view = empty;
-    if (withContrasts_)
-        view.contrasts.assign(contrastBands * contrastKinds + 1, empty);
+    if (withSublatticeDifferences_)
+        view.sublatticeDifferences.assign(sublatticeStrips * sublatticeDifferenceKinds + 1, empty);
     return view;
 }
 
@@ -114,7 +115,7 @@ void GeometrySums::addGeometryToView(const SampleWindow& window, const GeometryS
     std::vector<LayerWalk> walks(lightParts, LayerWalk(rows_));
     const ViewSurfaceSums<Factors> none(rows_, grid_, varying_, exchange_.get(), window.share());
     std::array<std::optional<ViewSurfaceSums<Factors>>, lightParts> sums;
-    std::array<std::optional<ContrastSums<Factors>>, lightParts> contrasts;
+    std::array<std::optional<SublatticeDifferences<Factors>>, lightParts> sublatticeDifferences;
     parallelFor(lightParts, [&](std::size_t p) {
         const std::size_t begin = beginOfPart(p, lightParts, rows),
                           end = beginOfPart(p + 1, lightParts, rows);
@@ -122,8 +123,8 @@ void GeometrySums::addGeometryToView(const SampleWindow& window, const GeometryS
             addRows(window, samples, begin, end, walks[p], own);
             own.finishLight();
         };
-        if (withContrasts_)
-            addTo(contrasts[p].emplace(window, begin, end, none));
+        if (withSublatticeDifferences_)
+            addTo(sublatticeDifferences[p].emplace(window, begin, end, none));
         else
             addTo(sums[p].emplace(none));
     });
@@ -139,14 +140,17 @@ void GeometrySums::addGeometryToView(const SampleWindow& window, const GeometryS
                 own.addLightTo(to.light, stackOf, sign);
             };
         };
-        if (!withContrasts_) {
+        if (!withSublatticeDifferences_) {
             addTo(view)(*sums[p], 1.0);
             continue;
         }
-        contrasts[p]->forEachOfSum(addTo(view));
-        for (std::size_t k = 0; k < contrastKinds; ++k)
-            contrasts[p]->forEachOf(static_cast<Contrast>(k),
-                                    addTo(view.contrasts[contrastKinds * (p % contrastBands) + k]));
+        sublatticeDifferences[p]->forEachOfSum(addTo(view));
+        for (std::size_t k = 0; k < sublatticeDifferenceKinds; ++k)
+            sublatticeDifferences[p]->forEachOf(
+                static_cast<SublatticeDifference>(k),
+                addTo(
+                    view.sublatticeDifferences[sublatticeDifferenceKinds * (p % sublatticeStrips) +
+                                               k]));
     }
 }
 
@@ -240,9 +244,11 @@ void addPointToView(const PointGeometry& atUnitDistance, const SurfaceRows& rows
             sums[layout.backgroundCosine(k)] += behind_W_m2 * place.cosOffAxis;
         }
     });
-    for (std::size_t k = 0; k < std::min(view.contrasts.size(), atUnitDistance.contrasts.size());
+    for (std::size_t k = 0; k < std::min(view.sublatticeDifferences.size(),
+                                         atUnitDistance.sublatticeDifferences.size());
          ++k)
-        addPointToView(atUnitDistance.contrasts[k], rows, place, varying, view.contrasts[k]);
+        addPointToView(atUnitDistance.sublatticeDifferences[k], rows, place, varying,
+                       view.sublatticeDifferences[k]);
 }
 
 } // namespace irsg

@@ -40,9 +40,10 @@ struct ViewGeometry {
     LightSums light;              ///< of receivers of light, where surfaces light each other
     int layersLeftOver = 0;
     /// The same sums with signs, by which interleaved lattices of the samples differ
-    /// (ContrastSums): what the error of the sums follows from; the last is what interpolation
-    /// between distances is likely to leave wrong (RangeGeometry). None where nobody asked for it.
-    std::vector<ViewGeometry> contrasts = {};
+    /// (SublatticeDifferences): what the error of the sums follows from; the last is what
+    /// interpolation between distances is likely to leave wrong (RangeGeometry). None where nobody
+    /// asked for it.
+    std::vector<ViewGeometry> sublatticeDifferences = {};
 };
 
 /// The factors of each pixel: coverage and each drawn factor, as parts of a pixel, and the
@@ -61,7 +62,7 @@ class GeometrySums {
     GeometrySums(const Sensor& sensor, const SurfaceRows& rows, OccluderStacks& occluderStacks,
                  std::size_t factorCount, std::vector<const FrameBackground*> varying = {},
                  std::shared_ptr<const LightExchange> exchange = nullptr,
-                 bool withContrasts = false);
+                 bool withSublatticeDifferences = false);
 
     /// To the sums of the view.
     void addToView(const SampleWindow& window, const GeometrySamples& samples, ViewGeometry& view);
@@ -84,7 +85,7 @@ class GeometrySums {
     ViewLayout layout_;
     std::vector<const FrameBackground*> varying_;
     std::shared_ptr<const LightExchange> exchange_;
-    bool withContrasts_;
+    bool withSublatticeDifferences_;
 };
 
 /// Adds sums of receivers times a scale.
@@ -102,7 +103,7 @@ struct PointPlace {
 struct PointGeometry {
     GeometryBuffer<double> sums_sr_m2;
     LightSums light_sr_m2;
-    std::vector<PointGeometry> contrasts = {}; ///< see ViewGeometry
+    std::vector<PointGeometry> sublatticeDifferences = {}; ///< see ViewGeometry
 };
 
 /// Such a source, seen from farther away in the middle of one pixel, added to a view.

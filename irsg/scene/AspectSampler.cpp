@@ -44,8 +44,8 @@ PointGeometry pointOf(const ViewGeometry& view, double distance_m) {
             own[i] = numbers[i] * distance_m * distance_m;
     });
     addLight(view.light, distance_m * distance_m, point.light_sr_m2);
-    for (const ViewGeometry& contrast : view.contrasts)
-        point.contrasts.push_back(pointOf(contrast, distance_m));
+    for (const ViewGeometry& contrast : view.sublatticeDifferences)
+        point.sublatticeDifferences.push_back(pointOf(contrast, distance_m));
     return point;
 }
 
@@ -61,8 +61,8 @@ ViewGeometry atUnitDistance(const ViewGeometry& view, double distance_m, double 
             sums[i] = numbers[i] * square_m2;
         sums[view.layout.pixels()] *= pixel_sr;
     });
-    for (const ViewGeometry& contrast : view.contrasts)
-        unit.contrasts.push_back(atUnitDistance(contrast, distance_m, pixel_sr));
+    for (const ViewGeometry& contrast : view.sublatticeDifferences)
+        unit.sublatticeDifferences.push_back(atUnitDistance(contrast, distance_m, pixel_sr));
     return unit;
 }
 
@@ -210,12 +210,13 @@ void AspectSampler::addAlongRange(const Frame& frame, const ZoomEntityInfo& obje
         if (!isError)
             return addAtRange(drawn, weight, rows, distance_m, frame.rows(), place, view);
         // Its own contrasts are those of the sum already.
-        addAtRange(drawn, weight, rows, distance_m, frame.rows(), place, view.contrasts.back());
+        addAtRange(drawn, weight, rows, distance_m, frame.rows(), place,
+                   view.sublatticeDifferences.back());
     };
     const double nearness = reach_m / place.range_m;
     for (const auto& [node, weight] : RangeGeometry::weightsAt(nearness))
         addNode(node, weight, false);
-    if (!view.contrasts.empty())
+    if (!view.sublatticeDifferences.empty())
         for (const auto& [node, weight] : RangeGeometry::errorWeightsAt(nearness))
             addNode(node, weight, true);
 }

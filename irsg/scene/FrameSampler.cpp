@@ -172,8 +172,8 @@ const ViewGeometry& FrameSampler::factorsOf(const Frame& frame, ViewSampling& sa
                 });
         };
         take(own, sampling.factors_);
-        for (std::size_t k = 0; k < own.contrasts.size(); ++k)
-            take(own.contrasts[k], sampling.factors_.contrasts[k]);
+        for (std::size_t k = 0; k < own.sublatticeDifferences.size(); ++k)
+            take(own.sublatticeDifferences[k], sampling.factors_.sublatticeDifferences[k]);
         for (const ZoomEntityInfo& object : frame.plan.points)
             addPointToView(aspects_.pointGeometry(frame, object), frame.rows(),
                            AspectSampler::placeOf(frame, object), pointersTo(sampling.varying_),

@@ -16,11 +16,11 @@ namespace {
 
 /// Of the root of the summed squares of all contrasts: two standard deviations of the sum, see
 /// docs/errors.md.
-constexpr double errorPerContrast = 1.25;
+constexpr double errorPerDifference = 1.25;
 /// The same of objects with directional surfaces. Their lobes are drawn at least as wide as samples
 /// lie apart, on all lattices alike, which contrasts do not show, and a few samples have most of a
 /// glint; measured, see docs/errors.md.
-constexpr double errorPerContrastOfLobes = 2.5;
+constexpr double errorPerDifferenceOfLobes = 2.5;
 /// Of the difference to bins that are the next narrower: those have an error, too.
 constexpr double ofNarrower = 1.5;
 /// Standard deviations that an error is.
@@ -36,7 +36,7 @@ struct Squares {
         irradiance += sums.irradiance_W_m2 * sums.irradiance_W_m2;
     }
     RadiometryErrors errors(bool haveLobes) const {
-        const double scale = haveLobes ? errorPerContrastOfLobes : errorPerContrast;
+        const double scale = haveLobes ? errorPerDifferenceOfLobes : errorPerDifference;
         RadiometryErrors errors;
         errors.intensity_W_sr.sampling = scale * std::sqrt(intensity);
         errors.contrastIntensity_W_sr.sampling = scale * std::sqrt(contrast);
@@ -62,7 +62,7 @@ ErrorsByOutput ofSamples(const Frame& frame, const ViewGeometry& factors, Evalua
     std::vector<std::vector<Squares>> squares(
         varying.size(), std::vector<Squares>(frame.evaluation().geometry.size() + 1));
     for (const std::vector<ObjectSums>& sums :
-         contrastSums(factors, evaluated.radiances, light, rows, ranges_m, varying)) {
+         sublatticeDifferenceSums(factors, evaluated.radiances, light, rows, ranges_m, varying)) {
         for (std::size_t output = 0; output < sums.size(); ++output) {
             for (std::size_t e = 0; e < ranges_m.size(); ++e)
                 squares[output][e].add(sums[output].objects[e]);
@@ -201,9 +201,9 @@ void RenderErrorEstimator::addOfAtmosphere(const Frame& frame, const ViewGeometr
     // As parts of the intensity: its error, and that of the contrast.
     struct AirParts {
         double intensity = 0.0, contrast = 0.0;
-        void add(double ofIntensity, double ofContrast) {
+        void add(double ofIntensity, double ofSublatticeDifference) {
             intensity = std::hypot(intensity, ofIntensity);
-            contrast = std::hypot(contrast, ofContrast);
+            contrast = std::hypot(contrast, ofSublatticeDifference);
         }
     };
     std::vector<std::vector<AirParts>> parts(sums.size(), std::vector<AirParts>(entities));

@@ -46,11 +46,11 @@ SampleWindow windowOf(int shearRows) {
 }
 
 ViewGeometry sumsOf(const SampleWindow& window, const GeometrySamples& samples,
-                    bool withContrasts) {
+                    bool withSublatticeDifferences) {
     const Sensor sensor = sensorOf(16, 16, 0.01);
     const SurfaceRows rows({{0, {1, 1}}}, {false}, {{}});
     OccluderStacks occluderStacks;
-    GeometrySums sums(sensor, rows, occluderStacks, 3, {}, nullptr, withContrasts);
+    GeometrySums sums(sensor, rows, occluderStacks, 3, {}, nullptr, withSublatticeDifferences);
     ViewGeometry view = sums.emptyView();
     sums.addToView(window, samples, view);
     return view;
@@ -67,7 +67,7 @@ double coverageOf(const ViewGeometry& view, const SampleWindow& window) {
 
 double contrastOf(const ViewGeometry& view, const SampleWindow& window) {
     double sum = 0.0;
-    for (const ViewGeometry& contrast : view.contrasts) {
+    for (const ViewGeometry& contrast : view.sublatticeDifferences) {
         sum += std::pow(coverageOf(contrast, window), 2);
     }
     return std::sqrt(sum);
@@ -81,7 +81,7 @@ RenderReport measured(InteractiveRenderer& irsg, bool errors, bool alongRange = 
 
 } // namespace
 
-TEST(Contrasts, AreNothingWhereAllSamplesSeeTheSame) {
+TEST(SublatticeDifferencesOfViews, AreNothingWhereAllSamplesSeeTheSame) {
     for (const int shearRows : {0, 5, 16}) {
         SampleWindow window = windowOf(shearRows);
         const GeometrySamples samples = samplesOf(window, [](int, int) { return true; });
@@ -96,7 +96,7 @@ TEST(Contrasts, AreNothingWhereAllSamplesSeeTheSame) {
     }
 }
 
-TEST(Contrasts, OfALevelEdgeAreHalfARowWhateverItsPhase) {
+TEST(SublatticeDifferencesOfViews, OfALevelEdgeAreHalfARowWhateverItsPhase) {
     const SampleWindow window = windowOf(0);
     for (int edge = 13; edge < 29; ++edge) {
         const GeometrySamples samples =
@@ -107,7 +107,7 @@ TEST(Contrasts, OfALevelEdgeAreHalfARowWhateverItsPhase) {
     }
 }
 
-TEST(Contrasts, LeaveTheSumsAsTheyAre) {
+TEST(SublatticeDifferencesOfViews, LeaveTheSumsAsTheyAre) {
     SampleWindow window = windowOf(16);
     window.leftOut = {{6.0, 6.0, 7.0, 7.0}};
     const GeometrySamples samples =
@@ -115,7 +115,7 @@ TEST(Contrasts, LeaveTheSumsAsTheyAre) {
     const double plain = coverageOf(sumsOf(window, samples, false), window);
     EXPECT_GT(plain, 500.0);
     EXPECT_NEAR(coverageOf(sumsOf(window, samples, true), window), plain, 1e-9 * plain);
-    EXPECT_TRUE(sumsOf(window, samples, false).contrasts.empty());
+    EXPECT_TRUE(sumsOf(window, samples, false).sublatticeDifferences.empty());
 }
 
 TEST(RangeGeometry, KnowThatParabolasAreInterpolatedExactlyAndCubicsAreNot) {

@@ -21,16 +21,16 @@ namespace irsg {
 /// A border of what is drawn is no edge of the object: samples beside one count half where signs
 /// alternate across it, so that a constant f gives 0 and a straight edge half a row of samples
 /// whatever its phase.
-enum class Contrast { rows, columns, both };
-inline constexpr std::size_t contrastKinds = 3;
+enum class SublatticeDifference { rows, columns, both };
+inline constexpr std::size_t sublatticeDifferenceKinds = 3;
 
 /// Sums of samples as ViewSurfaceSums makes them, with their contrasts.
 template <std::size_t Factors>
-class ContrastSums {
+class SublatticeDifferences {
   public:
     /// Of the rows from one on to before another, counted from the top. All must live as long.
-    ContrastSums(const SampleWindow& window, std::size_t firstRow, std::size_t lastRow,
-                 const ViewSurfaceSums<Factors>& empty)
+    SublatticeDifferences(const SampleWindow& window, std::size_t firstRow, std::size_t lastRow,
+                          const ViewSurfaceSums<Factors>& empty)
         : window_(window),
           firstRow_(static_cast<int>(firstRow)),
           lastRow_(static_cast<int>(lastRow)),
@@ -59,9 +59,10 @@ class ContrastSums {
             return;
         isCorrected_ = hasCorrections_ = true;
         const double ofRow = rowParity_ == 0 ? 1.0 : -1.0, ofColumn = column % 2 == 0 ? 1.0 : -1.0;
-        const std::array<double, contrastKinds> wanted = {down, across, across};
-        const std::array<double, contrastKinds> signs = {ofRow, ofColumn, ofRow * ofColumn};
-        for (std::size_t k = 0; k < contrastKinds; ++k)
+        const std::array<double, sublatticeDifferenceKinds> wanted = {down, across, across};
+        const std::array<double, sublatticeDifferenceKinds> signs = {ofRow, ofColumn,
+                                                                     ofRow * ofColumn};
+        for (std::size_t k = 0; k < sublatticeDifferenceKinds; ++k)
             corrections_[k].goTo(classes_[0], signs[k] * (wanted[k] / weight_ - 1.0));
     }
 
@@ -108,12 +109,12 @@ class ContrastSums {
     }
     /// The same of a contrast.
     template <typename Visit>
-    void forEachOf(Contrast contrast, Visit visit) const {
+    void forEachOf(SublatticeDifference contrast, Visit visit) const {
         for (std::size_t c = 0; c < classes_.size(); ++c) {
             const double ofRow = c / 2 == 0 ? 1.0 : -1.0, ofColumn = c % 2 == 0 ? 1.0 : -1.0;
-            visit(classes_[c], contrast == Contrast::rows      ? ofRow
-                               : contrast == Contrast::columns ? ofColumn
-                                                               : ofRow * ofColumn);
+            visit(classes_[c], contrast == SublatticeDifference::rows      ? ofRow
+                               : contrast == SublatticeDifference::columns ? ofColumn
+                                                                           : ofRow * ofColumn);
         }
         if (hasCorrections_)
             visit(corrections_[static_cast<std::size_t>(contrast)], 1.0);
@@ -158,7 +159,7 @@ class ContrastSums {
     int firstRow_, lastRow_;
     std::size_t cells_;                               ///< of a row
     std::array<ViewSurfaceSums<Factors>, 4> classes_; ///< by parity of row and column
-    std::array<ViewSurfaceSums<Factors>, contrastKinds> corrections_;
+    std::array<ViewSurfaceSums<Factors>, sublatticeDifferenceKinds> corrections_;
     ViewSurfaceSums<Factors>* now_ = nullptr;
     bool isCorrected_ = false, hasCorrections_ = false;
     // The run and the row of the present sample.
