@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "irsg/radiance/OtherAir.h"
+#include "irsg/radiance/CoarseSpectralErrorEstimate.h"
 #include "irsg/radiance/Reductions.h"
 #include "irsg/scene/Frame.h"
 #include "irsg/scene/SceneEvaluator.h"
@@ -49,7 +49,7 @@ class RenderErrorEstimator {
     const RadianceTerms& terms_;
     SceneEvaluator& evaluator_;
     const OccluderStacks& occluderStacks_;
-    OtherAir other_;
+    CoarseSpectralErrorEstimate other_;
 };
 
 } // namespace irsg

@@ -1,4 +1,4 @@
-#include "irsg/radiance/OtherAir.h"
+#include "irsg/radiance/CoarseSpectralErrorEstimate.h"
 
 #include "irsg/atmosphere/EnvironmentVariants.h"
 
@@ -13,8 +13,9 @@ std::size_t nodesOf(const Environment& environment, const Band& band) {
 
 } // namespace
 
-const Environment& OtherAir::kept(RecentlyUsed<Kept>& among, const Environment& environment,
-                                  const std::function<Environment()>& make) {
+const Environment& CoarseSpectralErrorEstimate::kept(RecentlyUsed<Kept>& among,
+                                                     const Environment& environment,
+                                                     const std::function<Environment()>& make) {
     among.letGo([](const Kept& kept) { return kept.of.isGone(); });
     Environment& other = among
                              .of([&](const Kept& kept) { return kept.of.isOf(environment); },
@@ -28,7 +29,8 @@ const Environment& OtherAir::kept(RecentlyUsed<Kept>& among, const Environment& 
     return other;
 }
 
-const Environment& OtherAir::of(const Environment& environment, const Band& band) {
+const Environment& CoarseSpectralErrorEstimate::of(const Environment& environment,
+                                                   const Band& band) {
     return kept(others_, environment, [&] {
         constexpr int wide_per_cm = 15, usual_per_cm = 5;
         // The next wider, or the next narrower of the widest.
@@ -39,7 +41,7 @@ const Environment& OtherAir::of(const Environment& environment, const Band& band
     });
 }
 
-const Environment& OtherAir::like(const Environment& environment) {
+const Environment& CoarseSpectralErrorEstimate::like(const Environment& environment) {
     return kept(alike_, environment, [&] { return onTheFly(environment); });
 }
 

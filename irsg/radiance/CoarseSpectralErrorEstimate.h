@@ -13,7 +13,7 @@ namespace irsg {
 
 /// The same air in other spectral bins, and what is kept of scenes in it: what their errors are
 /// measured by. Errors of bins are their own, and those of wider bins are larger.
-class OtherAir {
+class CoarseSpectralErrorEstimate {
   public:
     /// In bins of 15 cm-1, or of 5 where they are 15 or 1; air without bins as it is. Kept for the
     /// air it is of; sun and defaults are those of `environment`. Its answers do not depend on what
