@@ -110,7 +110,8 @@ SurfaceSpectra lobeSpectra(const SurfaceSpectra& whole, const DirectionalSpectra
     return lobe;
 }
 
-SurfaceSpectra mirrorSpectra(const SurfaceSpectra& whole, SharedValues amount, SharedValues light) {
+SurfaceSpectra specularSpectra(const SurfaceSpectra& whole, SharedValues amount,
+                               SharedValues light) {
     SurfaceSpectra lobe;
     lobe.emissionPassesAir = whole.emissionPassesAir;
     lobe.temperature_K = whole.temperature_K;
@@ -188,7 +189,7 @@ bool SurfaceSpectra::isWithout(SurfaceQuantity quantity) const {
         return reflectance.empty();
     case SurfaceQuantity::opacity:
         return opacity.empty();
-    case SurfaceQuantity::mirrored:
+    case SurfaceQuantity::specular:
         return !lobeLight;
     case SurfaceQuantity::emission:
         break;
@@ -202,7 +203,7 @@ const std::vector<double>& SurfaceSpectra::quantity(SurfaceQuantity quantity) co
         return reflectance;
     case SurfaceQuantity::opacity:
         return opacity;
-    case SurfaceQuantity::mirrored:
+    case SurfaceQuantity::specular:
         return *lobeAmount;
     case SurfaceQuantity::emission:
         break;
@@ -225,7 +226,7 @@ std::vector<double> apparentTerm(const SurfaceSpectra& surface, const RadianceTe
             multiply(sent, *air.transmittance);
     } else {
         sent = surface.quantity(term.surface);
-        if (term.surface == SurfaceQuantity::mirrored)
+        if (term.surface == SurfaceQuantity::specular)
             multiply(sent, *surface.lobeLight);
     }
     if (term.light)

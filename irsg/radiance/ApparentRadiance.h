@@ -114,7 +114,8 @@ SurfaceSpectra lobeSpectra(const SurfaceSpectra& whole, const DirectionalSpectra
 /// The same component as it reflects radiance of the air from one direction: it does not emit. Only
 /// `light`, W m-2 sr-1 um-1, differs between directions; how it scales is what the component itself
 /// says.
-SurfaceSpectra mirrorSpectra(const SurfaceSpectra& whole, SharedValues amount, SharedValues light);
+SurfaceSpectra specularSpectra(const SurfaceSpectra& whole, SharedValues amount,
+                               SharedValues light);
 /// By component.
 std::vector<SharedValues> lobeAmounts(const DirectionalSpectra& directional);
 

@@ -30,7 +30,7 @@ class LayerWalk {
     void forEachPlace(const GeometrySamples& samples, std::size_t sample, const Visit& visit) {
         forEachPlace(samples, sample, visit,
                      [&](int stack, const GeometrySamples::Layer& layer,
-                         const GeometrySamples::Mirror& mirror) {
+                         const GeometrySamples::Specular& mirror) {
                          forEachShare(samples, mirror, [&](std::size_t place, float coverage) {
                              const int row = mirror.row + static_cast<int>(place);
                              visit(stack, rows_.at(row, layer.distance_m),
@@ -43,16 +43,16 @@ class LayerWalk {
                          });
                      });
     }
-    /// The same, with visitMirror(front, layer, mirror) for what lobes mirror.
-    template <typename Visit, typename VisitMirror>
+    /// The same, with visitSpecular(front, layer, mirror) for what lobes mirror.
+    template <typename Visit, typename VisitSpecular>
     void forEachPlace(const GeometrySamples& samples, std::size_t sample, const Visit& visit,
-                      const VisitMirror& visitMirror) {
-        if (samples.through.empty() && samples.lobes.empty() && samples.mirrors.empty())
+                      const VisitSpecular& visitSpecular) {
+        if (samples.through.empty() && samples.lobes.empty() && samples.speculars.empty())
             return forEachLayerAlone(samples, sample, visit);
         int stack = 0;
         OfLayers<GeometrySamples::Through> light(samples.through, sample, lightFrom_);
         OfLayers<GeometrySamples::Lobe> lobes(samples.lobes, sample, lobesFrom_);
-        OfLayers<GeometrySamples::Mirror> mirrors(samples.mirrors, sample, mirrorsFrom_);
+        OfLayers<GeometrySamples::Specular> mirrors(samples.speculars, sample, specularsFrom_);
         samples.forEachLayer(sample, [&](const GeometrySamples::Layer& layer) {
             const SurfaceRows::Between between = rows_.at(layer.row, layer.distance_m);
             visit(stack, between, layer);
@@ -72,7 +72,7 @@ class LayerWalk {
                     throughOf(lobe, at, static_cast<double>(one.sun));
             });
             mirrors.ofThisLayer(
-                [&](const GeometrySamples::Mirror& one) { visitMirror(stack, layer, one); });
+                [&](const GeometrySamples::Specular& one) { visitSpecular(stack, layer, one); });
             light.goOn();
             lobes.goOn();
             mirrors.goOn();
@@ -86,18 +86,18 @@ class LayerWalk {
     void forEachLayer(const GeometrySamples& samples, std::size_t sample, const Visit& visit) {
         forEachPlace(samples, sample, byRows(visit));
     }
-    /// The same, with visitMirror(front, layer, mirror) for what lobes mirror.
-    template <typename Visit, typename VisitMirror>
+    /// The same, with visitSpecular(front, layer, mirror) for what lobes mirror.
+    template <typename Visit, typename VisitSpecular>
     void forEachLayer(const GeometrySamples& samples, std::size_t sample, const Visit& visit,
-                      const VisitMirror& visitMirror) {
-        forEachPlace(samples, sample, byRows(visit), visitMirror);
+                      const VisitSpecular& visitSpecular) {
+        forEachPlace(samples, sample, byRows(visit), visitSpecular);
     }
 
     /// Calls visit(place, coverage) for the places of what a lobe mirrors, by component.
     template <typename Visit>
-    static void forEachShare(const GeometrySamples& samples, const GeometrySamples::Mirror& mirror,
-                             Visit visit) {
-        const MirrorTable& table = *samples.mirrorTables[mirror.table];
+    static void forEachShare(const GeometrySamples& samples,
+                             const GeometrySamples::Specular& mirror, Visit visit) {
+        const SpecularEnvironmentTable& table = *samples.specularTables[mirror.table];
         const float* const nodes[] = {table.of(mirror.nodes[0]), table.of(mirror.nodes[1]),
                                       table.of(mirror.nodes[2])};
         for (std::size_t k = 0; k < table.components; ++k)
@@ -106,7 +106,7 @@ class LayerWalk {
                                     mirror.weights[1] * nodes[1][i] +
                                     mirror.weights[2] * nodes[2][i];
                 if (share != 0.0f)
-                    visit(i, samples.mirrorScales[mirror.scales + k] * share);
+                    visit(i, samples.specularScales[mirror.scales + k] * share);
             }
     }
 
@@ -225,7 +225,7 @@ class LayerWalk {
     OccluderStacks occluderStacks_;
     std::vector<int> next_; // by front and drawn row
     std::array<float, mostFactors> light_{}, lobe_{};
-    std::size_t lightFrom_ = 0, lobesFrom_ = 0, mirrorsFrom_ = 0;
+    std::size_t lightFrom_ = 0, lobesFrom_ = 0, specularsFrom_ = 0;
 };
 
 } // namespace irsg

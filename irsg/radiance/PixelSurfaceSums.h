@@ -62,8 +62,8 @@ class PixelSurfaceSums {
             addTo(between.row + 1, next);
     }
 
-    void addMirror(int stack, const GeometrySamples& samples, const GeometrySamples::Layer& layer,
-                   const GeometrySamples::Mirror& mirror) {
+    void addSpecular(int stack, const GeometrySamples& samples, const GeometrySamples::Layer& layer,
+                     const GeometrySamples::Specular& mirror) {
         static constexpr std::array<float, mostFactors> none{};
         LayerWalk::forEachShare(samples, mirror, [&](std::size_t place, float coverage) {
             const SurfaceRows::Between between =

@@ -172,7 +172,7 @@ ExplainedSurface PixelTerms::explained(const Key& key, const Sums& sums,
     surface.range_m = sums.coverage > 0.0 ? sums.range_m / sums.coverage : 0.0;
     const std::vector<RadianceTerm>& list = radiometry_.terms().terms;
     for (std::size_t k = 0; k < list.size(); ++k) {
-        if (list[k].surface == SurfaceQuantity::mirrored && radiometry_.rows().firstLobe(drawn) < 0)
+        if (list[k].surface == SurfaceQuantity::specular && radiometry_.rows().firstLobe(drawn) < 0)
             continue;
         ExplainedTerm& term = surface.terms.emplace_back();
         term.name = list[k].name;
@@ -184,7 +184,7 @@ ExplainedSurface PixelTerms::explained(const Key& key, const Sums& sums,
         // Lobes are in its radiance, and so in what its factor comes to.
         if (sums.coverage > 0.0 && radiometry_.rows().firstLobe(drawn) >= 0) {
             const double own = term.radiance_W_m2_sr / sums.coverage;
-            const bool isMirror = list[k].surface == SurfaceQuantity::mirrored;
+            const bool isMirror = list[k].surface == SurfaceQuantity::specular;
             if (isMirror)
                 term.atFactorOne_W_m2_sr = own;
             if (term.atFactorOne_W_m2_sr != 0.0)

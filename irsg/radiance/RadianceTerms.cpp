@@ -91,7 +91,7 @@ bool withFluxes(const RenderSettings& settings) {
     return settings.ambientReflection != ReflectionMode::off;
 }
 
-bool withMirror(const RenderSettings& settings) {
+bool withSpecular(const RenderSettings& settings) {
     return settings.ambientReflection == ReflectionMode::smart;
 }
 
@@ -121,7 +121,7 @@ RadianceTerms makeStandard() {
          LightOrigin::ground},
         {"down", {sky}, reflectance, downwardFlux, passesAir, withFluxes, LightOrigin::sky},
         {"path", {}, opacity, pathRadiance, false, always},
-        {"mirror", {}, mirrored, std::nullopt, passesAir, withMirror},
+        {"mirror", {}, specular, std::nullopt, passesAir, withSpecular},
     };
     return list;
 }

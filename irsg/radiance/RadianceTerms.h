@@ -18,7 +18,7 @@ enum class SurfaceQuantity {
     emission,    ///< epsilon L_bb(T) or a measured spectrum, W m-2 sr-1 um-1
     reflectance, ///< rho / pi of a Lambertian surface, sr-1
     opacity,     ///< 1 - t
-    mirrored     ///< what lobes reflect of the air's radiance in a direction, W m-2 sr-1 um-1
+    specular     ///< what lobes reflect of the air's radiance in a direction, W m-2 sr-1 um-1
 };
 
 /// A direction of the world that a frame has: a uniform of the shader, in eye space there.
@@ -80,7 +80,7 @@ class RadianceTerms {
 
     std::size_t factorCount() const { return factors.size(); }
     /// Lines of GLSL that declare the directions and FILL_FACTORS(f), which sets f[0], f[1], ...
-    /// `withNormals`: then the components of the normal in eye space, for LobeSamples.
+    /// `withNormals`: then the components of the normal in eye space, for LobeQuadrature.
     std::string glsl(const RenderSettings& settings, bool withNormals = false) const;
     /// By factor, the number of the direction from which its light is taken away; -1: none.
     std::vector<int> shadowedFrom(const RenderSettings& settings) const;

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t evaluationParts = 16;
 
 /// Radiances of the nodes of the tables in which lobes lie, of one part of the samples.
-class MirrorRadiances {
+class SpecularRadiances {
   public:
     /// Of what one row of a surface mirrors, behind a front.
     struct OfRow {
@@ -28,9 +28,9 @@ class MirrorRadiances {
 
         /// W m-2 sr-1; `ofPlace(kind)` is the radiance of a place.
         template <typename OfPlace>
-        double at(const GeometrySamples& samples, const GeometrySamples::Mirror& mirror,
+        double at(const GeometrySamples& samples, const GeometrySamples::Specular& mirror,
                   OfPlace ofPlace) {
-            const MirrorTable& table = *samples.mirrorTables[mirror.table];
+            const SpecularEnvironmentTable& table = *samples.specularTables[mirror.table];
             double sum = 0.0;
             for (std::size_t n = 0; n < mirror.nodes.size(); ++n) {
                 const std::size_t begin = mirror.nodes[n] * table.components;
@@ -49,7 +49,8 @@ class MirrorRadiances {
                                 ofPlace(SurfaceStackId{
                                     first.stack, first.row + static_cast<int>(i) * rowsOfPlace});
                     }
-                    own += static_cast<double>(samples.mirrorScales[mirror.scales + k]) * radiance;
+                    own +=
+                        static_cast<double>(samples.specularScales[mirror.scales + k]) * radiance;
                 }
                 sum += static_cast<double>(mirror.weights[n]) * own;
             }
@@ -62,7 +63,7 @@ class MirrorRadiances {
         double next = 0.0;
 
         template <typename OfPlace>
-        double sum(const GeometrySamples& samples, const GeometrySamples::Mirror& mirror,
+        double sum(const GeometrySamples& samples, const GeometrySamples::Specular& mirror,
                    OfPlace ofPlace) const {
             double radiance = (1.0 - next) * own->at(samples, mirror, ofPlace);
             if (behind)
@@ -74,7 +75,7 @@ class MirrorRadiances {
     /// Calls `isNew(kind)` for the places of a row that is asked for for the first time.
     template <typename IsNew>
     Found of(int stack, const SurfaceRows& rows, const GeometrySamples& samples,
-             const GeometrySamples::Layer& layer, const GeometrySamples::Mirror& mirror,
+             const GeometrySamples::Layer& layer, const GeometrySamples::Specular& mirror,
              IsNew isNew) {
         const SurfaceRows::Between between = rows.at(mirror.row, layer.distance_m);
         if (stack != stack_ || between.row != row_ || mirror.table != table_) {
@@ -87,7 +88,7 @@ class MirrorRadiances {
                 if (own.first.row < 0) {
                     own.first = {stack, row};
                     own.rowsOfPlace = rowsOfPlace;
-                    const std::size_t places = samples.mirrorTables[mirror.table]->valuesOfNode();
+                    const std::size_t places = samples.specularTables[mirror.table]->valuesOfNode();
                     for (std::size_t i = 0; i < places; ++i)
                         isNew(SurfaceStackId{stack, row + static_cast<int>(i) * rowsOfPlace});
                 }
@@ -192,7 +193,7 @@ class SamplesOfPart {
                 opacity += static_cast<double>(weight) * coverage * radiance.opacity;
             },
             [&](int stack, const GeometrySamples::Layer& layer,
-                const GeometrySamples::Mirror& mirror) {
+                const GeometrySamples::Specular& mirror) {
                 const auto found = mirrors_.of(stack, rows_, samples, layer, mirror,
                                                [&](const SurfaceStackId& kind) { knownOf(kind); });
                 if (isPrepared_)
@@ -212,7 +213,7 @@ class SamplesOfPart {
     GeometryBuffer<double> kinds_; // for its numbers of kinds alone
     std::vector<Known> known_;     // by number
     bool isPrepared_ = true;       // every kind so far
-    MirrorRadiances mirrors_;
+    SpecularRadiances mirrors_;
 };
 
 } // namespace

@@ -51,12 +51,12 @@ AtmosphericQuery passedByMeasured(const AtmosphericPath& path, double reference_
 }
 
 /// The radiance onto an object from a place of its grid; none without diffuse light.
-std::vector<AtmosphericQuery> mirrorQueries(const ObjectGeometry& object,
-                                            const RenderSettings& settings,
-                                            const SunPosition& sun) {
+std::vector<AtmosphericQuery> specularQueries(const ObjectGeometry& object,
+                                              const RenderSettings& settings,
+                                              const SunPosition& sun) {
     std::vector<AtmosphericQuery> queries;
     if (settings.ambientReflection == ReflectionMode::smart)
-        for (const MirrorGrid::Direction& place : object.mirror.places())
+        for (const SpecularEnvironmentGrid::Direction& place : object.mirror.places())
             queries.push_back(AtmosphericQuery::backgroundRadiance(
                 {object.path.targetAltitude_m, place.elevation_rad,
                  sun.azimuth_rad + place.fromSun_rad},
@@ -85,7 +85,7 @@ bool ObjectAir::operator==(const ObjectAir& other) const {
     return ambient_K == other.ambient_K && insideReference == other.insideReference &&
            nodes == other.nodes && areEqual(toReference, other.toReference) &&
            std::ranges::equal(
-               mirrored, other.mirrored,
+               specular, other.specular,
                [](const SharedValues& a, const SharedValues& b) { return irsg::areEqual(a, b); });
 }
 
@@ -131,7 +131,7 @@ std::vector<AtmosphericQueryKey> airQueries(const Environment& environment,
         for (const RadianceTerm& term : terms.terms)
             if (isOn(term, settings))
                 add(queryOf(*term.light, object.path, environment.sun));
-        for (const AtmosphericQuery& query : mirrorQueries(object, settings, environment.sun))
+        for (const AtmosphericQuery& query : specularQueries(object, settings, environment.sun))
             add(query);
     }
     if (settings.background == BackgroundMode::environment)
@@ -189,8 +189,8 @@ SceneAir sceneAir(AtmosphericQueryCache& answers, const RadianceTerms& terms,
                 light = take(queryOf(*term.light, ofPath ? toNode : path, sun), name(*term.light));
             }
         }
-        for (const AtmosphericQuery& query : mirrorQueries(geometry[e], settings, sun))
-            air.mirrored.push_back(take(query, "reflected sky and ground"));
+        for (const AtmosphericQuery& query : specularQueries(geometry[e], settings, sun))
+            air.specular.push_back(take(query, "reflected sky and ground"));
         const Answer<double> ambient = ambientOf(answers, geometry[e]);
         note("ambient temperature", ambient.answeredBy);
         air.ambient_K = ambient.value;

@@ -9,8 +9,8 @@
 #include "irsg/geometry/Entity.h"
 #include "irsg/radiance/ApparentRadiance.h"
 #include "irsg/radiance/AtmosphericQueryCache.h"
-#include "irsg/radiance/MirrorGrid.h"
 #include "irsg/radiance/RadianceTerms.h"
+#include "irsg/radiance/SpecularEnvironmentGrid.h"
 #include "irsg/radiance/SurfaceRows.h"
 #include "irsg/render/values/RenderSettings.h"
 
@@ -25,7 +25,7 @@ struct ObjectGeometry {
     double nearest_m = 0.0, farthest_m = 0.0;
     SliceNodes slices_m; ///< of less than two nodes: the air is that of the reference point
     /// Directions of the air's radiance that its lobes reflect; empty where it has none.
-    MirrorGrid mirror;
+    SpecularEnvironmentGrid mirror;
     /// Bound of what the air's change over the extent leaves wrong, as a part of what arrives, and
     /// what it is likely to be.
     double airError = 0.0, likelyAirError = 0.0;
@@ -46,7 +46,8 @@ struct ObjectAir {
     /// Transmittance to the reference distance of a user-defined spectrum, by its name.
     std::map<std::string, SharedValues> toReference;
     std::set<std::string> insideReference; ///< names of spectra measured from farther away
-    std::vector<SharedValues> mirrored;    ///< radiance onto it, by place of its MirrorGrid
+    std::vector<SharedValues>
+        specular; ///< radiance onto it, by place of its SpecularEnvironmentGrid
     bool operator==(const ObjectAir& other) const;
 };
 

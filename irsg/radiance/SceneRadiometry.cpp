@@ -67,11 +67,11 @@ SceneRadiometry::SceneRadiometry(const RadianceTerms& terms, const std::vector<E
         transparent.push_back(std::ranges::any_of(place->second, [](double t) { return t > 0.0; }));
         models_.push_back(surfaceModelOf(*material));
     }
-    std::vector<LobeRow> lobes;
+    std::vector<LobeQuadratureRow> lobes;
     for (std::size_t drawn = 0; drawn < keys.size(); ++drawn) {
         const SurfaceModel* model = models_[drawn].get();
         const auto entity = static_cast<std::size_t>(keys[drawn].first);
-        const std::size_t lights = model ? mirrored_[entity].size() : std::size_t{0};
+        const std::size_t lights = model ? specular_[entity].size() : std::size_t{0};
         const auto add = [&](std::size_t component, int light) {
             lobes.push_back({static_cast<int>(drawn), static_cast<int>(component), light});
         };
@@ -97,10 +97,10 @@ SceneRadiometry::SceneRadiometry(const RadianceTerms& terms, const std::vector<E
 void SceneRadiometry::joinAir(const std::vector<SampledBand>& bands) {
     for (std::size_t e = 0; e < air_.size(); ++e) {
         ambient_K_.push_back(bands.front().air.objects[e].ambient_K);
-        std::vector<SharedValues>& mirrored = mirrored_.emplace_back();
-        for (std::size_t k = 0; k < bands.front().air.objects[e].mirrored.size(); ++k)
+        std::vector<SharedValues>& mirrored = specular_.emplace_back();
+        for (std::size_t k = 0; k < bands.front().air.objects[e].specular.size(); ++k)
             mirrored.push_back(joined(
-                bands, [&](const SampledBand& band) { return band.air.objects[e].mirrored[k]; }));
+                bands, [&](const SampledBand& band) { return band.air.objects[e].specular[k]; }));
         for (std::size_t node = 0; node < air_[e].size(); ++node) {
             const auto ofNode = [&](const SampledBand& band) -> const AirSamples& {
                 return band.air.objects[e].nodes[node];
@@ -171,14 +171,14 @@ void SceneRadiometry::fillLobes(int drawn, const DirectionalSpectra& directional
     const std::vector<SharedValues> amounts = lobeAmounts(directional);
     for (auto lobe = static_cast<std::size_t>(rows_.firstLobe(drawn)); lobe < surfaces_.size();
          ++lobe) {
-        const LobeRow& row = rows_.lobe(static_cast<int>(lobe));
+        const LobeQuadratureRow& row = rows_.lobe(static_cast<int>(lobe));
         if (row.surface != drawn)
             break;
         const auto component = static_cast<std::size_t>(row.component);
         surfaces_[lobe] =
             row.light < 0 ? lobeSpectra(whole, directional, component, wavelengths_um_)
-                          : mirrorSpectra(whole, amounts[component],
-                                          mirrored_[entity][static_cast<std::size_t>(row.light)]);
+                          : specularSpectra(whole, amounts[component],
+                                            specular_[entity][static_cast<std::size_t>(row.light)]);
     }
 }
 
@@ -246,7 +246,7 @@ const AirSamples& SceneRadiometry::air(int row) const {
 
 const SurfaceSpectra& SceneRadiometry::scaling(int drawn) const {
     if (rows_.isLobe(drawn) && rows_.lobe(drawn).light >= 0) {
-        const LobeRow& row = rows_.lobe(drawn);
+        const LobeQuadratureRow& row = rows_.lobe(drawn);
         drawn = rows_.firstLobe(row.surface) + row.component;
     }
     return surfaces_[static_cast<std::size_t>(drawn)];

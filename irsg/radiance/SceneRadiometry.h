@@ -83,10 +83,11 @@ class SceneRadiometry {
     std::vector<std::pair<std::size_t, std::size_t>> outputs_;
     std::vector<SurfaceSpectra> surfaces_;
     std::vector<std::shared_ptr<const SurfaceModel>> models_;
-    std::vector<std::vector<AirSamples>> air_;        // by entity and node
-    std::vector<std::vector<int>> sliceSteps_;        // by entity and output
-    std::vector<std::vector<SharedValues>> mirrored_; // by entity and place of its MirrorGrid
-    std::vector<double> ambient_K_;                   // by entity
+    std::vector<std::vector<AirSamples>> air_; // by entity and node
+    std::vector<std::vector<int>> sliceSteps_; // by entity and output
+    std::vector<std::vector<SharedValues>>
+        specular_;                  // by entity and place of its SpecularEnvironmentGrid
+    std::vector<double> ambient_K_; // by entity
     /// By drawn row: in-band emission of every part at a factor of 1, output by output.
     std::vector<std::vector<double>> thermal_W_m2_sr_;
     std::map<std::pair<int, int>, std::vector<double>> transmissivities_;

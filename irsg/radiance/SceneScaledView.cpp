@@ -134,7 +134,7 @@ void SceneScaledView::gather(const ViewGeometry& view, const SceneRadiometry& ra
         for (std::size_t k = 0; k < terms.size(); ++k) {
             const RadianceTerm& term = terms[k];
             const bool isEmission = term.surface == SurfaceQuantity::emission;
-            const bool isMirror = term.surface == SurfaceQuantity::mirrored;
+            const bool isMirror = term.surface == SurfaceQuantity::specular;
             if (term.surface == SurfaceQuantity::opacity || (term.light && !air.light[k]) ||
                 isMirror != (spectra.lobeLight != nullptr))
                 continue;
@@ -171,7 +171,7 @@ std::vector<double> SceneScaledView::unitOf(const SurfaceSpectra& surface, const
         multiply(*air.light[number]);
     if (term.passesAir || (isEmission && surface.emissionPassesAir))
         multiply(*air.transmittance);
-    if (term.surface == SurfaceQuantity::mirrored)
+    if (term.surface == SurfaceQuantity::specular)
         multiply(*surface.lobeLight);
     else if (!isEmission)
         for (double& value : passed)

@@ -87,12 +87,12 @@ class SublatticeDifferences {
         for (ViewSurfaceSums<Factors>& sums : corrections_)
             sums.finishLight();
     }
-    void addMirror(int front, const GeometrySamples& samples, const GeometrySamples::Layer& layer,
-                   const GeometrySamples::Mirror& mirror) {
-        now_->addMirror(front, samples, layer, mirror);
+    void addSpecular(int front, const GeometrySamples& samples, const GeometrySamples::Layer& layer,
+                     const GeometrySamples::Specular& mirror) {
+        now_->addSpecular(front, samples, layer, mirror);
         if (isCorrected_)
             for (ViewSurfaceSums<Factors>& sums : corrections_)
-                sums.addMirror(front, samples, layer, mirror);
+                sums.addSpecular(front, samples, layer, mirror);
     }
     void finish() {
         for (ViewSurfaceSums<Factors>& sums : classes_)

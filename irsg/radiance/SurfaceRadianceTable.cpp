@@ -261,7 +261,7 @@ void SurfaceRadianceTable::fillGroup(int drawn, const TermGroup& group, const do
                 .data() +
             begin;
         const double of = sign;
-        if (term.surface == SurfaceQuantity::mirrored) {
+        if (term.surface == SurfaceQuantity::specular) {
             const double* mirrored = surface.lobeLight->data() + begin;
             add([=](std::size_t i) { return of * passed[i] * (own[i] * mirrored[i]); });
         } else if (term.light && group.pathLight < 0) {

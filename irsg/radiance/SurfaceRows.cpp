@@ -13,7 +13,7 @@ SliceBetween sliceBetween(int node, int step, int last) {
 }
 
 SurfaceRows::SurfaceRows(std::vector<SurfaceKey> keys, const std::vector<bool>& transparent,
-                         std::vector<SliceNodes> slices, std::vector<LobeRow> lobes)
+                         std::vector<SliceNodes> slices, std::vector<LobeQuadratureRow> lobes)
     : keys_(std::move(keys)), lobes_(std::move(lobes)), slices_(std::move(slices)) {
     isSliced_ =
         std::ranges::any_of(slices_, [](const SliceNodes& nodes) { return nodes.size() > 1; });

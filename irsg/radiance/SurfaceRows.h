@@ -26,12 +26,12 @@ struct SliceBetween {
 SliceBetween sliceBetween(int node, int step, int last);
 
 /// What a directional surface sends beside a Lambertian one: of a component of its model, or of
-/// what that reflects in a lobe of the air's radiance at a place of a MirrorGrid.
-struct LobeRow {
+/// what that reflects in a lobe of the air's radiance at a place of a SpecularEnvironmentGrid.
+struct LobeQuadratureRow {
     int surface = 0; ///< drawn row
     int component = 0;
     int light = -1; ///< place of the grid; none
-    bool operator==(const LobeRow&) const = default;
+    bool operator==(const LobeQuadratureRow&) const = default;
 };
 
 /// The rows of a drawing and what the radiometry makes of each: one row, or one for every node of
@@ -41,14 +41,14 @@ class SurfaceRows {
     SurfaceRows() = default;
     /// `transparent`: by key. `slices`: by entity.
     SurfaceRows(std::vector<SurfaceKey> keys, const std::vector<bool>& transparent,
-                std::vector<SliceNodes> slices, std::vector<LobeRow> lobes = {});
+                std::vector<SliceNodes> slices, std::vector<LobeQuadratureRow> lobes = {});
 
     /// Of the surfaces that are drawn.
     const std::vector<SurfaceKey>& keys() const { return keys_; }
     /// Rows of lobes stand behind those of surfaces, those of a surface next to each other.
-    const std::vector<LobeRow>& lobes() const { return lobes_; }
+    const std::vector<LobeQuadratureRow>& lobes() const { return lobes_; }
     bool isLobe(int drawn) const { return static_cast<std::size_t>(drawn) >= keys_.size(); }
-    const LobeRow& lobe(int drawn) const {
+    const LobeQuadratureRow& lobe(int drawn) const {
         return lobes_[static_cast<std::size_t>(drawn) - keys_.size()];
     }
     /// The first of the lobes of a surface; -1 for none.
@@ -113,7 +113,7 @@ class SurfaceRows {
 
   private:
     std::vector<SurfaceKey> keys_;
-    std::vector<LobeRow> lobes_;
+    std::vector<LobeQuadratureRow> lobes_;
     std::vector<SliceNodes> slices_;
     std::vector<int> drawnOf_; // by row
     bool isSliced_ = false;

@@ -33,7 +33,7 @@ TruthLayers::TruthLayers(const SceneRadiometry& radiometry, SurfaceRadianceTable
     std::ranges::fill(image_.channel("range", "m").values, none);
     const std::vector<RadianceTerm>& list = radiometry.terms().terms;
     for (std::size_t k = 0; k < list.size(); ++k) {
-        if (list[k].surface == SurfaceQuantity::mirrored && radiometry.rows().lobes().empty())
+        if (list[k].surface == SurfaceQuantity::specular && radiometry.rows().lobes().empty())
             continue;
         shown_.push_back(k);
         image_.channel(list[k].name, radianceUnit);

@@ -48,8 +48,8 @@ void addRows(const SampleWindow& window, const GeometrySamples& samples, std::si
                                               sums.addLight(stack, between, layer);
                                       },
                                   [&](int stack, const GeometrySamples::Layer& layer,
-                                      const GeometrySamples::Mirror& mirror) {
-                                      sums.addMirror(stack, samples, layer, mirror);
+                                      const GeometrySamples::Specular& mirror) {
+                                      sums.addSpecular(stack, samples, layer, mirror);
                                   });
                           }
                       });

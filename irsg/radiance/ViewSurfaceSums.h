@@ -96,13 +96,13 @@ class ViewSurfaceSums {
     }
 
     /// What lobes mirror of the air, which is divided among its places once all is added.
-    void addMirror(int stack, const GeometrySamples& samples, const GeometrySamples::Layer& layer,
-                   const GeometrySamples::Mirror& mirror) {
+    void addSpecular(int stack, const GeometrySamples& samples, const GeometrySamples::Layer& layer,
+                     const GeometrySamples::Specular& mirror) {
         const SurfaceRows::Between between = surfaces_.at(mirror.row, layer.distance_m);
-        const MirrorTable& table = *samples.mirrorTables[mirror.table];
-        const float* scales = &samples.mirrorScales[mirror.scales];
+        const SpecularEnvironmentTable& table = *samples.specularTables[mirror.table];
+        const float* scales = &samples.specularScales[mirror.scales];
         const auto addTo = [&](int row, double weight) {
-            Mirrors& mirrors = mirrorsOf(stack, row, samples, mirror);
+            Speculars& mirrors = specularsOf(stack, row, samples, mirror);
             for (std::size_t n = 0; n < mirror.nodes.size(); ++n) {
                 double* sums = mirrors.of(mirror.nodes[n], 2 * table.components);
                 const double ofNode = weight * static_cast<double>(mirror.weights[n]);
@@ -122,9 +122,9 @@ class ViewSurfaceSums {
         endRun();
         for (const auto& [key, mirrors] : mirrors_) {
             const auto& [stack, row, number] = key;
-            const std::shared_ptr<const MirrorTable>& table = mirrors.table;
+            const std::shared_ptr<const SpecularEnvironmentTable>& table = mirrors.table;
             const std::size_t first = placeOf(stack, row);
-            std::array<double, 2>* const sums = mirroredFrom(
+            std::array<double, 2>* const sums = specularFrom(
                 first, table->valuesOfNode(), static_cast<std::size_t>(mirrors.rowsOfPlace));
             // In an order that what was seen before does not change.
             std::vector<std::uint32_t> nodes = mirrors.nodes;
@@ -142,7 +142,7 @@ class ViewSurfaceSums {
                 }
         }
         mirrors_.clear();
-        lastMirrors_ = nullptr;
+        lastSpeculars_ = nullptr;
     }
 
     /// Ends the runs of receivers; no sample comes after it.
@@ -172,9 +172,10 @@ class ViewSurfaceSums {
             if (slots_[place] != none)
                 addSumsTo(field, layout, kindOf(place, stackOf),
                           static_cast<std::size_t>(slots_[place]), sign);
-            if (place >= mirrorSlots_.size() || mirrorSlots_[place] == none)
+            if (place >= specularSlots_.size() || specularSlots_[place] == none)
                 continue;
-            const auto& [plain, cosine] = mirrored_[static_cast<std::size_t>(mirrorSlots_[place])];
+            const auto& [plain, cosine] =
+                specular_[static_cast<std::size_t>(specularSlots_[place])];
             if (plain == 0.0)
                 continue;
             double* numbers = field.at(0, field.kindOf(kindOf(place, stackOf)));
@@ -350,8 +351,8 @@ class ViewSurfaceSums {
 
     /// Of the nodes of a table that were seen, by component, and without and with cosine: a table
     /// has those of all frames, of which a part of a view sees few.
-    struct Mirrors {
-        std::shared_ptr<const MirrorTable> table;
+    struct Speculars {
+        std::shared_ptr<const SpecularEnvironmentTable> table;
         int rowsOfPlace = 1;
         std::vector<std::uint32_t> nodes;
         std::vector<std::int32_t> numbers; // by node: place in the list
@@ -372,28 +373,28 @@ class ViewSurfaceSums {
             return &sums[static_cast<std::size_t>(number) * width];
         }
     };
-    using MirrorKey = std::tuple<int, int, std::uint32_t>; // front, row of the first place, table
-    Mirrors& mirrorsOf(int stack, int row, const GeometrySamples& samples,
-                       const GeometrySamples::Mirror& mirror) {
-        const MirrorKey key{stack, row, mirror.table};
-        if (lastMirrors_ == nullptr || key != lastKey_) {
+    using SpecularKey = std::tuple<int, int, std::uint32_t>; // front, row of the first place, table
+    Speculars& specularsOf(int stack, int row, const GeometrySamples& samples,
+                           const GeometrySamples::Specular& mirror) {
+        const SpecularKey key{stack, row, mirror.table};
+        if (lastSpeculars_ == nullptr || key != lastKey_) {
             lastKey_ = key;
-            lastMirrors_ = &mirrors_[key];
-            lastMirrors_->table = samples.mirrorTables[mirror.table];
-            lastMirrors_->rowsOfPlace =
+            lastSpeculars_ = &mirrors_[key];
+            lastSpeculars_->table = samples.specularTables[mirror.table];
+            lastSpeculars_->rowsOfPlace =
                 surfaces_.first(mirror.row + 1) - surfaces_.first(mirror.row);
         }
-        return *lastMirrors_;
+        return *lastSpeculars_;
     }
     /// The sums of what is mirrored in so many places from one on, one behind the other.
-    std::array<double, 2>* mirroredFrom(std::size_t place, std::size_t count, std::size_t step) {
-        mirrorSlots_.resize(slots_.size(), none);
-        if (mirrorSlots_[place] == none)
+    std::array<double, 2>* specularFrom(std::size_t place, std::size_t count, std::size_t step) {
+        specularSlots_.resize(slots_.size(), none);
+        if (specularSlots_[place] == none)
             for (std::size_t i = 0; i < count; ++i) {
-                mirrorSlots_[place + i * step] = static_cast<std::int32_t>(mirrored_.size());
-                mirrored_.emplace_back();
+                specularSlots_[place + i * step] = static_cast<std::int32_t>(specular_.size());
+                specular_.emplace_back();
             }
-        return &mirrored_[static_cast<std::size_t>(mirrorSlots_[place])];
+        return &specular_[static_cast<std::size_t>(specularSlots_[place])];
     }
 
     std::size_t rows_;
@@ -408,14 +409,14 @@ class ViewSurfaceSums {
     double share_;
     double part_ = 0.0, omega_sr_ = 0.0, projected_sr_ = 0.0; // of a sample in its pixel
     std::vector<double> behind_W_m2_sr_;                      // by varying background
-    std::vector<std::int32_t> slots_, mirrorSlots_;           // by place: front, then row
+    std::vector<std::int32_t> slots_, specularSlots_;         // by place: front, then row
     std::vector<Sums> sums_;                                  // by slot
     std::vector<OfRun> ofRun_;                                // likewise
     std::vector<std::size_t> seen_;                           // slots, since the pixel was gone to
-    std::vector<std::array<double, 2>> mirrored_; // by slot of a mirror: without and with cosine
-    std::map<MirrorKey, Mirrors> mirrors_;
-    MirrorKey lastKey_{};
-    Mirrors* lastMirrors_ = nullptr;
+    std::vector<std::array<double, 2>> specular_; // by slot of a mirror: without and with cosine
+    std::map<SpecularKey, Speculars> mirrors_;
+    SpecularKey lastKey_{};
+    Speculars* lastSpeculars_ = nullptr;
     std::vector<double> behind_W_m2_; // by slot and background: without and with cosine
 };
 

@@ -13,7 +13,8 @@ namespace irsg {
 namespace {
 
 /// Gives objects with directional surfaces the directions of the sky that these reflect.
-void takeMirrorGrids(const Scene& scene, const Band& band, std::vector<ObjectGeometry>& geometry) {
+void takeSpecularEnvironmentGrids(const Scene& scene, const Band& band,
+                                  std::vector<ObjectGeometry>& geometry) {
     if (scene.settings.ambientReflection != ReflectionMode::smart)
         return;
     const bool byAzimuth =
@@ -27,9 +28,10 @@ void takeMirrorGrids(const Scene& scene, const Band& band, std::vector<ObjectGeo
             return material != nullptr && !material->surfaceModel.empty();
         });
         if (hasLobes)
-            geometry[e].mirror = MirrorGrid(scene.environment.horizonElevation_rad(
-                                                geometry[e].path.targetAltitude_m, band.range()),
-                                            byAzimuth);
+            geometry[e].mirror =
+                SpecularEnvironmentGrid(scene.environment.horizonElevation_rad(
+                                            geometry[e].path.targetAltitude_m, band.range()),
+                                        byAzimuth);
     }
 }
 
@@ -62,7 +64,7 @@ SceneEvaluation SceneEvaluator::evaluate(const FrameRequest& request,
     return clock_.timed("radiometry", [&] {
         const Scene& scene = request.scene;
         answers_.setEnvironment(scene.environment);
-        takeMirrorGrids(scene, request.bands.front(), geometry);
+        takeSpecularEnvironmentGrids(scene, request.bands.front(), geometry);
         std::shared_ptr<const SampledScene> sampled =
             sampledScenes_.of(answers_, airScene(request, geometry), request.bands,
                               request.withSources, sampler(scene, answers_));

@@ -128,12 +128,12 @@ SurfaceShading SurfaceShader::shade(const FrameRequest& request,
     return shading;
 }
 
-std::shared_ptr<const LobeSamples> SurfaceShader::lobesOf(const RenderSettings& settings,
-                                                          const SceneEvaluation& evaluation) const {
+std::shared_ptr<const LobeQuadrature>
+SurfaceShader::lobesOf(const RenderSettings& settings, const SceneEvaluation& evaluation) const {
     const SurfaceRows& rows = evaluation.surfaceRows();
     if (rows.lobes().empty())
         return nullptr;
-    LobeSamples::Making making;
+    LobeQuadrature::Making making;
     making.models = evaluation.evaluated->radiometry.models();
     for (const ObjectGeometry& object : evaluation.geometry)
         making.grids.push_back(object.mirror);
@@ -146,7 +146,7 @@ std::shared_ptr<const LobeSamples> SurfaceShader::lobesOf(const RenderSettings& 
         if (terms_.directions[i].name == "sunEye")
             making.sun = static_cast<int>(i);
     }
-    return std::make_shared<const LobeSamples>(rows, std::move(making));
+    return std::make_shared<const LobeQuadrature>(rows, std::move(making));
 }
 
 } // namespace irsg

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "irsg/core/RecentlyUsed.h"
-#include "irsg/radiance/LobeTables.h"
+#include "irsg/radiance/LobeQuadratureTables.h"
 #include "irsg/render/background/TerrainRays.h"
 #include "irsg/scene/FrameRequest.h"
 #include "irsg/scene/InterReflection.h"
@@ -39,8 +39,8 @@ class SurfaceShader {
     /// What is known without rays, for the directions of factors.
     std::vector<SunShadows::Sunlit> sunlitOf(const Scene& scene, const std::vector<int>& shadowed,
                                              const SunShadows& shadows);
-    std::shared_ptr<const LobeSamples> lobesOf(const RenderSettings& settings,
-                                               const SceneEvaluation& evaluation) const;
+    std::shared_ptr<const LobeQuadrature> lobesOf(const RenderSettings& settings,
+                                                  const SceneEvaluation& evaluation) const;
 
     const RadianceTerms& terms_;
     PreparedEntities& prepared_;
@@ -48,7 +48,7 @@ class SurfaceShader {
     InterReflection& interReflection_;
     StageClock& clock_;
     RecentlyUsed<std::shared_ptr<const SunlitFacets>> sunlitFacets_{8};
-    std::shared_ptr<LobeTables> lobeTables_ = std::make_shared<LobeTables>();
+    std::shared_ptr<LobeQuadratureTables> lobeTables_ = std::make_shared<LobeQuadratureTables>();
 };
 
 } // namespace irsg

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/radiance/LobeSamples.h"
+#include "irsg/radiance/LobeQuadrature.h"
 #include "irsg/render/rays/SunShadows.h"
 #include "irsg/render/values/RenderSettings.h"
 #include "irsg/scene/InterReflected.h"
@@ -16,7 +16,7 @@ namespace irsg {
 struct SurfaceShading {
     std::shared_ptr<const SunShadows> shadows; ///< with the places of samples for inter-reflection
     InterReflected between;
-    std::shared_ptr<const LobeSamples> lobes; ///< of directional surfaces
+    std::shared_ptr<const LobeQuadrature> lobes; ///< of directional surfaces
     std::vector<std::string> warnings;
 
     bool isNeeded() const { return shadows || lobes; }

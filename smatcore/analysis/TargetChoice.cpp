@@ -42,7 +42,7 @@ struct Skippable {
 };
 
 /// Facets that mirror send more in some directions than light from everywhere alike tells.
-bool hasMirrors(const SceneDescription& scene) {
+bool hasSpeculars(const SceneDescription& scene) {
     return std::ranges::any_of(scene.entities, [](const irsg::Entity& entity) {
         return entity.database && std::ranges::any_of(entity.database->materials, [](auto& one) {
                    return !one.second.surfaceModel.empty();
@@ -66,7 +66,7 @@ std::vector<Skippable> boundsOfLight(ProbedViews& views, const CalculationWay& s
             change(render);
         });
     };
-    const bool mirrors = hasMirrors(views.scene());
+    const bool mirrors = hasSpeculars(views.scene());
     const bool asksSun = own.sun == ReflectionMode::smart && !mirrors;
     const bool asksFluxes = own.ambientReflection == ReflectionMode::smart && !mirrors;
     const bool asksLight = own.bounces != 0;

@@ -146,7 +146,7 @@ TEST(EveryWayToANumber, GivesTheSameNumber) {
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             double sum = static_cast<double>(image.image.find("background")->values[i]);
             for (const RadianceTerm& term : RadianceTerms::standard().terms) {
-                if (term.surface == SurfaceQuantity::mirrored) {
+                if (term.surface == SurfaceQuantity::specular) {
                     EXPECT_EQ(image.image.find(term.name), nullptr); // no surface has lobes
                     continue;
                 }

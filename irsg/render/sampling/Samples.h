@@ -19,9 +19,9 @@ inline constexpr std::size_t normalFactors = 3;
 /// Which of the numbers of a lobe a layer's factor is multiplied with.
 enum class LobeRole { emission, flux, sun };
 
-/// Which part of a lobe lies at which place of a MirrorGrid, at nodes between which it is linear
-/// (LobeTable). It grows while samples refer to it.
-class MirrorTable {
+/// Which part of a lobe lies at which place of a SpecularEnvironmentGrid, at nodes between which it
+/// is linear (LobeQuadratureTable). It grows while samples refer to it.
+class SpecularEnvironmentTable {
   public:
     std::size_t components = 0, places = 0;
     std::vector<float> shares;       ///< by node, component and place; a component's add up to 1
@@ -96,7 +96,7 @@ struct GeometrySamples {
 
     /// What a layer of a directional surface sends beside what a Lambertian one of equal
     /// hemispherical reflectance would, in one row of SurfaceRows that is drawn nowhere: its
-    /// factors are the layer's times these numbers, which may be negative (LobeSamples).
+    /// factors are the layer's times these numbers, which may be negative (LobeQuadrature).
     struct Lobe {
         std::uint32_t sample = 0;
         std::uint32_t layer = 0; ///< number among those of the sample, front to back
@@ -109,26 +109,26 @@ struct GeometrySamples {
     /// What lobes of a layer mirror of the air: each component's scale times the mean of three
     /// nodes of a table is the coverage of a row of SurfaceRows for each place, behind each other
     /// from `row` on, first by component.
-    struct Mirror {
+    struct Specular {
         std::uint32_t sample = 0;
         std::uint32_t layer = 0; ///< number among those of the sample, front to back
         int row = 0;
-        std::uint32_t table = 0;  ///< of `mirrorTables`
-        std::uint32_t scales = 0; ///< the first of them in `mirrorScales`
+        std::uint32_t table = 0;  ///< of `specularTables`
+        std::uint32_t scales = 0; ///< the first of them in `specularScales`
         std::array<std::uint32_t, 3> nodes{};
         std::array<float, 3> weights{};
     };
-    std::vector<Mirror> mirrors; ///< by sample and layer, ascending
-    std::vector<float> mirrorScales;
-    std::vector<std::shared_ptr<const MirrorTable>> mirrorTables;
+    std::vector<Specular> speculars; ///< by sample and layer, ascending
+    std::vector<float> specularScales;
+    std::vector<std::shared_ptr<const SpecularEnvironmentTable>> specularTables;
 
     /// Nothing is known of shadows, of light between surfaces and of lobes.
     void forgetLight() {
         through.clear();
         lobes.clear();
-        mirrors.clear();
-        mirrorScales.clear();
-        mirrorTables.clear();
+        speculars.clear();
+        specularScales.clear();
+        specularTables.clear();
         sunVisibility.clear();
         skyVisibility.clear();
         opaquePlaces.clear();

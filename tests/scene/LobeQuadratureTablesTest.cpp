@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "irsg/radiance/LobeTables.h"
+#include "irsg/radiance/LobeQuadratureTables.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/render/rays/RayVectors.h"
 #include "irsg/signature/FacetAlbedos.h"
@@ -30,9 +30,9 @@ std::shared_ptr<const SurfaceModel> modelOf(const char* name, double roughness) 
 }
 
 /// A sky that is bright at the horizon and about the sun's azimuth, over ground.
-std::vector<double> radiances(const MirrorGrid& grid, double horizon_rad) {
+std::vector<double> radiances(const SpecularEnvironmentGrid& grid, double horizon_rad) {
     std::vector<double> all;
-    for (const MirrorGrid::Direction& place : grid.places()) {
+    for (const SpecularEnvironmentGrid::Direction& place : grid.places()) {
         const double above_rad = place.elevation_rad - horizon_rad;
         const double sky = 0.4 + 0.5 * std::exp(-std::max(above_rad, 0.0) / 0.2) +
                            (grid.isByAzimuth() ? 0.1 * std::exp(-place.fromSun_rad) : 0.0);
@@ -62,7 +62,8 @@ struct Case {
 
 /// What is seen of component 0 mirrored, as a mean over its lobe: by facets in rings.
 double exactly(const SurfaceModel& model, double roughness, FacetDistribution distribution,
-               const MirrorGrid& grid, const std::vector<double>& lights, const Case& of) {
+               const SpecularEnvironmentGrid& grid, const std::vector<double>& lights,
+               const Case& of) {
     const double cosine = product(of.normal, of.view);
     const Vec3 x = normalized(of.view - of.normal * cosine), y = crossed(of.normal, x);
     double sum = 0.0, weights = 0.0;
@@ -87,7 +88,7 @@ double exactly(const SurfaceModel& model, double roughness, FacetDistribution di
 }
 
 /// The same by the facets that stand for all, for each sample anew.
-double byFacets(const SurfaceModel& model, const MirrorGrid& grid,
+double byFacets(const SurfaceModel& model, const SpecularEnvironmentGrid& grid,
                 const std::vector<double>& lights, const Case& of) {
     const double cosine = product(of.normal, of.view);
     const Vec3 x = normalized(of.view - of.normal * cosine), y = crossed(of.normal, x);
@@ -107,16 +108,17 @@ double byFacets(const SurfaceModel& model, const MirrorGrid& grid,
     return sum / weights;
 }
 
-double byTable(const std::shared_ptr<const SurfaceModel>& model, const MirrorGrid& grid,
-               const std::vector<double>& lights, LobeTables& tables, const Case& of) {
+double byTable(const std::shared_ptr<const SurfaceModel>& model,
+               const SpecularEnvironmentGrid& grid, const std::vector<double>& lights,
+               LobeQuadratureTables& tables, const Case& of) {
     const Vec3 x = grid.isByAzimuth() ? Vec3{1, 0, 0} : normalized({of.view.x, of.view.y, 0.0});
     const Vec3 z{0, 0, 1}, y = crossed(z, x);
     const auto inTable = [&](const Vec3& v) { return Vec3{product(v, x), product(v, y), v.z}; };
     const Vec3 mirror = of.normal * (2.0 * product(of.normal, of.view)) - of.view;
     const auto table =
-        tables.of(model, grid, LobeTable::cellOf(inTable(of.view), grid.isByAzimuth()));
-    const LobeTable::About about =
-        LobeTable::about(inTable(mirror), LobeTable::divisionsOf(*model));
+        tables.of(model, grid, LobeQuadratureTable::cellOf(inTable(of.view), grid.isByAzimuth()));
+    const LobeQuadratureTable::About about =
+        LobeQuadratureTable::about(inTable(mirror), LobeQuadratureTable::divisionsOf(*model));
     double sum = 0.0, weights = 0.0;
     for (std::size_t n = 0; n < 3; ++n) {
         const std::uint32_t node = table->nodeOf(about.keys[n]);
@@ -136,7 +138,7 @@ double byTable(const std::shared_ptr<const SurfaceModel>& model, const MirrorGri
 
 } // namespace
 
-TEST(LobeTablesTest, AgreeWithTheIntegralOverFacets) {
+TEST(LobeQuadratureTablesTest, AgreeWithTheIntegralOverFacets) {
     constexpr double horizon_rad = -0.02;
     struct Row {
         const char* name;
@@ -147,10 +149,10 @@ TEST(LobeTablesTest, AgreeWithTheIntegralOverFacets) {
           Row{"shellTarget", FacetDistribution::beckmann}}) {
         for (const double roughness : {0.05, 0.1, 0.2, 0.5}) {
             for (const bool byAzimuth : {false, true}) {
-                const MirrorGrid grid(horizon_rad, byAzimuth);
+                const SpecularEnvironmentGrid grid(horizon_rad, byAzimuth);
                 const std::vector<double> lights = radiances(grid, horizon_rad);
                 const auto model = modelOf(row.name, roughness);
-                LobeTables tables;
+                LobeQuadratureTables tables;
                 Draws draws;
                 double squares = 0.0, worst = 0.0, squaresOfFacets = 0.0;
                 int count = 0;
@@ -183,11 +185,11 @@ TEST(LobeTablesTest, AgreeWithTheIntegralOverFacets) {
     }
 }
 
-TEST(LobeTablesTest, NodesOfAllOctantsMeetAtTheirEdges) {
+TEST(LobeQuadratureTablesTest, NodesOfAllOctantsMeetAtTheirEdges) {
     const std::uint32_t divisions = 9;
     for (const Vec3& at : {Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, 1}, Vec3{0, 0, -1}}) {
         double weight = 0.0;
-        const LobeTable::About about = LobeTable::about(at, divisions);
+        const LobeQuadratureTable::About about = LobeQuadratureTable::about(at, divisions);
         for (std::size_t n = 0; n < 3; ++n) {
             weight = std::max(weight, static_cast<double>(about.weights[n]));
         }
@@ -195,7 +197,8 @@ TEST(LobeTablesTest, NodesOfAllOctantsMeetAtTheirEdges) {
     }
     // On either side of an edge the same nodes count alike.
     const auto valueAt = [&](const Vec3& at) {
-        const LobeTable::About about = LobeTable::about(normalized(at), divisions);
+        const LobeQuadratureTable::About about =
+            LobeQuadratureTable::about(normalized(at), divisions);
         double sum = 0.0;
         for (std::size_t n = 0; n < 3; ++n) {
             sum += static_cast<double>(about.weights[n]) *

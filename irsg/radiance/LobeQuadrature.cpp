@@ -1,4 +1,4 @@
-#include "irsg/radiance/LobeSamples.h"
+#include "irsg/radiance/LobeQuadrature.h"
 
 #include <algorithm>
 #include <array>
@@ -53,7 +53,7 @@ Vec3 levelOf(const Vec3& direction, const Vec3& zenith) {
 
 } // namespace
 
-struct LobeSamples::Window {
+struct LobeQuadrature::Window {
     const SurfaceScene* scene = nullptr;
     const SampleWindow* window = nullptr;
     EyeDirections directions;
@@ -92,22 +92,24 @@ struct LobeSamples::Window {
 };
 
 /// Of a piece of the samples.
-struct LobeSamples::Found {
+struct LobeQuadrature::Found {
     std::vector<GeometrySamples::Lobe> lobes;
-    std::vector<GeometrySamples::Mirror> mirrors; // nodes as keys, `table` as drawn row
-    std::vector<LobeTable::ViewCell> cells;       // of each of those
+    std::vector<GeometrySamples::Specular> speculars; // nodes as keys, `table` as drawn row
+    std::vector<LobeQuadratureTable::ViewCell> cells; // of each of those
     std::vector<float> scales;
 };
 
-LobeSamples::LobeSamples(const SurfaceRows& rows, Making making)
+LobeQuadrature::LobeQuadrature(const SurfaceRows& rows, Making making)
     : rows_(rows), making_(std::move(making)) {
     for (const auto& model : making_.models)
-        divisions_.push_back(model && LobeTable::serves(*model) ? LobeTable::divisionsOf(*model)
-                                                                : 0);
+        divisions_.push_back(model && LobeQuadratureTable::serves(*model)
+                                 ? LobeQuadratureTable::divisionsOf(*model)
+                                 : 0);
 }
 
-void LobeSamples::addLobes(const Window& own, int row, int column, const GeometrySamples& samples,
-                           SunShadows::Neighbours& neighbours, Found& found) const {
+void LobeQuadrature::addLobes(const Window& own, int row, int column,
+                              const GeometrySamples& samples, SunShadows::Neighbours& neighbours,
+                              Found& found) const {
     const std::size_t sample = indexOf(*own.window, column, row);
     if (samples.isEmpty(sample))
         return;
@@ -148,7 +150,7 @@ void LobeSamples::addLobes(const Window& own, int row, int column, const Geometr
 
         const std::size_t components = model->components();
         const auto entity = static_cast<std::size_t>(rows_.keyOf(layer.row).first);
-        const MirrorGrid& grid = making_.grids[entity];
+        const SpecularEnvironmentGrid& grid = making_.grids[entity];
         const std::size_t places = grid.places().size();
         double open = 0.0;
         if (places > 0) {
@@ -183,13 +185,13 @@ void LobeSamples::addLobes(const Window& own, int row, int column, const Geometr
             const auto inTable = [&](const Vec3& v) {
                 return Vec3{product(v, x), product(v, y), product(v, own.zenith)};
             };
-            const LobeTable::About about =
-                LobeTable::about(inTable(axes.to({-to.x, -to.y, to.z})), divisions);
-            found.mirrors.push_back(
+            const LobeQuadratureTable::About about =
+                LobeQuadratureTable::about(inTable(axes.to({-to.x, -to.y, to.z})), divisions);
+            found.speculars.push_back(
                 {static_cast<std::uint32_t>(sample), ofSample,
                  static_cast<int>(firstLobe + components), static_cast<std::uint32_t>(drawn),
                  static_cast<std::uint32_t>(found.scales.size()), about.keys, about.weights});
-            found.cells.push_back(LobeTable::cellOf(inTable(view), grid.isByAzimuth()));
+            found.cells.push_back(LobeQuadratureTable::cellOf(inTable(view), grid.isByAzimuth()));
             for (std::size_t k = 0; k < components && model->hasLobe(k); ++k)
                 found.scales.push_back(static_cast<float>(open * model->albedo(k, to.z)));
             return;
@@ -235,41 +237,42 @@ void LobeSamples::addLobes(const Window& own, int row, int column, const Geometr
 }
 
 /// The tables that a drawing uses.
-class LobeSamples::TableUse {
+class LobeQuadrature::TableUse {
   public:
     TableUse(const Making& making, const SurfaceRows& rows) : making_(making), rows_(rows) {}
 
     /// Of a drawn row and a direction of view, and its number here.
-    std::pair<std::uint32_t, LobeTable*> of(std::uint32_t drawn, LobeTable::ViewCell cell) {
+    std::pair<std::uint32_t, LobeQuadratureTable*> of(std::uint32_t drawn,
+                                                      LobeQuadratureTable::ViewCell cell) {
         if (last_.second != nullptr && drawn == lastDrawn_ && cell == lastCell_)
             return last_;
         lastDrawn_ = drawn;
         lastCell_ = cell;
         const auto entity = static_cast<std::size_t>(rows_.keyOf(static_cast<int>(drawn)).first);
-        const std::shared_ptr<LobeTable> table =
+        const std::shared_ptr<LobeQuadratureTable> table =
             making_.tables->of(making_.models[drawn], making_.grids[entity], cell);
         auto known = std::ranges::find(tables_, table);
         if (known == tables_.end())
             known = tables_.insert(known, table);
         return last_ = {static_cast<std::uint32_t>(known - tables_.begin()), table.get()};
     }
-    const std::vector<std::shared_ptr<LobeTable>>& tables() const { return tables_; }
+    const std::vector<std::shared_ptr<LobeQuadratureTable>>& tables() const { return tables_; }
 
   private:
     const Making& making_;
     const SurfaceRows& rows_;
-    std::vector<std::shared_ptr<LobeTable>> tables_;
+    std::vector<std::shared_ptr<LobeQuadratureTable>> tables_;
     std::uint32_t lastDrawn_ = 0;
-    LobeTable::ViewCell lastCell_;
-    std::pair<std::uint32_t, LobeTable*> last_{0, nullptr};
+    LobeQuadratureTable::ViewCell lastCell_;
+    std::pair<std::uint32_t, LobeQuadratureTable*> last_{0, nullptr};
 };
 
-void LobeSamples::apply(const SheetScene& sheet, const SunShadows* shadows,
-                        GeometrySamples& samples) const {
+void LobeQuadrature::apply(const SheetScene& sheet, const SunShadows* shadows,
+                           GeometrySamples& samples) const {
     samples.lobes.clear();
-    samples.mirrors.clear();
-    samples.mirrorScales.clear();
-    samples.mirrorTables.clear();
+    samples.speculars.clear();
+    samples.specularScales.clear();
+    samples.specularTables.clear();
     samples.lobeRoles = making_.roles;
     std::vector<Window> windows;
     for (std::size_t w = 0; w < sheet.scenes.size(); ++w) {
@@ -289,7 +292,7 @@ void LobeSamples::apply(const SheetScene& sheet, const SunShadows* shadows,
     const std::vector<WindowRows> pieces = rowsOf(sheet.sheet);
     std::vector<Found> found(pieces.size());
     struct Line { // of a window: its lobes stand by sample and layer already
-        std::size_t piece = 0, begin = 0, end = 0, firstMirror = 0, lastMirror = 0;
+        std::size_t piece = 0, begin = 0, end = 0, firstSpecular = 0, lastSpecular = 0;
     };
     std::vector<std::vector<Line>> linesOf(pieces.size());
     parallelFor(pieces.size(), [&](std::size_t i) {
@@ -297,12 +300,12 @@ void LobeSamples::apply(const SheetScene& sheet, const SunShadows* shadows,
         SunShadows::Neighbours neighbours;
         Found& piece = found[i];
         for (int row = pieces[i].first; row < pieces[i].last; ++row) {
-            const std::size_t begin = piece.lobes.size(), firstMirror = piece.mirrors.size();
+            const std::size_t begin = piece.lobes.size(), firstSpecular = piece.speculars.size();
             for (int column = 0; column < own.window->width(); ++column)
                 addLobes(own, row, column, samples, neighbours, piece);
             if (piece.lobes.size() > begin)
                 linesOf[i].push_back(
-                    {i, begin, piece.lobes.size(), firstMirror, piece.mirrors.size()});
+                    {i, begin, piece.lobes.size(), firstSpecular, piece.speculars.size()});
         }
     });
     std::vector<Line> lines;
@@ -310,36 +313,36 @@ void LobeSamples::apply(const SheetScene& sheet, const SunShadows* shadows,
         lines.insert(lines.end(), some.begin(), some.end());
     std::ranges::sort(lines, {},
                       [&](const Line& line) { return found[line.piece].lobes[line.begin].sample; });
-    std::size_t lobes = 0, mirrors = 0;
+    std::size_t lobes = 0, speculars = 0;
     for (const Line& line : lines) {
         lobes += line.end - line.begin;
-        mirrors += line.lastMirror - line.firstMirror;
+        speculars += line.lastSpecular - line.firstSpecular;
     }
     samples.lobes.reserve(lobes);
-    samples.mirrors.reserve(mirrors);
+    samples.speculars.reserve(speculars);
     TableUse use(making_, rows_);
     for (const Line& line : lines) {
         Found& piece = found[line.piece];
         samples.lobes.insert(samples.lobes.end(), piece.lobes.data() + line.begin,
                              piece.lobes.data() + line.end);
-        for (std::size_t i = line.firstMirror; i < line.lastMirror; ++i) {
-            GeometrySamples::Mirror mirror = piece.mirrors[i];
+        for (std::size_t i = line.firstSpecular; i < line.lastSpecular; ++i) {
+            GeometrySamples::Specular mirror = piece.speculars[i];
             if (static_cast<std::size_t>(mirror.row) >= rows_.drawnCount())
                 throw LogicError("a surface mirrors the air in a row that there is not");
             const auto [number, table] = use.of(mirror.table, piece.cells[i]);
             const float* scales = &piece.scales[mirror.scales];
             mirror.table = number;
-            mirror.scales = static_cast<std::uint32_t>(samples.mirrorScales.size());
-            samples.mirrorScales.insert(samples.mirrorScales.end(), scales,
-                                        scales + table->components);
+            mirror.scales = static_cast<std::uint32_t>(samples.specularScales.size());
+            samples.specularScales.insert(samples.specularScales.end(), scales,
+                                          scales + table->components);
             for (std::uint32_t& node : mirror.nodes)
                 node = table->nodeOf(node);
-            samples.mirrors.push_back(mirror);
+            samples.speculars.push_back(mirror);
         }
     }
-    for (const std::shared_ptr<LobeTable>& table : use.tables()) {
+    for (const std::shared_ptr<LobeQuadratureTable>& table : use.tables()) {
         table->fill();
-        samples.mirrorTables.push_back(table);
+        samples.specularTables.push_back(table);
     }
     samples.factorCount = making_.roles.size();
 }

@@ -1,4 +1,4 @@
-#include "irsg/radiance/LobeTables.h"
+#include "irsg/radiance/LobeQuadratureTables.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ std::uint32_t octantOf(bool isXNegative, bool isYNegative, bool isZNegative) {
 
 } // namespace
 
-LobeTable::ViewCell LobeTable::cellOf(const Vec3& view, bool byAzimuth) {
+LobeQuadratureTable::ViewCell LobeQuadratureTable::cellOf(const Vec3& view, bool byAzimuth) {
     const auto cell = [](double angle_rad) {
         return static_cast<int>(std::lround(angle_rad / cell_rad));
     };
@@ -31,13 +31,13 @@ LobeTable::ViewCell LobeTable::cellOf(const Vec3& view, bool byAzimuth) {
             byAzimuth ? cell(std::atan2(view.y, view.x)) : 0};
 }
 
-std::uint32_t LobeTable::divisionsOf(const SurfaceModel& model) {
+std::uint32_t LobeQuadratureTable::divisionsOf(const SurfaceModel& model) {
     return static_cast<std::uint32_t>(std::clamp(std::ceil(nodesPerRoughness / model.roughness()),
                                                  fewestDivisions, mostDivisions));
 }
 
-LobeTable::LobeTable(std::shared_ptr<const SurfaceModel> model, const MirrorGrid& grid,
-                     ViewCell cell)
+LobeQuadratureTable::LobeQuadratureTable(std::shared_ptr<const SurfaceModel> model,
+                                         const SpecularEnvironmentGrid& grid, ViewCell cell)
     : model_(std::move(model)), grid_(grid), divisions_(divisionsOf(*model_)) {
     while (components < model_->components() && model_->hasLobe(components))
         ++components;
@@ -54,7 +54,7 @@ LobeTable::LobeTable(std::shared_ptr<const SurfaceModel> model, const MirrorGrid
     numbers_.assign(8 * edge * edge, -1);
 }
 
-LobeTable::About LobeTable::about(const Vec3& mirror, std::uint32_t divisions) {
+LobeQuadratureTable::About LobeQuadratureTable::about(const Vec3& mirror, std::uint32_t divisions) {
     const double n = divisions, x = std::abs(mirror.x), y = std::abs(mirror.y);
     const double scale = n / (x + y + std::abs(mirror.z));
     const double a = std::min(x * scale, n), b = std::min(y * scale, n - a);
@@ -85,7 +85,7 @@ LobeTable::About LobeTable::about(const Vec3& mirror, std::uint32_t divisions) {
     return found;
 }
 
-Vec3 LobeTable::directionOf(std::uint32_t key) const {
+Vec3 LobeQuadratureTable::directionOf(std::uint32_t key) const {
     const std::uint32_t edge = divisions_ + 1;
     const std::uint32_t octant = key / (edge * edge), a = key / edge % edge, b = key % edge;
     const Vec3 corner{(octant & 1u ? -1.0 : 1.0) * a, (octant & 2u ? -1.0 : 1.0) * b,
@@ -93,7 +93,7 @@ Vec3 LobeTable::directionOf(std::uint32_t key) const {
     return normalized(corner);
 }
 
-std::uint32_t LobeTable::nodeOf(std::uint32_t key) {
+std::uint32_t LobeQuadratureTable::nodeOf(std::uint32_t key) {
     std::int32_t& number = numbers_[key];
     if (number < 0) {
         number = static_cast<std::int32_t>(keys.size());
@@ -102,7 +102,7 @@ std::uint32_t LobeTable::nodeOf(std::uint32_t key) {
     return static_cast<std::uint32_t>(number);
 }
 
-void LobeTable::fill() {
+void LobeQuadratureTable::fill() {
     if (filled_ == keys.size())
         return;
     shares.resize(keys.size() * valuesOfNode(), 0.0f);
@@ -115,7 +115,7 @@ void LobeTable::fill() {
     });
 }
 
-void LobeTable::fillNode(std::size_t node) {
+void LobeQuadratureTable::fillNode(std::size_t node) {
     const Vec3 mirror = directionOf(keys[node]);
     const auto placesOf = [&](const Vec3& from) {
         const double level = std::hypot(from.x, from.y);
@@ -160,8 +160,9 @@ void LobeTable::fillNode(std::size_t node) {
     }
 }
 
-std::shared_ptr<LobeTable> LobeTables::of(const std::shared_ptr<const SurfaceModel>& model,
-                                          const MirrorGrid& grid, LobeTable::ViewCell cell) {
+std::shared_ptr<LobeQuadratureTable>
+LobeQuadratureTables::of(const std::shared_ptr<const SurfaceModel>& model,
+                         const SpecularEnvironmentGrid& grid, LobeQuadratureTable::ViewCell cell) {
     const Key key{model.get(), grid.key(), cell};
     if (const auto known = tables_.find(key); known != tables_.end())
         return known->second;
@@ -170,7 +171,7 @@ std::shared_ptr<LobeTable> LobeTables::of(const std::shared_ptr<const SurfaceMod
         nodes += table->nodes();
     if (nodes > mostNodes)
         tables_.clear();
-    return tables_[key] = std::make_shared<LobeTable>(model, grid, cell);
+    return tables_[key] = std::make_shared<LobeQuadratureTable>(model, grid, cell);
 }
 
 } // namespace irsg

@@ -11,10 +11,10 @@ namespace irsg {
 /// one close to either side of the horizon, and where air answers by azimuth, columns of the angle
 /// from the sun's azimuth, 0 to pi. Radiance is linear between columns, and between rows in
 /// ln(1 + x / 0.02) above the horizon and ln(1 + sqrt(x / 0.02)) below, x the angle from it in rad.
-class MirrorGrid {
+class SpecularEnvironmentGrid {
   public:
-    MirrorGrid() = default; ///< none
-    MirrorGrid(double horizon_rad, bool byAzimuth);
+    SpecularEnvironmentGrid() = default; ///< none
+    SpecularEnvironmentGrid(double horizon_rad, bool byAzimuth);
 
     struct Direction {
         double elevation_rad = 0.0, fromSun_rad = 0.0;

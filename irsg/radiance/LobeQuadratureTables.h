@@ -9,21 +9,22 @@
 #include <vector>
 
 #include "irsg/geometry/view/Vec3.h"
-#include "irsg/radiance/MirrorGrid.h"
+#include "irsg/radiance/SpecularEnvironmentGrid.h"
 #include "irsg/render/sampling/Samples.h"
 #include "irsg/signature/SurfaceModel.h"
 
 namespace irsg {
 
-/// Where the lobes of a model lie among the places of a MirrorGrid, for one direction of view and
-/// any mirror direction: known at the nodes of a grid over the sphere of mirror directions, as fine
-/// as the lobe is wide, between three of which it is linear. Nodes come into being when they are
-/// first asked for, whatever the order, so that a frame pays for those that it sees, once.
+/// Where the lobes of a model lie among the places of a SpecularEnvironmentGrid, for one direction
+/// of view and any mirror direction: known at the nodes of a grid over the sphere of mirror
+/// directions, as fine as the lobe is wide, between three of which it is linear. Nodes come into
+/// being when they are first asked for, whatever the order, so that a frame pays for those that it
+/// sees, once.
 ///
 /// Axes: z up; x along the level part of the direction of view, or where air answers by azimuth
 /// towards the azimuth of the sun. What is off by the direction of view, which is at most half a
 /// cell from that of the table, is the shape of a lobe alone, not its place.
-class LobeTable final : public MirrorTable {
+class LobeQuadratureTable final : public SpecularEnvironmentTable {
   public:
     /// Angles between directions of view that have a table each.
     static constexpr double cell_rad = 1.0 / 32.0;
@@ -40,7 +41,8 @@ class LobeTable final : public MirrorTable {
     /// `view`: unit, in the table's axes.
     static ViewCell cellOf(const Vec3& view, bool byAzimuth);
 
-    LobeTable(std::shared_ptr<const SurfaceModel> model, const MirrorGrid& grid, ViewCell cell);
+    LobeQuadratureTable(std::shared_ptr<const SurfaceModel> model,
+                        const SpecularEnvironmentGrid& grid, ViewCell cell);
 
     /// Divisions of an octant's edges, of a model.
     static std::uint32_t divisionsOf(const SurfaceModel& model);
@@ -62,7 +64,7 @@ class LobeTable final : public MirrorTable {
     void fillNode(std::size_t node);
 
     std::shared_ptr<const SurfaceModel> model_;
-    MirrorGrid grid_;
+    SpecularEnvironmentGrid grid_;
     Vec3 view_;
     std::uint32_t divisions_;
     std::vector<SurfaceDirection> facets_; // and their mirror images in the plane of view
@@ -71,15 +73,17 @@ class LobeTable final : public MirrorTable {
 };
 
 /// The tables of a renderer, for all frames.
-class LobeTables {
+class LobeQuadratureTables {
   public:
-    std::shared_ptr<LobeTable> of(const std::shared_ptr<const SurfaceModel>& model,
-                                  const MirrorGrid& grid, LobeTable::ViewCell cell);
+    std::shared_ptr<LobeQuadratureTable> of(const std::shared_ptr<const SurfaceModel>& model,
+                                            const SpecularEnvironmentGrid& grid,
+                                            LobeQuadratureTable::ViewCell cell);
 
   private:
     static constexpr std::size_t mostNodes = 400'000;
-    using Key = std::tuple<const SurfaceModel*, std::array<double, 2>, LobeTable::ViewCell>;
-    std::map<Key, std::shared_ptr<LobeTable>> tables_;
+    using Key =
+        std::tuple<const SurfaceModel*, std::array<double, 2>, LobeQuadratureTable::ViewCell>;
+    std::map<Key, std::shared_ptr<LobeQuadratureTable>> tables_;
 };
 
 } // namespace irsg

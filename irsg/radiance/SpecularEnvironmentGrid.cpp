@@ -1,4 +1,4 @@
-#include "irsg/radiance/MirrorGrid.h"
+#include "irsg/radiance/SpecularEnvironmentGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ double groundCoordinate(double below_rad) {
 
 } // namespace
 
-MirrorGrid::MirrorGrid(double horizon_rad, bool byAzimuth)
+SpecularEnvironmentGrid::SpecularEnvironmentGrid(double horizon_rad, bool byAzimuth)
     : horizon_rad_(horizon_rad), columns_(byAzimuth ? std::size(columns_deg) : 1) {
     const auto addRow = [&](double elevation_rad) {
         for (std::size_t c = 0; c < columns_; ++c)
@@ -47,8 +47,8 @@ MirrorGrid::MirrorGrid(double horizon_rad, bool byAzimuth)
     addRow(-0.5 * pi);
 }
 
-std::array<std::pair<std::size_t, double>, 4> MirrorGrid::about(double elevation_rad,
-                                                                double fromSun_rad) const {
+std::array<std::pair<std::size_t, double>, 4>
+SpecularEnvironmentGrid::about(double elevation_rad, double fromSun_rad) const {
     const double above_rad = elevation_rad - horizon_rad_;
     const Bracket row = above_rad >= 0.0 ? bracket(sky_, skyCoordinate(above_rad))
                                          : bracket(ground_, groundCoordinate(-above_rad));
