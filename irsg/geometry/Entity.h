@@ -22,7 +22,7 @@ struct Entity {
     /// Altitude, ambient temperature and aspect angle are filled in by the renderer.
     EntityState state;
     /// Other states of the same sweep, of each entity as many: drawings serve all of them, as hot
-    /// parts are those of any (HotSurfaces).
+    /// parts are those of any (HotSpotSurfaces).
     std::vector<EntityState> otherStates;
     /// In model axes; the centre of the bounding box of the opaque geometry where it is not set.
     std::optional<Vec3> referencePoint_m;

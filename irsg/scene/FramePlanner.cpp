@@ -14,10 +14,10 @@ namespace irsg {
 namespace {
 
 /// The samples of a probe around its parts.
-std::vector<SampleRun> runsAround(const std::vector<HotPart>& parts, const SampleWindow& probe) {
+std::vector<SampleRun> runsAround(const std::vector<HotSpot>& parts, const SampleWindow& probe) {
     const auto width = static_cast<std::size_t>(probe.tilesWide);
     std::vector<char> isWanted(width * static_cast<std::size_t>(probe.tilesHigh));
-    for (const HotPart& part : parts) {
+    for (const HotSpot& part : parts) {
         const ProbedTiles tiles = tilesAround(part, probe);
         for (int row = tiles.top; row <= tiles.bottom; ++row)
             std::fill_n(isWanted.begin() + static_cast<std::ptrdiff_t>(row) * probe.tilesWide +
@@ -179,8 +179,8 @@ std::vector<ImageRectangle> FramePlanner::detailsOf(const SceneSurfaces& surface
         if (surfaces.evaluation.hot[row] && keys[row].first == entity)
             hot.push_back(keys[row].second);
     PreparedModel& model = prepared_.of(surfaces.entity(entity));
-    const std::vector<HotPart> parts =
-        model.hotParts.seenBy(camera, surfaces.entity(entity).pose, model.items, hot);
+    const std::vector<HotSpot> parts =
+        model.hotSpots.seenBy(camera, surfaces.entity(entity).pose, model.items, hot);
     std::vector<ImageRectangle> details;
     if (parts.empty())
         return details;
@@ -202,7 +202,7 @@ std::vector<ImageRectangle> FramePlanner::detailsOf(const SceneSurfaces& surface
         sampler_.onEngine(surfaces.engine,
                           [&] { surfaces.engine.engine.sampleGeometry(sheet, true, samples); });
     }
-    for (const HotPart& part : parts)
+    for (const HotSpot& part : parts)
         if (!isHidden(part, probe, samples))
             details.push_back(part.extent);
     return details;

@@ -11,7 +11,7 @@
 #include "irsg/geometry/model/LongEdges.h"
 #include "irsg/radiance/exchange/BodyLight.h"
 #include "irsg/render/rays/RayMesh.h"
-#include "irsg/render/sampling/HotParts.h"
+#include "irsg/render/sampling/HotSpots.h"
 
 namespace irsg {
 
@@ -21,7 +21,7 @@ struct PreparedModel {
     std::vector<DrawItem> items;
     BoundingSphere boundingSphere;
     std::vector<ModelEdge> longEdges;
-    HotParts hotParts;
+    HotSpots hotSpots;
     std::shared_ptr<const RayMesh> rayMesh{}; ///< of the items, made when rays are asked for
 
     const std::shared_ptr<const RayMesh>& forRays();

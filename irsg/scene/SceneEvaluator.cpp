@@ -5,7 +5,7 @@
 
 #include "irsg/atmosphere/NearestRun.h"
 #include "irsg/core/AppendUnique.h"
-#include "irsg/radiance/HotSurfaces.h"
+#include "irsg/radiance/HotSpotSurfaces.h"
 #include "irsg/render/background/BandSky.h"
 
 namespace irsg {
@@ -175,14 +175,14 @@ std::vector<bool> SceneEvaluator::hotRows(const Scene& scene,
                                           const SceneRadiometry& radiometry) {
     if (!scene.settings.hotSpots || !scene.settings.zoomsAligned())
         return std::vector<bool>(radiometry.rows().keys().size(), false);
-    std::vector<bool> hot = hotSurfaces(radiometry, scene.entities);
+    std::vector<bool> hot = hotSpotSurfaces(radiometry, scene.entities);
     std::vector<Entity> entities = scene.entities;
     const std::size_t states = entities.empty() ? 0 : entities.front().otherStates.size();
     for (std::size_t i = 0; i < states; ++i) {
         for (Entity& entity : entities)
             entity.state = entity.otherStates.at(i);
         const auto other = radiometry_.of(terms_, entities, geometry, sampled, occluderStacks_);
-        const std::vector<bool> there = hotSurfaces(other->radiometry, entities);
+        const std::vector<bool> there = hotSpotSurfaces(other->radiometry, entities);
         for (std::size_t row = 0; row < hot.size(); ++row)
             hot[row] = hot[row] || there.at(row);
     }

@@ -107,7 +107,7 @@ SelfTestValue unseen(SelfTestBench& bench) {
 }
 
 /// Of the hot part the picture takes samples that weigh otherwise than their neighbours.
-SelfTestValue hotPartInPicture(SelfTestBench& bench) {
+SelfTestValue hotSpotInPicture(SelfTestBench& bench) {
     constexpr irsg::IrCodes hot{2, 1};
     const double side_m = 0.11;
     InteractiveRenderer& irsg = bench.irsg();
@@ -218,7 +218,7 @@ std::vector<SelfTestCheck> sceneChecks() {
                  "facets and the plate's area",
          .unit = "W sr-1",
          .bound = 3e-3,
-         .measure = [](auto& bench) { return hotPartInPicture(bench); }},
+         .measure = [](auto& bench) { return hotSpotInPicture(bench); }},
         {.name = "scene.even-picture",
          .says = "A picture of black plates of one temperature, small ones before a large one that "
                  "fills it: the farthest pixel from that black body",

@@ -104,7 +104,7 @@ TEST(WindowsOfAFrame, TellTheSamplesOfAModeAndThePublishedSquare) {
     EXPECT_EQ(published[0].across, 16.0);  // 256 / 16
 }
 
-TEST(WindowsOfAFrame, OfHotPartsFollowTheWindowThatLeavesThemOut) {
+TEST(WindowsOfAFrame, OfHotSpotsFollowTheTileThatLeavesThemOut) {
     Mesh mesh = plateMesh({}, {0, 0, 0.5}, {1.0, 0, 0}, {1, 1});
     mesh = joined(mesh, plateMesh({0.4, 1e-3, 0.0}, {0, 0, 0.05}, {0.002, 0, 0}, {2, 1}));
     SignatureDatabase database;

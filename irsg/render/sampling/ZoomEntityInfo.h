@@ -17,7 +17,7 @@ struct ZoomEntityInfo {
     /// A sphere around it in the world.
     Vec3 centre_m;
     double radius_m = 0.0;
-    /// Parts of the extent that are worth samples of their own (HotParts).
+    /// Parts of the extent that are worth samples of their own (HotSpots).
     std::vector<ImageRectangle> details{};
     /// Its long straight edges as they are seen (LongEdges).
     std::vector<ImageEdge> edges{};

@@ -74,7 +74,7 @@ struct RenderSettings {
     /// Pixels, 0 (never) to `largestPointSource_px`.
     double pointSourceBelow_px = 1.0 / 64.0;
     /// Small parts that shine out of their object, such as exhaust pipes, have windows of their
-    /// own, with the aligned zoom; see HotParts.
+    /// own, with the aligned zoom; see HotSpots.
     bool hotSpots = true;
     /// Supersampling, where there is no zoom window: 1, 2 or 4 for modes 0 to 2; any 1 to 16.
     int samplesPerAxis = 4;

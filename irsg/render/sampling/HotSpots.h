@@ -17,29 +17,29 @@ std::vector<BoundingBox> connectedPieces(const std::vector<DrawItem>& items, con
 inline constexpr std::size_t mostPieces = 256;
 
 /// A hot piece of an object as a camera sees it.
-struct HotPart {
+struct HotSpot {
     ImageRectangle extent;  ///< what the frame shows of the box around it
     double nearest_m = 0.0; ///< from the camera to that box
 };
 
 /// One sample a tile around all the parts, some hundred along the longer side: to find out which of
 /// them are hidden.
-SampleWindow probeOf(const std::vector<HotPart>& parts, int entity);
+SampleWindow probeOf(const std::vector<HotSpot>& parts, int entity);
 /// The tiles of a probe in which a part and a tile around it lie, both ends among them.
 struct ProbedTiles {
     int left = 0, right = 0, top = 0, bottom = 0;
 };
-ProbedTiles tilesAround(const HotPart& part, const SampleWindow& probe);
+ProbedTiles tilesAround(const HotSpot& part, const SampleWindow& probe);
 /// True where a probe, drawn with distances around the part at least, finds an opaque surface
 /// before all of a part and a tile around it. What is seen through a gap narrower than a tile is
 /// hidden, too: it is left to the window around.
-bool isHidden(const HotPart& part, const SampleWindow& probe, const GeometrySamples& samples);
+bool isHidden(const HotSpot& part, const SampleWindow& probe, const GeometrySamples& samples);
 
 /// The hot parts of one object, found once for each pair of codes that was ever hot.
-class HotParts {
+class HotSpots {
   public:
     /// The hot pieces of an object that stands at `pose`.
-    std::vector<HotPart> seenBy(const CameraFrame& camera, const Pose& pose,
+    std::vector<HotSpot> seenBy(const CameraFrame& camera, const Pose& pose,
                                 const std::vector<DrawItem>& items,
                                 const std::vector<IrCodes>& hot);
 

@@ -1,5 +1,5 @@
-#include "irsg/render/sampling/HotParts.h"
-#include "irsg/radiance/HotSurfaces.h"
+#include "irsg/radiance/HotSpotSurfaces.h"
+#include "irsg/render/sampling/HotSpots.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,7 +90,7 @@ double largestError(InteractiveRenderer& irsg, double size_px) {
 
 } // namespace
 
-TEST(HotParts, AreSurfacesThatShineOutOfTheirObject) {
+TEST(HotSpotSearch, AreSurfacesThatShineOutOfTheirObject) {
     InteractiveRenderer irsg;
     irsg.scene.environment = environmentOf(ConstantAir{});
     for (const auto& [temperature_K, isHot] :
@@ -104,12 +104,12 @@ TEST(HotParts, AreSurfacesThatShineOutOfTheirObject) {
                    objectGeometry({entity}, {{0, 0, 0}},
                                   Viewpoint::lookAt({0, 1000, 0}, {}, {0, 0, 1}, {1, 0, 0})),
                    settingsOf(256, true), LineOfSight{}, Band::topHat(3.0, 5.0));
-        EXPECT_EQ(hotSurfaces(radiometry, {entity}), (std::vector<bool>{false, isHot}))
+        EXPECT_EQ(hotSpotSurfaces(radiometry, {entity}), (std::vector<bool>{false, isHot}))
             << temperature_K << " K";
     }
 }
 
-TEST(HotParts, AreFoundPieceByPiece) {
+TEST(HotSpotSearch, AreFoundPieceByPiece) {
     const auto model = modelOf(wallWithLips());
     const auto pieces = connectedPieces(collectDrawItems(*model), lip);
     ASSERT_EQ(pieces.size(), 2u);
@@ -120,7 +120,7 @@ TEST(HotParts, AreFoundPieceByPiece) {
     EXPECT_TRUE(connectedPieces(collectDrawItems(*model), IrCodes{7, 7}).empty());
 }
 
-TEST(HotParts, AreNarrowerThanTheSamplesAndKeepTheirIntensity) {
+TEST(HotSpotSearch, AreNarrowerThanTheSamplesAndKeepTheirIntensity) {
     // 30 m in 256 samples are 12 cm each; the lips are 2 cm wide.
     InteractiveRenderer irsg;
     irsg.scene.environment = environmentOf(ConstantAir{});
@@ -133,7 +133,7 @@ TEST(HotParts, AreNarrowerThanTheSamplesAndKeepTheirIntensity) {
     EXPECT_GT(largestError(irsg, 30.0), 0.1);
 }
 
-TEST(HotParts, AreTheSameInImagesAndInFactors) {
+TEST(HotSpotSearch, AreTheSameInImagesAndInFactors) {
     InteractiveRenderer irsg;
     irsg.scene.environment = environmentOf(ConstantAir{});
     irsg.scene.entities = {wall()};

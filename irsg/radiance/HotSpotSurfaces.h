@@ -11,8 +11,8 @@ namespace irsg {
 /// area, and it holds at least `shareFrom` of what that area emits. An exhaust pipe is one, skin in
 /// the sun is not. The samples of a window that holds the whole object are too far apart for such
 /// surfaces where they are small.
-std::vector<bool> hotSurfaces(const SceneRadiometry& radiometry,
-                              const std::vector<Entity>& entities);
+std::vector<bool> hotSpotSurfaces(const SceneRadiometry& radiometry,
+                                  const std::vector<Entity>& entities);
 inline constexpr double hotFrom = 4.0;
 inline constexpr double shareFrom = 0.01;
 

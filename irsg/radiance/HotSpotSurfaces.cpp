@@ -1,4 +1,4 @@
-#include "irsg/radiance/HotSurfaces.h"
+#include "irsg/radiance/HotSpotSurfaces.h"
 
 namespace irsg {
 
@@ -30,8 +30,8 @@ void addHotIn(std::size_t output, const SceneRadiometry& radiometry,
 
 } // namespace
 
-std::vector<bool> hotSurfaces(const SceneRadiometry& radiometry,
-                              const std::vector<Entity>& entities) {
+std::vector<bool> hotSpotSurfaces(const SceneRadiometry& radiometry,
+                                  const std::vector<Entity>& entities) {
     std::vector<bool> hot(radiometry.rows().keys().size());
     for (std::size_t output = 0; output < radiometry.outputs().size(); ++output)
         addHotIn(output, radiometry, entities, hot);

@@ -10,7 +10,7 @@
 
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/render/sampling/HotParts.h"
+#include "irsg/render/sampling/HotSpots.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;
@@ -169,7 +169,7 @@ CurveErrors errorsOf(InteractiveRenderer& irsg, const Spots& spots) {
 
 } // namespace
 
-TEST(HotSpots, KeepTheirIntensityHoweverManyTheyAre) {
+TEST(HotSpotSampling, KeepTheirIntensityHoweverManyTheyAre) {
     InteractiveRenderer& irsg = generator();
     // The truth is that of far away, where a wall of 30 m has no middle that is nearer than its
     // ends.
@@ -197,7 +197,7 @@ TEST(HotSpots, KeepTheirIntensityHoweverManyTheyAre) {
     }
 }
 
-TEST(HotSpots, OfSeveralStatesAreDrawnOnceForAll) {
+TEST(HotSpotSampling, OfSeveralStatesAreDrawnOnceForAll) {
     // Cold at no power, hot at full power.
     Spots spots(3);
     Entity wall = hotAndCold(spots.mesh);
@@ -244,7 +244,7 @@ TEST(HotSpots, OfSeveralStatesAreDrawnOnceForAll) {
     EXPECT_EQ(together[1], alone[1]) << "whose hot spots are those of both";
 }
 
-TEST(HotSpots, ThatAreHiddenCostNothingAndChangeNothing) {
+TEST(HotSpotSampling, ThatAreHiddenCostNothingAndChangeNothing) {
     // From behind, a screen hides them all.
     InteractiveRenderer& irsg = generator();
     const Mesh screen = plateMesh({0, -0.5, 0}, {0, 0, 7}, {17, 0, 0}, skin);
@@ -265,8 +265,8 @@ TEST(HotSpots, ThatAreHiddenCostNothingAndChangeNothing) {
     }
 }
 
-TEST(HotSpots, AreHiddenWhereAProbeFindsSomethingBeforeAllOfThem) {
-    const HotPart part{{10.2, 10.2, 12.8, 11.6}, 100.0};
+TEST(HotSpotSampling, AreHiddenWhereAProbeFindsSomethingBeforeAllOfThem) {
+    const HotSpot part{{10.2, 10.2, 12.8, 11.6}, 100.0};
     SampleWindow probe;
     probe.tileX = 5, probe.tileY = 4;
     probe.tilesWide = 12, probe.tilesHigh = 14;
@@ -295,7 +295,7 @@ TEST(HotSpots, AreHiddenWhereAProbeFindsSomethingBeforeAllOfThem) {
     }
 }
 
-TEST(HotSpots, InPiecesWithoutEndShareBoxesThatHoldThemAll) {
+TEST(HotSpotSampling, InPiecesWithoutEndShareBoxesThatHoldThemAll) {
     Mesh mesh;
     constexpr int pieces = 1500;
     for (int i = 0; i < pieces; ++i) {

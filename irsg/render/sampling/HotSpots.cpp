@@ -1,4 +1,4 @@
-#include "irsg/render/sampling/HotParts.h"
+#include "irsg/render/sampling/HotSpots.h"
 
 #include <algorithm>
 #include <array>
@@ -134,10 +134,10 @@ std::vector<BoundingBox> connectedPieces(const std::vector<DrawItem>& items, con
     return boxes;
 }
 
-SampleWindow probeOf(const std::vector<HotPart>& parts, int entity) {
+SampleWindow probeOf(const std::vector<HotSpot>& parts, int entity) {
     constexpr double mostTiles = 96.0;
     ImageRectangle all;
-    for (const HotPart& part : parts)
+    for (const HotSpot& part : parts)
         all = all.unitedWith(part.extent);
     const double level = std::floor(std::log2(mostTiles / std::max(all.extent(), 1e-300)));
     SampleWindow probe = windowOnTiles(
@@ -148,7 +148,7 @@ SampleWindow probeOf(const std::vector<HotPart>& parts, int entity) {
     return probe;
 }
 
-ProbedTiles tilesAround(const HotPart& part, const SampleWindow& probe) {
+ProbedTiles tilesAround(const HotSpot& part, const SampleWindow& probe) {
     const ImageRectangle all = probe.rectangle();
     const double side_px = probe.tileSide_px();
     const auto tile = [side_px](double place_px, double origin_px, int count) {
@@ -161,7 +161,7 @@ ProbedTiles tilesAround(const HotPart& part, const SampleWindow& probe) {
             tile(part.extent.bottom + side_px, all.top, probe.tilesHigh)};
 }
 
-bool isHidden(const HotPart& part, const SampleWindow& probe, const GeometrySamples& samples) {
+bool isHidden(const HotSpot& part, const SampleWindow& probe, const GeometrySamples& samples) {
     constexpr double nearer = 1.0 - 1e-6; // beyond the rounding of float
     const ProbedTiles tiles = tilesAround(part, probe);
     for (int row = tiles.top; row <= tiles.bottom; ++row)
@@ -175,10 +175,10 @@ bool isHidden(const HotPart& part, const SampleWindow& probe, const GeometrySamp
     return true;
 }
 
-std::vector<HotPart> HotParts::seenBy(const CameraFrame& camera, const Pose& pose,
+std::vector<HotSpot> HotSpots::seenBy(const CameraFrame& camera, const Pose& pose,
                                       const std::vector<DrawItem>& items,
                                       const std::vector<IrCodes>& hot) {
-    std::vector<HotPart> parts;
+    std::vector<HotSpot> parts;
     const Sensor& sensor = camera.sensor();
     const ImageRectangle field{0.0, 0.0, static_cast<double>(sensor.width_px),
                                static_cast<double>(sensor.height_px)};
