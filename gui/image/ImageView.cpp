@@ -24,7 +24,7 @@
 namespace smat::gui {
 namespace {
 
-QRectF rectangleOf(const irsg::SampledWindow& window) {
+QRectF rectangleOf(const irsg::SampledTile& window) {
     return QRectF(QPointF(window.left_px, window.top_px),
                   QPointF(window.right_px, window.bottom_px));
 }
@@ -89,15 +89,15 @@ void ImageView::adopt(std::shared_ptr<const irsg::RadianceImage> image) {
     for (int i = 0; i < planes; ++i)
         plane_->addItem(planeTitle(image_->channels[static_cast<std::size_t>(i)]), i);
     plane_->setCurrentIndex(std::clamp(shown, 0, plane_->count() - 1));
-    windows_ = irsg::windowsOf(*image_);
-    windowsShown_->setEnabled(!windows_.empty());
-    outlineWindows();
+    windows_ = irsg::tilesOf(*image_);
+    tilesShown_->setEnabled(!windows_.empty());
+    outlineTiles();
 }
 
-void ImageView::outlineWindows() {
+void ImageView::outlineTiles() {
     std::vector<QRectF> outlines;
-    if (windowsShown_->isChecked())
-        for (const irsg::SampledWindow& window : windows_)
+    if (tilesShown_->isChecked())
+        for (const irsg::SampledTile& window : windows_)
             outlines.push_back(rectangleOf(window));
     canvas_->setOutlines(std::move(outlines));
 }
@@ -215,7 +215,7 @@ QString ImageView::readoutAt(int x, int y) const {
                     .trimmed()
                     .prepend("     ");
     }
-    if (windowsShown_->isChecked())
+    if (tilesShown_->isChecked())
         text += "     " + windowWords(x, y);
     return text;
 }
@@ -363,7 +363,7 @@ void ImageView::keyPressEvent(QKeyEvent* event) {
     } else if (key == Qt::Key_H) {
         histogram_->toggle();
     } else if (key == Qt::Key_W) {
-        windowsShown_->click();
+        tilesShown_->click();
     } else if (key == Qt::Key_X && pixels_->canExplain()) {
         explains_->click();
     } else if ((key == Qt::Key_Return || key == Qt::Key_Enter) && explains_->isChecked() &&

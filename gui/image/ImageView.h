@@ -12,7 +12,7 @@
 #include "gui/widgets/LatestTask.h"
 #include "irsg/image/ColorMap.h"
 #include "irsg/image/RadianceImage.h"
-#include "irsg/image/SampledWindows.h"
+#include "irsg/image/SampledTiles.h"
 #include "irsg/radiometry/Band.h"
 
 class QComboBox;
@@ -101,7 +101,7 @@ class ImageView : public QWidget, public Exportable {
     void useLimits(const FoundLimits& found);
     void updateStatistics();
     /// What the antialiasing sampled by itself; nothing in an image that does not tell.
-    void outlineWindows();
+    void outlineTiles();
     /// Of the finest window that touches a pixel; empty where none does.
     QString windowWords(int x, int y) const;
     void adopt(std::shared_ptr<const irsg::RadianceImage> image);
@@ -122,9 +122,9 @@ class ImageView : public QWidget, public Exportable {
     QComboBox* plane_ = nullptr;
     QComboBox* colors_ = nullptr;
     QToolButton* histogram_ = nullptr;
-    QToolButton* windowsShown_ = nullptr;
+    QToolButton* tilesShown_ = nullptr;
     QToolButton* explains_ = nullptr;
-    std::vector<irsg::SampledWindow> windows_;
+    std::vector<irsg::SampledTile> windows_;
     QLabel* conditions_ = nullptr;
     QLabel* readout_ = nullptr;
     QLabel* statistics_ = nullptr;

@@ -94,9 +94,9 @@ QHBoxLayout* ImageView::makeBar() {
     }
     histogram_ = textButton(tr("Histogram"), "showHistogram", tr("Histogram and statistics (H)"));
     histogram_->setCheckable(true);
-    windowsShown_ = textButton(tr("Windows"), "showWindows",
-                               tr("Outline what the antialiasing sampled by itself (W)"));
-    windowsShown_->setCheckable(true);
+    tilesShown_ = textButton(tr("Windows"), "showWindows",
+                             tr("Outline what the antialiasing sampled by itself (W)"));
+    tilesShown_->setCheckable(true);
     explains_ = textButton(tr("Explain"), "explainPixels",
                            tr("A click on a pixel says what it is made of (X)"));
     explains_->setCheckable(true);
@@ -127,7 +127,7 @@ QHBoxLayout* ImageView::makeBar() {
         textButton(tr("1:1"), "actualSize", tr("One pixel of the image is one of the screen (A)"));
     connect(fit, &QToolButton::clicked, canvas_, &ImageCanvas::fit);
     connect(actual, &QToolButton::clicked, canvas_, &ImageCanvas::showActualSize);
-    connect(windowsShown_, &QToolButton::toggled, this, &ImageView::outlineWindows);
+    connect(tilesShown_, &QToolButton::toggled, this, &ImageView::outlineTiles);
     connect(explains_, &QToolButton::toggled, this, [this](bool on) {
         pixels_->setVisible(on);
         if (on)
@@ -139,7 +139,7 @@ QHBoxLayout* ImageView::makeBar() {
     auto* flow = new FlowBar(this);
     flow->first()->addWidget(plane_);
     flow->first()->addWidget(colors_);
-    for (QToolButton* button : {histogram_, windowsShown_, explains_, copy, write, fit, actual})
+    for (QToolButton* button : {histogram_, tilesShown_, explains_, copy, write, fit, actual})
         flow->second()->addWidget(button);
     auto* bar = new QHBoxLayout;
     bar->addWidget(flow);

@@ -401,7 +401,7 @@ ViewHud SceneView::hud() const {
     hud.inspecting = cameras().isInspecting();
     hud.inset = insetRect();
     hud.frusta = frusta_->frusta(hud.reference_m);
-    for (const irsg::SampledWindow& window : frusta_->windows())
+    for (const irsg::SampledTile& window : frusta_->windows())
         hud.mostSamples = std::max(hud.mostSamples, std::min(window.across, window.down));
     if (hasHandles())
         hud.handles = handles();

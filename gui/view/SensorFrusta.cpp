@@ -39,7 +39,7 @@ void SensorFrusta::setOn(bool on) {
     }
     display_ = new InfraredDisplay(this);
     connect(display_, &InfraredDisplay::drawn, this, [this](const InfraredPicture& picture) {
-        windows_ = irsg::windowsOf(*picture.image);
+        windows_ = irsg::tilesOf(*picture.image);
         picture_ = picture;
         picture_->image = nullptr;
         picture_->colors = {};
@@ -94,7 +94,7 @@ std::vector<ViewFrustum> SensorFrusta::frusta(const irsg::Vec3& target_m) const 
              {place(left, top), place(r, top), place(r, bottom), place(left, bottom)}});
     };
     add(ViewFrustum::Of::frame, 0.0, 0.0, width, height);
-    for (const irsg::SampledWindow& window : windows_)
+    for (const irsg::SampledTile& window : windows_)
         add(window.across > 0.0 ? ViewFrustum::Of::window : ViewFrustum::Of::point, window.left_px,
             window.top_px, window.right_px, window.bottom_px);
     return frusta;

@@ -9,7 +9,7 @@
 #include <QObject>
 
 #include "gui/view/InfraredRequest.h"
-#include "irsg/image/SampledWindows.h"
+#include "irsg/image/SampledTiles.h"
 
 namespace smat::gui {
 
@@ -48,7 +48,7 @@ class SensorFrusta : public QObject {
     bool isUpToDate() const;
 
     /// Of the last picture; empty before it.
-    const std::vector<irsg::SampledWindow>& windows() const { return windows_; }
+    const std::vector<irsg::SampledTile>& windows() const { return windows_; }
     /// To a plane through `target_m` that the sensor looks at; the frame's first.
     std::vector<ViewFrustum> frusta(const irsg::Vec3& target_m) const;
 
@@ -62,7 +62,7 @@ class SensorFrusta : public QObject {
     InfraredDisplay* display_ = nullptr;
     std::optional<InfraredRequest> asked_;
     long revision_ = 0;
-    std::vector<irsg::SampledWindow> windows_;
+    std::vector<irsg::SampledTile> windows_;
     std::optional<InfraredPicture> picture_; ///< without its values
 };
 

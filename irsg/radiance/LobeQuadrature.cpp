@@ -10,7 +10,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/ParallelFor.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/render/rays/WindowSamples.h"
+#include "irsg/render/rays/TileSamples.h"
 
 namespace irsg {
 
@@ -53,9 +53,9 @@ Vec3 levelOf(const Vec3& direction, const Vec3& zenith) {
 
 } // namespace
 
-struct LobeQuadrature::Window {
+struct LobeQuadrature::Tile {
     const SurfaceScene* scene = nullptr;
-    const SampleWindow* window = nullptr;
+    const SampleTile* tile = nullptr;
     EyeDirections directions;
     Vec3 zenith, sun, towards; ///< the last the level part of the sun's, a unit vector
     std::optional<SunShadows::OpenPaths> open;
@@ -78,9 +78,9 @@ struct LobeQuadrature::Window {
         double square = mostBend * mostBend;
         for (const int step : {-1, 1}) {
             const int x = column + (isDown ? 0 : step), y = row + (isDown ? step : 0);
-            if (x < 0 || y < 0 || x >= window->width() || y >= window->height())
+            if (x < 0 || y < 0 || x >= tile->width() || y >= tile->height())
                 continue;
-            const auto [other, next] = opaqueAt(samples, indexOf(*window, x, y), first);
+            const auto [other, next] = opaqueAt(samples, indexOf(*tile, x, y), first);
             const Vec3 difference = next - normal;
             if (other == own && product(difference, difference) < square) {
                 square = product(difference, difference);
@@ -107,10 +107,9 @@ LobeQuadrature::LobeQuadrature(const SurfaceRows& rows, Making making)
                                  : 0);
 }
 
-void LobeQuadrature::addLobes(const Window& own, int row, int column,
-                              const GeometrySamples& samples, SunShadows::Neighbours& neighbours,
-                              Found& found) const {
-    const std::size_t sample = indexOf(*own.window, column, row);
+void LobeQuadrature::addLobes(const Tile& own, int row, int column, const GeometrySamples& samples,
+                              SunShadows::Neighbours& neighbours, Found& found) const {
+    const std::size_t sample = indexOf(*own.tile, column, row);
     if (samples.isEmpty(sample))
         return;
     const std::size_t first = making_.roles.size();
@@ -274,12 +273,12 @@ void LobeQuadrature::apply(const SheetScene& sheet, const SunShadows* shadows,
     samples.specularScales.clear();
     samples.specularTables.clear();
     samples.lobeRoles = making_.roles;
-    std::vector<Window> windows;
+    std::vector<Tile> tiles;
     for (std::size_t w = 0; w < sheet.scenes.size(); ++w) {
-        Window& own = windows.emplace_back();
+        Tile& own = tiles.emplace_back();
         own.scene = &sheet.scenes[w];
-        own.window = &sheet.sheet.windows[w];
-        own.directions = {own.scene->camera->sensor(), *own.window};
+        own.tile = &sheet.sheet.tiles[w];
+        own.directions = {own.scene->camera->sensor(), *own.tile};
         const auto& directions = own.scene->factors.directionsEye;
         if (making_.zenith >= 0)
             own.zenith = directions[static_cast<std::size_t>(making_.zenith)].second;
@@ -287,21 +286,21 @@ void LobeQuadrature::apply(const SheetScene& sheet, const SunShadows* shadows,
             own.sun = directions[static_cast<std::size_t>(making_.sun)].second;
         own.towards = levelOf(own.sun, own.zenith);
         if (shadows != nullptr)
-            own.open = shadows->openPaths(*own.scene, *own.window);
+            own.open = shadows->openPaths(*own.scene, *own.tile);
     }
-    const std::vector<WindowRows> pieces = rowsOf(sheet.sheet);
+    const std::vector<TileRows> pieces = rowsOf(sheet.sheet);
     std::vector<Found> found(pieces.size());
-    struct Line { // of a window: its lobes stand by sample and layer already
+    struct Line { // of a tile: its lobes stand by sample and layer already
         std::size_t piece = 0, begin = 0, end = 0, firstSpecular = 0, lastSpecular = 0;
     };
     std::vector<std::vector<Line>> linesOf(pieces.size());
     parallelFor(pieces.size(), [&](std::size_t i) {
-        const Window& own = windows[pieces[i].window];
+        const Tile& own = tiles[pieces[i].tile];
         SunShadows::Neighbours neighbours;
         Found& piece = found[i];
         for (int row = pieces[i].first; row < pieces[i].last; ++row) {
             const std::size_t begin = piece.lobes.size(), firstSpecular = piece.speculars.size();
-            for (int column = 0; column < own.window->width(); ++column)
+            for (int column = 0; column < own.tile->width(); ++column)
                 addLobes(own, row, column, samples, neighbours, piece);
             if (piece.lobes.size() > begin)
                 linesOf[i].push_back(

@@ -51,10 +51,10 @@ class LobeQuadrature {
     void apply(const SheetScene& sheet, const SunShadows* shadows, GeometrySamples& samples) const;
 
   private:
-    struct Window;
+    struct Tile;
     struct Found;
     class TableUse;
-    void addLobes(const Window& window, int row, int column, const GeometrySamples& samples,
+    void addLobes(const Tile& tile, int row, int column, const GeometrySamples& samples,
                   SunShadows::Neighbours& neighbours, Found& found) const;
 
     const SurfaceRows& rows_;

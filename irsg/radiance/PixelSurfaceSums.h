@@ -17,7 +17,7 @@ namespace irsg {
 class PixelSurfaceSums {
   public:
     /// `pixels`: those of the part. `share`: a sample's part of a pixel.
-    PixelSurfaceSums(const SurfaceRows& rows, const PixelWindow& pixels, std::size_t factorCount,
+    PixelSurfaceSums(const SurfaceRows& rows, const PixelRegion& pixels, std::size_t factorCount,
                      const LightExchange* exchange, const ReceiverRows& receivers, double share)
         : rows_(static_cast<std::size_t>(rows.size())),
           surfaces_(rows),
@@ -79,10 +79,10 @@ class PixelSurfaceSums {
     const GeometryBuffer<double>& field() const { return field_; }
     /// Of receivers of light, whose kinds are numbered by ReceiverRows.
     const GeometryBuffer<double>& light() const { return light_; }
-    const PixelWindow& pixels() const { return pixels_; }
+    const PixelRegion& pixels() const { return pixels_; }
 
   private:
-    static std::size_t cellsOf(const PixelWindow& pixels) {
+    static std::size_t cellsOf(const PixelRegion& pixels) {
         return static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height);
     }
     void addReceivers(const SurfaceStackId& kind, double weight, const GeometrySamples::Place& at) {
@@ -111,7 +111,7 @@ class PixelSurfaceSums {
 
     std::size_t rows_;
     const SurfaceRows& surfaces_;
-    PixelWindow pixels_;
+    PixelRegion pixels_;
     std::size_t factorCount_;
     const LightExchange* exchange_;
     const ReceiverRows& receivers_;

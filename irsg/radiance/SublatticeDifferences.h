@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "irsg/radiance/ViewSurfaceSums.h"
-#include "irsg/render/sampling/SampleWindow.h"
+#include "irsg/render/sampling/SampleTile.h"
 
 namespace irsg {
 
-/// Differences between interleaved lattices of the samples of some rows of a window. Every second
+/// Differences between interleaved lattices of the samples of some rows of a tile. Every second
 /// row and every second column of a lattice is a lattice of a quarter of its samples; the four of
 /// them are phase-shifted drawings of the same view, and three sums with signs hold all by which
 /// they differ:
@@ -29,12 +29,12 @@ template <std::size_t Factors>
 class SublatticeDifferences {
   public:
     /// Of the rows from one on to before another, counted from the top. All must live as long.
-    SublatticeDifferences(const SampleWindow& window, std::size_t firstRow, std::size_t lastRow,
+    SublatticeDifferences(const SampleTile& tile, std::size_t firstRow, std::size_t lastRow,
                           const ViewSurfaceSums<Factors>& empty)
-        : window_(window),
+        : tile_(tile),
           firstRow_(static_cast<int>(firstRow)),
           lastRow_(static_cast<int>(lastRow)),
-          cells_(static_cast<std::size_t>(window.tilesWide * window.samplesAcross)),
+          cells_(static_cast<std::size_t>(tile.blocksWide * tile.samplesAcross)),
           classes_{empty, empty, empty, empty},
           corrections_{empty, empty, empty} {}
 
@@ -122,20 +122,20 @@ class SublatticeDifferences {
 
   private:
     void goToRow(std::size_t sample) {
-        const std::size_t fromBottom = (sample - window_.firstSample) / window_.stride();
-        const int row = window_.height() - 1 - static_cast<int>(fromBottom);
-        rowBegin_ = window_.firstSample + fromBottom * window_.stride();
-        rowEnd_ = rowBegin_ + window_.stride();
-        firstCell_ = static_cast<std::size_t>(window_.firstColumn(row));
+        const std::size_t fromBottom = (sample - tile_.firstSample) / tile_.stride();
+        const int row = tile_.height() - 1 - static_cast<int>(fromBottom);
+        rowBegin_ = tile_.firstSample + fromBottom * tile_.stride();
+        rowEnd_ = rowBegin_ + tile_.stride();
+        firstCell_ = static_cast<std::size_t>(tile_.firstColumn(row));
         rowParity_ = static_cast<std::size_t>(row % 2);
         isFirst_ = row == firstRow_;
         isLast_ = row + 1 == lastRow_;
         isBorderRow_ = isFirst_ || isLast_;
-        if (window_.isWhole())
+        if (tile_.isWhole())
             return;
-        inside_ = window_.weightsOf(row);
-        above_ = isFirst_ ? std::vector<double>(cells_, 0.0) : window_.weightsOf(row - 1);
-        below_ = isLast_ ? std::vector<double>(cells_, 0.0) : window_.weightsOf(row + 1);
+        inside_ = tile_.weightsOf(row);
+        above_ = isFirst_ ? std::vector<double>(cells_, 0.0) : tile_.weightsOf(row - 1);
+        below_ = isLast_ ? std::vector<double>(cells_, 0.0) : tile_.weightsOf(row + 1);
     }
     bool isInside(const std::vector<double>& weights, std::size_t cell) const {
         constexpr double whole = 1.0 - 1e-9;
@@ -155,7 +155,7 @@ class SublatticeDifferences {
                (!isLast_ && isInside(below_, cell) ? 0.5 : 0.0);
     }
 
-    const SampleWindow& window_;
+    const SampleTile& tile_;
     int firstRow_, lastRow_;
     std::size_t cells_;                               ///< of a row
     std::array<ViewSurfaceSums<Factors>, 4> classes_; ///< by parity of row and column

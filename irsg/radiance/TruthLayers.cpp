@@ -60,13 +60,13 @@ const TruthLayers::SurfaceStackTerms& TruthLayers::termsOf(const SurfaceStackId&
     return terms_[number];
 }
 
-void TruthLayers::add(const SampleWindow& window, const GeometrySamples& samples) {
+void TruthLayers::add(const SampleTile& tile, const GeometrySamples& samples) {
     const std::vector<RadianceTerm>& list = radiometry_.terms().terms;
     const SurfaceRows& rows = radiometry_.rows();
-    const double share = window.share();
-    const ImageRectangle place = window.rectangle();
-    const double across_px = window.tileSide_px() / window.samplesAcross;
-    const double down_px = window.tileSide_px() / window.samplesDown;
+    const double share = tile.share();
+    const ImageRectangle place = tile.rectangle();
+    const double across_px = tile.blockSide_px() / tile.samplesAcross;
+    const double down_px = tile.blockSide_px() / tile.samplesDown;
     std::vector<float>& temperatureIndex = image_.channel("temperature_index").values;
     std::vector<float>& materialIndex = image_.channel("material_index").values;
     std::vector<float>& range = image_.channel("range").values;
@@ -89,7 +89,7 @@ void TruthLayers::add(const SampleWindow& window, const GeometrySamples& samples
         sunVisibility = &image_.channel(sunVisibilityChannel).values;
 
     std::vector<double> sums(planes.size());
-    window.forEachRun([&](std::size_t first, int count, int x, int y, double weight) {
+    tile.forEachRun([&](std::size_t first, int count, int x, int y, double weight) {
         const std::size_t pixel = image_.offset(x, y);
         const std::size_t last = first + static_cast<std::size_t>(count);
         std::ranges::fill(sums, 0.0);
@@ -130,13 +130,13 @@ void TruthLayers::add(const SampleWindow& window, const GeometrySamples& samples
                 });
 
             // GL's rows run from the bottom up.
-            const std::size_t drawn = i - window.firstSample;
-            const int row = window.height() - 1 - static_cast<int>(drawn / window.stride());
-            const auto drawnColumn = static_cast<double>(drawn % window.stride());
-            const double column = drawnColumn - window.shift(row);
+            const std::size_t drawn = i - tile.firstSample;
+            const int row = tile.height() - 1 - static_cast<int>(drawn / tile.stride());
+            const auto drawnColumn = static_cast<double>(drawn % tile.stride());
+            const double column = drawnColumn - tile.shift(row);
             const double right_px = place.left + (column + 0.5) * across_px - (x + 0.5);
             const double below_px =
-                place.top + (row + 0.5 + window.drop(drawnColumn)) * down_px - (y + 0.5);
+                place.top + (row + 0.5 + tile.drop(drawnColumn)) * down_px - (y + 0.5);
             const auto off_px = static_cast<float>(std::hypot(right_px, below_px));
             if (off_px < offMiddle_px_[pixel]) {
                 offMiddle_px_[pixel] = off_px;

@@ -8,7 +8,7 @@
 #include "irsg/radiance/LayerWalk.h"
 #include "irsg/radiance/SurfaceRadianceTable.h"
 #include "irsg/radiance/exchange/SceneLight.h"
-#include "irsg/render/sampling/SampleWindow.h"
+#include "irsg/render/sampling/SampleTile.h"
 
 namespace irsg {
 
@@ -33,7 +33,7 @@ class TruthLayers {
                 SceneLight* light, RadianceImage& image);
 
     /// Samples with the distances of their opaque surfaces.
-    void add(const SampleWindow& window, const GeometrySamples& samples);
+    void add(const SampleTile& tile, const GeometrySamples& samples);
 
   private:
     struct SurfaceStackTerms {

@@ -16,51 +16,51 @@ namespace irsg {
 
 namespace {
 
-/// Pieces that the rows of a window are divided into, whatever the number of cores.
+/// Pieces that the rows of a tile are divided into, whatever the number of cores.
 constexpr std::size_t lightParts = 8;
 /// Parts whose contrasts are kept apart: what edges far from each other do is not lost between
 /// them.
 constexpr std::size_t sublatticeStrips = 4;
 
-/// Adds the samples of some rows of a window, counted from the top, to sums of theirs.
+/// Adds the samples of some rows of a tile, counted from the top, to sums of theirs.
 template <typename Sums>
-void addRows(const SampleWindow& window, const GeometrySamples& samples, std::size_t firstRow,
+void addRows(const SampleTile& tile, const GeometrySamples& samples, std::size_t firstRow,
              std::size_t lastRow, LayerWalk& walk, Sums& sums) {
-    window.forEachRun(static_cast<int>(firstRow), static_cast<int>(lastRow),
-                      [&](std::size_t first, int count, int x, int y, double weight) {
-                          const std::size_t last = first + static_cast<std::size_t>(count);
-                          while (first < last && samples.isEmpty(first))
-                              ++first;
-                          if (first == last)
-                              return;
-                          sums.goTo(x, y, weight);
-                          for (std::size_t i = first; i < last; ++i) {
-                              if constexpr (requires { sums.at(i); })
-                                  sums.at(i);
-                              walk.forEachPlace(
-                                  samples, i,
-                                  [&](int stack, const SurfaceRows::Between& between,
-                                      const GeometrySamples::Layer& layer)
-                                      __attribute__((always_inline)) {
-                                          if (layer.coverage > 0.0f && !layer.isLobe)
-                                              sums.add(stack, between, layer);
-                                          else
-                                              sums.addLight(stack, between, layer);
-                                      },
-                                  [&](int stack, const GeometrySamples::Layer& layer,
-                                      const GeometrySamples::Specular& mirror) {
-                                      sums.addSpecular(stack, samples, layer, mirror);
-                                  });
-                          }
-                      });
+    tile.forEachRun(static_cast<int>(firstRow), static_cast<int>(lastRow),
+                    [&](std::size_t first, int count, int x, int y, double weight) {
+                        const std::size_t last = first + static_cast<std::size_t>(count);
+                        while (first < last && samples.isEmpty(first))
+                            ++first;
+                        if (first == last)
+                            return;
+                        sums.goTo(x, y, weight);
+                        for (std::size_t i = first; i < last; ++i) {
+                            if constexpr (requires { sums.at(i); })
+                                sums.at(i);
+                            walk.forEachPlace(
+                                samples, i,
+                                [&](int stack, const SurfaceRows::Between& between,
+                                    const GeometrySamples::Layer& layer)
+                                    __attribute__((always_inline)) {
+                                        if (layer.coverage > 0.0f && !layer.isLobe)
+                                            sums.add(stack, between, layer);
+                                        else
+                                            sums.addLight(stack, between, layer);
+                                    },
+                                [&](int stack, const GeometrySamples::Layer& layer,
+                                    const GeometrySamples::Specular& mirror) {
+                                    sums.addSpecular(stack, samples, layer, mirror);
+                                });
+                        }
+                    });
     sums.finish();
 }
 
-/// Samples of a window, which may share the drawing, that have more layers than are kept.
-int layersLeftOver(const SampleWindow& window, const GeometrySamples& samples) {
+/// Samples of a tile, which may share the drawing, that have more layers than are kept.
+int layersLeftOver(const SampleTile& tile, const GeometrySamples& samples) {
     int count = 0;
     if (samples.layersLeftOver > 0)
-        window.forEachRun([&](std::size_t first, int length, int, int, double) {
+        tile.forEachRun([&](std::size_t first, int length, int, int, double) {
             for (std::size_t i = first; i < first + static_cast<std::size_t>(length); ++i)
                 count += samples.isLeftOver(i);
         });
@@ -109,22 +109,22 @@ PixelGeometry GeometrySums::emptyPixels() const {
 }
 
 template <std::size_t Factors>
-void GeometrySums::addGeometryToView(const SampleWindow& window, const GeometrySamples& samples,
+void GeometrySums::addGeometryToView(const SampleTile& tile, const GeometrySamples& samples,
                                      ViewGeometry& view) {
-    const auto rows = static_cast<std::size_t>(window.height());
+    const auto rows = static_cast<std::size_t>(tile.height());
     std::vector<LayerWalk> walks(lightParts, LayerWalk(rows_));
-    const ViewSurfaceSums<Factors> none(rows_, grid_, varying_, exchange_.get(), window.share());
+    const ViewSurfaceSums<Factors> none(rows_, grid_, varying_, exchange_.get(), tile.share());
     std::array<std::optional<ViewSurfaceSums<Factors>>, lightParts> sums;
     std::array<std::optional<SublatticeDifferences<Factors>>, lightParts> sublatticeDifferences;
     parallelFor(lightParts, [&](std::size_t p) {
         const std::size_t begin = beginOfPart(p, lightParts, rows),
                           end = beginOfPart(p + 1, lightParts, rows);
         const auto addTo = [&](auto& own) {
-            addRows(window, samples, begin, end, walks[p], own);
+            addRows(tile, samples, begin, end, walks[p], own);
             own.finishLight();
         };
         if (withSublatticeDifferences_)
-            addTo(sublatticeDifferences[p].emplace(window, begin, end, none));
+            addTo(sublatticeDifferences[p].emplace(tile, begin, end, none));
         else
             addTo(sums[p].emplace(none));
     });
@@ -165,19 +165,19 @@ void addLight(const LightSums& light, double scale, LightSums& to) {
         addScaled(sums, scale, to[kind]);
 }
 
-void GeometrySums::addToView(const SampleWindow& window, const GeometrySamples& samples,
+void GeometrySums::addToView(const SampleTile& tile, const GeometrySamples& samples,
                              ViewGeometry& view) {
-    view.layersLeftOver += layersLeftOver(window, samples);
+    view.layersLeftOver += layersLeftOver(tile, samples);
     const auto addFor = [&]<std::size_t... I>(std::index_sequence<I...>) {
-        ((layout_.factorCount == I + 1 ? addGeometryToView<I + 1>(window, samples, view) : void()),
+        ((layout_.factorCount == I + 1 ? addGeometryToView<I + 1>(tile, samples, view) : void()),
          ...);
     };
     addFor(std::make_index_sequence<mostFactors>());
 }
 
-void GeometrySums::addToPixels(const SampleWindow& window, const GeometrySamples& samples,
+void GeometrySums::addToPixels(const SampleTile& tile, const GeometrySamples& samples,
                                PixelGeometry& pixels) {
-    const auto rows = static_cast<std::size_t>(window.height());
+    const auto rows = static_cast<std::size_t>(tile.height());
     std::vector<LayerWalk> walks(lightParts, LayerWalk(rows_));
     std::array<std::optional<PixelSurfaceSums>, lightParts> sums;
     parallelFor(lightParts, [&](std::size_t p) {
@@ -186,22 +186,22 @@ void GeometrySums::addToPixels(const SampleWindow& window, const GeometrySamples
         if (begin == end)
             return;
         const auto pixelRow = [&](std::size_t row) {
-            return static_cast<int>((window.tileY + static_cast<int>(row) / window.samplesDown) >>
-                                    window.level);
+            return static_cast<int>((tile.blockY + static_cast<int>(row) / tile.samplesDown) >>
+                                    tile.level);
         };
-        PixelWindow own = window.pixels();
+        PixelRegion own = tile.pixels();
         own.y = pixelRow(begin);
         own.height = pixelRow(end - 1) - own.y + 1;
         sums[p].emplace(rows_, own, layout_.factorCount, exchange_.get(), pixels.receivers,
-                        window.share());
-        addRows(window, samples, begin, end, walks[p], *sums[p]);
+                        tile.share());
+        addRows(tile, samples, begin, end, walks[p], *sums[p]);
     });
     for (std::size_t p = 0; p < lightParts; ++p) {
         if (!sums[p])
             continue;
         const std::vector<int> occluderStacks =
             numbersOf(walks[p].occluderStacks(), occluderStacks_);
-        const PixelWindow& own = sums[p]->pixels();
+        const PixelRegion& own = sums[p]->pixels();
         const auto width = static_cast<std::size_t>(own.width);
         const auto cellOf = [&](std::size_t cell) {
             return (static_cast<std::size_t>(own.y) + cell / width) *

@@ -10,7 +10,7 @@
 #include "irsg/radiance/OccluderStacks.h"
 #include "irsg/radiance/SurfaceRows.h"
 #include "irsg/radiance/exchange/SceneLight.h"
-#include "irsg/render/sampling/SampleWindow.h"
+#include "irsg/render/sampling/SampleTile.h"
 #include "irsg/render/sampling/Samples.h"
 
 namespace irsg {
@@ -65,17 +65,16 @@ class GeometrySums {
                  bool withSublatticeDifferences = false);
 
     /// To the sums of the view.
-    void addToView(const SampleWindow& window, const GeometrySamples& samples, ViewGeometry& view);
+    void addToView(const SampleTile& tile, const GeometrySamples& samples, ViewGeometry& view);
     ViewGeometry emptyView() const;
 
     /// To the sums of the pixels, row by row: coverage and each drawn factor, as parts of a pixel.
-    void addToPixels(const SampleWindow& window, const GeometrySamples& samples,
-                     PixelGeometry& pixels);
+    void addToPixels(const SampleTile& tile, const GeometrySamples& samples, PixelGeometry& pixels);
     PixelGeometry emptyPixels() const;
 
   private:
     template <std::size_t Factors>
-    void addGeometryToView(const SampleWindow& window, const GeometrySamples& samples,
+    void addGeometryToView(const SampleTile& tile, const GeometrySamples& samples,
                            ViewGeometry& view);
 
     int width_px_, height_px_;

@@ -127,19 +127,19 @@ ViewGeometry AspectSampler::sampleAlone(const Frame& frame, int entity, const Ca
     sampler_.onEngine(frame.surfaces.engine, [&] {
         GeometrySamples samples;
         const PixelAlignedStrategy strategy(zoomWindow);
-        for (const SampleWindow& window :
-             piecesOf(strategy.windows({*seen}), frame.surfaces.engine.engine.largestSide())) {
-            SurfaceScene alone = sampler_.sceneOf(frame.surfaces, camera, window);
+        for (const SampleTile& tile :
+             piecesOf(strategy.tiles({*seen}), frame.surfaces.engine.engine.largestSide())) {
+            SurfaceScene alone = sampler_.sceneOf(frame.surfaces, camera, tile);
             alone.occluders.clear();
             alone.terrain = {};
             frame.surfaces.engine.engine.sampleGeometry(
-                {SampleSheet::of(window), {alone}}, rows.isSliced() || frame.shading().isNeeded(),
+                {SampleSheet::of(tile), {alone}}, rows.isSliced() || frame.shading().isNeeded(),
                 samples);
             clock_.timed("layer sorting", [&] {
-                frame.shading().sortAndApply({SampleSheet::of(window), {alone}}, frame.settings(),
+                frame.shading().sortAndApply({SampleSheet::of(tile), {alone}}, frame.settings(),
                                              samples);
             });
-            clock_.timed("factor sums", [&] { sums.addToView(window, samples, view); });
+            clock_.timed("factor sums", [&] { sums.addToView(tile, samples, view); });
         }
     });
     return view;
@@ -164,7 +164,7 @@ const PointGeometry& AspectSampler::pointGeometry(const Frame& frame,
     const double distance_m = PointSources::cameraDistance_radii * object.radius_m;
     return pointSources_.of(object.entity, aspectOf(frame, object.entity, from), [&] {
         // A few pixels of a camera that looks at it from far. No phases average its error, so its
-        // window is larger than that of other objects, but not by much: one that turns is drawn
+        // tile is larger than that of other objects, but not by much: one that turns is drawn
         // anew for every frame.
         Sensor few = frame.sensor();
         few.width_px = few.height_px = 4;
@@ -225,7 +225,7 @@ ViewGeometry AspectSampler::sampleAtNode(const Frame& frame, int entity, const V
                                          std::size_t node, const SurfaceRows& rows) {
     // Pixels that are small in terms of the object, as each has the solid angle of its middle.
     constexpr int pixels = 32;
-    // No phases average the error of a node, so that its window is larger than that of a frame.
+    // No phases average the error of a node, so that its tile is larger than that of a frame.
     const int zoomWindow = frame.settings().zoomWindow * 3 / 2;
     const Entity& own = frame.request.entity(entity);
     const double distance_m = prepared_.reach_m(own) / RangeGeometry::nodes[node];

@@ -14,19 +14,19 @@ namespace irsg {
 namespace {
 
 /// The samples of a probe around its parts.
-std::vector<SampleRun> runsAround(const std::vector<HotSpot>& parts, const SampleWindow& probe) {
-    const auto width = static_cast<std::size_t>(probe.tilesWide);
-    std::vector<char> isWanted(width * static_cast<std::size_t>(probe.tilesHigh));
+std::vector<SampleRun> runsAround(const std::vector<HotSpot>& parts, const SampleTile& probe) {
+    const auto width = static_cast<std::size_t>(probe.blocksWide);
+    std::vector<char> isWanted(width * static_cast<std::size_t>(probe.blocksHigh));
     for (const HotSpot& part : parts) {
-        const ProbedTiles tiles = tilesAround(part, probe);
-        for (int row = tiles.top; row <= tiles.bottom; ++row)
-            std::fill_n(isWanted.begin() + static_cast<std::ptrdiff_t>(row) * probe.tilesWide +
-                            tiles.left,
-                        tiles.right - tiles.left + 1, 1);
+        const ProbedBlocks blocks = blocksAround(part, probe);
+        for (int row = blocks.top; row <= blocks.bottom; ++row)
+            std::fill_n(isWanted.begin() + static_cast<std::ptrdiff_t>(row) * probe.blocksWide +
+                            blocks.left,
+                        blocks.right - blocks.left + 1, 1);
     }
     std::vector<SampleRun> runs;
-    for (int row = 0; row < probe.tilesHigh; ++row)
-        for (int column = 0; column < probe.tilesWide; ++column) {
+    for (int row = 0; row < probe.blocksHigh; ++row)
+        for (int column = 0; column < probe.blocksWide; ++column) {
             if (isWanted[static_cast<std::size_t>(row) * width +
                          static_cast<std::size_t>(column)] == 0)
                 continue;
@@ -184,7 +184,7 @@ std::vector<ImageRectangle> FramePlanner::detailsOf(const SceneSurfaces& surface
     std::vector<ImageRectangle> details;
     if (parts.empty())
         return details;
-    const SampleWindow probe = probeOf(parts, entity);
+    const SampleTile probe = probeOf(parts, entity);
     SurfaceScene scene = sampler_.sceneOf(surfaces, camera, probe);
     std::erase_if(scene.items, [](const SurfaceItem& item) { return item.transparent; });
     scene.occluders.clear();

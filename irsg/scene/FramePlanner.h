@@ -15,7 +15,7 @@
 
 namespace irsg {
 
-/// Decides how the objects of a frame are sampled: in windows, as points, or between distances, and
+/// Decides how the objects of a frame are sampled: in tiles, as points, or between distances, and
 /// where hot parts are worth samples of their own. Keeps the hot parts that the last view showed.
 class FramePlanner {
   public:

@@ -20,24 +20,23 @@ std::vector<const FrameBackground*> pointersTo(const std::vector<FrameBackground
 }
 
 /// What was sampled in one go, for people to see.
-std::vector<SampledWindow> sampledWindows(const Frame& frame,
-                                          const std::vector<DrawnWindow>& drawn) {
-    std::vector<SampledWindow> result;
-    const auto tell = [&](const DrawnWindow& window) {
-        const ImageRectangle& r = window.rectangle;
-        SampledWindow& told = result.emplace_back(
-            SampledWindow{r.left, r.top, r.right, r.bottom, window.across, window.down, {}});
-        for (const int entity : window.entities)
+std::vector<SampledTile> sampledTiles(const Frame& frame, const std::vector<RenderedTile>& drawn) {
+    std::vector<SampledTile> result;
+    const auto tell = [&](const RenderedTile& tile) {
+        const ImageRectangle& r = tile.rectangle;
+        SampledTile& told = result.emplace_back(
+            SampledTile{r.left, r.top, r.right, r.bottom, tile.across, tile.down, {}});
+        for (const int entity : tile.entities)
             told.objects += (told.objects.empty() ? "" : ", ") + frame.request.entity(entity).name;
     };
-    for (const DrawnWindow& window : drawn)
-        tell(window);
+    for (const RenderedTile& tile : drawn)
+        tell(tile);
     for (const ZoomEntityInfo& point : frame.plan.points)
         tell({point.extent, 0.0, 0.0, {point.entity}});
     return result;
 }
 
-/// Draws windows as radiances: as the shader adds them up, where one scale for each factor is
+/// Draws tiles as radiances: as the shader adds them up, where one scale for each factor is
 /// all there is to know of a surface, else from factors.
 class SurfaceRttPass : public RttPass {
   public:
@@ -53,13 +52,13 @@ class SurfaceRttPass : public RttPass {
               RadianceSamples& samples) override {
         Stopwatch watch(seconds);
         const SheetScene scene = surfaces_.scenesOf(frame_.surfaces, camera, sheet);
-        const auto isSlicedIn = [&](const SampleWindow& window) {
-            return std::ranges::any_of(window.entities, [&](int e) {
+        const auto isSlicedIn = [&](const SampleTile& tile) {
+            return std::ranges::any_of(tile.entities, [&](int e) {
                 return frame_.evaluation().geometry[static_cast<std::size_t>(e)].slices_m.size() >
                        1;
             });
         };
-        const bool isSliced = std::ranges::any_of(sheet.windows, isSlicedIn);
+        const bool isSliced = std::ranges::any_of(sheet.tiles, isSlicedIn);
         if (!isSliced && !frame_.shading().isNeeded() &&
             std::ranges::none_of(scene.scenes, &SurfaceScene::hasTransparent))
             return frame_.surfaces.engine.engine.drawRadiance(scene, samples);
@@ -113,28 +112,28 @@ FrameSampler::FrameSampler(const RadianceTerms& terms, SurfaceSampler& surfaces,
 
 FrameSampler::~FrameSampler() = default;
 
-std::vector<SampleWindow> FrameSampler::windowsOf(const Frame& frame,
-                                                  const std::vector<ZoomEntityInfo>& objects) {
+std::vector<SampleTile> FrameSampler::tilesOf(const Frame& frame,
+                                              const std::vector<ZoomEntityInfo>& objects) {
     if (objects.empty())
         return {};
-    return antialiasing_.strategyFor(frame.settings()).windows(objects);
+    return antialiasing_.strategyFor(frame.settings()).tiles(objects);
 }
 
-std::vector<SampleWindow> FrameSampler::windowsOfSums(const Frame& frame) {
+std::vector<SampleTile> FrameSampler::tilesOfSums(const Frame& frame) {
     if (frame.plan.drawn.empty())
         return {};
-    return antialiasing_.strategyFor(frame.settings()).windowsOfSums(frame.plan.drawn);
+    return antialiasing_.strategyFor(frame.settings()).tilesOfSums(frame.plan.drawn);
 }
 
 bool FrameSampler::sumsSampleAsPictures(const Frame& frame) {
-    return frame.plan.drawn.empty() || windowsOfSums(frame) == windowsOf(frame, frame.plan.drawn);
+    return frame.plan.drawn.empty() || tilesOfSums(frame) == tilesOf(frame, frame.plan.drawn);
 }
 
 std::vector<SampleSheet> FrameSampler::sheetsOfPicture(const Frame& frame) {
     if (frame.plan.drawn.empty())
         return {};
     const int side = frame.surfaces.engine.engine.largestSide();
-    return sheetsOf(piecesOf(windowsOf(frame, frame.plan.drawn), side), side);
+    return sheetsOf(piecesOf(tilesOf(frame, frame.plan.drawn), side), side);
 }
 
 std::shared_ptr<ViewSampling> FrameSampler::begin(const Frame& frame) {
@@ -144,10 +143,10 @@ std::shared_ptr<ViewSampling> FrameSampler::begin(const Frame& frame) {
     view_.reset();
     auto sampling = std::make_shared<ViewSampling>(std::move(key), frame, terms_.factorCount());
     // It outlives what is begun here: it waits for that when it goes.
-    sampling->windows_ = surfaces_.begin(
-        frame.surfaces, frame.request.camera, windowsOfSums(frame), frame.rows().isSliced(),
-        [own = sampling.get()](const SampleWindow& window, const GeometrySamples& samples) {
-            own->sums_.addToView(window, samples, own->factors_);
+    sampling->tiles_ = surfaces_.begin(
+        frame.surfaces, frame.request.camera, tilesOfSums(frame), frame.rows().isSliced(),
+        [own = sampling.get()](const SampleTile& tile, const GeometrySamples& samples) {
+            own->sums_.addToView(tile, samples, own->factors_);
         });
     return view_ = sampling;
 }
@@ -155,10 +154,10 @@ std::shared_ptr<ViewSampling> FrameSampler::begin(const Frame& frame) {
 const ViewGeometry& FrameSampler::factorsOf(const Frame& frame, ViewSampling& sampling) {
     if (sampling.failure_)
         std::rethrow_exception(sampling.failure_);
-    if (!sampling.windows_.valid())
+    if (!sampling.tiles_.valid())
         return sampling.factors_;
     try {
-        surfaces_.waitFor(sampling.windows_, "factor sums");
+        surfaces_.waitFor(sampling.tiles_, "factor sums");
         ViewGeometry own = std::exchange(sampling.factors_, sampling.sums_.emptyView());
         sampling.factors_.layersLeftOver = own.layersLeftOver;
         const auto take = [&](ViewGeometry& from, ViewGeometry& to) {
@@ -194,7 +193,7 @@ SampledPicture FrameSampler::picture(const Frame& frame) {
     std::vector<std::string> warnings;
     int layersLeftOver = 0;
     if (frame.plan.drawn.empty()) {
-        reduction.emplace(frame.sensor(), std::vector<SampleWindow>{});
+        reduction.emplace(frame.sensor(), std::vector<SampleTile>{});
     } else {
         double all_s = 0.0, drawing_s = 0.0, sorting_s = 0.0, evaluating_s = 0.0;
         surfaces_.onEngine(frame.surfaces.engine, [&] {
@@ -215,8 +214,8 @@ SampledPicture FrameSampler::picture(const Frame& frame) {
         addPointToPixel(aspects_.pointGeometry(frame, object), frame.rows(),
                         AspectSampler::placeOf(frame, object),
                         frame.evaluation().evaluated->radiances, frame.light(), *reduction);
-    return {std::move(*reduction), sampledWindows(frame, strategy.takeWindows()),
-            std::move(warnings), layersLeftOver};
+    return {std::move(*reduction), sampledTiles(frame, strategy.takeTiles()), std::move(warnings),
+            layersLeftOver};
 }
 
 SampledPicture FrameSampler::followedPicture(const Frame& frame) {
@@ -231,8 +230,8 @@ SampledPicture FrameSampler::followedPicture(const Frame& frame) {
         return picture(frame);
     }
 
-    const std::vector<SampleWindow> planned =
-        antialiasing_.strategyFor(frame.settings()).windows(frame.plan.drawn);
+    const std::vector<SampleTile> planned =
+        antialiasing_.strategyFor(frame.settings()).tiles(frame.plan.drawn);
     if (!followed_.factors)
         followed_.factors = pixelFactors(frame);
     FrameReduction reduction(frame.sensor(),
@@ -241,17 +240,17 @@ SampledPicture FrameSampler::followedPicture(const Frame& frame) {
         addPixels(*followed_.factors, frame.sensor().width_px,
                   frame.evaluation().evaluated->radiances, frame.light(), reduction);
     });
-    return {std::move(reduction), sampledWindows(frame, DrawnWindow::of(planned)), {}, 0};
+    return {std::move(reduction), sampledTiles(frame, RenderedTile::of(planned)), {}, 0};
 }
 
 PixelGeometry FrameSampler::pixelFactors(const Frame& frame) {
     GeometrySums sums(frame.sensor(), frame.rows(), occluderStacks_, terms_.factorCount(), {},
                       frame.exchange());
     PixelGeometry factors = sums.emptyPixels();
-    surfaces_.sample(frame.surfaces, frame.request.camera, windowsOf(frame, frame.plan.drawn),
+    surfaces_.sample(frame.surfaces, frame.request.camera, tilesOf(frame, frame.plan.drawn),
                      frame.rows().isSliced(), "factors of pixels",
-                     [&](const SampleWindow& window, const GeometrySamples& samples) {
-                         sums.addToPixels(window, samples, factors);
+                     [&](const SampleTile& tile, const GeometrySamples& samples) {
+                         sums.addToPixels(tile, samples, factors);
                      });
     return factors;
 }
@@ -260,11 +259,9 @@ void FrameSampler::addTruthLayers(const Frame& frame, RadianceImage& image) {
     EvaluatedScene& evaluated = *frame.evaluation().evaluated;
     TruthLayers truth(evaluated.radiometry, evaluated.radiances, occluderStacks_,
                       frame.backgrounds.byOutput.front(), frame.light(), image);
-    surfaces_.sample(frame.surfaces, frame.request.camera, windowsOf(frame, frame.plan.seen), true,
-                     "truth layers",
-                     [&](const SampleWindow& window, const GeometrySamples& samples) {
-                         truth.add(window, samples);
-                     });
+    surfaces_.sample(
+        frame.surfaces, frame.request.camera, tilesOf(frame, frame.plan.seen), true, "truth layers",
+        [&](const SampleTile& tile, const GeometrySamples& samples) { truth.add(tile, samples); });
 }
 
 } // namespace irsg

@@ -25,7 +25,7 @@ class ViewSampling;
 /// The pixels of a picture in the first band, without its background, and how they were sampled.
 struct SampledPicture {
     FrameReduction pixels;
-    std::vector<SampledWindow> windows;
+    std::vector<SampledTile> tiles;
     std::vector<std::string> warnings;
     int layersLeftOver = 0;
 };
@@ -48,20 +48,19 @@ class FrameSampler {
 
     /// With the strategy that the settings ask for.
     SampledPicture picture(const Frame& frame);
-    /// The same for a window that follows edits: a sum where the view is that of the last one.
+    /// The same for a tile that follows edits: a sum where the view is that of the last one.
     SampledPicture followedPicture(const Frame& frame);
-    /// The windows of a picture, side by side as they are drawn.
+    /// The tiles of a picture, side by side as they are drawn.
     std::vector<SampleSheet> sheetsOfPicture(const Frame& frame);
-    /// True where the windows of sums are those of the picture.
+    /// True where the tiles of sums are those of the picture.
     bool sumsSampleAsPictures(const Frame& frame);
-    /// What the pixels of a picture take of each surface that is drawn into windows.
+    /// What the pixels of a picture take of each surface that is drawn into tiles.
     PixelGeometry pixelFactors(const Frame& frame);
     void addTruthLayers(const Frame& frame, RadianceImage& image);
 
   private:
-    std::vector<SampleWindow> windowsOf(const Frame& frame,
-                                        const std::vector<ZoomEntityInfo>& objects);
-    std::vector<SampleWindow> windowsOfSums(const Frame& frame);
+    std::vector<SampleTile> tilesOf(const Frame& frame, const std::vector<ZoomEntityInfo>& objects);
+    std::vector<SampleTile> tilesOfSums(const Frame& frame);
 
     const RadianceTerms& terms_;
     SurfaceSampler& surfaces_;
@@ -90,8 +89,8 @@ class ViewSampling {
     bool isOf(const ViewKey& key, const std::vector<FrameBackground>& varying) const;
     /// Waits until nothing refers to the frame any more that it was begun for.
     void wait() const {
-        if (windows_.valid())
-            windows_.wait();
+        if (tiles_.valid())
+            tiles_.wait();
     }
 
   private:
@@ -101,9 +100,9 @@ class ViewSampling {
     std::vector<FrameBackground> varying_; // backgrounds that vary over the view
     OccluderStacks occluderStacks_;        // of its own, as it is summed on another thread
     GeometrySums sums_;
-    SurfaceSampler::Sampling windows_; // until they were waited for
-    ViewGeometry factors_;             // with the renderer's numbers of fronts from then on
-    std::exception_ptr failure_;       // of the sampling, for all who share it
+    SurfaceSampler::Sampling tiles_; // until they were waited for
+    ViewGeometry factors_;           // with the renderer's numbers of fronts from then on
+    std::exception_ptr failure_;     // of the sampling, for all who share it
 };
 
 } // namespace irsg

@@ -129,7 +129,7 @@ void HazeRenderer::addPoints(const Frame& frame, std::vector<ScatteredObject>& o
 void HazeRenderer::add(const Frame& frame, RadianceImage& image,
                        std::vector<std::string>& warnings) {
     std::vector<ScatteredObject> objects = objectsOf(frame, warnings);
-    // What every pixel shows of each object, from the windows of the sampling. The published zoom
+    // What every pixel shows of each object, from the tiles of the sampling. The published zoom
     // resamples what it draws, so that its objects are drawn on the pixels' own grid here.
     const PixelGeometry factors = sampler_.pixelFactors(frame);
     clock_.timed("scattering", [&] {

@@ -8,45 +8,44 @@
 #include "irsg/core/Errors.h"
 #include "irsg/radiance/PixelTerms.h"
 #include "irsg/render/rays/RayEngine.h"
-#include "irsg/render/rays/WindowRays.h"
-#include "irsg/render/rays/WindowSamples.h"
+#include "irsg/render/rays/TileRays.h"
+#include "irsg/render/rays/TileSamples.h"
 #include "irsg/render/sampling/SampleSheet.h"
 
 namespace irsg {
 
 namespace {
 
-/// The samples of a window that belong to a pixel.
-std::vector<SampleRun> runsOf(const SampleWindow& window, int x, int y) {
-    const auto tileOf = [&](int pixel) {
+/// The samples of a tile that belong to a pixel.
+std::vector<SampleRun> runsOf(const SampleTile& tile, int x, int y) {
+    const auto blockOf = [&](int pixel) {
         return std::clamp<std::int64_t>(
-            (static_cast<std::int64_t>(pixel) << window.level) - window.tileY, 0, window.tilesHigh);
+            (static_cast<std::int64_t>(pixel) << tile.level) - tile.blockY, 0, tile.blocksHigh);
     };
-    const int first = static_cast<int>(tileOf(y)) * window.samplesDown;
-    const int last = static_cast<int>(tileOf(y + 1)) * window.samplesDown;
+    const int first = static_cast<int>(blockOf(y)) * tile.samplesDown;
+    const int last = static_cast<int>(blockOf(y + 1)) * tile.samplesDown;
     std::vector<SampleRun> runs;
-    window.forEachRun(
-        first, last, [&](std::size_t sample, int count, int column, int, double weight) {
-            if (column != x)
-                return;
-            const std::size_t drawn = sample - window.firstSample;
-            const int fromBelow = static_cast<int>(drawn / window.stride());
-            runs.push_back({window.height() - 1 - fromBelow,
-                            static_cast<int>(drawn % window.stride()), count, weight});
-        });
+    tile.forEachRun(first, last,
+                    [&](std::size_t sample, int count, int column, int, double weight) {
+                        if (column != x)
+                            return;
+                        const std::size_t drawn = sample - tile.firstSample;
+                        const int fromBelow = static_cast<int>(drawn / tile.stride());
+                        runs.push_back({tile.height() - 1 - fromBelow,
+                                        static_cast<int>(drawn % tile.stride()), count, weight});
+                    });
     return runs;
 }
 
 /// Those samples with all beside them in a drawing, whose normals say how wide lobes are: one run a
 /// row.
-std::vector<SampleRun> withNeighbours(const std::vector<SampleRun>& runs,
-                                      const SampleWindow& window) {
+std::vector<SampleRun> withNeighbours(const std::vector<SampleRun>& runs, const SampleTile& tile) {
     std::map<int, std::pair<int, int>> columns; // by row: the first, and that after the last
     for (const SampleRun& run : runs)
-        for (int row = std::max(run.row - 1, 0); row < std::min(run.row + 2, window.height());
+        for (int row = std::max(run.row - 1, 0); row < std::min(run.row + 2, tile.height());
              ++row) {
             const int first = std::max(run.firstColumn - 1, 0);
-            const int end = std::min(run.firstColumn + run.count + 1, window.width());
+            const int end = std::min(run.firstColumn + run.count + 1, tile.width());
             const auto [known, isNew] = columns.try_emplace(row, first, end);
             if (!isNew)
                 known->second = {std::min(known->second.first, first),
@@ -86,18 +85,18 @@ PixelExplanation PixelExplainer::at(int x, int y) {
     part(frame.backgrounds.layers.terrain, result.terrain_W_m2_sr);
 
     // The facets of the middles of the pixels around.
-    std::optional<std::vector<WindowRays::Facet>> facets;
+    std::optional<std::vector<TileRays::Facet>> facets;
     result.isInterior = true;
-    const auto compare = [&](std::vector<WindowRays::Facet> met) {
+    const auto compare = [&](std::vector<TileRays::Facet> met) {
         if (!facets)
             facets = std::move(met);
         else if (*facets != met)
             result.isInterior = false;
     };
-    SampleWindow around;
-    around.tileX = x - 1;
-    around.tileY = y - 1;
-    around.tilesWide = around.tilesHigh = 3;
+    SampleTile around;
+    around.blockX = x - 1;
+    around.blockY = y - 1;
+    around.blocksWide = around.blocksHigh = 3;
     for (const ZoomEntityInfo& object : frame.plan.seen)
         around.entities.push_back(object.entity);
     std::ranges::sort(around.entities);
@@ -105,7 +104,7 @@ PixelExplanation PixelExplainer::at(int x, int y) {
     if (frame.scene().terrain && !scene.terrain.mesh)
         scene.terrain = {-1, terrainRays_.meshOf(frame.scene().terrain),
                          frame.request.camera.eyeFromModel(frame.scene().terrain->pose())};
-    const WindowRays middles(scene, around);
+    const TileRays middles(scene, around);
     for (int i = 0; i < 9; ++i)
         compare(middles.facetsAt(i % 3, i / 3));
 
@@ -114,28 +113,28 @@ PixelExplanation PixelExplainer::at(int x, int y) {
                      result.background_W_m2_sr);
     for (const SampleSheet& sheet : sheets_) {
         std::optional<SheetScene> drawn;
-        for (std::size_t w = 0; w < sheet.windows.size(); ++w) {
-            const SampleWindow& window = sheet.windows[w];
-            const std::vector<SampleRun> runs = runsOf(window, x, y);
+        for (std::size_t w = 0; w < sheet.tiles.size(); ++w) {
+            const SampleTile& tile = sheet.tiles[w];
+            const std::vector<SampleRun> runs = runsOf(tile, x, y);
             if (runs.empty())
                 continue;
             if (!drawn)
                 drawn = surfaces_.scenesOf(frame.surfaces, frame.request.camera, sheet);
             GeometrySamples& samples = samples_;
             RayEngine::traceRuns(
-                *drawn, w, frame.shading().lobes ? withNeighbours(runs, window) : runs, samples);
+                *drawn, w, frame.shading().lobes ? withNeighbours(runs, tile) : runs, samples);
             frame.shading().sortAndApply(*drawn, frame.settings(), samples);
-            const WindowRays rays(drawn->scenes[w], window);
+            const TileRays rays(drawn->scenes[w], tile);
             for (const SampleRun& run : runs)
                 for (int column = run.firstColumn; column < run.firstColumn + run.count; ++column) {
-                    const std::size_t sample = indexOf(window, column, run.row);
+                    const std::size_t sample = indexOf(tile, column, run.row);
                     ++result.samples;
                     if (result.isInterior)
                         compare(rays.facetsAt(column, run.row));
                     if (samples.isEmpty(sample))
                         continue;
                     result.layersLeftOver += samples.isLeftOver(sample) ? 1 : 0;
-                    terms.add(samples, sample, window.share() * run.weight);
+                    terms.add(samples, sample, tile.share() * run.weight);
                 }
         }
     }

@@ -114,7 +114,7 @@ void Renderer::Impl::renderImage(const Frame& frame, const Outputs& outputs, Ren
     clock.timed("composition", [&] {
         result.image = picture.pixels.compose(frame.backgrounds.byOutput.front());
         RenderReporter::describe(frame, result.image);
-        describeWindows(picture.windows, result.image);
+        describeTiles(picture.tiles, result.image);
     });
     if (frame.settings().scattering)
         haze.add(frame, result.image, picture.warnings);
@@ -136,7 +136,7 @@ void Renderer::Impl::renderImage(const Frame& frame, const Outputs& outputs, Ren
         }
     }
     RenderReport& first = result.reports.front();
-    first.windows = std::move(picture.windows);
+    first.tiles = std::move(picture.tiles);
     for (std::string& warning : picture.warnings)
         first.warnings.push_back(std::move(warning));
     first.layersLeftOver = picture.layersLeftOver;

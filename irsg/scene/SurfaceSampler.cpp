@@ -32,9 +32,9 @@ GeometryFactors SurfaceSampler::geometryFactors(const SceneSurfaces& surfaces,
 }
 
 SurfaceScene SurfaceSampler::sceneOf(const SceneSurfaces& surfaces, const CameraFrame& camera,
-                                     const SampleWindow& window) const {
+                                     const SampleTile& tile) const {
     const auto stands = [&](int entity) {
-        return std::ranges::binary_search(window.entities, entity);
+        return std::ranges::binary_search(tile.entities, entity);
     };
     SurfaceScene scene;
     scene.camera = &camera;
@@ -62,7 +62,7 @@ SurfaceScene SurfaceSampler::sceneOf(const SceneSurfaces& surfaces, const Camera
         }
 
     bool isFirst = true;
-    for (int e : window.entities) {
+    for (int e : tile.entities) {
         const Entity& entity = surfaces.entity(e);
         const auto depth = camera.depthOf(entity.model->bounds(), entity.pose);
         if (!depth)
@@ -78,8 +78,8 @@ SurfaceScene SurfaceSampler::sceneOf(const SceneSurfaces& surfaces, const Camera
 SheetScene SurfaceSampler::scenesOf(const SceneSurfaces& surfaces, const CameraFrame& camera,
                                     const SampleSheet& sheet) const {
     SheetScene result{sheet, {}};
-    for (const SampleWindow& window : sheet.windows)
-        result.scenes.push_back(sceneOf(surfaces, camera, window));
+    for (const SampleTile& tile : sheet.tiles)
+        result.scenes.push_back(sceneOf(surfaces, camera, tile));
     return result;
 }
 
@@ -100,16 +100,16 @@ void SurfaceSampler::onEngine(const FrameEngine& engine, const std::function<voi
 
 SurfaceSampler::Sampling SurfaceSampler::begin(const SceneSurfaces& surfaces,
                                                const CameraFrame& camera,
-                                               const std::vector<SampleWindow>& windows,
+                                               const std::vector<SampleTile>& tiles,
                                                bool withDistance, Take take) {
     const int side = surfaces.engine.engine.largestSide();
     auto planned = std::make_shared<const std::vector<SampleSheet>>(
-        windows.empty() ? std::vector<SampleSheet>{} : sheetsOf(piecesOf(windows, side), side));
-    WindowStream::Work work;
+        tiles.empty() ? std::vector<SampleSheet>{} : sheetsOf(piecesOf(tiles, side), side));
+    TileStream::Work work;
     work.drawings = planned->size();
     work.maximumLayers = surfaces.scene.settings.maximumLayers;
     work.draw = [this, &surfaces, &camera, planned, withDistance](
-                    std::size_t i, GeometrySamples& samples, WindowStream::Seconds& seconds) {
+                    std::size_t i, GeometrySamples& samples, TileStream::Seconds& seconds) {
         SampleEngine& engine = surfaces.engine.engine;
         engine.sampleGeometry(scenesOf(surfaces, camera, (*planned)[i]),
                               withDistance || surfaces.shading.isNeeded(), samples);
@@ -122,14 +122,14 @@ SurfaceSampler::Sampling SurfaceSampler::begin(const SceneSurfaces& surfaces,
                                    surfaces.scene.settings, samples);
         };
     work.take = [planned, take = std::move(take)](std::size_t i, const GeometrySamples& samples) {
-        for (const SampleWindow& window : (*planned)[i].windows)
-            take(window, samples);
+        for (const SampleTile& tile : (*planned)[i].tiles)
+            take(tile, samples);
     };
     return stream_.start(surfaces.engine.engine, std::move(work));
 }
 
 void SurfaceSampler::waitFor(Sampling& sampling, const char* stage) {
-    WindowStream::Seconds seconds;
+    TileStream::Seconds seconds;
     double waited_s = 0.0;
     {
         Stopwatch watch(waited_s);
@@ -149,11 +149,11 @@ void SurfaceSampler::waitFor(Sampling& sampling, const char* stage) {
 }
 
 void SurfaceSampler::sample(const SceneSurfaces& surfaces, const CameraFrame& camera,
-                            const std::vector<SampleWindow>& windows, bool withDistance,
+                            const std::vector<SampleTile>& tiles, bool withDistance,
                             const char* stage, Take take) {
-    if (windows.empty())
+    if (tiles.empty())
         return;
-    Sampling sampling = begin(surfaces, camera, windows, withDistance, std::move(take));
+    Sampling sampling = begin(surfaces, camera, tiles, withDistance, std::move(take));
     waitFor(sampling, stage);
 }
 

@@ -23,7 +23,7 @@ using irsg::RenderSettings;
 using irsg::SunShadowMode;
 using Reports = ProbedViews::Reports;
 
-constexpr int firstWindow = 128, leastWindow = 64, largestWindow = 2048;
+constexpr int firstTile = 128, leastTile = 64, largestTile = 2048;
 /// Of view factors between surfaces, where it is asked whether they matter.
 constexpr double coarseLight = 0.1;
 /// That the quadrature points of wideband-ck are trained to.
@@ -237,7 +237,7 @@ std::vector<CalculationWay> waysFrom(const CalculationWay& start, const SceneDes
     if (start.render.background == BackgroundMode::environment)
         rows = {1, 0, 128};
     std::vector<CalculationWay> ways;
-    for (int window = leastWindow; window <= largestWindow; window *= 2)
+    for (int window = leastTile; window <= largestTile; window *= 2)
         for (const Air& air : airs)
             for (const int row : rows) {
                 CalculationWay way = start;
@@ -266,7 +266,7 @@ std::vector<std::size_t> probedCases(std::size_t count) {
 TargetChoice chooseForTarget(ProbedViews& views, double target, const TargetUse& use) {
     const SceneDescription& scene = views.scene();
     CalculationWay start = CalculationWay::of(scene);
-    start.render.zoomWindow = firstWindow;
+    start.render.zoomWindow = firstTile;
     start.render.zoomStrategy = irsg::ZoomStrategy::aligned;
     if (use.mayUseBins && hasBins(scene) && start.render.mode == CalculationMode::spectral)
         start.bins_per_cm = 15;

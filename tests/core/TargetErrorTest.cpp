@@ -92,7 +92,7 @@ TargetChoice chosen(Lawful& source, double target, irsg::RenderSettings render =
     return chooseForTarget(views, target, {});
 }
 
-TEST(TargetChoice, TakesTheSmallestWindowWhoseErrorIsBelow) {
+TEST(TargetChoice, TakesTheSmallestTileWhoseErrorIsBelow) {
     struct Row {
         double target;
         int window;

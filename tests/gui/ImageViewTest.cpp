@@ -22,7 +22,7 @@
 #include "irsg/image/ApparentTemperature.h"
 #include "irsg/image/CsvImage.h"
 #include "irsg/image/ExrFile.h"
-#include "irsg/image/SampledWindows.h"
+#include "irsg/image/SampledTiles.h"
 #include "irsg/image/TiffFile.h"
 #include "irsg/radiometry/Planck.h"
 #include "tests/gui/GuiEnvironment.h"
@@ -262,11 +262,11 @@ TEST_F(ImageViewTest, PercentilesSetTheLimitsAndStayInOrder) {
     test::keepScreenshot(view, "image-view-percentiles");
 }
 
-TEST_F(ImageViewTest, OutlinesTheWindowsOfTheAntialiasing) {
+TEST_F(ImageViewTest, OutlinesTheTilesOfTheAntialiasing) {
     auto* button = view.findChild<QToolButton*>("showWindows");
     EXPECT_FALSE(button->isEnabled()); // this image tells of none
     irsg::RadianceImage image = small();
-    irsg::describeWindows(
+    irsg::describeTiles(
         {{1.0, 0.0, 6.0, 4.0, 25.0, 26.0, "hull"}, {2.25, 0.5, 2.5, 0.75, 900.0, 900.0, "hull"}},
         image);
     view.setImage(image, irsg::Band::topHat(3.0, 5.0));

@@ -66,8 +66,8 @@ TEST_F(ScenarioPageTest, EveryPictureEqualsTheFrameOfSmatBatch) {
             irsg::RadianceImage ofBatch =
                 irsg::readExr(folder / "out" / (sensor == 0 ? "mwir" : "lwir") / name);
             ofBatch.attributes.erase("command");
-            const irsg::RadianceImage ofWindow = *picture.image;
-            irsg::writeExr(ofWindow, folder / "window.exr");
+            const irsg::RadianceImage ofTile = *picture.image;
+            irsg::writeExr(ofTile, folder / "window.exr");
             irsg::writeExr(ofBatch, folder / "batch.exr");
             EXPECT_TRUE(smat::test::contentOf(folder / "window.exr") ==
                         smat::test::contentOf(folder / "batch.exr"))
@@ -205,7 +205,7 @@ TEST_F(ScenarioPageTest, WhatTheWindowWritesEqualsSmatBatchByteForByte) {
     page->findChild<QToolButton*>("runScenario")->click();
     ASSERT_TRUE(test::waitUntil([&] { return !workbench.isRunning(); }));
     ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
-    const auto ofWindow = filesIn(out);
+    const auto ofTile = filesIn(out);
     std::filesystem::remove_all(out);
     std::istringstream words(command);
     std::vector<std::string> arguments;
@@ -217,9 +217,9 @@ TEST_F(ScenarioPageTest, WhatTheWindowWritesEqualsSmatBatchByteForByte) {
     ASSERT_EQ(ran.exitCode, 0) << command << ran.err;
     const auto ofBatch = filesIn(out);
     EXPECT_EQ(ofBatch.size(), 2U * (9U * 3U + 2U));
-    ASSERT_EQ(ofWindow.size(), ofBatch.size());
+    ASSERT_EQ(ofTile.size(), ofBatch.size());
     for (const auto& [name, content] : ofBatch) {
-        EXPECT_TRUE(ofWindow.at(name) == content) << name;
+        EXPECT_TRUE(ofTile.at(name) == content) << name;
     }
 }
 

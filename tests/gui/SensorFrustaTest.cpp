@@ -9,7 +9,7 @@
 #include "gui/view/ViewHud.h"
 #include "gui/view/ViewNavigation.h"
 #include "gui/widgets/ThemeColors.h"
-#include "irsg/image/SampledWindows.h"
+#include "irsg/image/SampledTiles.h"
 #include "irsg/radiometry/Units.h"
 #include "tests/gui/WindowFixture.h"
 
@@ -36,7 +36,7 @@ TEST_F(SensorFrustaTest, AreThoseThatTheImageWasSampledBy) {
     ASSERT_TRUE(waitForFrusta());
     runAnalysis("image");
     const irsg::RadianceImage image = workbench.results().back().data->image;
-    EXPECT_EQ(frusta().windows(), irsg::windowsOf(image));
+    EXPECT_EQ(frusta().windows(), irsg::tilesOf(image));
     ASSERT_GT(frusta().windows().size(), 1U) << "object and hot parts";
 
     // The frame's corners lie half a field of view to the side of where the sensor looks, at the
@@ -49,7 +49,7 @@ TEST_F(SensorFrustaTest, AreThoseThatTheImageWasSampledBy) {
     const double fov_rad = irsg::radians(workbench.settings()[key::sensorFov]);
     EXPECT_NEAR(width_m, 2.0 * 2500.0 * std::tan(0.5 * fov_rad), 1e-3 * width_m);
     // A window as wide as its part of the frame.
-    const irsg::SampledWindow& first = frusta().windows().front();
+    const irsg::SampledTile& first = frusta().windows().front();
     EXPECT_NEAR(irsg::length(drawn[1].corners_m[1] - drawn[1].corners_m[0]) / width_m,
                 (first.right_px - first.left_px) / 96.0, 1e-9);
 

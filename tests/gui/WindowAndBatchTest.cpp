@@ -62,9 +62,9 @@ TEST_F(WindowAndBatchTest, EveryAnalysisEqualsItsCommandLineByteForByte) {
     workbench.set("sensor.band", "8-12");
     workbench.set("render.background", "1.5");
     for (const AnalysisKind kind : allAnalysisKinds()) {
-        const auto [ofWindow, ofBatch] = byWindowAndByBatch(kind);
+        const auto [ofTile, ofBatch] = byWindowAndByBatch(kind);
         EXPECT_GT(ofBatch.size(), 200U) << name(kind);
-        EXPECT_TRUE(ofWindow == ofBatch) << name(kind) << ": " << command;
+        EXPECT_TRUE(ofTile == ofBatch) << name(kind) << ": " << command;
     }
     // Another view gives other bytes.
     const std::string before = smat::test::contentOf(folder / "polar.csv");
@@ -127,12 +127,12 @@ TEST_F(WindowAndBatchTest, EveryWayToComputeEqualsItsCommandLineByteForByte) {
             words += std::string(" ").append(key).append("=").append(text);
         }
         workbench.set(settings);
-        const auto [ofWindow, ofBatch] = byWindowAndByBatch(row.kind);
+        const auto [ofTile, ofBatch] = byWindowAndByBatch(row.kind);
         EXPECT_GT(ofBatch.size(), 200U) << words;
-        EXPECT_TRUE(ofWindow == ofBatch) << words << ": " << command;
+        EXPECT_TRUE(ofTile == ofBatch) << words << ": " << command;
         // Each way has bytes of its own: none of these settings was lost on the way.
-        EXPECT_EQ(std::ranges::count(seen, ofWindow), 0) << words;
-        seen.push_back(ofWindow);
+        EXPECT_EQ(std::ranges::count(seen, ofTile), 0) << words;
+        seen.push_back(ofTile);
     }
 }
 

@@ -202,7 +202,7 @@ TEST_F(ScenariosWalkTest, SeePlayAndKeepIt) {
         return files;
     };
     ASSERT_FALSE(frame("lwir").empty());
-    const auto ofWindow = irsg::readExr(frame("lwir").front());
+    const auto ofTile = irsg::readExr(frame("lwir").front());
     walk.step("edit it | Edit: choose the scenario, an entity or a sensor, and change its fields "
               "(below)");
     showPanel("Edit");
@@ -235,7 +235,7 @@ TEST_F(ScenariosWalkTest, SeePlayAndKeepIt) {
     EXPECT_EQ(shown->picture().settings.text("render.sunDisc"), "true");
     std::filesystem::rename(folder / "frames", folder / "of-window");
     terminal(command);
-    EXPECT_EQ(irsg::readExr(frame("lwir").front()).primary(), ofWindow.primary());
+    EXPECT_EQ(irsg::readExr(frame("lwir").front()).primary(), ofTile.primary());
     EXPECT_TRUE(told.isEmpty()) << said();
 }
 

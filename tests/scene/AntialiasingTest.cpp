@@ -305,7 +305,7 @@ TEST(AlignedZoom, NamesTheSurfaceOfAnObjectSmallerThanAPixel) {
     EXPECT_NEAR(sum / image.primary().values[middle], 1.0, 1e-4);
 }
 
-TEST(PointSource, KeepsTheIntensityOfItsWindowAndIsDrawnOnce) {
+TEST(PointSource, KeepsTheIntensityOfItsTileAndIsRenderedOnce) {
     InteractiveRenderer& irsg = generator(0.2);
     Entity body = grey(joined(lShape(), boxMesh({0.3, 0.6, 0.2}, std::vector<IrCodes>(6, one))));
     body.pose.attitude = {0.3, 0.2, 0.1};
@@ -388,7 +388,7 @@ TEST(PointSource, LetsGasThroughAsItsWindowDoes) {
     EXPECT_NEAR(point.coveredPixels / drawn.coveredPixels, 1.0, 5e-3);
 }
 
-TEST(AlignedZoom, SharesTheMemoryOfItsWindows) {
+TEST(AlignedZoom, SharesTheMemoryOfItsTiles) {
     // Ten windows of 512 samples: of opaque objects, of ones that let light through, and of both
     // with their truth. They need no more than the frame and 32 MB, and hardly more than one of
     // them.

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/render/opengl/GlEngine.h"
-#include "irsg/render/opengl/WindowStream.h"
+#include "irsg/render/opengl/TileStream.h"
 #include "irsg/scene/InteractiveRenderer.h"
 #include "tests/support/SceneFixtures.h"
 
@@ -137,21 +137,21 @@ TEST(BegunReports, OfAPictureAreThoseOfASweepHoweverLarge) {
     }
 }
 
-TEST(WindowStream, TakesWindowsInOrderAndStreamsOneAfterTheOther) {
+TEST(TileStream, TakesTilesInOrderAndStreamsOneAfterTheOther) {
     GlEngine engine;
-    WindowStream stream;
+    TileStream stream;
     std::vector<std::pair<int, std::size_t>> taken;
-    std::vector<std::future<WindowStream::Seconds>> all;
+    std::vector<std::future<TileStream::Seconds>> all;
     for (int number = 0; number < 3; ++number) {
-        WindowStream::Work work;
+        TileStream::Work work;
         work.drawings = 5;
-        work.draw = [](std::size_t window, GeometrySamples& samples, WindowStream::Seconds&) {
+        work.draw = [](std::size_t tile, GeometrySamples& samples, TileStream::Seconds&) {
             samples.words.clear();
-            samples.width = static_cast<int>(window);
+            samples.width = static_cast<int>(tile);
         };
-        work.take = [&taken, number](std::size_t window, const GeometrySamples& samples) {
-            EXPECT_EQ(samples.width, static_cast<int>(window));
-            taken.emplace_back(number, window);
+        work.take = [&taken, number](std::size_t tile, const GeometrySamples& samples) {
+            EXPECT_EQ(samples.width, static_cast<int>(tile));
+            taken.emplace_back(number, tile);
         };
         all.push_back(stream.start(engine, std::move(work)));
     }
@@ -160,32 +160,32 @@ TEST(WindowStream, TakesWindowsInOrderAndStreamsOneAfterTheOther) {
     }
     std::vector<std::pair<int, std::size_t>> expected;
     for (int number = 0; number < 3; ++number) {
-        for (std::size_t window = 0; window < 5; ++window) {
-            expected.emplace_back(number, window);
+        for (std::size_t tile = 0; tile < 5; ++tile) {
+            expected.emplace_back(number, tile);
         }
     }
     EXPECT_EQ(taken, expected);
 }
 
-TEST(WindowStream, TellsWhatFailedAndGoesOn) {
+TEST(TileStream, TellsWhatFailedAndGoesOn) {
     GlEngine engine;
-    WindowStream stream;
+    TileStream stream;
     const auto streamThat = [&](bool failsInDrawing, bool failsInTaking) {
-        WindowStream::Work work;
+        TileStream::Work work;
         work.drawings = 4;
-        work.draw = [=](std::size_t window, GeometrySamples&, WindowStream::Seconds&) {
-            if (failsInDrawing && window == 2) {
+        work.draw = [=](std::size_t tile, GeometrySamples&, TileStream::Seconds&) {
+            if (failsInDrawing && tile == 2) {
                 throw std::runtime_error("drawing");
             }
         };
-        work.take = [=](std::size_t window, const GeometrySamples&) {
-            if (failsInTaking && window == 1) {
+        work.take = [=](std::size_t tile, const GeometrySamples&) {
+            if (failsInTaking && tile == 1) {
                 throw std::runtime_error("taking");
             }
         };
         return stream.start(engine, std::move(work));
     };
-    const auto failureOf = [](std::future<WindowStream::Seconds> done) -> std::string {
+    const auto failureOf = [](std::future<TileStream::Seconds> done) -> std::string {
         try {
             done.get();
         } catch (const std::runtime_error& error) {

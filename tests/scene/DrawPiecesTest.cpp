@@ -70,7 +70,7 @@ TEST(DrawPieces, HoldEveryTriangleOnceWithItsCodes) {
 }
 
 // A window that shows a part of a model leaves out the pieces beside it, and shows the same.
-TEST(DrawPieces, ThatAWindowCannotShowAreNotMissed) {
+TEST(DrawPieces, ThatATileCannotShowAreNotMissed) {
     InteractiveRenderer irsg;
     irsg.scene.environment = environmentOf(ConstantAir{});
     RenderSettings settings;

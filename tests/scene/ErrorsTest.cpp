@@ -19,11 +19,11 @@ using namespace irsg::test;
 
 namespace {
 
-/// Samples of a window of one surface, which is seen where `isSeen` says of row and column.
-GeometrySamples samplesOf(const SampleWindow& window, const std::function<bool(int, int)>& isSeen) {
+/// Samples of a tile of one surface, which is seen where `isSeen` says of row and column.
+GeometrySamples samplesOf(const SampleTile& tile, const std::function<bool(int, int)>& isSeen) {
     GeometrySamples samples;
-    samples.width = window.width();
-    samples.height = window.height();
+    samples.width = tile.width();
+    samples.height = tile.height();
     samples.factorCount = 3;
     for (int row = samples.height - 1; row >= 0; --row) {
         for (int column = 0; column < samples.width; ++column) {
@@ -34,41 +34,41 @@ GeometrySamples samplesOf(const SampleWindow& window, const std::function<bool(i
     return samples;
 }
 
-SampleWindow windowOf(int shearRows) {
-    SampleWindow window;
-    window.tileX = window.tileY = 4;
-    window.tilesWide = window.tilesHigh = 8;
-    window.samplesAcross = 7;
-    window.samplesDown = 6;
-    window.shearRows = shearRows;
-    window.entities = {0};
-    return window;
+SampleTile sampleTileOf(int shearRows) {
+    SampleTile tile;
+    tile.blockX = tile.blockY = 4;
+    tile.blocksWide = tile.blocksHigh = 8;
+    tile.samplesAcross = 7;
+    tile.samplesDown = 6;
+    tile.shearRows = shearRows;
+    tile.entities = {0};
+    return tile;
 }
 
-ViewGeometry sumsOf(const SampleWindow& window, const GeometrySamples& samples,
+ViewGeometry sumsOf(const SampleTile& tile, const GeometrySamples& samples,
                     bool withSublatticeDifferences) {
     const Sensor sensor = sensorOf(16, 16, 0.01);
     const SurfaceRows rows({{0, {1, 1}}}, {false}, {{}});
     OccluderStacks occluderStacks;
     GeometrySums sums(sensor, rows, occluderStacks, 3, {}, nullptr, withSublatticeDifferences);
     ViewGeometry view = sums.emptyView();
-    sums.addToView(window, samples, view);
+    sums.addToView(tile, samples, view);
     return view;
 }
 
 /// In samples.
-double coverageOf(const ViewGeometry& view, const SampleWindow& window) {
+double coverageOf(const ViewGeometry& view, const SampleTile& tile) {
     double pixels = 0.0;
     view.field.forEach(0, [&](std::size_t, std::span<const double> numbers) {
         pixels += numbers[view.layout.pixels()];
     });
-    return pixels / window.share();
+    return pixels / tile.share();
 }
 
-double contrastOf(const ViewGeometry& view, const SampleWindow& window) {
+double contrastOf(const ViewGeometry& view, const SampleTile& tile) {
     double sum = 0.0;
     for (const ViewGeometry& contrast : view.sublatticeDifferences) {
-        sum += std::pow(coverageOf(contrast, window), 2);
+        sum += std::pow(coverageOf(contrast, tile), 2);
     }
     return std::sqrt(sum);
 }
@@ -83,39 +83,38 @@ RenderReport measured(InteractiveRenderer& irsg, bool errors, bool alongRange = 
 
 TEST(SublatticeDifferencesOfViews, AreNothingWhereAllSamplesSeeTheSame) {
     for (const int shearRows : {0, 5, 16}) {
-        SampleWindow window = windowOf(shearRows);
-        const GeometrySamples samples = samplesOf(window, [](int, int) { return true; });
-        EXPECT_LT(contrastOf(sumsOf(window, samples, true), window), 1e-9) << shearRows;
-        // Parts left to finer windows, of odd numbers of cells.
-        const double side = window.cellWidth_px(), high = window.cellHeight_px();
-        window.leftOut = {{6.0, 6.0, 6.0 + 5 * side, 6.0 + 7 * high},
-                          {9.0, 9.0, 9.0 + 6 * side, 9.0 + 2 * high}};
-        EXPECT_LT(contrastOf(sumsOf(window, samples, true), window), 1e-9) << shearRows;
-        window.only = ImageRectangle{4.3, 4.4, 11.7, 11.2};
-        EXPECT_LT(contrastOf(sumsOf(window, samples, true), window), 1e-9) << shearRows;
+        SampleTile tile = sampleTileOf(shearRows);
+        const GeometrySamples samples = samplesOf(tile, [](int, int) { return true; });
+        EXPECT_LT(contrastOf(sumsOf(tile, samples, true), tile), 1e-9) << shearRows;
+        // Parts left to finer tiles, of odd numbers of cells.
+        const double side = tile.cellWidth_px(), high = tile.cellHeight_px();
+        tile.leftOut = {{6.0, 6.0, 6.0 + 5 * side, 6.0 + 7 * high},
+                        {9.0, 9.0, 9.0 + 6 * side, 9.0 + 2 * high}};
+        EXPECT_LT(contrastOf(sumsOf(tile, samples, true), tile), 1e-9) << shearRows;
+        tile.only = ImageRectangle{4.3, 4.4, 11.7, 11.2};
+        EXPECT_LT(contrastOf(sumsOf(tile, samples, true), tile), 1e-9) << shearRows;
     }
 }
 
 TEST(SublatticeDifferencesOfViews, OfALevelEdgeAreHalfARowWhateverItsPhase) {
-    const SampleWindow window = windowOf(0);
+    const SampleTile tile = sampleTileOf(0);
     for (int edge = 13; edge < 29; ++edge) {
-        const GeometrySamples samples =
-            samplesOf(window, [&](int row, int) { return row >= edge; });
-        const double rows = contrastOf(sumsOf(window, samples, true), window) / window.width();
+        const GeometrySamples samples = samplesOf(tile, [&](int row, int) { return row >= edge; });
+        const double rows = contrastOf(sumsOf(tile, samples, true), tile) / tile.width();
         // At a border of two parts it is of neither, or of both.
         EXPECT_TRUE((rows > 0.49 && rows < 0.75) || edge % 6 == 0) << edge << ": " << rows;
     }
 }
 
 TEST(SublatticeDifferencesOfViews, LeaveTheSumsAsTheyAre) {
-    SampleWindow window = windowOf(16);
-    window.leftOut = {{6.0, 6.0, 7.0, 7.0}};
+    SampleTile tile = sampleTileOf(16);
+    tile.leftOut = {{6.0, 6.0, 7.0, 7.0}};
     const GeometrySamples samples =
-        samplesOf(window, [](int row, int column) { return row + 2 * column > 40 && column < 44; });
-    const double plain = coverageOf(sumsOf(window, samples, false), window);
+        samplesOf(tile, [](int row, int column) { return row + 2 * column > 40 && column < 44; });
+    const double plain = coverageOf(sumsOf(tile, samples, false), tile);
     EXPECT_GT(plain, 500.0);
-    EXPECT_NEAR(coverageOf(sumsOf(window, samples, true), window), plain, 1e-9 * plain);
-    EXPECT_TRUE(sumsOf(window, samples, false).sublatticeDifferences.empty());
+    EXPECT_NEAR(coverageOf(sumsOf(tile, samples, true), tile), plain, 1e-9 * plain);
+    EXPECT_TRUE(sumsOf(tile, samples, false).sublatticeDifferences.empty());
 }
 
 TEST(RangeGeometry, KnowThatParabolasAreInterpolatedExactlyAndCubicsAreNot) {

@@ -255,21 +255,21 @@ TEST(HotSpotSampling, ThatAreHiddenCostNothingAndChangeNothing) {
         const RenderedImage with = irsg.imageWithReport();
         irsg.scene.settings = settingsOf(size, false);
         const RenderedImage without = irsg.imageWithReport();
-        EXPECT_EQ(with.report.windows.size(), without.report.windows.size());
+        EXPECT_EQ(with.report.tiles.size(), without.report.tiles.size());
         EXPECT_EQ(with.report.all.intensity_W_sr, without.report.all.intensity_W_sr);
         EXPECT_EQ(with.image.primary().values, without.image.primary().values);
 
         look(irsg, 0.0, 0.0, 4e3, 1);
         irsg.scene.settings = settingsOf(size, true);
-        EXPECT_GT(irsg.imageWithReport().report.windows.size(), 10u);
+        EXPECT_GT(irsg.imageWithReport().report.tiles.size(), 10u);
     }
 }
 
 TEST(HotSpotSampling, AreHiddenWhereAProbeFindsSomethingBeforeAllOfThem) {
     const HotSpot part{{10.2, 10.2, 12.8, 11.6}, 100.0};
-    SampleWindow probe;
-    probe.tileX = 5, probe.tileY = 4;
-    probe.tilesWide = 12, probe.tilesHigh = 14;
+    SampleTile probe;
+    probe.blockX = 5, probe.blockY = 4;
+    probe.blocksWide = 12, probe.blocksHigh = 14;
     const auto samplesAt = [&](double distance_m) {
         GeometrySamples samples;
         samples.width = probe.width(), samples.height = probe.height();
@@ -281,7 +281,7 @@ TEST(HotSpotSampling, AreHiddenWhereAProbeFindsSomethingBeforeAllOfThem) {
     EXPECT_TRUE(isHidden(part, probe, samplesAt(99.0)));
     EXPECT_FALSE(isHidden(part, probe, samplesAt(100.0)));
     EXPECT_FALSE(isHidden(part, probe, samplesAt(101.0)));
-    // One tile that is open, over the part, beside it and far from it. Rows run upwards.
+    // One block that is open, over the part, beside it and far from it. Rows run upwards.
     for (const auto& [x, y, hidden] : {std::tuple{11, 10, false},
                                        {9, 9, false},
                                        {13, 12, false},
@@ -289,8 +289,8 @@ TEST(HotSpotSampling, AreHiddenWhereAProbeFindsSomethingBeforeAllOfThem) {
                                        {11, 13, true},
                                        {7, 10, true}}) {
         GeometrySamples samples = samplesAt(99.0);
-        const int row = probe.tilesHigh - 1 - (y - 4);
-        samples.distances_m[static_cast<std::size_t>(row * probe.tilesWide + x - 5)] = 200.0f;
+        const int row = probe.blocksHigh - 1 - (y - 4);
+        samples.distances_m[static_cast<std::size_t>(row * probe.blocksWide + x - 5)] = 200.0f;
         EXPECT_EQ(isHidden(part, probe, samples), hidden) << x << ", " << y;
     }
 }

@@ -263,7 +263,7 @@ TEST_F(RayEngineTest, KeepsItsDigitsFarAwayAndFarFromTheOrigin) {
                 1e-5);
 }
 
-TEST_F(RayEngineTest, SamplesTheSameWindowsSoThatSumsAreThoseOfOpenGl) {
+TEST_F(RayEngineTest, SamplesTheSameTilesSoThatSumsAreThoseOfOpenGl) {
     const auto model = sampleModel("turboprop4");
     Entity entity = dressed(model);
     entity.pose.position_m.z = standingAltitude_m;

@@ -1,4 +1,4 @@
-// Windows share drawings, and neither samples nor numbers know of it.
+// Tiles share drawings, and neither samples nor numbers know of it.
 #include "irsg/render/sampling/SampleSheet.h"
 
 #include <gtest/gtest.h>
@@ -15,44 +15,44 @@ using namespace irsg;
 
 namespace {
 
-SampleWindow window(int wide, int high, int shearRows = 0) {
-    SampleWindow made;
-    made.tilesWide = wide;
-    made.tilesHigh = high;
+SampleTile tile(int wide, int high, int shearRows = 0) {
+    SampleTile made;
+    made.blocksWide = wide;
+    made.blocksHigh = high;
     made.samplesAcross = 2;
     made.samplesDown = 3;
     made.shearRows = shearRows;
     return made;
 }
 
-std::vector<SampleWindow> someWindows(std::size_t count, int longest) {
+std::vector<SampleTile> someTiles(std::size_t count, int longest) {
     std::mt19937 random(11);
-    std::vector<SampleWindow> windows;
+    std::vector<SampleTile> tiles;
     for (std::size_t i = 0; i < count; ++i) {
         const auto side = [&] { return 1 + static_cast<int>(random() % unsigned(longest)); };
         const int wide = side(), high = side();
-        windows.push_back(window(wide, high, i % 2 ? 7 : 0));
+        tiles.push_back(tile(wide, high, i % 2 ? 7 : 0));
     }
-    return windows;
+    return tiles;
 }
 
 } // namespace
 
-TEST(SampleSheet, HoldsEverySampleOfEveryWindowOnce) {
+TEST(SampleSheet, HoldsEverySampleOfEveryTileOnce) {
     constexpr int largestSide = 2048;
-    const std::vector<SampleWindow> windows = someWindows(60, 150);
-    const std::vector<SampleSheet> sheets = sheetsOf(windows, largestSide);
-    EXPECT_LT(sheets.size(), windows.size() / 2);
+    const std::vector<SampleTile> tiles = someTiles(60, 150);
+    const std::vector<SampleSheet> sheets = sheetsOf(tiles, largestSide);
+    EXPECT_LT(sheets.size(), tiles.size() / 2);
     std::size_t number = 0;
     for (const SampleSheet& sheet : sheets) {
         EXPECT_LE(sheet.width, largestSide);
         EXPECT_LE(sheet.height, largestSide);
         std::vector<int> times(static_cast<std::size_t>(sheet.width) *
                                static_cast<std::size_t>(sheet.height));
-        for (const SampleWindow& placed : sheet.windows) {
-            ASSERT_LT(number, windows.size());
-            EXPECT_EQ(placed.tilesWide, windows[number].tilesWide); // in their order
-            EXPECT_EQ(placed.tilesHigh, windows[number].tilesHigh);
+        for (const SampleTile& placed : sheet.tiles) {
+            ASSERT_LT(number, tiles.size());
+            EXPECT_EQ(placed.blocksWide, tiles[number].blocksWide); // in their order
+            EXPECT_EQ(placed.blocksHigh, tiles[number].blocksHigh);
             int counted = 0;
             placed.forEachRun([&](std::size_t first, int count, int, int, double) {
                 ASSERT_LE(first % placed.stride() + static_cast<std::size_t>(count),
@@ -62,16 +62,16 @@ TEST(SampleSheet, HoldsEverySampleOfEveryWindowOnce) {
                 }
                 counted += count;
             });
-            EXPECT_EQ(counted, 6 * placed.tilesWide * placed.tilesHigh);
+            EXPECT_EQ(counted, 6 * placed.blocksWide * placed.blocksHigh);
             ++number;
         }
     }
-    EXPECT_EQ(number, windows.size());
+    EXPECT_EQ(number, tiles.size());
 }
 
-TEST(SampleSheet, LeavesALargeWindowAlone) {
+TEST(SampleSheet, LeavesALargeTileAlone) {
     const std::vector<SampleSheet> sheets =
-        sheetsOf({window(10, 10), window(500, 500), window(10, 10)}, 2048);
+        sheetsOf({tile(10, 10), tile(500, 500), tile(10, 10)}, 2048);
     ASSERT_EQ(sheets.size(), 3u);
     EXPECT_EQ(sheets[1].width, 1000);
     EXPECT_EQ(sheets[1].height, 1500);
@@ -79,12 +79,12 @@ TEST(SampleSheet, LeavesALargeWindowAlone) {
 }
 
 TEST(SampleSheet, IsNeverHigherThanADrawingMayBe) {
-    // One wide window and many high ones do not fit on shelves.
-    std::vector<SampleWindow> windows{window(50, 1)};
+    // One wide tile and many high ones do not fit on shelves.
+    std::vector<SampleTile> tiles{tile(50, 1)};
     for (int i = 0; i < 12; ++i) {
-        windows.push_back(window(40, 40));
+        tiles.push_back(tile(40, 40));
     }
-    for (const SampleSheet& sheet : sheetsOf(windows, 128)) {
+    for (const SampleSheet& sheet : sheetsOf(tiles, 128)) {
         EXPECT_LE(sheet.width, 128);
         EXPECT_LE(sheet.height, 128);
     }
@@ -95,8 +95,8 @@ TEST(PixelAlignedStrategy, SpendsNoMoreOnTheSumOfAVeryLargeObjectThanItsPixels) 
         const ZoomEntityInfo object{0, {0, 0, wide_px, high_px}, {}, 1.0};
         const PixelAlignedStrategy strategy(256);
         double samples = 0.0;
-        for (const SampleWindow& one :
-             ofSums ? strategy.windowsOfSums({object}) : strategy.windows({object})) {
+        for (const SampleTile& one :
+             ofSums ? strategy.tilesOfSums({object}) : strategy.tiles({object})) {
             samples += one.rectangle().width() * one.rectangle().height() / one.share();
         }
         return samples;

@@ -193,7 +193,7 @@ TEST(PublishedZoom, DrawsObjectsAboveItsSizeAsTheyAreAndSaysSo) {
     EXPECT_THAT(report.warnings, testing::Contains(testing::HasSubstr("threshold is 64")));
 }
 
-TEST(PublishedZoom, SaysWhereSumsAreThoseOfAlignedWindows) {
+TEST(PublishedZoom, SaysWhereSumsAreThoseOfAlignedTiles) {
     InteractiveRenderer& irsg = generator(ZoomStrategy::sills);
     const Entity sphere = entityOf(modelOf(sphereMesh(1.0, 12, 24, one)), greyDatabase(0.9, 320.0));
     irsg.scene.entities = {sphere};

@@ -50,12 +50,12 @@ double CameraFrame::row(double upPerDepth) const {
     return 0.5 * sensor_.height_px - upPerDepth / sensor_.pixelPitch();
 }
 
-osg::Matrixd CameraFrame::clipFromEye(const ImageRectangle& window, const DepthRange& depth) const {
+osg::Matrixd CameraFrame::clipFromEye(const ImageRectangle& tile, const DepthRange& depth) const {
     const double pitch = sensor_.pixelPitch();
-    const double left = (window.left - 0.5 * sensor_.width_px) * pitch;
-    const double right = left + window.width() * pitch;
-    const double top = (0.5 * sensor_.height_px - window.top) * pitch;
-    const double bottom = top - window.height() * pitch;
+    const double left = (tile.left - 0.5 * sensor_.width_px) * pitch;
+    const double right = left + tile.width() * pitch;
+    const double top = (0.5 * sensor_.height_px - tile.top) * pitch;
+    const double bottom = top - tile.height() * pitch;
     const double n = depth.near_m, f = depth.far_m;
     return osg::Matrixd(2.0 / (right - left), 0, 0, 0,                                    //
                         0, 2.0 / (top - bottom), 0, 0,                                    //

@@ -29,7 +29,7 @@ class CameraFrame {
     /// runs from 1 at the near to 0 at the far distance (zero-to-one clip control),
     /// where a float has its digits: a camera inside an object still tells surfaces 1e-6 of their
     /// distance apart.
-    osg::Matrixd clipFromEye(const ImageRectangle& window, const DepthRange& depth) const;
+    osg::Matrixd clipFromEye(const ImageRectangle& tile, const DepthRange& depth) const;
 
     /// The part of the image plane in which a box standing at `pose` is seen, inside the frame or
     /// not; nothing when the box reaches behind the camera.

@@ -2,7 +2,7 @@
 
 namespace irsg {
 
-PixelWindow PixelWindow::unitedWith(const PixelWindow& other) const {
+PixelRegion PixelRegion::unitedWith(const PixelRegion& other) const {
     if (empty())
         return other;
     if (other.empty())
@@ -13,7 +13,7 @@ PixelWindow PixelWindow::unitedWith(const PixelWindow& other) const {
     return {left, top, right - left, bottom - top};
 }
 
-bool PixelWindow::intersects(const PixelWindow& other) const {
+bool PixelRegion::intersects(const PixelRegion& other) const {
     return x < other.x + other.width && other.x < x + width && y < other.y + other.height &&
            other.y < y + height;
 }

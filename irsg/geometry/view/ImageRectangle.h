@@ -21,7 +21,7 @@ struct ImageRectangle {
 };
 
 /// A rectangle of pixels of the sensor, top left pixel first.
-struct PixelWindow {
+struct PixelRegion {
     int x = 0, y = 0, width = 0, height = 0;
 
     ImageRectangle rectangle() const {
@@ -29,9 +29,9 @@ struct PixelWindow {
                 static_cast<double>(y + height)};
     }
     bool empty() const { return width <= 0 || height <= 0; }
-    PixelWindow unitedWith(const PixelWindow& other) const;
-    bool intersects(const PixelWindow& other) const;
-    bool operator==(const PixelWindow&) const = default;
+    PixelRegion unitedWith(const PixelRegion& other) const;
+    bool intersects(const PixelRegion& other) const;
+    bool operator==(const PixelRegion&) const = default;
 };
 
 } // namespace irsg

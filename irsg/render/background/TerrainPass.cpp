@@ -78,7 +78,7 @@ struct TerrainPass::Impl {
     std::unique_ptr<UploadedTextures> textures;
     std::vector<float> samples;
 
-    void drawPiece(osg::RenderInfo& info, const CameraFrame& camera, const PixelWindow& piece,
+    void drawPiece(osg::RenderInfo& info, const CameraFrame& camera, const PixelRegion& piece,
                    const DepthRange& depth, double offset) {
         const ReversedDepth reversed;
         const int width = piece.width * samplesPerAxis, height = piece.height * samplesPerAxis;
@@ -108,7 +108,7 @@ struct TerrainPass::Impl {
         target.read(0, width, height, samples);
     }
 
-    void reduce(const PixelWindow& piece, int frameWidth, TerrainImage& image) const {
+    void reduce(const PixelRegion& piece, int frameWidth, TerrainImage& image) const {
         constexpr int n = samplesPerAxis;
         constexpr double share = 1.0 / (n * n);
         const auto stride = static_cast<std::size_t>(piece.width) * n;
@@ -156,7 +156,7 @@ TerrainImage TerrainPass::draw(osg::RenderInfo& info, const std::shared_ptr<cons
     }
     for (int y = 0; y < sensor.height_px; y += pieceSide_px)
         for (int x = 0; x < sensor.width_px; x += pieceSide_px) {
-            const PixelWindow piece{x, y, std::min(pieceSide_px, sensor.width_px - x),
+            const PixelRegion piece{x, y, std::min(pieceSide_px, sensor.width_px - x),
                                     std::min(pieceSide_px, sensor.height_px - y)};
             p.drawPiece(info, camera, piece, *depth, offset);
             p.reduce(piece, sensor.width_px, image);

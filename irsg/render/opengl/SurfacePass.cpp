@@ -39,29 +39,29 @@ int angleMode(float nAngleFactor) {
     return nAngleFactor == 0.0f ? 0 : nAngleFactor == 1.0f ? 1 : 2;
 }
 
-/// What a window is of a drawing.
+/// What a tile is of a drawing.
 struct Raster {
     int x, y, width, height;
     osg::Matrixd clipFromEye;
 };
 
-Raster rasterOf(const SurfaceScene& scene, const SampleWindow& window) {
-    const std::size_t stride = window.stride();
-    Raster raster{static_cast<int>(window.firstSample % stride),
-                  static_cast<int>(window.firstSample / stride), window.width(), window.height(),
-                  scene.camera->clipFromEye(window.drawnRectangle(), scene.depth)};
-    if (window.shearRows) {
+Raster rasterOf(const SurfaceScene& scene, const SampleTile& tile) {
+    const std::size_t stride = tile.stride();
+    Raster raster{static_cast<int>(tile.firstSample % stride),
+                  static_cast<int>(tile.firstSample / stride), tile.width(), tile.height(),
+                  scene.camera->clipFromEye(tile.drawnRectangle(), scene.depth)};
+    if (tile.shearRows) {
         // x_clip + a w - b y moves the sample's row r, counted from the top, by r / shearRows.
-        const double perClip = 1.0 / (static_cast<double>(window.shearRows) * raster.width);
+        const double perClip = 1.0 / (static_cast<double>(tile.shearRows) * raster.width);
         osg::Matrixd shear;
         shear(1, 0) = -raster.height * perClip;
         shear(3, 0) = (raster.height - 1) * perClip;
         raster.clipFromEye = raster.clipFromEye * shear;
     }
-    if (window.fall) {
+    if (tile.fall) {
         // y_clip + x / height moves the sample in column c down by (c + 1/2) / width - 1/2.
         osg::Matrixd tilt;
-        tilt(0, 1) = static_cast<double>(window.fall) / raster.height;
+        tilt(0, 1) = static_cast<double>(tile.fall) / raster.height;
         raster.clipFromEye = raster.clipFromEye * tilt;
     }
     return raster;
@@ -94,20 +94,20 @@ std::vector<SurfaceItem> itemsWithin(const SurfaceScene& scene, const Raster& ra
     return items;
 }
 
-/// One window of a drawing with what can be seen in it.
+/// One tile of a drawing with what can be seen in it.
 struct RasterItems {
     const SurfaceScene& scene;
     Raster raster;
     std::vector<SurfaceItem> items;
 
-    RasterItems(const SurfaceScene& ofWindow, const SampleWindow& window)
-        : scene(ofWindow), raster(rasterOf(ofWindow, window)), items(itemsWithin(scene, raster)) {}
+    RasterItems(const SurfaceScene& ofTile, const SampleTile& tile)
+        : scene(ofTile), raster(rasterOf(ofTile, tile)), items(itemsWithin(scene, raster)) {}
 };
 
 std::vector<RasterItems> rastersOf(const SheetScene& sheet) {
     std::vector<RasterItems> rasters;
     for (std::size_t i = 0; i < sheet.scenes.size(); ++i)
-        rasters.emplace_back(sheet.scenes[i], sheet.sheet.windows[i]);
+        rasters.emplace_back(sheet.scenes[i], sheet.sheet.tiles[i]);
     return rasters;
 }
 
@@ -143,7 +143,7 @@ struct SurfacePass::Impl {
             .first->second;
     }
 
-    /// Draws into what a window is of the drawing alone. A guard band may let triangles reach over
+    /// Draws into what a tile is of the drawing alone. A guard band may let triangles reach over
     /// a viewport.
     static void goTo(const Raster& raster) {
         glViewport(raster.x, raster.y, raster.width, raster.height);
@@ -172,9 +172,9 @@ struct SurfacePass::Impl {
     }
 
     /// Draws the items of one kind with the surface shader into the bound target.
-    void drawItems(osg::RenderInfo& info, const RasterItems& window, bool transparent,
+    void drawItems(osg::RenderInfo& info, const RasterItems& tile, bool transparent,
                    Product product, int rasterWidth) {
-        const auto& [scene, raster, items] = window;
+        const auto& [scene, raster, items] = tile;
         const ShaderProgram* current = nullptr;
         int currentAngle = 0;
         for (const SurfaceItem& item : items) {
@@ -231,12 +231,12 @@ struct SurfacePass::Impl {
         shader.set("capacity", static_cast<int>(roomInList));
     }
 
-    /// Draws the windows of a sheet: the opaque surfaces into `target`, the transparent ones before
+    /// Draws the tiles of a sheet: the opaque surfaces into `target`, the transparent ones before
     /// them into the list. Returns the length of the list.
     std::uint32_t draw(osg::RenderInfo& info, const SheetScene& sheet, Product product,
                        FloatTarget& target) {
         const int width = sheet.sheet.width, height = sheet.sheet.height;
-        const std::vector<RasterItems> windows = rastersOf(sheet);
+        const std::vector<RasterItems> tiles = rastersOf(sheet);
         const ReversedDepth reversed;
         target.reserve(width, height);
         target.bind(width, height);
@@ -246,24 +246,24 @@ struct SurfacePass::Impl {
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_GREATER);
         glDisable(GL_BLEND);
-        for (const RasterItems& window : windows) {
-            goTo(window.raster);
-            if (!window.items.empty())
-                drawOccluders(info, window.scene, window.raster);
-            drawItems(info, window, false, product, width);
+        for (const RasterItems& tile : tiles) {
+            goTo(tile.raster);
+            if (!tile.items.empty())
+                drawOccluders(info, tile.scene, tile.raster);
+            drawItems(info, tile, false, product, width);
         }
-        const std::uint32_t listed = drawTransparent(info, windows, width, product);
+        const std::uint32_t listed = drawTransparent(info, tiles, width, product);
         glDisable(GL_SCISSOR_TEST);
         glFinish();
         return listed;
     }
 
-    std::uint32_t drawTransparent(osg::RenderInfo& info, const std::vector<RasterItems>& windows,
+    std::uint32_t drawTransparent(osg::RenderInfo& info, const std::vector<RasterItems>& tiles,
                                   int width, Product product) {
-        const auto isAny = [](const RasterItems& window) {
-            return std::ranges::any_of(window.items, &SurfaceItem::transparent);
+        const auto isAny = [](const RasterItems& tile) {
+            return std::ranges::any_of(tile.items, &SurfaceItem::transparent);
         };
-        if (std::ranges::none_of(windows, isAny))
+        if (std::ranges::none_of(tiles, isAny))
             return 0;
         // What goes to the list leaves the planes alone; a shader that writes none would fill them
         // with whatever it likes.
@@ -271,10 +271,10 @@ struct SurfacePass::Impl {
         glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         std::uint32_t listed = 0;
         for (;;) {
-            list.begin(roomInList, vectorsOf(windows.front().scene.factors));
-            for (const RasterItems& window : windows) {
-                goTo(window.raster);
-                drawItems(info, window, true, product, width);
+            list.begin(roomInList, vectorsOf(tiles.front().scene.factors));
+            for (const RasterItems& tile : tiles) {
+                goTo(tile.raster);
+                drawItems(info, tile, true, product, width);
             }
             listed = list.count();
             if (listed <= roomInList)

@@ -6,8 +6,8 @@
 #include "irsg/core/ParallelFor.h"
 #include "irsg/core/Stopwatch.h"
 #include "irsg/render/rays/RayMesh.h"
-#include "irsg/render/rays/WindowRays.h"
-#include "irsg/render/rays/WindowSamples.h"
+#include "irsg/render/rays/TileRays.h"
+#include "irsg/render/rays/TileSamples.h"
 #include "irsg/render/sampling/LayerSort.h"
 
 namespace irsg {
@@ -62,22 +62,22 @@ void RayEngine::sampleGeometry(const SheetScene& sheet, bool withDistance,
                                GeometrySamples& samples) {
     const Stopwatch watch(drawSeconds_);
     makeRoom(sheet, withDistance, samples);
-    std::vector<WindowRays> windows;
+    std::vector<TileRays> tiles;
     for (std::size_t w = 0; w < sheet.scenes.size(); ++w)
-        windows.emplace_back(sheet.scenes[w], sheet.sheet.windows[w]);
-    const std::vector<WindowRows> pieces = rowsOf(sheet.sheet);
+        tiles.emplace_back(sheet.scenes[w], sheet.sheet.tiles[w]);
+    const std::vector<TileRows> pieces = rowsOf(sheet.sheet);
     std::vector<std::vector<float>> lists(pieces.size()); // of fragments
     parallelFor(pieces.size(), [&](std::size_t i) {
         for (int row = pieces[i].first; row < pieces[i].last; ++row)
-            windows[pieces[i].window].traceRow(row, samples, lists[i]);
+            tiles[pieces[i].tile].traceRow(row, samples, lists[i]);
     });
     gather(lists, samples);
 }
 
-void RayEngine::traceRuns(const SheetScene& sheet, std::size_t window,
+void RayEngine::traceRuns(const SheetScene& sheet, std::size_t tile,
                           const std::vector<SampleRun>& runs, GeometrySamples& samples) {
     makeRoom(sheet, true, samples);
-    const WindowRays rays(sheet.scenes[window], sheet.sheet.windows[window]);
+    const TileRays rays(sheet.scenes[tile], sheet.sheet.tiles[tile]);
     std::vector<std::vector<float>> lists(runs.size()); // of fragments
     parallelFor(runs.size(), [&](std::size_t i) {
         const SampleRun& run = runs[i];

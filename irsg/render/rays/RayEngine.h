@@ -12,7 +12,7 @@ namespace irsg {
 /// Some samples of a window that lie side by side; rows count from the top.
 struct SampleRun {
     int row = 0, firstColumn = 0, count = 0;
-    double weight = 1.0; ///< of each in its pixel, see SampleWindow::forEachRun
+    double weight = 1.0; ///< of each in its pixel, see SampleTile::forEachRun
 };
 
 /// Samples answered by rays, on all cores, without OpenGL: each sample of a window is a ray from
@@ -30,7 +30,7 @@ class RayEngine : public SampleEngine {
 
     /// The factors of some samples of a window with their distances, on the caller's thread; the
     /// others meet nothing.
-    static void traceRuns(const SheetScene& sheet, std::size_t window,
+    static void traceRuns(const SheetScene& sheet, std::size_t tile,
                           const std::vector<SampleRun>& runs, GeometrySamples& samples);
 
   private:

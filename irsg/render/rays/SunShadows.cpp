@@ -12,7 +12,7 @@
 #include "irsg/core/ParallelFor.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/render/rays/LightDirections.h"
-#include "irsg/render/rays/WindowSamples.h"
+#include "irsg/render/rays/TileSamples.h"
 
 namespace irsg {
 
@@ -60,7 +60,7 @@ float* factorOf(GeometrySamples& samples, std::size_t sample, std::optional<std:
 /// Who looks, and at what.
 struct SunShadows::Source {
     const SurfaceScene* scene = nullptr;
-    const SampleWindow* window = nullptr;
+    const SampleTile* tile = nullptr;
     Viewpoint eye;
     EyeDirections directions;
     double sampleWidth = 0.0;
@@ -94,14 +94,13 @@ SunShadows::SunShadows(std::vector<Caster> casters, std::vector<bool> reflects, 
     }
 }
 
-SunShadows::Source SunShadows::sourceOf(const SurfaceScene& scene,
-                                        const SampleWindow& window) const {
+SunShadows::Source SunShadows::sourceOf(const SurfaceScene& scene, const SampleTile& tile) const {
     Source source;
     source.scene = &scene;
-    source.window = &window;
+    source.tile = &tile;
     source.eye = scene.camera->viewpoint();
-    source.directions = {scene.camera->sensor(), window};
-    source.sampleWidth = sampleWidthOf(scene.camera->sensor(), window);
+    source.directions = {scene.camera->sensor(), tile};
+    source.sampleWidth = sampleWidthOf(scene.camera->sensor(), tile);
     source.casters.resize(scene.rows.size());
     for (std::size_t c = 0; c < casters_.size(); ++c)
         for (const int row : casters_[c].rows)
@@ -124,10 +123,10 @@ SunShadows::Source SunShadows::sourceOf(const SurfaceScene& scene,
 }
 
 SunShadows::OpenPaths SunShadows::openPaths(const SurfaceScene& scene,
-                                            const SampleWindow& window) const {
+                                            const SampleTile& tile) const {
     OpenPaths paths;
     paths.shadows_ = this;
-    paths.source_ = std::make_shared<const Source>(sourceOf(scene, window));
+    paths.source_ = std::make_shared<const Source>(sourceOf(scene, tile));
     return paths;
 }
 
@@ -166,7 +165,7 @@ SunShadows::Place SunShadows::placeOf(const Source& source, const Vec3& eyeDirec
     };
     if (neighbours.last_.empty()) {
         neighbours.last_.resize(source.casters.size());
-        neighbours.above_.resize(static_cast<std::size_t>(source.window->width()));
+        neighbours.above_.resize(static_cast<std::size_t>(source.tile->width()));
     }
     Neighbours::Known& last = neighbours.last_[static_cast<std::size_t>(row)];
     Neighbours::Known& above = neighbours.above_[static_cast<std::size_t>(column)];
@@ -260,11 +259,11 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility,
                                   {});
     std::vector<Source> sources;
     for (std::size_t w = 0; w < sheet.scenes.size(); ++w)
-        sources.push_back(sourceOf(sheet.scenes[w], sheet.sheet.windows[w]));
+        sources.push_back(sourceOf(sheet.scenes[w], sheet.sheet.tiles[w]));
 
     const auto shade = [&](const Source& source, Passages& passages, Neighbours& neighbours,
                            int row, int column) {
-        const std::size_t sample = indexOf(*source.window, column, row);
+        const std::size_t sample = indexOf(*source.tile, column, row);
         if (samples.isEmpty(sample))
             return;
         const Vec3 eyeDirection = source.directions.at(column, row);
@@ -322,13 +321,13 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility,
             }
         });
     };
-    const std::vector<WindowRows> pieces = rowsOf(sheet.sheet);
+    const std::vector<TileRows> pieces = rowsOf(sheet.sheet);
     std::vector<Passages> found(pieces.size());
     parallelFor(pieces.size(), [&](std::size_t i) {
-        const Source& source = sources[pieces[i].window];
+        const Source& source = sources[pieces[i].tile];
         Neighbours neighbours;
         for (int row = pieces[i].first; row < pieces[i].last; ++row)
-            for (int column = 0; column < source.window->width(); ++column)
+            for (int column = 0; column < source.tile->width(); ++column)
                 shade(source, found[i], neighbours, row, column);
     });
 

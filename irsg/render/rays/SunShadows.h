@@ -80,7 +80,7 @@ class SunShadows {
         std::vector<Known> last_;  // by row of the drawing
     };
 
-    /// What is seen from the samples of a window, which must live as long as this.
+    /// What is seen from the samples of a tile, which must live as long as this.
     class OpenPaths {
       public:
         /// Whether nothing opaque is met on the way from the surface of a row that a ray from the
@@ -93,7 +93,7 @@ class SunShadows {
         const SunShadows* shadows_ = nullptr;
         std::shared_ptr<const Source> source_;
     };
-    OpenPaths openPaths(const SurfaceScene& scene, const SampleWindow& window) const;
+    OpenPaths openPaths(const SurfaceScene& scene, const SampleTile& tile) const;
 
     /// Takes the light away from the sorted layers of a drawing that has distances. Fills in the
     /// visibility of the sun where it is wanted. The result does not depend on the number of
@@ -110,7 +110,7 @@ class SunShadows {
         RayHit hit;
         bool isFound = false;
     };
-    Source sourceOf(const SurfaceScene& scene, const SampleWindow& window) const;
+    Source sourceOf(const SurfaceScene& scene, const SampleTile& tile) const;
     Place placeOf(const Source& source, const Vec3& eyeDirection, int row, double distance_m,
                   int column, Neighbours& neighbours) const;
     bool isAllLit(const Place& place, const Sunlit* known) const;

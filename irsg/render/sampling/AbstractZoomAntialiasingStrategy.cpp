@@ -4,40 +4,40 @@
 
 namespace irsg {
 
-DrawnWindow DrawnWindow::of(const SampleWindow& window) {
-    const double tilesOfPixel = std::ldexp(1.0, window.level);
-    return {window.region(), tilesOfPixel * window.samplesAcross, tilesOfPixel * window.samplesDown,
-            window.entities};
+RenderedTile RenderedTile::of(const SampleTile& tile) {
+    const double blocksOfPixel = std::ldexp(1.0, tile.level);
+    return {tile.region(), blocksOfPixel * tile.samplesAcross, blocksOfPixel * tile.samplesDown,
+            tile.entities};
 }
 
-std::vector<DrawnWindow> DrawnWindow::of(const std::vector<SampleWindow>& windows) {
-    std::vector<DrawnWindow> result;
-    for (const SampleWindow& window : windows)
-        result.push_back(of(window));
+std::vector<RenderedTile> RenderedTile::of(const std::vector<SampleTile>& tiles) {
+    std::vector<RenderedTile> result;
+    for (const SampleTile& tile : tiles)
+        result.push_back(of(tile));
     return result;
 }
 
 FrameReduction AbstractZoomAntialiasingStrategy::draw(const CameraFrame& camera,
                                                       const std::vector<ZoomEntityInfo>& objects,
                                                       RttPass& pass) {
-    const std::vector<SampleWindow> planned = windows(objects);
-    drawn_ = DrawnWindow::of(planned);
-    const std::vector<SampleWindow> pieces = piecesOf(planned, pass.largestSide());
+    const std::vector<SampleTile> planned = tiles(objects);
+    drawn_ = RenderedTile::of(planned);
+    const std::vector<SampleTile> pieces = piecesOf(planned, pass.largestSide());
     FrameReduction frame(camera.sensor(), pieces);
     for (const SampleSheet& sheet : sheetsOf(pieces, pass.largestSide())) {
         pass.draw(camera, sheet, samples_);
-        for (const SampleWindow& window : sheet.windows)
-            frame.add(window, samples_);
+        for (const SampleTile& tile : sheet.tiles)
+            frame.add(tile, samples_);
     }
     if (samples_.planes.size() > 2 * mostSamplesKept)
         samples_ = {};
     return frame;
 }
 
-std::vector<SampleWindow> piecesOf(const std::vector<SampleWindow>& windows, int largestSide) {
-    std::vector<SampleWindow> result;
-    for (const SampleWindow& window : windows)
-        for (SampleWindow& piece : window.pieces(largestSide))
+std::vector<SampleTile> piecesOf(const std::vector<SampleTile>& tiles, int largestSide) {
+    std::vector<SampleTile> result;
+    for (const SampleTile& tile : tiles)
+        for (SampleTile& piece : tile.pieces(largestSide))
             result.push_back(std::move(piece));
     return result;
 }

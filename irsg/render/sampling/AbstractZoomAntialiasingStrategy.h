@@ -6,19 +6,19 @@
 
 #include "irsg/render/sampling/FrameReduction.h"
 #include "irsg/render/sampling/RttPass.h"
-#include "irsg/render/sampling/SampleWindow.h"
+#include "irsg/render/sampling/SampleTile.h"
 #include "irsg/render/sampling/ZoomEntityInfo.h"
 
 namespace irsg {
 
 /// What was sampled in one go, for people to see: samples are counted per pixel of the frame.
-struct DrawnWindow {
+struct RenderedTile {
     ImageRectangle rectangle;
     double across = 1.0, down = 1.0;
     std::vector<int> entities;
 
-    static DrawnWindow of(const SampleWindow& window);
-    static std::vector<DrawnWindow> of(const std::vector<SampleWindow>& windows);
+    static RenderedTile of(const SampleTile& tile);
+    static std::vector<RenderedTile> of(const std::vector<SampleTile>& tiles);
 };
 
 /// How the objects of a frame are sampled.
@@ -26,17 +26,16 @@ class AbstractZoomAntialiasingStrategy {
   public:
     virtual ~AbstractZoomAntialiasingStrategy() = default;
 
-    /// Windows that hold every object. Objects whose extents overlap share windows; the parts that
-    /// windows leave out to finer ones make every point of an object's extent drawn exactly once.
-    virtual std::vector<SampleWindow> windows(const std::vector<ZoomEntityInfo>& objects) const = 0;
+    /// Tiles that hold every object. Objects whose extents overlap share tiles; the parts that
+    /// tiles leave out to finer ones make every point of an object's extent drawn exactly once.
+    virtual std::vector<SampleTile> tiles(const std::vector<ZoomEntityInfo>& objects) const = 0;
 
     /// The same where nothing but sums over all pixels is asked for.
-    virtual std::vector<SampleWindow>
-    windowsOfSums(const std::vector<ZoomEntityInfo>& objects) const {
-        return windows(objects);
+    virtual std::vector<SampleTile> tilesOfSums(const std::vector<ZoomEntityInfo>& objects) const {
+        return tiles(objects);
     }
 
-    /// Draws the objects into the pixels of a frame: those windows, unless the strategy has a way
+    /// Draws the objects into the pixels of a frame: those tiles, unless the strategy has a way
     /// of its own.
     virtual FrameReduction draw(const CameraFrame& camera,
                                 const std::vector<ZoomEntityInfo>& objects, RttPass& pass);
@@ -45,16 +44,16 @@ class AbstractZoomAntialiasingStrategy {
     virtual std::vector<std::string> takeMessages() { return {}; }
 
     /// Of the last drawing, coarse before fine.
-    std::vector<DrawnWindow> takeWindows() { return std::exchange(drawn_, {}); }
+    std::vector<RenderedTile> takeTiles() { return std::exchange(drawn_, {}); }
 
   protected:
-    std::vector<DrawnWindow> drawn_;
+    std::vector<RenderedTile> drawn_;
 
   private:
     RadianceSamples samples_; // room for those of the next drawing
 };
 
-/// The windows in pieces that fit a drawing.
-std::vector<SampleWindow> piecesOf(const std::vector<SampleWindow>& windows, int largestSide);
+/// The tiles in pieces that fit a drawing.
+std::vector<SampleTile> piecesOf(const std::vector<SampleTile>& tiles, int largestSide);
 
 } // namespace irsg

@@ -30,19 +30,19 @@ std::vector<EntityGroup> overlappingGroups(const std::vector<ZoomEntityInfo>& ob
     return groups;
 }
 
-SampleWindow windowOnTiles(const ImageRectangle& extent, int level) {
-    const auto tile = [&](double place_px) { return std::ldexp(place_px, level); };
-    SampleWindow window;
-    window.level = level;
-    window.tileX = static_cast<std::int64_t>(std::floor(tile(extent.left)));
-    window.tileY = static_cast<std::int64_t>(std::floor(tile(extent.top)));
+SampleTile tileOnBlocks(const ImageRectangle& extent, int level) {
+    const auto block = [&](double place_px) { return std::ldexp(place_px, level); };
+    SampleTile tile;
+    tile.level = level;
+    tile.blockX = static_cast<std::int64_t>(std::floor(block(extent.left)));
+    tile.blockY = static_cast<std::int64_t>(std::floor(block(extent.top)));
     const auto past = [&](double place_px, std::int64_t first) {
-        const auto end = static_cast<std::int64_t>(std::ceil(tile(place_px)));
+        const auto end = static_cast<std::int64_t>(std::ceil(block(place_px)));
         return static_cast<int>(std::max<std::int64_t>(end - first, 1));
     };
-    window.tilesWide = past(extent.right, window.tileX);
-    window.tilesHigh = past(extent.bottom, window.tileY);
-    return window;
+    tile.blocksWide = past(extent.right, tile.blockX);
+    tile.blocksHigh = past(extent.bottom, tile.blockY);
+    return tile;
 }
 
 } // namespace irsg

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "irsg/render/sampling/SampleWindow.h"
+#include "irsg/render/sampling/SampleTile.h"
 #include "irsg/render/sampling/ZoomEntityInfo.h"
 
 namespace irsg {
@@ -17,7 +17,7 @@ struct EntityGroup {
 
 std::vector<EntityGroup> overlappingGroups(const std::vector<ZoomEntityInfo>& objects);
 
-/// The tiles of a level that an extent touches, with one sample each.
-SampleWindow windowOnTiles(const ImageRectangle& extent, int level);
+/// The blocks of a level that an extent touches, with one sample each.
+SampleTile tileOnBlocks(const ImageRectangle& extent, int level);
 
 } // namespace irsg

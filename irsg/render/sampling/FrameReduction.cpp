@@ -16,7 +16,7 @@ constexpr std::size_t bands = 8;
 
 /// Calls work(band, first row, row behind the last) on all cores, for pixels of the frame.
 template <typename Work>
-void forEachBand(const PixelWindow& pixels, const Work& work) {
+void forEachBand(const PixelRegion& pixels, const Work& work) {
     const auto rows = static_cast<std::size_t>(pixels.height);
     parallelFor(bands, [&](std::size_t band) {
         work(band, pixels.y + static_cast<int>(beginOfPart(band, bands, rows)),
@@ -26,11 +26,11 @@ void forEachBand(const PixelWindow& pixels, const Work& work) {
 
 } // namespace
 
-FrameReduction::FrameReduction(const Sensor& sensor, const std::vector<SampleWindow>& windows)
+FrameReduction::FrameReduction(const Sensor& sensor, const std::vector<SampleTile>& tiles)
     : sensor_(sensor) {
-    // Windows that share pixels share a patch; a grown patch may reach others.
-    for (const SampleWindow& window : windows) {
-        Patch patch{window.pixels(), {}, {}};
+    // Tiles that share pixels share a patch; a grown patch may reach others.
+    for (const SampleTile& tile : tiles) {
+        Patch patch{tile.pixels(), {}, {}};
         for (auto other = patches_.begin(); other != patches_.end();) {
             if (!other->pixels.intersects(patch.pixels)) {
                 ++other;
@@ -53,23 +53,23 @@ void FrameReduction::Patch::makeRoom() {
     opacity.resize(count);
 }
 
-FrameReduction::Patch* FrameReduction::find(const PixelWindow& pixels) {
+FrameReduction::Patch* FrameReduction::find(const PixelRegion& pixels) {
     const auto found = std::ranges::find_if(
         patches_, [&](const Patch& patch) { return patch.pixels.intersects(pixels); });
     return found == patches_.end() ? nullptr : &*found;
 }
 
-FrameReduction::Patch& FrameReduction::patchOf(const PixelWindow& pixels) {
+FrameReduction::Patch& FrameReduction::patchOf(const PixelRegion& pixels) {
     Patch* patch = find(pixels);
     if (!patch)
         throw LogicError("a window was drawn that the frame was not told of");
     return *patch;
 }
 
-void FrameReduction::add(const SampleWindow& window, const RadianceSamples& samples) {
-    const PixelWindow pixels = window.pixels();
+void FrameReduction::add(const SampleTile& tile, const RadianceSamples& samples) {
+    const PixelRegion pixels = tile.pixels();
     Patch& patch = patchOf(pixels);
-    const double share = window.share();
+    const double share = tile.share();
     const auto addRun = [&](std::size_t first, int count, int x, int y, double weight)
         __attribute__((always_inline)) {
         const float* sample = &samples.planes[2 * first];
@@ -85,7 +85,7 @@ void FrameReduction::add(const SampleWindow& window, const RadianceSamples& samp
         patch.opacity[pixel] += opacity * (weight * share);
     };
     forEachBand(pixels, [&](std::size_t, int top, int bottom) {
-        window.forEachRun(window.firstRowOf(top), window.firstRowOf(bottom), addRun);
+        tile.forEachRun(tile.firstRowOf(top), tile.firstRowOf(bottom), addRun);
     });
 }
 

@@ -5,20 +5,20 @@
 #include "irsg/geometry/view/CameraFrame.h"
 #include "irsg/geometry/view/FrameBackground.h"
 #include "irsg/image/RadianceImage.h"
-#include "irsg/render/sampling/SampleWindow.h"
+#include "irsg/render/sampling/SampleTile.h"
 #include "irsg/render/sampling/Samples.h"
 #include "irsg/render/values/RenderReport.h"
 
 namespace irsg {
 
 /// Reduces samples to pixels by exact averaging of premultiplied radiance and opacity, in double,
-/// and sums the radiometry of the objects on their own windows before anything is rounded to float.
+/// and sums the radiometry of the objects on their own tiles before anything is rounded to float.
 class FrameReduction {
   public:
-    /// `windows`: what will be added, whole or in pieces.
-    FrameReduction(const Sensor& sensor, const std::vector<SampleWindow>& windows);
+    /// `tiles`: what will be added, whole or in pieces.
+    FrameReduction(const Sensor& sensor, const std::vector<SampleTile>& tiles);
 
-    void add(const SampleWindow& window, const RadianceSamples& samples);
+    void add(const SampleTile& tile, const RadianceSamples& samples);
     /// Adds what a point source adds to one pixel.
     void addPoint(int x, int y, double radiance_W_m2_sr, double opacity);
     /// Lays a premultiplied radiance over what a pixel holds.
@@ -30,9 +30,9 @@ class FrameReduction {
     RadianceImage compose(const FrameBackground& background) const;
 
   private:
-    /// Pixels that windows touch together.
+    /// Pixels that tiles touch together.
     struct Patch {
-        PixelWindow pixels;
+        PixelRegion pixels;
         std::vector<double> radiance, opacity; // top row first
 
         void makeRoom();
@@ -41,8 +41,8 @@ class FrameReduction {
                    static_cast<std::size_t>(x - pixels.x);
         }
     };
-    Patch* find(const PixelWindow& pixels);
-    Patch& patchOf(const PixelWindow& pixels);
+    Patch* find(const PixelRegion& pixels);
+    Patch& patchOf(const PixelRegion& pixels);
 
     Sensor sensor_;
     std::vector<Patch> patches_; // no two share a pixel

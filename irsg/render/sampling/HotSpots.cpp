@@ -134,40 +134,40 @@ std::vector<BoundingBox> connectedPieces(const std::vector<DrawItem>& items, con
     return boxes;
 }
 
-SampleWindow probeOf(const std::vector<HotSpot>& parts, int entity) {
-    constexpr double mostTiles = 96.0;
+SampleTile probeOf(const std::vector<HotSpot>& parts, int entity) {
+    constexpr double mostBlocks = 96.0;
     ImageRectangle all;
     for (const HotSpot& part : parts)
         all = all.unitedWith(part.extent);
-    const double level = std::floor(std::log2(mostTiles / std::max(all.extent(), 1e-300)));
-    SampleWindow probe = windowOnTiles(
-        all, static_cast<int>(std::clamp(level, 0.0, 1.0 * SampleWindow::deepestLevel)));
-    --probe.tileX, --probe.tileY;
-    probe.tilesWide += 2, probe.tilesHigh += 2;
+    const double level = std::floor(std::log2(mostBlocks / std::max(all.extent(), 1e-300)));
+    SampleTile probe =
+        tileOnBlocks(all, static_cast<int>(std::clamp(level, 0.0, 1.0 * SampleTile::deepestLevel)));
+    --probe.blockX, --probe.blockY;
+    probe.blocksWide += 2, probe.blocksHigh += 2;
     probe.entities = {entity};
     return probe;
 }
 
-ProbedTiles tilesAround(const HotSpot& part, const SampleWindow& probe) {
+ProbedBlocks blocksAround(const HotSpot& part, const SampleTile& probe) {
     const ImageRectangle all = probe.rectangle();
-    const double side_px = probe.tileSide_px();
-    const auto tile = [side_px](double place_px, double origin_px, int count) {
+    const double side_px = probe.blockSide_px();
+    const auto block = [side_px](double place_px, double origin_px, int count) {
         return std::clamp(static_cast<int>(std::floor((place_px - origin_px) / side_px)), 0,
                           count - 1);
     };
-    return {tile(part.extent.left - side_px, all.left, probe.tilesWide),
-            tile(part.extent.right + side_px, all.left, probe.tilesWide),
-            tile(part.extent.top - side_px, all.top, probe.tilesHigh),
-            tile(part.extent.bottom + side_px, all.top, probe.tilesHigh)};
+    return {block(part.extent.left - side_px, all.left, probe.blocksWide),
+            block(part.extent.right + side_px, all.left, probe.blocksWide),
+            block(part.extent.top - side_px, all.top, probe.blocksHigh),
+            block(part.extent.bottom + side_px, all.top, probe.blocksHigh)};
 }
 
-bool isHidden(const HotSpot& part, const SampleWindow& probe, const GeometrySamples& samples) {
+bool isHidden(const HotSpot& part, const SampleTile& probe, const GeometrySamples& samples) {
     constexpr double nearer = 1.0 - 1e-6; // beyond the rounding of float
-    const ProbedTiles tiles = tilesAround(part, probe);
-    for (int row = tiles.top; row <= tiles.bottom; ++row)
-        for (int column = tiles.left; column <= tiles.right; ++column) {
+    const ProbedBlocks blocks = blocksAround(part, probe);
+    for (int row = blocks.top; row <= blocks.bottom; ++row)
+        for (int column = blocks.left; column <= blocks.right; ++column) {
             const auto sample = // bottom row first
-                static_cast<std::size_t>((probe.tilesHigh - 1 - row) * probe.tilesWide + column);
+                static_cast<std::size_t>((probe.blocksHigh - 1 - row) * probe.blocksWide + column);
             if (!samples.isOpaque(sample) ||
                 !(static_cast<double>(samples.distances_m[sample]) < nearer * part.nearest_m))
                 return false;

@@ -5,7 +5,7 @@
 
 #include "irsg/geometry/model/DrawList.h"
 #include "irsg/geometry/view/CameraFrame.h"
-#include "irsg/render/sampling/SampleWindow.h"
+#include "irsg/render/sampling/SampleTile.h"
 #include "irsg/render/sampling/Samples.h"
 
 namespace irsg {
@@ -22,18 +22,18 @@ struct HotSpot {
     double nearest_m = 0.0; ///< from the camera to that box
 };
 
-/// One sample a tile around all the parts, some hundred along the longer side: to find out which of
-/// them are hidden.
-SampleWindow probeOf(const std::vector<HotSpot>& parts, int entity);
-/// The tiles of a probe in which a part and a tile around it lie, both ends among them.
-struct ProbedTiles {
+/// One sample a block around all the parts, some hundred along the longer side: to find out which
+/// of them are hidden.
+SampleTile probeOf(const std::vector<HotSpot>& parts, int entity);
+/// The blocks of a probe in which a part and a block around it lie, both ends among them.
+struct ProbedBlocks {
     int left = 0, right = 0, top = 0, bottom = 0;
 };
-ProbedTiles tilesAround(const HotSpot& part, const SampleWindow& probe);
+ProbedBlocks blocksAround(const HotSpot& part, const SampleTile& probe);
 /// True where a probe, drawn with distances around the part at least, finds an opaque surface
-/// before all of a part and a tile around it. What is seen through a gap narrower than a tile is
-/// hidden, too: it is left to the window around.
-bool isHidden(const HotSpot& part, const SampleWindow& probe, const GeometrySamples& samples);
+/// before all of a part and a block around it. What is seen through a gap narrower than a block is
+/// hidden, too: it is left to the tile around.
+bool isHidden(const HotSpot& part, const SampleTile& probe, const GeometrySamples& samples);
 
 /// The hot parts of one object, found once for each pair of codes that was ever hot.
 class HotSpots {

@@ -13,7 +13,7 @@ class RttPass {
 
     /// Largest side of a drawing, samples.
     virtual int largestSide() const = 0;
-    /// Draws the entities of each window of a sheet as a camera sees them, no background behind.
+    /// Draws the entities of each tile of a sheet as a camera sees them, no background behind.
     virtual void draw(const CameraFrame& camera, const SampleSheet& sheet,
                       RadianceSamples& samples) = 0;
 };

@@ -28,11 +28,11 @@ double squareOfSinc(double x) {
 struct DualLattice {
     double perWidth, perHeight, lean, fall;
 
-    explicit DualLattice(const SampleWindow& window)
-        : perWidth(1.0 / window.cellWidth_px()),
-          perHeight(1.0 / window.cellHeight_px()),
-          lean(window.shearRows ? 1.0 / window.shearRows : 0.0),
-          fall(window.drop(1.0) - window.drop(0.0)) {}
+    explicit DualLattice(const SampleTile& tile)
+        : perWidth(1.0 / tile.cellWidth_px()),
+          perHeight(1.0 / tile.cellHeight_px()),
+          lean(tile.shearRows ? 1.0 / tile.shearRows : 0.0),
+          fall(tile.drop(1.0) - tile.drop(0.0)) {}
 
     double right(double m, double l) const { return (m - l * fall) / area() * perWidth; }
     double down(double m, double l) const { return (l + m * lean) / area() * perHeight; }
@@ -77,9 +77,9 @@ double varianceOf(const ImageEdge& edge, const DualLattice& dual) {
 
 } // namespace
 
-double varianceOfEdges_px4(const SampleWindow& window, const std::vector<ImageEdge>& edges,
+double varianceOfEdges_px4(const SampleTile& tile, const std::vector<ImageEdge>& edges,
                            double enough_px4) {
-    const DualLattice dual(window);
+    const DualLattice dual(tile);
     double sum = 0.0;
     for (const ImageEdge& edge : edges) {
         if (sum > enough_px4)
@@ -91,7 +91,7 @@ double varianceOfEdges_px4(const SampleWindow& window, const std::vector<ImageEd
 }
 
 std::vector<ImageEdge> withEqualsCounted(const std::vector<ImageEdge>& edges,
-                                         const SampleWindow& window) {
+                                         const SampleTile& tile) {
     // Both ways along an edge are the same edge.
     std::vector<ImageEdge> sorted = edges;
     for (ImageEdge& edge : sorted)
@@ -101,7 +101,7 @@ std::vector<ImageEdge> withEqualsCounted(const std::vector<ImageEdge>& edges,
         return std::pair{a.right_px, a.down_px} < std::pair{b.right_px, b.down_px};
     });
 
-    const double near_px = 0.1 * std::min(window.cellWidth_px(), window.cellHeight_px());
+    const double near_px = 0.1 * std::min(tile.cellWidth_px(), tile.cellHeight_px());
     std::vector<ImageEdge> different;
     for (const ImageEdge& edge : sorted) {
         const auto equal = std::ranges::find_if(different, [&](const ImageEdge& other) {
@@ -122,32 +122,32 @@ std::vector<ImageEdge> withEqualsCounted(const std::vector<ImageEdge>& edges,
     return different;
 }
 
-std::vector<SampleWindow> latticesNear(const SampleWindow& window, int size) {
-    std::vector<SampleWindow> lattices{window};
-    if (!window.shearRows)
+std::vector<SampleTile> latticesNear(const SampleTile& tile, int size) {
+    std::vector<SampleTile> lattices{tile};
+    if (!tile.shearRows)
         return lattices;
     constexpr int otherColumns = 3;
-    // Columns in terms of rows, near the window's own.
-    const double shape = static_cast<double>(window.samplesAcross) / window.samplesDown;
+    // Columns in terms of rows, near the tile's own.
+    const double shape = static_cast<double>(tile.samplesAcross) / tile.samplesDown;
     const double narrowest = std::min(0.35, 0.55 * shape), widest = 1.4;
-    // In terms of the window's own slope.
+    // In terms of the tile's own slope.
     constexpr std::array slopes = {1.0, 16.0 / 12.0, 16.0 / 14.0, 16.0 / 19.0, 16.0 / 24.0, 1.6};
-    const double slope = static_cast<double>(window.samplesDown) /
-                         (static_cast<double>(window.shearRows) * window.samplesAcross);
-    const int fewest = std::min({2, window.samplesAcross, window.samplesDown});
-    const double perTile = std::max(static_cast<double>(size) * size /
-                                        (static_cast<double>(window.tilesWide) * window.tilesHigh),
-                                    static_cast<double>(window.samplesAcross) * window.samplesDown);
-    for (int across = std::max(fewest, window.samplesAcross - otherColumns);
-         across <= window.samplesAcross + otherColumns; ++across) {
-        const int down = static_cast<int>(perTile / across);
+    const double slope = static_cast<double>(tile.samplesDown) /
+                         (static_cast<double>(tile.shearRows) * tile.samplesAcross);
+    const int fewest = std::min({2, tile.samplesAcross, tile.samplesDown});
+    const double perBlock = std::max(static_cast<double>(size) * size /
+                                         (static_cast<double>(tile.blocksWide) * tile.blocksHigh),
+                                     static_cast<double>(tile.samplesAcross) * tile.samplesDown);
+    for (int across = std::max(fewest, tile.samplesAcross - otherColumns);
+         across <= tile.samplesAcross + otherColumns; ++across) {
+        const int down = static_cast<int>(perBlock / across);
         const double ratio = static_cast<double>(across) / std::max(down, 1);
-        if (across * down < window.samplesAcross * window.samplesDown || down < fewest ||
+        if (across * down < tile.samplesAcross * tile.samplesDown || down < fewest ||
             ratio < narrowest || ratio > widest)
             continue;
         for (const double times : slopes)
             for (const int fall : {1, -1, 0}) {
-                SampleWindow& other = lattices.emplace_back(window);
+                SampleTile& other = lattices.emplace_back(tile);
                 other.samplesAcross = across;
                 other.samplesDown = down;
                 other.shearRows = static_cast<int>(std::lround(down / (times * slope * across)));

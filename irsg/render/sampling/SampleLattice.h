@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "irsg/render/sampling/SampleWindow.h"
+#include "irsg/render/sampling/SampleTile.h"
 
 namespace irsg {
 
@@ -13,7 +13,7 @@ struct ImageEdge {
     int count = 1;
 };
 
-/// Variance, over all phases of the lattice, of the area that a window's samples find beside
+/// Variance, over all phases of the lattice, of the area that a tile's samples find beside
 /// straight edges, pixels^2 squared: what an edge of length L gives in the directions in which
 /// neighbouring samples stand along it,
 ///
@@ -22,17 +22,17 @@ struct ImageEdge {
 /// k in the dual lattice (Poisson's sum of a polygon's Fourier integral). Edges count as
 /// independent, and of each row of the dual lattice only the frequency nearest across an edge.
 /// Where the sum exceeds `enough_px4`, some value above that.
-double varianceOfEdges_px4(const SampleWindow& window, const std::vector<ImageEdge>& edges,
+double varianceOfEdges_px4(const SampleTile& tile, const std::vector<ImageEdge>& edges,
                            double enough_px4 = std::numeric_limits<double>::infinity());
 
-/// The same edges, those that go the same way to within a tenth of the window's cells as one;
+/// The same edges, those that go the same way to within a tenth of the tile's cells as one;
 /// equal in whatever order they are given.
 std::vector<ImageEdge> withEqualsCounted(const std::vector<ImageEdge>& edges,
-                                         const SampleWindow& window);
+                                         const SampleTile& tile);
 
-/// A window of `size` squared samples with lattices near its own, itself first: none has fewer
+/// A tile of `size` squared samples with lattices near its own, itself first: none has fewer
 /// samples. No lattice suits all edges, as each has directions in which long edges meet its rows,
 /// so that one is chosen for the edges there are.
-std::vector<SampleWindow> latticesNear(const SampleWindow& window, int size);
+std::vector<SampleTile> latticesNear(const SampleTile& tile, int size);
 
 } // namespace irsg

@@ -42,17 +42,17 @@ std::pair<double, double> bilinear(const ObjectTexture& texture, double u, doubl
     return {mix(texture.radiance), mix(texture.opacity)};
 }
 
-std::vector<SampleWindow>
-SillsBasedStrategy::windows(const std::vector<ZoomEntityInfo>& objects) const {
-    return PixelAlignedStrategy(size_).windows(objects);
+std::vector<SampleTile>
+SillsBasedStrategy::tiles(const std::vector<ZoomEntityInfo>& objects) const {
+    return PixelAlignedStrategy(size_).tiles(objects);
 }
 
 FrameReduction SillsBasedStrategy::draw(const CameraFrame& camera,
                                         const std::vector<ZoomEntityInfo>& objects, RttPass& pass) {
     // The whole frame is one patch: quads and objects lie upon one another.
-    SampleWindow all;
-    all.tilesWide = camera.sensor().width_px;
-    all.tilesHigh = camera.sensor().height_px;
+    SampleTile all;
+    all.blocksWide = camera.sensor().width_px;
+    all.blocksHigh = camera.sensor().height_px;
     FrameReduction frame(camera.sensor(), {all});
     drawn_.clear();
 
@@ -77,13 +77,13 @@ void SillsBasedStrategy::drawTexture(const CameraFrame& camera, const ZoomEntity
     const int side_px = std::min(nextPowerOfTwo(diameter_px), size_);
     const CameraFrame zoom = zoomCamera(camera, object.centre_m, side_px, size_);
     RadianceSamples samples;
-    pass.draw(zoom, SampleSheet::of(SampleWindow::ofFrame(size_, {object.entity})), samples);
+    pass.draw(zoom, SampleSheet::of(SampleTile::ofFrame(size_, {object.entity})), samples);
     const ObjectTexture texture = MultipassComposer(size_, side_px).apply(textureOf(samples));
 
     // Phase 3: the square in the frame.
     const Billboard billboard(zoom, object.centre_m);
-    const PixelWindow pixels = billboard.pixels(camera);
-    PixelWindow covered;
+    const PixelRegion pixels = billboard.pixels(camera);
+    PixelRegion covered;
     for (int y = pixels.y; y < pixels.y + pixels.height; ++y)
         for (int x = pixels.x; x < pixels.x + pixels.width; ++x)
             if (const auto place = billboard.at(camera, x + 0.5, y + 0.5)) {
@@ -98,13 +98,13 @@ void SillsBasedStrategy::drawTexture(const CameraFrame& camera, const ZoomEntity
 
 void SillsBasedStrategy::drawAsItIs(const CameraFrame& camera, const ZoomEntityInfo& object,
                                     RttPass& pass, FrameReduction& frame) {
-    SampleWindow whole = windowOnTiles(object.extent, 0);
+    SampleTile whole = tileOnBlocks(object.extent, 0);
     whole.entities = {object.entity};
-    drawn_.push_back(DrawnWindow::of(whole));
+    drawn_.push_back(RenderedTile::of(whole));
     RadianceSamples samples;
-    for (const SampleWindow& window : whole.pieces(pass.largestSide())) {
-        pass.draw(camera, SampleSheet::of(window), samples);
-        window.forEachRun([&](std::size_t first, int, int x, int y, double) {
+    for (const SampleTile& tile : whole.pieces(pass.largestSide())) {
+        pass.draw(camera, SampleSheet::of(tile), samples);
+        tile.forEachRun([&](std::size_t first, int, int x, int y, double) {
             frame.cover(x, y, static_cast<double>(samples.planes[2 * first]),
                         static_cast<double>(samples.planes[2 * first + 1]));
         });

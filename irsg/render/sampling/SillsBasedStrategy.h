@@ -21,8 +21,8 @@ class SillsBasedStrategy : public AbstractZoomAntialiasingStrategy {
     /// 128, 256 or 512, or another power of two from 8.
     explicit SillsBasedStrategy(int size) : size_(size), lod_(size) {}
 
-    /// For factors, which cannot be resampled: the windows of PixelAlignedStrategy.
-    std::vector<SampleWindow> windows(const std::vector<ZoomEntityInfo>& objects) const override;
+    /// For factors, which cannot be resampled: the tiles of PixelAlignedStrategy.
+    std::vector<SampleTile> tiles(const std::vector<ZoomEntityInfo>& objects) const override;
     FrameReduction draw(const CameraFrame& camera, const std::vector<ZoomEntityInfo>& objects,
                         RttPass& pass) override;
     std::vector<std::string> takeMessages() override { return lod_.takeMessages(); }

@@ -4,14 +4,14 @@
 
 namespace irsg {
 
-std::vector<SampleWindow>
-SupersamplingStrategy::windows(const std::vector<ZoomEntityInfo>& objects) const {
-    std::vector<SampleWindow> result;
+std::vector<SampleTile>
+SupersamplingStrategy::tiles(const std::vector<ZoomEntityInfo>& objects) const {
+    std::vector<SampleTile> result;
     for (const EntityGroup& group : overlappingGroups(objects)) {
-        SampleWindow& window = result.emplace_back(windowOnTiles(group.extent, 0));
-        window.samplesAcross = samplesAcross_;
-        window.samplesDown = samplesDown_;
-        window.entities = group.entities();
+        SampleTile& tile = result.emplace_back(tileOnBlocks(group.extent, 0));
+        tile.samplesAcross = samplesAcross_;
+        tile.samplesDown = samplesDown_;
+        tile.entities = group.entities();
     }
     return result;
 }

@@ -11,7 +11,7 @@ class SupersamplingStrategy : public AbstractZoomAntialiasingStrategy {
     SupersamplingStrategy(int samplesAcross, int samplesDown)
         : samplesAcross_(samplesAcross), samplesDown_(samplesDown) {}
 
-    std::vector<SampleWindow> windows(const std::vector<ZoomEntityInfo>& objects) const override;
+    std::vector<SampleTile> tiles(const std::vector<ZoomEntityInfo>& objects) const override;
 
   private:
     int samplesAcross_, samplesDown_;

@@ -78,7 +78,7 @@ struct SurfaceScene {
     bool hasTransparent() const { return std::ranges::any_of(items, &SurfaceItem::transparent); }
 };
 
-/// The windows of a sheet, and what stands in each.
+/// The tiles of a sheet, and what stands in each.
 struct SheetScene {
     SampleSheet sheet;
     std::vector<SurfaceScene> scenes;

@@ -59,7 +59,7 @@ std::optional<std::pair<double, double>> Billboard::at(const CameraFrame& camera
     return std::pair{u, v};
 }
 
-PixelWindow Billboard::pixels(const CameraFrame& camera) const {
+PixelRegion Billboard::pixels(const CameraFrame& camera) const {
     // A sphere around the square bounds it.
     const double reach_m = std::sqrt(2.0) * half_m_;
     const Sensor& sensor = camera.sensor();

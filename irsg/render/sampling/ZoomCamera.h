@@ -29,7 +29,7 @@ class Billboard {
     std::optional<std::pair<double, double>> at(const CameraFrame& camera, double x,
                                                 double y) const;
     /// Pixels of `camera` whose middles may lie on the square, inside the frame.
-    PixelWindow pixels(const CameraFrame& camera) const;
+    PixelRegion pixels(const CameraFrame& camera) const;
 
   private:
     Vec3 centre_m_, right_, up_, normal_;

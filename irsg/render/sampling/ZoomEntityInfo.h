@@ -9,7 +9,7 @@
 
 namespace irsg {
 
-/// Where an object is seen: what a strategy plans its windows from.
+/// Where an object is seen: what a strategy plans its tiles from.
 struct ZoomEntityInfo {
     int entity = 0;
     /// Holds every pixel the object can touch; the part inside the frame.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "irsg/image/RadianceImage.h"
-#include "irsg/image/SampledWindows.h"
+#include "irsg/image/SampledTiles.h"
 #include "irsg/render/values/RadiometryError.h"
 
 namespace irsg {
@@ -44,7 +44,7 @@ struct RenderReport {
     ObjectRadiometry all;
     std::vector<std::string> answeredBy; ///< "transmittance: vacuum"
     std::vector<std::string> warnings;   ///< each said once
-    std::vector<SampledWindow> windows;  ///< what the antialiasing sampled by itself
+    std::vector<SampledTile> tiles;      ///< what the antialiasing sampled by itself
     long flooredPixels = 0;              ///< of the background, whose sum was below 0
     int layersLeftOver = 0;              ///< samples with more transparent layers than are kept
     std::string renderer;                ///< GL renderer and version

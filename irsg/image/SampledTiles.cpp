@@ -1,4 +1,4 @@
-#include "irsg/image/SampledWindows.h"
+#include "irsg/image/SampledTiles.h"
 
 #include <sstream>
 
@@ -11,38 +11,37 @@ constexpr int digits = 9; // of what is read back to a thousandth of a pixel in 
 
 } // namespace
 
-void describeWindows(const std::vector<SampledWindow>& windows, RadianceImage& image) {
-    if (windows.empty()) {
+void describeTiles(const std::vector<SampledTile>& tiles, RadianceImage& image) {
+    if (tiles.empty()) {
         image.attributes.erase(attribute);
         return;
     }
     std::ostringstream text;
     text.imbue(std::locale::classic());
     text.precision(digits);
-    for (const SampledWindow& window : windows)
-        text << window.left_px << ' ' << window.top_px << ' ' << window.right_px << ' '
-             << window.bottom_px << ' ' << window.across << ' ' << window.down << ' '
-             << window.objects << '\n';
+    for (const SampledTile& tile : tiles)
+        text << tile.left_px << ' ' << tile.top_px << ' ' << tile.right_px << ' ' << tile.bottom_px
+             << ' ' << tile.across << ' ' << tile.down << ' ' << tile.objects << '\n';
     image.attributes[attribute] = text.str();
 }
 
-std::vector<SampledWindow> windowsOf(const RadianceImage& image) {
+std::vector<SampledTile> tilesOf(const RadianceImage& image) {
     const auto found = image.attributes.find(attribute);
     if (found == image.attributes.end())
         return {};
-    std::vector<SampledWindow> windows;
+    std::vector<SampledTile> tiles;
     std::istringstream lines(found->second);
     for (std::string line; std::getline(lines, line);) {
         std::istringstream fields(line);
         fields.imbue(std::locale::classic());
-        SampledWindow& window = windows.emplace_back();
-        fields >> window.left_px >> window.top_px >> window.right_px >> window.bottom_px >>
-            window.across >> window.down;
+        SampledTile& tile = tiles.emplace_back();
+        fields >> tile.left_px >> tile.top_px >> tile.right_px >> tile.bottom_px >> tile.across >>
+            tile.down;
         if (!fields)
             return {};
-        std::getline(fields >> std::ws, window.objects);
+        std::getline(fields >> std::ws, tile.objects);
     }
-    return windows;
+    return tiles;
 }
 
 } // namespace irsg

@@ -10,17 +10,17 @@ namespace irsg {
 /// A rectangle of the image plane whose samples the antialiasing spent apart from the rest: what
 /// the report draws as the frustum of a zoom camera. Pixels from the top left corner of the frame
 /// to the right and down; not bound to whole pixels.
-struct SampledWindow {
+struct SampledTile {
     double left_px = 0.0, top_px = 0.0, right_px = 0.0, bottom_px = 0.0;
     double across = 0.0, down = 0.0; ///< samples per pixel; 0 for a point, which is not sampled
     std::string objects;             ///< names of what is drawn in it, "hull, mast"
 
-    bool operator==(const SampledWindow&) const = default;
+    bool operator==(const SampledTile&) const = default;
 };
 
-/// As the attribute `windows` of an image: a line for each, coarse before fine.
-void describeWindows(const std::vector<SampledWindow>& windows, RadianceImage& image);
+/// As the attribute `tiles` of an image: a line for each, coarse before fine.
+void describeTiles(const std::vector<SampledTile>& tiles, RadianceImage& image);
 /// Of the attribute; empty where the image has none or another program wrote it otherwise.
-std::vector<SampledWindow> windowsOf(const RadianceImage& image);
+std::vector<SampledTile> tilesOf(const RadianceImage& image);
 
 } // namespace irsg

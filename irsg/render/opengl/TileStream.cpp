@@ -1,4 +1,4 @@
-#include "irsg/render/opengl/WindowStream.h"
+#include "irsg/render/opengl/TileStream.h"
 
 #include <exception>
 #include <optional>
@@ -11,14 +11,14 @@
 
 namespace irsg {
 
-struct WindowStream::Stream {
+struct TileStream::Stream {
     Work work;
     Seconds seconds;
     std::promise<Seconds> done;
     std::exception_ptr failure; // of taking in
 };
 
-std::future<WindowStream::Seconds> WindowStream::start(SampleEngine& engine, Work work) {
+std::future<TileStream::Seconds> TileStream::start(SampleEngine& engine, Work work) {
     auto stream = std::make_shared<Stream>();
     stream->work = std::move(work);
     std::future<Seconds> done = stream->done.get_future();
@@ -27,7 +27,7 @@ std::future<WindowStream::Seconds> WindowStream::start(SampleEngine& engine, Wor
     return done;
 }
 
-void WindowStream::drawAll(const std::shared_ptr<Stream>& stream) {
+void TileStream::drawAll(const std::shared_ptr<Stream>& stream) {
     std::exception_ptr failure;
     for (std::size_t drawing = 0; drawing < stream->work.drawings; ++drawing) {
         GeometrySamples* samples = nullptr;
@@ -54,7 +54,7 @@ void WindowStream::drawAll(const std::shared_ptr<Stream>& stream) {
     });
 }
 
-void WindowStream::takeIn(Stream& stream, std::size_t drawing, GeometrySamples& samples) {
+void TileStream::takeIn(Stream& stream, std::size_t drawing, GeometrySamples& samples) {
     std::optional<OnThisThread> besideDrawing;
     if (ahead_ > 0)
         besideDrawing.emplace();
@@ -77,7 +77,7 @@ void WindowStream::takeIn(Stream& stream, std::size_t drawing, GeometrySamples& 
     giveBack(samples);
 }
 
-GeometrySamples& WindowStream::free() {
+GeometrySamples& TileStream::free() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return !free_.empty(); });
     GeometrySamples& samples = *free_.back();
@@ -85,7 +85,7 @@ GeometrySamples& WindowStream::free() {
     return samples;
 }
 
-void WindowStream::giveBack(GeometrySamples& samples) {
+void TileStream::giveBack(GeometrySamples& samples) {
     {
         const std::lock_guard lock(mutex_);
         free_.push_back(&samples);

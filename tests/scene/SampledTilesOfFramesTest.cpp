@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "irsg/image/SampledWindows.h"
+#include "irsg/image/SampledTiles.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;
@@ -20,9 +20,9 @@ Entity sphere(const std::string& name, double x_m) {
     return entity;
 }
 
-/// The windows that a frame of 64 pixels tells of, in which 2 m are `size_px` wide.
-std::vector<SampledWindow> windowsIn(const std::vector<Entity>& entities, double size_px,
-                                     const std::function<void(RenderSettings&)>& change = {}) {
+/// The tiles that a frame of 64 pixels tells of, in which 2 m are `size_px` wide.
+std::vector<SampledTile> tilesIn(const std::vector<Entity>& entities, double size_px,
+                                 const std::function<void(RenderSettings&)>& change = {}) {
     InteractiveRenderer irsg;
     irsg.scene.environment = environmentOf(ConstantAir{});
     RenderSettings settings;
@@ -38,18 +38,18 @@ std::vector<SampledWindow> windowsIn(const std::vector<Entity>& entities, double
                 .height_px = frame_px,
                 .fieldOfView_rad = 2.0 * std::atan(0.5 * frame_px * pixel_rad)});
     const RenderedImage frame = irsg.imageWithReport();
-    EXPECT_EQ(windowsOf(frame.image).size(), frame.report.windows.size());
-    return frame.report.windows;
+    EXPECT_EQ(tilesOf(frame.image).size(), frame.report.tiles.size());
+    return frame.report.tiles;
 }
 
-/// That a window holds a ball in the middle of the frame, and little more.
-void expectAround(const SampledWindow& window, double diameter_px, double margin_px) {
+/// That a tile holds a ball in the middle of the frame, and little more.
+void expectAround(const SampledTile& tile, double diameter_px, double margin_px) {
     const double middle_px = 0.5 * frame_px, radius_px = 0.5 * diameter_px;
-    for (const double low : {window.left_px, window.top_px}) {
+    for (const double low : {tile.left_px, tile.top_px}) {
         EXPECT_LE(low, middle_px - radius_px);
         EXPECT_GE(low, middle_px - radius_px - margin_px);
     }
-    for (const double high : {window.right_px, window.bottom_px}) {
+    for (const double high : {tile.right_px, tile.bottom_px}) {
         EXPECT_GE(high, middle_px + radius_px);
         EXPECT_LE(high, middle_px + radius_px + margin_px);
     }
@@ -57,38 +57,38 @@ void expectAround(const SampledWindow& window, double diameter_px, double margin
 
 } // namespace
 
-TEST(WindowsOfAFrame, LieCloselyAroundAnObjectOfAnySize) {
+TEST(TilesOfAFrame, LieCloselyAroundAnObjectOfAnySize) {
     for (const double size_px : {40.3, 3.1, 0.2}) {
-        const auto windows = windowsIn({sphere("ball", 0.0)}, size_px);
-        ASSERT_EQ(windows.size(), 1u) << size_px;
-        expectAround(windows[0], size_px, std::min(0.15 * size_px + 0.01, 1.5));
+        const auto tiles = tilesIn({sphere("ball", 0.0)}, size_px);
+        ASSERT_EQ(tiles.size(), 1u) << size_px;
+        expectAround(tiles[0], size_px, std::min(0.15 * size_px + 0.01, 1.5));
         // 256 samples over the object or nearly so, all in all.
-        EXPECT_NEAR(std::sqrt(windows[0].across * windows[0].down) * size_px, 215.0, 40.0);
-        EXPECT_EQ(windows[0].objects, "ball");
+        EXPECT_NEAR(std::sqrt(tiles[0].across * tiles[0].down) * size_px, 215.0, 40.0);
+        EXPECT_EQ(tiles[0].objects, "ball");
     }
 }
 
-TEST(WindowsOfAFrame, AreSharedByObjectsThatOverlap) {
-    const auto together = windowsIn({sphere("near", 0.0), sphere("far", 1.2)}, 10.0);
+TEST(TilesOfAFrame, AreSharedByObjectsThatOverlap) {
+    const auto together = tilesIn({sphere("near", 0.0), sphere("far", 1.2)}, 10.0);
     ASSERT_EQ(together.size(), 1u);
     EXPECT_EQ(together[0].objects, "near, far");
     EXPECT_NEAR(together[0].right_px - together[0].left_px, 16.0, 2.5);
-    const auto apart = windowsIn({sphere("near", 0.0), sphere("far", 4.0)}, 10.0);
+    const auto apart = tilesIn({sphere("near", 0.0), sphere("far", 4.0)}, 10.0);
     ASSERT_EQ(apart.size(), 2u);
     EXPECT_EQ(apart[0].objects, "near");
     EXPECT_EQ(apart[1].objects, "far");
 }
 
-TEST(WindowsOfAFrame, OfAPointHaveNoSamples) {
-    const auto windows = windowsIn({sphere("ball", 0.0)}, 0.01);
-    ASSERT_EQ(windows.size(), 1u);
-    EXPECT_EQ(windows[0].across, 0.0);
-    EXPECT_NEAR(windows[0].right_px - windows[0].left_px, 0.01, 1e-3);
-    EXPECT_EQ(windows[0].objects, "ball");
+TEST(TilesOfAFrame, OfAPointHaveNoSamples) {
+    const auto tiles = tilesIn({sphere("ball", 0.0)}, 0.01);
+    ASSERT_EQ(tiles.size(), 1u);
+    EXPECT_EQ(tiles[0].across, 0.0);
+    EXPECT_NEAR(tiles[0].right_px - tiles[0].left_px, 0.01, 1e-3);
+    EXPECT_EQ(tiles[0].objects, "ball");
 }
 
-TEST(WindowsOfAFrame, TellTheSamplesOfAModeAndThePublishedSquare) {
-    const auto supersampled = windowsIn({sphere("ball", 0.0)}, 10.0, [](RenderSettings& settings) {
+TEST(TilesOfAFrame, TellTheSamplesOfAModeAndThePublishedSquare) {
+    const auto supersampled = tilesIn({sphere("ball", 0.0)}, 10.0, [](RenderSettings& settings) {
         settings.zoomWindow = 0;
         settings.samplesPerAxis = 4;
     });
@@ -96,7 +96,7 @@ TEST(WindowsOfAFrame, TellTheSamplesOfAModeAndThePublishedSquare) {
     EXPECT_EQ(supersampled[0].across, 4.0);
     EXPECT_EQ(supersampled[0].down, 4.0);
 
-    const auto published = windowsIn({sphere("ball", 0.0)}, 10.0, [](RenderSettings& settings) {
+    const auto published = tilesIn({sphere("ball", 0.0)}, 10.0, [](RenderSettings& settings) {
         settings.zoomStrategy = ZoomStrategy::sills;
     });
     ASSERT_EQ(published.size(), 1u);
@@ -104,16 +104,16 @@ TEST(WindowsOfAFrame, TellTheSamplesOfAModeAndThePublishedSquare) {
     EXPECT_EQ(published[0].across, 16.0);  // 256 / 16
 }
 
-TEST(WindowsOfAFrame, OfHotSpotsFollowTheTileThatLeavesThemOut) {
+TEST(TilesOfAFrame, OfHotSpotsFollowTheTileThatLeavesThemOut) {
     Mesh mesh = plateMesh({}, {0, 0, 0.5}, {1.0, 0, 0}, {1, 1});
     mesh = joined(mesh, plateMesh({0.4, 1e-3, 0.0}, {0, 0, 0.05}, {0.002, 0, 0}, {2, 1}));
     SignatureDatabase database;
     database.materials[1] = greyMaterial(1.0);
     database.temperatures[1] = fixedTemperature(290.0);
     database.temperatures[2] = fixedTemperature(900.0);
-    const auto windows = windowsIn({entityOf(modelOf(mesh), std::move(database))}, 20.0);
-    ASSERT_GT(windows.size(), 1u);
-    const SampledWindow &whole = windows.front(), &part = windows.back();
+    const auto tiles = tilesIn({entityOf(modelOf(mesh), std::move(database))}, 20.0);
+    ASSERT_GT(tiles.size(), 1u);
+    const SampledTile &whole = tiles.front(), &part = tiles.back();
     EXPECT_GT(part.across, 2.0 * whole.across);
     EXPECT_GT(part.left_px, whole.left_px);
     EXPECT_LT(part.right_px, whole.right_px);

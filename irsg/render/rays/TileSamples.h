@@ -6,34 +6,33 @@
 #include "irsg/geometry/view/Sensor.h"
 #include "irsg/geometry/view/Vec3.h"
 #include "irsg/render/rays/RayVectors.h"
-#include "irsg/render/sampling/SampleWindow.h"
+#include "irsg/render/sampling/SampleTile.h"
 #include "irsg/render/sampling/SurfaceScene.h"
 
 namespace irsg {
 
-/// Some rows of a window of a sheet, counted from the top.
-struct WindowRows {
-    std::size_t window = 0;
+/// Some rows of a tile of a sheet, counted from the top.
+struct TileRows {
+    std::size_t tile = 0;
     int first = 0, last = 0; ///< `last` is the one after them
 };
 /// A sheet in the pieces that one thread takes at a time, the same for any number of threads.
-std::vector<WindowRows> rowsOf(const SampleSheet& sheet);
+std::vector<TileRows> rowsOf(const SampleSheet& sheet);
 
-/// Place of a sample of a window in its drawing.
-inline std::size_t indexOf(const SampleWindow& window, int column, int row) {
-    return window.firstSample +
-           static_cast<std::size_t>(window.height() - 1 - row) * window.stride() +
+/// Place of a sample of a tile in its drawing.
+inline std::size_t indexOf(const SampleTile& tile, int column, int row) {
+    return tile.firstSample + static_cast<std::size_t>(tile.height() - 1 - row) * tile.stride() +
            static_cast<std::size_t>(column);
 }
 
-/// Unit vectors from the eye through the samples of a window, in eye space.
+/// Unit vectors from the eye through the samples of a tile, in eye space.
 class EyeDirections {
   public:
     EyeDirections() = default;
-    EyeDirections(const Sensor& sensor, const SampleWindow& window);
+    EyeDirections(const Sensor& sensor, const SampleTile& tile);
 
     Vec3 at(int column, int row) const {
-        // As SampleWindow::placeOf has it.
+        // As SampleTile::placeOf has it.
         const double down = row + fall_ * ((column + 0.5) / width_ - 0.5);
         const double right = column - (shearRows_ != 0.0 ? down / shearRows_ : 0.0);
         const Vec3 along{(left_ + (right + 0.5) * cellWidth_ - middleX_) * pitch_,
@@ -47,6 +46,6 @@ class EyeDirections {
 };
 
 /// Angle between neighbouring samples in the middle of the frame, rad.
-double sampleWidthOf(const Sensor& sensor, const SampleWindow& window);
+double sampleWidthOf(const Sensor& sensor, const SampleTile& tile);
 
 } // namespace irsg

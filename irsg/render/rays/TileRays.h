@@ -3,21 +3,21 @@
 #include <vector>
 
 #include "irsg/render/rays/RayMesh.h"
-#include "irsg/render/rays/WindowSamples.h"
+#include "irsg/render/rays/TileSamples.h"
 #include "irsg/render/sampling/SurfaceScene.h"
 
 namespace irsg {
 
-/// The rays of one window of a drawing and what they meet there.
-class WindowRays {
+/// The rays of one tile of a drawing and what they meet there.
+class TileRays {
   public:
     /// Both must live as long.
-    WindowRays(const SurfaceScene& scene, const SampleWindow& window);
+    TileRays(const SurfaceScene& scene, const SampleTile& tile);
 
     /// Fills in the samples of a row, counted from the top, and appends fragments of transparent
     /// surfaces, as GeometrySamples has them. Rows may be traced at the same time.
     void traceRow(int row, GeometrySamples& samples, std::vector<float>& fragments) const {
-        traceRow(row, 0, window_.width(), samples, fragments);
+        traceRow(row, 0, tile_.width(), samples, fragments);
     }
     /// The same of the columns from one on to before another.
     void traceRow(int row, int firstColumn, int lastColumn, GeometrySamples& samples,
@@ -33,7 +33,7 @@ class WindowRays {
     std::vector<Facet> facetsAt(int column, int row) const;
 
   private:
-    /// One entity as it stands in the window.
+    /// One entity as it stands in the tile.
     struct Body {
         int entity = 0;
         const RayMesh* mesh = nullptr;
@@ -59,7 +59,7 @@ class WindowRays {
     float depthOf(double distance_m, const Vec3& eyeDirection) const;
 
     const SurfaceScene& scene_;
-    const SampleWindow& window_;
+    const SampleTile& tile_;
     EyeDirections directions_;
     double sampleWidth_ = 0.0;
     std::vector<Body> bodies_;

@@ -17,11 +17,11 @@ namespace irsg {
 
 class SampleEngine;
 
-/// Makes drawings, of one window or several, one after the other on an engine's thread while what
+/// Makes drawings, of one tile or several, one after the other on an engine's thread while what
 /// was drawn before is sorted and taken in on another thread, and on all cores once all is drawn:
 /// two sets of samples take turns. The first drawing of a stream is made while the last one of the
 /// stream before is taken in.
-class WindowStream {
+class TileStream {
   public:
     /// Time that a stream took on its threads, s.
     struct Seconds {

@@ -1,11 +1,11 @@
-#include "irsg/render/rays/WindowRays.h"
+#include "irsg/render/rays/TileRays.h"
 
 #include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <utility>
 
-#include "irsg/render/rays/WindowSamples.h"
+#include "irsg/render/rays/TileSamples.h"
 
 namespace irsg {
 
@@ -25,15 +25,14 @@ PieceUses opaqueUses(std::size_t pieces) {
 
 } // namespace
 
-Vec3 WindowRays::Body::toMesh(const Vec3& eyeDirection) const {
+Vec3 TileRays::Body::toMesh(const Vec3& eyeDirection) const {
     return {product(x, eyeDirection), product(y, eyeDirection), product(z, eyeDirection)};
 }
-Vec3 WindowRays::Body::toEye(const Vec3& meshDirection) const {
+Vec3 TileRays::Body::toEye(const Vec3& meshDirection) const {
     return x * meshDirection.x + y * meshDirection.y + z * meshDirection.z;
 }
 
-WindowRays::Body WindowRays::bodyOf(const SurfaceBody& body, PieceUses uses,
-                                    std::vector<int> rows) {
+TileRays::Body TileRays::bodyOf(const SurfaceBody& body, PieceUses uses, std::vector<int> rows) {
     // Row vectors times matrix: its rows are the axes of the model in eye space.
     Body own{body.entity,
              body.mesh.get(),
@@ -47,11 +46,11 @@ WindowRays::Body WindowRays::bodyOf(const SurfaceBody& body, PieceUses uses,
     return own;
 }
 
-WindowRays::WindowRays(const SurfaceScene& scene, const SampleWindow& window)
+TileRays::TileRays(const SurfaceScene& scene, const SampleTile& tile)
     : scene_(scene),
-      window_(window),
-      directions_(scene.camera->sensor(), window),
-      sampleWidth_(sampleWidthOf(scene.camera->sensor(), window)) {
+      tile_(tile),
+      directions_(scene.camera->sensor(), tile),
+      sampleWidth_(sampleWidthOf(scene.camera->sensor(), tile)) {
     for (const SurfaceBody& body : scene.bodies) {
         PieceUses uses(body.mesh->pieces());
         std::vector<int> rows(body.mesh->pieces(), -1);
@@ -67,17 +66,17 @@ WindowRays::WindowRays(const SurfaceScene& scene, const SampleWindow& window)
         occluders_.push_back(bodyOf(scene.terrain, opaqueUses(scene.terrain.mesh->pieces()), {}));
 }
 
-Ray WindowRays::rayTo(const Body& body, const Vec3& eyeDirection, double from_m) {
+Ray TileRays::rayTo(const Body& body, const Vec3& eyeDirection, double from_m) {
     return {body.eye_m, body.toMesh(eyeDirection), from_m};
 }
 
-float WindowRays::depthOf(double distance_m, const Vec3& eyeDirection) const {
+float TileRays::depthOf(double distance_m, const Vec3& eyeDirection) const {
     const DepthRange& range = scene_.depth;
     const double depth_m = -eyeDirection.z * distance_m;
     return static_cast<float>((range.far_m - depth_m) / (range.far_m - range.near_m));
 }
 
-void WindowRays::fillFactors(const Met& met, const Vec3& eyeDirection, float* factors) const {
+void TileRays::fillFactors(const Met& met, const Vec3& eyeDirection, float* factors) const {
     const int row = met.body->rows[static_cast<std::size_t>(met.hit.piece)];
     const Vec3 normal = met.body->toEye(met.body->mesh->normal(met.hit));
     const SampleGeometry geometry{
@@ -88,7 +87,7 @@ void WindowRays::fillFactors(const Met& met, const Vec3& eyeDirection, float* fa
         *factors++ = static_cast<float>(function(geometry));
 }
 
-WindowRays::Met WindowRays::meet(const Vec3& eyeDirection, std::vector<Met>& layers) const {
+TileRays::Met TileRays::meet(const Vec3& eyeDirection, std::vector<Met>& layers) const {
     thread_local std::vector<RayHit> through;
     const double from_m = scene_.depth.near_m / -eyeDirection.z;
     Met opaque;
@@ -117,7 +116,7 @@ WindowRays::Met WindowRays::meet(const Vec3& eyeDirection, std::vector<Met>& lay
     return opaque;
 }
 
-std::vector<WindowRays::Facet> WindowRays::facetsAt(int column, int row) const {
+std::vector<TileRays::Facet> TileRays::facetsAt(int column, int row) const {
     const Vec3 eyeDirection = directions_.at(column, row);
     std::vector<Met> met;
     Met last = meet(eyeDirection, met);
@@ -136,14 +135,14 @@ std::vector<WindowRays::Facet> WindowRays::facetsAt(int column, int row) const {
     return facets;
 }
 
-void WindowRays::traceRow(int row, int firstColumn, int lastColumn, GeometrySamples& samples,
-                          std::vector<float>& fragments) const {
+void TileRays::traceRow(int row, int firstColumn, int lastColumn, GeometrySamples& samples,
+                        std::vector<float>& fragments) const {
     thread_local std::vector<Met> layers;
     std::array<float, mostFactors + 1> factors{};
     for (int column = firstColumn; column < lastColumn; ++column) {
         const Vec3 eyeDirection = directions_.at(column, row);
         const Met opaque = meet(eyeDirection, layers);
-        const std::size_t sample = indexOf(window_, column, row);
+        const std::size_t sample = indexOf(tile_, column, row);
         const auto rowOf = [](const Met& met) {
             return static_cast<float>(met.body->rows[static_cast<std::size_t>(met.hit.piece)] + 1);
         };

@@ -1,41 +1,41 @@
-#include "irsg/render/sampling/SampleWindow.h"
+#include "irsg/render/sampling/SampleTile.h"
 
 #include <cmath>
 #include <utility>
 
 namespace irsg {
 
-SampleWindow SampleWindow::ofFrame(int side_px, std::vector<int> entities) {
-    SampleWindow window;
-    window.tilesWide = window.tilesHigh = side_px;
-    window.entities = std::move(entities);
-    return window;
+SampleTile SampleTile::ofFrame(int side_px, std::vector<int> entities) {
+    SampleTile tile;
+    tile.blocksWide = tile.blocksHigh = side_px;
+    tile.entities = std::move(entities);
+    return tile;
 }
 
-double SampleWindow::tileSide_px() const {
+double SampleTile::blockSide_px() const {
     return std::ldexp(1.0, -level);
 }
 
-ImageRectangle SampleWindow::rectangle() const {
-    const double side_px = tileSide_px();
-    return {static_cast<double>(tileX) * side_px, static_cast<double>(tileY) * side_px,
-            static_cast<double>(tileX + tilesWide) * side_px,
-            static_cast<double>(tileY + tilesHigh) * side_px};
+ImageRectangle SampleTile::rectangle() const {
+    const double side_px = blockSide_px();
+    return {static_cast<double>(blockX) * side_px, static_cast<double>(blockY) * side_px,
+            static_cast<double>(blockX + blocksWide) * side_px,
+            static_cast<double>(blockY + blocksHigh) * side_px};
 }
 
-ImageRectangle SampleWindow::drawnRectangle() const {
+ImageRectangle SampleTile::drawnRectangle() const {
     ImageRectangle drawn = rectangle();
-    drawn.right = drawn.left + width() * tileSide_px() / samplesAcross;
+    drawn.right = drawn.left + width() * blockSide_px() / samplesAcross;
     return drawn;
 }
 
-PixelWindow SampleWindow::pixels() const {
-    const auto first = [&](std::int64_t tile) { return static_cast<int>(tile >> level); };
-    const int x = first(tileX), y = first(tileY);
-    return {x, y, first(tileX + tilesWide - 1) - x + 1, first(tileY + tilesHigh - 1) - y + 1};
+PixelRegion SampleTile::pixels() const {
+    const auto first = [&](std::int64_t block) { return static_cast<int>(block >> level); };
+    const int x = first(blockX), y = first(blockY);
+    return {x, y, first(blockX + blocksWide - 1) - x + 1, first(blockY + blocksHigh - 1) - y + 1};
 }
 
-std::pair<double, double> SampleWindow::placeOf(int column, int row) const {
+std::pair<double, double> SampleTile::placeOf(int column, int row) const {
     // Rows are moved after they are tilted.
     const double down = row + drop(column);
     const double right = column - (shearRows ? down / shearRows : 0.0);
@@ -43,29 +43,29 @@ std::pair<double, double> SampleWindow::placeOf(int column, int row) const {
     return {all.left + (right + 0.5) * cellWidth_px(), all.top + (down + 0.5) * cellHeight_px()};
 }
 
-double SampleWindow::share() const {
+double SampleTile::share() const {
     return std::ldexp(1.0 / (static_cast<double>(samplesAcross) * samplesDown), -2 * level);
 }
 
-double SampleWindow::density() const {
+double SampleTile::density() const {
     return std::ldexp(static_cast<double>(std::min(samplesAcross, samplesDown)), level);
 }
 
-std::vector<SampleWindow> SampleWindow::pieces(int side) const {
+std::vector<SampleTile> SampleTile::pieces(int side) const {
     const int across = std::max(1, side / samplesAcross), down = std::max(1, side / samplesDown);
-    std::vector<SampleWindow> result;
-    for (int y = 0; y < tilesHigh; y += down)
-        for (int x = 0; x < tilesWide; x += across) {
-            SampleWindow& piece = result.emplace_back(*this);
-            piece.tileX += x;
-            piece.tileY += y;
-            piece.tilesWide = std::min(across, tilesWide - x);
-            piece.tilesHigh = std::min(down, tilesHigh - y);
+    std::vector<SampleTile> result;
+    for (int y = 0; y < blocksHigh; y += down)
+        for (int x = 0; x < blocksWide; x += across) {
+            SampleTile& piece = result.emplace_back(*this);
+            piece.blockX += x;
+            piece.blockY += y;
+            piece.blocksWide = std::min(across, blocksWide - x);
+            piece.blocksHigh = std::min(down, blocksHigh - y);
         }
     return result;
 }
 
-ImageRectangle SampleWindow::cellsAround(const ImageRectangle& part) const {
+ImageRectangle SampleTile::cellsAround(const ImageRectangle& part) const {
     const ImageRectangle all = rectangle();
     constexpr double rounding = 1e-6; // of a place that is the border of a cell already
     const auto before = [](double place_px, double origin_px, double side_px) {
@@ -81,10 +81,10 @@ ImageRectangle SampleWindow::cellsAround(const ImageRectangle& part) const {
         .intersectedWith(region());
 }
 
-std::vector<double> SampleWindow::weightsOf(int row) const {
+std::vector<double> SampleTile::weightsOf(int row) const {
     const ImageRectangle all = rectangle();
     const double wide_px = cellWidth_px(), high_px = cellHeight_px();
-    std::vector<double> weights(static_cast<std::size_t>(tilesWide * samplesAcross), 1.0);
+    std::vector<double> weights(static_cast<std::size_t>(blocksWide * samplesAcross), 1.0);
     const double top = all.top + row * high_px;
     if (only) {
         const auto inside = [](double low, double high, double from, double to) {
