@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
             entity.pose.position_m.z = 1000.0;
             InteractiveRenderer irsg;
             RenderSettings settings;
-            settings.zoomWindow = 0;
+            settings.tileSide_samples = 0;
             settings.samplesPerAxis = 1;
             irsg.scene.settings = settings;
             irsg.view.sensor = sensor;

@@ -90,7 +90,7 @@ void measureLight(const Entity& entity, EngineChoice engine, int aspects) {
         settings.engine = engine;
         settings.sunShadows = shadows;
         settings.bounces = bounces;
-        settings.zoomWindow = 0;
+        settings.tileSide_samples = 0;
         settings.samplesPerAxis = 1;
         irsg.scene.settings = settings;
         irsg.scene.environment = test::brightAir();
@@ -106,7 +106,7 @@ void measureLight(const Entity& entity, EngineChoice engine, int aspects) {
         irsg.imageWithReport();
         const double first_ms = 1e3 * (now_s() - before_s);
         const double each_ms = frame_ms(irsg);
-        settings.zoomWindow = 256;
+        settings.tileSide_samples = 256;
         irsg.scene.settings = settings;
         irsg.measure();
         const double start_s = now_s();
@@ -182,7 +182,7 @@ void measureEngines() {
                         RenderSettings settings;
                         settings.engine = engine;
                         settings.sunShadows = what == 1 ? SunShadowMode::point : SunShadowMode::off;
-                        settings.zoomWindow = 0;
+                        settings.tileSide_samples = 0;
                         settings.samplesPerAxis = 1;
                         irsg.scene.settings = settings;
                         irsg.scene.environment = test::brightAir();
@@ -209,7 +209,7 @@ void measure(const char* name, const Entity& entity) {
             RenderSettings settings;
             settings.engine = engine;
             settings.sunShadows = shadows;
-            settings.zoomWindow = 0;
+            settings.tileSide_samples = 0;
             settings.samplesPerAxis = 1;
             irsg.scene.settings = settings;
             irsg.scene.environment = test::brightAir();

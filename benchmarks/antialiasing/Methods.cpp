@@ -11,9 +11,9 @@ std::string Method::name() const {
 RenderSettings Method::settings() const {
     RenderSettings settings;
     settings.background = BackgroundMode::constant;
-    settings.zoomWindow = mode < 3 ? 0 : 64 << (mode - 2);
+    settings.tileSide_samples = mode < 3 ? 0 : 64 << (mode - 2);
     settings.samplesPerAxis = mode < 3 ? 1 << mode : 4;
-    settings.zoomStrategy = strategy == "sills" ? ZoomStrategy::sills : ZoomStrategy::aligned;
+    settings.tileStrategy = strategy == "sills" ? TileStrategy::published : TileStrategy::aligned;
     return settings;
 }
 

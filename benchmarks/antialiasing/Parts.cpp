@@ -85,7 +85,7 @@ void measureParts(const Options& options) {
                 nearest_m * std::pow(farthest_m / nearest_m, static_cast<double>(step) / steps);
             // The truth: windows of 2048 samples, parts and all, over several phases.
             RenderSettings fine = all.back().settings();
-            fine.zoomWindow = 2048;
+            fine.tileSide_samples = 2048;
             irsg.scene.settings = fine;
             double truth_W_sr = 0.0;
             for (int phase = 0; phase < phasesOfTruth; ++phase) {

@@ -103,10 +103,10 @@ double timed_W_sr(InteractiveRenderer& irsg, double& ms) {
     return found_W_sr;
 }
 
-RenderSettings settingsOf(int zoomWindow) {
+RenderSettings settingsOf(int tileSide_samples) {
     RenderSettings settings = Method{"aligned", 4, false}.settings();
     settings.sun = settings.ambientReflection = ReflectionMode::off;
-    settings.zoomWindow = zoomWindow;
+    settings.tileSide_samples = tileSide_samples;
     return settings;
 }
 

@@ -102,7 +102,7 @@ PlacedCase InfraredScene::placed(const InfraredRequest& request) {
     scene.sensor.horizontalFieldOfView_rad = request.horizontalFieldOfView_rad;
     scene.settings.truthLayers = false;
     if (request.coarse) {
-        scene.settings.zoomWindow = 0;
+        scene.settings.tileSide_samples = 0;
         scene.settings.samplesPerAxis = 1;
     }
     if (request.direct)

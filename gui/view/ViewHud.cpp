@@ -176,7 +176,7 @@ void ViewHud::paintFrusta(QPainter& painter) const {
     for (const ViewFrustum& frustum : frusta) {
         const bool isFrame = frustum.of == ViewFrustum::Of::frame;
         const QColor color =
-            isFrame ? faded(colors::overlayInk(dark), 0.8F) : colors::zoomFrustum();
+            isFrame ? faded(colors::overlayInk(dark), 0.8F) : colors::tileFrustum();
         const double width_px = isFrame ? 1.0 : 1.4;
         for (std::size_t i = 0; i < 4; ++i) {
             const irsg::Vec3 &corner = frustum.corners_m[i], &next = frustum.corners_m[(i + 1) % 4];

@@ -84,7 +84,7 @@ QColor sun() {
 QColor sunRim() {
     return {"#8a6a00"};
 }
-QColor zoomFrustum() {
+QColor tileFrustum() {
     return {"#e07b24"};
 }
 QColor ballLine(bool dark) {

@@ -48,7 +48,7 @@ QColor axis(int which);
 QColor sun();
 QColor sunRim();
 /// Where the camera of an entity's own window sees.
-QColor zoomFrustum();
+QColor tileFrustum();
 /// Meridians and circles on the ball of a signature table.
 QColor ballLine(bool dark);
 /// The frame of a sentence about why there is no picture.

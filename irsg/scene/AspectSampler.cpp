@@ -73,7 +73,7 @@ PointAspect AspectSampler::aspectOf(const Frame& frame, int entity, const Vec3& 
     const SurfaceRows& rows = frame.rows();
     const Rotation toModel = frame.request.entity(entity).pose.attitude.rotation().transposed();
     PointAspect aspect{frame.request.entity(entity).model,
-                       {static_cast<double>(settings.zoomWindow),
+                       {static_cast<double>(settings.tileSide_samples),
                         static_cast<double>(settings.maximumLayers),
                         frame.surfaces.engine.isRays ? 1.0 : 0.0},
                        terms_.glsl(settings)};
@@ -117,7 +117,7 @@ void AspectSampler::forgetOtherTerrain(const Frame& frame) {
 }
 
 ViewGeometry AspectSampler::sampleAlone(const Frame& frame, int entity, const CameraFrame& camera,
-                                        int zoomWindow, const SurfaceRows& rows) {
+                                        int tileSide_samples, const SurfaceRows& rows) {
     GeometrySums sums(camera.sensor(), rows, occluderStacks_, terms_.factorCount(), {},
                       frame.exchange(), frame.request.withErrors);
     ViewGeometry view = sums.emptyView();
@@ -126,7 +126,7 @@ ViewGeometry AspectSampler::sampleAlone(const Frame& frame, int entity, const Ca
         return view;
     sampler_.onEngine(frame.surfaces.engine, [&] {
         GeometrySamples samples;
-        const PixelAlignedStrategy strategy(zoomWindow);
+        const PixelAlignedStrategy strategy(tileSide_samples);
         for (const SampleTile& tile :
              piecesOf(strategy.tiles({*seen}), frame.surfaces.engine.engine.largestSide())) {
             SurfaceScene alone = sampler_.sceneOf(frame.surfaces, camera, tile);
@@ -145,7 +145,7 @@ ViewGeometry AspectSampler::sampleAlone(const Frame& frame, int entity, const Ca
     return view;
 }
 
-PointPlace AspectSampler::placeOf(const Frame& frame, const ZoomEntityInfo& object) {
+PointPlace AspectSampler::placeOf(const Frame& frame, const ObjectExtent& object) {
     const ImageRectangle& extent = object.extent;
     const int x = static_cast<int>(0.5 * (extent.left + extent.right));
     const int y = static_cast<int>(0.5 * (extent.top + extent.bottom));
@@ -154,8 +154,7 @@ PointPlace AspectSampler::placeOf(const Frame& frame, const ZoomEntityInfo& obje
             pixel.solidAngle_sr, pixel.cosOffAxis};
 }
 
-const PointGeometry& AspectSampler::pointGeometry(const Frame& frame,
-                                                  const ZoomEntityInfo& object) {
+const PointGeometry& AspectSampler::pointGeometry(const Frame& frame, const ObjectExtent& object) {
     forgetOtherTerrain(frame);
     const Rotation toWorld = frame.request.entity(object.entity).pose.attitude.rotation();
     const Vec3 from =
@@ -175,13 +174,13 @@ const PointGeometry& AspectSampler::pointGeometry(const Frame& frame,
                                                  toWorld * Vec3{0, 1, 0}));
         // The air is no matter here.
         const SurfaceRows rows = drawnRows(frame.rows(), frame.scene().entities.size());
-        const ViewGeometry view =
-            sampleAlone(frame, object.entity, zoom, frame.settings().zoomWindow * 3 / 2, rows);
+        const ViewGeometry view = sampleAlone(frame, object.entity, zoom,
+                                              frame.settings().tileSide_samples * 3 / 2, rows);
         return pointOf(view, distance_m);
     });
 }
 
-void AspectSampler::addAlongRange(const Frame& frame, const ZoomEntityInfo& object,
+void AspectSampler::addAlongRange(const Frame& frame, const ObjectExtent& object,
                                   ViewGeometry& view) {
     forgetOtherTerrain(frame);
     const Entity& entity = frame.request.entity(object.entity);
@@ -226,7 +225,7 @@ ViewGeometry AspectSampler::sampleAtNode(const Frame& frame, int entity, const V
     // Pixels that are small in terms of the object, as each has the solid angle of its middle.
     constexpr int pixels = 32;
     // No phases average the error of a node, so that its tile is larger than that of a frame.
-    const int zoomWindow = frame.settings().zoomWindow * 3 / 2;
+    const int tileSide_samples = frame.settings().tileSide_samples * 3 / 2;
     const Entity& own = frame.request.entity(entity);
     const double distance_m = prepared_.reach_m(own) / RangeGeometry::nodes[node];
     const Rotation toWorld = own.pose.attitude.rotation();
@@ -238,7 +237,7 @@ ViewGeometry AspectSampler::sampleAtNode(const Frame& frame, int entity, const V
                              Viewpoint::lookAt(at_m + toWorld * from * distance_m, at_m,
                                                toWorld * Vec3{0, 0, 1}, toWorld * Vec3{0, 1, 0}));
 
-    return atUnitDistance(sampleAlone(frame, entity, camera, zoomWindow, rows), distance_m,
+    return atUnitDistance(sampleAlone(frame, entity, camera, tileSide_samples, rows), distance_m,
                           sensor.pixelPitch() * sensor.pixelPitch());
 }
 

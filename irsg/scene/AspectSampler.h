@@ -29,10 +29,10 @@ class AspectSampler {
           clock_(clock) {}
 
     /// Factors of a point source of the plan at unit distance; valid until the next call.
-    const PointGeometry& pointGeometry(const Frame& frame, const ZoomEntityInfo& object);
-    static PointPlace placeOf(const Frame& frame, const ZoomEntityInfo& object);
+    const PointGeometry& pointGeometry(const Frame& frame, const ObjectExtent& object);
+    static PointPlace placeOf(const Frame& frame, const ObjectExtent& object);
     /// Adds an object along the range of the plan to a view.
-    void addAlongRange(const Frame& frame, const ZoomEntityInfo& object, ViewGeometry& view);
+    void addAlongRange(const Frame& frame, const ObjectExtent& object, ViewGeometry& view);
 
   private:
     /// An entity as it is seen from a direction in its model's axes.
@@ -41,7 +41,7 @@ class AspectSampler {
     void forgetOtherTerrain(const Frame& frame);
     /// Factors of one entity as a camera of its own sees it, with nothing before it.
     ViewGeometry sampleAlone(const Frame& frame, int entity, const CameraFrame& camera,
-                             int zoomWindow, const SurfaceRows& rows);
+                             int tileSide_samples, const SurfaceRows& rows);
     ViewGeometry sampleAtNode(const Frame& frame, int entity, const Vec3& from, std::size_t node,
                               const SurfaceRows& rows);
 

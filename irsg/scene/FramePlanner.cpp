@@ -52,12 +52,12 @@ std::vector<ImageEdge> edgesOf(const std::vector<ModelEdge>& edges, const Pose& 
 }
 
 /// True where all of an object is inside the frame, and no other object in its part of it.
-bool isWholeAndApart(const Sensor& sensor, const std::vector<ZoomEntityInfo>& seen,
-                     const ZoomEntityInfo& object) {
+bool isWholeAndApart(const Sensor& sensor, const std::vector<ObjectExtent>& seen,
+                     const ObjectExtent& object) {
     const ImageRectangle& extent = object.extent;
     const bool isWhole = extent.left > 0.0 && extent.right < sensor.width_px && extent.top > 0.0 &&
                          extent.bottom < sensor.height_px;
-    return isWhole && std::ranges::none_of(seen, [&](const ZoomEntityInfo& other) {
+    return isWhole && std::ranges::none_of(seen, [&](const ObjectExtent& other) {
                return other.entity != object.entity && other.extent.intersects(extent);
            });
 }
@@ -82,8 +82,8 @@ bool touchesTerrain(const FrameRequest& request, const FrameBackgrounds& backgro
     return false;
 }
 
-bool isAmong(const std::vector<ZoomEntityInfo>& objects, const ZoomEntityInfo& object) {
-    return std::ranges::find(objects, object.entity, &ZoomEntityInfo::entity) != objects.end();
+bool isAmong(const std::vector<ObjectExtent>& objects, const ObjectExtent& object) {
+    return std::ranges::find(objects, object.entity, &ObjectExtent::entity) != objects.end();
 }
 
 } // namespace
@@ -104,18 +104,18 @@ std::vector<ObjectGeometry> FramePlanner::geometry(const Scene& scene, const Vie
     return objects;
 }
 
-std::optional<ZoomEntityInfo> FramePlanner::placeOf(const SceneSurfaces& surfaces,
-                                                    const CameraFrame& camera, int entity) {
+std::optional<ObjectExtent> FramePlanner::placeOf(const SceneSurfaces& surfaces,
+                                                  const CameraFrame& camera, int entity) {
     const Entity& own = surfaces.entity(entity);
     const PreparedModel& model = prepared_.of(own);
-    auto seen = zoomEntityInfo(entity, camera, own.model->bounds(), model.boundingSphere, own.pose);
+    auto seen = objectExtent(entity, camera, own.model->bounds(), model.boundingSphere, own.pose);
     if (seen)
         seen->edges = edgesOf(model.longEdges, own.pose, camera);
     return seen;
 }
 
-std::optional<ZoomEntityInfo> FramePlanner::seenBy(const SceneSurfaces& surfaces,
-                                                   const CameraFrame& camera, int entity) {
+std::optional<ObjectExtent> FramePlanner::seenBy(const SceneSurfaces& surfaces,
+                                                 const CameraFrame& camera, int entity) {
     auto seen = placeOf(surfaces, camera, entity);
     if (seen)
         seen->details = detailsOf(surfaces, camera, entity);
@@ -125,16 +125,16 @@ std::optional<ZoomEntityInfo> FramePlanner::seenBy(const SceneSurfaces& surfaces
 FramePlan FramePlanner::plan(const FrameRequest& request, const SceneSurfaces& surfaces,
                              const FrameBackgrounds& backgrounds) {
     const RenderSettings& settings = request.scene.settings;
-    std::vector<ZoomEntityInfo> seen;
+    std::vector<ObjectExtent> seen;
     for (int e = 0; e < static_cast<int>(request.scene.entities.size()); ++e)
         if (auto object = placeOf(surfaces, request.camera, e))
             seen.push_back(std::move(*object));
 
     FramePlan plan;
     const bool mayBeAlongRange =
-        request.alongRange && settings.zoomsAligned() && backgrounds.areUniform();
-    const bool mayBePoints = settings.zoomsAligned() && settings.pointSourceBelow_px > 0.0;
-    for (const ZoomEntityInfo& object : seen) {
+        request.alongRange && settings.usesAlignedTiles() && backgrounds.areUniform();
+    const bool mayBePoints = settings.usesAlignedTiles() && settings.pointSourceBelow_px > 0.0;
+    for (const ObjectExtent& object : seen) {
         if (mayBeAlongRange && isAlongRange(request, surfaces, backgrounds, seen, object)) {
             plan.alongRange.push_back(object);
             continue;
@@ -154,8 +154,7 @@ FramePlan FramePlanner::plan(const FrameRequest& request, const SceneSurfaces& s
 
 bool FramePlanner::isAlongRange(const FrameRequest& request, const SceneSurfaces& surfaces,
                                 const FrameBackgrounds& backgrounds,
-                                const std::vector<ZoomEntityInfo>& seen,
-                                const ZoomEntityInfo& object) {
+                                const std::vector<ObjectExtent>& seen, const ObjectExtent& object) {
     const Entity& entity = request.entity(object.entity);
     const double range_m =
         surfaces.evaluation.geometry[static_cast<std::size_t>(object.entity)].path.range_m;
@@ -218,8 +217,8 @@ void FramePlanner::addDetails(const FrameRequest& request, const SceneSurfaces& 
         details_.byEntity.clear();
         details_.key = std::move(key);
     }
-    for (std::vector<ZoomEntityInfo>* objects : {&plan.seen, &plan.drawn})
-        for (ZoomEntityInfo& object : *objects) {
+    for (std::vector<ObjectExtent>* objects : {&plan.seen, &plan.drawn})
+        for (ObjectExtent& object : *objects) {
             if (isAmong(plan.points, object) && !request.scene.settings.truthLayers)
                 continue;
             const auto [known, isNew] = details_.byEntity.try_emplace(object.entity);

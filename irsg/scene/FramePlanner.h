@@ -32,15 +32,15 @@ class FramePlanner {
 
     /// An object as a camera sees it, with its long edges and its hot parts; nothing where it does
     /// not.
-    std::optional<ZoomEntityInfo> seenBy(const SceneSurfaces& surfaces, const CameraFrame& camera,
-                                         int entity);
+    std::optional<ObjectExtent> seenBy(const SceneSurfaces& surfaces, const CameraFrame& camera,
+                                       int entity);
 
   private:
-    std::optional<ZoomEntityInfo> placeOf(const SceneSurfaces& surfaces, const CameraFrame& camera,
-                                          int entity);
+    std::optional<ObjectExtent> placeOf(const SceneSurfaces& surfaces, const CameraFrame& camera,
+                                        int entity);
     bool isAlongRange(const FrameRequest& request, const SceneSurfaces& surfaces,
-                      const FrameBackgrounds& backgrounds, const std::vector<ZoomEntityInfo>& seen,
-                      const ZoomEntityInfo& object);
+                      const FrameBackgrounds& backgrounds, const std::vector<ObjectExtent>& seen,
+                      const ObjectExtent& object);
     /// Where a camera sees the hot parts of an entity that are not hidden by the entity itself.
     std::vector<ImageRectangle> detailsOf(const SceneSurfaces& surfaces, const CameraFrame& camera,
                                           int entity);

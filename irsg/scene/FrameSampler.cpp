@@ -31,7 +31,7 @@ std::vector<SampledTile> sampledTiles(const Frame& frame, const std::vector<Rend
     };
     for (const RenderedTile& tile : drawn)
         tell(tile);
-    for (const ZoomEntityInfo& point : frame.plan.points)
+    for (const ObjectExtent& point : frame.plan.points)
         tell({point.extent, 0.0, 0.0, {point.entity}});
     return result;
 }
@@ -113,7 +113,7 @@ FrameSampler::FrameSampler(const RadianceTerms& terms, SurfaceSampler& surfaces,
 FrameSampler::~FrameSampler() = default;
 
 std::vector<SampleTile> FrameSampler::tilesOf(const Frame& frame,
-                                              const std::vector<ZoomEntityInfo>& objects) {
+                                              const std::vector<ObjectExtent>& objects) {
     if (objects.empty())
         return {};
     return antialiasing_.strategyFor(frame.settings()).tiles(objects);
@@ -173,11 +173,11 @@ const ViewGeometry& FrameSampler::factorsOf(const Frame& frame, ViewSampling& sa
         take(own, sampling.factors_);
         for (std::size_t k = 0; k < own.sublatticeDifferences.size(); ++k)
             take(own.sublatticeDifferences[k], sampling.factors_.sublatticeDifferences[k]);
-        for (const ZoomEntityInfo& object : frame.plan.points)
+        for (const ObjectExtent& object : frame.plan.points)
             addPointToView(aspects_.pointGeometry(frame, object), frame.rows(),
                            AspectSampler::placeOf(frame, object), pointersTo(sampling.varying_),
                            sampling.factors_);
-        for (const ZoomEntityInfo& object : frame.plan.alongRange)
+        for (const ObjectExtent& object : frame.plan.alongRange)
             aspects_.addAlongRange(frame, object, sampling.factors_);
     } catch (...) {
         sampling.failure_ = std::current_exception();
@@ -188,7 +188,7 @@ const ViewGeometry& FrameSampler::factorsOf(const Frame& frame, ViewSampling& sa
 }
 
 SampledPicture FrameSampler::picture(const Frame& frame) {
-    AbstractZoomAntialiasingStrategy& strategy = antialiasing_.strategyFor(frame.settings());
+    TileSamplingStrategy& strategy = antialiasing_.strategyFor(frame.settings());
     std::optional<FrameReduction> reduction;
     std::vector<std::string> warnings;
     int layersLeftOver = 0;
@@ -210,7 +210,7 @@ SampledPicture FrameSampler::picture(const Frame& frame) {
         clock_.add("reduction", all_s - drawing_s);
         warnings = strategy.takeMessages();
     }
-    for (const ZoomEntityInfo& object : frame.plan.points)
+    for (const ObjectExtent& object : frame.plan.points)
         addPointToPixel(aspects_.pointGeometry(frame, object), frame.rows(),
                         AspectSampler::placeOf(frame, object),
                         frame.evaluation().evaluated->radiances, frame.light(), *reduction);
@@ -220,7 +220,7 @@ SampledPicture FrameSampler::picture(const Frame& frame) {
 
 SampledPicture FrameSampler::followedPicture(const Frame& frame) {
     // Points are not drawn here, and the published antialiasing resamples what it draws.
-    const bool isSum = frame.plan.points.empty() && !frame.settings().zoomsAsPublished();
+    const bool isSum = frame.plan.points.empty() && !frame.settings().usesPublishedTiles();
     std::optional<ViewKey> key;
     if (isSum)
         key = viewKey(terms_, frame.request, frame.surfaces, frame.plan.alongRange);

@@ -10,7 +10,7 @@
 #include "irsg/image/RadianceImage.h"
 #include "irsg/radiance/ViewGeometry.h"
 #include "irsg/render/sampling/FrameReduction.h"
-#include "irsg/render/sampling/ZoomAntialiasingManager.h"
+#include "irsg/render/sampling/TileSamplingSelector.h"
 #include "irsg/render/values/RenderReport.h"
 #include "irsg/scene/AspectSampler.h"
 #include "irsg/scene/Frame.h"
@@ -59,7 +59,7 @@ class FrameSampler {
     void addTruthLayers(const Frame& frame, RadianceImage& image);
 
   private:
-    std::vector<SampleTile> tilesOf(const Frame& frame, const std::vector<ZoomEntityInfo>& objects);
+    std::vector<SampleTile> tilesOf(const Frame& frame, const std::vector<ObjectExtent>& objects);
     std::vector<SampleTile> tilesOfSums(const Frame& frame);
 
     const RadianceTerms& terms_;
@@ -67,7 +67,7 @@ class FrameSampler {
     AspectSampler& aspects_;
     OccluderStacks& occluderStacks_;
     StageClock& clock_;
-    ZoomAntialiasingManager antialiasing_;
+    TileSamplingSelector antialiasing_;
     GeometrySamples pictureFactors_; // room for those of the next picture
     /// The last view of a followed picture, and once it was asked for twice what its pixels are
     /// made of.

@@ -106,7 +106,7 @@ void HazeRenderer::addPixels(const Frame& frame, const PixelGeometry& factors,
 void HazeRenderer::addPoints(const Frame& frame, std::vector<ScatteredObject>& objects) {
     SurfaceRadianceTable& radiances = frame.evaluation().evaluated->radiances;
     const SurfaceRows& rows = frame.rows();
-    for (const ZoomEntityInfo& object : frame.plan.points) {
+    for (const ObjectExtent& object : frame.plan.points) {
         const PointPlace place = AspectSampler::placeOf(frame, object);
         const double scale = 1.0 / (place.distance_m * place.distance_m * place.solidAngle_sr);
         ScatteredObject::Pixel pixel{place.x, place.y, 0.0, 0.0};

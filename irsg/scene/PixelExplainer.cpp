@@ -97,7 +97,7 @@ PixelExplanation PixelExplainer::at(int x, int y) {
     around.blockX = x - 1;
     around.blockY = y - 1;
     around.blocksWide = around.blocksHigh = 3;
-    for (const ZoomEntityInfo& object : frame.plan.seen)
+    for (const ObjectExtent& object : frame.plan.seen)
         around.entities.push_back(object.entity);
     std::ranges::sort(around.entities);
     SurfaceScene scene = surfaces_.sceneOf(frame.surfaces, frame.request.camera, around);
@@ -138,7 +138,7 @@ PixelExplanation PixelExplainer::at(int x, int y) {
                 }
         }
     }
-    for (const ZoomEntityInfo& object : frame.plan.points) {
+    for (const ObjectExtent& object : frame.plan.points) {
         const PointPlace place = AspectSampler::placeOf(frame, object);
         if (place.x != x || place.y != y)
             continue;
@@ -165,7 +165,7 @@ PixelExplanation PixelExplainer::at(int x, int y) {
                                  "is done here, by some 1e-5 of the picture");
     if (frame.settings().scattering)
         result.remarks.push_back("the haze that droplets add to the image is not explained");
-    if (frame.settings().zoomsAsPublished())
+    if (frame.settings().usesPublishedTiles())
         result.remarks.push_back("the antialiasing as published resamples what it draws; these are "
                                  "samples of the pixel");
     return result;

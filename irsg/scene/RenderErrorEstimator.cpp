@@ -103,7 +103,7 @@ std::vector<double> ofBackground(const Frame& frame, std::size_t entity, const S
                                  const std::function<double(double x, double y)>& grid) {
     std::optional<ImageRectangle> extent;
     for (const auto* objects : {&frame.plan.seen, &frame.plan.alongRange})
-        for (const ZoomEntityInfo& object : *objects)
+        for (const ObjectExtent& object : *objects)
             if (object.entity == static_cast<int>(entity))
                 extent = object.extent;
     const std::vector<double> centre = seenAlong(frame.request.centre);

@@ -16,7 +16,7 @@ namespace {
 
 /// What the air's change over an object's extent may leave wrong without a word.
 constexpr double airErrorToTell = 0.0051;
-constexpr const char* sillsInSums =
+constexpr const char* publishedTilesInSums =
     "the published zoom (sills) is drawn in pictures alone: intensities, contrast and irradiances "
     "of several objects or bands are those of aligned windows";
 constexpr const char* scatteringInSums =
@@ -75,9 +75,9 @@ std::vector<RenderReport> RenderReporter::reports(const Frame& frame, const View
             report.totalIrradiance_W_m2 =
                 totalIrradiance_W_m2(frame, band, report.all.irradiance_W_m2);
         }
-        if (frame.settings().zoomsAsPublished())
+        if (frame.settings().usesPublishedTiles())
             for (RenderReport& report : all)
-                report.warnings.push_back(sillsInSums);
+                report.warnings.push_back(publishedTilesInSums);
         return all;
     });
 }
@@ -143,8 +143,8 @@ void RenderReporter::describe(const Frame& frame, RadianceImage& image) {
     image.attributes["band.max_um"] = roundedText(band.range().max_um, 9);
     image.attributes["sensor.horizontal_field_of_view_deg"] =
         roundedText(degrees(sensor.horizontalFieldOfView_rad), 9);
-    if (settings.zoomWindow > 0)
-        image.attributes["zoom_window"] = std::to_string(settings.zoomWindow);
+    if (settings.tileSide_samples > 0)
+        image.attributes["zoom_window"] = std::to_string(settings.tileSide_samples);
     else
         image.attributes["samples_per_axis"] = std::to_string(settings.samplesPerAxis);
     image.attributes["background_W_m2_sr"] =

@@ -66,15 +66,17 @@ EngineWork SampleEngines::workOf(const Scene& scene, const Sensor& sensor,
             across_px = entity.model->bounds().diagonal_m() /
                         (std::max(geometry[e].path.range_m, 1e-3) * sensor.pixelPitch());
         // Windows are as fine as an object needs, and the frame is no larger.
-        const double square = settings.zoomWindow > 0
-                                  ? std::pow(std::max<double>(settings.zoomWindow, across_px), 2)
-                                  : std::pow(across_px * perAxis, 2);
+        const double square =
+            settings.tileSide_samples > 0
+                ? std::pow(std::max<double>(settings.tileSide_samples, across_px), 2)
+                : std::pow(across_px * perAxis, 2);
         const double most = width_px * height_px * perAxis * perAxis;
-        if (settings.zoomWindow > 0)
-            work.samples += std::min(square, std::max(most, std::pow(settings.zoomWindow, 2)));
+        if (settings.tileSide_samples > 0)
+            work.samples +=
+                std::min(square, std::max(most, std::pow(settings.tileSide_samples, 2)));
         work.covered += coveredPart * std::min(square, most / coveredPart);
     }
-    if (settings.zoomWindow == 0)
+    if (settings.tileSide_samples == 0)
         work.samples = width_px * height_px * perAxis * perAxis;
     work.covered = std::min(work.covered, work.samples);
     if (work.facets > 0.0)

@@ -153,12 +153,13 @@ void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeo
         diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
                            error.diagnostics().end());
     }
-    if (settings.zoomWindow != 0 && (settings.zoomWindow < 8 || settings.zoomWindow > 2048))
-        diagnostics.push_back({"settings", "zoom window", std::to_string(settings.zoomWindow),
+    if (settings.tileSide_samples != 0 &&
+        (settings.tileSide_samples < 8 || settings.tileSide_samples > 2048))
+        diagnostics.push_back({"settings", "zoom window", std::to_string(settings.tileSide_samples),
                                "0, or 8 to 2048 samples"});
-    if (settings.zoomsAsPublished() &&
-        !std::has_single_bit(static_cast<unsigned>(settings.zoomWindow)))
-        diagnostics.push_back({"settings", "zoom window", std::to_string(settings.zoomWindow),
+    if (settings.usesPublishedTiles() &&
+        !std::has_single_bit(static_cast<unsigned>(settings.tileSide_samples)))
+        diagnostics.push_back({"settings", "zoom window", std::to_string(settings.tileSide_samples),
                                "a power of two for the published zoom"});
     if (!(settings.pointSourceBelow_px >= 0.0 &&
           settings.pointSourceBelow_px <= largestPointSource_px))

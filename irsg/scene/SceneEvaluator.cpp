@@ -173,7 +173,7 @@ std::vector<bool> SceneEvaluator::hotRows(const Scene& scene,
                                           const std::vector<ObjectGeometry>& geometry,
                                           const std::shared_ptr<const SampledScene>& sampled,
                                           const SceneRadiometry& radiometry) {
-    if (!scene.settings.hotSpots || !scene.settings.zoomsAligned())
+    if (!scene.settings.hotSpots || !scene.settings.usesAlignedTiles())
         return std::vector<bool>(radiometry.rows().keys().size(), false);
     std::vector<bool> hot = hotSpotSurfaces(radiometry, scene.entities);
     std::vector<Entity> entities = scene.entities;

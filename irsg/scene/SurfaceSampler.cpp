@@ -7,7 +7,7 @@
 
 #include "irsg/core/Errors.h"
 #include "irsg/render/background/Terrain.h"
-#include "irsg/render/sampling/AbstractZoomAntialiasingStrategy.h"
+#include "irsg/render/sampling/TileSamplingStrategy.h"
 
 namespace irsg {
 

@@ -29,15 +29,15 @@ void appendLobes(const SceneSurfaces& surfaces, std::vector<double>& numbers) {
 }
 
 ViewKey viewKey(const RadianceTerms& terms, const FrameRequest& request,
-                const SceneSurfaces& surfaces, const std::vector<ZoomEntityInfo>& alongRange) {
+                const SceneSurfaces& surfaces, const std::vector<ObjectExtent>& alongRange) {
     const RenderSettings& settings = request.scene.settings;
     const Sensor& sensor = request.view.sensor;
     ViewKey key;
     key.numbers = {static_cast<double>(sensor.width_px),
                    static_cast<double>(sensor.height_px),
                    sensor.horizontalFieldOfView_rad,
-                   static_cast<double>(settings.zoomWindow),
-                   static_cast<double>(settings.zoomStrategy),
+                   static_cast<double>(settings.tileSide_samples),
+                   static_cast<double>(settings.tileStrategy),
                    static_cast<double>(settings.samplesPerAxis),
                    settings.countsPerPixel ? 1.0 : 0.0,
                    settings.pointSourceBelow_px,
@@ -65,7 +65,7 @@ ViewKey viewKey(const RadianceTerms& terms, const FrameRequest& request,
                            surfaces.shading.shadows->reflects().end());
     appendReceivers(surfaces.shading, settings.lightError, key.numbers);
     appendLobes(surfaces, key.numbers);
-    for (const ZoomEntityInfo& object : alongRange)
+    for (const ObjectExtent& object : alongRange)
         key.numbers.push_back(static_cast<double>(object.entity));
     key.terrain = request.scene.terrain;
     key.rows = surfaces.rows();

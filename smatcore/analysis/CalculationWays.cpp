@@ -31,8 +31,8 @@ SceneDescription CalculationWay::applied(const SceneDescription& scene) const {
 }
 
 std::string CalculationWay::words(const SceneDescription& scene) const {
-    std::string text = render.zoomWindow > 0
-                           ? fmt::format("windows of {} samples a side", render.zoomWindow)
+    std::string text = render.tileSide_samples > 0
+                           ? fmt::format("windows of {} samples a side", render.tileSide_samples)
                            : fmt::format("{} samples per axis of a pixel", render.samplesPerAxis);
     if (render.mode == irsg::CalculationMode::wideband)
         text += fmt::format(", wideband-ck trained to {} %",

@@ -109,8 +109,8 @@ std::pair<int, std::size_t> changesFrom(const Frontier::Way& base, const Frontie
 double wayCost_s(const Frontier::Way& one, const SceneDescription& scene) {
     constexpr std::array light_s = {0.0, 1e-3, 5e-2, 6e-2};
     constexpr double usualExtent_px = 64.0;
-    const double side = one.way.render.zoomWindow > 0
-                            ? one.way.render.zoomWindow
+    const double side = one.way.render.tileSide_samples > 0
+                            ? one.way.render.tileSide_samples
                             : usualExtent_px * one.way.render.samplesPerAxis;
     return modelledCost_s(side * side, one.way, scene) +
            light_s.at(static_cast<std::size_t>(one.light));
@@ -217,8 +217,8 @@ std::vector<Frontier::Way> Frontier::waysOf(const SceneDescription& scene, bool 
             for (const auto& [mode, bins_per_cm] : airs)
                 for (const int row : rows) {
                     CalculationWay way{render, bins_per_cm};
-                    way.render.zoomStrategy = irsg::ZoomStrategy::aligned;
-                    way.render.zoomWindow = antialiasing > 2 ? 128 << (antialiasing - 3) : 0;
+                    way.render.tileStrategy = irsg::TileStrategy::aligned;
+                    way.render.tileSide_samples = antialiasing > 2 ? 128 << (antialiasing - 3) : 0;
                     way.render.samplesPerAxis = antialiasing > 2 ? 1 : 1 << antialiasing;
                     way.render.mode = mode;
                     way.render.backgroundRows = row;
@@ -285,8 +285,8 @@ Settings Frontier::settingsOf(const ResultTable& table, std::size_t row) {
 
 CalculationWay Frontier::finest(const SceneDescription& scene) {
     CalculationWay way = CalculationWay::of(scene);
-    way.render.zoomStrategy = irsg::ZoomStrategy::aligned;
-    way.render.zoomWindow = 2048;
+    way.render.tileStrategy = irsg::TileStrategy::aligned;
+    way.render.tileSide_samples = 2048;
     way.render.mode = irsg::CalculationMode::spectral;
     way.bins_per_cm = hasBins(scene) ? 1 : 0;
     if (scene.settings.background == irsg::BackgroundMode::environment)

@@ -140,7 +140,7 @@ std::vector<Skippable> boundsOfLight(ProbedViews& views, const CalculationWay& s
 class Expected {
   public:
     void learn(const CalculationWay& way, const StatedErrors& errors) {
-        sampling_[way.render.zoomWindow] = errors.sampling;
+        sampling_[way.render.tileSide_samples] = errors.sampling;
         air_[airOf(way)] = errors.air;
         background_[way.render.backgroundRows] = errors.background;
         sums_.emplace_back(way, errors.sum);
@@ -156,7 +156,7 @@ class Expected {
     double sum(const CalculationWay& way) const {
         if (const auto known = measured(way))
             return *known;
-        return std::hypot(sampling(way.render.zoomWindow), air(airOf(way)),
+        return std::hypot(sampling(way.render.tileSide_samples), air(airOf(way)),
                           background(way.render.backgroundRows));
     }
 
@@ -209,7 +209,8 @@ class Expected {
 };
 
 double cost_s(const CalculationWay& way, const SceneDescription& scene, const TargetUse& use) {
-    const double samples = static_cast<double>(way.render.zoomWindow) * way.render.zoomWindow;
+    const double samples =
+        static_cast<double>(way.render.tileSide_samples) * way.render.tileSide_samples;
     return modelledCost_s(samples, way, scene,
                           static_cast<double>(use.linesOfSight) / static_cast<double>(use.cases));
 }
@@ -241,7 +242,7 @@ std::vector<CalculationWay> waysFrom(const CalculationWay& start, const SceneDes
         for (const Air& air : airs)
             for (const int row : rows) {
                 CalculationWay way = start;
-                way.render.zoomWindow = window;
+                way.render.tileSide_samples = window;
                 way.render.mode = air.mode;
                 way.bins_per_cm = air.bins_per_cm;
                 way.render.widebandError = air.widebandError;
@@ -266,8 +267,8 @@ std::vector<std::size_t> probedCases(std::size_t count) {
 TargetChoice chooseForTarget(ProbedViews& views, double target, const TargetUse& use) {
     const SceneDescription& scene = views.scene();
     CalculationWay start = CalculationWay::of(scene);
-    start.render.zoomWindow = firstTile;
-    start.render.zoomStrategy = irsg::ZoomStrategy::aligned;
+    start.render.tileSide_samples = firstTile;
+    start.render.tileStrategy = irsg::TileStrategy::aligned;
     if (use.mayUseBins && hasBins(scene) && start.render.mode == CalculationMode::spectral)
         start.bins_per_cm = 15;
     if (start.render.mode == CalculationMode::wideband)

@@ -180,9 +180,9 @@ irsg::RenderSettings renderSettingsOf(const Settings& settings) {
                     : engine == "auto" ? irsg::EngineChoice::automatic
                                        : irsg::EngineChoice::opengl;
     const int antialiasing = settings[key::renderAntialiasing];
-    render.zoomWindow = antialiasing > 2 ? 128 << (antialiasing - 3) : 0;
-    render.zoomStrategy = settings.text(key::renderZoom) == "sills" ? irsg::ZoomStrategy::sills
-                                                                    : irsg::ZoomStrategy::aligned;
+    render.tileSide_samples = antialiasing > 2 ? 128 << (antialiasing - 3) : 0;
+    render.tileStrategy = settings.text(key::renderZoom) == "sills" ? irsg::TileStrategy::published
+                                                                    : irsg::TileStrategy::aligned;
     render.samplesPerAxis = antialiasing > 2 ? 1 : 1 << antialiasing;
     render.pointSourceBelow_px = settings[key::renderPointSource];
     render.hotSpots = settings[key::renderHotSpots];

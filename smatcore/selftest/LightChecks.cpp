@@ -36,7 +36,7 @@ SelfTestValue enclosure(SelfTestBench& bench) {
     needRays();
     InteractiveRenderer& irsg = bench.irsg();
     irsg::RenderSettings settings = lit(irsg::convergedBounces);
-    settings.zoomWindow = 0;
+    settings.tileSide_samples = 0;
     settings.samplesPerAxis = 1;
     irsg.scene.settings = settings;
     irsg.scene.entities = {

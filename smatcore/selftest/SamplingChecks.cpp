@@ -27,9 +27,9 @@ Mesh lopsided() {
 }
 
 struct Way {
-    int zoomWindow = 256;
+    int tileSide_samples = 256;
     int samplesPerAxis = 4;
-    irsg::ZoomStrategy zoom = irsg::ZoomStrategy::aligned;
+    irsg::TileStrategy zoom = irsg::TileStrategy::aligned;
 };
 
 /// Root mean square of the relative errors of the intensity of an object 2 m wide that is so many
@@ -38,9 +38,9 @@ double rms(SelfTestBench& bench, const Mesh& mesh, double size_px, double roll_r
            const Way& way = {}) {
     InteractiveRenderer& irsg = bench.irsg();
     irsg::RenderSettings settings;
-    settings.zoomWindow = way.zoomWindow;
+    settings.tileSide_samples = way.tileSide_samples;
     settings.samplesPerAxis = way.samplesPerAxis;
-    settings.zoomStrategy = way.zoom;
+    settings.tileStrategy = way.zoom;
     settings.pointSourceBelow_px = 0.0;
     irsg.scene.settings = settings;
     irsg.scene.entities = {entityOf(modelOf(mesh), greyDatabase(0.9, 320.0))};
@@ -113,7 +113,7 @@ std::vector<SelfTestCheck> samplingChecks() {
         rmsCheck("lopsided-upright", "The same with its edges along the pixels", 5e-3, lopsided(),
                  3.0, 0.0),
         rmsCheck("supersampling-4", "A ball 30 pixels wide with 4 x 4 samples a pixel", 3e-3,
-                 fineBall(), 30.0, 0.0, {.zoomWindow = 0}),
+                 fineBall(), 30.0, 0.0, {.tileSide_samples = 0}),
         {.name = "sampling.range-curve",
          .says = "Intensity along the range, 300 m to 7 km, against the solid angle",
          .unit = "W sr-1",
@@ -125,9 +125,9 @@ std::vector<SelfTestCheck> samplingChecks() {
                  "The lopsided body a hundredth of a pixel wide, turned by 37 degrees", 1e-3,
                  lopsided(), 0.01, 37.0, {}, true),
         rmsCheck("window-128", "A lopsided body 6 pixels wide in windows of 128 samples (mode 3)",
-                 3e-3, lopsided(), 6.0, 31.5, {.zoomWindow = 128}, true),
+                 3e-3, lopsided(), 6.0, 31.5, {.tileSide_samples = 128}, true),
         rmsCheck("window-512", "The same in windows of 512 samples (mode 5)", 1e-3, lopsided(), 6.0,
-                 31.5, {.zoomWindow = 512}, true),
+                 31.5, {.tileSide_samples = 512}, true),
     };
 }
 

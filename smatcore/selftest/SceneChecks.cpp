@@ -68,7 +68,7 @@ SelfTestValue againstRays(SelfTestBench& bench) {
     InteractiveRenderer& irsg = bench.irsg();
     irsg.scene.environment = brightAir();
     irsg::RenderSettings settings;
-    settings.zoomWindow = 0;
+    settings.tileSide_samples = 0;
     settings.samplesPerAxis = 1;
     irsg.scene.settings = settings;
     irsg.scene.entities = {entityOf(modelOf(mesh), database)};
@@ -409,7 +409,7 @@ std::vector<SelfTestCheck> sceneChecks() {
                      mesh = joined(mesh, plateMesh({0, i * 0.1, 0}, {1, 0, 0}, {0, 0, 1}, one));
                  InteractiveRenderer& irsg = bench.irsg();
                  irsg::RenderSettings settings;
-                 settings.zoomWindow = 0;
+                 settings.tileSide_samples = 0;
                  settings.samplesPerAxis = 1;
                  settings.maximumLayers = 3;
                  irsg.scene.settings = settings;

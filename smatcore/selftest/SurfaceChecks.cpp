@@ -43,7 +43,7 @@ struct Middle {
         InteractiveRenderer& irsg = bench.irsg();
         irsg.scene.environment = environmentOf(air, sun);
         irsg::RenderSettings one = settings;
-        one.zoomWindow = 0;
+        one.tileSide_samples = 0;
         one.samplesPerAxis = 1;
         irsg.scene.settings = one;
         irsg.scene.entities = {entityOf(modelOf(mesh), database)};

@@ -145,7 +145,7 @@ TEST(SmatBatchSweep, OfEveryKindTellsWhatItsSumsAreWithout) {
     }
 }
 
-TEST(SmatBatchSweep, RefusesThePublishedZoomWithTheReason) {
+TEST(SmatBatchSweep, RefusesPublishedTilesWithTheReason) {
     const TemporaryFolder folder;
     for (const char* command : {"polar", "range", "time"}) {
         const Ran ran = smatBatch({command, sphere, "--zoom", "sills", "--out", folder / "a.csv"});

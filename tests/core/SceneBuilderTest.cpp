@@ -99,7 +99,7 @@ TEST_F(SceneBuilderTest, TakesEveryNumberOverInTheUnitsOfTheRenderer) {
     EXPECT_NEAR(scene.environment.sun.elevation_rad, irsg::pi / 6, 1e-15);
     EXPECT_EQ(scene.environment.defaultAmbient_K, 250);
     EXPECT_EQ(scene.environment.atmospheres().size(), 1u);
-    EXPECT_EQ(scene.settings.zoomWindow, 0);
+    EXPECT_EQ(scene.settings.tileSide_samples, 0);
     EXPECT_EQ(scene.settings.samplesPerAxis, 2);
     EXPECT_EQ(scene.settings.sun, irsg::ReflectionMode::approx);
     EXPECT_EQ(scene.settings.ambientReflection, irsg::ReflectionMode::off);

@@ -281,7 +281,7 @@ TEST(SweepTable, AWarningIsToldOnceWithTheCasesItHoldsFor) {
     EXPECT_EQ(data.table.provenance.value("warning"), "at 500 m (and 3 more): too near");
 }
 
-TEST(SweepTable, ThePublishedZoomIsRefusedInSweepsWithTheReason) {
+TEST(SweepTable, PublishedTilesAreRefusedInSweepsWithTheReason) {
     GreySphere sphere;
     for (const AnalysisKind kind :
          {AnalysisKind::polar, AnalysisKind::range, AnalysisKind::time, AnalysisKind::spectrum}) {

@@ -54,9 +54,9 @@ class Lawful : public test::AnalyticSource {
     irsg::RenderReport measure() override {
         irsg::RenderReport report = AnalyticSource::measure();
         const irsg::RenderSettings& render = scene.settings;
-        largest = std::max(largest, render.zoomWindow);
+        largest = std::max(largest, render.tileSide_samples);
         irsg::ErrorParts error;
-        error.sampling = 0.02 * std::pow(128.0 / render.zoomWindow, 1.5) *
+        error.sampling = 0.02 * std::pow(128.0 / render.tileSide_samples, 1.5) *
                          (towardsCamera().y < 0.0 ? worseBehind : 1.0);
         if (hasBackground) {
             error.background = render.backgroundRows == 1 ? 0.01 : 0.001;
@@ -102,7 +102,7 @@ TEST(TargetChoice, TakesTheSmallestTileWhoseErrorIsBelow) {
         Lawful source;
         const TargetChoice choice = chosen(source, row.target);
         EXPECT_TRUE(choice.isMet) << row.target;
-        EXPECT_EQ(choice.way.render.zoomWindow, row.window) << row.target;
+        EXPECT_EQ(choice.way.render.tileSide_samples, row.window) << row.target;
         EXPECT_NEAR(choice.reached, 0.02 * std::pow(128.0 / row.window, 1.5), 1e-12);
         EXPECT_LE(source.largest, std::max(row.window, 128)) << "nothing dearer was drawn";
     }
@@ -135,7 +135,7 @@ TEST(TargetChoice, SaysWhereNoWayMeetsIt) {
     Lawful source;
     const TargetChoice choice = chosen(source, 1e-4);
     EXPECT_FALSE(choice.isMet);
-    EXPECT_EQ(choice.way.render.zoomWindow, 2048);
+    EXPECT_EQ(choice.way.render.tileSide_samples, 2048);
     EXPECT_THAT(choice.sentences, Contains(HasSubstr("no way meets it")));
     EXPECT_THAT(choice.sentences.front(), HasSubstr("0.031 %"));
 }
@@ -147,7 +147,7 @@ TEST(TargetChoice, TakesRowsOfTheBackgroundOnlyWhereTheyAreNeeded) {
     const TargetChoice finer = chosen(source, 0.009); // one row alone is wrong by 1 %
     EXPECT_TRUE(finer.isMet);
     EXPECT_EQ(finer.way.render.backgroundRows, 0);
-    EXPECT_EQ(finer.way.render.zoomWindow, 256);
+    EXPECT_EQ(finer.way.render.tileSide_samples, 256);
 }
 
 TEST(TargetChoice, LeavesOutLightWhoseBoundIsAPartOfTheTarget) {
@@ -224,7 +224,7 @@ TEST(TargetError, IsWrittenIntoTheResultWithItsErrors) {
     EXPECT_THAT(data.table.find("error_contrast_intensity")->values,
                 Each(testing::DoubleNear(100.0 * 0.0025, 1e-9)));
     EXPECT_THAT(data.warnings, testing::IsEmpty());
-    EXPECT_EQ(source.scene.settings.zoomWindow, 512) << "of the run itself";
+    EXPECT_EQ(source.scene.settings.tileSide_samples, 512) << "of the run itself";
 }
 
 TEST(TargetError, NamesTheCasesThatMissIt) {
@@ -291,8 +291,8 @@ class Slow : public Lawful {
 
   private:
     int window() const {
-        return scene.settings.zoomWindow > 0 ? scene.settings.zoomWindow
-                                             : scene.settings.samplesPerAxis;
+        return scene.settings.tileSide_samples > 0 ? scene.settings.tileSide_samples
+                                                   : scene.settings.samplesPerAxis;
     }
 };
 
@@ -420,7 +420,7 @@ TEST(Frontier, TellsTheSettingsOfEachWay) {
         EXPECT_FALSE(set[key::renderTargetError]);
         const irsg::RenderSettings render = renderSettingsOf(set);
         const int mode = static_cast<int>(column("antialiasing")[i]);
-        EXPECT_EQ(render.zoomWindow, mode > 2 ? 128 << (mode - 3) : 0) << mode;
+        EXPECT_EQ(render.tileSide_samples, mode > 2 ? 128 << (mode - 3) : 0) << mode;
         EXPECT_EQ(render.samplesPerAxis, mode > 2 ? 1 : 1 << mode) << mode;
         EXPECT_EQ(render.backgroundRows, static_cast<int>(column("background_rows")[i]));
         const int light = static_cast<int>(column("light")[i]);

@@ -76,7 +76,7 @@ TEST(SeamedDrawingTest, ALineThatEndsNearTheEyeIsDrawnAtOnce) {
         QPainter painter(&image);
         painter.setRenderHint(QPainter::Antialiasing);
         painter.translate(10.0, 0.0);
-        drawSeamed(painter, {20.0, 50.0, end, 50.0}, colors::zoomFrustum(), 1.4, false, style);
+        drawSeamed(painter, {20.0, 50.0, end, 50.0}, colors::tileFrustum(), 1.4, false, style);
         painter.end();
         return image;
     };

@@ -27,7 +27,7 @@ InteractiveRenderer& generator(double background_W_m2_sr = 0.0) {
 
 void useZoom(InteractiveRenderer& irsg, int size) {
     RenderSettings settings = irsg.scene.settings;
-    settings.zoomWindow = size;
+    settings.tileSide_samples = size;
     irsg.scene.settings = settings;
 }
 
@@ -99,7 +99,7 @@ const double sizes_px[] = {100.0, 30.0, 3.0, 1.0, 0.6, 0.1, 0.01};
 
 } // namespace
 
-TEST(AlignedZoom, KeepsTheIntensityOfASphereAtEveryPhaseFromAHundredPixelsToAHundredth) {
+TEST(AlignedTiles, KeepsTheIntensityOfASphereAtEveryPhaseFromAHundredPixelsToAHundredth) {
     const Mesh mesh = sphereMesh(1.0, 48, 96, one);
     InteractiveRenderer& irsg = generator();
     for (double size_px : sizes_px) {
@@ -110,7 +110,7 @@ TEST(AlignedZoom, KeepsTheIntensityOfASphereAtEveryPhaseFromAHundredPixelsToAHun
     }
 }
 
-TEST(AlignedZoom, KeepsTheIntensityOfALopsidedBodyThatIsTurned) {
+TEST(AlignedTiles, KeepsTheIntensityOfALopsidedBodyThatIsTurned) {
     InteractiveRenderer& irsg = generator();
     for (double angle_deg : {5.0, 30.0, 45.0, 85.0}) {
         for (double size_px : sizes_px) {
@@ -125,7 +125,7 @@ TEST(AlignedZoom, KeepsTheIntensityOfALopsidedBodyThatIsTurned) {
 }
 
 /// With one lattice for all edges these turns had 0.24 to 0.47 % RMS.
-TEST(AlignedZoom, KeepsTheIntensityWhereALatticeWouldMeetTheEdges) {
+TEST(AlignedTiles, KeepsTheIntensityWhereALatticeWouldMeetTheEdges) {
     InteractiveRenderer& irsg = generator();
     for (const auto& [angle_deg, size_px] :
          {std::pair{31.5, 0.61}, {37.0, 5.9}, {56.5, 0.61}, {57.5, 0.067}, {85.5, 53.0}}) {
@@ -135,7 +135,7 @@ TEST(AlignedZoom, KeepsTheIntensityWhereALatticeWouldMeetTheEdges) {
     }
 }
 
-TEST(AlignedZoom, KeepsTheIntensityOfEdgesAlongThePixels) {
+TEST(AlignedTiles, KeepsTheIntensityOfEdgesAlongThePixels) {
     InteractiveRenderer& irsg = generator();
     for (double size_px : sizes_px) {
         const Errors errors = errorsOverPhases(irsg, lShape(), 2.0, size_px, 0.0);
@@ -145,7 +145,7 @@ TEST(AlignedZoom, KeepsTheIntensityOfEdgesAlongThePixels) {
     }
 }
 
-TEST(AlignedZoom, SharesASmallObjectAmongThePixelsItTouches) {
+TEST(AlignedTiles, SharesASmallObjectAmongThePixelsItTouches) {
     // A sphere 0.2 pixels wide on a corner, an edge and in the middle of pixels.
     InteractiveRenderer& irsg = generator();
     irsg.scene.entities = {grey(sphereMesh(1.0, 64, 128, one))};
@@ -172,7 +172,7 @@ TEST(AlignedZoom, SharesASmallObjectAmongThePixelsItTouches) {
     }
 }
 
-TEST(AlignedZoom, CrossesItsThresholdsWithoutAJump) {
+TEST(AlignedTiles, CrossesItsThresholdsWithoutAJump) {
     // The object becomes less than a pixel, and less than a tile: intensity stays.
     const Mesh mesh = sphereMesh(1.0, 48, 96, one);
     InteractiveRenderer& irsg = generator();
@@ -192,7 +192,7 @@ TEST(AlignedZoom, CrossesItsThresholdsWithoutAJump) {
     }
 }
 
-TEST(AlignedZoom, HidesAndShowsASmallObjectBeforeALargeOne) {
+TEST(AlignedTiles, HidesAndShowsASmallObjectBeforeALargeOne) {
     // A hot point 0.1 pixels wide, before and behind a cold plate of 40 pixels.
     InteractiveRenderer& irsg = generator();
     Entity plate = grey(plateMesh({}, {0, 0, 4}, {4, 0, 0}, one));
@@ -219,7 +219,7 @@ TEST(AlignedZoom, HidesAndShowsASmallObjectBeforeALargeOne) {
     EXPECT_NEAR(before.objects[1].coveredPixels / (pi * 0.05 * 0.05), 1.0, 5e-3);
 }
 
-TEST(AlignedZoom, KeepsTheTargetInABackgroundOfAnyLevel) {
+TEST(AlignedTiles, KeepsTheTargetInABackgroundOfAnyLevel) {
     // The background is the target's own radiance but for 1e-6, and a million times as bright.
     InteractiveRenderer& irsg = generator();
     const Mesh mesh = sphereMesh(1.0, 48, 96, one);
@@ -237,7 +237,7 @@ TEST(AlignedZoom, KeepsTheTargetInABackgroundOfAnyLevel) {
     }
 }
 
-TEST(AlignedZoom, DrawsTheSameImageTwiceAndInAnyOrderOfObjects) {
+TEST(AlignedTiles, DrawsTheSameImageTwiceAndInAnyOrderOfObjects) {
     InteractiveRenderer& irsg = generator(0.3);
     Entity ball = grey(sphereMesh(1.0, 64, 128, one));
     Entity box = entityOf(modelOf(boxMesh({0.5, 2, 0.4}, std::vector<IrCodes>(6, one))),
@@ -264,7 +264,7 @@ TEST(AlignedZoom, DrawsTheSameImageTwiceAndInAnyOrderOfObjects) {
     }
 }
 
-TEST(AlignedZoom, ShowsWhatLeavesTheFrameStraddlesItOrStandsAroundTheCamera) {
+TEST(AlignedTiles, ShowsWhatLeavesTheFrameStraddlesItOrStandsAroundTheCamera) {
     InteractiveRenderer& irsg = generator();
     const Mesh mesh = sphereMesh(1.0, 48, 96, one);
     irsg.scene.entities = {grey(mesh)};
@@ -286,7 +286,7 @@ TEST(AlignedZoom, ShowsWhatLeavesTheFrameStraddlesItOrStandsAroundTheCamera) {
     EXPECT_NEAR(inside.image.at(3, 4) / greyRadiance_W_m2_sr(), 1.0, 1e-5);
 }
 
-TEST(AlignedZoom, NamesTheSurfaceOfAnObjectSmallerThanAPixel) {
+TEST(AlignedTiles, NamesTheSurfaceOfAnObjectSmallerThanAPixel) {
     InteractiveRenderer& irsg = generator();
     irsg.scene.entities = {grey(sphereMesh(1.0, 64, 128, one))};
     look(irsg, viewOf(2.0, 0.1));
@@ -388,7 +388,7 @@ TEST(PointSource, LetsGasThroughAsItsWindowDoes) {
     EXPECT_NEAR(point.coveredPixels / drawn.coveredPixels, 1.0, 5e-3);
 }
 
-TEST(AlignedZoom, SharesTheMemoryOfItsTiles) {
+TEST(AlignedTiles, SharesTheMemoryOfItsTiles) {
     // Ten windows of 512 samples: of opaque objects, of ones that let light through, and of both
     // with their truth. They need no more than the frame and 32 MB, and hardly more than one of
     // them.
@@ -399,7 +399,7 @@ TEST(AlignedZoom, SharesTheMemoryOfItsTiles) {
         InteractiveRenderer irsg;
         irsg.scene.environment = environmentOf(ConstantAir{});
         RenderSettings settings;
-        settings.zoomWindow = 512;
+        settings.tileSide_samples = 512;
         settings.background = BackgroundMode::constant;
         settings.truthLayers = true;
         irsg.scene.settings = settings;
@@ -438,7 +438,7 @@ TEST(SupersamplingInAll, CountsItsSamplesInAll) {
     // Two in all lie side by side: a plate over the lower half of a pixel is seen whole or not.
     InteractiveRenderer& irsg = generator();
     RenderSettings settings = irsg.scene.settings;
-    settings.zoomWindow = 0;
+    settings.tileSide_samples = 0;
     settings.samplesPerAxis = 4;
     irsg.scene.entities = {grey(sphereMesh(1.0, 64, 128, one))};
     look(irsg, viewOf(2.0, 5.0));

@@ -123,11 +123,11 @@ TEST_F(BackgroundScene, HidesTheObjectBehindAHillInEveryMode) {
     // The wall covers the right half of the view, before the sphere.
     const auto before = wall({0, -50, 500}, 1000.0, 1000.0, 2.0f);
     struct Mode {
-        int zoomWindow, samplesPerAxis;
+        int tileSide_samples, samplesPerAxis;
     };
     for (const Mode& mode : {Mode{0, 1}, {0, 2}, {0, 4}, {128, 1}, {256, 1}, {512, 1}}) {
         for (const double range_m : {100.0, 3000.0, 50000.0}) {
-            settings.zoomWindow = mode.zoomWindow;
+            settings.tileSide_samples = mode.tileSide_samples;
             settings.samplesPerAxis = mode.samplesPerAxis;
             view(range_m);
             irsg.scene.terrain = nullptr;
@@ -136,11 +136,11 @@ TEST_F(BackgroundScene, HidesTheObjectBehindAHillInEveryMode) {
             irsg.scene.terrain = before;
             settings.terrainHides = true;
             const RenderedImage half = render();
-            const std::string name = std::to_string(mode.zoomWindow) + "/" +
+            const std::string name = std::to_string(mode.tileSide_samples) + "/" +
                                      std::to_string(mode.samplesPerAxis) + " at " +
                                      std::to_string(range_m);
             // Without a zoom window a far sphere may fall between the samples.
-            if (mode.zoomWindow > 0 || range_m < 200.0) {
+            if (mode.tileSide_samples > 0 || range_m < 200.0) {
                 EXPECT_NEAR(half.report.all.solidAngle_sr / whole_sr, 0.5, 0.02) << name;
                 EXPECT_NEAR(irsg.measure().all.solidAngle_sr / whole_sr, 0.5, 0.02) << name;
             }

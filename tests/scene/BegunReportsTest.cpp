@@ -114,7 +114,7 @@ TEST(BegunReports, MayBeDroppedUnfinished) {
 
 TEST(BegunReports, OfAPictureAreThoseOfASweepHoweverLarge) {
     RenderSettings settings;
-    settings.zoomWindow = 128;
+    settings.tileSide_samples = 128;
     for (const double fieldOfView_deg : {60.0, 6.0}) { // a few dozen pixels, and most of the frame
         InteractiveRenderer irsg = glazedBody();
         irsg.scene.settings = settings;

@@ -74,7 +74,7 @@ TEST(DrawPieces, ThatATileCannotShowAreNotMissed) {
     InteractiveRenderer irsg;
     irsg.scene.environment = environmentOf(ConstantAir{});
     RenderSettings settings;
-    settings.zoomWindow = 0;
+    settings.tileSide_samples = 0;
     settings.samplesPerAxis = 1;
     irsg.scene.settings = settings;
     SignatureDatabase database = greyDatabase(0.9, 320.0, 1.0);

@@ -133,7 +133,7 @@ TEST(Drawing, KeepsItsDigitsAtTenThousandKilometres) {
     Stage stage;
     for (double range_m : {1e3, 1e5, 1e7}) {
         RenderSettings settings;
-        settings.zoomWindow = 0;
+        settings.tileSide_samples = 0;
         settings.samplesPerAxis = 4;
         stage.irsg.scene.settings = settings;
         look(stage.irsg, {.range_m = range_m, .fieldOfView_rad = 2.4 / range_m});
@@ -173,7 +173,7 @@ TEST(Drawing, GivesTheSamePictureInOneTileAndInMany) {
     Stage stage;
     RenderSettings settings;
     auto intensityWith = [&](int samples) {
-        settings.zoomWindow = 0;
+        settings.tileSide_samples = 0;
         settings.samplesPerAxis = samples;
         stage.irsg.scene.settings = settings;
         look(stage.irsg, {.width_px = 300, .height_px = 300, .fieldOfView_rad = 0.022});
@@ -264,7 +264,7 @@ TEST(Layers, BeyondTheLimitAreCountedAndReported) {
     InteractiveRenderer irsg;
     irsg.scene.environment = darkness();
     RenderSettings settings;
-    settings.zoomWindow = 0;
+    settings.tileSide_samples = 0;
     settings.samplesPerAxis = 1;
     irsg.scene.entities = {entityOf(modelOf(mesh), greyDatabase(0.3, 320.0, 0.0, 0.7))};
     const double one_W_m2_sr = 0.3 * bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 320.0);

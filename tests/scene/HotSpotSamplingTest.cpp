@@ -73,11 +73,11 @@ struct Spots {
     }
 };
 
-RenderSettings settingsOf(int zoomWindow, bool hotSpots = true) {
+RenderSettings settingsOf(int tileSide_samples, bool hotSpots = true) {
     RenderSettings settings;
     settings.sun = settings.ambientReflection = ReflectionMode::off;
     settings.background = BackgroundMode::constant;
-    settings.zoomWindow = zoomWindow;
+    settings.tileSide_samples = tileSide_samples;
     settings.hotSpots = hotSpots;
     return settings;
 }

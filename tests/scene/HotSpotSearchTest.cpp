@@ -60,11 +60,11 @@ void lookFromFar(InteractiveRenderer& irsg, double size_px) {
     look(irsg, view);
 }
 
-RenderSettings settingsOf(int zoomWindow, bool hotSpots) {
+RenderSettings settingsOf(int tileSide_samples, bool hotSpots) {
     RenderSettings settings;
     settings.sun = settings.ambientReflection = ReflectionMode::off;
     settings.background = BackgroundMode::constant;
-    settings.zoomWindow = zoomWindow;
+    settings.tileSide_samples = tileSide_samples;
     settings.hotSpots = hotSpots;
     return settings;
 }

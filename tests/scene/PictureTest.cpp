@@ -115,11 +115,11 @@ TEST_F(PictureTest, FollowsTheViewTheFieldTheSunAndThePose) {
 }
 
 TEST_F(PictureTest, IsThatOfRenderWhateverTheAntialiasing) {
-    for (const int zoomWindow : {0, 128}) {
-        for (const ZoomStrategy strategy : {ZoomStrategy::aligned, ZoomStrategy::sills}) {
+    for (const int tileSide_samples : {0, 128}) {
+        for (const TileStrategy strategy : {TileStrategy::aligned, TileStrategy::published}) {
             RenderSettings settings;
-            settings.zoomWindow = zoomWindow;
-            settings.zoomStrategy = strategy;
+            settings.tileSide_samples = tileSide_samples;
+            settings.tileStrategy = strategy;
             irsg.scene.settings = settings;
             for (int times = 0; times < 3; ++times) {
                 expectThatOfRender("near");

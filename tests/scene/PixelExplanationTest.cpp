@@ -145,7 +145,7 @@ TEST_F(PixelExplanationTest, OfBackgroundAloneIsTheBackground) {
 
 TEST_F(PixelExplanationTest, SharesAPixelThatAnEdgeCrosses) {
     RenderSettings settings;
-    settings.zoomWindow = 0;
+    settings.tileSide_samples = 0;
     settings.samplesPerAxis = 4;
     // The pixels are 0.25 m wide: the edge halves those of column 8 + 2.
     InteractiveRenderer irsg = sceneOf(plate(0.0, {1, 1}, 0.625), greyDatabase(1.0, 320.0),

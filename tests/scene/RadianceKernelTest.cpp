@@ -120,7 +120,7 @@ TEST(BodyInGas, ShowsWhatItDoesInAFirstPictureWhateverWasDrawnBefore) {
 }
 
 TEST(EveryWayToANumber, GivesTheSameNumber) {
-    for (const int zoomWindow : {0, 128}) {
+    for (const int tileSide_samples : {0, 128}) {
         InteractiveRenderer irsg;
         irsg.scene.environment = brightAir();
         SignatureDatabase database = bodyInGas();
@@ -130,7 +130,7 @@ TEST(EveryWayToANumber, GivesTheSameNumber) {
                                     boxMesh({2, 2, 2}, std::vector<IrCodes>(6, gas)))),
                      database)};
         RenderSettings settings;
-        settings.zoomWindow = zoomWindow;
+        settings.tileSide_samples = tileSide_samples;
         settings.truthLayers = true;
         irsg.scene.settings = settings;
         look(irsg, {.range_m = 150.0, .azimuth_rad = 0.4, .elevation_rad = 0.3});
@@ -247,7 +247,7 @@ TEST(PlainShader, AddsUpWhatTheEvaluatorDoes) {
         InteractiveRenderer irsg;
         irsg.scene.environment = brightAir();
         RenderSettings settings;
-        settings.zoomWindow = 0;
+        settings.tileSide_samples = 0;
         settings.sun = settings.ambientReflection = mode;
         irsg.scene.settings = settings;
         SignatureDatabase database = bodyInGas();
@@ -408,7 +408,7 @@ TEST(AirAlongAnObject, IsTakenAlongAShipThatIsSeenFromItsBow) {
     irsg.scene.environment = environment;
     irsg.scene.entities = {ship};
     RenderSettings settings = emissionAlone();
-    settings.zoomWindow = 0;
+    settings.tileSide_samples = 0;
     settings.samplesPerAxis = 1; // whose distance is that of the pixel
     settings.truthLayers = true;
     look(irsg, {.range_m = 300.0, .elevation_rad = 0.14, .fieldOfView_rad = 0.2});

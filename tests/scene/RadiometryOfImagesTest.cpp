@@ -15,7 +15,7 @@ const IrCodes one{1, 1};
 
 RenderSettings samples(int perAxis) {
     RenderSettings settings;
-    settings.zoomWindow = 0;
+    settings.tileSide_samples = 0;
     settings.samplesPerAxis = perAxis;
     return settings;
 }

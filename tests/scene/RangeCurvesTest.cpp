@@ -25,9 +25,9 @@ namespace {
 constexpr IrCodes one{1, 1};
 constexpr double emissivity = 0.9, temperature_K = 320.0;
 
-RenderSettings settingsOf(int zoomWindow) {
+RenderSettings settingsOf(int tileSide_samples) {
     RenderSettings settings;
-    settings.zoomWindow = zoomWindow;
+    settings.tileSide_samples = tileSide_samples;
     settings.background = BackgroundMode::constant;
     settings.background_W_m2_sr = 0.5;
     return settings;
@@ -37,10 +37,10 @@ Entity grey(const Mesh& mesh) {
     return entityOf(modelOf(mesh), greyDatabase(emissivity, temperature_K));
 }
 
-InteractiveRenderer generatorOf(std::vector<Entity> entities, int zoomWindow = 256) {
+InteractiveRenderer generatorOf(std::vector<Entity> entities, int tileSide_samples = 256) {
     InteractiveRenderer irsg;
     irsg.scene.environment = environmentOf(ConstantAir{});
-    irsg.scene.settings = settingsOf(zoomWindow);
+    irsg.scene.settings = settingsOf(tileSide_samples);
     irsg.scene.entities = std::move(entities);
     return irsg;
 }
@@ -115,8 +115,8 @@ struct Curves {
         }
         return values;
     }
-    std::vector<double> interpolated(int zoomWindow) {
-        irsg.scene.settings = settingsOf(zoomWindow);
+    std::vector<double> interpolated(int tileSide_samples) {
+        irsg.scene.settings = settingsOf(tileSide_samples);
         std::vector<double> values;
         for (const double range_m : ranges_m) {
             look(irsg, aspect, range_m);
@@ -341,8 +341,9 @@ TEST(RangeCurve, DrawsWhatIsNearOrCutOffOrOverlapsOrIsNotLookedAt) {
 
     irsg.scene.entities[0].pose = {{0, 0, standingAltitude_m}, {}};
     for (const auto& [name, change] :
-         {std::pair{"supersampling", +[](RenderSettings& s) { s.zoomWindow = 0; }},
-          {"published zoom", +[](RenderSettings& s) { s.zoomStrategy = ZoomStrategy::sills; }}}) {
+         {std::pair{"supersampling", +[](RenderSettings& s) { s.tileSide_samples = 0; }},
+          {"published zoom",
+           +[](RenderSettings& s) { s.tileStrategy = TileStrategy::published; }}}) {
         RenderSettings settings = settingsOf(256);
         change(settings);
         irsg.scene.settings = settings;

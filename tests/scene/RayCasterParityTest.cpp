@@ -134,7 +134,7 @@ void expectTheCaster(const Case& c, EngineChoice engine) {
     InteractiveRenderer irsg;
     RenderSettings settings;
     settings.engine = engine;
-    settings.zoomWindow = 0;
+    settings.tileSide_samples = 0;
     settings.samplesPerAxis = 1;
     irsg.scene.settings = settings;
     irsg.scene.environment = environmentOf(air, sun);

@@ -47,7 +47,7 @@ InteractiveRenderer withEngine(EngineChoice engine, RenderSettings settings,
 /// One sample a pixel.
 RenderSettings plainPixels() {
     RenderSettings settings;
-    settings.zoomWindow = 0;
+    settings.tileSide_samples = 0;
     settings.samplesPerAxis = 1;
     settings.truthLayers = true;
     return settings;
@@ -323,9 +323,9 @@ TEST_F(RayEngineTest, SeesTerrainBehindAndBeforeObjects) {
     Entity entity =
         entityOf(modelOf(plateMesh({}, {2, 0, 0}, {0, 0, 2}, {1, 1})), greyDatabase(0.7, 330.0));
     entity.pose.position_m.z = standingAltitude_m;
-    for (const int zoomWindow : {0, 256}) {
+    for (const int tileSide_samples : {0, 256}) {
         RenderSettings settings;
-        settings.zoomWindow = zoomWindow;
+        settings.tileSide_samples = tileSide_samples;
         settings.terrain = {5.0, 0.2};
         std::vector<RadianceImage> images;
         for (const EngineChoice engine : {EngineChoice::opengl, EngineChoice::rays}) {

@@ -143,7 +143,7 @@ TEST(SampleLattice, CountsEqualEdgesOnce) {
 }
 
 TEST(SampleLattice, OfATileIsTheOneForItsEdges) {
-    ZoomEntityInfo bar{.entity = 0, .extent = {2.2, 2.3, 17.1, 16.2}, .centre_m = {}};
+    ObjectExtent bar{.entity = 0, .extent = {2.2, 2.3, 17.1, 16.2}, .centre_m = {}};
     double before = 0.0, after = 0.0;
     for (double angle_deg = 5.0; angle_deg <= 85.0; angle_deg += 0.5) {
         const std::vector<ImageEdge> edges = Bar{radians(angle_deg)}.edges();

@@ -92,7 +92,7 @@ TEST(SampleSheet, IsNeverHigherThanADrawingMayBe) {
 
 TEST(PixelAlignedStrategy, SpendsNoMoreOnTheSumOfAVeryLargeObjectThanItsPixels) {
     const auto samplesOf = [](double wide_px, double high_px, bool ofSums) {
-        const ZoomEntityInfo object{0, {0, 0, wide_px, high_px}, {}, 1.0};
+        const ObjectExtent object{0, {0, 0, wide_px, high_px}, {}, 1.0};
         const PixelAlignedStrategy strategy(256);
         double samples = 0.0;
         for (const SampleTile& one :

@@ -14,7 +14,7 @@ using namespace irsg;
 
 namespace {
 
-ZoomEntityInfo object(int entity, double left, double top, double width, double height) {
+ObjectExtent object(int entity, double left, double top, double width, double height) {
     return {entity, {left, top, left + width, top + height}, {}, 1.0};
 }
 
@@ -204,7 +204,7 @@ TEST(PixelAlignedStrategy, SharesTilesAmongDetailsWithoutEnd) {
     // Details all over an object, ever more of them: as many tiles as is sensible, no samples
     // beyond the budget, and every detail at least as fine as what is around it.
     for (const int count : {10, 100, 1000}) {
-        ZoomEntityInfo body = object(0, 20.0, 20.0, 90.0, 70.0);
+        ObjectExtent body = object(0, 20.0, 20.0, 90.0, 70.0);
         std::mt19937 random(5);
         std::uniform_real_distribution<double> u(0.0, 1.0);
         for (int i = 0; i < count; ++i) {
@@ -234,7 +234,7 @@ TEST(PixelAlignedStrategy, DrawsObjectsThatDoNotOverlapApart) {
 }
 
 TEST(PixelAlignedStrategy, DrawsAPointNearALargeObjectFinelyAndEveryPointOnce) {
-    const std::vector<ZoomEntityInfo> objects{
+    const std::vector<ObjectExtent> objects{
         object(0, 100.2, 80.7, 90, 40), object(1, 150.37, 99.61, 0.01, 0.02),
         object(2, 150.1, 99.2, 0.6, 0.6), object(3, 120.6, 90.4, 4.0, 3.0)};
     for (int size : {128, 256, 512}) {
@@ -254,7 +254,7 @@ TEST(PixelAlignedStrategy, DrawsAPointNearALargeObjectFinelyAndEveryPointOnce) {
         EXPECT_GE(densest * 0.02, size / 6.0);
         std::mt19937 random(7);
         std::uniform_real_distribution<double> u(0.0, 1.0);
-        for (const ZoomEntityInfo& part : objects) {
+        for (const ObjectExtent& part : objects) {
             for (int i = 0; i < 4000; ++i) {
                 EXPECT_EQ(drawnTimes(tiles, part.extent.left + u(random) * part.extent.width(),
                                      part.extent.top + u(random) * part.extent.height()),
@@ -269,7 +269,7 @@ TEST(PixelAlignedStrategy, DrawsAPointNearALargeObjectFinelyAndEveryPointOnce) {
 }
 
 TEST(PixelAlignedStrategy, CutsTilesForDetailsAndRendersEveryPointOnce) {
-    ZoomEntityInfo aircraft = object(0, 100.2, 80.7, 30.3, 12.1);
+    ObjectExtent aircraft = object(0, 100.2, 80.7, 30.3, 12.1);
     aircraft.details = {{104.13, 85.2, 105.3, 86.4},
                         {104.9, 86.1, 106.2, 87.2}, // overlaps the first
                         {121.4, 84.9, 121.45, 84.92},
@@ -299,10 +299,10 @@ TEST(PixelAlignedStrategy, CutsTilesForDetailsAndRendersEveryPointOnce) {
 
 TEST(PixelAlignedStrategy, DoesNotMindTheOrderOfItsObjects) {
     // The first two overlap, and the rectangle around them reaches the third.
-    std::vector<ZoomEntityInfo> objects{object(0, 10, 10, 10, 2), object(1, 18, 11, 2, 10),
-                                        object(2, 11, 15, 3, 3)};
+    std::vector<ObjectExtent> objects{object(0, 10, 10, 10, 2), object(1, 18, 11, 2, 10),
+                                      object(2, 11, 15, 3, 3)};
     std::set<std::vector<double>> seen;
-    std::ranges::sort(objects, {}, &ZoomEntityInfo::entity);
+    std::ranges::sort(objects, {}, &ObjectExtent::entity);
     do {
         std::vector<double> numbers;
         for (const SampleTile& tile : PixelAlignedStrategy(256).tiles(objects)) {
@@ -310,7 +310,7 @@ TEST(PixelAlignedStrategy, DoesNotMindTheOrderOfItsObjects) {
             numbers.insert(numbers.end(), {r.left, r.top, r.right, r.bottom, tile.density()});
         }
         seen.insert(numbers);
-    } while (std::ranges::next_permutation(objects, {}, &ZoomEntityInfo::entity).found);
+    } while (std::ranges::next_permutation(objects, {}, &ObjectExtent::entity).found);
     EXPECT_EQ(seen.size(), 1u);
 }
 

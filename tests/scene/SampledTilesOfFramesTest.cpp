@@ -89,7 +89,7 @@ TEST(TilesOfAFrame, OfAPointHaveNoSamples) {
 
 TEST(TilesOfAFrame, TellTheSamplesOfAModeAndThePublishedSquare) {
     const auto supersampled = tilesIn({sphere("ball", 0.0)}, 10.0, [](RenderSettings& settings) {
-        settings.zoomWindow = 0;
+        settings.tileSide_samples = 0;
         settings.samplesPerAxis = 4;
     });
     ASSERT_EQ(supersampled.size(), 1u);
@@ -97,7 +97,7 @@ TEST(TilesOfAFrame, TellTheSamplesOfAModeAndThePublishedSquare) {
     EXPECT_EQ(supersampled[0].down, 4.0);
 
     const auto published = tilesIn({sphere("ball", 0.0)}, 10.0, [](RenderSettings& settings) {
-        settings.zoomStrategy = ZoomStrategy::sills;
+        settings.tileStrategy = TileStrategy::published;
     });
     ASSERT_EQ(published.size(), 1u);
     expectAround(published[0], 16.0, 1.5); // the next power of two

@@ -176,13 +176,13 @@ TEST_F(ScatteringScene, IsTheSameHazeWithEveryAntialiasing) {
     const RadianceImage aligned = sphere(400.0, air, view).imageWithReport().image;
     RenderSettings settings = scattering();
     for (const int perAxis : {1, 4}) {
-        settings.zoomWindow = 0;
+        settings.tileSide_samples = 0;
         settings.samplesPerAxis = perAxis;
         const RadianceImage seen = sphere(400.0, air, view, settings).imageWithReport().image;
         EXPECT_NEAR(seen.at(4, 32) / aligned.at(4, 32), 1.0f, 0.02f) << perAxis;
     }
     settings = scattering();
-    settings.zoomStrategy = ZoomStrategy::sills;
+    settings.tileStrategy = TileStrategy::published;
     const RadianceImage published = sphere(400.0, air, view, settings).imageWithReport().image;
     EXPECT_NEAR(published.at(4, 32) / aligned.at(4, 32), 1.0f, 0.02f);
 }

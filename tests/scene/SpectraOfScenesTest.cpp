@@ -355,7 +355,7 @@ TEST(TruthLayersOfAnImage, AddUpToItsRadianceAndNameTheSurfaces) {
     irsg.scene.environment = environmentOf(air);
     RenderSettings settings;
     settings.truthLayers = true;
-    settings.zoomWindow = 0;
+    settings.tileSide_samples = 0;
     settings.samplesPerAxis = 3;
     irsg.scene.settings = settings;
     irsg.scene.entities = {entityOf(modelOf(mesh), database)};

@@ -64,7 +64,7 @@ TEST(Subfaces, HideTheFaceTheyLieOnFromAnyDirectionAndRange) {
     InteractiveRenderer irsg;
     irsg.scene.environment = environmentOf(ConstantAir{});
     RenderSettings settings;
-    settings.zoomWindow = 0;
+    settings.tileSide_samples = 0;
     settings.samplesPerAxis = 4;
     irsg.scene.settings = settings;
     irsg.scene.entities = {entityOf(model, database)};

@@ -42,7 +42,7 @@ RenderSettings shadowSettings(EngineChoice engine, SunShadowMode mode) {
 }
 
 RenderSettings onePixelOneSample(RenderSettings settings) {
-    settings.zoomWindow = 0;
+    settings.tileSide_samples = 0;
     settings.samplesPerAxis = 1;
     return settings;
 }

@@ -58,12 +58,12 @@ struct Errors {
 
 /// Seen from beside in steps of a degree, at phases of the pixels that are irrational to
 /// every lattice; against the solid angle.
-Errors errorsOf(const Mesh& mesh, int zoomWindow, double pixels, double length_m,
+Errors errorsOf(const Mesh& mesh, int tileSide_samples, double pixels, double length_m,
                 double pitch_deg) {
     InteractiveRenderer irsg;
     irsg.scene.environment = environmentOf(ConstantAir{});
     RenderSettings settings;
-    settings.zoomWindow = zoomWindow;
+    settings.tileSide_samples = tileSide_samples;
     settings.background = BackgroundMode::constant;
     irsg.scene.settings = settings;
     irsg.scene.entities = {entityOf(modelOf(mesh), greyDatabase(emissivity, temperature_K))};
@@ -113,21 +113,21 @@ TEST(ThinBody, KeepsItsIntensityAtAnyInclinationAndLength) {
         {"rail", boxMesh({0.05, 5.0, 0.08}, sides), 10.0, 1.5e-3, 3e-3},
         {"plank", boxMesh({1.0, 7.0, 0.1}, sides), 14.0, 2e-3, 3e-3},
     };
-    for (const auto& [zoomWindow, finer] : {std::pair{128, 1.0}, {256, 0.5}}) {
+    for (const auto& [tileSide_samples, finer] : {std::pair{128, 1.0}, {256, 0.5}}) {
         for (const Body& body : bodies) {
             for (const double pitch_deg : {0.0, 0.4, 3.0, 27.0, 88.0, 90.0}) {
                 for (const double pixels : {140.0, 23.0, 0.7}) {
                     const Errors errors =
-                        errorsOf(body.mesh, zoomWindow, pixels, body.length_m, pitch_deg);
+                        errorsOf(body.mesh, tileSide_samples, pixels, body.length_m, pitch_deg);
                     const double most = finer * (pitch_deg == 0.0 ? body.mostLevel : body.most);
                     const std::string which =
                         std::string(body.name) + " at " + std::to_string(pitch_deg) + " deg, " +
-                        std::to_string(pixels) + " px, window " + std::to_string(zoomWindow);
+                        std::to_string(pixels) + " px, window " + std::to_string(tileSide_samples);
                     EXPECT_LT(errors.rms(), most) << which;
                     EXPECT_LT(errors.worst, 3.0 * most) << which;
                     EXPECT_LT(errors.step, 3.0 * most) << which;
                     std::printf("%d %-8s %4.1f deg %5.1f px: RMS %.1e, largest %.1e, step %.1e\n",
-                                zoomWindow, body.name, pitch_deg, pixels, errors.rms(),
+                                tileSide_samples, body.name, pitch_deg, pixels, errors.rms(),
                                 errors.worst, errors.step);
                 }
             }

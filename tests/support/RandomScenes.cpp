@@ -130,11 +130,11 @@ RandomScene randomScene(unsigned number, RandomAir air) {
     const int mode = draw.below(4);
     double extent_px = draw.logarithmic(0.02, 300.0);
     if (mode == 3) { // in pixels, which a small object does not meet
-        settings.zoomWindow = 0;
+        settings.tileSide_samples = 0;
         settings.samplesPerAxis = 4;
         extent_px = draw.logarithmic(20.0, 200.0);
     } else {
-        settings.zoomWindow = 128 << mode;
+        settings.tileSide_samples = 128 << mode;
     }
     random.alongRange = mode < 3 && draw.below(4) == 0;
     if (air == RandomAir::none) {
@@ -166,7 +166,7 @@ RandomScene randomScene(unsigned number, RandomAir air) {
     random.view.viewpoint =
         Viewpoint::about(places.referencePoint(0), 0.0, draw.between(0.0, 2.0 * pi),
                          std::asin(draw.between(lowest, 0.9)), range_m);
-    random.name += ", window " + std::to_string(settings.zoomWindow) + ", " +
+    random.name += ", window " + std::to_string(settings.tileSide_samples) + ", " +
                    std::to_string(extent_px) + " px, " + std::to_string(range_m) + " m" +
                    (random.alongRange ? ", along range" : "");
     return random;
@@ -181,7 +181,7 @@ std::array<JudgedNumber, 2> judged(Renderer& renderer, const RandomScene& random
             .all;
     };
     Scene fine = random.scene;
-    fine.settings.zoomWindow = 2048;
+    fine.settings.tileSide_samples = 2048;
     fine.settings.mode = CalculationMode::spectral;
     fine.settings.airSliceFrom = 1e-3;
     fine.settings.pointSourceBelow_px = 0.0;

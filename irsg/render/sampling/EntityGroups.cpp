@@ -8,15 +8,15 @@ namespace irsg {
 
 std::vector<int> EntityGroup::entities() const {
     std::vector<int> result;
-    for (const ZoomEntityInfo& member : members)
+    for (const ObjectExtent& member : members)
         result.push_back(member.entity);
     std::ranges::sort(result);
     return result;
 }
 
-std::vector<EntityGroup> overlappingGroups(const std::vector<ZoomEntityInfo>& objects) {
+std::vector<EntityGroup> overlappingGroups(const std::vector<ObjectExtent>& objects) {
     std::vector<EntityGroup> groups;
-    for (const ZoomEntityInfo& object : objects)
+    for (const ObjectExtent& object : objects)
         groups.push_back({object.extent, {object}});
 
     uniteAll(

@@ -2,20 +2,20 @@
 
 #include <vector>
 
+#include "irsg/render/sampling/ObjectExtent.h"
 #include "irsg/render/sampling/SampleTile.h"
-#include "irsg/render/sampling/ZoomEntityInfo.h"
 
 namespace irsg {
 
 /// Objects whose extents overlap, directly or through others: what may hide one another.
 struct EntityGroup {
     ImageRectangle extent; ///< of all together
-    std::vector<ZoomEntityInfo> members;
+    std::vector<ObjectExtent> members;
 
     std::vector<int> entities() const;
 };
 
-std::vector<EntityGroup> overlappingGroups(const std::vector<ZoomEntityInfo>& objects);
+std::vector<EntityGroup> overlappingGroups(const std::vector<ObjectExtent>& objects);
 
 /// The blocks of a level that an extent touches, with one sample each.
 SampleTile tileOnBlocks(const ImageRectangle& extent, int level);

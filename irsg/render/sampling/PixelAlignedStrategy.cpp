@@ -202,7 +202,7 @@ double area_px2(const ImageRectangle& r) {
 } // namespace
 
 std::vector<SampleTile>
-PixelAlignedStrategy::tiles(const std::vector<ZoomEntityInfo>& objects) const {
+PixelAlignedStrategy::tiles(const std::vector<ObjectExtent>& objects) const {
     std::vector<SampleTile> result;
     for (const EntityGroup& group : overlappingGroups(objects))
         for (SampleTile& tile : tilesOf(group))
@@ -211,7 +211,7 @@ PixelAlignedStrategy::tiles(const std::vector<ZoomEntityInfo>& objects) const {
 }
 
 std::vector<SampleTile>
-PixelAlignedStrategy::tilesOfSums(const std::vector<ZoomEntityInfo>& objects) const {
+PixelAlignedStrategy::tilesOfSums(const std::vector<ObjectExtent>& objects) const {
     PixelAlignedStrategy ofSums(size_);
     ofSums.isOfSums_ = true;
     return ofSums.tiles(objects);
@@ -234,7 +234,7 @@ SampleTile PixelAlignedStrategy::tileFor(const ImageRectangle& extent, double sa
 
 std::vector<SampleTile> PixelAlignedStrategy::tilesOf(const EntityGroup& group) const {
     std::vector<ImageEdge> edges;
-    for (const ZoomEntityInfo& member : group.members)
+    for (const ObjectExtent& member : group.members)
         edges.insert(edges.end(), member.edges.begin(), member.edges.end());
     SampleTile whole = bestFor(edges, tileFor(group.extent, budget()), size_);
     whole.entities = group.entities();
@@ -251,13 +251,13 @@ std::vector<PixelAlignedStrategy::Part>
 PixelAlignedStrategy::partsOf(const EntityGroup& group) const {
     std::vector<Part> parts;
     std::size_t details = 0;
-    for (const ZoomEntityInfo& member : group.members) {
+    for (const ObjectExtent& member : group.members) {
         parts.push_back({member.extent, budget(), refinementFrom, refinementFrom});
         details += member.details.size();
     }
     const double ofOne =
         std::min(samplesOfDetails / static_cast<double>(std::max<std::size_t>(details, 1)), 1.0);
-    for (const ZoomEntityInfo& member : group.members)
+    for (const ObjectExtent& member : group.members)
         for (const ImageRectangle& detail : member.details)
             parts.push_back({detail, ofOne * budget(), detailFrom, detailAgainFrom});
     return parts;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "irsg/render/sampling/AbstractZoomAntialiasingStrategy.h"
 #include "irsg/render/sampling/EntityGroups.h"
+#include "irsg/render/sampling/TileSamplingStrategy.h"
 
 namespace irsg {
 
@@ -16,14 +16,14 @@ namespace irsg {
 /// its longer side, which lie close around it. Objects that overlap share a tile, with depth.
 /// Finer tiles are cut out of it for what is much smaller: members of the group, in which the
 /// others stand before and behind them, and the details that an object has.
-class PixelAlignedStrategy : public AbstractZoomAntialiasingStrategy {
+class PixelAlignedStrategy : public TileSamplingStrategy {
   public:
     /// Side of a tile, samples: 128, 256 or 512 for modes 3 to 5; any from 8.
     explicit PixelAlignedStrategy(int size) : size_(size) {}
 
-    std::vector<SampleTile> tiles(const std::vector<ZoomEntityInfo>& objects) const override;
+    std::vector<SampleTile> tiles(const std::vector<ObjectExtent>& objects) const override;
 
-    std::vector<SampleTile> tilesOfSums(const std::vector<ZoomEntityInfo>& objects) const override;
+    std::vector<SampleTile> tilesOfSums(const std::vector<ObjectExtent>& objects) const override;
 
     /// Of a pixel or block of a picture.
     static constexpr int fewestSamplesPerAxis = 2;

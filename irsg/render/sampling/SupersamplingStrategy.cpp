@@ -5,7 +5,7 @@
 namespace irsg {
 
 std::vector<SampleTile>
-SupersamplingStrategy::tiles(const std::vector<ZoomEntityInfo>& objects) const {
+SupersamplingStrategy::tiles(const std::vector<ObjectExtent>& objects) const {
     std::vector<SampleTile> result;
     for (const EntityGroup& group : overlappingGroups(objects)) {
         SampleTile& tile = result.emplace_back(tileOnBlocks(group.extent, 0));

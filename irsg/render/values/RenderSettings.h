@@ -32,9 +32,9 @@ enum class BackgroundMode {
 };
 
 /// How zoom antialiasing samples.
-enum class ZoomStrategy {
-    aligned, ///< windows on the sensor's pixel grid, see PixelAlignedStrategy
-    sills    ///< as published, see SillsBasedStrategy
+enum class TileStrategy {
+    aligned,  ///< windows on the sensor's pixel grid, see PixelAlignedStrategy
+    published ///< as published, see PublishedTileStrategy
 };
 
 /// Who answers samples: surfaces, factors, distances. The answers are the same.
@@ -65,10 +65,14 @@ struct RenderSettings {
     double widebandError = 0.003;
     /// Zoom antialiasing: side of the windows that objects are drawn into, samples; 128, 256 or 512
     /// for modes 3 to 5 of the report, any from 8 to 2048. 0: every pixel is sampled alike.
-    int zoomWindow = 256;
-    ZoomStrategy zoomStrategy = ZoomStrategy::aligned;
-    bool zoomsAligned() const { return zoomWindow > 0 && zoomStrategy == ZoomStrategy::aligned; }
-    bool zoomsAsPublished() const { return zoomWindow > 0 && zoomStrategy == ZoomStrategy::sills; }
+    int tileSide_samples = 256;
+    TileStrategy tileStrategy = TileStrategy::aligned;
+    bool usesAlignedTiles() const {
+        return tileSide_samples > 0 && tileStrategy == TileStrategy::aligned;
+    }
+    bool usesPublishedTiles() const {
+        return tileSide_samples > 0 && tileStrategy == TileStrategy::published;
+    }
     /// Objects narrower than this are drawn once per aspect and then stand for any range as points,
     /// with the aligned zoom, before no terrain and apart from other objects; see PointSources.
     /// Pixels, 0 (never) to `largestPointSource_px`.

@@ -2,19 +2,19 @@
 
 #include <memory>
 
-#include "irsg/render/sampling/AbstractZoomAntialiasingStrategy.h"
+#include "irsg/render/sampling/TileSamplingStrategy.h"
 #include "irsg/render/values/RenderSettings.h"
 
 namespace irsg {
 
 /// Keeps the strategy that the settings ask for; it may change from frame to frame.
-class ZoomAntialiasingManager {
+class TileSamplingSelector {
   public:
-    AbstractZoomAntialiasingStrategy& strategyFor(const RenderSettings& settings);
+    TileSamplingStrategy& strategyFor(const RenderSettings& settings);
 
   private:
     RenderSettings settings_;
-    std::unique_ptr<AbstractZoomAntialiasingStrategy> strategy_;
+    std::unique_ptr<TileSamplingStrategy> strategy_;
 };
 
 } // namespace irsg

@@ -1,11 +1,11 @@
-#include "irsg/render/sampling/SillsBasedStrategy.h"
+#include "irsg/render/sampling/PublishedTileStrategy.h"
 
 #include <cmath>
 
 #include "irsg/render/sampling/EntityGroups.h"
 #include "irsg/render/sampling/MultipassComposer.h"
 #include "irsg/render/sampling/PixelAlignedStrategy.h"
-#include "irsg/render/sampling/ZoomCamera.h"
+#include "irsg/render/sampling/TileCamera.h"
 
 namespace irsg {
 
@@ -43,12 +43,13 @@ std::pair<double, double> bilinear(const ObjectTexture& texture, double u, doubl
 }
 
 std::vector<SampleTile>
-SillsBasedStrategy::tiles(const std::vector<ZoomEntityInfo>& objects) const {
+PublishedTileStrategy::tiles(const std::vector<ObjectExtent>& objects) const {
     return PixelAlignedStrategy(size_).tiles(objects);
 }
 
-FrameReduction SillsBasedStrategy::draw(const CameraFrame& camera,
-                                        const std::vector<ZoomEntityInfo>& objects, RttPass& pass) {
+FrameReduction PublishedTileStrategy::draw(const CameraFrame& camera,
+                                           const std::vector<ObjectExtent>& objects,
+                                           RttPass& pass) {
     // The whole frame is one patch: quads and objects lie upon one another.
     SampleTile all;
     all.blocksWide = camera.sensor().width_px;
@@ -56,11 +57,11 @@ FrameReduction SillsBasedStrategy::draw(const CameraFrame& camera,
     FrameReduction frame(camera.sensor(), {all});
     drawn_.clear();
 
-    std::vector<ZoomEntityInfo> farToNear = objects;
-    std::ranges::stable_sort(farToNear, std::greater{}, [&](const ZoomEntityInfo& object) {
+    std::vector<ObjectExtent> farToNear = objects;
+    std::ranges::stable_sort(farToNear, std::greater{}, [&](const ObjectExtent& object) {
         return length(object.centre_m - camera.viewpoint().position_m);
     });
-    for (const ZoomEntityInfo& object : farToNear) {
+    for (const ObjectExtent& object : farToNear) {
         const double diameter_px = sphereDiameter_px(camera, object.centre_m, object.radius_m);
         if (lod_.usesTexture(object.entity, diameter_px))
             drawTexture(camera, object, pass, frame);
@@ -70,12 +71,12 @@ FrameReduction SillsBasedStrategy::draw(const CameraFrame& camera,
     return frame;
 }
 
-void SillsBasedStrategy::drawTexture(const CameraFrame& camera, const ZoomEntityInfo& object,
-                                     RttPass& pass, FrameReduction& frame) {
+void PublishedTileStrategy::drawTexture(const CameraFrame& camera, const ObjectExtent& object,
+                                        RttPass& pass, FrameReduction& frame) {
     // Phase 1: a camera of its own. Phase 2: averages.
     const double diameter_px = sphereDiameter_px(camera, object.centre_m, object.radius_m);
     const int side_px = std::min(nextPowerOfTwo(diameter_px), size_);
-    const CameraFrame zoom = zoomCamera(camera, object.centre_m, side_px, size_);
+    const CameraFrame zoom = tileCamera(camera, object.centre_m, side_px, size_);
     RadianceSamples samples;
     pass.draw(zoom, SampleSheet::of(SampleTile::ofFrame(size_, {object.entity})), samples);
     const ObjectTexture texture = MultipassComposer(size_, side_px).apply(textureOf(samples));
@@ -96,8 +97,8 @@ void SillsBasedStrategy::drawTexture(const CameraFrame& camera, const ZoomEntity
         drawn_.push_back({covered.rectangle(), samplesOfPixel, samplesOfPixel, {object.entity}});
 }
 
-void SillsBasedStrategy::drawAsItIs(const CameraFrame& camera, const ZoomEntityInfo& object,
-                                    RttPass& pass, FrameReduction& frame) {
+void PublishedTileStrategy::drawAsItIs(const CameraFrame& camera, const ObjectExtent& object,
+                                       RttPass& pass, FrameReduction& frame) {
     SampleTile whole = tileOnBlocks(object.extent, 0);
     whole.entities = {object.entity};
     drawn_.push_back(RenderedTile::of(whole));

@@ -1,4 +1,4 @@
-#include "irsg/render/sampling/AbstractZoomAntialiasingStrategy.h"
+#include "irsg/render/sampling/TileSamplingStrategy.h"
 
 #include <cmath>
 
@@ -17,9 +17,8 @@ std::vector<RenderedTile> RenderedTile::of(const std::vector<SampleTile>& tiles)
     return result;
 }
 
-FrameReduction AbstractZoomAntialiasingStrategy::draw(const CameraFrame& camera,
-                                                      const std::vector<ZoomEntityInfo>& objects,
-                                                      RttPass& pass) {
+FrameReduction TileSamplingStrategy::draw(const CameraFrame& camera,
+                                          const std::vector<ObjectExtent>& objects, RttPass& pass) {
     const std::vector<SampleTile> planned = tiles(objects);
     drawn_ = RenderedTile::of(planned);
     const std::vector<SampleTile> pieces = piecesOf(planned, pass.largestSide());

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "irsg/render/sampling/AbstractZoomAntialiasingStrategy.h"
 #include "irsg/render/sampling/DownsamplingPass.h"
 #include "irsg/render/sampling/PixelSizeBasedLod.h"
+#include "irsg/render/sampling/TileSamplingStrategy.h"
 
 namespace irsg {
 
@@ -16,21 +16,21 @@ namespace irsg {
 /// Radiance is premultiplied throughout, in place of the report's straight alpha, which loses the
 /// energy of small objects. What remains is bilinear sampling: a lopsided object of a few pixels
 /// swings by tens of percent with its place among the pixels.
-class SillsBasedStrategy : public AbstractZoomAntialiasingStrategy {
+class PublishedTileStrategy : public TileSamplingStrategy {
   public:
     /// 128, 256 or 512, or another power of two from 8.
-    explicit SillsBasedStrategy(int size) : size_(size), lod_(size) {}
+    explicit PublishedTileStrategy(int size) : size_(size), lod_(size) {}
 
     /// For factors, which cannot be resampled: the tiles of PixelAlignedStrategy.
-    std::vector<SampleTile> tiles(const std::vector<ZoomEntityInfo>& objects) const override;
-    FrameReduction draw(const CameraFrame& camera, const std::vector<ZoomEntityInfo>& objects,
+    std::vector<SampleTile> tiles(const std::vector<ObjectExtent>& objects) const override;
+    FrameReduction draw(const CameraFrame& camera, const std::vector<ObjectExtent>& objects,
                         RttPass& pass) override;
     std::vector<std::string> takeMessages() override { return lod_.takeMessages(); }
 
   private:
-    void drawTexture(const CameraFrame& camera, const ZoomEntityInfo& object, RttPass& pass,
+    void drawTexture(const CameraFrame& camera, const ObjectExtent& object, RttPass& pass,
                      FrameReduction& frame);
-    void drawAsItIs(const CameraFrame& camera, const ZoomEntityInfo& object, RttPass& pass,
+    void drawAsItIs(const CameraFrame& camera, const ObjectExtent& object, RttPass& pass,
                     FrameReduction& frame);
 
     int size_;

@@ -10,7 +10,7 @@
 namespace irsg {
 
 /// Where an object is seen: what a strategy plans its tiles from.
-struct ZoomEntityInfo {
+struct ObjectExtent {
     int entity = 0;
     /// Holds every pixel the object can touch; the part inside the frame.
     ImageRectangle extent;
@@ -26,8 +26,8 @@ struct ZoomEntityInfo {
 /// The extent of a model at `pose` is the intersection of those of its box and its sphere. Nothing
 /// where it lies behind the camera or outside the frame; the whole frame where it reaches behind
 /// the camera.
-std::optional<ZoomEntityInfo> zoomEntityInfo(int entity, const CameraFrame& camera,
-                                             const BoundingBox& box, const BoundingSphere& sphere,
-                                             const Pose& pose);
+std::optional<ObjectExtent> objectExtent(int entity, const CameraFrame& camera,
+                                         const BoundingBox& box, const BoundingSphere& sphere,
+                                         const Pose& pose);
 
 } // namespace irsg

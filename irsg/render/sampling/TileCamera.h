@@ -17,7 +17,7 @@ double widthAtDistance_m(const Sensor& sensor, double pixels, double distance_m)
 /// The camera of the report's zoom antialiasing (section 6, phase 1): at the place of `camera`,
 /// looking at `centre_m`, its upright axis as near to that of `camera` as can be; its square field
 /// holds `side_px` pixels of the sensor and is drawn `size` samples wide.
-CameraFrame zoomCamera(const CameraFrame& camera, const Vec3& centre_m, double side_px, int size);
+CameraFrame tileCamera(const CameraFrame& camera, const Vec3& centre_m, double side_px, int size);
 
 /// A square that faces the camera of a zoom and carries its texture.
 class Billboard {

@@ -1,10 +1,10 @@
-#include "irsg/render/sampling/ZoomEntityInfo.h"
+#include "irsg/render/sampling/ObjectExtent.h"
 
 namespace irsg {
 
-std::optional<ZoomEntityInfo> zoomEntityInfo(int entity, const CameraFrame& camera,
-                                             const BoundingBox& box, const BoundingSphere& sphere,
-                                             const Pose& pose) {
+std::optional<ObjectExtent> objectExtent(int entity, const CameraFrame& camera,
+                                         const BoundingBox& box, const BoundingSphere& sphere,
+                                         const Pose& pose) {
     if (!camera.depthOf(box, pose))
         return std::nullopt;
     const Vec3 centre_m = pose.toWorld(sphere.centre_m);
@@ -17,7 +17,7 @@ std::optional<ZoomEntityInfo> zoomEntityInfo(int entity, const CameraFrame& came
         extent = extent.intersectedWith(*ofSphere);
     if (extent.empty())
         return std::nullopt;
-    return ZoomEntityInfo{entity, extent, centre_m, sphere.radius_m};
+    return ObjectExtent{entity, extent, centre_m, sphere.radius_m};
 }
 
 } // namespace irsg

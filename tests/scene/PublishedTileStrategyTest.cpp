@@ -1,4 +1,4 @@
-#include "irsg/render/sampling/SillsBasedStrategy.h"
+#include "irsg/render/sampling/PublishedTileStrategy.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/render/sampling/MultipassComposer.h"
-#include "irsg/render/sampling/ZoomCamera.h"
+#include "irsg/render/sampling/TileCamera.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;
@@ -40,12 +40,12 @@ double mean(const std::vector<double>& values) {
     return sum / static_cast<double>(values.size());
 }
 
-InteractiveRenderer& generator(ZoomStrategy strategy, int size = 256) {
+InteractiveRenderer& generator(TileStrategy strategy, int size = 256) {
     static InteractiveRenderer irsg;
     irsg.scene.environment = environmentOf(ConstantAir{});
     RenderSettings settings;
-    settings.zoomWindow = size;
-    settings.zoomStrategy = strategy;
+    settings.tileSide_samples = size;
+    settings.tileStrategy = strategy;
     irsg.scene.settings = settings;
     return irsg;
 }
@@ -108,7 +108,7 @@ TEST(MultipassComposer, LeadsFrom512To2InFourPasses) {
     EXPECT_THROW(MultipassComposer(64, 128), LogicError);
 }
 
-TEST(ZoomCamera, MeasuresTheTrueBall) {
+TEST(TileCamera, MeasuresTheTrueBall) {
     // The report's 34.64 and 0.5774 pixels are those of the box; the sphere has 20 and 0.333.
     Sensor sensor;
     sensor.width_px = sensor.height_px = 100;
@@ -123,13 +123,13 @@ TEST(ZoomCamera, MeasuresTheTrueBall) {
     EXPECT_NEAR(widthAtDistance_m(sensor, 32, 1000), 3.2, 1e-12);
 }
 
-TEST(ZoomCamera, LooksAtTheObjectAndItsSquareCarriesTheWholeTexture) {
+TEST(TileCamera, LooksAtTheObjectAndItsSquareCarriesTheWholeTexture) {
     Sensor sensor;
     sensor.width_px = sensor.height_px = 200;
     sensor.horizontalFieldOfView_rad = 2.0 * std::atan(100 * pixel_rad);
     const CameraFrame camera(sensor, Viewpoint::lookAt({0, 0, 0}, {0, 1, 0}));
     const Vec3 centre{3.0, 1000.0, -2.0}; // 30 pixels right, 20 down
-    const CameraFrame zoom = zoomCamera(camera, centre, 8, 256);
+    const CameraFrame zoom = tileCamera(camera, centre, 8, 256);
     const Vec3 eye = zoom.toEye(centre);
     EXPECT_NEAR(eye.x, 0.0, 1e-9);
     EXPECT_NEAR(eye.y, 0.0, 1e-9);
@@ -158,8 +158,8 @@ TEST(PixelSizeBasedLod, SaysWhenItSwitchesAndNotBefore) {
     EXPECT_THAT(lod.takeMessages(), testing::ElementsAre(testing::HasSubstr("from its texture")));
 }
 
-TEST(PublishedZoom, KeepsTheIntensityOfASphereAndSwingsWithALopsidedBody) {
-    InteractiveRenderer& irsg = generator(ZoomStrategy::sills);
+TEST(PublishedTiles, KeepsTheIntensityOfASphereAndSwingsWithALopsidedBody) {
+    InteractiveRenderer& irsg = generator(TileStrategy::published);
     irsg.scene.entities = {
         entityOf(modelOf(sphereMesh(1.0, 48, 96, one)), greyDatabase(0.9, 320.0))};
     look(irsg, viewOf(2.0, 1.5));
@@ -175,13 +175,13 @@ TEST(PublishedZoom, KeepsTheIntensityOfASphereAndSwingsWithALopsidedBody) {
     const auto published = swing(irsg);
     EXPECT_LT(published.first, 0.9);
     EXPECT_GT(published.second, 1.1);
-    const auto aligned = swing(generator(ZoomStrategy::aligned));
+    const auto aligned = swing(generator(TileStrategy::aligned));
     EXPECT_GT(aligned.first, 0.99);
     EXPECT_LT(aligned.second, 1.01);
 }
 
-TEST(PublishedZoom, DrawsObjectsAboveItsSizeAsTheyAreAndSaysSo) {
-    InteractiveRenderer& irsg = generator(ZoomStrategy::sills, 64);
+TEST(PublishedTiles, DrawsObjectsAboveItsSizeAsTheyAreAndSaysSo) {
+    InteractiveRenderer& irsg = generator(TileStrategy::published, 64);
     irsg.scene.entities = {
         entityOf(modelOf(sphereMesh(1.0, 48, 96, one)), greyDatabase(0.9, 320.0))};
     look(irsg, viewOf(2.0, 60.0));
@@ -193,8 +193,8 @@ TEST(PublishedZoom, DrawsObjectsAboveItsSizeAsTheyAreAndSaysSo) {
     EXPECT_THAT(report.warnings, testing::Contains(testing::HasSubstr("threshold is 64")));
 }
 
-TEST(PublishedZoom, SaysWhereSumsAreThoseOfAlignedTiles) {
-    InteractiveRenderer& irsg = generator(ZoomStrategy::sills);
+TEST(PublishedTiles, SaysWhereSumsAreThoseOfAlignedTiles) {
+    InteractiveRenderer& irsg = generator(TileStrategy::published);
     const Entity sphere = entityOf(modelOf(sphereMesh(1.0, 12, 24, one)), greyDatabase(0.9, 320.0));
     irsg.scene.entities = {sphere};
     look(irsg, viewOf(2.0, 12.0));
@@ -207,23 +207,24 @@ TEST(PublishedZoom, SaysWhereSumsAreThoseOfAlignedTiles) {
     irsg.scene.entities = {sphere, sphere};
     look(irsg, viewOf(2.0, 12.0));
     EXPECT_THAT(irsg.imageWithReport().report.warnings, isSaid);
-    generator(ZoomStrategy::aligned);
+    generator(TileStrategy::aligned);
     EXPECT_THAT(irsg.imageWithReport().report.warnings, testing::Not(isSaid));
 }
 
-TEST(PublishedZoom, MayBeExchangedFromFrameToFrame) {
-    InteractiveRenderer& irsg = generator(ZoomStrategy::aligned);
+TEST(PublishedTiles, MayBeExchangedFromFrameToFrame) {
+    InteractiveRenderer& irsg = generator(TileStrategy::aligned);
     irsg.scene.entities = {
         entityOf(modelOf(sphereMesh(1.0, 48, 96, one)), greyDatabase(0.9, 320.0))};
     look(irsg, viewOf(2.0, 10.3));
     const auto aligned = irsg.imageWithReport().image.primary().values;
-    const auto published = generator(ZoomStrategy::sills).imageWithReport().image.primary().values;
+    const auto published =
+        generator(TileStrategy::published).imageWithReport().image.primary().values;
     EXPECT_NE(aligned, published);
-    EXPECT_EQ(generator(ZoomStrategy::aligned).imageWithReport().image.primary().values, aligned);
+    EXPECT_EQ(generator(TileStrategy::aligned).imageWithReport().image.primary().values, aligned);
 }
 
-TEST(PublishedZoom, LaysTheNearerObjectOverTheFarther) {
-    InteractiveRenderer& irsg = generator(ZoomStrategy::sills);
+TEST(PublishedTiles, LaysTheNearerObjectOverTheFarther) {
+    InteractiveRenderer& irsg = generator(TileStrategy::published);
     Entity nearer = entityOf(modelOf(sphereMesh(1.0, 48, 96, one)), greyDatabase(0.9, 320.0));
     Entity farther = entityOf(nearer.model, greyDatabase(1.0, 900.0));
     irsg.scene.entities = {nearer, farther};
@@ -234,8 +235,8 @@ TEST(PublishedZoom, LaysTheNearerObjectOverTheFarther) {
     EXPECT_NEAR(irsg.imageWithReport().image.at(middle, middle) / cold, 1.0, 1e-4);
 }
 
-TEST(PublishedZoom, RefusesASizeThatIsNoPowerOfTwo) {
-    InteractiveRenderer& irsg = generator(ZoomStrategy::sills, 100);
+TEST(PublishedTiles, RefusesASizeThatIsNoPowerOfTwo) {
+    InteractiveRenderer& irsg = generator(TileStrategy::published, 100);
     irsg.scene.entities = {entityOf(modelOf(sphereMesh(1.0, 8, 8, one)), greyDatabase(0.9, 320.0))};
     EXPECT_THAT([&] { irsg.check(); },
                 testing::ThrowsMessage<InputError>(testing::HasSubstr("a power of two")));

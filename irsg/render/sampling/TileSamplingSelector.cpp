@@ -1,9 +1,9 @@
-#include "irsg/render/sampling/ZoomAntialiasingManager.h"
+#include "irsg/render/sampling/TileSamplingSelector.h"
 
 #include <tuple>
 
 #include "irsg/render/sampling/PixelAlignedStrategy.h"
-#include "irsg/render/sampling/SillsBasedStrategy.h"
+#include "irsg/render/sampling/PublishedTileStrategy.h"
 #include "irsg/render/sampling/SupersamplingStrategy.h"
 
 namespace irsg {
@@ -19,11 +19,11 @@ SupersamplingStrategy countsPerPixel(int samples) {
     return {samples / down, down};
 }
 
-std::unique_ptr<AbstractZoomAntialiasingStrategy> make(const RenderSettings& settings) {
-    if (settings.zoomsAsPublished())
-        return std::make_unique<SillsBasedStrategy>(settings.zoomWindow);
-    if (settings.zoomsAligned())
-        return std::make_unique<PixelAlignedStrategy>(settings.zoomWindow);
+std::unique_ptr<TileSamplingStrategy> make(const RenderSettings& settings) {
+    if (settings.usesPublishedTiles())
+        return std::make_unique<PublishedTileStrategy>(settings.tileSide_samples);
+    if (settings.usesAlignedTiles())
+        return std::make_unique<PixelAlignedStrategy>(settings.tileSide_samples);
     const int n = settings.samplesPerAxis;
     return std::make_unique<SupersamplingStrategy>(
         settings.countsPerPixel ? countsPerPixel(n) : SupersamplingStrategy(n, n));
@@ -31,10 +31,9 @@ std::unique_ptr<AbstractZoomAntialiasingStrategy> make(const RenderSettings& set
 
 } // namespace
 
-AbstractZoomAntialiasingStrategy&
-ZoomAntialiasingManager::strategyFor(const RenderSettings& settings) {
+TileSamplingStrategy& TileSamplingSelector::strategyFor(const RenderSettings& settings) {
     const auto asks = [](const RenderSettings& s) {
-        return std::tuple(s.zoomWindow, s.zoomStrategy, s.samplesPerAxis, s.countsPerPixel);
+        return std::tuple(s.tileSide_samples, s.tileStrategy, s.samplesPerAxis, s.countsPerPixel);
     };
     if (!strategy_ || asks(settings) != asks(settings_)) {
         strategy_ = make(settings);

@@ -1,4 +1,4 @@
-#include "irsg/render/sampling/ZoomCamera.h"
+#include "irsg/render/sampling/TileCamera.h"
 
 #include <cmath>
 #include <limits>
@@ -24,7 +24,7 @@ double widthAtDistance_m(const Sensor& sensor, double pixels, double distance_m)
     return pixels * sensor.pixelPitch() * distance_m;
 }
 
-CameraFrame zoomCamera(const CameraFrame& camera, const Vec3& centre_m, double side_px, int size) {
+CameraFrame tileCamera(const CameraFrame& camera, const Vec3& centre_m, double side_px, int size) {
     const Viewpoint& eye = camera.viewpoint();
     Sensor sensor = camera.sensor();
     sensor.horizontalFieldOfView_rad = 2.0 * std::atan(0.5 * side_px * sensor.pixelPitch());

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "irsg/render/sampling/FrameReduction.h"
+#include "irsg/render/sampling/ObjectExtent.h"
 #include "irsg/render/sampling/RttPass.h"
 #include "irsg/render/sampling/SampleTile.h"
-#include "irsg/render/sampling/ZoomEntityInfo.h"
 
 namespace irsg {
 
@@ -22,23 +22,23 @@ struct RenderedTile {
 };
 
 /// How the objects of a frame are sampled.
-class AbstractZoomAntialiasingStrategy {
+class TileSamplingStrategy {
   public:
-    virtual ~AbstractZoomAntialiasingStrategy() = default;
+    virtual ~TileSamplingStrategy() = default;
 
     /// Tiles that hold every object. Objects whose extents overlap share tiles; the parts that
     /// tiles leave out to finer ones make every point of an object's extent drawn exactly once.
-    virtual std::vector<SampleTile> tiles(const std::vector<ZoomEntityInfo>& objects) const = 0;
+    virtual std::vector<SampleTile> tiles(const std::vector<ObjectExtent>& objects) const = 0;
 
     /// The same where nothing but sums over all pixels is asked for.
-    virtual std::vector<SampleTile> tilesOfSums(const std::vector<ZoomEntityInfo>& objects) const {
+    virtual std::vector<SampleTile> tilesOfSums(const std::vector<ObjectExtent>& objects) const {
         return tiles(objects);
     }
 
     /// Draws the objects into the pixels of a frame: those tiles, unless the strategy has a way
     /// of its own.
-    virtual FrameReduction draw(const CameraFrame& camera,
-                                const std::vector<ZoomEntityInfo>& objects, RttPass& pass);
+    virtual FrameReduction draw(const CameraFrame& camera, const std::vector<ObjectExtent>& objects,
+                                RttPass& pass);
 
     /// What the user should know of the drawings since the last call.
     virtual std::vector<std::string> takeMessages() { return {}; }
