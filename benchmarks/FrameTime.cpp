@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "benchmarks/ConstantShaderDrawing.h"
+#include "benchmarks/ConstantShaderRendering.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/InteractiveRenderer.h"
 
@@ -72,7 +72,7 @@ int main(int argc, char** argv) {
 
             Viewpoint relative = viewpoint;
             relative.position_m = viewpoint.position_m - entity.pose.position_m;
-            bench::ConstantShaderDrawing floor(model, sensor, relative);
+            bench::ConstantShaderRendering floor(model, sensor, relative);
 
             std::vector<double> ours, floors, ratios;
             for (int i = 0; i < 60; ++i) {

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "irsg/geometry/model/DrawList.h"
-#include "irsg/geometry/model/DrawPieces.h"
+#include "irsg/geometry/model/RenderList.h"
+#include "irsg/geometry/model/RenderPieces.h"
 #include "irsg/radiance/exchange/BodyLight.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/render/rays/RaysBuilt.h"
@@ -129,7 +129,7 @@ void measureLight(const Entity& entity, EngineChoice engine, int aspects) {
 
 /// What the view factors of a model cost that is seen for the first time.
 void measureGeometry(const char* name, const Entity& entity) {
-    const std::vector<DrawItem> items = inDrawPieces(collectDrawItems(*entity.model));
+    const std::vector<RenderItem> items = inRenderPieces(collectRenderItems(*entity.model));
     std::vector<RayMesh::Piece> pieces;
     PieceUses uses(items.size());
     for (std::size_t i = 0; i < items.size(); ++i) {

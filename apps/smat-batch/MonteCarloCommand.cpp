@@ -179,7 +179,7 @@ class MonteCarloCommand {
             monteCarlo.run(data, store, progress, std::move(stop), &context.timer);
         };
         if (context.team != nullptr) {
-            if (!drawnByTeam(place, *context.team, work))
+            if (!renderedByTeam(place, *context.team, work))
                 return done;
             place.resumes = true; // all of them are there
         }

@@ -20,10 +20,10 @@ void PartOptions::refuse(const std::string& expected) const {
         throw refusal(shard_.empty() ? "--resume" : "--shard", "an option", expected);
 }
 
-bool drawnByTeam(const CasePlace& place, CaseTeam& team, const CaseWork& work) {
+bool renderedByTeam(const CasePlace& place, CaseTeam& team, const CaseWork& work) {
     ProgressLine line;
-    return smat::drawnByTeam(place, team, work,
-                             [&](const Progress& progress) { line.show(progress); });
+    return smat::renderedByTeam(place, team, work,
+                                [&](const Progress& progress) { line.show(progress); });
 }
 
 void workThrough(CaseStore& store, const CaseWork& work) {

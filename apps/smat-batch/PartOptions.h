@@ -27,7 +27,7 @@ class PartOptions {
 };
 
 /// The same of cases that all processes of a team draw, with a line of progress.
-bool drawnByTeam(const CasePlace& place, CaseTeam& team, const CaseWork& work);
+bool renderedByTeam(const CasePlace& place, CaseTeam& team, const CaseWork& work);
 
 /// `work` with a line of progress; a stop that was asked for ends it.
 void workThrough(CaseStore& store, const CaseWork& work);

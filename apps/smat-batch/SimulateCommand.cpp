@@ -165,14 +165,14 @@ class SimulateCommand {
     }
 
     /// Draws with all processes of a team, sensor by sensor; gives the seconds that it took.
-    double drawnByAll_s(const LoadedScenario& loaded, const SimulationPlan& plan,
-                        const FrameFiles& files, const Hashes& inputs, const RenderDoor& door,
-                        CaseTeam& team) const {
+    double renderedByAll_s(const LoadedScenario& loaded, const SimulationPlan& plan,
+                           const FrameFiles& files, const Hashes& inputs, const RenderDoor& door,
+                           CaseTeam& team) const {
         const auto start = std::chrono::steady_clock::now();
         for (const std::size_t sensor : plan.sensors) {
             SimulationPlan ofSensor = plan;
             ofSensor.sensors = {sensor};
-            drawnByTeam(
+            renderedByTeam(
                 {files.tableFile(sensor), parts_.share(), parts_.resumes(), inputs}, team,
                 [&](CaseStore& store, const ProgressCallback& progress, std::stop_token stop) {
                     const SimulationParts parts{{&store}, true};
@@ -196,7 +196,7 @@ class SimulateCommand {
         double ofTeam_s = 0.0;
         if (context.team != nullptr) {
             const StageTimer::Scope scope(&context.timer, "frames of all processes");
-            ofTeam_s = drawnByAll_s(loaded, plan, files, inputs, door, *context.team);
+            ofTeam_s = renderedByAll_s(loaded, plan, files, inputs, door, *context.team);
             if (!context.team->isLeader())
                 return done;
         }

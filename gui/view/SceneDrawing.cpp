@@ -15,7 +15,7 @@
 namespace smat::gui {
 namespace {
 
-void aimCamera(osg::Camera& camera, const DrawingAim& aim) {
+void aimCamera(osg::Camera& camera, const RenderingAim& aim) {
     const auto vec = [](const irsg::Vec3& v) { return osg::Vec3d(v.x, v.y, v.z); };
     const irsg::Viewpoint& from = aim.from;
     camera.setViewMatrixAsLookAt(vec(from.position_m), vec(from.position_m + from.forward()),
@@ -170,7 +170,7 @@ bool SceneDrawing::resize(const QSize& pixels) {
     return true;
 }
 
-void SceneDrawing::aimInset(const DrawingAim& aim, const QRectF& pixels) {
+void SceneDrawing::aimInset(const RenderingAim& aim, const QRectF& pixels) {
     if (!inset_)
         return;
     aimCamera(*inset_, aim);
@@ -178,7 +178,7 @@ void SceneDrawing::aimInset(const DrawingAim& aim, const QRectF& pixels) {
         new osg::Viewport(pixels.left(), pixels.top(), pixels.width(), pixels.height()));
 }
 
-void SceneDrawing::draw(unsigned framebuffer, const DrawingAim& aim) {
+void SceneDrawing::draw(unsigned framebuffer, const RenderingAim& aim) {
     window_->setDefaultFboId(framebuffer);
     aimCamera(*viewer_->getCamera(), aim);
     viewer_->frame();

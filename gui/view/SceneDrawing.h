@@ -21,7 +21,7 @@ class QOpenGLContext;
 namespace smat::gui {
 
 /// Where a camera of the drawing stands, and how much of the scene it sees.
-struct DrawingAim {
+struct RenderingAim {
     irsg::Viewpoint from;
     double horizontalFieldOfView_rad = 0.035;
     double aspect = 1.0; ///< width to height
@@ -52,9 +52,9 @@ class SceneDrawing {
     void arrange(DisplayScene& scene, const OverlayLook& look, bool hasInset);
     /// Whether the size is another one.
     bool resize(const QSize& pixels);
-    void draw(unsigned framebuffer, const DrawingAim& aim);
+    void draw(unsigned framebuffer, const RenderingAim& aim);
     /// The picture in the corner, in pixels of the window from its bottom left corner.
-    void aimInset(const DrawingAim& aim, const QRectF& pixels);
+    void aimInset(const RenderingAim& aim, const QRectF& pixels);
 
   private:
     void arrangeInset(const DisplayScene& scene);

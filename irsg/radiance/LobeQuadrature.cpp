@@ -326,7 +326,7 @@ void LobeQuadrature::apply(const SheetScene& sheet, const SunShadows* shadows,
                              piece.lobes.data() + line.end);
         for (std::size_t i = line.firstSpecular; i < line.lastSpecular; ++i) {
             GeometrySamples::Specular mirror = piece.speculars[i];
-            if (static_cast<std::size_t>(mirror.row) >= rows_.drawnCount())
+            if (static_cast<std::size_t>(mirror.row) >= rows_.renderedCount())
                 throw LogicError("a surface mirrors the air in a row that there is not");
             const auto [number, table] = use.of(mirror.table, piece.cells[i]);
             const float* scales = &piece.scales[mirror.scales];

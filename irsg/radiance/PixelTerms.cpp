@@ -22,7 +22,7 @@ const PixelTerms::KnownSurfaceStack& PixelTerms::knownOf(const SurfaceStackId& k
         radiances_.prepare({kind});
         place->second.terms = radiances_.terms(kind);
         place->second.opacity = radiances_.of(kind).opacity;
-        if (light_ && light_->matters(radiometry_.rows().drawnOf(kind.row)))
+        if (light_ && light_->matters(radiometry_.rows().renderedOf(kind.row)))
             place->second.light = &light_->atReceivers(kind);
     }
     return place->second;
@@ -45,7 +45,7 @@ void PixelTerms::addKind(const SurfaceStackId& kind, Sums& sums, double coverage
                          const Drawn& drawn) {
     const KnownSurfaceStack& known = knownOf(kind);
     const std::vector<RadianceTerm>& list = radiometry_.terms().terms;
-    const bool isLobe = radiometry_.rows().isLobe(radiometry_.rows().drawnOf(kind.row));
+    const bool isLobe = radiometry_.rows().isLobe(radiometry_.rows().renderedOf(kind.row));
     for (std::size_t k = 0; k < list.size(); ++k) {
         const TermGeometryFactor& factor = list[k].factor;
         double of = factor.drawn >= 0 ? drawn(static_cast<std::size_t>(factor.drawn)) : coverage;

@@ -80,7 +80,7 @@ void addAtRange(const ViewGeometry& atUnitDistance, double weight, const Surface
     view.layersLeftOver = std::max(view.layersLeftOver, atUnitDistance.layersLeftOver);
     // The rows of the view that one of the drawing is, and their parts of it.
     const auto forEachRowOf = [&](int drawnRow, const auto& visit) {
-        const int surface = drawn.drawnOf(drawnRow);
+        const int surface = drawn.renderedOf(drawnRow);
         const auto entity = static_cast<std::size_t>(drawn.keyOf(surface).first);
         const SliceNodes& slices_m = drawn.slices()[entity];
         const double before_m =

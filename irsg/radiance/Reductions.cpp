@@ -40,7 +40,8 @@ void addLightBetween(const LightSums& sums, SceneLight& light, const SurfaceRows
             all[k][withCosine ? 1 : 0] = light.contracted(kinds[k].row, own, withCosine);
     });
     for (std::size_t k = 0; k < kinds.size(); ++k) {
-        const auto entity = static_cast<std::size_t>(rows.keyOf(rows.drawnOf(kinds[k].row)).first);
+        const auto entity =
+            static_cast<std::size_t>(rows.keyOf(rows.renderedOf(kinds[k].row)).first);
         const double square_m2 = ranges_m[entity] * ranges_m[entity];
         for (std::size_t output = 0; output < result.size(); ++output) {
             const std::span<const double> integrals = light.integrals(kinds[k], output);
@@ -71,7 +72,7 @@ std::vector<ObjectSums> sumsOf(const ViewGeometry& view, const SurfaceRadianceTa
     std::vector<Seen> seen;
     view.field.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
         const SurfaceStackId& kind = view.field.kinds()[number];
-        const int drawn = rows.drawnOf(kind.row);
+        const int drawn = rows.renderedOf(kind.row);
         seen.push_back({static_cast<std::size_t>(rows.keyOf(drawn).first), numbers.data(),
                         radiances.inOutputs(kind)});
     });
@@ -177,7 +178,7 @@ double lightOfPoint(const PointGeometry& atUnitDistance, const SurfaceRows& rows
     double sent = 0.0;
     for (const auto& [drawn, sums] : atUnitDistance.light_sr_m2) {
         const SurfaceStackId kind{drawn.first, rows.first(drawn.second)};
-        if (!light.matters(rows.drawnOf(kind.row)))
+        if (!light.matters(rows.renderedOf(kind.row)))
             continue;
         light.prepare({kind});
         sent += dotProduct(light.contracted(kind.row, sums, false), light.integrals(kind, 0));

@@ -155,7 +155,7 @@ class SamplesOfPart {
         if (shared.stack < 0 || !radiances_.isPrepared(shared))
             return {};
         Known known{true, radiances_.of(shared), nullptr};
-        if (light_ && light_->matters(rows_.drawnOf(kind.row))) {
+        if (light_ && light_->matters(rows_.renderedOf(kind.row))) {
             known.light = light_->findAtReceivers(shared);
             known.isPrepared = known.light != nullptr;
         }
@@ -253,7 +253,7 @@ void SampleRadiances::evaluate(const GeometrySamples& samples, RadianceSamples& 
     if (light_) {
         light_->prepare(kinds);
         for (const SurfaceStackId& kind : kinds)
-            if (light_->matters(rows_.drawnOf(kind.row)))
+            if (light_->matters(rows_.renderedOf(kind.row)))
                 light_->atReceivers(kind);
     }
     for (SamplesOfPart& part : all)

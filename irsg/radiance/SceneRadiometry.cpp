@@ -85,7 +85,7 @@ SceneRadiometry::SceneRadiometry(const RadianceTerms& terms, const std::vector<E
     rows_ =
         SurfaceRows(std::move(keys), std::move(transparent), std::move(slices), std::move(lobes));
 
-    surfaces_.resize(rows_.drawnCount());
+    surfaces_.resize(rows_.renderedCount());
     thermal_W_m2_sr_.resize(surfaces_.size());
     parallelFor(rows_.keys().size(), [&](std::size_t drawn) {
         fillSurface(static_cast<int>(drawn), entities, geometry, bands);
@@ -122,7 +122,7 @@ void SceneRadiometry::joinAir(const std::vector<SampledBand>& bands) {
 }
 
 SliceBetween SceneRadiometry::rowsAbout(int row, std::size_t output) const {
-    const int drawn = rows_.drawnOf(row);
+    const int drawn = rows_.renderedOf(row);
     const int first = rows_.first(drawn);
     const auto entity = static_cast<std::size_t>(rows_.keyOf(drawn).first);
     SliceBetween about =
@@ -240,7 +240,7 @@ std::vector<double> SceneRadiometry::sampled(const Spectrum& spectrum,
 }
 
 const AirSamples& SceneRadiometry::air(int row) const {
-    const auto entity = static_cast<std::size_t>(rows_.keyOf(rows_.drawnOf(row)).first);
+    const auto entity = static_cast<std::size_t>(rows_.keyOf(rows_.renderedOf(row)).first);
     return air_[entity][static_cast<std::size_t>(rows_.nodeOf(row))];
 }
 

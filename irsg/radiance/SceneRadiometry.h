@@ -36,7 +36,7 @@ class SceneRadiometry {
     /// By surface that is drawn: its model, null for a Lambertian one.
     const std::vector<std::shared_ptr<const SurfaceModel>>& models() const { return models_; }
     const SurfaceSpectra& surface(int row) const {
-        return surfaces_[static_cast<std::size_t>(rows_.drawnOf(row))];
+        return surfaces_[static_cast<std::size_t>(rows_.renderedOf(row))];
     }
 
     /// What says how a drawn row depends on the scale of its emissivity: itself, or of what mirrors

@@ -22,7 +22,7 @@ SceneScaledView::SceneScaledView(const ViewGeometry& view, const SceneRadiometry
     wavelengths_um_.assign(all_um.begin() + static_cast<std::ptrdiff_t>(nodes.first),
                            all_um.begin() + static_cast<std::ptrdiff_t>(nodes.second));
     std::vector<Surface> surfaces;
-    for (std::size_t drawn = 0; drawn < radiometry.rows().drawnCount(); ++drawn) {
+    for (std::size_t drawn = 0; drawn < radiometry.rows().renderedCount(); ++drawn) {
         const auto& [entity, codes] = radiometry.rows().keyOf(static_cast<int>(drawn));
         Surface surface = surfaceOf(radiometry, static_cast<int>(drawn));
         // Lobes that reflect the air do not emit.
@@ -116,7 +116,7 @@ void SceneScaledView::gather(const ViewGeometry& view, const SceneRadiometry& ra
     std::map<int, std::vector<double>> passed; // by front
     view.field.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
         const SurfaceStackId& kind = view.field.kinds()[number];
-        const int drawn = radiometry.rows().drawnOf(kind.row);
+        const int drawn = radiometry.rows().renderedOf(kind.row);
         Surface& surface = surfaces[static_cast<std::size_t>(drawn)];
         const SurfaceSpectra& spectra = radiometry.surfaces()[static_cast<std::size_t>(drawn)];
         const AirSamples& air = radiometry.air(kind.row);

@@ -127,7 +127,7 @@ std::map<std::pair<int, int>, SurfaceRadianceTable::Work>
 SurfaceRadianceTable::plan(const std::vector<SurfaceStackId>& kinds) {
     std::map<std::pair<int, int>, Work> all;
     for (const SurfaceStackId& kind : kinds) {
-        const int drawn = radiometry_.rows().drawnOf(kind.row);
+        const int drawn = radiometry_.rows().renderedOf(kind.row);
         Place& place = placeOf(kind);
         HiddenPlace& hidden = hiddenPlaceOf(kind.stack, drawn);
         if (place.isKnown && hidden.isKnown)
@@ -274,7 +274,7 @@ void SurfaceRadianceTable::fillGroup(int drawn, const TermGroup& group, const do
 }
 
 void SurfaceRadianceTable::combine(const SurfaceStackId& kind) {
-    const int drawn = radiometry_.rows().drawnOf(kind.row);
+    const int drawn = radiometry_.rows().renderedOf(kind.row);
     const std::vector<TermGroup>& groups = termGroups_[static_cast<std::size_t>(drawn)];
     const std::vector<SurfaceSpectra::Emission>& emission =
         radiometry_.surfaces()[static_cast<std::size_t>(drawn)].emission;
@@ -315,7 +315,7 @@ void SurfaceRadianceTable::evaluateHidden(int drawn, const std::vector<double>& 
 bool SurfaceRadianceTable::isPrepared(const SurfaceStackId& kind) const {
     const auto stack = static_cast<std::size_t>(kind.stack);
     const auto row = static_cast<std::size_t>(kind.row);
-    const auto drawn = static_cast<std::size_t>(radiometry_.rows().drawnOf(kind.row));
+    const auto drawn = static_cast<std::size_t>(radiometry_.rows().renderedOf(kind.row));
     return stack < places_.size() && !places_[stack].empty() && places_[stack][row].isCombined &&
            hiddenPlaces_[stack][drawn].isKnown;
 }
@@ -325,7 +325,7 @@ SurfaceRadianceTable::InOutputs SurfaceRadianceTable::inOutputs(const SurfaceSta
         throw LogicError("a kind of surface was evaluated that was not prepared");
     const auto stack = static_cast<std::size_t>(kind.stack);
     const auto row = static_cast<std::size_t>(kind.row);
-    const auto drawn = static_cast<std::size_t>(radiometry_.rows().drawnOf(kind.row));
+    const auto drawn = static_cast<std::size_t>(radiometry_.rows().renderedOf(kind.row));
     InOutputs found;
     found.sent_ = &sent_[places_[stack][row].sent];
     found.hidden_ = &hidden_[hiddenPlaces_[stack][drawn].at];

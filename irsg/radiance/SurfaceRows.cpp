@@ -20,7 +20,7 @@ SurfaceRows::SurfaceRows(std::vector<SurfaceKey> keys, const std::vector<bool>& 
     for (std::size_t drawn = 0; drawn < keys_.size() + lobes_.size(); ++drawn) {
         const int number = static_cast<int>(drawn);
         const SliceNodes& nodes_m = slices_[static_cast<std::size_t>(keyOf(number).first)];
-        Drawn& own = drawn_.emplace_back();
+        Rendered& own = rendered_.emplace_back();
         own.isTransparent = !isLobe(number) && transparent[drawn];
         own.first = size();
         if (nodes_m.size() > 1) {
@@ -29,11 +29,11 @@ SurfaceRows::SurfaceRows(std::vector<SurfaceKey> keys, const std::vector<bool>& 
             own.slicesPerMetre =
                 static_cast<double>(nodes_m.size() - 1) / (nodes_m.back() - nodes_m.front());
         }
-        drawnOf_.insert(drawnOf_.end(), std::max<std::size_t>(nodes_m.size(), 1),
-                        static_cast<int>(drawn));
+        renderedOf_.insert(renderedOf_.end(), std::max<std::size_t>(nodes_m.size(), 1),
+                           static_cast<int>(drawn));
         if (!isLobe(number))
             continue;
-        int& first = drawn_[static_cast<std::size_t>(lobe(number).surface)].firstLobe;
+        int& first = rendered_[static_cast<std::size_t>(lobe(number).surface)].firstLobe;
         first = first < 0 ? number : first;
     }
 }

@@ -52,19 +52,19 @@ class SurfaceRows {
         return lobes_[static_cast<std::size_t>(drawn) - keys_.size()];
     }
     /// The first of the lobes of a surface; -1 for none.
-    int firstLobe(int drawn) const { return drawn_[static_cast<std::size_t>(drawn)].firstLobe; }
+    int firstLobe(int drawn) const { return rendered_[static_cast<std::size_t>(drawn)].firstLobe; }
     /// The surface that a row or a lobe is of.
     int surfaceOf(int drawn) const { return isLobe(drawn) ? lobe(drawn).surface : drawn; }
     const SurfaceKey& keyOf(int drawn) const {
         return keys_[static_cast<std::size_t>(surfaceOf(drawn))];
     }
     /// Of surfaces and lobes.
-    std::size_t drawnCount() const { return drawn_.size(); }
+    std::size_t renderedCount() const { return rendered_.size(); }
     bool isSliced(int drawn) const {
-        return drawn_[static_cast<std::size_t>(drawn)].lastSlice >= 0;
+        return rendered_[static_cast<std::size_t>(drawn)].lastSlice >= 0;
     }
     bool isTransparent(int drawn) const {
-        return drawn_[static_cast<std::size_t>(drawn)].isTransparent;
+        return rendered_[static_cast<std::size_t>(drawn)].isTransparent;
     }
     OccluderMaterial material(int drawn) const {
         const auto& [entity, codes] = keyOf(drawn);
@@ -73,13 +73,13 @@ class SurfaceRows {
     /// The first of a drawn row's rows; of the one behind the last the number of all.
     int first(int drawn) const {
         const auto number = static_cast<std::size_t>(drawn);
-        return number < drawn_.size() ? drawn_[number].first : size();
+        return number < rendered_.size() ? rendered_[number].first : size();
     }
     /// Number of all rows.
-    int size() const { return static_cast<int>(drawnOf_.size()); }
-    int drawnOf(int row) const { return drawnOf_[static_cast<std::size_t>(row)]; }
+    int size() const { return static_cast<int>(renderedOf_.size()); }
+    int renderedOf(int row) const { return renderedOf_[static_cast<std::size_t>(row)]; }
     /// 0 for the nearest node.
-    int nodeOf(int row) const { return row - first(drawnOf(row)); }
+    int nodeOf(int row) const { return row - first(renderedOf(row)); }
 
     const std::vector<SliceNodes>& slices() const { return slices_; }
     bool isSliced() const { return isSliced_; }
@@ -91,7 +91,7 @@ class SurfaceRows {
         float next = 0.0f; ///< the weight of the row behind it; 1 - next is that of the row
     };
     [[gnu::always_inline]] Between at(int drawn, float distance_m) const {
-        const Drawn& own = drawn_[static_cast<std::size_t>(drawn)];
+        const Rendered& own = rendered_[static_cast<std::size_t>(drawn)];
         if (own.lastSlice < 0)
             return {own.first, 0.0f};
         // Without a branch: every layer of every sample comes here.
@@ -105,7 +105,7 @@ class SurfaceRows {
     void forEachRow(int drawn, float distance_m, Visit visit) const {
         const Between between = at(drawn, distance_m);
         visit(between.row, 1.0f - between.next);
-        if (drawn_[static_cast<std::size_t>(drawn)].lastSlice >= 0)
+        if (rendered_[static_cast<std::size_t>(drawn)].lastSlice >= 0)
             visit(between.row + 1, between.next);
     }
 
@@ -115,18 +115,18 @@ class SurfaceRows {
     std::vector<SurfaceKey> keys_;
     std::vector<LobeQuadratureRow> lobes_;
     std::vector<SliceNodes> slices_;
-    std::vector<int> drawnOf_; // by row
+    std::vector<int> renderedOf_; // by row
     bool isSliced_ = false;
     /// What the walk through samples asks of a drawn row.
-    struct Drawn {
+    struct Rendered {
         bool isTransparent = false;
         int first = 0;      // of its rows
         int firstLobe = -1; // drawn row
         int lastSlice = -1; // -1: not sliced
         double nearest_m = 0.0, slicesPerMetre = 0.0;
-        bool operator==(const Drawn&) const = default;
+        bool operator==(const Rendered&) const = default;
     };
-    std::vector<Drawn> drawn_; // by key, then by lobe
+    std::vector<Rendered> rendered_; // by key, then by lobe
 };
 
 } // namespace irsg

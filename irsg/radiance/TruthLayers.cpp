@@ -54,7 +54,7 @@ const TruthLayers::SurfaceStackTerms& TruthLayers::termsOf(const SurfaceStackId&
             occluderStacks_.numberOf(walk_.occluderStacks().materials(kind.stack)), kind.row};
         radiances_.prepare({shared});
         terms_.push_back({radiances_.terms(shared), radiances_.of(shared).opacity});
-        if (light_ && light_->matters(radiometry_.rows().drawnOf(kind.row)))
+        if (light_ && light_->matters(radiometry_.rows().renderedOf(kind.row)))
             terms_.back().light = &light_->atReceivers(shared);
     }
     return terms_[number];

@@ -325,8 +325,8 @@ class ViewSurfaceSums {
         if (run.triangle != at.triangle) {
             std::vector<double>& sums = receivers_[slot];
             if (sums.empty())
-                sums.resize(2 *
-                            exchange_->ofRow(surfaces_.surfaceOf(surfaces_.drawnOf(row))).size());
+                sums.resize(
+                    2 * exchange_->ofRow(surfaces_.surfaceOf(surfaces_.renderedOf(row))).size());
             addRun(run, sums);
             run = {};
             run.triangle = at.triangle;

@@ -13,8 +13,8 @@ namespace irsg {
 namespace {
 
 /// The rows of a frame as they are drawn, without or with slices of one entity alone.
-SurfaceRows drawnRows(const SurfaceRows& rows, std::size_t entities, int sliced = -1,
-                      SliceNodes slices_m = {}) {
+SurfaceRows renderedRows(const SurfaceRows& rows, std::size_t entities, int sliced = -1,
+                         SliceNodes slices_m = {}) {
     std::vector<bool> transparent;
     for (std::size_t row = 0; row < rows.keys().size(); ++row)
         transparent.push_back(rows.isTransparent(static_cast<int>(row)));
@@ -173,7 +173,7 @@ const PointGeometry& AspectSampler::pointGeometry(const Frame& frame, const Obje
                                Viewpoint::lookAt(place, object.centre_m, toWorld * Vec3{0, 0, 1},
                                                  toWorld * Vec3{0, 1, 0}));
         // The air is no matter here.
-        const SurfaceRows rows = drawnRows(frame.rows(), frame.scene().entities.size());
+        const SurfaceRows rows = renderedRows(frame.rows(), frame.scene().entities.size());
         const ViewGeometry view = sampleAlone(frame, object.entity, zoom,
                                               frame.settings().tileSide_samples * 3 / 2, rows);
         return pointOf(view, distance_m);
@@ -201,8 +201,8 @@ void AspectSampler::addAlongRange(const Frame& frame, const ObjectExtent& object
     const auto addNode = [&](std::size_t node, double weight, bool isError) {
         const double distance_m = reach_m / RangeGeometry::nodes[node];
         const SurfaceRows rows =
-            drawnRows(frame.rows(), frame.scene().entities.size(), object.entity,
-                      isSliced ? slicesAbout(distance_m, reach_m) : SliceNodes{});
+            renderedRows(frame.rows(), frame.scene().entities.size(), object.entity,
+                         isSliced ? slicesAbout(distance_m, reach_m) : SliceNodes{});
         const ViewGeometry& drawn = rangeFactors_.at(object.entity, aspect, node, [&] {
             return sampleAtNode(frame, object.entity, from, node, rows);
         });

@@ -61,7 +61,7 @@ class SurfaceRttPass : public RttPass {
         const bool isSliced = std::ranges::any_of(sheet.tiles, isSlicedIn);
         if (!isSliced && !frame_.shading().isNeeded() &&
             std::ranges::none_of(scene.scenes, &SurfaceScene::hasTransparent))
-            return frame_.surfaces.engine.engine.drawRadiance(scene, samples);
+            return frame_.surfaces.engine.engine.renderRadiance(scene, samples);
         GeometrySamples& factors = room_;
         frame_.surfaces.engine.engine.sampleGeometry(scene, isSliced || frame_.shading().isNeeded(),
                                                      factors);

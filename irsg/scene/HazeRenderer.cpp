@@ -78,7 +78,7 @@ void HazeRenderer::addPixels(const Frame& frame, const PixelGeometry& factors,
     SurfaceRadianceTable& radiances = frame.evaluation().evaluated->radiances;
     const SurfaceRows& rows = frame.rows();
     const auto objectOf = [&](const SurfaceStackId& kind) -> ScatteredObject& {
-        return objects[static_cast<std::size_t>(rows.keyOf(rows.drawnOf(kind.row)).first)];
+        return objects[static_cast<std::size_t>(rows.keyOf(rows.renderedOf(kind.row)).first)];
     };
     radiances.prepare(field.kinds());
     const int width = frame.sensor().width_px;

@@ -5,7 +5,7 @@
 #include <mutex>
 
 #include "irsg/core/Errors.h"
-#include "irsg/geometry/model/DrawPieces.h"
+#include "irsg/geometry/model/RenderPieces.h"
 
 namespace irsg {
 
@@ -70,7 +70,7 @@ KnownBodyLight& knownBodyLight() {
 const std::shared_ptr<const RayMesh>& PreparedModel::forRays() {
     if (!rayMesh) {
         std::vector<RayMesh::Piece> pieces;
-        for (const DrawItem& item : items)
+        for (const RenderItem& item : items)
             pieces.push_back({item.geometry.get(), item.modelFromLocal});
         rayMesh = RayMesh::of(pieces);
     }
@@ -102,7 +102,7 @@ std::shared_ptr<const BodyLight> PreparedModel::lightBetween(const PieceUses& us
 
 std::size_t PreparedModel::facets() const {
     std::size_t corners = 0;
-    for (const DrawItem& item : items)
+    for (const RenderItem& item : items)
         for (const auto& primitives : item.geometry->getPrimitiveSetList())
             corners += primitives->getNumIndices();
     return corners / 3;
@@ -119,10 +119,10 @@ void PreparedEntities::keep(const std::vector<Entity>& entities) {
             continue;
         PreparedModel& made = models_.emplace_back();
         made.model = entity.model;
-        made.items = collectDrawItems(*entity.model);
+        made.items = collectRenderItems(*entity.model);
         made.boundingSphere = boundingSphere(made.items, entity.model->bounds());
         made.longEdges = longEdges(made.items, made.boundingSphere.radius_m);
-        made.items = inDrawPieces(made.items);
+        made.items = inRenderPieces(made.items);
     }
 }
 

@@ -7,8 +7,8 @@
 
 #include "irsg/core/RecentlyUsed.h"
 #include "irsg/geometry/Entity.h"
-#include "irsg/geometry/model/DrawList.h"
 #include "irsg/geometry/model/LongEdges.h"
+#include "irsg/geometry/model/RenderList.h"
 #include "irsg/radiance/exchange/BodyLight.h"
 #include "irsg/render/rays/RayMesh.h"
 #include "irsg/render/sampling/HotSpots.h"
@@ -18,7 +18,7 @@ namespace irsg {
 /// What drawing takes of a model, made once.
 struct PreparedModel {
     std::shared_ptr<const Model> model;
-    std::vector<DrawItem> items;
+    std::vector<RenderItem> items;
     BoundingSphere boundingSphere;
     std::vector<ModelEdge> longEdges;
     HotSpots hotSpots;

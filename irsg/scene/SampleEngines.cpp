@@ -53,7 +53,7 @@ EngineWork SampleEngines::workOf(const Scene& scene, const Sensor& sensor,
         const Entity& entity = scene.entities[e];
         const PreparedModel& model = prepared_.of(entity);
         work.facets += static_cast<double>(model.facets());
-        for (const DrawItem& item : model.items) {
+        for (const RenderItem& item : model.items) {
             const Material* material = materialEntry(entity, item.codes.material);
             if (material == nullptr)
                 continue;

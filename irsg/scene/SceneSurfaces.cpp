@@ -11,7 +11,7 @@ std::vector<SurfaceItem> surfaceItems(const std::vector<Entity>& entities, const
     std::vector<SurfaceItem> items;
     for (int e = 0; e < static_cast<int>(entities.size()); ++e) {
         int piece = 0;
-        for (const DrawItem& item : prepared.of(entities[static_cast<std::size_t>(e)]).items) {
+        for (const RenderItem& item : prepared.of(entities[static_cast<std::size_t>(e)]).items) {
             const auto key = std::ranges::lower_bound(rows.keys(), SurfaceKey{e, item.codes});
             if (key == rows.keys().end() || *key != SurfaceKey{e, item.codes})
                 throw LogicError("a surface was drawn that the model did not announce");

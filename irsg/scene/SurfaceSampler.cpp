@@ -90,7 +90,7 @@ void SurfaceSampler::onEngine(const FrameEngine& engine, const std::function<voi
         engine.engine.run([&] {
             waiting.reset(); // for drawings that were begun before
             work();
-            drawing_s = engine.engine.takeDrawSeconds();
+            drawing_s = engine.engine.takeRenderSeconds();
             reading_s = engine.engine.takeReadSeconds();
         });
     }
@@ -113,7 +113,7 @@ SurfaceSampler::Sampling SurfaceSampler::begin(const SceneSurfaces& surfaces,
         SampleEngine& engine = surfaces.engine.engine;
         engine.sampleGeometry(scenesOf(surfaces, camera, (*planned)[i]),
                               withDistance || surfaces.shading.isNeeded(), samples);
-        seconds.drawing += engine.takeDrawSeconds();
+        seconds.drawing += engine.takeRenderSeconds();
         seconds.reading += engine.takeReadSeconds();
     };
     if (surfaces.shading.isNeeded())

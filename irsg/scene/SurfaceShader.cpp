@@ -37,7 +37,7 @@ std::vector<SunShadows::Caster> SurfaceShader::casters(const Scene& scene,
             caster.pose = entity.pose;
             caster.uses = PieceUses(model.items.size());
             for (std::size_t i = 0; i < model.items.size(); ++i) {
-                const DrawItem& item = model.items[i];
+                const RenderItem& item = model.items[i];
                 const auto key = std::ranges::lower_bound(rows.keys(), SurfaceKey{e, item.codes});
                 const auto row = static_cast<int>(key - rows.keys().begin());
                 caster.rows.push_back(row);

@@ -62,7 +62,7 @@ class Run {
                  DrawLoop::steps(data_.options.samples) + (data_.options.ranking ? 1 : 0);
     }
 
-    void drawViews() {
+    void renderViews() {
         views_.emplace(door_, plan_, scene_, data_);
         views_->draw(
             [this](std::string what) {
@@ -155,7 +155,7 @@ class Run {
                 if (stop_.stop_requested())
                     break;
                 single.cases = {plan_.cases[i]};
-                drawn = drawnOf(single, axis);
+                drawn = renderedOf(single, axis);
                 if (!drawn)
                     break;
                 record = &*drawn;
@@ -177,7 +177,7 @@ class Run {
     }
 
     /// The case of a plan, none where a stop was asked for meanwhile.
-    std::optional<CaseRecord> drawnOf(const AnalysisPlan& single, const MonteCarloAxis& axis) {
+    std::optional<CaseRecord> renderedOf(const AnalysisPlan& single, const MonteCarloAxis& axis) {
         MonteCarloData one;
         one.analysis.kind = data_.analysis.kind;
         one.analysis.settings = data_.analysis.settings;
@@ -300,7 +300,7 @@ void MonteCarlo::run(MonteCarloData& data, const ProgressCallback& progress, std
     logInfo("Monte Carlo: drawing the cases");
     {
         const StageTimer::Scope scope(timer, "draw cases");
-        run.drawViews();
+        run.renderViews();
     }
     logInfo("Monte Carlo: drawing scales");
     {

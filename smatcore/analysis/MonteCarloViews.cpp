@@ -73,7 +73,7 @@ void MonteCarloViews::draw(const Telling& tell, const std::stop_token& stop) {
         warnings_.addObjectsBeyondFrame(placed.scene, placed.view);
         for (const std::string& sentence : placed.clampedTables())
             warnings_.add(sentence);
-        drawPhases(one, std::move(placed), tell, stop);
+        renderPhases(one, std::move(placed), tell, stop);
     }
     irsg::appendUnique(analysis.warnings, warnings_.sentences());
     for (std::size_t band = 0; band < bands_.size(); ++band) {
@@ -90,8 +90,8 @@ void MonteCarloViews::draw(const Telling& tell, const std::stop_token& stop) {
             fmt::format("stopped after {} of {} cases", views_.size(), plan_.cases.size()));
 }
 
-MonteCarloViews::Drawing MonteCarloViews::drawOne(const AnalysisCase& one, const PlacedCase& placed,
-                                                  bool isInPlace) {
+MonteCarloViews::RenderedView MonteCarloViews::renderOne(const AnalysisCase& one,
+                                                         const PlacedCase& placed, bool isInPlace) {
     const Asked asked = data_.options.quantity;
     if (plan_.kind->form == AnalysisForm::spectrum) {
         const irsg::IntensitySpectrum spectrum =
@@ -101,7 +101,7 @@ MonteCarloViews::Drawing MonteCarloViews::drawOne(const AnalysisCase& one, const
                 warnings_.add(sentence);
         return {spectrum.wavelengths_um, {column(spectrum, asked)}, {}, {}};
     }
-    Drawing drawing{{one.coordinate}, {}, {}, {}};
+    RenderedView drawing{{one.coordinate}, {}, {}, {}};
     const bool withErrors = isInPlace && data_.errors != ErrorColumns::none;
     const irsg::Rendered rendered =
         placed.render(door_, Outputs::reports(bands_).withErrors(withErrors));
@@ -116,19 +116,19 @@ MonteCarloViews::Drawing MonteCarloViews::drawOne(const AnalysisCase& one, const
     return drawing;
 }
 
-void MonteCarloViews::drawPhases(const AnalysisCase& one, PlacedCase placed, const Telling& tell,
-                                 const std::stop_token& stop) {
+void MonteCarloViews::renderPhases(const AnalysisCase& one, PlacedCase placed, const Telling& tell,
+                                   const std::stop_token& stop) {
     const auto append = [](std::vector<double>& all, const std::vector<double>& more) {
         all.insert(all.end(), more.begin(), more.end());
     };
-    std::vector<Drawing> atPhases;
+    std::vector<RenderedView> atPhases;
     const irsg::Viewpoint viewpoint = placed.view.viewpoint;
     const std::size_t caseNumber = views_.size() + 1;
     for (int phase = 0; phase < data_.options.subpixelShifts; ++phase) {
         tell(fmt::format("case {} of {}, phase {} of {}", caseNumber, plan_.cases.size(), phase + 1,
                          data_.options.subpixelShifts));
         placed.view.viewpoint = phase == 0 ? viewpoint : atPhase(viewpoint, scene_.sensor, phase);
-        Drawing drawing = drawOne(one, placed, phase == 0);
+        RenderedView drawing = renderOne(one, placed, phase == 0);
         if (phase == 0) {
             append(data_.abscissae, drawing.abscissae);
             for (std::size_t band = 0; band < bands_.size(); ++band)
@@ -153,11 +153,11 @@ void MonteCarloViews::drawPhases(const AnalysisCase& one, PlacedCase placed, con
     addNumericalError(atPhases);
 }
 
-void MonteCarloViews::addNumericalError(const std::vector<Drawing>& atPhases) {
+void MonteCarloViews::addNumericalError(const std::vector<RenderedView>& atPhases) {
     for (std::size_t band = 0; band < bands_.size(); ++band)
         for (std::size_t k = 0; k < atPhases.front().values[band].size(); ++k) {
             std::vector<double> same;
-            for (const Drawing& drawing : atPhases)
+            for (const RenderedView& drawing : atPhases)
                 same.push_back(drawing.values[band][k]);
             numericalError_[band].push_back(standardDeviationOf(same));
         }

@@ -24,8 +24,9 @@ class MonteCarloViews {
                     MonteCarloData& data)
         : door_(door), plan_(plan), scene_(scene), data_(data) {}
 
-    /// Draws the cases and, for the numerical error, their subpixel shifts. Abscissae, nominal values,
-    /// numerical errors and warnings go to the data. A stop ends it after the first drawing.
+    /// Draws the cases and, for the numerical error, their subpixel shifts. Abscissae, nominal
+    /// values, numerical errors and warnings go to the data. A stop ends it after the first
+    /// drawing.
     void draw(const Telling& tell, const std::stop_token& stop);
     /// What the last case warns of.
     const std::vector<CaseRemark>& remarks() const { return warnings_.remarks(); }
@@ -39,17 +40,17 @@ class MonteCarloViews {
     std::vector<double> valuesNear(const std::vector<double>& scales, Memos& memos) const;
 
   private:
-    struct Drawing {
+    struct RenderedView {
         std::vector<double> abscissae;
         std::vector<std::vector<double>> values; ///< by band
         std::vector<std::string> answeredBy;
         std::vector<irsg::ErrorParts> errors; ///< by band, of the case in its own place
     };
     /// In its own place, whose warnings and errors count, or at a phase.
-    Drawing drawOne(const AnalysisCase& one, const PlacedCase& placed, bool isInPlace);
-    void drawPhases(const AnalysisCase& one, PlacedCase placed, const Telling& tell,
-                    const std::stop_token& stop);
-    void addNumericalError(const std::vector<Drawing>& atPhases);
+    RenderedView renderOne(const AnalysisCase& one, const PlacedCase& placed, bool isInPlace);
+    void renderPhases(const AnalysisCase& one, PlacedCase placed, const Telling& tell,
+                      const std::stop_token& stop);
+    void addNumericalError(const std::vector<RenderedView>& atPhases);
 
     const RenderDoor& door_;
     const AnalysisPlan& plan_;

@@ -135,8 +135,8 @@ JobOutcome JobRunner::run(PlannedJob& job, const JobControl& control) {
             runAnalysis(job.data, job.plan, scene, door(),
                         {progress, std::move(stop), nullptr, &store});
         };
-        outcome.isLed = drawnByTeam({job.files.front(), job.share, job.resumes, inputs},
-                                    *control.team, work, control.progress);
+        outcome.isLed = renderedByTeam({job.files.front(), job.share, job.resumes, inputs},
+                                       *control.team, work, control.progress);
         if (!outcome.isLed)
             return outcome;
     }

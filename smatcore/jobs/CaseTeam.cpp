@@ -20,8 +20,8 @@ std::vector<std::size_t> CaseDispenser::next() {
     return {first, first + static_cast<std::ptrdiff_t>(count)};
 }
 
-bool drawnByTeam(const CasePlace& place, CaseTeam& team, const CaseWork& work,
-                 const ProgressCallback& progress) {
+bool renderedByTeam(const CasePlace& place, CaseTeam& team, const CaseWork& work,
+                    const ProgressCallback& progress) {
     if (!place.share.isAll())
         throw irsg::InputError({.file = "--shard",
                                 .position = "",

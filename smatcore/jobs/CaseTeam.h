@@ -64,7 +64,7 @@ using CaseWork =
 
 /// Draws cases with all processes of a team into the file of its leader. True in the leader, who
 /// makes the result of them. Throws InputError for a part of a sweep.
-bool drawnByTeam(const CasePlace& place, CaseTeam& team, const CaseWork& work,
-                 const ProgressCallback& progress);
+bool renderedByTeam(const CasePlace& place, CaseTeam& team, const CaseWork& work,
+                    const ProgressCallback& progress);
 
 } // namespace smat

@@ -63,7 +63,7 @@ class ScenarioRun {
                  DrawLoop::steps(run_.options.samples);
     }
 
-    void drawViews() {
+    void renderViews() {
         for (const std::size_t sensor : run_.plan.sensors) {
             for (std::size_t entity = 0; entity < run_.scenario.paths.size(); ++entity)
                 series_.push_back(seriesOf(sensor, entity));
@@ -188,14 +188,14 @@ class ScenarioRun {
         const auto [frame, placed] = generator_.place(sensor, time_s);
         irsg::appendUnique(run_.warnings, frame.warnings);
         // The renderer counts those that are there.
-        std::vector<int> drawnOf;
+        std::vector<int> renderedOf;
         int drawn = 0;
         for (const auto& at : frame.entities)
-            drawnOf.push_back(at ? drawn++ : -1);
+            renderedOf.push_back(at ? drawn++ : -1);
         std::vector<irsg::ScalingInput> inputs;
         for (const SceneScaling& scaling : scalings_) {
             inputs.push_back(scaling.input);
-            inputs.back().entity = drawnOf[static_cast<std::size_t>(scaling.input.entity)];
+            inputs.back().entity = renderedOf[static_cast<std::size_t>(scaling.input.entity)];
         }
         if (drawn == 0)
             return;
@@ -208,7 +208,7 @@ class ScenarioRun {
         for (Series& series : series_) {
             if (series.sensor != sensor)
                 continue;
-            const int place = series.entity ? drawnOf[*series.entity] : 0;
+            const int place = series.entity ? renderedOf[*series.entity] : 0;
             if (place < 0)
                 continue;
             series.data.abscissae.push_back(time_s);
@@ -279,7 +279,7 @@ void runScenarioMonteCarlo(ScenarioMonteCarlo& asked, const RenderDoor& door,
     run.prepare();
     {
         const StageTimer::Scope scope(timer, "draw steps");
-        run.drawViews();
+        run.renderViews();
     }
     {
         const StageTimer::Scope scope(timer, "draw scales");

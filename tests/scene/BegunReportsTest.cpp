@@ -170,11 +170,11 @@ TEST(TileStream, TakesTilesInOrderAndStreamsOneAfterTheOther) {
 TEST(TileStream, TellsWhatFailedAndGoesOn) {
     GlEngine engine;
     TileStream stream;
-    const auto streamThat = [&](bool failsInDrawing, bool failsInTaking) {
+    const auto streamThat = [&](bool failsInRendering, bool failsInTaking) {
         TileStream::Work work;
         work.drawings = 4;
         work.draw = [=](std::size_t tile, GeometrySamples&, TileStream::Seconds&) {
-            if (failsInDrawing && tile == 2) {
+            if (failsInRendering && tile == 2) {
                 throw std::runtime_error("drawing");
             }
         };

@@ -13,7 +13,7 @@ constexpr IrCodes paint{1, 1}, glass{1, 2};
 
 std::vector<ModelEdge> edgesOf(const Mesh& mesh) {
     const auto model = modelOf(mesh);
-    const auto items = collectDrawItems(*model);
+    const auto items = collectRenderItems(*model);
     return longEdges(items, boundingSphere(items, model->bounds()).radius_m);
 }
 

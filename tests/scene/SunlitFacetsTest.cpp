@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "irsg/geometry/model/DrawList.h"
-#include "irsg/geometry/model/DrawPieces.h"
+#include "irsg/geometry/model/RenderList.h"
+#include "irsg/geometry/model/RenderPieces.h"
 #include "irsg/geometry/view/Pose.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/render/rays/SunShadows.h"
@@ -24,12 +24,12 @@ class SunlitFacetsTest : public RaysTest {};
 
 /// A mesh for rays; surfaces of a material let light through.
 struct Body {
-    std::vector<DrawItem> items;
+    std::vector<RenderItem> items;
     std::shared_ptr<const RayMesh> mesh;
     PieceUses uses{0};
 
     explicit Body(const Mesh& of, int transparent = 0) {
-        items = inDrawPieces(collectDrawItems(*modelOf(of)));
+        items = inRenderPieces(collectRenderItems(*modelOf(of)));
         std::vector<RayMesh::Piece> pieces;
         uses = PieceUses(items.size());
         for (std::size_t i = 0; i < items.size(); ++i) {

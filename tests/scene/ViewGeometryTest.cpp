@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "irsg/geometry/model/DrawList.h"
-#include "irsg/geometry/model/DrawPieces.h"
+#include "irsg/geometry/model/RenderList.h"
+#include "irsg/geometry/model/RenderPieces.h"
 #include "irsg/radiance/exchange/BodyLight.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/PreparedEntities.h"
@@ -27,7 +27,7 @@ class Factors {
   public:
     Factors(const Mesh& mesh, double error, int transparent = 0) {
         const std::shared_ptr<const Model> model = modelOf(mesh);
-        items_ = inDrawPieces(collectDrawItems(*model));
+        items_ = inRenderPieces(collectRenderItems(*model));
         std::vector<RayMesh::Piece> pieces;
         PieceUses uses(items_.size());
         for (std::size_t i = 0; i < items_.size(); ++i) {
@@ -80,7 +80,7 @@ class Factors {
     const BodyLight& light() const { return *light_; }
 
   private:
-    std::vector<DrawItem> items_;
+    std::vector<RenderItem> items_;
     std::unique_ptr<const BodyLight> light_;
 };
 

@@ -56,7 +56,7 @@ Material tabulated(ReflectanceTable table) {
 
 TEST(TabulatedModel, ReflectsAsItWasMeasured) {
     const Material material = tabulated(measuredTable(5.0));
-    DirectionDraws draws;
+    DirectionSamples draws;
     double worst = 0.0;
     for (int i = 0; i < 2000; ++i) {
         const double a = 80.0 * draws.next(), b = 80.0 * draws.next(), c = 180.0 * draws.next();

@@ -150,7 +150,7 @@ TEST(SurfaceModel, ReflectsAllLightOfAWhiteSurfaceAtEveryAngle) {
 }
 
 TEST(SurfaceModel, IsReciprocalOverTenThousandPairs) {
-    test::DirectionDraws numbers{12345};
+    test::DirectionSamples numbers{12345};
     for (const char* name : {"ggx", "beckmann"}) {
         for (const double roughness : {0.05, 0.4, 1.0}) {
             const auto model = facetsOf(rough(name, roughness, 0.3, 1.5, 5.0));

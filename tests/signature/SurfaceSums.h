@@ -61,7 +61,7 @@ inline double reflectedOf(const Material& material, double incidence_deg) {
 }
 
 /// Equal on every machine, in [0, 1).
-struct DirectionDraws {
+struct DirectionSamples {
     std::uint64_t state = 99;
     double next() {
         state = state * 6364136223846793005u + 1442695040888963407u;
@@ -76,7 +76,7 @@ struct DirectionDraws {
 
 /// The largest |f(a, b) - f(b, a)| over their mean, over 10,000 pairs of directions.
 inline double worstReciprocity(const Material& material) {
-    DirectionDraws draws;
+    DirectionSamples draws;
     double worst = 0.0;
     for (int i = 0; i < 10000; ++i) {
         const SurfaceDirection a = draws.direction(), b = draws.direction();

@@ -172,7 +172,7 @@ TEST(WhiteFurnace, EveryModelSendsAllThatFallsOnItAndTheSameEitherWay) {
     for (const Surface& surface : surfaces()) {
         const auto model = surfaceModelOf(surface.material);
         const SurfaceModel::Amounts amounts = model->amountsAt(surface.material, 4.0);
-        DirectionDraws draws;
+        DirectionSamples draws;
         double worstSum = 0.0, worstAlbedo = 0.0, worstPair = 0.0;
         for (int i = 0; i < pairs; ++i) {
             const SurfaceDirection a = draws.direction(), b = draws.direction();

@@ -62,10 +62,10 @@ struct LongEdgeCollector {
 
 } // namespace
 
-std::vector<ModelEdge> longEdges(const std::vector<DrawItem>& items, double radius_m) {
+std::vector<ModelEdge> longEdges(const std::vector<RenderItem>& items, double radius_m) {
     osg::TriangleIndexFunctor<LongEdgeCollector> collector;
     collector.shortest_m = longFrom * radius_m;
-    for (const DrawItem& item : items) {
+    for (const RenderItem& item : items) {
         collector.vertices = dynamic_cast<const osg::Vec3Array*>(item.geometry->getVertexArray());
         if (!collector.vertices)
             continue;

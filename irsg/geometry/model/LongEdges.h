@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "irsg/geometry/model/DrawList.h"
+#include "irsg/geometry/model/RenderList.h"
 
 namespace irsg {
 
@@ -15,7 +15,7 @@ struct ModelEdge {
 /// sphere that end a surface, bend it or part two pairs of codes, at most `mostLongEdges`. A body
 /// of few faces has some, a finely tessellated one none. They are what the lattice of a window is
 /// chosen by (SampleLattice).
-std::vector<ModelEdge> longEdges(const std::vector<DrawItem>& items, double radius_m);
+std::vector<ModelEdge> longEdges(const std::vector<RenderItem>& items, double radius_m);
 inline constexpr double longFrom = 0.25;
 inline constexpr std::size_t mostLongEdges = 24;
 

@@ -30,7 +30,7 @@ struct ScaledLight::Making {
 
     std::vector<std::size_t> receiversOf{};      // by drawn row
     std::vector<int> senderOf{};                 // by drawn row; -1 where no input scales it
-    std::vector<std::size_t> drawnOf{};          // by sender
+    std::vector<std::size_t> renderedOf{};       // by sender
     std::vector<std::vector<int>> reflectors{};  // drawn rows of each input of emissivity
     std::vector<std::size_t> firstOfReflector{}; // one sender for all of them
     const LightResponse* response = nullptr;     // null without such inputs
@@ -49,7 +49,7 @@ ScaledLight::ScaledLight(const ViewGeometry& view, const SceneRadiometry& radiom
     Making making{radiometry, radiances, light, rows, ranges_m, nodes};
     makeBins(making);
     for (const SurfaceStackId& kind : light.inOrder(view.light)) {
-        const int drawn = radiometry.rows().drawnOf(kind.row);
+        const int drawn = radiometry.rows().renderedOf(kind.row);
         if (!only || radiometry.rows().keyOf(drawn).first == *only)
             gather(making, kind.stack, kind.row, view.light.at({kind.stack, kind.row}));
     }
@@ -90,7 +90,7 @@ void ScaledLight::makeBins(Making& making) {
         if (drawn >= lit || (inputs.temperatureInput < 0 && inputs.emissivityInput < 0))
             continue;
         making.senderOf.back() = static_cast<int>(senders_.size());
-        making.drawnOf.push_back(drawn);
+        making.renderedOf.push_back(drawn);
         Sender& sender = senders_.emplace_back();
         sender.inputs = inputs;
         sender.temperature_K = making.surface(drawn).temperature_K;
@@ -113,7 +113,7 @@ void ScaledLight::makeBins(Making& making) {
 }
 
 void ScaledLight::gather(Making& making, int stack, int row, std::span<const double> sums) {
-    const auto drawn = static_cast<std::size_t>(making.radiometry.rows().drawnOf(row));
+    const auto drawn = static_cast<std::size_t>(making.radiometry.rows().renderedOf(row));
     if (!making.light.matters(static_cast<int>(drawn)))
         return;
     const std::size_t first = making.nodes.first, group = making.receiversOf[drawn];
@@ -212,7 +212,7 @@ void ScaledLight::close(Making& making) {
     for (const std::size_t bin : binOf_)
         plain[bin] += 1.0;
     for (std::size_t s = 0; s < senders_.size(); ++s) {
-        const SurfaceSpectra& spectra = making.surface(making.drawnOf[s]);
+        const SurfaceSpectra& spectra = making.surface(making.renderedOf[s]);
         for (std::size_t i = 0; i < binOf_.size(); ++i) {
             const std::size_t bin = binOf_[i], node = making.nodes.first + i;
             if (making.senderWeights[s][bin] > 0.0)

@@ -207,7 +207,7 @@ void SceneLight::findKnots(const RenderSettings& settings) {
 
 const std::vector<std::uint32_t>& SceneLight::receiversOf(int row) const {
     const SurfaceRows& rows = radiometry_.rows();
-    return exchange_->ofRow(rows.surfaceOf(rows.drawnOf(row)));
+    return exchange_->ofRow(rows.surfaceOf(rows.renderedOf(row)));
 }
 
 const std::vector<double>& SceneLight::lightOn(int drawn, int term) const {
@@ -260,7 +260,7 @@ void SceneLight::prepare(const std::vector<SurfaceStackId>& kinds) {
     std::vector<SurfaceStackId> missing;
     std::vector<std::vector<std::vector<double>>*> places;
     for (const SurfaceStackId& kind : kinds)
-        if (matters(radiometry_.rows().drawnOf(kind.row))) {
+        if (matters(radiometry_.rows().renderedOf(kind.row))) {
             const auto [place, isNew] = known_.try_emplace({kind.stack, kind.row});
             if (isNew) {
                 missing.push_back(kind);
@@ -328,7 +328,7 @@ const std::vector<SceneLight::AtReceiver>& SceneLight::atReceivers(const Surface
 ReceiverRows::ReceiverRows(const SurfaceRows& rows, const LightExchange& exchange) {
     first_.push_back(0);
     for (int row = 0; row < rows.size(); ++row) {
-        const int drawn = rows.surfaceOf(rows.drawnOf(row));
+        const int drawn = rows.surfaceOf(rows.renderedOf(row));
         const std::size_t own =
             static_cast<std::size_t>(drawn) < exchange.rows() ? exchange.ofRow(drawn).size() : 0;
         first_.push_back(first_.back() + static_cast<int>(own));
@@ -377,7 +377,7 @@ double SceneLight::partOf(std::span<const double> contracted, std::size_t column
 
 SceneLight::Falling SceneLight::fallsOn(int row, std::span<const double> contracted,
                                         std::size_t first, std::size_t count) const {
-    const int drawn = radiometry_.rows().drawnOf(row);
+    const int drawn = radiometry_.rows().renderedOf(row);
     Falling falling;
     falling.lost.assign(count, 0.0);
     for (const auto& [place, term] : {std::pair{0, skyTerm_}, std::pair{1, groundTerm_}})

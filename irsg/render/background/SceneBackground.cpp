@@ -45,7 +45,7 @@ FrameBackground SceneBackground::draw(const Sensor& sensor, const Viewpoint& vie
             " deg, as a sun would be, and the disc of the sun is drawn, too");
     const double horizon_rad = sky.horizon_rad(altitude_m);
     if (settings.sunDisc)
-        drawSun(rays, Horizon(rays, horizon_rad), sky, altitude_m);
+        renderSunImage(rays, Horizon(rays, horizon_rad), sky, altitude_m);
     if (grid) {
         const BackgroundGrid nodes(
             sensor, viewpoint, horizon_rad, settings.rows, settings.columns,
@@ -54,7 +54,7 @@ FrameBackground SceneBackground::draw(const Sensor& sensor, const Viewpoint& vie
     }
     report.answeredBy = sky.answeredBy();
     if (terrain_)
-        drawTerrain(sensor, viewpoint, settings.terrain, painter);
+        renderTerrain(sensor, viewpoint, settings.terrain, painter);
     if (layers_.sky.empty() && layers_.terrain.empty() && !grid)
         return FrameBackground(settings.uniform_W_m2_sr);
 
@@ -77,8 +77,8 @@ FrameBackground SceneBackground::draw(const Sensor& sensor, const Viewpoint& vie
     return FrameBackground(sensor.width_px, std::move(pixels), centre_W_m2_sr);
 }
 
-void SceneBackground::drawTerrain(const Sensor& sensor, const Viewpoint& viewpoint,
-                                  const TextureScale& scale, TerrainPainter& painter) {
+void SceneBackground::renderTerrain(const Sensor& sensor, const Viewpoint& viewpoint,
+                                    const TextureScale& scale, TerrainPainter& painter) {
     TerrainImage image = painter.paint(terrain_, CameraFrame(sensor, viewpoint), scale.offset);
     layers_.coverage = std::move(image.coverage);
     layers_.terrain = std::move(image.texel);
@@ -86,8 +86,8 @@ void SceneBackground::drawTerrain(const Sensor& sensor, const Viewpoint& viewpoi
         value *= scale.slope_W_m2_sr;
 }
 
-void SceneBackground::drawSun(const FieldRays& rays, const Horizon& horizon, const BandSky& sky,
-                              double altitude_m) {
+void SceneBackground::renderSunImage(const FieldRays& rays, const Horizon& horizon,
+                                     const BandSky& sky, double altitude_m) {
     const SunPosition& sun = sky.sun();
     // Where air bends its light to, and as bright as the part of it that gives the irradiance.
     const SunView seen = sky.sunView(altitude_m);

@@ -61,11 +61,11 @@ class SceneBackground {
     BackgroundLayers takeLayers() { return std::exchange(layers_, {}); }
 
   private:
-    void drawSun(const FieldRays& rays, const Horizon& horizon, const BandSky& sky,
-                 double altitude_m);
+    void renderSunImage(const FieldRays& rays, const Horizon& horizon, const BandSky& sky,
+                        double altitude_m);
 
-    void drawTerrain(const Sensor& sensor, const Viewpoint& viewpoint, const TextureScale& scale,
-                     TerrainPainter& painter);
+    void renderTerrain(const Sensor& sensor, const Viewpoint& viewpoint, const TextureScale& scale,
+                       TerrainPainter& painter);
 
     std::shared_ptr<const Skybox> skybox_;
     std::shared_ptr<const Terrain> terrain_;

@@ -78,8 +78,8 @@ struct TerrainPass::Impl {
     std::unique_ptr<UploadedTextures> textures;
     std::vector<float> samples;
 
-    void drawPiece(osg::RenderInfo& info, const CameraFrame& camera, const PixelRegion& piece,
-                   const DepthRange& depth, double offset) {
+    void renderPiece(osg::RenderInfo& info, const CameraFrame& camera, const PixelRegion& piece,
+                     const DepthRange& depth, double offset) {
         const ReversedDepth reversed;
         const int width = piece.width * samplesPerAxis, height = piece.height * samplesPerAxis;
         target.reserve(width, height);
@@ -158,7 +158,7 @@ TerrainImage TerrainPass::draw(osg::RenderInfo& info, const std::shared_ptr<cons
         for (int x = 0; x < sensor.width_px; x += pieceSide_px) {
             const PixelRegion piece{x, y, std::min(pieceSide_px, sensor.width_px - x),
                                     std::min(pieceSide_px, sensor.height_px - y)};
-            p.drawPiece(info, camera, piece, *depth, offset);
+            p.renderPiece(info, camera, piece, *depth, offset);
             p.reduce(piece, sensor.width_px, image);
         }
     return image;

@@ -39,16 +39,16 @@ int GlEngine::largestSide() const {
     return std::min(largestDrawing, impl_->context.maximumTargetSize());
 }
 
-void GlEngine::drawRadiance(const SheetScene& sheet, RadianceSamples& samples) {
-    impl_->pass->drawRadiance(*impl_->info, sheet, samples);
+void GlEngine::renderRadiance(const SheetScene& sheet, RadianceSamples& samples) {
+    impl_->pass->renderRadiance(*impl_->info, sheet, samples);
 }
 void GlEngine::sampleGeometry(const SheetScene& sheet, bool withDistance,
                               GeometrySamples& samples) {
     impl_->pass->sampleGeometry(*impl_->info, sheet, withDistance, samples);
 }
 
-double GlEngine::takeDrawSeconds() {
-    return impl_->pass->takeDrawSeconds();
+double GlEngine::takeRenderSeconds() {
+    return impl_->pass->takeRenderSeconds();
 }
 double GlEngine::takeReadSeconds() {
     return impl_->pass->takeReadSeconds();

@@ -19,10 +19,10 @@ class GlEngine : public SampleEngine {
     std::future<void> post(std::function<void()> work) override;
     std::string description() const override;
     int largestSide() const override;
-    void drawRadiance(const SheetScene& sheet, RadianceSamples& samples) override;
+    void renderRadiance(const SheetScene& sheet, RadianceSamples& samples) override;
     void sampleGeometry(const SheetScene& sheet, bool withDistance,
                         GeometrySamples& samples) override;
-    double takeDrawSeconds() override;
+    double takeRenderSeconds() override;
     double takeReadSeconds() override;
     std::size_t bytes() const override;
 

@@ -49,7 +49,7 @@ Raster rasterOf(const SurfaceScene& scene, const SampleTile& tile) {
     const std::size_t stride = tile.stride();
     Raster raster{static_cast<int>(tile.firstSample % stride),
                   static_cast<int>(tile.firstSample / stride), tile.width(), tile.height(),
-                  scene.camera->clipFromEye(tile.drawnRectangle(), scene.depth)};
+                  scene.camera->clipFromEye(tile.renderedRectangle(), scene.depth)};
     if (tile.shearRows) {
         // x_clip + a w - b y moves the sample's row r, counted from the top, by r / shearRows.
         const double perClip = 1.0 / (static_cast<double>(tile.shearRows) * raster.width);
@@ -124,7 +124,7 @@ struct SurfacePass::Impl {
         {{FloatTarget{{4}}, FloatTarget{{4, 1}}}, {FloatTarget{{4, 4}}, FloatTarget{{4, 4, 1}}}}};
     FragmentList list;
     std::uint32_t roomInList = 1u << 16; // grows to what the largest drawing needed
-    double drawSeconds = 0.0, readSeconds = 0.0;
+    double renderSeconds = 0.0, readSeconds = 0.0;
 
     const ShaderProgram& program(Product product, int angle, bool transparent,
                                  const GeometryFactors& geometryShader) {
@@ -152,7 +152,7 @@ struct SurfacePass::Impl {
 
     /// Leaves the depth of what hides surfaces, and no colour. What is nearer than the depth range
     /// is drawn at its near end.
-    void drawOccluders(osg::RenderInfo& info, const SurfaceScene& scene, const Raster& raster) {
+    void renderOccluders(osg::RenderInfo& info, const SurfaceScene& scene, const Raster& raster) {
         if (scene.occluders.empty())
             return;
         if (!occluder)
@@ -172,8 +172,8 @@ struct SurfacePass::Impl {
     }
 
     /// Draws the items of one kind with the surface shader into the bound target.
-    void drawItems(osg::RenderInfo& info, const RasterItems& tile, bool transparent,
-                   Product product, int rasterWidth) {
+    void renderItems(osg::RenderInfo& info, const RasterItems& tile, bool transparent,
+                     Product product, int rasterWidth) {
         const auto& [scene, raster, items] = tile;
         const ShaderProgram* current = nullptr;
         int currentAngle = 0;
@@ -249,17 +249,17 @@ struct SurfacePass::Impl {
         for (const RasterItems& tile : tiles) {
             goTo(tile.raster);
             if (!tile.items.empty())
-                drawOccluders(info, tile.scene, tile.raster);
-            drawItems(info, tile, false, product, width);
+                renderOccluders(info, tile.scene, tile.raster);
+            renderItems(info, tile, false, product, width);
         }
-        const std::uint32_t listed = drawTransparent(info, tiles, width, product);
+        const std::uint32_t listed = renderTransparent(info, tiles, width, product);
         glDisable(GL_SCISSOR_TEST);
         glFinish();
         return listed;
     }
 
-    std::uint32_t drawTransparent(osg::RenderInfo& info, const std::vector<RasterItems>& tiles,
-                                  int width, Product product) {
+    std::uint32_t renderTransparent(osg::RenderInfo& info, const std::vector<RasterItems>& tiles,
+                                    int width, Product product) {
         const auto isAny = [](const RasterItems& tile) {
             return std::ranges::any_of(tile.items, &SurfaceItem::transparent);
         };
@@ -274,7 +274,7 @@ struct SurfacePass::Impl {
             list.begin(roomInList, vectorsOf(tiles.front().scene.factors));
             for (const RasterItems& tile : tiles) {
                 goTo(tile.raster);
-                drawItems(info, tile, true, product, width);
+                renderItems(info, tile, true, product, width);
             }
             listed = list.count();
             if (listed <= roomInList)
@@ -290,13 +290,13 @@ struct SurfacePass::Impl {
 SurfacePass::SurfacePass() : impl_(std::make_unique<Impl>()) {}
 SurfacePass::~SurfacePass() = default;
 
-void SurfacePass::drawRadiance(osg::RenderInfo& info, const SheetScene& sheet,
-                               RadianceSamples& samples) {
+void SurfacePass::renderRadiance(osg::RenderInfo& info, const SheetScene& sheet,
+                                 RadianceSamples& samples) {
     Impl& p = *impl_;
     if (std::ranges::any_of(sheet.scenes, &SurfaceScene::hasTransparent))
         throw LogicError("radiance alone was drawn of what lies behind a transparent surface");
     {
-        Stopwatch watch(p.drawSeconds);
+        Stopwatch watch(p.renderSeconds);
         p.draw(info, sheet, radianceProduct, p.radiance);
     }
     samples.width = sheet.sheet.width;
@@ -315,7 +315,7 @@ void SurfacePass::sampleGeometry(osg::RenderInfo& info, const SheetScene& sheet,
     FloatTarget& target = p.factors[manyFactors ? 1 : 0][withDistance ? 1 : 0];
     std::uint32_t listed = 0;
     {
-        Stopwatch watch(p.drawSeconds);
+        Stopwatch watch(p.renderSeconds);
         listed =
             p.draw(info, sheet, withDistance ? factorProductWithDistance : factorProduct, target);
     }
@@ -346,8 +346,8 @@ std::size_t SurfacePass::bytes() const {
     return sum;
 }
 
-double SurfacePass::takeDrawSeconds() {
-    return std::exchange(impl_->drawSeconds, 0.0);
+double SurfacePass::takeRenderSeconds() {
+    return std::exchange(impl_->renderSeconds, 0.0);
 }
 double SurfacePass::takeReadSeconds() {
     return std::exchange(impl_->readSeconds, 0.0);

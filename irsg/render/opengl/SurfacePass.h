@@ -20,7 +20,7 @@ class SurfacePass {
     ~SurfacePass();
 
     /// Radiances of rows; LogicError where an item is transparent.
-    void drawRadiance(osg::RenderInfo& info, const SheetScene& sheet, RadianceSamples& samples);
+    void renderRadiance(osg::RenderInfo& info, const SheetScene& sheet, RadianceSamples& samples);
     /// Factors of all layers, the transparent ones not sorted yet.
     void sampleGeometry(osg::RenderInfo& info, const SheetScene& sheet, bool withDistance,
                         GeometrySamples& samples);
@@ -29,7 +29,7 @@ class SurfacePass {
     std::size_t bytes() const;
 
     /// Seconds spent drawing and reading back since the last call.
-    double takeDrawSeconds();
+    double takeRenderSeconds();
     double takeReadSeconds();
 
   private:

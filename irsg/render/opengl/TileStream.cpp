@@ -23,11 +23,11 @@ std::future<TileStream::Seconds> TileStream::start(SampleEngine& engine, Work wo
     stream->work = std::move(work);
     std::future<Seconds> done = stream->done.get_future();
     ahead_ += stream->work.drawings;
-    engine.post([this, stream] { drawAll(stream); });
+    engine.post([this, stream] { renderAll(stream); });
     return done;
 }
 
-void TileStream::drawAll(const std::shared_ptr<Stream>& stream) {
+void TileStream::renderAll(const std::shared_ptr<Stream>& stream) {
     std::exception_ptr failure;
     for (std::size_t drawing = 0; drawing < stream->work.drawings; ++drawing) {
         GeometrySamples* samples = nullptr;

@@ -44,7 +44,7 @@ class TileStream {
 
   private:
     struct Stream;
-    void drawAll(const std::shared_ptr<Stream>& stream);
+    void renderAll(const std::shared_ptr<Stream>& stream);
     void takeIn(Stream& stream, std::size_t drawing, GeometrySamples& samples);
     GeometrySamples& free();
     void giveBack(GeometrySamples& samples);

@@ -54,13 +54,13 @@ int RayEngine::largestSide() const {
     return largestDrawing;
 }
 
-double RayEngine::takeDrawSeconds() {
-    return std::exchange(drawSeconds_, 0.0);
+double RayEngine::takeRenderSeconds() {
+    return std::exchange(renderSeconds_, 0.0);
 }
 
 void RayEngine::sampleGeometry(const SheetScene& sheet, bool withDistance,
                                GeometrySamples& samples) {
-    const Stopwatch watch(drawSeconds_);
+    const Stopwatch watch(renderSeconds_);
     makeRoom(sheet, withDistance, samples);
     std::vector<TileRays> tiles;
     for (std::size_t w = 0; w < sheet.scenes.size(); ++w)
@@ -86,7 +86,7 @@ void RayEngine::traceRuns(const SheetScene& sheet, std::size_t tile,
     gather(lists, samples);
 }
 
-void RayEngine::drawRadiance(const SheetScene& sheet, RadianceSamples& samples) {
+void RayEngine::renderRadiance(const SheetScene& sheet, RadianceSamples& samples) {
     if (std::ranges::any_of(sheet.scenes, &SurfaceScene::hasTransparent))
         throw LogicError("radiance alone was drawn of what lies behind a transparent surface");
     sampleGeometry(sheet, false, factors_);

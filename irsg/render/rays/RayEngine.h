@@ -23,10 +23,10 @@ class RayEngine : public SampleEngine {
     std::future<void> post(std::function<void()> work) override;
     std::string description() const override;
     int largestSide() const override;
-    void drawRadiance(const SheetScene& sheet, RadianceSamples& samples) override;
+    void renderRadiance(const SheetScene& sheet, RadianceSamples& samples) override;
     void sampleGeometry(const SheetScene& sheet, bool withDistance,
                         GeometrySamples& samples) override;
-    double takeDrawSeconds() override;
+    double takeRenderSeconds() override;
 
     /// The factors of some samples of a window with their distances, on the caller's thread; the
     /// others meet nothing.
@@ -35,7 +35,7 @@ class RayEngine : public SampleEngine {
 
   private:
     GeometrySamples factors_; // of radiances
-    double drawSeconds_ = 0.0;
+    double renderSeconds_ = 0.0;
     TaskThread thread_; // last: what it does uses all others
 };
 

@@ -93,10 +93,11 @@ double distance_m(const Vec3& place, const BoundingBox& box) {
 
 } // namespace
 
-std::vector<BoundingBox> connectedPieces(const std::vector<DrawItem>& items, const IrCodes& codes) {
+std::vector<BoundingBox> connectedPieces(const std::vector<RenderItem>& items,
+                                         const IrCodes& codes) {
     UnionFind sets;
     std::map<Vec3, std::size_t, ByPlace> vertexAt;
-    for (const DrawItem& item : items) {
+    for (const RenderItem& item : items) {
         const auto* vertices = dynamic_cast<const osg::Vec3Array*>(item.geometry->getVertexArray());
         if (item.codes != codes || !vertices)
             continue;
@@ -176,7 +177,7 @@ bool isHidden(const HotSpot& part, const SampleTile& probe, const GeometrySample
 }
 
 std::vector<HotSpot> HotSpots::seenBy(const CameraFrame& camera, const Pose& pose,
-                                      const std::vector<DrawItem>& items,
+                                      const std::vector<RenderItem>& items,
                                       const std::vector<IrCodes>& hot) {
     std::vector<HotSpot> parts;
     const Sensor& sensor = camera.sensor();

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "irsg/geometry/model/DrawList.h"
+#include "irsg/geometry/model/RenderList.h"
 #include "irsg/geometry/view/CameraFrame.h"
 #include "irsg/render/sampling/SampleLattice.h"
 

@@ -64,15 +64,15 @@ FrameReduction PublishedTileStrategy::draw(const CameraFrame& camera,
     for (const ObjectExtent& object : farToNear) {
         const double diameter_px = sphereDiameter_px(camera, object.centre_m, object.radius_m);
         if (lod_.usesTexture(object.entity, diameter_px))
-            drawTexture(camera, object, pass, frame);
+            renderTexture(camera, object, pass, frame);
         else
-            drawAsItIs(camera, object, pass, frame);
+            renderAsItIs(camera, object, pass, frame);
     }
     return frame;
 }
 
-void PublishedTileStrategy::drawTexture(const CameraFrame& camera, const ObjectExtent& object,
-                                        RttPass& pass, FrameReduction& frame) {
+void PublishedTileStrategy::renderTexture(const CameraFrame& camera, const ObjectExtent& object,
+                                          RttPass& pass, FrameReduction& frame) {
     // Phase 1: a camera of its own. Phase 2: averages.
     const double diameter_px = sphereDiameter_px(camera, object.centre_m, object.radius_m);
     const int side_px = std::min(nextPowerOfTwo(diameter_px), size_);
@@ -97,8 +97,8 @@ void PublishedTileStrategy::drawTexture(const CameraFrame& camera, const ObjectE
         drawn_.push_back({covered.rectangle(), samplesOfPixel, samplesOfPixel, {object.entity}});
 }
 
-void PublishedTileStrategy::drawAsItIs(const CameraFrame& camera, const ObjectExtent& object,
-                                       RttPass& pass, FrameReduction& frame) {
+void PublishedTileStrategy::renderAsItIs(const CameraFrame& camera, const ObjectExtent& object,
+                                         RttPass& pass, FrameReduction& frame) {
     SampleTile whole = tileOnBlocks(object.extent, 0);
     whole.entities = {object.entity};
     drawn_.push_back(RenderedTile::of(whole));

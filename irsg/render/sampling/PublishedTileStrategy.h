@@ -28,10 +28,10 @@ class PublishedTileStrategy : public TileSamplingStrategy {
     std::vector<std::string> takeMessages() override { return lod_.takeMessages(); }
 
   private:
-    void drawTexture(const CameraFrame& camera, const ObjectExtent& object, RttPass& pass,
-                     FrameReduction& frame);
-    void drawAsItIs(const CameraFrame& camera, const ObjectExtent& object, RttPass& pass,
-                    FrameReduction& frame);
+    void renderTexture(const CameraFrame& camera, const ObjectExtent& object, RttPass& pass,
+                       FrameReduction& frame);
+    void renderAsItIs(const CameraFrame& camera, const ObjectExtent& object, RttPass& pass,
+                      FrameReduction& frame);
 
     int size_;
     PixelSizeBasedLod lod_;

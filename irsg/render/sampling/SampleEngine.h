@@ -31,13 +31,13 @@ class SampleEngine {
     virtual int largestSide() const = 0;
 
     /// On the engine's thread: radiances of rows; LogicError where an item is transparent.
-    virtual void drawRadiance(const SheetScene& sheet, RadianceSamples& samples) = 0;
+    virtual void renderRadiance(const SheetScene& sheet, RadianceSamples& samples) = 0;
     /// On the engine's thread: factors of all layers, the transparent ones not sorted yet.
     virtual void sampleGeometry(const SheetScene& sheet, bool withDistance,
                                 GeometrySamples& samples) = 0;
 
     /// Seconds spent drawing and reading back since the last call.
-    virtual double takeDrawSeconds() = 0;
+    virtual double takeRenderSeconds() = 0;
     virtual double takeReadSeconds() { return 0.0; }
     /// Memory on the graphics card that every drawing shares.
     virtual std::size_t bytes() const { return 0; }

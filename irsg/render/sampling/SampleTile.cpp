@@ -23,7 +23,7 @@ ImageRectangle SampleTile::rectangle() const {
             static_cast<double>(blockY + blocksHigh) * side_px};
 }
 
-ImageRectangle SampleTile::drawnRectangle() const {
+ImageRectangle SampleTile::renderedRectangle() const {
     ImageRectangle drawn = rectangle();
     drawn.right = drawn.left + width() * blockSide_px() / samplesAcross;
     return drawn;

@@ -37,7 +37,7 @@ struct SampleTile {
     /// Where its lower left sample lies in a drawing that other tiles share, and how many samples
     /// a row of that has; 0: the drawing is its own.
     std::size_t firstSample = 0;
-    int drawingWidth = 0;
+    int renderingWidth = 0;
 
     bool operator==(const SampleTile&) const = default;
 
@@ -61,16 +61,16 @@ struct SampleTile {
     int height() const { return blocksHigh * samplesDown; }
     /// Puts it into a drawing of other tiles.
     void placeIn(int width, int x, int y) {
-        drawingWidth = width;
+        renderingWidth = width;
         firstSample = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                       static_cast<std::size_t>(x);
     }
     /// Samples from one row of its drawing to the next.
     std::size_t stride() const {
-        return static_cast<std::size_t>(drawingWidth > 0 ? drawingWidth : width());
+        return static_cast<std::size_t>(renderingWidth > 0 ? renderingWidth : width());
     }
     /// Rectangle of its drawing, which a shear makes wider.
-    ImageRectangle drawnRectangle() const;
+    ImageRectangle renderedRectangle() const;
     /// How far the samples of a row, counted from the top, are moved, samples.
     double shift(int row) const { return shearRows ? static_cast<double>(row) / shearRows : 0.0; }
     /// How far the sample in a column of the drawing is moved down, samples: -1/2 to 1/2.

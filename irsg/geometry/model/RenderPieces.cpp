@@ -1,4 +1,4 @@
-#include "irsg/geometry/model/DrawPieces.h"
+#include "irsg/geometry/model/RenderPieces.h"
 
 #include <algorithm>
 #include <array>
@@ -79,9 +79,9 @@ void halve(std::span<Triangle> triangles, std::size_t most, Take take) {
 
 } // namespace
 
-std::vector<DrawItem> inDrawPieces(const std::vector<DrawItem>& items) {
-    std::vector<DrawItem> pieces;
-    for (const DrawItem& item : items) {
+std::vector<RenderItem> inRenderPieces(const std::vector<RenderItem>& items) {
+    std::vector<RenderItem> pieces;
+    for (const RenderItem& item : items) {
         osg::Geometry& whole = *item.geometry;
         const auto* vertices = dynamic_cast<const osg::Vec3Array*>(whole.getVertexArray());
         osg::TriangleIndexFunctor<PieceTriangles> found;
@@ -99,7 +99,7 @@ std::vector<DrawItem> inDrawPieces(const std::vector<DrawItem>& items) {
         constexpr std::size_t mostPieces = 128;
         const std::size_t most = std::max(mostTriangles, triangles.size() / mostPieces);
         halve(std::span<Triangle>(triangles), most, [&](std::span<const Triangle> near) {
-            DrawItem& piece = pieces.emplace_back(item);
+            RenderItem& piece = pieces.emplace_back(item);
             piece.geometry = pieceOf(whole, *vertices, near);
         });
     }

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "irsg/geometry/model/DrawList.h"
+#include "irsg/geometry/model/RenderList.h"
 
 namespace irsg {
 
@@ -10,7 +10,7 @@ namespace irsg {
 /// hundredth of their geometry, so that a drawing of a small part of the image draws little else.
 /// Pieces share the arrays of their geometry, which stays as it is; one whose normals belong to its
 /// faces stays whole.
-std::vector<DrawItem> inDrawPieces(const std::vector<DrawItem>& items);
+std::vector<RenderItem> inRenderPieces(const std::vector<RenderItem>& items);
 inline constexpr std::size_t mostTriangles = 256;
 
 } // namespace irsg

@@ -11,11 +11,11 @@ namespace irsg::bench {
 
 /// The floor that rendering is compared with: OpenSceneGraph itself (cull traversal, state sorting,
 /// drawing) putting the same model into the same float target with a shader that writes a constant.
-class ConstantShaderDrawing {
+class ConstantShaderRendering {
   public:
-    ConstantShaderDrawing(std::shared_ptr<const Model> model, const Sensor& sensor,
-                          const Viewpoint& viewpoint);
-    ~ConstantShaderDrawing();
+    ConstantShaderRendering(std::shared_ptr<const Model> model, const Sensor& sensor,
+                            const Viewpoint& viewpoint);
+    ~ConstantShaderRendering();
     /// Draws one frame and reads it back; the number of samples the model covers.
     int draw();
 

@@ -11,7 +11,7 @@
 namespace irsg {
 
 /// One piece of a model that is drawn with one pair of codes.
-struct DrawItem {
+struct RenderItem {
     osg::ref_ptr<osg::Geometry> geometry;
     osg::Matrixd modelFromLocal; ///< of the transforms above it
     IrCodes codes;
@@ -21,13 +21,13 @@ struct DrawItem {
 
 /// The visible pieces of a model in the order of its graph. Level-of-detail nodes show their most
 /// detailed child at every range, switches their active ones.
-std::vector<DrawItem> collectDrawItems(const Model& model);
+std::vector<RenderItem> collectRenderItems(const Model& model);
 
 /// A sphere about the centre of a model's bounding box that holds all its vertices.
 struct BoundingSphere {
     Vec3 centre_m; ///< model axes
     double radius_m = 0.0;
 };
-BoundingSphere boundingSphere(const std::vector<DrawItem>& items, const BoundingBox& bounds);
+BoundingSphere boundingSphere(const std::vector<RenderItem>& items, const BoundingBox& bounds);
 
 } // namespace irsg

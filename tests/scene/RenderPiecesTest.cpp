@@ -1,4 +1,4 @@
-#include "irsg/geometry/model/DrawPieces.h"
+#include "irsg/geometry/model/RenderPieces.h"
 
 #include <gtest/gtest.h>
 
@@ -26,9 +26,9 @@ using Place = std::array<float, 3>;
 using Face = std::pair<IrCodes, std::array<Place, 3>>;
 
 /// Every triangle with its codes, beginning at its least corner.
-std::map<Face, int> facesOf(const std::vector<DrawItem>& items) {
+std::map<Face, int> facesOf(const std::vector<RenderItem>& items) {
     std::map<Face, int> faces;
-    for (const DrawItem& item : items) {
+    for (const RenderItem& item : items) {
         const auto& vertices =
             dynamic_cast<const osg::Vec3Array&>(*item.geometry->getVertexArray());
         osg::TriangleIndexFunctor<Corners> corners;
@@ -48,20 +48,20 @@ std::map<Face, int> facesOf(const std::vector<DrawItem>& items) {
 
 } // namespace
 
-TEST(DrawPieces, HoldEveryTriangleOnceWithItsCodes) {
+TEST(RenderPieces, HoldEveryTriangleOnceWithItsCodes) {
     const auto model = modelOf(joined(sphereMesh(1.0, 60, 120, {1, 1}),
                                       boxMesh({3, 2, 1}, std::vector<IrCodes>(6, {2, 2}))));
-    const std::vector<DrawItem> items = collectDrawItems(*model);
-    const std::vector<DrawItem> pieces = inDrawPieces(items);
+    const std::vector<RenderItem> items = collectRenderItems(*model);
+    const std::vector<RenderItem> pieces = inRenderPieces(items);
     EXPECT_GT(pieces.size(), items.size());
     EXPECT_EQ(facesOf(pieces), facesOf(items));
     std::size_t all = 0;
-    for (const DrawItem& item : items) {
+    for (const RenderItem& item : items) {
         osg::TriangleIndexFunctor<Corners> corners;
         item.geometry->accept(corners);
         all += corners.all.size();
     }
-    for (const DrawItem& piece : pieces) {
+    for (const RenderItem& piece : pieces) {
         osg::TriangleIndexFunctor<Corners> corners;
         piece.geometry->accept(corners);
         EXPECT_LE(corners.all.size(), std::max(mostTriangles, all / 100 + 1));
@@ -70,7 +70,7 @@ TEST(DrawPieces, HoldEveryTriangleOnceWithItsCodes) {
 }
 
 // A window that shows a part of a model leaves out the pieces beside it, and shows the same.
-TEST(DrawPieces, ThatATileCannotShowAreNotMissed) {
+TEST(RenderPieces, ThatATileCannotShowAreNotMissed) {
     InteractiveRenderer irsg;
     irsg.scene.environment = environmentOf(ConstantAir{});
     RenderSettings settings;

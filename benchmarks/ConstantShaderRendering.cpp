@@ -1,6 +1,6 @@
 #include "irsg/render/opengl/GlFunctions.h"
 
-#include "benchmarks/ConstantShaderDrawing.h"
+#include "benchmarks/ConstantShaderRendering.h"
 
 #include <cmath>
 
@@ -15,7 +15,7 @@
 
 namespace irsg::bench {
 
-struct ConstantShaderDrawing::Impl {
+struct ConstantShaderRendering::Impl {
     OffscreenContext& context = OffscreenContext::shared();
     std::shared_ptr<const Model> model;
     Sensor sensor;
@@ -24,8 +24,8 @@ struct ConstantShaderDrawing::Impl {
     std::vector<float> samples;
 };
 
-ConstantShaderDrawing::ConstantShaderDrawing(std::shared_ptr<const Model> model,
-                                             const Sensor& sensor, const Viewpoint& viewpoint)
+ConstantShaderRendering::ConstantShaderRendering(std::shared_ptr<const Model> model,
+                                                 const Sensor& sensor, const Viewpoint& viewpoint)
     : impl_(std::make_unique<Impl>()) {
     Impl& p = *impl_;
     p.model = std::move(model);
@@ -65,7 +65,7 @@ ConstantShaderDrawing::ConstantShaderDrawing(std::shared_ptr<const Model> model,
     });
 }
 
-ConstantShaderDrawing::~ConstantShaderDrawing() {
+ConstantShaderRendering::~ConstantShaderRendering() {
     impl_->context.run([&](osg::RenderInfo& info) {
         impl_->view = nullptr;
         impl_->target = nullptr;
@@ -73,7 +73,7 @@ ConstantShaderDrawing::~ConstantShaderDrawing() {
     });
 }
 
-int ConstantShaderDrawing::draw() {
+int ConstantShaderRendering::draw() {
     Impl& p = *impl_;
     p.context.run([&](osg::RenderInfo&) {
         p.target->bind(p.sensor.width_px, p.sensor.height_px);

@@ -1,4 +1,4 @@
-#include "irsg/geometry/model/DrawList.h"
+#include "irsg/geometry/model/RenderList.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ class Collector : public osg::NodeVisitor {
                          cullsBackFaces(drawable), layerOf(drawable)});
     }
 
-    std::vector<DrawItem> items;
+    std::vector<RenderItem> items;
 
   private:
     /// The culling mode nearest to the drawable decides.
@@ -63,16 +63,16 @@ class Collector : public osg::NodeVisitor {
 
 } // namespace
 
-std::vector<DrawItem> collectDrawItems(const Model& model) {
+std::vector<RenderItem> collectRenderItems(const Model& model) {
     Collector collector;
     model.graph()->accept(collector);
     return std::move(collector.items);
 }
 
-BoundingSphere boundingSphere(const std::vector<DrawItem>& items, const BoundingBox& bounds) {
+BoundingSphere boundingSphere(const std::vector<RenderItem>& items, const BoundingBox& bounds) {
     const Vec3 centre = bounds.centre();
     double square_m2 = 0.0;
-    for (const DrawItem& item : items) {
+    for (const RenderItem& item : items) {
         const auto* vertices = dynamic_cast<const osg::Vec3Array*>(item.geometry->getVertexArray());
         // Of what keeps its vertices otherwise, the box is known alone.
         if (!vertices)
