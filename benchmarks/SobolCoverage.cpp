@@ -92,7 +92,7 @@ std::vector<SceneScaling> unitScales(std::size_t count) {
     return scales;
 }
 
-void study(const Analytic& function, DrawSequence sequence, std::size_t pairs, int repeats) {
+void study(const Analytic& function, RealisationSequence sequence, std::size_t pairs, int repeats) {
     const std::size_t d = function.firstOrder.size();
     std::vector<int> first(d), total(d);
     double firstWidth = 0.0, totalWidth = 0.0;
@@ -100,10 +100,11 @@ void study(const Analytic& function, DrawSequence sequence, std::size_t pairs, i
         return std::vector<double>{function.at(x)};
     };
     for (int repeat = 0; repeat < repeats; ++repeat) {
-        const ScalingDraws draws(unitScales(d), sequence, 1000 + static_cast<std::uint64_t>(repeat),
-                                 true);
+        const ScalingRealisations realisations(unitScales(d), sequence,
+                                               1000 + static_cast<std::uint64_t>(repeat), true);
         for (const RankedScaling& one : rankScalings(
-                 draws, sequence, pairs, [&] { return model; }, [](std::size_t) { return true; })) {
+                 realisations, sequence, pairs, [&] { return model; },
+                 [](std::size_t) { return true; })) {
             const auto holds = [](const Estimate& found, double truth) {
                 return found.low95 <= truth && truth <= found.high95;
             };
@@ -145,7 +146,8 @@ int main(int argc, char** argv) {
          {additive("additive, 3", {4.0, 2.0, 1.0}),
           additive("additive, 8", {10.0, 3.0, 1.0, 0.5, 0.3, 0.1, 0.03, 0.01}), ishigami(),
           gFunction("g, 3", {0.0, 1.0, 9.0}), gFunction("g, 6", {0.0, 0.5, 3.0, 9.0, 99.0, 99.0})})
-        for (const DrawSequence sequence : {DrawSequence::plain, DrawSequence::sobol})
+        for (const RealisationSequence sequence :
+             {RealisationSequence::plain, RealisationSequence::sobol})
             for (const std::size_t pairs : {64, 256, 1024})
                 study(function, sequence, pairs, repeats);
 }

@@ -47,7 +47,7 @@ class MonteCarloCommand {
             ->expected(1)
             ->take_all();
         command
-            .add_option("--draws", drawFiles_,
+            .add_option("--draws", realisationFiles_,
                         "Raw draws, a row each with its scales and the quantity at every abscissa, "
                         ".csv or .json; may be given more than once")
             ->type_name("FILE")
@@ -156,8 +156,8 @@ class MonteCarloCommand {
                 const auto made = saveMonteCarlo(data, file);
                 written.insert(written.end(), made.begin(), made.end());
             }
-            for (const std::string& file : drawFiles_) {
-                drawsTable(data).save(file);
+            for (const std::string& file : realisationFiles_) {
+                realisationsTable(data).save(file);
                 written.emplace_back(file);
             }
         }
@@ -211,8 +211,8 @@ class MonteCarloCommand {
 
     /// What parts cannot give. Throws InputError.
     void checkParts() const {
-        if (!drawFiles_.empty())
-            throw refusal("--draws", drawFiles_.front(),
+        if (!realisationFiles_.empty())
+            throw refusal("--draws", realisationFiles_.front(),
                           "no raw draws of a run in parts: each has those of its cases alone");
         for (const std::string& file : files_)
             if (std::filesystem::path(file).extension() != ".csv")
@@ -277,8 +277,8 @@ class MonteCarloCommand {
             };
             for (const std::string& file : files_)
                 take(saveDistributions(run, file));
-            for (const std::string& file : drawFiles_)
-                take(saveScenarioDraws(run, file));
+            for (const std::string& file : realisationFiles_)
+                take(saveScenarioRealisations(run, file));
         }
         std::vector<Outcome> outcomes;
         for (const ScenarioDistribution& part : run.parts)
@@ -291,7 +291,7 @@ class MonteCarloCommand {
     }
 
     void checkFiles() const {
-        if (files_.empty() && drawFiles_.empty())
+        if (files_.empty() && realisationFiles_.empty())
             throw refusal("--out", "nothing", "a result file, such as --out montecarlo.csv");
         const auto check = [](const char* option, const std::vector<std::string>& files) {
             for (const std::string& file : files) {
@@ -301,7 +301,7 @@ class MonteCarloCommand {
             }
         };
         check("--out", files_);
-        check("--draws", drawFiles_);
+        check("--draws", realisationFiles_);
     }
 
     AnalysisData started(const Project& project) const {
@@ -332,7 +332,8 @@ class MonteCarloCommand {
         options.ranking = ranking_ || options.rankingAt || numbers_.value("--ranking-pairs");
         if (sequence_ != "sobol" && sequence_ != "plain")
             throw wordRefusal("--sequence", sequence_, {"sobol", "plain"});
-        options.sequence = sequence_ == "plain" ? DrawSequence::plain : DrawSequence::sobol;
+        options.sequence =
+            sequence_ == "plain" ? RealisationSequence::plain : RealisationSequence::sobol;
         const auto quantity = monteCarloQuantity(quantity_);
         if (!quantity)
             throw wordRefusal("--quantity", quantity_,
@@ -364,7 +365,7 @@ class MonteCarloCommand {
     SettingOptions settings_;
     NumberOptions numbers_;
     PartOptions parts_;
-    std::vector<std::string> files_, drawFiles_, sensors_;
+    std::vector<std::string> files_, realisationFiles_, sensors_;
     std::string analysis_, kind_, sequence_ = "sobol", quantity_ = "contrast_intensity",
                                   statistic_ = "mean", percentiles_;
     bool ranking_ = false;

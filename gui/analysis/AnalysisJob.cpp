@@ -104,7 +104,7 @@ void AnalysisJob::work(std::stop_token stop) {
     try {
         outcome.result = order_.film         ? makeFilm(progress, stop)
                          : order_.simulation ? simulate(progress, stop)
-                         : order_.monteCarlo ? drawScales(progress, stop)
+                         : order_.monteCarlo ? sampleScales(progress, stop)
                          : order_.frontier   ? measureWays(progress, stop)
                                              : analyse(progress, stop);
     } catch (const irsg::InputError& error) {
@@ -172,14 +172,14 @@ JobResult AnalysisJob::makeFilm(const ProgressCallback& progress,
     return result;
 }
 
-JobResult AnalysisJob::drawScales(const ProgressCallback& progress, std::stop_token stop) {
+JobResult AnalysisJob::sampleScales(const ProgressCallback& progress, std::stop_token stop) {
     auto run = std::make_shared<MonteCarloData>();
     run->analysis = order_.analysis;
     run->options = *order_.monteCarlo;
     StageTimer timer;
     engine_->run(*run, {.progress = progress, .stop = std::move(stop), .timer = &timer});
     run->analysis.stages = timer.stages();
-    if (run->draws() == 0)
+    if (run->realisations() == 0)
         return {};
     return {{run, &run->analysis}, run};
 }

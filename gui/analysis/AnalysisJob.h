@@ -92,7 +92,7 @@ class AnalysisJob : public QObject {
     JobResult simulate(const ProgressCallback& progress, std::stop_token stop);
     JobResult makeFilm(const ProgressCallback& progress, const std::stop_token& stop) const;
     JobResult measureWays(const ProgressCallback& progress, std::stop_token stop);
-    JobResult drawScales(const ProgressCallback& progress, std::stop_token stop);
+    JobResult sampleScales(const ProgressCallback& progress, std::stop_token stop);
     void keep(const AnalysisData& data, const Progress& now);
     Outcome keptSoFar();
     void answer(const Outcome& outcome);

@@ -324,7 +324,7 @@ QStringList MonteCarloPlots::exportFilters() const {
 void MonteCarloPlots::exportTo(const std::filesystem::path& file) const {
     const std::string suffix = file.extension().string();
     if (file.stem().extension() == ".draws" && (suffix == ".csv" || suffix == ".json"))
-        return drawsTable(data_).save(file);
+        return realisationsTable(data_).save(file);
     if (suffix == ".svg" || suffix == ".pdf")
         exportPlot(*bands_, file);
     else if (suffix == ".png")

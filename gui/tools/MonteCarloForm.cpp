@@ -52,7 +52,7 @@ QWidget* MonteCarloPage::makeForm() {
         column->addWidget(box);
     };
     group(tr("What is repeated"), &MonteCarloPage::addWhat);
-    group(tr("Draws"), &MonteCarloPage::addDraws);
+    group(tr("Draws"), &MonteCarloPage::addRealisations);
 
     auto* scalesBox = new QGroupBox(tr("Scales"), panel);
     auto* scalesColumn = new QVBoxLayout(scalesBox);
@@ -104,7 +104,7 @@ void MonteCarloPage::addWhat(QFormLayout* form) {
     form->addRow(tr("Renderings of each case"), subpixelShifts_);
 }
 
-void MonteCarloPage::addDraws(QFormLayout* form) {
+void MonteCarloPage::addRealisations(QFormLayout* form) {
     samples_ = wholeNumber("samples", MonteCarloOptions::leastSamples,
                            MonteCarloOptions::mostSamples, 1024, this);
     samples_->setSingleStep(256);

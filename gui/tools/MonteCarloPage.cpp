@@ -190,8 +190,8 @@ MonteCarloData MonteCarloPage::asked() const {
 
     MonteCarloOptions& options = data.options;
     options.samples = static_cast<std::size_t>(samples_->value());
-    options.sequence =
-        sequence_->currentData().toString() == "plain" ? DrawSequence::plain : DrawSequence::sobol;
+    options.sequence = sequence_->currentData().toString() == "plain" ? RealisationSequence::plain
+                                                                      : RealisationSequence::sobol;
     options.quantity = *monteCarloQuantity(quantity_->currentData().toString().toStdString());
     options.statistic = *statisticFromName(statistic_->currentData().toString().toStdString());
     if (stops_->isChecked())
@@ -251,8 +251,9 @@ void MonteCarloPage::showResult(const JobResult& result) {
     if (!result.monteCarlo)
         return;
     const MonteCarloData& data = *result.monteCarlo;
-    setProgress(1000,
-                tr("%1 draws in %2 s").arg(data.draws()).arg(data.analysis.elapsed_s, 0, 'f', 2));
+    setProgress(
+        1000,
+        tr("%1 draws in %2 s").arg(data.realisations()).arg(data.analysis.elapsed_s, 0, 'f', 2));
     plots_->setData(data);
     QStringList lines;
     for (const SummaryItem& item : data.analysis.summary)

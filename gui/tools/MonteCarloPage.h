@@ -42,7 +42,7 @@ class MonteCarloPage : public ToolPage {
     void refreshed(bool isUsable) override;
     QWidget* makeForm();
     void addWhat(QFormLayout* form);
-    void addDraws(QFormLayout* form);
+    void addRealisations(QFormLayout* form);
     void fillAnalyses();
     void fillScales();
     std::shared_ptr<const irsg::SignatureDatabase> databaseOf(const ProjectModel& model) const;

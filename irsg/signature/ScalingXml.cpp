@@ -177,8 +177,8 @@ std::vector<fs::path> createScalingFiles(const fs::path& model, const SignatureD
     return made;
 }
 
-std::map<int, double> drawnScales(const ScalingTable& table, ScalingKind kind, std::uint64_t seed,
-                                  std::uint32_t owner, std::uint64_t draw) {
+std::map<int, double> sampledScales(const ScalingTable& table, ScalingKind kind, std::uint64_t seed,
+                                    std::uint32_t owner, std::uint64_t draw) {
     std::map<int, double> scales;
     for (const auto& [index, entry] : table)
         scales[index] = entry.distribution.at(

@@ -61,7 +61,7 @@ std::vector<std::filesystem::path> createScalingFiles(const std::filesystem::pat
 
 /// The scales of draw number `draw` for the entity number `owner` of a scene, by index. Every index
 /// of either kind has a random sequence of its own: adding one changes no other's draws.
-std::map<int, double> drawnScales(const ScalingTable& table, ScalingKind kind, std::uint64_t seed,
-                                  std::uint32_t owner, std::uint64_t draw);
+std::map<int, double> sampledScales(const ScalingTable& table, ScalingKind kind, std::uint64_t seed,
+                                    std::uint32_t owner, std::uint64_t draw);
 
 } // namespace irsg

@@ -96,8 +96,8 @@ AnalysisData analysisOf(const StatedProvenance& stated, const std::vector<Projec
         stated.refuse("", "a result that does not say how it was computed",
                       "one that an analysis of this program wrote");
     // Its table names the analysis that was repeated, and a run of that has other numbers.
-    if (const std::string draws = stated.text("monte carlo"); !draws.empty())
-        stated.refuse("monte carlo", draws,
+    if (const std::string realisations = stated.text("monte carlo"); !realisations.empty())
+        stated.refuse("monte carlo", realisations,
                       "a result of one run: Monte Carlo is run again by the command " +
                           name(AnalysisKind::monteCarlo));
     const auto kind = analysisKindFromName(analysis);

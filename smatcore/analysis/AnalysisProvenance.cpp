@@ -137,7 +137,7 @@ void writeProvenance(AnalysisData& data, const SceneDescription& scene) {
             provenance.add(setting.key, data.settings.text(setting.key) + unit);
         }
     }
-    tellDrawnScales(scene, data.settings, provenance);
+    tellSampledScales(scene, data.settings, provenance);
     if (!buildId().empty())
         provenance.add("build", buildId());
     provenance.add("renderer", data.renderer);

@@ -12,9 +12,9 @@
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
-#include "smatcore/analysis/DrawLoop.h"
 #include "smatcore/analysis/MonteCarloReport.h"
 #include "smatcore/analysis/MonteCarloViews.h"
+#include "smatcore/analysis/RealisationLoop.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/Log.h"
@@ -52,14 +52,14 @@ class Run {
         const std::size_t places = plan_.kind->form == AnalysisForm::spectrum
                                        ? plan_.wavenumbers_per_cm.size()
                                        : plan_.cases.size() * scene_.allBands().size();
-        DrawLoop::check(data_.scalings, data_.options.samples, places);
+        RealisationLoop::check(data_.scalings, data_.options.samples, places);
         const auto seed = static_cast<std::uint64_t>(analysis.settings[key::scalingSeed]);
         data_.seed = seed;
-        draws_.emplace(data_.scalings, data_.options.sequence, seed);
+        realisations_.emplace(data_.scalings, data_.options.sequence, seed);
         if (data_.options.ranking)
             companions_.emplace(data_.scalings, data_.options.sequence, seed, true);
         total_ = plan_.cases.size() * static_cast<std::size_t>(data_.options.subpixelShifts) +
-                 DrawLoop::steps(data_.options.samples) + (data_.options.ranking ? 1 : 0);
+                 RealisationLoop::steps(data_.options.samples) + (data_.options.ranking ? 1 : 0);
     }
 
     void renderViews() {
@@ -73,9 +73,9 @@ class Run {
         data_.values.assign(data_.nominal.size(), {});
     }
 
-    void drawScales() {
+    void sampleScales() {
         loop_.emplace(
-            std::vector<MonteCarloData*>{&data_}, *draws_,
+            std::vector<MonteCarloData*>{&data_}, *realisations_,
             [this](const std::vector<double>& scales) { return views_->valuesAt(scales); });
         loop_->run(
             [this](std::size_t draw) {
@@ -138,7 +138,7 @@ class Run {
         data_.bands = bands.size() > 1 ? bandLabels(bands) : std::vector<std::string>{""};
         const MonteCarloAxis axis{plan_.coordinate};
         writeProvenance(analysis, scene_);
-        beginDraws(data_, axis);
+        beginRealisations(data_, axis);
         store.begin(analysis, plan_.cases.size());
         total_ = store.expected(plan_.cases.size());
 
@@ -172,7 +172,7 @@ class Run {
         analysis.state =
             done_ == plan_.cases.size() ? AnalysisState::complete : AnalysisState::partial;
         writeProvenance(analysis, scene_);
-        tellDraws(data_, axis, data_.options.samples);
+        tellRealisations(data_, axis, data_.options.samples);
         analysis.summary.push_back({"Draws", static_cast<double>(data_.options.samples), ""});
     }
 
@@ -190,19 +190,20 @@ class Run {
         views.draw([&](const std::string& what) { say(place + ": " + what); }, stop_);
         if (stop_.stop_requested())
             return std::nullopt;
-        DrawLoop({&one}, *draws_, [&](const std::vector<double>& scales) {
+        RealisationLoop({&one}, *realisations_, [&](const std::vector<double>& scales) {
             return views.valuesAt(scales);
         }).run([&](std::size_t draw) { say(fmt::format("{}: draw {}", place, draw)); }, stop_);
-        if (one.draws() < data_.options.samples)
+        if (one.realisations() < data_.options.samples)
             return std::nullopt;
-        return CaseRecord{place, rowOfDraws(one, axis, 0), one.analysis.answeredBy,
+        return CaseRecord{place, rowOfRealisations(one, axis, 0), one.analysis.answeredBy,
                           views.remarks()};
     }
 
     void finish() {
         AnalysisData& analysis = data_.analysis;
         const bool isRanked = !companions_ || rankedPairs_ == data_.options.rankingPairs;
-        const bool isDrawn = data_.draws() == data_.options.samples || data_.reachedStandardError;
+        const bool isDrawn =
+            data_.realisations() == data_.options.samples || data_.reachedStandardError;
         analysis.state = views_->areAll() && isDrawn && isRanked ? AnalysisState::complete
                                                                  : AnalysisState::partial;
         if (!isRanked)
@@ -229,9 +230,9 @@ class Run {
 
     AnalysisPlan plan_;
     SceneDescription scene_;
-    std::optional<ScalingDraws> draws_, companions_;
+    std::optional<ScalingRealisations> realisations_, companions_;
     std::optional<MonteCarloViews> views_;
-    std::optional<DrawLoop> loop_;
+    std::optional<RealisationLoop> loop_;
     std::size_t done_ = 0, total_ = 0, rankedPairs_ = 0;
 };
 
@@ -305,7 +306,7 @@ void MonteCarlo::run(MonteCarloData& data, const ProgressCallback& progress, std
     logInfo("Monte Carlo: drawing scales");
     {
         const StageTimer::Scope scope(timer, "draw scales");
-        run.drawScales();
+        run.sampleScales();
     }
     {
         const StageTimer::Scope scope(timer, "rank");

@@ -9,7 +9,7 @@
 #include "smatcore/analysis/AnalysisData.h"
 #include "smatcore/analysis/ErrorColumns.h"
 #include "smatcore/analysis/SampleStatistics.h"
-#include "smatcore/analysis/ScalingDraws.h"
+#include "smatcore/analysis/ScalingRealisations.h"
 #include "smatcore/analysis/SobolIndices.h"
 
 namespace smat {
@@ -24,7 +24,7 @@ struct MonteCarloOptions {
     static constexpr int leastRankingPairs = 256, mostRankingPairs = 1'000'000;
 
     std::size_t samples = 1024; ///< draws at most
-    DrawSequence sequence = DrawSequence::sobol;
+    RealisationSequence sequence = RealisationSequence::sobol;
     Quantity quantity = Quantity::contrastIntensity;
     std::vector<double> percentiles = {5.0, 25.0, 50.0, 75.0, 95.0};
     /// What the standard error is told of, and what ends the draws early.
@@ -73,7 +73,7 @@ struct MonteCarloData {
     std::vector<RankedScaling> ranking;
     bool reachedStandardError = false;
 
-    std::size_t draws() const { return values.empty() ? 0 : values.front().size(); }
+    std::size_t realisations() const { return values.empty() ? 0 : values.front().size(); }
     /// The command that does the same from a terminal.
     std::string equivalentCommand(const std::string& outputFile) const;
     /// The abscissa nearest to a number: its place in the first band.

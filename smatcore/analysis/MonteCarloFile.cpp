@@ -69,13 +69,13 @@ ResultTable rankingTable(const MonteCarloData& data) {
     return table;
 }
 
-ResultTable drawsTable(const MonteCarloData& data) {
-    return drawsTable({NamedDraws{"", &data}});
+ResultTable realisationsTable(const MonteCarloData& data) {
+    return realisationsTable({NamedRealisations{"", &data}});
 }
 
-ResultTable drawsTable(const std::vector<NamedDraws>& runs) {
+ResultTable realisationsTable(const std::vector<NamedRealisations>& runs) {
     const MonteCarloData& last = *runs.back().data;
-    if (last.draws() == 0)
+    if (last.realisations() == 0)
         throw irsg::LogicError("draws were asked for before any was made");
     ResultTable table;
     table.provenance = last.analysis.table.provenance;
@@ -95,10 +95,10 @@ ResultTable drawsTable(const std::vector<NamedDraws>& runs) {
                                               band),
                           data->unit);
     }
-    const ScalingDraws draws(last.scalings, last.options.sequence, last.seed);
-    for (std::size_t draw = 0; draw < last.draws(); ++draw) {
+    const ScalingRealisations realisations(last.scalings, last.options.sequence, last.seed);
+    for (std::size_t draw = 0; draw < last.realisations(); ++draw) {
         std::vector<double> row{static_cast<double>(draw)};
-        const std::vector<double> scales = draws.at(draw);
+        const std::vector<double> scales = realisations.at(draw);
         row.insert(row.end(), scales.begin(), scales.end());
         for (const auto& [object, data] : runs)
             for (const std::vector<double>& values : data->values)
@@ -140,7 +140,7 @@ std::vector<std::filesystem::path> saveMonteCarlo(const MonteCarloData& data,
     }
     json["options"] = jsonOf(data.options);
     json["scales"] = scales;
-    json["draws"] = data.draws();
+    json["draws"] = data.realisations();
     json["abscissa"] = {{"name", data.abscissaKey}, {"unit", data.abscissaUnit}};
     json["unit"] = data.unit;
     json["bands"] = data.bands;

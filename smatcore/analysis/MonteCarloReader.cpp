@@ -14,11 +14,11 @@ namespace {
 
 using irsg::JsonReader;
 
-constexpr std::size_t drawsInRow = 4096;
-constexpr std::size_t mostDraws = 10'000'000;
+constexpr std::size_t realisationsInRow = 4096;
+constexpr std::size_t mostRealisations = 10'000'000;
 
 std::size_t rowsFor(std::size_t values) {
-    return (values + drawsInRow - 1) / drawsInRow;
+    return (values + realisationsInRow - 1) / realisationsInRow;
 }
 
 Estimate estimateOf(const JsonReader& json) {
@@ -29,11 +29,12 @@ Estimate estimateOf(const JsonReader& json) {
 MonteCarloOptions optionsOf(const JsonReader& json) {
     MonteCarloOptions options;
     const JsonReader quantity = json.at("quantity"), statistic = json.at("statistic");
-    options.samples = json.at("samples").count(mostDraws);
+    options.samples = json.at("samples").count(mostRealisations);
     options.sequence =
-        json.at("sequence").word({name(DrawSequence::plain), name(DrawSequence::sobol)}) == 0
-            ? DrawSequence::plain
-            : DrawSequence::sobol;
+        json.at("sequence")
+                    .word({name(RealisationSequence::plain), name(RealisationSequence::sobol)}) == 0
+            ? RealisationSequence::plain
+            : RealisationSequence::sobol;
     if (const auto known = monteCarloQuantity(quantity.text()))
         options.quantity = *known;
     else
@@ -46,7 +47,7 @@ MonteCarloOptions optionsOf(const JsonReader& json) {
     // Earlier versions called them phases.
     options.subpixelShifts = json.at(json.has("phases") ? "phases" : "subpixel_shifts").index();
     options.ranking = json.at("ranking").boolean();
-    options.rankingPairs = json.at("ranking_pairs").count(mostDraws);
+    options.rankingPairs = json.at("ranking_pairs").count(mostRealisations);
     if (json.has("standard_error"))
         options.standardError = json.at("standard_error").number();
     if (json.has("ranking_at"))
@@ -102,26 +103,27 @@ void takeColumns(MonteCarloData& data, const std::string& file) {
     }
 }
 
-void takeDraws(MonteCarloData& data, const JsonReader& count, const irsg::RadianceImage& image) {
-    const std::size_t places = data.statistic.size(), draws = count.count(mostDraws);
+void takeRealisations(MonteCarloData& data, const JsonReader& count,
+                      const irsg::RadianceImage& image) {
+    const std::size_t places = data.statistic.size(), realisations = count.count(mostRealisations);
     // Both are bounded before they are multiplied: places by the file, draws by what may be asked.
-    if (image.empty() || image.width() != static_cast<int>(drawsInRow) ||
-        static_cast<std::size_t>(image.height()) != rowsFor(places * draws)) {
-        count.refuse(
-            fmt::format("{} x {} numbers beside it", image.width(), image.height()),
-            fmt::format("those of {} draws at {} places in rows of {}", draws, places, drawsInRow));
+    if (image.empty() || image.width() != static_cast<int>(realisationsInRow) ||
+        static_cast<std::size_t>(image.height()) != rowsFor(places * realisations)) {
+        count.refuse(fmt::format("{} x {} numbers beside it", image.width(), image.height()),
+                     fmt::format("those of {} draws at {} places in rows of {}", realisations,
+                                 places, realisationsInRow));
     }
     const std::vector<float>& flat = image.primary().values;
     for (std::size_t place = 0; place < places; ++place) {
-        const auto first = flat.begin() + static_cast<std::ptrdiff_t>(place * draws);
-        data.values.emplace_back(first, first + static_cast<std::ptrdiff_t>(draws));
+        const auto first = flat.begin() + static_cast<std::ptrdiff_t>(place * realisations);
+        data.values.emplace_back(first, first + static_cast<std::ptrdiff_t>(realisations));
     }
 }
 
 void takeRanking(MonteCarloData& data, const JsonReader& list) {
     for (const JsonReader& one : list.list()) {
         const JsonReader scale = one.at("scale");
-        const std::size_t number = scale.count(mostDraws);
+        const std::size_t number = scale.count(mostRealisations);
         if (number >= data.scalings.size())
             scale.refuse("the number of one of the scales, from 0");
         data.ranking.push_back(
@@ -142,9 +144,9 @@ void takeStatistic(MonteCarloData& data, const JsonReader& list) {
 
 } // namespace
 
-irsg::RadianceImage drawsImage(const MonteCarloData& data) {
-    const std::size_t count = data.values.size() * data.draws();
-    irsg::RadianceImage image(static_cast<int>(drawsInRow), static_cast<int>(rowsFor(count)),
+irsg::RadianceImage realisationsImage(const MonteCarloData& data) {
+    const std::size_t count = data.values.size() * data.realisations();
+    irsg::RadianceImage image(static_cast<int>(realisationsInRow), static_cast<int>(rowsFor(count)),
                               "draws", data.unit);
     auto to = image.primary().values.begin();
     for (const std::vector<double>& values : data.values)
@@ -153,7 +155,8 @@ irsg::RadianceImage drawsImage(const MonteCarloData& data) {
     return image;
 }
 
-MonteCarloData loadMonteCarlo(const std::filesystem::path& file, const irsg::RadianceImage& draws) {
+MonteCarloData loadMonteCarlo(const std::filesystem::path& file,
+                              const irsg::RadianceImage& realisations) {
     const std::string fileName = file.string();
     const JsonReader json(readTextFile(file), fileName,
                           {.expected = "the JSON form of a Monte Carlo run"},
@@ -173,7 +176,7 @@ MonteCarloData loadMonteCarlo(const std::filesystem::path& file, const irsg::Rad
     takeRanking(data, json.at("ranking"));
     data.reachedStandardError = json.at("reached_standard_error").boolean();
     takeColumns(data, fileName);
-    takeDraws(data, json.at("draws"), draws);
+    takeRealisations(data, json.at("draws"), realisations);
     // Provenance tells what is not the default.
     const std::string seed = data.analysis.table.provenance.value(key::scalingSeed.name);
     if (const auto number = irsg::parseNumber(seed); number && *number >= 0.0)

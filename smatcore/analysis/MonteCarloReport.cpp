@@ -71,7 +71,7 @@ void summarise(MonteCarloData& data) {
     const std::string where = fmt::format(" at {:.6g} {}{}", data.abscissae[widest % abscissae],
                                           data.abscissaUnit, band.empty() ? "" : ", " + band);
     const Estimate& estimated = data.statistic[widest];
-    summary.push_back({"Draws", static_cast<double>(data.draws()), ""});
+    summary.push_back({"Draws", static_cast<double>(data.realisations()), ""});
     summary.push_back({"Largest standard deviation" + where, sigmas[widest], data.unit});
     summary.push_back({"Mean there", meanOf(data.values[widest]), data.unit});
     summary.push_back({"Standard error of the " + name(data.options.statistic) + " there",
@@ -88,9 +88,9 @@ void summarise(MonteCarloData& data) {
 
 } // namespace
 
-void tellDraws(MonteCarloData& data, const MonteCarloAxis& axis, std::size_t draws) {
+void tellRealisations(MonteCarloData& data, const MonteCarloAxis& axis, std::size_t realisations) {
     Provenance own;
-    own.add("monte carlo", fmt::format("{} draws of the {} sequence, seed {}", draws,
+    own.add("monte carlo", fmt::format("{} draws of the {} sequence, seed {}", realisations,
                                        name(data.options.sequence), data.seed));
     const Quantity quantity = quantityOf(data.options.quantity, !axis.wavenumbers_per_cm.empty());
     own.add("quantity", std::string(irsg::info(quantity).key));
@@ -105,13 +105,13 @@ void tellDraws(MonteCarloData& data, const MonteCarloAxis& axis, std::size_t dra
     entries.insert(at, own.entries.begin(), own.entries.end());
 }
 
-void beginDraws(MonteCarloData& data, const MonteCarloAxis& axis) {
+void beginRealisations(MonteCarloData& data, const MonteCarloAxis& axis) {
     addColumns(data, axis);
-    tellDraws(data, axis, data.options.samples);
+    tellRealisations(data, axis, data.options.samples);
 }
 
-std::vector<double> rowOfDraws(const MonteCarloData& data, const MonteCarloAxis& axis,
-                               std::size_t abscissa) {
+std::vector<double> rowOfRealisations(const MonteCarloData& data, const MonteCarloAxis& axis,
+                                      std::size_t abscissa) {
     std::vector<double> row;
     if (!axis.wavenumbers_per_cm.empty())
         row.push_back(axis.wavenumbers_per_cm[abscissa]);
@@ -132,21 +132,21 @@ std::vector<double> rowOfDraws(const MonteCarloData& data, const MonteCarloAxis&
     return row;
 }
 
-void reportDraws(MonteCarloData& data, const MonteCarloAxis& axis) {
+void reportRealisations(MonteCarloData& data, const MonteCarloAxis& axis) {
     addColumns(data, axis);
     for (std::size_t i = 0; i < data.abscissae.size(); ++i)
-        data.analysis.table.addRow(rowOfDraws(data, axis, i));
+        data.analysis.table.addRow(rowOfRealisations(data, axis, i));
     summarise(data);
-    tellDraws(data, axis, data.draws());
+    tellRealisations(data, axis, data.realisations());
 }
 
 void reportMonteCarlo(MonteCarloData& data, const AnalysisPlan& plan,
                       const SceneDescription& scene) {
     writeProvenance(data.analysis, scene);
     if (plan.kind->form == AnalysisForm::spectrum)
-        reportDraws(data, {Quantity::wavelength, plan.wavenumbers_per_cm});
+        reportRealisations(data, {Quantity::wavelength, plan.wavenumbers_per_cm});
     else
-        reportDraws(data, {plan.coordinate});
+        reportRealisations(data, {plan.coordinate});
 }
 
 } // namespace smat

@@ -13,15 +13,15 @@ struct MonteCarloAxis {
 
 /// The columns of the table and, in its provenance, what is drawn: all that is known before. The
 /// labels of the bands are filled in.
-void beginDraws(MonteCarloData& data, const MonteCarloAxis& axis);
+void beginRealisations(MonteCarloData& data, const MonteCarloAxis& axis);
 /// What is drawn, and how often, in the provenance: before who answered and what is warned of.
-void tellDraws(MonteCarloData& data, const MonteCarloAxis& axis, std::size_t draws);
+void tellRealisations(MonteCarloData& data, const MonteCarloAxis& axis, std::size_t realisations);
 /// The row of an abscissa.
-std::vector<double> rowOfDraws(const MonteCarloData& data, const MonteCarloAxis& axis,
-                               std::size_t abscissa);
+std::vector<double> rowOfRealisations(const MonteCarloData& data, const MonteCarloAxis& axis,
+                                      std::size_t abscissa);
 
 /// Adds to a result whose provenance tells of its scene the table, the summary and what was drawn.
-void reportDraws(MonteCarloData& data, const MonteCarloAxis& axis);
+void reportRealisations(MonteCarloData& data, const MonteCarloAxis& axis);
 
 /// Says in table, summary and provenance what a Monte Carlo analysis found: its values, abscissae,
 /// statistic and ranking are filled in.

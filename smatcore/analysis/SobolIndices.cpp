@@ -19,9 +19,9 @@ struct PairValues {
     std::vector<std::vector<double>> atMixed;
 };
 
-PairValues valuesOf(const ScalingDraws& draws, std::size_t pair,
+PairValues valuesOf(const ScalingRealisations& realisations, std::size_t pair,
                     const std::vector<std::size_t>& varying, const ScaledModel& model) {
-    const std::vector<double> a = draws.at(pair), b = draws.companionAt(pair);
+    const std::vector<double> a = realisations.at(pair), b = realisations.companionAt(pair);
     PairValues values{model(a), model(b), {}};
     for (const std::size_t scaling : varying) {
         // A with this scale of B shares it with B, and all others with A.
@@ -126,32 +126,32 @@ Estimate PickFreeze::index(bool byReplicates) const {
     return withError(value, error, count - 1);
 }
 
-std::vector<RankedScaling> rankScalings(const ScalingDraws& draws, DrawSequence sequence,
-                                        std::size_t pairs,
+std::vector<RankedScaling> rankScalings(const ScalingRealisations& realisations,
+                                        RealisationSequence sequence, std::size_t pairs,
                                         const std::function<ScaledModel()>& modelOfPair,
                                         const std::function<bool(std::size_t done)>& goOn) {
     std::vector<std::size_t> varying;
-    for (std::size_t i = 0; i < draws.scalings().size(); ++i)
-        if (!draws.scalings()[i].isFixed())
+    for (std::size_t i = 0; i < realisations.scalings().size(); ++i)
+        if (!realisations.scalings()[i].isFixed())
             varying.push_back(i);
     std::vector<PickFreeze> ofOne(varying.size()), ofOthers(varying.size());
     bool isWanted = true;
     for (std::size_t begin = 0; begin < pairs && isWanted; begin += pairsOfBlock) {
         std::vector<PairValues> block(std::min(pairsOfBlock, pairs - begin));
         irsg::parallelFor(block.size(), [&](std::size_t i) {
-            block[i] = valuesOf(draws, begin + i, varying, modelOfPair());
+            block[i] = valuesOf(realisations, begin + i, varying, modelOfPair());
         });
         for (std::size_t i = 0; i < block.size() && isWanted; ++i) {
             const std::size_t pair = begin + i;
             for (std::size_t j = 0; j < varying.size(); ++j) {
-                ofOne[j].add(block[i].atB, block[i].atMixed[j], draws.replicateOf(pair));
-                ofOthers[j].add(block[i].atA, block[i].atMixed[j], draws.replicateOf(pair));
+                ofOne[j].add(block[i].atB, block[i].atMixed[j], realisations.replicateOf(pair));
+                ofOthers[j].add(block[i].atA, block[i].atMixed[j], realisations.replicateOf(pair));
             }
             isWanted = goOn(pair + 1);
         }
     }
     std::vector<RankedScaling> ranking;
-    const bool byReplicates = sequence == DrawSequence::sobol;
+    const bool byReplicates = sequence == RealisationSequence::sobol;
     for (std::size_t j = 0; j < varying.size(); ++j) {
         const Estimate others = ofOthers[j].index(byReplicates);
         ranking.push_back(

@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "smatcore/analysis/SampleStatistics.h"
-#include "smatcore/analysis/ScalingDraws.h"
+#include "smatcore/analysis/ScalingRealisations.h"
 
 namespace smat {
 
 /// What one scale contributes to the spread of a result.
 struct RankedScaling {
-    std::size_t scaling = 0; ///< its place in ScalingDraws::scalings()
+    std::size_t scaling = 0; ///< its place in ScalingRealisations::scalings()
     /// First-order Sobol' index: the part of the variance that goes when this scale is known.
     Estimate firstOrder;
     /// Total index: the part that stays when all others are known; more than the first-order index
@@ -25,7 +25,7 @@ struct RankedScaling {
 /// Janon, Klein and Lagnoux 2014).
 class PickFreeze {
   public:
-    /// One value each for every abscissa; `replicate` as in ScalingDraws.
+    /// One value each for every abscissa; `replicate` as in ScalingRealisations.
     void add(const std::vector<double>& values, const std::vector<double>& shared,
              std::size_t replicate);
     /// `byReplicates` takes the error from the spread of the replicates, else from the draws.
@@ -53,8 +53,8 @@ using ScaledModel = std::function<std::vector<double>(const std::vector<double>&
 /// with companions: pairs (2 + d) evaluations, on all cores. `modelOfPair` gives a model for the
 /// draws of one pair, which differ in few scales; several threads have one each at a time. `goOn`
 /// is asked after every pair, in their order; false ends early, with what there is.
-std::vector<RankedScaling> rankScalings(const ScalingDraws& draws, DrawSequence sequence,
-                                        std::size_t pairs,
+std::vector<RankedScaling> rankScalings(const ScalingRealisations& realisations,
+                                        RealisationSequence sequence, std::size_t pairs,
                                         const std::function<ScaledModel()>& modelOfPair,
                                         const std::function<bool(std::size_t done)>& goOn);
 

@@ -25,7 +25,7 @@ struct SceneDescription : irsg::Scene {
     /// What entities do by themselves, in their states already; empty: all do the same.
     std::vector<OwnState> own;
     /// What was drawn of scaling files: "temperature 5 (exhaust): 1.03, uniform, 0.9 to 1.1".
-    std::vector<std::string> drawnScales;
+    std::vector<std::string> sampledScales;
 
     OwnState ownOf(std::size_t entity) const {
         return entity < own.size() ? own[entity] : OwnState();

@@ -115,7 +115,7 @@ void applyScalings(const Project& project, std::uint64_t seed, SceneDescription&
         (scaling.input.kind == ScalingKind::temperature
              ? entity.temperatureScale
              : entity.emissivityScale)[scaling.input.index] = value;
-        scene.drawnScales.push_back(
+        scene.sampledScales.push_back(
             fmt::format("{}: {}{}", scaling.name, irsg::numberText(value),
                         scaling.isFixed() ? "" : ", " + describe(scaling.distribution)));
     }
@@ -135,13 +135,13 @@ std::string describe(const irsg::Distribution& distribution) {
     return text;
 }
 
-void tellDrawnScales(const SceneDescription& scene, const Settings& settings,
-                     Provenance& provenance) {
-    if (scene.drawnScales.empty())
+void tellSampledScales(const SceneDescription& scene, const Settings& settings,
+                       Provenance& provenance) {
+    if (scene.sampledScales.empty())
         return;
     if (settings.isDefault(key::scalingSeed))
         provenance.add(key::scalingSeed.name, settings.text(key::scalingSeed));
-    for (const std::string& drawn : scene.drawnScales)
+    for (const std::string& drawn : scene.sampledScales)
         provenance.add("drawn scale", drawn);
 }
 

@@ -39,7 +39,7 @@ void applyScalings(const Project& project, std::uint64_t seed, SceneDescription&
 
 /// What a result says of scales: `scaling.seed`, where it is the default, and a `drawn scale` each.
 /// Nothing where none were drawn.
-void tellDrawnScales(const SceneDescription& scene, const Settings& settings,
-                     Provenance& provenance);
+void tellSampledScales(const SceneDescription& scene, const Settings& settings,
+                       Provenance& provenance);
 
 } // namespace smat

@@ -32,7 +32,7 @@ constexpr int resultFileVersion = 1;
 constexpr const char* wordsEnding = ".result";
 constexpr const char* tableEnding = ".json";
 constexpr const char* imageEnding = ".exr";
-constexpr const char* drawsEnding = "-draws.exr";
+constexpr const char* realisationsEnding = "-draws.exr";
 
 constexpr std::array<std::pair<Origin, const char*>, 4> originWords = {
     {{Origin::run, "run"},
@@ -196,7 +196,7 @@ ResultDocument ResultFolder::load(const std::string& stem) const {
     ResultDocument document = words.document;
     if (words.isMonteCarlo) {
         auto run = std::make_shared<MonteCarloData>(
-            loadMonteCarlo(file(stem, tableEnding), irsg::readExr(file(stem, drawsEnding))));
+            loadMonteCarlo(file(stem, tableEnding), irsg::readExr(file(stem, realisationsEnding))));
         takeWords(run->analysis, words, wordsFile, projectFile_);
         document.data = {run, &run->analysis};
         document.monteCarlo = run;
@@ -231,7 +231,7 @@ std::string ResultFolder::save(const ResultDocument& document, int number) const
     const std::string stem = freeStem(document, number);
     const AnalysisData& data = *document.data;
     if (document.monteCarlo) {
-        irsg::writeExr(drawsImage(*document.monteCarlo), file(stem, drawsEnding));
+        irsg::writeExr(realisationsImage(*document.monteCarlo), file(stem, realisationsEnding));
         saveMonteCarlo(*document.monteCarlo, file(stem, tableEnding));
     } else if (document.origin != Origin::file) {
         if (!data.image.empty())
@@ -277,7 +277,7 @@ void ResultFolder::saveWords(const ResultDocument& document, const std::string& 
 }
 
 void ResultFolder::remove(const std::string& stem) const {
-    for (const char* ending : {wordsEnding, tableEnding, imageEnding, drawsEnding}) {
+    for (const char* ending : {wordsEnding, tableEnding, imageEnding, realisationsEnding}) {
         std::error_code failure;
         std::filesystem::remove(file(stem, ending), failure);
         if (failure) {

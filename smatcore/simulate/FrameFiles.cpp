@@ -126,7 +126,7 @@ Provenance sensorProvenance(const LoadedScenario& of, std::size_t sensor,
             provenance.add(setting.key, loaded.settings.text(setting.key) + unit);
         }
     }
-    tellDrawnScales(loaded.scene, loaded.settings, provenance);
+    tellSampledScales(loaded.scene, loaded.settings, provenance);
     if (!buildId().empty())
         provenance.add("build", buildId());
     return provenance;

@@ -8,9 +8,9 @@
 #include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
-#include "smatcore/analysis/DrawLoop.h"
 #include "smatcore/analysis/MonteCarloFile.h"
 #include "smatcore/analysis/MonteCarloReport.h"
+#include "smatcore/analysis/RealisationLoop.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/simulate/FrameFiles.h"
@@ -57,10 +57,10 @@ class ScenarioRun {
         for (const std::size_t sensor : run_.plan.sensors)
             places += run_.plan.steps.size() * (run_.scenario.paths.size() + 1) *
                       run_.scenario.sensors[sensor].scene.allBands().size();
-        DrawLoop::check(scalings_, run_.options.samples, places);
-        draws_.emplace(scalings_, run_.options.sequence, seed_);
+        RealisationLoop::check(scalings_, run_.options.samples, places);
+        realisations_.emplace(scalings_, run_.options.sequence, seed_);
         total_ = run_.plan.steps.size() * run_.plan.sensors.size() +
-                 DrawLoop::steps(run_.options.samples);
+                 RealisationLoop::steps(run_.options.samples);
     }
 
     void renderViews() {
@@ -84,7 +84,7 @@ class ScenarioRun {
         }
     }
 
-    void drawScales() {
+    void sampleScales() {
         std::vector<MonteCarloData*> parts;
         std::vector<const Series*> series;
         for (Series& one : series_) {
@@ -101,7 +101,7 @@ class ScenarioRun {
         if (parts.empty())
             throw monteCarloRefusal("steps", "none at which a sensor sees an entity",
                                     "at least one");
-        DrawLoop loop(parts, *draws_, [&](const std::vector<double>& scales) {
+        RealisationLoop loop(parts, *realisations_, [&](const std::vector<double>& scales) {
             std::vector<double> values;
             irsg::ScaledValues at;
             for (const Series* one : series)
@@ -125,7 +125,7 @@ class ScenarioRun {
             part->analysis.warnings = run_.warnings;
         loop.tellShortcomings();
         const bool isDrawn = std::ranges::all_of(parts, [&](const MonteCarloData* part) {
-            return part->draws() == run_.options.samples || part->reachedStandardError;
+            return part->realisations() == run_.options.samples || part->reachedStandardError;
         });
         run_.state = isDrawn && steps_ == run_.plan.steps.size() ? AnalysisState::complete
                                                                  : AnalysisState::partial;
@@ -154,7 +154,7 @@ class ScenarioRun {
             for (const std::string& warning : analysis.warnings)
                 provenance.add("warning", warning);
             analysis.table.provenance = std::move(provenance);
-            reportDraws(part.data, {irsg::Quantity::time});
+            reportRealisations(part.data, {irsg::Quantity::time});
             run_.parts.push_back(std::move(part));
         }
         say("done");
@@ -260,7 +260,7 @@ class ScenarioRun {
 
     std::vector<SceneScaling> scalings_;
     std::uint64_t seed_ = 1;
-    std::optional<ScalingDraws> draws_;
+    std::optional<ScalingRealisations> realisations_;
     std::vector<Series> series_;
     Views views_; ///< all of them
     std::size_t steps_ = 0, done_ = 0, total_ = 0;
@@ -283,7 +283,7 @@ void runScenarioMonteCarlo(ScenarioMonteCarlo& asked, const RenderDoor& door,
     }
     {
         const StageTimer::Scope scope(timer, "draw scales");
-        run.drawScales();
+        run.sampleScales();
     }
     run.finish();
 }
@@ -298,19 +298,19 @@ std::vector<std::filesystem::path> saveDistributions(const ScenarioMonteCarlo& r
     return files;
 }
 
-std::vector<std::filesystem::path> saveScenarioDraws(const ScenarioMonteCarlo& run,
-                                                     const std::filesystem::path& file) {
+std::vector<std::filesystem::path> saveScenarioRealisations(const ScenarioMonteCarlo& run,
+                                                            const std::filesystem::path& file) {
     std::vector<std::filesystem::path> files;
     for (const std::size_t sensor : run.plan.sensors) {
         const std::string& name = run.scenario.scenario.sensors[sensor].name;
-        std::vector<NamedDraws> parts;
+        std::vector<NamedRealisations> parts;
         for (const ScenarioDistribution& part : run.parts)
             if (part.sensor == name)
                 parts.push_back({part.entity, &part.data});
         if (parts.empty())
             continue;
         files.push_back(withLabel(file, name));
-        drawsTable(parts).save(files.back());
+        realisationsTable(parts).save(files.back());
     }
     return files;
 }

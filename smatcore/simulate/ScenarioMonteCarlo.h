@@ -49,7 +49,7 @@ std::vector<std::filesystem::path> saveDistributions(const ScenarioMonteCarlo& r
                                                      const std::filesystem::path& file);
 /// Writes the raw draws of each sensor, FILE-mwir.csv: a row a draw with its scales and what is
 /// seen of every entity at every time, `near.contrast_intensity at 2 s`.
-std::vector<std::filesystem::path> saveScenarioDraws(const ScenarioMonteCarlo& run,
-                                                     const std::filesystem::path& file);
+std::vector<std::filesystem::path> saveScenarioRealisations(const ScenarioMonteCarlo& run,
+                                                            const std::filesystem::path& file);
 
 } // namespace smat

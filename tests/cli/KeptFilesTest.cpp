@@ -132,7 +132,7 @@ TEST(KeptFiles, MonteCarloBesideItsProjectHasItsDrawsAndComesToTheSameNumbers) {
     const MonteCarloData& run = *document.monteCarlo;
     EXPECT_EQ(run.analysis.kind, AnalysisKind::polar);
     EXPECT_EQ(run.analysis.settings.text("render.bounces"), "0");
-    EXPECT_EQ(run.draws(), 64U);
+    EXPECT_EQ(run.realisations(), 64U);
     ASSERT_EQ(run.values.size(), 16U);
     const TemporaryFolder folder;
     const Ran ran =

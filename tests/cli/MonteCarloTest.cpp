@@ -153,7 +153,7 @@ TEST_F(SmatBatchMonteCarlo, OverAScenarioTellsWhatEachSensorSeesOfEachEntity) {
     EXPECT_THAT(ran.out, HasSubstr("south-near"));
     const ResultTable plain = ResultTable::load(folder / "plain/south.csv");
     const ResultTable drawn = ResultTable::load(folder / "drawn/south.csv");
-    const ResultTable draws = ResultTable::load(folder / "draws-one-south.csv");
+    const ResultTable realisations = ResultTable::load(folder / "draws-one-south.csv");
     for (const std::string name : {"near", "far"}) {
         SCOPED_TRACE(name);
         const ResultTable bands = ResultTable::load(folder / ("one-south-" + name + ".csv"));
@@ -164,18 +164,18 @@ TEST_F(SmatBatchMonteCarlo, OverAScenarioTellsWhatEachSensorSeesOfEachEntity) {
             EXPECT_NEAR(bands.find("nominal")->values[row] / atOne, 1.0, 1e-6);
             const double first = drawn.find(name + ".contrast_intensity")->values[row];
             const std::string key = name + ".contrast_intensity at " + std::to_string(row) + " s";
-            ASSERT_NE(draws.find(key), nullptr) << key;
-            EXPECT_NEAR(draws.find(key)->values[0] / first, 1.0, 1e-4);
+            ASSERT_NE(realisations.find(key), nullptr) << key;
+            EXPECT_NEAR(realisations.find(key)->values[0] / first, 1.0, 1e-4);
             EXPECT_GT(std::abs(first / atOne - 1.0), 1e-2);
         }
     }
     // Both have their own scales, and together they are the sum.
-    EXPECT_NE(draws.find("scale near temperature 5 (exhaust pipes)"), nullptr);
+    EXPECT_NE(realisations.find("scale near temperature 5 (exhaust pipes)"), nullptr);
     for (std::size_t row = 0; row < 300; ++row) {
-        EXPECT_NEAR(draws.find("near.contrast_intensity at 0 s")->values[row] +
-                        draws.find("far.contrast_intensity at 0 s")->values[row],
-                    draws.find("contrast_intensity at 0 s")->values[row],
-                    1e-4 * std::abs(draws.find("contrast_intensity at 0 s")->values[row]));
+        EXPECT_NEAR(realisations.find("near.contrast_intensity at 0 s")->values[row] +
+                        realisations.find("far.contrast_intensity at 0 s")->values[row],
+                    realisations.find("contrast_intensity at 0 s")->values[row],
+                    1e-4 * std::abs(realisations.find("contrast_intensity at 0 s")->values[row]));
     }
     montecarlo("4", "four");
     const auto numbers = [&](const std::string& name) {

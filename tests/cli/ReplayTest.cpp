@@ -171,12 +171,13 @@ TEST_F(SmatBatchReplay, RefusesWhatItCannotRunAgain) {
     ASSERT_EQ(tool.exitCode, 0) << tool.err;
     EXPECT_THAT(in({"replay", "r.csv"}).err, HasSubstr("found radiative"));
     // A table of Monte Carlo names the analysis that was repeated: a run of that is another.
-    std::string draws = contentOf(folder / "polar.csv");
+    std::string realisations = contentOf(folder / "polar.csv");
     const std::string analysis = "# analysis: polar\n";
-    ASSERT_NE(draws.find(analysis), std::string::npos);
-    write(folder / "draws.csv", draws.insert(draws.find(analysis) + analysis.size(),
-                                             "# monte carlo: 64 draws of the sobol sequence, "
-                                             "seed 1\n"));
+    ASSERT_NE(realisations.find(analysis), std::string::npos);
+    write(folder / "draws.csv",
+          realisations.insert(realisations.find(analysis) + analysis.size(),
+                              "# monte carlo: 64 draws of the sobol sequence, "
+                              "seed 1\n"));
     const Ran ofDraws = in({"replay", "draws.csv"});
     EXPECT_EQ(ofDraws.exitCode, 2);
     EXPECT_THAT(ofDraws.err, HasSubstr("draws.csv: monte carlo: found 64 draws"));

@@ -121,12 +121,13 @@ double sigmaOf(const irsg::Distribution& distribution) {
 } // namespace
 
 TEST_F(MonteCarloTest, GivesMeanAndSpreadOfAClosedForm) {
-    for (const DrawSequence sequence : {DrawSequence::plain, DrawSequence::sobol}) {
+    for (const RealisationSequence sequence :
+         {RealisationSequence::plain, RealisationSequence::sobol}) {
         data.options.sequence = sequence;
         data.options.samples = 4096;
         run();
         ASSERT_EQ(data.abscissae.size(), 4u);
-        EXPECT_EQ(data.draws(), 4096u);
+        EXPECT_EQ(data.realisations(), 4096u);
         EXPECT_EQ(data.analysis.state, AnalysisState::complete);
         const double s1 = sigmaOf(data.scalings[0].distribution);
         const double s2 = sigmaOf(data.scalings[1].distribution);
@@ -136,10 +137,10 @@ TEST_F(MonteCarloTest, GivesMeanAndSpreadOfAClosedForm) {
             // T1 has 3 + E1 with the mean 4; E1 (T1 - 1) adds the product of the deviations.
             const double variance =
                 16.0 * s1 * s1 + std::pow((2.0 + cosine) * s2, 2) + s1 * s1 * se * se;
-            const double limit = sequence == DrawSequence::sobol ? 0.005 : 0.05;
+            const double limit = sequence == RealisationSequence::sobol ? 0.005 : 0.05;
             EXPECT_NEAR(standardDeviationOf(data.values[k]) / std::sqrt(variance), 1.0, limit);
             EXPECT_NEAR(meanOf(data.values[k]), 105.0 + cosine,
-                        (sequence == DrawSequence::sobol ? 0.02 : 4.0) *
+                        (sequence == RealisationSequence::sobol ? 0.02 : 4.0) *
                             std::sqrt(variance / 4096.0));
             EXPECT_NEAR(data.nominal[k], 105.0 + cosine, 2e-4);
             EXPECT_GT(data.numericalError[k], 1e-6);
@@ -216,7 +217,7 @@ TEST_F(MonteCarloTest, RepeatsWithItsSeedAndDiffersWithAnother) {
 }
 
 TEST_F(MonteCarloTest, DrawsWhatLoadingTheDatabaseDraws) {
-    data.options.sequence = DrawSequence::plain;
+    data.options.sequence = RealisationSequence::plain;
     run();
     SceneDescription loaded = scene(data.analysis.project, data.analysis.settings);
     applyScalings(data.analysis.project, 1, loaded);
@@ -229,10 +230,11 @@ TEST_F(MonteCarloTest, DrawsWhatLoadingTheDatabaseDraws) {
 
 TEST_F(MonteCarloTest, ExportsEachDrawWithItsScalesAndWhatCameOfThem) {
     data.analysis.settings.set("scaling.seed", "7");
-    for (const DrawSequence sequence : {DrawSequence::plain, DrawSequence::sobol}) {
+    for (const RealisationSequence sequence :
+         {RealisationSequence::plain, RealisationSequence::sobol}) {
         data.options.sequence = sequence;
         run();
-        const ResultTable table = drawsTable(data);
+        const ResultTable table = realisationsTable(data);
         ASSERT_EQ(table.rowCount(), 512u);
         EXPECT_EQ(table.provenance, data.analysis.table.provenance);
         const auto column = [&](const std::string& key) {
@@ -256,13 +258,13 @@ TEST_F(MonteCarloTest, ExportsEachDrawWithItsScalesAndWhatCameOfThem) {
         // Of a run that was read back: the same scales, the quantities as it keeps them.
         const auto file = ownFolder() / "kept.json";
         saveMonteCarlo(data, file);
-        const MonteCarloData kept = loadMonteCarlo(file, drawsImage(data));
+        const MonteCarloData kept = loadMonteCarlo(file, realisationsImage(data));
         EXPECT_EQ(kept.analysis.kind, data.analysis.kind);
-        const ResultTable again = drawsTable(kept);
+        const ResultTable again = realisationsTable(kept);
         EXPECT_EQ(again.find("scale temperature 2 (pipe)")->values, t2);
         EXPECT_NEAR(again.find("contrast_intensity at 90 deg")->values[3], aside[3], 1e-4);
     }
-    EXPECT_THROW(drawsTable(MonteCarloData()), irsg::LogicError);
+    EXPECT_THROW(realisationsTable(MonteCarloData()), irsg::LogicError);
 }
 
 TEST_F(MonteCarloTest, StopsAtAStandardErrorAndSaysWhereItDidNotReachIt) {
@@ -270,7 +272,7 @@ TEST_F(MonteCarloTest, StopsAtAStandardErrorAndSaysWhereItDidNotReachIt) {
     data.options.standardError = 1e-5;
     run();
     EXPECT_TRUE(data.reachedStandardError);
-    EXPECT_LT(data.draws(), 50000u);
+    EXPECT_LT(data.realisations(), 50000u);
     EXPECT_EQ(data.analysis.state, AnalysisState::complete);
     double worst = 0.0;
     for (const Estimate& one : data.statistic) {
@@ -278,7 +280,7 @@ TEST_F(MonteCarloTest, StopsAtAStandardErrorAndSaysWhereItDidNotReachIt) {
     }
     EXPECT_LT(worst, 1e-5 * 106.1);
 
-    data.options.sequence = DrawSequence::plain;
+    data.options.sequence = RealisationSequence::plain;
     data.options.samples = 512;
     run();
     EXPECT_FALSE(data.reachedStandardError);
@@ -296,7 +298,7 @@ TEST_F(MonteCarloTest, KeepsWhatItHasWhenItIsStopped) {
         },
         stop.get_token());
     EXPECT_EQ(data.analysis.state, AnalysisState::partial);
-    EXPECT_EQ(data.draws(), 768u);
+    EXPECT_EQ(data.realisations(), 768u);
     EXPECT_EQ(data.analysis.table.rowCount(), 4u);
     EXPECT_THAT(data.analysis.warnings, testing::Contains("stopped after 768 of 100000 draws"));
 
@@ -310,14 +312,15 @@ TEST_F(MonteCarloTest, KeepsWhatItHasWhenItIsStopped) {
         },
         early.get_token());
     EXPECT_EQ(data.analysis.table.rowCount(), 2u);
-    EXPECT_EQ(data.draws(), 256u);
+    EXPECT_EQ(data.realisations(), 256u);
     EXPECT_THAT(data.analysis.warnings, testing::Contains("stopped after 2 of 4 cases"));
 }
 
 TEST_F(MonteCarloTest, RanksTheScalesByTheirShareOfTheVariance) {
     data.options.ranking = true;
     data.options.rankingAt = 180.0; // 3 T1 + (2 - 1) T2 + E1 (T1 - 1)
-    for (const DrawSequence sequence : {DrawSequence::plain, DrawSequence::sobol}) {
+    for (const RealisationSequence sequence :
+         {RealisationSequence::plain, RealisationSequence::sobol}) {
         data.options.sequence = sequence;
         data.options.rankingPairs = 4096;
         run();
@@ -328,7 +331,7 @@ TEST_F(MonteCarloTest, RanksTheScalesByTheirShareOfTheVariance) {
         ASSERT_EQ(data.ranking.size(), 3u);
         const double expected[] = {16.0 * s1 * s1 / variance, s2 * s2 / variance, 0.0};
         for (const RankedScaling& one : data.ranking) {
-            const double slack = sequence == DrawSequence::sobol ? 0.01 : 0.06;
+            const double slack = sequence == RealisationSequence::sobol ? 0.01 : 0.06;
             EXPECT_NEAR(one.firstOrder.value, expected[one.scaling], slack) << one.scaling;
             EXPECT_LE(one.firstOrder.low95, one.firstOrder.high95);
             // T1 and E1 act together, T2 alone.
@@ -438,9 +441,9 @@ TEST(SceneScalings, RefuseSobolSequencesOfTooManyScales) {
                    irsg::Distribution(irsg::DistributionKind::uniform, 0.9, 1.1),
                    ""};
     }
-    EXPECT_NO_THROW(ScalingDraws(many, DrawSequence::sobol, 1));
-    EXPECT_NO_THROW(ScalingDraws(many, DrawSequence::plain, 1, true));
-    EXPECT_THAT(refusalOf([&] { ScalingDraws(many, DrawSequence::sobol, 1, true); }),
+    EXPECT_NO_THROW(ScalingRealisations(many, RealisationSequence::sobol, 1));
+    EXPECT_NO_THROW(ScalingRealisations(many, RealisationSequence::plain, 1, true));
+    EXPECT_THAT(refusalOf([&] { ScalingRealisations(many, RealisationSequence::sobol, 1, true); }),
                 HasSubstr("at most 64 with a ranking"));
 }
 

@@ -158,10 +158,10 @@ TEST_F(ResultFolderTest, GivesMonteCarloRunsBackWithTheirDraws) {
     ASSERT_NE(read.monteCarlo, nullptr);
     EXPECT_EQ(read.data.get(), &read.monteCarlo->analysis);
     const MonteCarloData &was = *saved.monteCarlo, &is = *read.monteCarlo;
-    EXPECT_EQ(is.draws(), 300u);
+    EXPECT_EQ(is.realisations(), 300u);
     ASSERT_EQ(is.values.size(), was.values.size());
     for (std::size_t place = 0; place < is.values.size(); ++place) {
-        for (std::size_t draw = 0; draw < is.draws(); ++draw) {
+        for (std::size_t draw = 0; draw < is.realisations(); ++draw) {
             EXPECT_EQ(is.values[place][draw], static_cast<float>(was.values[place][draw]));
         }
     }

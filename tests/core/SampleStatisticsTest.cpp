@@ -141,10 +141,10 @@ TEST(Coverage, OfSobolSequencesIsNinetyFivePercent) {
                 {"median", {Kind::percentile, 50.0}, targetPercentile(50.0)}};
     for (const auto& row : rows) {
         const double found = coverage(samples, row.truth, [&](std::uint64_t seed) {
-            const ScalingDraws draws(unitScales(2), DrawSequence::sobol, seed);
+            const ScalingRealisations realisations(unitScales(2), RealisationSequence::sobol, seed);
             std::vector<double> values;
             for (std::size_t i = 0; i < 512; ++i) {
-                const std::vector<double> at = draws.at(i);
+                const std::vector<double> at = realisations.at(i);
                 values.push_back(target(at[0], at[1]));
             }
             return estimateByReplicates(values, sobolReplicates, row.statistic);
@@ -212,16 +212,17 @@ TEST(Coverage, OfSobolIndicesIsNinetyFivePercent) {
         const ScaledModel model = [&](const std::vector<double>& u) {
             return std::vector<double>{function.at(u)};
         };
-        for (const DrawSequence sequence : {DrawSequence::plain, DrawSequence::sobol}) {
+        for (const RealisationSequence sequence :
+             {RealisationSequence::plain, RealisationSequence::sobol}) {
             int held[3] = {}, heldTotal[3] = {};
             const auto holds = [](const Estimate& found, double truth) {
                 return found.low95 <= truth && truth <= found.high95 ? 1 : 0;
             };
             for (int repeat = 0; repeat < repeats; ++repeat) {
-                const ScalingDraws draws(unitScales(3), sequence,
-                                         static_cast<std::uint64_t>(repeat), true);
+                const ScalingRealisations realisations(unitScales(3), sequence,
+                                                       static_cast<std::uint64_t>(repeat), true);
                 for (const RankedScaling& one : rankScalings(
-                         draws, sequence, 256, [&] { return model; },
+                         realisations, sequence, 256, [&] { return model; },
                          [](std::size_t) { return true; })) {
                     held[one.scaling] += holds(one.firstOrder, function.firstOrder[one.scaling]);
                     heldTotal[one.scaling] += holds(one.total, function.total[one.scaling]);
@@ -285,10 +286,11 @@ TEST(SobolIndices, StayBetweenMinusOneAndOneWithTheirIntervals) {
     const ScaledModel model = [](const std::vector<double>& u) {
         return std::vector<double>{u[0]};
     };
-    for (const DrawSequence sequence : {DrawSequence::plain, DrawSequence::sobol}) {
-        const ScalingDraws draws(unitScales(2), sequence, 3, true);
+    for (const RealisationSequence sequence :
+         {RealisationSequence::plain, RealisationSequence::sobol}) {
+        const ScalingRealisations realisations(unitScales(2), sequence, 3, true);
         const auto ranking = rankScalings(
-            draws, sequence, 256, [&] { return model; }, [](std::size_t) { return true; });
+            realisations, sequence, 256, [&] { return model; }, [](std::size_t) { return true; });
         EXPECT_NEAR(ranking[0].firstOrder.value, 1.0, 1e-12);
         EXPECT_NEAR(ranking[0].firstOrder.high95, 1.0, 1e-12);
         EXPECT_NEAR(ranking[1].total.value, 0.0, 1e-12);
@@ -306,15 +308,15 @@ TEST(SobolIndices, AreTheSameForAnyNumberOfThreads) {
     };
     const auto rankedBy = [&](unsigned threads) {
         irsg::setMostThreads(threads);
-        const ScalingDraws draws(unitScales(3), DrawSequence::sobol, 3, true);
+        const ScalingRealisations realisations(unitScales(3), RealisationSequence::sobol, 3, true);
         std::vector<double> numbers;
         std::size_t last = 0;
-        for (const RankedScaling& one :
-             rankScalings(draws, DrawSequence::sobol, 256, modelOfPair, [&](std::size_t pairs) {
-                 EXPECT_EQ(pairs, last + 1);
-                 last = pairs;
-                 return pairs < 205;
-             })) {
+        for (const RankedScaling& one : rankScalings(realisations, RealisationSequence::sobol, 256,
+                                                     modelOfPair, [&](std::size_t pairs) {
+                                                         EXPECT_EQ(pairs, last + 1);
+                                                         last = pairs;
+                                                         return pairs < 205;
+                                                     })) {
             numbers.insert(numbers.end(), {one.firstOrder.value, one.firstOrder.high95,
                                            one.total.value, one.total.low95});
         }

@@ -173,11 +173,11 @@ TEST_F(ScenarioMonteCarloTest, GivesEachEntityAtEachTimeWhatItsScaleMakesOfIt) {
     EXPECT_THAT(part(result, "fixed-tower").abscissae, ElementsAre(1.0, 2.0, 3.0))
         << "the sensor looks at the mover";
     EXPECT_THAT(mover.nominal, ElementsAre(2.0, 4.0, 6.0));
-    const ScalingDraws draws(mover.scalings, options.sequence, 1);
+    const ScalingRealisations realisations(mover.scalings, options.sequence, 1);
     ASSERT_EQ(mover.scalings.size(), 2u);
     EXPECT_EQ(mover.scalings[1].name, "tower temperature 0 (skin)");
     for (std::size_t draw = 0; draw < 300; ++draw) {
-        const std::vector<double> scales = draws.at(draw);
+        const std::vector<double> scales = realisations.at(draw);
         for (std::size_t k = 0; k < 3; ++k) {
             EXPECT_EQ(mover.values[k][draw], mover.nominal[k] * scales[0]);
             EXPECT_EQ(part(result, "fixed-mover").values[k][draw], mover.values[k][draw]);
@@ -218,7 +218,7 @@ TEST_F(ScenarioMonteCarloTest, EqualSeedsGiveEqualDrawsOnAnyNumberOfThreads) {
 }
 
 TEST_F(ScenarioMonteCarloTest, DrawZeroOfThePlainSequenceIsThatOfASimulation) {
-    options.sequence = DrawSequence::plain;
+    options.sequence = RealisationSequence::plain;
     const MonteCarloData tower = part(run(), "deck-tower");
     SceneBuilder builder([](const std::filesystem::path&, const irsg::ModelOptions&) {
         return std::shared_ptr<const irsg::Model>();
@@ -241,11 +241,12 @@ TEST_F(ScenarioMonteCarloTest, WritesBandsOfEachPartAndDrawsOfEachSensor) {
     EXPECT_EQ(bands.provenance.value("command"), "smat-batch montecarlo s.json");
     EXPECT_EQ(bands.provenance.value("scaling.seed"), "5");
     EXPECT_EQ(bands.provenance.value("scale"), "mover temperature 0 (skin): normal, 0.8 to 1.2");
-    EXPECT_THAT(saveScenarioDraws(result, folder / "d.json"), ElementsAre(folder / "d-deck.json"));
-    const ResultTable draws = ResultTable::load(folder / "d-deck.json");
-    ASSERT_EQ(draws.rowCount(), 300u);
+    EXPECT_THAT(saveScenarioRealisations(result, folder / "d.json"),
+                ElementsAre(folder / "d-deck.json"));
+    const ResultTable realisations = ResultTable::load(folder / "d-deck.json");
+    ASSERT_EQ(realisations.rowCount(), 300u);
     const auto at = [&](const std::string& key, std::size_t row) {
-        const ResultColumn* column = draws.find(key);
+        const ResultColumn* column = realisations.find(key);
         return column == nullptr ? -1.0 : column->values[row];
     };
     for (const std::size_t row : {0u, 7u, 299u}) {
@@ -264,7 +265,7 @@ TEST_F(ScenarioMonteCarloTest, StopsAtAStandardErrorOfTheWorstPart) {
     EXPECT_EQ(result.state, AnalysisState::complete);
     for (const ScenarioDistribution& one : result.parts) {
         EXPECT_TRUE(one.data.reachedStandardError) << one.label();
-        EXPECT_LT(one.data.draws(), 100000u);
+        EXPECT_LT(one.data.realisations(), 100000u);
     }
 }
 
@@ -275,7 +276,7 @@ TEST_F(ScenarioMonteCarloTest, KeepsStepsAndDrawsOfAStop) {
     const ScenarioMonteCarlo result = run(stop.get_token());
     EXPECT_EQ(result.state, AnalysisState::partial);
     const MonteCarloData& tower = part(result, "deck-tower");
-    EXPECT_EQ(tower.draws(), 256u);
+    EXPECT_EQ(tower.realisations(), 256u);
     EXPECT_EQ(tower.analysis.table.provenance.value("state"), "partial");
     EXPECT_THAT(tower.analysis.warnings,
                 testing::IsSupersetOf({HasSubstr("stopped after 1 of 5 steps"),

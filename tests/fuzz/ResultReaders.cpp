@@ -125,8 +125,8 @@ void readWords(File file) {
 }
 
 void readMonteCarlo(File file) {
-    static const irsg::RadianceImage draws = drawsImage(monteCarloRun());
-    loadMonteCarlo(file, draws);
+    static const irsg::RadianceImage realisations = realisationsImage(monteCarloRun());
+    loadMonteCarlo(file, realisations);
 }
 
 } // namespace

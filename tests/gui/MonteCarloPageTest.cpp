@@ -175,7 +175,7 @@ TEST_F(MonteCarloPageTest, ShowsBandsHistogramAndRankingOfTheSampleAircraft) {
     runToTheEnd();
     ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
     const MonteCarloData& data = page->plots().data();
-    EXPECT_EQ(data.draws(), 512u);
+    EXPECT_EQ(data.realisations(), 512u);
     EXPECT_EQ(data.abscissae.size(), 12u);
     // Nominal, mean and five percentiles; four scales are fixed or have no effect.
     EXPECT_EQ(page->plots().bands()->data().curves.size(), 7u);
@@ -317,9 +317,9 @@ TEST_F(MonteCarloPageTest, KeepsTheDrawsOfARunThatIsCancelled) {
     get<QPushButton>("cancel")->click();
     EXPECT_FALSE(get<QPushButton>("cancel")->isEnabled());
     ASSERT_TRUE(waitUntil([this] { return !page->isRunning(); }, 60.0));
-    ASSERT_TRUE(waitUntil([this] { return page->plots().data().draws() > 0; }, 60.0));
+    ASSERT_TRUE(waitUntil([this] { return page->plots().data().realisations() > 0; }, 60.0));
     EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
-    EXPECT_GE(page->plots().data().draws(), 256u);
+    EXPECT_GE(page->plots().data().realisations(), 256u);
     EXPECT_EQ(page->plots().data().analysis.state, AnalysisState::partial);
     EXPECT_TRUE(get<QPushButton>("run")->isEnabled());
 }
@@ -331,9 +331,9 @@ TEST_F(MonteCarloPageTest, AnswersACancelWhileADrawingTakesItsTime) {
     EXPECT_TRUE(get<QPushButton>("run")->isEnabled());
     EXPECT_FALSE(get<QPushButton>("cancel")->isEnabled());
     // What was drawn comes when it has ended.
-    EXPECT_EQ(page->plots().data().draws(), 0u);
+    EXPECT_EQ(page->plots().data().realisations(), 0u);
     gate.open = true;
-    ASSERT_TRUE(waitUntil([this] { return page->plots().data().draws() > 0; }, 60.0));
+    ASSERT_TRUE(waitUntil([this] { return page->plots().data().realisations() > 0; }, 60.0));
     EXPECT_EQ(page->plots().data().analysis.state, AnalysisState::partial);
     EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
 }
@@ -347,7 +347,7 @@ TEST_F(MonteCarloPageTest, RunsAgainWhileACancelledRunEndsByItself) {
     gate.open = true;
     ASSERT_TRUE(waitUntil([this] { return !page->isRunning(); }, 60.0));
     // The second run alone is heard of.
-    EXPECT_EQ(page->plots().data().draws(), 300u);
+    EXPECT_EQ(page->plots().data().realisations(), 300u);
     EXPECT_EQ(page->plots().data().analysis.state, AnalysisState::complete);
 }
 
@@ -388,7 +388,7 @@ TEST_F(MonteCarloPageTest, WaitsInLineBehindAnAnalysis) {
     get<QPushButton>("run")->click();
     gate.open = true;
     ASSERT_TRUE(waitUntil([this] { return !page->isRunning(); }, 60.0));
-    EXPECT_EQ(page->plots().data().draws(), 300u);
+    EXPECT_EQ(page->plots().data().realisations(), 300u);
     EXPECT_EQ(workbench.results().size(), 2U);
 }
 

@@ -73,19 +73,19 @@ TEST_F(MonteCarloWalkTest, WriteScalingFilesRunAndExport) {
 
     walk.step("Run. The plots come at the end; Cancel keeps the samples so far. The run is a "
               "result like any other");
-    auto* draws = get<QSpinBox>("samples", shown);
-    draws->setValue(2'000'000);
+    auto* realisations = get<QSpinBox>("samples", shown);
+    realisations->setValue(2'000'000);
     get<QPushButton>("run", shown)->click();
     QTest::qWait(400);
     get<QPushButton>("cancel", shown)->click();
-    ASSERT_TRUE(test::waitUntil([&] { return shown->plots().data().draws() > 0; }, 60.0));
-    EXPECT_LT(shown->plots().data().draws(), 2'000'000U);
-    draws->setValue(256);
+    ASSERT_TRUE(test::waitUntil([&] { return shown->plots().data().realisations() > 0; }, 60.0));
+    EXPECT_LT(shown->plots().data().realisations(), 2'000'000U);
+    realisations->setValue(256);
     get<QSpinBox>("pairs", shown)->setValue(64);
     get<QSpinBox>("subpixelShifts", shown)->setValue(1);
     run();
     const MonteCarloData first = shown->plots().data();
-    EXPECT_EQ(first.draws(), 256U);
+    EXPECT_EQ(first.realisations(), 256U);
     EXPECT_EQ(first.abscissae.size(), 4U);
     ASSERT_GE(workbench.results().size(), 2U);
     EXPECT_NE(workbench.results().back().monteCarlo, nullptr);
@@ -104,13 +104,13 @@ TEST_F(MonteCarloWalkTest, WriteScalingFilesRunAndExport) {
               "sub-pixel shifts");
     get<QSpinBox>("subpixelShifts", shown)->setValue(2);
     walk.step("draws at most | the run stops sooner if it reaches the requested standard error");
-    draws->setValue(100'000);
+    realisations->setValue(100'000);
     get<QCheckBox>("stops", shown)->setChecked(true);
     get<QDoubleSpinBox>("standardError", shown)->setValue(20.0);
     run();
-    EXPECT_LT(shown->plots().data().draws(), 100'000U);
+    EXPECT_LT(shown->plots().data().realisations(), 100'000U);
     get<QCheckBox>("stops", shown)->setChecked(false);
-    draws->setValue(256);
+    realisations->setValue(256);
     walk.step("sequence | Sobol' points, which need far fewer samples, or plain ones");
     EXPECT_EQ(get<QComboBox>("sequence", shown)->count(), 2);
     walk.step("seed | the same seed gives the same samples on every machine");

@@ -148,16 +148,16 @@ TEST(ScalingXml, RefusesWhatNoScaleCanBeWithItsLine) {
 
 TEST(ScalingXml, DrawsEveryIndexFromASequenceOfItsOwn) {
     ScalingTable table = read(scale("1", "0.9 1.1 0") + scale("5", "0.9 1.1 0"));
-    const auto first = drawnScales(table, ScalingKind::temperature, 3, 0, 0);
-    EXPECT_EQ(drawnScales(table, ScalingKind::temperature, 3, 0, 0), first);
+    const auto first = sampledScales(table, ScalingKind::temperature, 3, 0, 0);
+    EXPECT_EQ(sampledScales(table, ScalingKind::temperature, 3, 0, 0), first);
     EXPECT_NE(first.at(1), first.at(5));
-    EXPECT_NE(drawnScales(table, ScalingKind::temperature, 4, 0, 0).at(1), first.at(1));
-    EXPECT_NE(drawnScales(table, ScalingKind::temperature, 3, 1, 0).at(1), first.at(1));
-    EXPECT_NE(drawnScales(table, ScalingKind::temperature, 3, 0, 1).at(1), first.at(1));
-    EXPECT_NE(drawnScales(table, ScalingKind::emissivity, 3, 0, 0).at(1), first.at(1));
+    EXPECT_NE(sampledScales(table, ScalingKind::temperature, 4, 0, 0).at(1), first.at(1));
+    EXPECT_NE(sampledScales(table, ScalingKind::temperature, 3, 1, 0).at(1), first.at(1));
+    EXPECT_NE(sampledScales(table, ScalingKind::temperature, 3, 0, 1).at(1), first.at(1));
+    EXPECT_NE(sampledScales(table, ScalingKind::emissivity, 3, 0, 0).at(1), first.at(1));
 
     table[2] = {Distribution(DistributionKind::normal, 0.5, 1.5), ""};
-    const auto more = drawnScales(table, ScalingKind::temperature, 3, 0, 0);
+    const auto more = sampledScales(table, ScalingKind::temperature, 3, 0, 0);
     EXPECT_EQ(more.at(1), first.at(1));
     EXPECT_EQ(more.at(5), first.at(5));
 }

@@ -10,12 +10,12 @@
 namespace smat {
 
 /// How the draws of a Monte Carlo analysis are spread.
-enum class DrawSequence {
+enum class RealisationSequence {
     plain, ///< independent; adding a scale changes no draw of another
     sobol  ///< Sobol' points in independent scramblings that take turns
 };
 /// "plain", "sobol".
-const char* name(DrawSequence sequence);
+const char* name(RealisationSequence sequence);
 
 /// Scramblings that the draws of a Sobol' sequence are dealt to: enough to know their spread, few
 /// enough to leave each many points.
@@ -23,12 +23,12 @@ inline constexpr std::size_t sobolReplicates = 16;
 
 /// The draws of a set of scales. Draw 0 of the plain sequence is what loading the database with the
 /// same seed gives.
-class ScalingDraws {
+class ScalingRealisations {
   public:
     /// `companions` gives every draw a second, independent one, as Sobol' indices need it. Throws
     /// InputError where a Sobol' sequence would need more than its 128 dimensions.
-    ScalingDraws(std::vector<SceneScaling> scalings, DrawSequence sequence, std::uint64_t seed,
-                 bool companions = false);
+    ScalingRealisations(std::vector<SceneScaling> scalings, RealisationSequence sequence,
+                        std::uint64_t seed, bool companions = false);
 
     const std::vector<SceneScaling>& scalings() const { return scalings_; }
     /// One scale each.
@@ -42,7 +42,7 @@ class ScalingDraws {
 
     std::vector<SceneScaling> scalings_;
     std::vector<int> dimensions_; ///< of each scale, -1 for a fixed one
-    DrawSequence sequence_;
+    RealisationSequence sequence_;
     std::uint64_t seed_;
     int free_ = 0; ///< scales that vary
     std::vector<irsg::SobolSequence> replicates_;

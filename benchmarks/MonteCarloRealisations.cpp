@@ -55,8 +55,8 @@ struct View {
 
 void rates(const Project& project) {
     View view(project, 1.0, 900.0);
-    const ScalingDraws draws(view.scalings, DrawSequence::plain, 1);
-    const ScalingDraws points(view.scalings, DrawSequence::sobol, 1);
+    const ScalingRealisations realisations(view.scalings, RealisationSequence::plain, 1);
+    const ScalingRealisations points(view.scalings, RealisationSequence::sobol, 1);
     view.irsg.measure();
     const auto report = [](const char* what, double s, int count) {
         std::printf("| %-58s | %12.1f |\n", what, count / s);
@@ -64,14 +64,14 @@ void rates(const Project& project) {
     std::printf("| %-58s | %12s |\n|---|---|\n", "draws of one view", "a CPU second");
     report("image drawn anew (render)", seconds([&] {
                for (std::size_t i = 0; i < 5; ++i) {
-                   view.scale(draws.at(i));
+                   view.scale(realisations.at(i));
                    view.irsg.imageWithReport();
                }
            }),
            5);
     report("factors kept, spectra anew (measure)", seconds([&] {
                for (std::size_t i = 0; i < 20; ++i) {
-                   view.scale(draws.at(i));
+                   view.scale(realisations.at(i));
                    view.irsg.measure();
                }
            }),
@@ -97,7 +97,7 @@ void rates(const Project& project) {
            2000);
     report("scales of a plain draw", seconds([&] {
                for (std::size_t i = 0; i < 20000; ++i)
-                   draws.at(i);
+                   realisations.at(i);
            }),
            20000);
     report("scales of a Sobol' draw", seconds([&] {
@@ -112,23 +112,24 @@ void rates(const Project& project) {
 void savings(const Project& project) {
     View view(project, 1.0, 900.0);
     const auto band = view.irsg.scaledView(view.inputs);
-    const auto sampleOf = [&](DrawSequence sequence, std::uint64_t seed, std::size_t count) {
-        const ScalingDraws draws(view.scalings, sequence, seed);
+    const auto sampleOf = [&](RealisationSequence sequence, std::uint64_t seed, std::size_t count) {
+        const ScalingRealisations realisations(view.scalings, sequence, seed);
         std::vector<double> sample;
         irsg::ScaledValues values;
         for (std::size_t i = 0; i < count; ++i) {
-            band->evaluate(draws.at(i), values);
+            band->evaluate(realisations.at(i), values);
             sample.push_back(values.contrastIntensity[0]);
         }
         return sample;
     };
-    const double sigma = standardDeviationOf(sampleOf(DrawSequence::sobol, 99, 8192));
+    const double sigma = standardDeviationOf(sampleOf(RealisationSequence::sobol, 99, 8192));
     std::printf(
         "| draws | plain mean | Sobol' mean | plain draws for it | plain p95 | Sobol' p95 | "
         "plain draws for it |\n|---|---|---|---|---|---|---|\n");
     for (const std::size_t count : {256, 1024, 4096}) {
         double error[2][2];
-        for (const DrawSequence sequence : {DrawSequence::plain, DrawSequence::sobol}) {
+        for (const RealisationSequence sequence :
+             {RealisationSequence::plain, RealisationSequence::sobol}) {
             std::vector<double> means, percentiles;
             for (std::uint64_t repeat = 0; repeat < 100; ++repeat) {
                 std::vector<double> sample = sampleOf(sequence, 1000 + repeat, count);
@@ -136,7 +137,7 @@ void savings(const Project& project) {
                 std::sort(sample.begin(), sample.end());
                 percentiles.push_back(percentileOf(sample, 95.0));
             }
-            const int s = sequence == DrawSequence::sobol ? 1 : 0;
+            const int s = sequence == RealisationSequence::sobol ? 1 : 0;
             error[s][0] = standardDeviationOf(means) / sigma;
             error[s][1] = standardDeviationOf(percentiles) / sigma;
         }

@@ -1,4 +1,4 @@
-#include "smatcore/analysis/DrawLoop.h"
+#include "smatcore/analysis/RealisationLoop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,14 +17,15 @@ constexpr std::size_t mostValues = 50'000'000;
 
 } // namespace
 
-DrawLoop::DrawLoop(std::vector<MonteCarloData*> parts, const ScalingDraws& draws, Values valuesAt)
+RealisationLoop::RealisationLoop(std::vector<MonteCarloData*> parts,
+                                 const ScalingRealisations& realisations, Values valuesAt)
     : parts_(std::move(parts)),
       options_(parts_.front()->options),
-      draws_(draws),
+      realisations_(realisations),
       valuesAt_(std::move(valuesAt)) {}
 
-void DrawLoop::check(const std::vector<SceneScaling>& scalings, std::size_t samples,
-                     std::size_t places) {
+void RealisationLoop::check(const std::vector<SceneScaling>& scalings, std::size_t samples,
+                            std::size_t places) {
     if (std::ranges::all_of(scalings, [](const SceneScaling& one) { return one.isFixed(); })) {
         throw irsg::InputError({.file = "montecarlo",
                                 .position = "scalings",
@@ -42,15 +43,16 @@ void DrawLoop::check(const std::vector<SceneScaling>& scalings, std::size_t samp
     }
 }
 
-std::size_t DrawLoop::steps(std::size_t samples) {
+std::size_t RealisationLoop::steps(std::size_t samples) {
     return (samples + batch - 1) / batch;
 }
 
-std::size_t DrawLoop::draws() const {
-    return parts_.front()->draws();
+std::size_t RealisationLoop::realisations() const {
+    return parts_.front()->realisations();
 }
 
-void DrawLoop::run(const std::function<void(std::size_t draw)>& tell, const std::stop_token& stop) {
+void RealisationLoop::run(const std::function<void(std::size_t draw)>& tell,
+                          const std::stop_token& stop) {
     for (MonteCarloData* part : parts_) {
         part->values.assign(part->nominal.size(), {});
         for (std::vector<double>& values : part->values)
@@ -58,14 +60,15 @@ void DrawLoop::run(const std::function<void(std::size_t draw)>& tell, const std:
     }
     std::size_t nextLook = batch;
     bool isReached = false;
-    while (draws() < options_.samples && !isReached) {
-        if (draws() > 0 && stop.stop_requested())
+    while (realisations() < options_.samples && !isReached) {
+        if (realisations() > 0 && stop.stop_requested())
             break;
-        const std::size_t first = draws();
+        const std::size_t first = realisations();
         tell(first);
         std::vector<std::vector<double>> drawn(std::min(options_.samples, first + batch) - first);
-        irsg::parallelFor(drawn.size(),
-                          [&](std::size_t i) { drawn[i] = valuesAt_(draws_.at(first + i)); });
+        irsg::parallelFor(drawn.size(), [&](std::size_t i) {
+            drawn[i] = valuesAt_(realisations_.at(first + i));
+        });
         for (const std::vector<double>& all : drawn) {
             auto value = all.begin();
             for (MonteCarloData* part : parts_)
@@ -73,8 +76,8 @@ void DrawLoop::run(const std::function<void(std::size_t draw)>& tell, const std:
                     values.push_back(*value++);
         }
         // Looked at ever more rarely: each look sorts what there is.
-        if (options_.standardError && draws() >= nextLook) {
-            nextLook = draws() + draws() / 4;
+        if (options_.standardError && realisations() >= nextLook) {
+            nextLook = realisations() + realisations() / 4;
             isReached = relativeError() <= *options_.standardError;
         }
     }
@@ -85,31 +88,31 @@ void DrawLoop::run(const std::function<void(std::size_t draw)>& tell, const std:
     }
 }
 
-void DrawLoop::tellShortcomings() const {
+void RealisationLoop::tellShortcomings() const {
     for (MonteCarloData* part : parts_) {
         std::vector<std::string>& warnings = part->analysis.warnings;
-        if (part->draws() < options_.samples && !part->reachedStandardError)
-            warnings.push_back(
-                fmt::format("stopped after {} of {} draws", part->draws(), options_.samples));
+        if (part->realisations() < options_.samples && !part->reachedStandardError)
+            warnings.push_back(fmt::format("stopped after {} of {} draws", part->realisations(),
+                                           options_.samples));
         if (options_.standardError && !part->reachedStandardError)
             warnings.push_back(fmt::format(
                 "the standard error of the {} is {:.2g} of its largest magnitude after {} draws; "
                 "{:.2g} was asked for",
-                name(options_.statistic), relativeErrorOf(*part), part->draws(),
+                name(options_.statistic), relativeErrorOf(*part), part->realisations(),
                 *options_.standardError));
     }
 }
 
-std::vector<Estimate> DrawLoop::statisticsOf(const MonteCarloData& part) const {
+std::vector<Estimate> RealisationLoop::statisticsOf(const MonteCarloData& part) const {
     std::vector<Estimate> estimates;
     for (const std::vector<double>& values : part.values)
-        estimates.push_back(options_.sequence == DrawSequence::sobol
+        estimates.push_back(options_.sequence == RealisationSequence::sobol
                                 ? estimateByReplicates(values, sobolReplicates, options_.statistic)
                                 : estimate(values, options_.statistic));
     return estimates;
 }
 
-double DrawLoop::relativeErrorOf(const MonteCarloData& part) const {
+double RealisationLoop::relativeErrorOf(const MonteCarloData& part) const {
     double error = 0.0, magnitude = 0.0;
     for (const Estimate& one : statisticsOf(part)) {
         error = std::max(error, one.standardError);
@@ -118,7 +121,7 @@ double DrawLoop::relativeErrorOf(const MonteCarloData& part) const {
     return error == 0.0 ? 0.0 : error / magnitude;
 }
 
-double DrawLoop::relativeError() const {
+double RealisationLoop::relativeError() const {
     double worst = 0.0;
     for (const MonteCarloData* part : parts_)
         worst = std::max(worst, relativeErrorOf(*part));

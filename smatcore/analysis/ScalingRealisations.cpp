@@ -1,4 +1,4 @@
-#include "smatcore/analysis/ScalingDraws.h"
+#include "smatcore/analysis/ScalingRealisations.h"
 
 #include "irsg/core/Errors.h"
 #include "irsg/signature/random/Philox.h"
@@ -12,16 +12,17 @@ constexpr std::uint32_t companionPurpose = 0x10;
 
 } // namespace
 
-const char* name(DrawSequence sequence) {
-    return sequence == DrawSequence::plain ? "plain" : "sobol";
+const char* name(RealisationSequence sequence) {
+    return sequence == RealisationSequence::plain ? "plain" : "sobol";
 }
 
-ScalingDraws::ScalingDraws(std::vector<SceneScaling> scalings, DrawSequence sequence,
-                           std::uint64_t seed, bool companions)
+ScalingRealisations::ScalingRealisations(std::vector<SceneScaling> scalings,
+                                         RealisationSequence sequence, std::uint64_t seed,
+                                         bool companions)
     : scalings_(std::move(scalings)), sequence_(sequence), seed_(seed) {
     for (const SceneScaling& scaling : scalings_)
         dimensions_.push_back(scaling.isFixed() ? -1 : free_++);
-    if (sequence == DrawSequence::plain || free_ == 0)
+    if (sequence == RealisationSequence::plain || free_ == 0)
         return;
     const int needed = companions ? 2 * free_ : free_;
     if (needed > irsg::SobolSequence::mostDimensions) {
@@ -36,13 +37,13 @@ ScalingDraws::ScalingDraws(std::vector<SceneScaling> scalings, DrawSequence sequ
         replicates_.emplace_back(needed, seed, replicate);
 }
 
-std::vector<double> ScalingDraws::valuesOf(std::size_t draw, bool companion) const {
+std::vector<double> ScalingRealisations::valuesOf(std::size_t draw, bool companion) const {
     std::vector<double> values;
     values.reserve(scalings_.size());
     for (std::size_t i = 0; i < scalings_.size(); ++i) {
         const SceneScaling& scaling = scalings_[i];
         double unit = 0.5;
-        if (dimensions_[i] >= 0 && sequence_ == DrawSequence::sobol) {
+        if (dimensions_[i] >= 0 && sequence_ == RealisationSequence::sobol) {
             unit = replicates_[replicateOf(draw)].at(
                 static_cast<std::uint32_t>(draw / sobolReplicates),
                 dimensions_[i] + (companion ? free_ : 0));

@@ -10,7 +10,7 @@ namespace smat {
 
 /// Draws scales until there are as many draws as were asked for, or the statistic is known well
 /// enough. Draws are made in parallel; what comes of one depends on its number alone.
-class DrawLoop {
+class RealisationLoop {
   public:
     /// The quantity at every place of all parts, one after the other, as a function of the scales.
     /// May be asked by several threads at a time.
@@ -18,7 +18,8 @@ class DrawLoop {
 
     /// The parts have one set of options, those of the first, and as many values in `nominal` as
     /// they have places. All must outlive it.
-    DrawLoop(std::vector<MonteCarloData*> parts, const ScalingDraws& draws, Values valuesAt);
+    RealisationLoop(std::vector<MonteCarloData*> parts, const ScalingRealisations& realisations,
+                    Values valuesAt);
 
     /// Throws InputError where no scale varies, and for more than 5e7 values.
     static void check(const std::vector<SceneScaling>& scalings, std::size_t samples,
@@ -33,7 +34,7 @@ class DrawLoop {
     void tellShortcomings() const;
 
   private:
-    std::size_t draws() const;
+    std::size_t realisations() const;
     std::vector<Estimate> statisticsOf(const MonteCarloData& part) const;
     /// Largest standard error over the largest magnitude of the statistic, of the worst part.
     double relativeError() const;
@@ -41,7 +42,7 @@ class DrawLoop {
 
     std::vector<MonteCarloData*> parts_;
     const MonteCarloOptions& options_;
-    const ScalingDraws& draws_;
+    const ScalingRealisations& realisations_;
     Values valuesAt_;
 };
 
