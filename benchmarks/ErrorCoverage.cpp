@@ -90,8 +90,9 @@ struct Targeted {
         return smat::chooseForTarget(
             probed, target, {cases, 1, false, scene.settings.mode == CalculationMode::spectral});
     }
-    RenderReport measured(const smat::CalculationWay& way, double turned_rad, bool errors) {
-        return turned(way.applied(scene), turned_rad)
+    RenderReport measured(const smat::CalculationConfiguration& configuration, double turned_rad,
+                          bool errors) {
+        return turned(configuration.applied(scene), turned_rad)
             .render(
                 door,
                 Outputs::reports(scene.allBands()).alongRange(random.alongRange).withErrors(errors))
@@ -121,7 +122,7 @@ void judgeTargets(int first, int scenes) {
         const auto truth = judged(renderer, random);
         Targeted one(random, targetOf(i));
         const smat::TargetChoice choice = one.choice(1, 0.0, 1);
-        const ObjectRadiometry own = one.measured(choice.way, 0.0, false).all;
+        const ObjectRadiometry own = one.measured(choice.configuration, 0.0, false).all;
         const double wrong = std::max(std::abs(own.intensity_W_sr / truth[0].truth - 1.0),
                                       std::abs(own.contrastIntensity_W_sr / truth[1].truth - 1.0));
         if (choice.isMet) {
@@ -142,11 +143,11 @@ void judgeTargets(int first, int scenes) {
         const auto turn_s = [&](bool chooses) {
             Targeted fresh(random, one.target);
             const std::clock_t start = std::clock();
-            smat::CalculationWay way = choice.way;
+            smat::CalculationConfiguration configuration = choice.configuration;
             if (chooses)
                 (void)fresh.choice(4, step_rad * aspects / 4, aspects);
             for (int k = 0; k < aspects; ++k)
-                (void)fresh.measured(way, step_rad * k, chooses);
+                (void)fresh.measured(configuration, step_rad * k, chooses);
             return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
         };
         alone_s += turn_s(false);

@@ -42,8 +42,8 @@ void shift(std::vector<Complex>& values, int size) {
 }
 
 /// One call of the report's ApplyMTF: frame in, frame out.
-void reportsWay(const std::vector<float>& frame, const std::vector<double>& mtf, int size,
-                std::vector<float>& out) {
+void reportsConfiguration(const std::vector<float>& frame, const std::vector<double>& mtf, int size,
+                          std::vector<float>& out) {
     std::vector<Complex> values(frame.begin(), frame.end()), spectrum(values.size());
     const auto raw = [](std::vector<Complex>& v) {
         return reinterpret_cast<fftw_complex*>(v.data());
@@ -85,7 +85,7 @@ void compare(int size, int object, int support) {
     std::vector<double> ours, reports;
     for (int i = 0; i < 21; ++i) {
         ours.push_back(seconds([&] { filter.addHaze(window, values, to, sums); }));
-        reports.push_back(seconds([&] { reportsWay(frame, mtf, size, out); }));
+        reports.push_back(seconds([&] { reportsConfiguration(frame, mtf, size, out); }));
     }
     std::printf("%5d %7d %8d %12zu %10.3f %10.3f %8.1f\n", size, object, support,
                 filter.points(window, to), 1e3 * median(ours), 1e3 * median(reports),

@@ -76,7 +76,7 @@ void addDatabaseCommand(CLI::App& app, Context& context);
 void addCompareCommand(CLI::App& app, Context& context);
 void addConvertCommand(CLI::App& app, Context& context);
 void addMergeCommand(CLI::App& app, Context& context);
-void addFrontierCommand(CLI::App& app, Context& context);
+void addCostAccuracyCommand(CLI::App& app, Context& context);
 void addExplainCommand(CLI::App& app, Context& context);
 void addReplayCommand(CLI::App& app, Context& context);
 void addModelCommand(CLI::App& app, Context& context);

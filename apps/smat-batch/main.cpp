@@ -7,7 +7,7 @@ void addCommands(CLI::App& app, smat::batch::Context& context) {
     addRunCommand(app, context);
     addAnalysisCommands(app, context);
     addExplainCommand(app, context);
-    addFrontierCommand(app, context);
+    addCostAccuracyCommand(app, context);
     addReplayCommand(app, context);
     addDatabaseCommand(app, context);
     addCompareCommand(app, context);

@@ -102,11 +102,11 @@ void AnalysisJob::work(std::stop_token stop) {
         }
     };
     try {
-        outcome.result = order_.film         ? makeFilm(progress, stop)
-                         : order_.simulation ? simulate(progress, stop)
-                         : order_.monteCarlo ? sampleScales(progress, stop)
-                         : order_.frontier   ? measureWays(progress, stop)
-                                             : analyse(progress, stop);
+        outcome.result = order_.film           ? makeFilm(progress, stop)
+                         : order_.simulation   ? simulate(progress, stop)
+                         : order_.monteCarlo   ? sampleScales(progress, stop)
+                         : order_.costAccuracy ? measureConfigurations(progress, stop)
+                                               : analyse(progress, stop);
     } catch (const irsg::InputError& error) {
         outcome.sentences << sentencesOf(error);
     } catch (const std::exception& error) {
@@ -125,7 +125,7 @@ void AnalysisJob::work(std::stop_token stop) {
             if (!answered_)
                 answer(outcome);
             else if (outcome.result.monteCarlo || outcome.result.simulation ||
-                     (order_.frontier && outcome.result.data))
+                     (order_.costAccuracy && outcome.result.data))
                 emit finished(outcome.result);
             emit ended();
         },
@@ -184,9 +184,10 @@ JobResult AnalysisJob::sampleScales(const ProgressCallback& progress, std::stop_
     return {{run, &run->analysis}, run};
 }
 
-JobResult AnalysisJob::measureWays(const ProgressCallback& progress, std::stop_token stop) {
+JobResult AnalysisJob::measureConfigurations(const ProgressCallback& progress,
+                                             std::stop_token stop) {
     auto data = std::make_shared<AnalysisData>(order_.analysis);
-    engine_->run(*data, *order_.frontier, {.progress = progress, .stop = std::move(stop)});
+    engine_->run(*data, *order_.costAccuracy, {.progress = progress, .stop = std::move(stop)});
     if (data->table.rowCount() == 0)
         return {};
     return {data};

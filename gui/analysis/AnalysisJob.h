@@ -19,7 +19,7 @@ namespace smat::gui {
 struct JobOrder {
     AnalysisData analysis;
     std::optional<MonteCarloOptions> monteCarlo = {};
-    std::optional<Frontier::Options> frontier = {};
+    std::optional<CostAccuracyStudy::Options> costAccuracy = {};
     std::shared_ptr<const SimulationOrder> simulation = {};
     std::shared_ptr<const FilmOrder> film = {};
 };
@@ -91,7 +91,7 @@ class AnalysisJob : public QObject {
     JobResult analyse(const ProgressCallback& progress, std::stop_token stop);
     JobResult simulate(const ProgressCallback& progress, std::stop_token stop);
     JobResult makeFilm(const ProgressCallback& progress, const std::stop_token& stop) const;
-    JobResult measureWays(const ProgressCallback& progress, std::stop_token stop);
+    JobResult measureConfigurations(const ProgressCallback& progress, std::stop_token stop);
     JobResult sampleScales(const ProgressCallback& progress, std::stop_token stop);
     void keep(const AnalysisData& data, const Progress& now);
     Outcome keptSoFar();

@@ -6,7 +6,7 @@
 #include <QComboBox>
 #include <QVBoxLayout>
 
-#include "gui/analysis/FrontierPanel.h"
+#include "gui/analysis/CostAccuracyPanel.h"
 #include "gui/analysis/MonteCarloPlots.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageExport.h"
@@ -21,7 +21,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/image/PngView.h"
 #include "smatcore/analysis/Conditions.h"
-#include "smatcore/analysis/Frontier.h"
+#include "smatcore/analysis/CostAccuracyStudy.h"
 #include "smatcore/analysis/PixelExplainer.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -84,8 +84,8 @@ ResultPage::ResultPage(const std::vector<ResultEntry>& results, Dialogs dialogs,
         showImage(std::move(dialogs));
     else if (results_.size() == 1 && SignatureTable::isOne(results_.front().data->table))
         showTable(std::move(dialogs));
-    else if (results_.size() == 1 && results_.front().data->kind == Frontier::kind())
-        showFrontier(std::move(dialogs));
+    else if (results_.size() == 1 && results_.front().data->kind == CostAccuracyStudy::kind())
+        showCostAccuracy(std::move(dialogs));
     else
         showPlot(std::move(dialogs));
 }
@@ -133,10 +133,10 @@ void ResultPage::showTable(Dialogs dialogs) {
     setBackgroundRole(QPalette::Window);
 }
 
-void ResultPage::showFrontier(Dialogs dialogs) {
-    frontier_ = new FrontierPanel(std::move(dialogs), this);
-    frontier_->setTable(results_.front().data->table);
-    layout()->addWidget(frontier_);
+void ResultPage::showCostAccuracy(Dialogs dialogs) {
+    costAccuracy_ = new CostAccuracyPanel(std::move(dialogs), this);
+    costAccuracy_->setTable(results_.front().data->table);
+    layout()->addWidget(costAccuracy_);
     setBackgroundRole(QPalette::Window);
 }
 
@@ -195,8 +195,8 @@ CartesianPlot* ResultPage::cartesianPlot() const {
 QStringList ResultPage::exportFilters() const {
     if (draws_ != nullptr)
         return draws_->exportFilters();
-    if (frontier_ != nullptr)
-        return frontier_->exportFilters();
+    if (costAccuracy_ != nullptr)
+        return costAccuracy_->exportFilters();
     if (image_ != nullptr)
         return imageFilters();
     QStringList filters{tr("Scalable picture (*.svg)"), tr("PDF (*.pdf)"), tr("Picture (*.png)"),
@@ -215,8 +215,8 @@ void ResultPage::exportTo(const std::filesystem::path& file) const {
         draws_->exportTo(file);
         return;
     }
-    if (frontier_ != nullptr) {
-        frontier_->exportTo(file);
+    if (costAccuracy_ != nullptr) {
+        costAccuracy_->exportTo(file);
         return;
     }
     const std::string suffix = file.extension().string();

@@ -15,7 +15,7 @@ class QComboBox;
 namespace smat::gui {
 
 class CartesianPlot;
-class FrontierPanel;
+class CostAccuracyPanel;
 class ImageView;
 class ModelStore;
 class MonteCarloPlots;
@@ -40,7 +40,7 @@ class ResultPage : public QWidget, public Exportable {
     TablePanel* tablePanel() const { return tables_; }
     PlotPanel* panel() const { return panel_; }
     MonteCarloPlots* monteCarlo() const { return draws_; }
-    FrontierPanel* frontier() const { return frontier_; }
+    CostAccuracyPanel* costAccuracy() const { return costAccuracy_; }
     PolarPlot* polarPlot() const;
     CartesianPlot* cartesianPlot() const;
     /// Another name of one of its results, which its curve takes.
@@ -56,7 +56,7 @@ class ResultPage : public QWidget, public Exportable {
     void showPlot(Dialogs dialogs);
     void showMonteCarlo();
     void showTable(Dialogs dialogs);
-    void showFrontier(Dialogs dialogs);
+    void showCostAccuracy(Dialogs dialogs);
     void drawQuantity();
 
     std::vector<ResultEntry> results_;
@@ -65,7 +65,7 @@ class ResultPage : public QWidget, public Exportable {
     PlotPanel* panel_ = nullptr;
     TablePanel* tables_ = nullptr;
     MonteCarloPlots* draws_ = nullptr;
-    FrontierPanel* frontier_ = nullptr;
+    CostAccuracyPanel* costAccuracy_ = nullptr;
     QComboBox* quantity_ = nullptr;
     bool drawn_ = false;
 };

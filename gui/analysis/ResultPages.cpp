@@ -4,8 +4,8 @@
 
 #include <QTabWidget>
 
+#include "gui/analysis/CostAccuracyPanel.h"
 #include "gui/analysis/FloatingPages.h"
-#include "gui/analysis/FrontierPanel.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
@@ -52,11 +52,13 @@ void ResultPages::show(const QList<int>& ids) {
     try {
         auto* page = new ResultPage(entries, dialogs_);
         page->setModels(workbench_.models());
-        if (FrontierPanel* frontier = page->frontier()) {
-            const auto follow = [this, frontier] { frontier->setUsable(workbench_.hasProject()); };
+        if (CostAccuracyPanel* costAccuracy = page->costAccuracy()) {
+            const auto follow = [this, costAccuracy] {
+                costAccuracy->setUsable(workbench_.hasProject());
+            };
             follow();
-            connect(&workbench_, &Workbench::projectOpened, frontier, follow);
-            connect(frontier, &FrontierPanel::useAsked, this,
+            connect(&workbench_, &Workbench::projectOpened, costAccuracy, follow);
+            connect(costAccuracy, &CostAccuracyPanel::useAsked, this,
                     [this](const Settings& way, const QString& step) {
                         workbench_.set(workbench_.settings().with(way), step);
                     });

@@ -7,7 +7,7 @@
 #include <QAction>
 #include <QMenu>
 
-#include "gui/tools/FrontierPage.h"
+#include "gui/tools/CostAccuracyPage.h"
 #include "gui/tools/MonteCarloPage.h"
 #include "gui/tools/RadiativePage.h"
 #include "gui/tools/TemperatureProfilePage.h"
@@ -39,7 +39,7 @@ constexpr std::array pages = {
               true, made<TemperatureProfilePage>},
     MenuEntry{"montecarlo", "monteCarlo", QT_TR_NOOP("&Monte Carlo"), false, made<MonteCarloPage>},
     MenuEntry{"cost-accuracy", "frontier", QT_TR_NOOP("Time against &error"), false,
-              made<FrontierPage>}};
+              made<CostAccuracyPage>}};
 
 } // namespace
 

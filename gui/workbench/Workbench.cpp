@@ -45,7 +45,7 @@ Workbench::Workbench(DoorMaker makeDoor, QObject* parent, std::shared_ptr<ModelS
         const auto asker = askers_.find(number);
         if (result.monteCarlo)
             results_.add(result.monteCarlo, asker != askers_.end() && !asker->second.isNull());
-        else if (result.data && result.data->kind == Frontier::kind())
+        else if (result.data && result.data->kind == CostAccuracyStudy::kind())
             results_.addTable(
                 QString::fromStdString(title(result.data->kind)) +
                     (result.data->state == AnalysisState::partial ? tr(" (partial)") : QString()),
@@ -362,9 +362,10 @@ int Workbench::start(const MonteCarloData& asked, QObject* asker) {
     return number;
 }
 
-int Workbench::start(const AnalysisData& view, const Frontier::Options& options, QObject* asker) {
+int Workbench::start(const AnalysisData& view, const CostAccuracyStudy::Options& options,
+                     QObject* asker) {
     JobOrder job{view};
-    job.frontier = options;
+    job.costAccuracy = options;
     const int number = jobs_.add(std::move(job), database_.edited());
     if (asker != nullptr)
         askers_[number] = asker;

@@ -108,7 +108,8 @@ class Workbench : public QObject {
     int start(AnalysisData data);
     int start(const MonteCarloData& asked, QObject* asker = nullptr);
     /// Time against error of a view: what was measured is a table of a tool.
-    int start(const AnalysisData& view, const Frontier::Options& options, QObject* asker = nullptr);
+    int start(const AnalysisData& view, const CostAccuracyStudy::Options& options,
+              QObject* asker = nullptr);
     /// The same for the frames of a scenario, or a film of them, of which jobs().finished() tells.
     int start(SimulationOrder order);
     int start(FilmOrder order);

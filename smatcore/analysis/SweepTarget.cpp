@@ -30,7 +30,7 @@ std::optional<SweepTarget> SweepTarget::choose(const RenderDoor& door, const Cas
     SweepTarget made;
     made.target_ = 0.01 * *target_percent;
     made.choice_ = chooseForTarget(views, made.target_, use);
-    scene = made.choice_.way.applied(scene);
+    scene = made.choice_.configuration.applied(scene);
     return made;
 }
 

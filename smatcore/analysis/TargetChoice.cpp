@@ -51,13 +51,13 @@ bool hasSpeculars(const SceneDescription& scene) {
 }
 
 /// Bounds of all that may be left out, from the probed views; what the scene lacks is left out.
-std::vector<Skippable> boundsOfLight(ProbedViews& views, const CalculationWay& start) {
+std::vector<Skippable> boundsOfLight(ProbedViews& views, const CalculationConfiguration& start) {
     const RenderSettings& own = start.render;
     const auto with = [&](auto&& change) {
-        CalculationWay way = start;
-        way.render.lightError = std::max(way.render.lightError, coarseLight);
-        change(way.render);
-        return way;
+        CalculationConfiguration configuration = start;
+        configuration.render.lightError = std::max(configuration.render.lightError, coarseLight);
+        change(configuration.render);
+        return configuration;
     };
     const auto alone = [&](auto&& change) { // no light between surfaces, no shadows
         return with([&](RenderSettings& render) {
@@ -71,7 +71,7 @@ std::vector<Skippable> boundsOfLight(ProbedViews& views, const CalculationWay& s
     const bool asksFluxes = own.ambientReflection == ReflectionMode::smart && !mirrors;
     const bool asksLight = own.bounces != 0;
     enum { all, single, noSun, anySun, noFluxes, anyFluxes, lightNoSun, lightNoFluxes };
-    const std::vector<CalculationWay> ways = {
+    const std::vector<CalculationConfiguration> configurations = {
         with([](RenderSettings&) {}),
         alone([](RenderSettings&) {}),
         alone([](RenderSettings& render) { render.sun = ReflectionMode::off; }),
@@ -89,9 +89,9 @@ std::vector<Skippable> boundsOfLight(ProbedViews& views, const CalculationWay& s
         asked.push_back(lightNoSun);
     if (asksLight && asksFluxes)
         asked.push_back(lightNoFluxes);
-    std::vector<CalculationWay> distinct;
+    std::vector<CalculationConfiguration> distinct;
     for (const int one : asked)
-        distinct.push_back(ways[static_cast<std::size_t>(one)]);
+        distinct.push_back(configurations[static_cast<std::size_t>(one)]);
     const auto numbers = views.measured(distinct, false);
     std::map<int, const std::vector<Reports>*> of;
     for (std::size_t i = 0; i < asked.size(); ++i)
@@ -126,7 +126,8 @@ std::vector<Skippable> boundsOfLight(ProbedViews& views, const CalculationWay& s
                       asksLight ? ofLooked * difference(all, lightNoFluxes) : 0.0),
              [](RenderSettings& render) { render.ambientReflection = ReflectionMode::off; }});
     if (asksLight) {
-        const CalculationWay shaded = with([](RenderSettings& render) { render.bounces = 0; });
+        const CalculationConfiguration shaded =
+            with([](RenderSettings& render) { render.bounces = 0; });
         const double seen =
             ProbedViews::difference(*of.at(all), views.measured(shaded, false), *of.at(all));
         found.push_back({"light between surfaces", "twice what view factors to a tenth show",
@@ -139,33 +140,35 @@ std::vector<Skippable> boundsOfLight(ProbedViews& views, const CalculationWay& s
 /// Errors by cause as far as they are known, and what is expected of ways that were not tried.
 class Expected {
   public:
-    void learn(const CalculationWay& way, const StatedErrors& errors) {
-        sampling_[way.render.tileSide_samples] = errors.sampling;
-        air_[airOf(way)] = errors.air;
-        background_[way.render.backgroundRows] = errors.background;
-        sums_.emplace_back(way, errors.sum);
+    void learn(const CalculationConfiguration& configuration, const StatedErrors& errors) {
+        sampling_[configuration.render.tileSide_samples] = errors.sampling;
+        air_[airOf(configuration)] = errors.air;
+        background_[configuration.render.backgroundRows] = errors.background;
+        sums_.emplace_back(configuration, errors.sum);
     }
     /// What was measured, where it was.
-    std::optional<double> measured(const CalculationWay& way) const {
+    std::optional<double> measured(const CalculationConfiguration& configuration) const {
         for (const auto& [known, sum] : sums_)
-            if (known == way)
+            if (known == configuration)
                 return sum;
         return std::nullopt;
     }
     /// Of what was not tried a hopeful guess, so that it is tried.
-    double sum(const CalculationWay& way) const {
-        if (const auto known = measured(way))
+    double sum(const CalculationConfiguration& configuration) const {
+        if (const auto known = measured(configuration))
             return *known;
-        return std::hypot(sampling(way.render.tileSide_samples), air(airOf(way)),
-                          background(way.render.backgroundRows));
+        return std::hypot(sampling(configuration.render.tileSide_samples),
+                          air(airOf(configuration)),
+                          background(configuration.render.backgroundRows));
     }
 
   private:
     /// Mode, bins, and what the quadrature points of wideband-ck are trained to.
     using Air = std::tuple<CalculationMode, int, double>;
-    static Air airOf(const CalculationWay& way) {
-        const bool hasPoints = way.render.mode == CalculationMode::wideband;
-        return {way.render.mode, way.bins_per_cm, hasPoints ? way.render.widebandError : 0.0};
+    static Air airOf(const CalculationConfiguration& configuration) {
+        const bool hasPoints = configuration.render.mode == CalculationMode::wideband;
+        return {configuration.render.mode, configuration.bins_per_cm,
+                hasPoints ? configuration.render.widebandError : 0.0};
     }
 
     double sampling(int window) const {
@@ -205,19 +208,21 @@ class Expected {
 
     std::map<int, double> sampling_, background_;
     std::map<Air, double> air_;
-    std::vector<std::pair<CalculationWay, double>> sums_;
+    std::vector<std::pair<CalculationConfiguration, double>> sums_;
 };
 
-double cost_s(const CalculationWay& way, const SceneDescription& scene, const TargetUse& use) {
-    const double samples =
-        static_cast<double>(way.render.tileSide_samples) * way.render.tileSide_samples;
-    return modelledCost_s(samples, way, scene,
+double cost_s(const CalculationConfiguration& configuration, const SceneDescription& scene,
+              const TargetUse& use) {
+    const double samples = static_cast<double>(configuration.render.tileSide_samples) *
+                           configuration.render.tileSide_samples;
+    return modelledCost_s(samples, configuration, scene,
                           static_cast<double>(use.linesOfSight) / static_cast<double>(use.cases));
 }
 
 /// All ways that may be chosen, cheapest first.
-std::vector<CalculationWay> waysFrom(const CalculationWay& start, const SceneDescription& scene,
-                                     const TargetUse& use) {
+std::vector<CalculationConfiguration> configurationsFrom(const CalculationConfiguration& start,
+                                                         const SceneDescription& scene,
+                                                         const TargetUse& use) {
     struct Air {
         CalculationMode mode;
         int bins_per_cm;
@@ -237,21 +242,23 @@ std::vector<CalculationWay> waysFrom(const CalculationWay& start, const SceneDes
     std::vector<int> rows = {start.render.backgroundRows};
     if (start.render.background == BackgroundMode::environment)
         rows = {1, 0, 128};
-    std::vector<CalculationWay> ways;
+    std::vector<CalculationConfiguration> configurations;
     for (int window = leastTile; window <= largestTile; window *= 2)
         for (const Air& air : airs)
             for (const int row : rows) {
-                CalculationWay way = start;
-                way.render.tileSide_samples = window;
-                way.render.mode = air.mode;
-                way.bins_per_cm = air.bins_per_cm;
-                way.render.widebandError = air.widebandError;
-                way.render.backgroundRows = row;
-                ways.push_back(way);
+                CalculationConfiguration configuration = start;
+                configuration.render.tileSide_samples = window;
+                configuration.render.mode = air.mode;
+                configuration.bins_per_cm = air.bins_per_cm;
+                configuration.render.widebandError = air.widebandError;
+                configuration.render.backgroundRows = row;
+                configurations.push_back(configuration);
             }
-    std::ranges::stable_sort(ways, {},
-                             [&](const CalculationWay& way) { return cost_s(way, scene, use); });
-    return ways;
+    std::ranges::stable_sort(configurations, {},
+                             [&](const CalculationConfiguration& configuration) {
+                                 return cost_s(configuration, scene, use);
+                             });
+    return configurations;
 }
 
 } // namespace
@@ -266,7 +273,7 @@ std::vector<std::size_t> probedCases(std::size_t count) {
 
 TargetChoice chooseForTarget(ProbedViews& views, double target, const TargetUse& use) {
     const SceneDescription& scene = views.scene();
-    CalculationWay start = CalculationWay::of(scene);
+    CalculationConfiguration start = CalculationConfiguration::of(scene);
     start.render.tileSide_samples = firstTile;
     start.render.tileStrategy = irsg::TileStrategy::aligned;
     if (use.mayUseBins && hasBins(scene) && start.render.mode == CalculationMode::spectral)
@@ -294,36 +301,41 @@ TargetChoice chooseForTarget(ProbedViews& views, double target, const TargetUse&
     // Views that were not looked at may be somewhat worse.
     const double ofOthers = use.cases > views.count() ? 0.85 : 1.0;
     const double allowed = ofOthers * target - choice.skipped;
-    const std::vector<CalculationWay> ways = waysFrom(start, scene, use);
+    const std::vector<CalculationConfiguration> configurations =
+        configurationsFrom(start, scene, use);
     // Where none is good enough, no effort that hardly helps.
     const auto least = [&] {
         constexpr double hardly = 1.25;
         double sum = std::numeric_limits<double>::infinity();
-        for (const CalculationWay& way : ways)
-            sum = std::min(sum, expected.sum(way));
-        return *std::ranges::find_if(
-            ways, [&](const CalculationWay& way) { return expected.sum(way) <= hardly * sum; });
+        for (const CalculationConfiguration& configuration : configurations)
+            sum = std::min(sum, expected.sum(configuration));
+        return *std::ranges::find_if(configurations,
+                                     [&](const CalculationConfiguration& configuration) {
+                                         return expected.sum(configuration) <= hardly * sum;
+                                     });
     };
-    const auto measure = [&](const CalculationWay& way) {
-        const std::vector<Reports> numbers = views.measured(way, true);
+    const auto measure = [&](const CalculationConfiguration& configuration) {
+        const std::vector<Reports> numbers = views.measured(configuration, true);
         choice.leastContrasts_W_sr = ProbedViews::leastContrasts_W_sr(numbers);
-        expected.learn(way, ProbedViews::stated(numbers));
+        expected.learn(configuration, ProbedViews::stated(numbers));
     };
     measure(start);
     for (;;) {
-        const auto fit = std::ranges::find_if(
-            ways, [&](const CalculationWay& way) { return expected.sum(way) <= allowed; });
-        choice.isMet = fit != ways.end();
-        choice.way = choice.isMet ? *fit : least();
-        if (expected.measured(choice.way))
+        const auto fit = std::ranges::find_if(configurations,
+                                              [&](const CalculationConfiguration& configuration) {
+                                                  return expected.sum(configuration) <= allowed;
+                                              });
+        choice.isMet = fit != configurations.end();
+        choice.configuration = choice.isMet ? *fit : least();
+        if (expected.measured(choice.configuration))
             break;
-        measure(choice.way);
+        measure(choice.configuration);
     }
-    choice.reached = *expected.measured(choice.way) + choice.skipped;
+    choice.reached = *expected.measured(choice.configuration) + choice.skipped;
     const std::string prefix = "target error " + percent(target) + ": ";
     const std::string looked =
         views.count() == 1 ? "in its view" : fmt::format("in {} views", views.count());
-    choice.sentences.push_back(prefix + choice.way.words(scene) +
+    choice.sentences.push_back(prefix + choice.configuration.words(scene) +
                                (choice.isMet ? ", the cheapest with errors of at most "
                                              : "; no way meets it, this one has errors of up to ") +
                                percent(choice.reached) + " " + looked);

@@ -3,13 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "smatcore/analysis/CalculationWays.h"
+#include "smatcore/analysis/CalculationConfigurations.h"
 
 namespace smat {
 
 /// How a scene is calculated so that its errors stay below a target, and why.
 struct TargetChoice {
-    CalculationWay way;
+    CalculationConfiguration configuration;
     /// What was left out of the light, with the bound of each; as a part.
     double skipped = 0.0;
     /// Stated errors of the views that were looked at and what was left out; as a part.

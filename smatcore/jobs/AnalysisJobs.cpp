@@ -159,9 +159,9 @@ void JobRunner::run(MonteCarloData& data, const JobControl& control) {
     MonteCarlo(door(), factory()).run(data, control.progress, control.stop, control.timer);
 }
 
-void JobRunner::run(AnalysisData& data, const Frontier::Options& options,
+void JobRunner::run(AnalysisData& data, const CostAccuracyStudy::Options& options,
                     const JobControl& control) {
-    Frontier::run(data, door(), factory(), options, control.progress, control.stop);
+    CostAccuracyStudy::run(data, door(), factory(), options, control.progress, control.stop);
 }
 
 } // namespace smat

@@ -8,7 +8,7 @@
 
 #include "smatcore/analysis/AnalysisGenerator.h"
 #include "smatcore/analysis/CaseFile.h"
-#include "smatcore/analysis/Frontier.h"
+#include "smatcore/analysis/CostAccuracyStudy.h"
 #include "smatcore/analysis/MonteCarlo.h"
 #include "smatcore/data/RenderDoor.h"
 #include "smatcore/project/SceneBuilder.h"
@@ -73,7 +73,8 @@ class JobRunner {
     JobOutcome run(PlannedJob& job, const JobControl& control = {});
     /// See MonteCarlo and Frontier; neither saves.
     void run(MonteCarloData& data, const JobControl& control = {});
-    void run(AnalysisData& data, const Frontier::Options& options, const JobControl& control = {});
+    void run(AnalysisData& data, const CostAccuracyStudy::Options& options,
+             const JobControl& control = {});
 
   private:
     SceneFactory factory() {

@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(SmatBatchFrontier, TellsTimeAgainstErrorAndWhatIsChosen) {
+TEST(SmatBatchCostAccuracy, TellsTimeAgainstErrorAndWhatIsChosen) {
     const TemporaryFolder folder;
     const Ran ran = smatBatch({"cost-accuracy",
                                sample("sphere/sphere.smat"),
@@ -49,7 +49,7 @@ TEST(SmatBatchFrontier, TellsTimeAgainstErrorAndWhatIsChosen) {
     EXPECT_LE(table.find("true_error")->values[at], 0.5);
 }
 
-TEST(SmatBatchFrontier, TellsBeforeHowManyConfigurationsThereAreAndTakesTheLikelyOnes) {
+TEST(SmatBatchCostAccuracy, TellsBeforeHowManyConfigurationsThereAreAndTakesTheLikelyOnes) {
     const TemporaryFolder folder;
     const std::vector<std::string> view = {"cost-accuracy", sample("sphere/sphere.smat"),
                                            "--atmosphere",  "none",
@@ -74,7 +74,7 @@ TEST(SmatBatchFrontier, TellsBeforeHowManyConfigurationsThereAreAndTakesTheLikel
     EXPECT_EQ(with({"--configurations", "some", "--out", folder / "f.csv"}).exitCode, 2);
 }
 
-TEST(SmatBatchFrontier, RefusesTimesThatAreNone) {
+TEST(SmatBatchCostAccuracy, RefusesTimesThatAreNone) {
     const TemporaryFolder folder;
     const Ran ran = smatBatch({"cost-accuracy", sample("sphere/sphere.smat"), "--repeats", "0",
                                "--out", folder / "f.csv"});

@@ -11,7 +11,7 @@
 
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
-#include "smatcore/analysis/Frontier.h"
+#include "smatcore/analysis/CostAccuracyStudy.h"
 #include "smatcore/analysis/TargetChoice.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -102,7 +102,7 @@ TEST(TargetChoice, TakesTheSmallestTileWhoseErrorIsBelow) {
         Lawful source;
         const TargetChoice choice = chosen(source, row.target);
         EXPECT_TRUE(choice.isMet) << row.target;
-        EXPECT_EQ(choice.way.render.tileSide_samples, row.window) << row.target;
+        EXPECT_EQ(choice.configuration.render.tileSide_samples, row.window) << row.target;
         EXPECT_NEAR(choice.reached, 0.02 * std::pow(128.0 / row.window, 1.5), 1e-12);
         EXPECT_LE(source.largest, std::max(row.window, 128)) << "nothing dearer was drawn";
     }
@@ -118,7 +118,7 @@ TEST(TargetChoice, TrainsPointsOfWidebandNoFinerThanNeeded) {
         wideband.mode = irsg::CalculationMode::wideband;
         const TargetChoice choice = chosen(source, row.target, wideband);
         EXPECT_TRUE(choice.isMet) << row.target;
-        EXPECT_EQ(choice.way.render.widebandError, row.trained) << row.target;
+        EXPECT_EQ(choice.configuration.render.widebandError, row.trained) << row.target;
         EXPECT_GE(*source.trained.begin(), row.trained) << "nothing dearer was trained";
         EXPECT_LE(choice.reached, row.target);
     }
@@ -127,15 +127,15 @@ TEST(TargetChoice, TrainsPointsOfWidebandNoFinerThanNeeded) {
     wideband.mode = irsg::CalculationMode::wideband;
     const TargetChoice none = chosen(source, 5e-4, wideband);
     EXPECT_FALSE(none.isMet);
-    EXPECT_EQ(none.way.render.widebandError, 0.001);
+    EXPECT_EQ(none.configuration.render.widebandError, 0.001);
     EXPECT_THAT(none.sentences.front(), HasSubstr("wideband-ck trained to 0.1 %"));
 }
 
-TEST(TargetChoice, SaysWhereNoWayMeetsIt) {
+TEST(TargetChoice, SaysWhereNoConfigurationMeetsIt) {
     Lawful source;
     const TargetChoice choice = chosen(source, 1e-4);
     EXPECT_FALSE(choice.isMet);
-    EXPECT_EQ(choice.way.render.tileSide_samples, 2048);
+    EXPECT_EQ(choice.configuration.render.tileSide_samples, 2048);
     EXPECT_THAT(choice.sentences, Contains(HasSubstr("no way meets it")));
     EXPECT_THAT(choice.sentences.front(), HasSubstr("0.031 %"));
 }
@@ -143,23 +143,23 @@ TEST(TargetChoice, SaysWhereNoWayMeetsIt) {
 TEST(TargetChoice, TakesRowsOfTheBackgroundOnlyWhereTheyAreNeeded) {
     Lawful source;
     source.hasBackground = true;
-    EXPECT_EQ(chosen(source, 0.05).way.render.backgroundRows, 1);
+    EXPECT_EQ(chosen(source, 0.05).configuration.render.backgroundRows, 1);
     const TargetChoice finer = chosen(source, 0.009); // one row alone is wrong by 1 %
     EXPECT_TRUE(finer.isMet);
-    EXPECT_EQ(finer.way.render.backgroundRows, 0);
-    EXPECT_EQ(finer.way.render.tileSide_samples, 256);
+    EXPECT_EQ(finer.configuration.render.backgroundRows, 0);
+    EXPECT_EQ(finer.configuration.render.tileSide_samples, 256);
 }
 
 TEST(TargetChoice, LeavesOutLightWhoseBoundIsAPartOfTheTarget) {
     Lawful source;
     source.sunlight_W_sr = 0.3; // at most 0.3 % of a target of 1 %
     const TargetChoice dim = chosen(source, 0.01);
-    EXPECT_EQ(dim.way.render.sun, ReflectionMode::off);
+    EXPECT_EQ(dim.configuration.render.sun, ReflectionMode::off);
     EXPECT_NEAR(dim.skipped, 0.3 / 100.18, 1e-9);
     EXPECT_THAT(dim.sentences, Contains(HasSubstr("skipped sun: at most 0.3 % (as if all faced")));
     source.sunlight_W_sr = 0.4; // more than a third of it
     const TargetChoice bright = chosen(source, 0.01);
-    EXPECT_EQ(bright.way.render.sun, ReflectionMode::smart);
+    EXPECT_EQ(bright.configuration.render.sun, ReflectionMode::smart);
     EXPECT_EQ(bright.skipped, 0.0);
     EXPECT_THAT(bright.sentences, Contains(HasSubstr("kept sun: at most 0.4 %")));
 }
@@ -172,11 +172,11 @@ TEST(TargetChoice, LeavesOutShadowsLightBetweenSurfacesAndSkyByThemselves) {
     render.sunShadows = irsg::SunShadowMode::point;
     render.bounces = irsg::convergedBounces;
     const TargetChoice choice = chosen(source, 0.01, render);
-    EXPECT_EQ(choice.way.render.sun, ReflectionMode::smart);
-    EXPECT_EQ(choice.way.render.sunShadows, irsg::SunShadowMode::point)
+    EXPECT_EQ(choice.configuration.render.sun, ReflectionMode::smart);
+    EXPECT_EQ(choice.configuration.render.sunShadows, irsg::SunShadowMode::point)
         << "all that shadows may take is what the sun gives, 6 %";
-    EXPECT_EQ(choice.way.render.bounces, 0);
-    EXPECT_EQ(choice.way.render.ambientReflection, ReflectionMode::off);
+    EXPECT_EQ(choice.configuration.render.bounces, 0);
+    EXPECT_EQ(choice.configuration.render.ambientReflection, ReflectionMode::off);
     EXPECT_GE(choice.skipped, 2.0 * 0.04 / 106.1 + 0.05 / 106.1);
     EXPECT_LE(choice.skipped, 0.01 / 3.0);
 }
@@ -189,7 +189,7 @@ TEST(TargetChoice, DoesNotTrustBoundsOfMirrors) {
     scene.entities.emplace_back().database = database;
     scene.settings.background = irsg::BackgroundMode::none;
     ProbedViews views(source, scene, 1, false, seenFromAhead);
-    EXPECT_EQ(chooseForTarget(views, 0.05, {}).way.render.sun, ReflectionMode::smart);
+    EXPECT_EQ(chooseForTarget(views, 0.05, {}).configuration.render.sun, ReflectionMode::smart);
 }
 
 TEST(TargetChoice, LooksAtBothEndsAndBetween) {
@@ -262,17 +262,20 @@ TEST(TargetError, IsAPercentageWithOrWithoutItsSign) {
     EXPECT_EQ(canonicalText(settingInfo("render.lightError"), "0.5%"), std::nullopt);
 }
 
-TEST(Frontier, HasEveryWayThatDiffersAndNoOther) {
+TEST(CostAccuracyStudy, HasEveryConfigurationThatDiffersAndNoOther) {
     SceneDescription scene;
     scene.settings.background = irsg::BackgroundMode::none;
-    EXPECT_EQ(Frontier::waysOf(scene, true).size(), 6u * 2u) << "modes, with and without light";
+    EXPECT_EQ(CostAccuracyStudy::configurationsOf(scene, true).size(), 6u * 2u)
+        << "modes, with and without light";
     scene.settings.background = irsg::BackgroundMode::environment;
-    EXPECT_EQ(Frontier::waysOf(scene, true).size(), 6u * 2u * 2u) << "one row or more";
+    EXPECT_EQ(CostAccuracyStudy::configurationsOf(scene, true).size(), 6u * 2u * 2u)
+        << "one row or more";
     scene.settings.bounces = irsg::convergedBounces;
     scene.settings.sunShadows = irsg::SunShadowMode::disc;
-    EXPECT_EQ(Frontier::waysOf(scene, true).size(), 6u * 2u * 4u);
+    EXPECT_EQ(CostAccuracyStudy::configurationsOf(scene, true).size(), 6u * 2u * 4u);
     scene.settings.sun = scene.settings.ambientReflection = ReflectionMode::off;
-    EXPECT_EQ(Frontier::waysOf(scene, true).size(), 6u * 2u * 3u) << "nothing to leave out";
+    EXPECT_EQ(CostAccuracyStudy::configurationsOf(scene, true).size(), 6u * 2u * 3u)
+        << "nothing to leave out";
 }
 
 /// Lawful, and wrong by what it says; slower the less so.
@@ -296,9 +299,9 @@ class Slow : public Lawful {
     }
 };
 
-AnalysisData ofFrontier(const std::vector<std::pair<std::string, std::string>>& settings) {
+AnalysisData ofCostAccuracy(const std::vector<std::pair<std::string, std::string>>& settings) {
     AnalysisData data;
-    data.kind = Frontier::kind();
+    data.kind = CostAccuracyStudy::kind();
     data.settings.set("render.background", "none");
     for (const auto& [key, text] : settings) {
         data.settings.set(key, text);
@@ -306,12 +309,12 @@ AnalysisData ofFrontier(const std::vector<std::pair<std::string, std::string>>& 
     return data;
 }
 
-TEST(Frontier, MarksWhatNothingBeatsAndTheQuickestThatMeetsTheTarget) {
+TEST(CostAccuracyStudy, MarksWhatNothingBeatsAndTheQuickestThatMeetsTheTarget) {
     Slow source;
     source.sunlight_W_sr = 5.0; // 3 % of it: no way without light meets the target
-    AnalysisData data = ofFrontier(
+    AnalysisData data = ofCostAccuracy(
         {{"render.targetError", "0.5"}, {"render.bounces", "0"}, {"render.shadows", "off"}});
-    Frontier::run(data, source, test::sceneWithoutFiles, {.repeats = 2});
+    CostAccuracyStudy::run(data, source, test::sceneWithoutFiles, {.repeats = 2});
     EXPECT_EQ(data.state, AnalysisState::complete);
     const auto values = [&](const char* key) { return data.table.find(key)->values; };
     ASSERT_EQ(data.table.rowCount(), 12u);
@@ -341,11 +344,11 @@ TEST(Frontier, MarksWhatNothingBeatsAndTheQuickestThatMeetsTheTarget) {
                                    "quickest of 12 configurations that meet it")));
 }
 
-TEST(Frontier, KeepsWhatWasDoneBeforeAStop) {
+TEST(CostAccuracyStudy, KeepsWhatWasDoneBeforeAStop) {
     Slow source;
-    AnalysisData data = ofFrontier({});
+    AnalysisData data = ofCostAccuracy({});
     std::stop_source stop;
-    Frontier::run(
+    CostAccuracyStudy::run(
         data, source, test::sceneWithoutFiles, {.repeats = 1},
         [&](const Progress& progress) {
             if (progress.done == 4) {
@@ -362,61 +365,62 @@ TEST(Frontier, KeepsWhatWasDoneBeforeAStop) {
 std::map<std::vector<double>, double> errorsOf(const AnalysisData& data) {
     std::map<std::vector<double>, double> errors;
     for (std::size_t i = 0; i < data.table.rowCount(); ++i) {
-        std::vector<double> way;
+        std::vector<double> configuration;
         for (const char* key : {"antialiasing", "bins", "wideband", "background_rows", "light"}) {
-            way.push_back(data.table.find(key)->values[i]);
+            configuration.push_back(data.table.find(key)->values[i]);
         }
-        errors[way] = data.table.find("true_error")->values[i];
+        errors[configuration] = data.table.find("true_error")->values[i];
     }
     return errors;
 }
 
-TEST(Frontier, LeavesOutWaysThatAModelOfCostsCallsBeaten) {
+TEST(CostAccuracyStudy, LeavesOutConfigurationsThatAModelOfCostsCallsBeaten) {
     Slow source;
     source.sunlight_W_sr = 5.0; // 3 % of it
     const auto settings = {std::pair<std::string, std::string>{"render.bounces", "0"},
                            {"render.shadows", "off"}};
-    AnalysisData all = ofFrontier(settings), likely = ofFrontier(settings);
-    Frontier::run(all, source, test::sceneWithoutFiles, {.repeats = 1});
-    Frontier::run(likely, source, test::sceneWithoutFiles, {.repeats = 1, .likely = true});
+    AnalysisData all = ofCostAccuracy(settings), likely = ofCostAccuracy(settings);
+    CostAccuracyStudy::run(all, source, test::sceneWithoutFiles, {.repeats = 1});
+    CostAccuracyStudy::run(likely, source, test::sceneWithoutFiles, {.repeats = 1, .likely = true});
     EXPECT_EQ(likely.state, AnalysisState::complete);
     const auto known = errorsOf(all), some = errorsOf(likely);
     ASSERT_EQ(known.size(), 12u);
     EXPECT_LT(some.size(), known.size());
     // Each of six modes with all light, and the finest without.
     EXPECT_GE(some.size(), 7u);
-    for (const auto& [way, error] : some) {
-        EXPECT_EQ(error, known.at(way)) << "the same number";
+    for (const auto& [configuration, error] : some) {
+        EXPECT_EQ(error, known.at(configuration)) << "the same number";
     }
     EXPECT_THAT(likely.answeredBy, Contains(HasSubstr("configurations: ")));
     EXPECT_THAT(all.answeredBy, Not(Contains(HasSubstr("configurations: "))));
     // Twice the same, whatever the clock says.
-    AnalysisData again = ofFrontier(settings);
-    Frontier::run(again, source, test::sceneWithoutFiles, {.repeats = 1, .likely = true});
+    AnalysisData again = ofCostAccuracy(settings);
+    CostAccuracyStudy::run(again, source, test::sceneWithoutFiles, {.repeats = 1, .likely = true});
     EXPECT_EQ(errorsOf(again), some);
 }
 
-TEST(Frontier, SaysBeforeHowManyWaysThereAre) {
-    const AnalysisData data = ofFrontier({{"render.bounces", "0"}, {"render.shadows", "off"}});
-    const auto all = Frontier::sizeOf(data.project, data.settings, {.repeats = 2});
+TEST(CostAccuracyStudy, SaysBeforeHowManyConfigurationsThereAre) {
+    const AnalysisData data = ofCostAccuracy({{"render.bounces", "0"}, {"render.shadows", "off"}});
+    const auto all = CostAccuracyStudy::sizeOf(data.project, data.settings, {.repeats = 2});
     EXPECT_EQ(all.all, 12u);
     EXPECT_EQ(all.alone, 7u);
     EXPECT_GT(all.most_s, all.least_s);
     EXPECT_GT(all.least_s, 0.0);
-    EXPECT_GT(Frontier::sizeOf(data.project, data.settings, {.repeats = 20}).most_s, all.most_s);
-    EXPECT_EQ(Frontier::optionWords({}), "");
-    EXPECT_EQ(Frontier::optionWords({.repeats = 5, .likely = true}),
+    EXPECT_GT(CostAccuracyStudy::sizeOf(data.project, data.settings, {.repeats = 20}).most_s,
+              all.most_s);
+    EXPECT_EQ(CostAccuracyStudy::optionWords({}), "");
+    EXPECT_EQ(CostAccuracyStudy::optionWords({.repeats = 5, .likely = true}),
               " --repeats 5 --configurations likely");
 }
 
-TEST(Frontier, TellsTheSettingsOfEachWay) {
+TEST(CostAccuracyStudy, TellsTheSettingsOfEachConfiguration) {
     Slow source;
-    AnalysisData data = ofFrontier({{"render.targetError", "3"}, {"sensor.mode", "spectral"}});
-    Frontier::run(data, source, test::sceneWithoutFiles, {.repeats = 1});
+    AnalysisData data = ofCostAccuracy({{"render.targetError", "3"}, {"sensor.mode", "spectral"}});
+    CostAccuracyStudy::run(data, source, test::sceneWithoutFiles, {.repeats = 1});
     const auto column = [&](const char* key) { return data.table.find(key)->values; };
     std::set<std::pair<int, int>> seen;
     for (std::size_t i = 0; i < data.table.rowCount(); ++i) {
-        const Settings set = data.settings.with(Frontier::settingsOf(data.table, i));
+        const Settings set = data.settings.with(CostAccuracyStudy::settingsOf(data.table, i));
         EXPECT_FALSE(set[key::renderTargetError]);
         const irsg::RenderSettings render = renderSettingsOf(set);
         const int mode = static_cast<int>(column("antialiasing")[i]);
@@ -424,14 +428,17 @@ TEST(Frontier, TellsTheSettingsOfEachWay) {
         EXPECT_EQ(render.samplesPerAxis, mode > 2 ? 1 : 1 << mode) << mode;
         EXPECT_EQ(render.backgroundRows, static_cast<int>(column("background_rows")[i]));
         const int light = static_cast<int>(column("light")[i]);
-        EXPECT_EQ(render.bounces != 0, light == Frontier::allLight);
-        EXPECT_EQ(render.sunShadows != irsg::SunShadowMode::off, light >= Frontier::withShadows);
-        EXPECT_EQ(render.sun != ReflectionMode::off, light >= Frontier::sunAndSky);
-        EXPECT_EQ(render.ambientReflection != ReflectionMode::off, light >= Frontier::sunAndSky);
+        EXPECT_EQ(render.bounces != 0, light == CostAccuracyStudy::allLight);
+        EXPECT_EQ(render.sunShadows != irsg::SunShadowMode::off,
+                  light >= CostAccuracyStudy::withShadows);
+        EXPECT_EQ(render.sun != ReflectionMode::off, light >= CostAccuracyStudy::sunAndSky);
+        EXPECT_EQ(render.ambientReflection != ReflectionMode::off,
+                  light >= CostAccuracyStudy::sunAndSky);
         seen.insert({mode, light});
     }
     EXPECT_EQ(seen.size(), 6u * 4u);
-    EXPECT_THROW(Frontier::settingsOf(data.table, data.table.rowCount()), irsg::LogicError);
+    EXPECT_THROW(CostAccuracyStudy::settingsOf(data.table, data.table.rowCount()),
+                 irsg::LogicError);
 }
 
 TEST(EnvironmentBins, TakeThePlaceOfThoseOfTheFile) {

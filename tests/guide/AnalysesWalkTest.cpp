@@ -6,17 +6,17 @@
 #include <QTabBar>
 #include <QTreeWidget>
 
+#include "gui/analysis/CostAccuracyPanel.h"
 #include "gui/analysis/FloatingPages.h"
-#include "gui/analysis/FrontierPanel.h"
 #include "gui/analysis/JobBar.h"
 #include "gui/image/ComparisonWindow.h"
 #include "gui/image/ImageView.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotPanel.h"
 #include "gui/plot/PolarPlot.h"
-#include "gui/tools/FrontierPage.h"
+#include "gui/tools/CostAccuracyPage.h"
 #include "irsg/image/ExrFile.h"
-#include "smatcore/analysis/Frontier.h"
+#include "smatcore/analysis/CostAccuracyStudy.h"
 #include "tests/gui/ResultList.h"
 #include "tests/guide/GuideFixture.h"
 
@@ -252,7 +252,7 @@ TEST_F(AnalysesWalkTest, TimeAgainstError) {
     walk.step("Tools → Time against error calculates the view of the project in many "
               "configurations, or in all of them, and plots time and true error of each.");
     act("frontier");
-    auto* tool = page<FrontierPage>();
+    auto* tool = page<CostAccuracyPage>();
     ASSERT_NE(tool, nullptr);
     get<QSpinBox>("repeats", tool)->setValue(1);
     choose(get<QComboBox>("ways", tool), 0);

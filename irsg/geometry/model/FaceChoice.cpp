@@ -18,7 +18,7 @@ FaceNumbers those(const FaceMesh& mesh, const Wanted& wanted) {
 }
 
 /// Of the tenth of a millionth of the way that a ray takes: faces that coincide are one.
-constexpr double sameOfWay = 1e-7;
+constexpr double sameOfConfiguration = 1e-7;
 /// Of the diagonal: what lies behind by less is not hidden.
 constexpr double behindOfDiagonal = 1e-4;
 /// More pixels than a picture of a box is given.
@@ -164,8 +164,9 @@ std::optional<unsigned int> faceAlong(const FaceMesh& mesh, const osg::Vec3d& ey
             if (way <= 0.0)
                 continue;
             // Of two that coincide, it is the one that looks here.
-            const bool isNearer = way < nearest * (1.0 - sameOfWay) ||
-                                  (looksAway && turn > 0.0 && way <= nearest * (1.0 + sameOfWay));
+            const bool isNearer =
+                way < nearest * (1.0 - sameOfConfiguration) ||
+                (looksAway && turn > 0.0 && way <= nearest * (1.0 + sameOfConfiguration));
             if (!isNearer)
                 continue;
             nearest = way;

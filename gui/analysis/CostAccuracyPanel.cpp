@@ -1,4 +1,4 @@
-#include "gui/analysis/FrontierPanel.h"
+#include "gui/analysis/CostAccuracyPanel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@
 #include "gui/widgets/Theme.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/Conditions.h"
-#include "smatcore/analysis/Frontier.h"
+#include "smatcore/analysis/CostAccuracyStudy.h"
 
 namespace smat::gui {
 namespace {
@@ -42,33 +42,33 @@ double cell(const ResultTable& table, const char* key, std::size_t row) {
 
 QString airWords(const ResultTable& table, std::size_t row) {
     if (cell(table, "wideband", row) != 0.0)
-        return FrontierPanel::tr("wideband-ck");
+        return CostAccuracyPanel::tr("wideband-ck");
     const double bins_per_cm = cell(table, "bins", row);
-    return bins_per_cm > 0.0 ? FrontierPanel::tr("bins of %1 cm⁻¹").arg(bins_per_cm)
-                             : FrontierPanel::tr("spectral");
+    return bins_per_cm > 0.0 ? CostAccuracyPanel::tr("bins of %1 cm⁻¹").arg(bins_per_cm)
+                             : CostAccuracyPanel::tr("spectral");
 }
 
 QString lightWords(const ResultTable& table, std::size_t row) {
     switch (static_cast<int>(cell(table, "light", row))) {
-    case Frontier::noLight:
-        return FrontierPanel::tr("no sun, sky and ground");
-    case Frontier::sunAndSky:
-        return FrontierPanel::tr("no shadows, none between surfaces");
-    case Frontier::withShadows:
-        return FrontierPanel::tr("none between surfaces");
+    case CostAccuracyStudy::noLight:
+        return CostAccuracyPanel::tr("no sun, sky and ground");
+    case CostAccuracyStudy::sunAndSky:
+        return CostAccuracyPanel::tr("no shadows, none between surfaces");
+    case CostAccuracyStudy::withShadows:
+        return CostAccuracyPanel::tr("none between surfaces");
     default:
-        return FrontierPanel::tr("all");
+        return CostAccuracyPanel::tr("all");
     }
 }
 
 QString rowsWords(const ResultTable& table, std::size_t row) {
     const double rows = cell(table, "background_rows", row);
-    return rows == 0.0 ? FrontierPanel::tr("as many as needed") : QString::number(rows);
+    return rows == 0.0 ? CostAccuracyPanel::tr("as many as needed") : QString::number(rows);
 }
 
 /// "mode 4, bins of 5 cm⁻¹, background rows 1, light: all".
 QString words(const ResultTable& table, std::size_t row) {
-    return FrontierPanel::tr("mode %1, %2, background rows: %3, light: %4")
+    return CostAccuracyPanel::tr("mode %1, %2, background rows: %3, light: %4")
         .arg(cell(table, "antialiasing", row))
         .arg(airWords(table, row), rowsWords(table, row), lightWords(table, row));
 }
@@ -83,7 +83,7 @@ QString milliseconds(double value) {
 
 } // namespace
 
-FrontierPanel::FrontierPanel(Dialogs dialogs, QWidget* parent) : QWidget(parent) {
+CostAccuracyPanel::CostAccuracyPanel(Dialogs dialogs, QWidget* parent) : QWidget(parent) {
     setObjectName("frontierPanel");
     parts_ = new QSplitter(Qt::Vertical, this);
     plot_ = new PlotPanel(PlotKind::cartesian, std::move(dialogs), parts_);
@@ -96,15 +96,16 @@ FrontierPanel::FrontierPanel(Dialogs dialogs, QWidget* parent) : QWidget(parent)
     said_->setObjectName("frontierSaid");
     said_->setWordWrap(true);
     said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    ways_ = new QTreeWidget(below);
-    ways_->setObjectName("frontierWays");
-    ways_->setHeaderLabels({tr("True error"), tr("Time"), tr("First time"), tr("Stated error"),
-                            tr("Antialiasing"), tr("Air"), tr("Background rows"), tr("Light")});
-    ways_->setRootIsDecorated(false);
-    ways_->setAlternatingRowColors(true);
-    ways_->setUniformRowHeights(true);
-    ways_->setMinimumHeight(90);
-    ways_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    configurations_ = new QTreeWidget(below);
+    configurations_->setObjectName("frontierWays");
+    configurations_->setHeaderLabels({tr("True error"), tr("Time"), tr("First time"),
+                                      tr("Stated error"), tr("Antialiasing"), tr("Air"),
+                                      tr("Background rows"), tr("Light")});
+    configurations_->setRootIsDecorated(false);
+    configurations_->setAlternatingRowColors(true);
+    configurations_->setUniformRowHeights(true);
+    configurations_->setMinimumHeight(90);
+    configurations_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     auto* row = new QHBoxLayout;
     all_ = new QCheckBox(tr("&All configurations, also those off the front"), below);
     all_->setObjectName("frontierAll");
@@ -116,7 +117,7 @@ FrontierPanel::FrontierPanel(Dialogs dialogs, QWidget* parent) : QWidget(parent)
     row->addWidget(all_, 1);
     row->addWidget(use_);
     column->addWidget(said_);
-    column->addWidget(ways_, 1);
+    column->addWidget(configurations_, 1);
     column->addLayout(row);
     parts_->setStretchFactor(0, 3);
     parts_->setStretchFactor(1, 2);
@@ -124,13 +125,13 @@ FrontierPanel::FrontierPanel(Dialogs dialogs, QWidget* parent) : QWidget(parent)
     whole->setContentsMargins(0, 0, 0, 0);
     whole->addWidget(parts_);
 
-    connect(all_, &QCheckBox::toggled, this, &FrontierPanel::fillWays);
-    connect(ways_, &QTreeWidget::currentItemChanged, this, [this] { showMark(); });
-    connect(use_, &QPushButton::clicked, this, &FrontierPanel::askToUse);
+    connect(all_, &QCheckBox::toggled, this, &CostAccuracyPanel::fillConfigurations);
+    connect(configurations_, &QTreeWidget::currentItemChanged, this, [this] { showMark(); });
+    connect(use_, &QPushButton::clicked, this, &CostAccuracyPanel::askToUse);
     use_->setEnabled(false);
 }
 
-void FrontierPanel::setTable(const ResultTable& table) {
+void CostAccuracyPanel::setTable(const ResultTable& table) {
     for (const char* key : {"true_error", "time", "first_time", "stated_error", "antialiasing",
                             "bins", "wideband", "background_rows", "light", "on_front", "chosen"})
         if (table.rowCount() > 0)
@@ -147,13 +148,13 @@ void FrontierPanel::setTable(const ResultTable& table) {
     said_->setText(sentences.join('\n'));
     said_->setVisible(!sentences.isEmpty());
     fillPlot();
-    fillWays();
+    fillConfigurations();
 }
 
-void FrontierPanel::fillPlot() {
+void CostAccuracyPanel::fillPlot() {
     constexpr double gap = std::numeric_limits<double>::quiet_NaN();
     // A sample between gaps is drawn as a dot.
-    Curve ways{tr("a configuration"), {}, {}},
+    Curve configurations{tr("a configuration"), {}, {}},
         front{tr("front: none is both quicker and less wrong"), {}, {}},
         chosen{tr("chosen"), {}, {}};
     for (std::size_t i = 0; i < table_.rowCount(); ++i) {
@@ -167,8 +168,8 @@ void FrontierPanel::fillPlot() {
             chosen.y.push_back(time);
         }
         for (const double y : {time, gap}) {
-            ways.x.push_back(error);
-            ways.y.push_back(y);
+            configurations.x.push_back(error);
+            configurations.y.push_back(y);
         }
     }
     PlotData data;
@@ -180,17 +181,17 @@ void FrontierPanel::fillPlot() {
     data.yTitle = tr("Time of a case (ms)");
     data.xLogarithmic = data.yLogarithmic = true;
     if (table_.rowCount() > 0)
-        data.curves = {front, ways};
+        data.curves = {front, configurations};
     if (!chosen.x.empty())
         data.curves.push_back(chosen);
     plot_->cartesian()->setData(std::move(data));
     plot_->refresh();
 }
 
-void FrontierPanel::fillWays() {
+void CostAccuracyPanel::fillConfigurations() {
     const auto before = marked();
-    const QSignalBlocker quiet(ways_);
-    ways_->clear();
+    const QSignalBlocker quiet(configurations_);
+    configurations_->clear();
     std::optional<std::size_t> chosen;
     for (std::size_t i = 0; i < table_.rowCount(); ++i) {
         const bool isOnFront = cell(table_, "on_front", i) != 0.0;
@@ -199,7 +200,7 @@ void FrontierPanel::fillWays() {
             chosen = i;
         if (!isOnFront && !isChosen && !all_->isChecked())
             continue;
-        auto* item = new QTreeWidgetItem(ways_);
+        auto* item = new QTreeWidgetItem(configurations_);
         item->setData(0, rowRole, static_cast<qulonglong>(i));
         const QStringList texts{percent(cell(table_, "true_error", i)),
                                 milliseconds(cell(table_, "time", i)),
@@ -214,7 +215,7 @@ void FrontierPanel::fillWays() {
             if (k < 4)
                 item->setTextAlignment(k, Qt::AlignRight | Qt::AlignVCenter);
             if (isChosen) {
-                QFont bold = ways_->font();
+                QFont bold = configurations_->font();
                 bold.setBold(true);
                 item->setFont(k, bold);
             }
@@ -229,23 +230,23 @@ void FrontierPanel::fillWays() {
     showMark();
 }
 
-std::optional<std::size_t> FrontierPanel::marked() const {
-    const QTreeWidgetItem* item = ways_->currentItem();
+std::optional<std::size_t> CostAccuracyPanel::marked() const {
+    const QTreeWidgetItem* item = configurations_->currentItem();
     return item == nullptr ? std::nullopt
                            : std::optional<std::size_t>(item->data(0, rowRole).toULongLong());
 }
 
-void FrontierPanel::mark(std::size_t row) {
-    for (int i = 0; i < ways_->topLevelItemCount(); ++i)
-        if (ways_->topLevelItem(i)->data(0, rowRole).toULongLong() == row)
-            return ways_->setCurrentItem(ways_->topLevelItem(i));
+void CostAccuracyPanel::mark(std::size_t row) {
+    for (int i = 0; i < configurations_->topLevelItemCount(); ++i)
+        if (configurations_->topLevelItem(i)->data(0, rowRole).toULongLong() == row)
+            return configurations_->setCurrentItem(configurations_->topLevelItem(i));
     if (row < table_.rowCount() && !all_->isChecked()) {
         all_->setChecked(true); // it is off the front
         mark(row);
     }
 }
 
-void FrontierPanel::showMark() {
+void CostAccuracyPanel::showMark() {
     CartesianPlot& plot = *plot_->cartesian();
     plot.detachItems(QwtPlotItem::Rtti_PlotMarker, true);
     const auto row = marked();
@@ -262,7 +263,7 @@ void FrontierPanel::showMark() {
     plot.replot();
 }
 
-std::optional<std::size_t> FrontierPanel::wayNear(const QPointF& canvasPoint) const {
+std::optional<std::size_t> CostAccuracyPanel::configurationNear(const QPointF& canvasPoint) const {
     constexpr double reach_px = 9.0;
     const CartesianPlot& plot = *plot_->cartesian();
     std::optional<std::size_t> nearest;
@@ -279,10 +280,10 @@ std::optional<std::size_t> FrontierPanel::wayNear(const QPointF& canvasPoint) co
     return nearest;
 }
 
-bool FrontierPanel::eventFilter(QObject* watched, QEvent* event) {
+bool CostAccuracyPanel::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
-        if (const auto row = wayNear(help->pos()))
+        if (const auto row = configurationNear(help->pos()))
             QToolTip::showText(help->globalPos(),
                                words(table_, *row) + "\n" +
                                    tr("%1 wrong, %2 a case")
@@ -293,43 +294,43 @@ bool FrontierPanel::eventFilter(QObject* watched, QEvent* event) {
         return true;
     }
     if (event->type() == QEvent::MouseButtonRelease)
-        if (const auto row = wayNear(static_cast<QMouseEvent*>(event)->position()))
+        if (const auto row = configurationNear(static_cast<QMouseEvent*>(event)->position()))
             mark(*row);
     return QWidget::eventFilter(watched, event);
 }
 
-void FrontierPanel::setUsable(bool usable) {
+void CostAccuracyPanel::setUsable(bool usable) {
     usable_ = usable;
     showMark();
 }
 
-void FrontierPanel::askToUse() {
+void CostAccuracyPanel::askToUse() {
     if (const auto row = marked())
         emit useAsked(
-            Frontier::settingsOf(table_, *row),
+            CostAccuracyStudy::settingsOf(table_, *row),
             tr("Use the configuration of mode %1").arg(cell(table_, "antialiasing", *row)));
 }
 
-void FrontierPanel::resizeEvent(QResizeEvent* event) {
+void CostAccuracyPanel::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     // Beside each other where that leaves the plot wide enough.
     parts_->setOrientation(width() > 2 * wide_px ? Qt::Horizontal : Qt::Vertical);
 }
 
-void FrontierPanel::changeEvent(QEvent* event) {
+void CostAccuracyPanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange && use_ != nullptr)
         showMark();
 }
 
-QStringList FrontierPanel::exportFilters() const {
+QStringList CostAccuracyPanel::exportFilters() const {
     if (table_.empty())
         return {};
     return {tr("Configurations as text (*.csv)"), tr("All inputs and values (*.json)"),
             tr("Scalable picture (*.svg)"), tr("PDF (*.pdf)"), tr("Picture (*.png)")};
 }
 
-void FrontierPanel::exportTo(const std::filesystem::path& file) const {
+void CostAccuracyPanel::exportTo(const std::filesystem::path& file) const {
     if (file.extension() == ".csv" || file.extension() == ".json")
         table_.save(file);
     else
@@ -338,4 +339,4 @@ void FrontierPanel::exportTo(const std::filesystem::path& file) const {
 
 } // namespace smat::gui
 
-#include "moc_FrontierPanel.cpp"
+#include "moc_CostAccuracyPanel.cpp"

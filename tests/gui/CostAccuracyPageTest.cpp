@@ -1,5 +1,5 @@
 // Tools, Time against error: measured as a job, marked, used as one step, kept and exported.
-#include "gui/tools/FrontierPage.h"
+#include "gui/tools/CostAccuracyPage.h"
 
 #include <algorithm>
 
@@ -13,7 +13,7 @@
 #include <QTabWidget>
 #include <QTreeWidget>
 
-#include "gui/analysis/FrontierPanel.h"
+#include "gui/analysis/CostAccuracyPanel.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotPanel.h"
@@ -24,13 +24,13 @@
 namespace smat::gui {
 namespace {
 
-class FrontierPageTest : public test::WindowFixture {
+class CostAccuracyPageTest : public test::WindowFixture {
   protected:
     void openPage() {
         openSample();
         workbench.set("render.bounces", "0");
         trigger("frontier");
-        page = window->findChild<FrontierPage*>();
+        page = window->findChild<CostAccuracyPage*>();
         ASSERT_NE(page, nullptr);
         find<QSpinBox>("repeats")->setValue(1);
     }
@@ -39,7 +39,7 @@ class FrontierPageTest : public test::WindowFixture {
         return page->findChild<Widget*>(name);
     }
     void measure() {
-        QSignalSpy ended(page, &FrontierPage::ended);
+        QSignalSpy ended(page, &CostAccuracyPage::ended);
         find<QPushButton>("run")->click();
         EXPECT_FALSE(find<QPushButton>("run")->isEnabled());
         ASSERT_TRUE(test::waitUntil([&] { return !ended.isEmpty(); }, 120.0));
@@ -47,15 +47,15 @@ class FrontierPageTest : public test::WindowFixture {
     }
     const ResultTable& table() const { return page->panel().table(); }
 
-    FrontierPage* page = nullptr;
+    CostAccuracyPage* page = nullptr;
 };
 
-TEST_F(FrontierPageTest, MeasuresAllWaysWithTheNumbersOfTheCommandLine) {
+TEST_F(CostAccuracyPageTest, MeasuresAllConfigurationsWithTheNumbersOfTheCommandLine) {
     openPage();
     find<QComboBox>("ways")->setCurrentIndex(1);
     ASSERT_TRUE(test::waitUntil([&] { return !find<QLabel>("wayCount")->text().isEmpty(); }));
-    const Frontier::Size size =
-        Frontier::sizeOf(workbench.project(), page->asked().settings, page->options());
+    const CostAccuracyStudy::Size size =
+        CostAccuracyStudy::sizeOf(workbench.project(), page->asked().settings, page->options());
     EXPECT_TRUE(find<QLabel>("wayCount")->text().startsWith(QString::number(size.all)));
     const QString command = find<QLineEdit>("command")->text();
     EXPECT_TRUE(command.startsWith("smat-batch cost-accuracy ")) << command.toStdString();
@@ -67,7 +67,7 @@ TEST_F(FrontierPageTest, MeasuresAllWaysWithTheNumbersOfTheCommandLine) {
     // What the command runs.
     AnalysisData same = page->asked();
     SceneBuilder builder;
-    Frontier::run(
+    CostAccuracyStudy::run(
         same, openRenderDoor(),
         [&](const Project& project, const Settings& settings) {
             return builder.build(project, settings);
@@ -79,11 +79,11 @@ TEST_F(FrontierPageTest, MeasuresAllWaysWithTheNumbersOfTheCommandLine) {
 
     // Kept as a result, quietly: its page shows it already.
     ASSERT_EQ(workbench.results().size(), 1u);
-    EXPECT_EQ(workbench.results().front().data->kind, Frontier::kind());
+    EXPECT_EQ(workbench.results().front().data->kind, CostAccuracyStudy::kind());
     EXPECT_EQ(workbench.results().front().data->table, table());
 }
 
-TEST_F(FrontierPageTest, MarksAWayAndUsesItAsOneStep) {
+TEST_F(CostAccuracyPageTest, MarksAConfigurationAndUsesItAsOneStep) {
     openPage();
     find<QComboBox>("ways")->setCurrentIndex(0);
     find<QLineEdit>("targetError")->setText("20");
@@ -100,19 +100,20 @@ TEST_F(FrontierPageTest, MarksAWayAndUsesItAsOneStep) {
     EXPECT_TRUE(std::ranges::is_sorted(plot.curves[0].y, std::greater<>()));
     EXPECT_EQ(plot.curves[1].x.size(), 2 * table().rowCount());
     EXPECT_EQ(plot.curves[2].x, std::vector{table().find("true_error")->values[at]});
-    auto* ways = find<QTreeWidget>("frontierWays");
-    EXPECT_EQ(ways->topLevelItemCount(), std::ranges::count(table().find("on_front")->values, 1.0));
+    auto* configurations = find<QTreeWidget>("frontierWays");
+    EXPECT_EQ(configurations->topLevelItemCount(),
+              std::ranges::count(table().find("on_front")->values, 1.0));
     find<QCheckBox>("frontierAll")->setChecked(true);
-    EXPECT_EQ(static_cast<std::size_t>(ways->topLevelItemCount()), table().rowCount());
+    EXPECT_EQ(static_cast<std::size_t>(configurations->topLevelItemCount()), table().rowCount());
     EXPECT_EQ(page->panel().marked(), at) << "stays marked";
 
     // Another way, by its row.
     const std::size_t other = table().rowCount() - 1;
     page->panel().mark(other);
     const Settings before = workbench.settings();
-    const Settings way = Frontier::settingsOf(table(), other);
+    const Settings configuration = CostAccuracyStudy::settingsOf(table(), other);
     find<QPushButton>("useWay")->click();
-    EXPECT_EQ(workbench.settings(), before.with(way));
+    EXPECT_EQ(workbench.settings(), before.with(configuration));
     EXPECT_EQ(workbench.settings().text("render.antialiasing"),
               std::to_string(static_cast<int>(table().find("antialiasing")->values[other])));
     workbench.undoStack().undo();
@@ -120,7 +121,7 @@ TEST_F(FrontierPageTest, MarksAWayAndUsesItAsOneStep) {
     EXPECT_EQ(workbench.settings().text("render.targetError"), "none");
 }
 
-TEST_F(FrontierPageTest, IsSeenInBothThemesAndKeepsItsWaysAfterACancel) {
+TEST_F(CostAccuracyPageTest, IsSeenInBothThemesAndKeepsItsWaysAfterACancel) {
     openPage();
     window->resize(1280, 800);
     test::keepScreenshot(*window, "frontier-before");
@@ -129,7 +130,7 @@ TEST_F(FrontierPageTest, IsSeenInBothThemesAndKeepsItsWaysAfterACancel) {
     std::size_t done = 0;
     QObject::connect(&workbench, &Workbench::jobProgressed,
                      [&](const Progress& p) { done = p.done; });
-    QSignalSpy ended(page, &FrontierPage::ended);
+    QSignalSpy ended(page, &CostAccuracyPage::ended);
     find<QPushButton>("run")->click();
     ASSERT_TRUE(test::waitUntil([&] { return done >= 8; }, 60.0));
     find<QPushButton>("cancel")->click();
@@ -151,8 +152,8 @@ TEST_F(FrontierPageTest, IsSeenInBothThemesAndKeepsItsWaysAfterACancel) {
     // As a result on a page of its own, which can be used as well.
     window->findChild<QAction*>("showResult");
     ResultPage kept({workbench.results().front()});
-    ASSERT_NE(kept.frontier(), nullptr);
-    EXPECT_EQ(kept.frontier()->table().rowCount(), table().rowCount());
+    ASSERT_NE(kept.costAccuracy(), nullptr);
+    EXPECT_EQ(kept.costAccuracy()->table().rowCount(), table().rowCount());
 }
 
 } // namespace

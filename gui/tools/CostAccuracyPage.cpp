@@ -1,4 +1,4 @@
-#include "gui/tools/FrontierPage.h"
+#include "gui/tools/CostAccuracyPage.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -8,7 +8,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include "gui/analysis/FrontierPanel.h"
+#include "gui/analysis/CostAccuracyPanel.h"
 #include "gui/widgets/Readable.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/workbench/Workbench.h"
@@ -17,22 +17,22 @@
 
 namespace smat::gui {
 
-FrontierPage::FrontierPage(Workbench& workbench, Dialogs dialogs, QWidget* parent)
+CostAccuracyPage::CostAccuracyPage(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     : ToolPage(workbench, std::move(dialogs), tr("Time against error"), parent) {
     setObjectName("frontierPage");
     QWidget* form = makeForm();
-    panel_ = new FrontierPanel(dialogs_, this);
-    connect(which_, &QComboBox::currentIndexChanged, this, &FrontierPage::refresh);
-    connect(repeats_, &QSpinBox::valueChanged, this, &FrontierPage::refresh);
-    connect(target_, &QLineEdit::textChanged, this, &FrontierPage::refresh);
-    connect(panel_, &FrontierPanel::useAsked, this,
-            [this](const Settings& way, const QString& step) {
-                workbench_.set(workbench_.settings().with(way), step);
+    panel_ = new CostAccuracyPanel(dialogs_, this);
+    connect(which_, &QComboBox::currentIndexChanged, this, &CostAccuracyPage::refresh);
+    connect(repeats_, &QSpinBox::valueChanged, this, &CostAccuracyPage::refresh);
+    connect(target_, &QLineEdit::textChanged, this, &CostAccuracyPage::refresh);
+    connect(panel_, &CostAccuracyPanel::useAsked, this,
+            [this](const Settings& configuration, const QString& step) {
+                workbench_.set(workbench_.settings().with(configuration), step);
             });
     layOut(form, 330, tr("Stops and keeps the configurations that are done"), panel_);
 }
 
-QWidget* FrontierPage::makeForm() {
+QWidget* CostAccuracyPage::makeForm() {
     auto* panel = new QWidget(this);
     auto* column = new QVBoxLayout(panel);
     column->setContentsMargins(10, 10, 10, 10);
@@ -76,24 +76,24 @@ QWidget* FrontierPage::makeForm() {
     return panel;
 }
 
-Frontier::Options FrontierPage::options() const {
+CostAccuracyStudy::Options CostAccuracyPage::options() const {
     return {static_cast<std::size_t>(repeats_->value()), which_->currentData().toBool()};
 }
 
-AnalysisData FrontierPage::asked() const {
+AnalysisData CostAccuracyPage::asked() const {
     AnalysisData data;
-    data.kind = Frontier::kind();
+    data.kind = CostAccuracyStudy::kind();
     data.name = name(data.kind);
     data.project = workbench_.project();
     data.settings = workbench_.editedProject().settings;
     data.settings.set(key::renderTargetError, target_->text().trimmed().toStdString(),
                       tr("Target error").toStdString());
     data.commandLine =
-        data.equivalentCommand("cost-accuracy.csv") + Frontier::optionWords(options());
+        data.equivalentCommand("cost-accuracy.csv") + CostAccuracyStudy::optionWords(options());
     return data;
 }
 
-QStringList FrontierPage::problems() const {
+QStringList CostAccuracyPage::problems() const {
     try {
         (void)asked();
     } catch (const irsg::InputError& error) {
@@ -102,24 +102,24 @@ QStringList FrontierPage::problems() const {
     return {};
 }
 
-QString FrontierPage::command() const {
+QString CostAccuracyPage::command() const {
     return QString::fromStdString(asked().commandLine);
 }
 
-void FrontierPage::refreshed(bool isUsable) {
+void CostAccuracyPage::refreshed(bool isUsable) {
     panel_->setUsable(workbench_.hasProject());
     if (isUsable)
-        countWays();
+        countConfigurations();
     else
         count_->clear();
 }
 
-void FrontierPage::countWays() {
-    counting_.run<Frontier::Size>(
+void CostAccuracyPage::countConfigurations() {
+    counting_.run<CostAccuracyStudy::Size>(
         [data = asked(), options = options()] {
-            return Frontier::sizeOf(data.project, data.settings, options);
+            return CostAccuracyStudy::sizeOf(data.project, data.settings, options);
         },
-        [this, options = options()](const Frontier::Size& size) {
+        [this, options = options()](const CostAccuracyStudy::Size& size) {
             const QString least = durationText(size.least_s), most = durationText(size.most_s);
             count_->setText(
                 options.likely
@@ -136,29 +136,29 @@ void FrontierPage::countWays() {
         [this](const std::exception_ptr&) { count_->clear(); }); // the run says what is wrong
 }
 
-int FrontierPage::start() {
+int CostAccuracyPage::start() {
     return workbench_.start(asked(), options(), this);
 }
 
-QString FrontierPage::progressText(const Progress& progress) const {
+QString CostAccuracyPage::progressText(const Progress& progress) const {
     return tr("%1 of %2 configurations").arg(progress.done).arg(progress.total);
 }
 
-QString FrontierPage::cancelText() const {
+QString CostAccuracyPage::cancelText() const {
     return tr("cancelled; what is done so far follows in a moment");
 }
 
-void FrontierPage::showResult(const JobResult& result) {
+void CostAccuracyPage::showResult(const JobResult& result) {
     if (!result.data)
         return;
     panel_->setTable(result.data->table);
     setProgress(0, QString());
 }
 
-const Exportable& FrontierPage::content() const {
+const Exportable& CostAccuracyPage::content() const {
     return *panel_;
 }
 
 } // namespace smat::gui
 
-#include "moc_FrontierPage.cpp"
+#include "moc_CostAccuracyPage.cpp"

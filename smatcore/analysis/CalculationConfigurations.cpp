@@ -1,4 +1,4 @@
-#include "smatcore/analysis/CalculationWays.h"
+#include "smatcore/analysis/CalculationConfigurations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ double partOf(double difference, double number) {
 
 } // namespace
 
-SceneDescription CalculationWay::applied(const SceneDescription& scene) const {
+SceneDescription CalculationConfiguration::applied(const SceneDescription& scene) const {
     SceneDescription made = scene;
     made.settings = render;
     if (bins_per_cm > 0)
@@ -30,7 +30,7 @@ SceneDescription CalculationWay::applied(const SceneDescription& scene) const {
     return made;
 }
 
-std::string CalculationWay::words(const SceneDescription& scene) const {
+std::string CalculationConfiguration::words(const SceneDescription& scene) const {
     std::string text = render.tileSide_samples > 0
                            ? fmt::format("windows of {} samples a side", render.tileSide_samples)
                            : fmt::format("{} samples per axis of a pixel", render.samplesPerAxis);
@@ -47,18 +47,20 @@ std::string CalculationWay::words(const SceneDescription& scene) const {
     return text;
 }
 
-double modelledCost_s(double samples, const CalculationWay& way, const SceneDescription& scene,
-                      double linesPerCase) {
+double modelledCost_s(double samples, const CalculationConfiguration& configuration,
+                      const SceneDescription& scene, double linesPerCase) {
     const double drawing_s = 2e-3 + 6e-8 * samples;
     double lines = 1.0;
     if (scene.settings.background == irsg::BackgroundMode::environment)
-        lines += 0.3 * (way.render.backgroundRows == 0 ? 16 : way.render.backgroundRows);
+        lines +=
+            0.3 *
+            (configuration.render.backgroundRows == 0 ? 16 : configuration.render.backgroundRows);
     // Quadrature points by the error that they are trained to: about 20, 45 and 80 for 1, 0.3 and
     // 0.1 %.
-    const double ofBins = way.render.mode == irsg::CalculationMode::wideband
-                              ? 3e-3 * std::pow(0.003 / way.render.widebandError, 0.6)
-                          : way.bins_per_cm == 0 ? 8e-3
-                                                 : 8e-3 * 5.0 / way.bins_per_cm;
+    const double ofBins = configuration.render.mode == irsg::CalculationMode::wideband
+                              ? 3e-3 * std::pow(0.003 / configuration.render.widebandError, 0.6)
+                          : configuration.bins_per_cm == 0 ? 8e-3
+                                                           : 8e-3 * 5.0 / configuration.bins_per_cm;
     return drawing_s + ofBins * lines * linesPerCase;
 }
 
@@ -80,20 +82,21 @@ ProbedViews::ProbedViews(RenderDoor door, const SceneDescription& scene, std::si
       alongRange_(alongRange),
       place_(std::move(place)) {}
 
-std::vector<ProbedViews::Reports> ProbedViews::measured(const CalculationWay& way, bool errors) {
-    return measured(std::vector<CalculationWay>{way}, errors).front();
+std::vector<ProbedViews::Reports>
+ProbedViews::measured(const CalculationConfiguration& configuration, bool errors) {
+    return measured(std::vector<CalculationConfiguration>{configuration}, errors).front();
 }
 
 std::vector<std::vector<ProbedViews::Reports>>
-ProbedViews::measured(const std::vector<CalculationWay>& ways, bool errors) {
-    std::vector<std::vector<Reports>> all(ways.size());
+ProbedViews::measured(const std::vector<CalculationConfiguration>& configurations, bool errors) {
+    std::vector<std::vector<Reports>> all(configurations.size());
     const irsg::Outputs outputs =
         irsg::Outputs::reports(scene_.allBands()).alongRange(alongRange_).withErrors(errors);
     std::vector<SceneDescription> scenes;
-    for (const CalculationWay& way : ways)
-        scenes.push_back(way.applied(scene_));
+    for (const CalculationConfiguration& configuration : configurations)
+        scenes.push_back(configuration.applied(scene_));
     for (std::size_t view = 0; view < views_; ++view)
-        for (std::size_t i = 0; i < ways.size(); ++i)
+        for (std::size_t i = 0; i < configurations.size(); ++i)
             all[i].push_back(place_(scenes[i], view).render(door_, outputs).reports);
     return all;
 }

@@ -2,7 +2,7 @@
 
 #include "gui/tools/ToolPage.h"
 #include "gui/widgets/LatestTask.h"
-#include "smatcore/analysis/Frontier.h"
+#include "smatcore/analysis/CostAccuracyStudy.h"
 
 class QComboBox;
 class QLabel;
@@ -11,18 +11,18 @@ class QSpinBox;
 
 namespace smat::gui {
 
-class FrontierPanel;
+class CostAccuracyPanel;
 
 /// Tools, Time against error: the view of the project in many configurations. Says before how many
 /// there are and about how long that takes.
-class FrontierPage : public ToolPage {
+class CostAccuracyPage : public ToolPage {
     Q_OBJECT
 
   public:
-    FrontierPage(Workbench& workbench, Dialogs dialogs, QWidget* parent = nullptr);
+    CostAccuracyPage(Workbench& workbench, Dialogs dialogs, QWidget* parent = nullptr);
 
-    FrontierPanel& panel() const { return *panel_; }
-    Frontier::Options options() const;
+    CostAccuracyPanel& panel() const { return *panel_; }
+    CostAccuracyStudy::Options options() const;
     AnalysisData asked() const;
 
   private:
@@ -35,13 +35,13 @@ class FrontierPage : public ToolPage {
     const Exportable& content() const override;
     void refreshed(bool isUsable) override;
     QWidget* makeForm();
-    void countWays();
+    void countConfigurations();
 
     QComboBox* which_ = nullptr;
     QSpinBox* repeats_ = nullptr;
     QLineEdit* target_ = nullptr;
     QLabel* count_ = nullptr;
-    FrontierPanel* panel_ = nullptr;
+    CostAccuracyPanel* panel_ = nullptr;
     LatestTask counting_;
 };
 

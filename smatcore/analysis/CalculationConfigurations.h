@@ -11,27 +11,29 @@ namespace smat {
 
 /// One of the ways to calculate a scene: windows or samples a pixel, the bins of computed air or
 /// wideband-ck, rows of the background, and what of the light is left out.
-struct CalculationWay {
+struct CalculationConfiguration {
     irsg::RenderSettings render;
     int bins_per_cm = 0; ///< of computed air, 1, 5 or 15; 0: as it is
 
-    static CalculationWay of(const SceneDescription& scene) { return {scene.settings, 0}; }
+    static CalculationConfiguration of(const SceneDescription& scene) {
+        return {scene.settings, 0};
+    }
     SceneDescription applied(const SceneDescription& scene) const;
     /// "windows of 256 samples a side, spectral in bins of 5 cm-1, background of 1 row". The air is
     /// told where there is some in `scene`, the background where the environment gives it.
     std::string words(const SceneDescription& scene) const;
-    bool operator==(const CalculationWay&) const = default;
+    bool operator==(const CalculationConfiguration&) const = default;
 };
 
-/// True where computed air with bins answers for every band, so that CalculationWay::bins_per_cm
-/// makes a difference.
+/// True where computed air with bins answers for every band, so that
+/// CalculationConfiguration::bins_per_cm makes a difference.
 bool hasBins(const SceneDescription& scene);
 
 /// Seconds that a case with so many samples takes this way on a machine that draws in software,
 /// `linesPerCase` of whose lines of sight differ from those of other cases: an order, not a
 /// promise, so that what is chosen by it is no matter of the day. See docs/errors.md.
-double modelledCost_s(double samples, const CalculationWay& way, const SceneDescription& scene,
-                      double linesPerCase = 1.0);
+double modelledCost_s(double samples, const CalculationConfiguration& configuration,
+                      const SceneDescription& scene, double linesPerCase = 1.0);
 
 /// How wrong the numbers of some views are said to be, as parts of intensity and contrast: the
 /// largest over views and bands, by cause and of their sum. A contrast below a tenth of the largest
@@ -55,10 +57,10 @@ class ProbedViews {
 
     using Reports = std::vector<irsg::RenderReport>;
     /// By view: a report for each band, with errors where `errors` and the renderer knows them.
-    std::vector<Reports> measured(const CalculationWay& way, bool errors);
+    std::vector<Reports> measured(const CalculationConfiguration& configuration, bool errors);
     /// The same in several ways, view by view: ways of one view share its drawing. By way.
-    std::vector<std::vector<Reports>> measured(const std::vector<CalculationWay>& ways,
-                                               bool errors);
+    std::vector<std::vector<Reports>>
+    measured(const std::vector<CalculationConfiguration>& configurations, bool errors);
 
     /// What `one` says less what `other` does, as a part of what `of` says, of intensities and
     /// contrasts: the largest over views and bands.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "smatcore/analysis/AnalysisGenerator.h"
-#include "smatcore/analysis/CalculationWays.h"
+#include "smatcore/analysis/CalculationConfigurations.h"
 #include "smatcore/support/Progress.h"
 
 namespace smat {
@@ -17,13 +17,13 @@ namespace smat {
 /// True errors are differences to windows of 2048 samples, bins of 1 cm-1 and 128 rows, with all
 /// light: the larger one of intensity and contrast, in any band. Times are those of a case that
 /// shares neither drawing nor line of sight with another, by the clock of the wall.
-class Frontier {
+class CostAccuracyStudy {
   public:
     /// How much of the light, as the column `light` tells.
     enum Light { noLight, sunAndSky, withShadows, allLight };
 
-    struct Way {
-        CalculationWay way;
+    struct Configuration {
+        CalculationConfiguration configuration;
         int antialiasing; ///< 0 to 5
         Light light;
     };
@@ -48,8 +48,9 @@ class Frontier {
     /// What its results are of: a tool.
     static AnalysisKind kind();
     /// Those that differ in this scene. `wideband`: quadrature points may be trained.
-    static std::vector<Way> waysOf(const SceneDescription& scene, bool wideband);
-    static CalculationWay finest(const SceneDescription& scene);
+    static std::vector<Configuration> configurationsOf(const SceneDescription& scene,
+                                                       bool wideband);
+    static CalculationConfiguration finest(const SceneDescription& scene);
 
     /// The settings that make a row of its table the way of a project, and no others: antialiasing,
     /// mode, bins, background rows and what of the light is off; no target error, which would

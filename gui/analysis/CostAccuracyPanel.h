@@ -22,13 +22,13 @@ class PlotPanel;
 /// What Frontier measured: time over true error of every way, both logarithmic, with the front as a
 /// line and the chosen way; below it the ways with their settings. One of them is marked in plot
 /// and table, and can be taken.
-class FrontierPanel : public QWidget, public Exportable {
+class CostAccuracyPanel : public QWidget, public Exportable {
     Q_OBJECT
 
   public:
-    explicit FrontierPanel(Dialogs dialogs, QWidget* parent = nullptr);
+    explicit CostAccuracyPanel(Dialogs dialogs, QWidget* parent = nullptr);
 
-    /// A table of Frontier::run.
+    /// A table of CostAccuracyStudy::run.
     void setTable(const ResultTable& table);
     const ResultTable& table() const { return table_; }
     PlotPanel& plot() const { return *plot_; }
@@ -53,10 +53,10 @@ class FrontierPanel : public QWidget, public Exportable {
 
   private:
     void fillPlot();
-    void fillWays();
+    void fillConfigurations();
     void showMark();
     void askToUse();
-    std::optional<std::size_t> wayNear(const QPointF& canvasPoint) const;
+    std::optional<std::size_t> configurationNear(const QPointF& canvasPoint) const;
 
     ResultTable table_;
     PlotPanel* plot_ = nullptr;

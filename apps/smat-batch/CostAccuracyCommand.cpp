@@ -17,11 +17,11 @@ constexpr const char* repeatsOption = "--repeats";
 constexpr const char* configurationsOption = "--configurations";
 
 /// `smat-batch cost-accuracy PROJECT [options of the view] --out FILE`.
-class FrontierCommand {
+class CostAccuracyCommand {
   public:
-    explicit FrontierCommand(CLI::App& command)
+    explicit CostAccuracyCommand(CLI::App& command)
         : project_(command),
-          settings_(command, Frontier::kind()),
+          settings_(command, CostAccuracyStudy::kind()),
           numbers_(command),
           files_(command) {
         command
@@ -44,7 +44,7 @@ class FrontierCommand {
         numbers_.check();
         if (configurations_ != "all" && configurations_ != "likely")
             throw wordRefusal(configurationsOption, configurations_, {"all", "likely"});
-        Frontier::Options options;
+        CostAccuracyStudy::Options options;
         numbers_.takeWhole(repeatsOption, options.repeats, 1.0, 1000.0);
         options.likely = configurations_ == "likely";
         AnalysisData data;
@@ -53,12 +53,13 @@ class FrontierCommand {
             const Settings given = settings_.values();
             data.project = project_.load();
             settings_.place(data.project);
-            data.kind = Frontier::kind();
+            data.kind = CostAccuracyStudy::kind();
             data.name = name(data.kind);
             data.settings = data.project.settings.with(given);
             data.commandLine = context.commandLine;
         }
-        const Frontier::Size size = Frontier::sizeOf(data.project, data.settings, options);
+        const CostAccuracyStudy::Size size =
+            CostAccuracyStudy::sizeOf(data.project, data.settings, options);
         const std::string words =
             options.likely
                 ? fmt::format(
@@ -107,8 +108,8 @@ class FrontierCommand {
 
 } // namespace
 
-void addFrontierCommand(CLI::App& app, Context& context) {
-    addCommand<FrontierCommand>(app, context, Frontier::kind());
+void addCostAccuracyCommand(CLI::App& app, Context& context) {
+    addCommand<CostAccuracyCommand>(app, context, CostAccuracyStudy::kind());
 }
 
 } // namespace smat::batch
