@@ -20,7 +20,7 @@ std::shared_ptr<const irsg::Model> ModelStore::model(const ModelKey& key) {
     long mine = 0;
     {
         const std::scoped_lock lock(mutex_);
-        Kept& kept = kept_[key];
+        CacheEntry& kept = cache_[key];
         const auto on = painted_.find(key.file);
         const long painting = on == painted_.end() ? 0 : on->second.painting;
         if (!kept.answer.valid() || kept.stamp != stamp || kept.painting != painting) {
@@ -36,9 +36,9 @@ std::shared_ptr<const irsg::Model> ModelStore::model(const ModelKey& key) {
             // Those who wait hear of it, too.
             promise.set_exception(std::current_exception());
             const std::scoped_lock lock(mutex_);
-            if (const auto kept = kept_.find(key);
-                kept != kept_.end() && kept->second.reading == mine)
-                kept_.erase(kept);
+            if (const auto kept = cache_.find(key);
+                kept != cache_.end() && kept->second.reading == mine)
+                cache_.erase(kept);
         }
     }
     return answer.get();
@@ -47,9 +47,9 @@ std::shared_ptr<const irsg::Model> ModelStore::model(const ModelKey& key) {
 bool ModelStore::isThere(const ModelKey& key) const {
     const auto stamp = irsg::modelStampOf(key.file);
     const std::scoped_lock lock(mutex_);
-    const auto kept = kept_.find(key);
+    const auto kept = cache_.find(key);
     const auto on = painted_.find(key.file);
-    return kept != kept_.end() && kept->second.stamp == stamp &&
+    return kept != cache_.end() && kept->second.stamp == stamp &&
            kept->second.painting == (on == painted_.end() ? 0 : on->second.painting) &&
            kept->second.answer.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
@@ -131,7 +131,7 @@ SceneBuilder::ModelLoader ModelStore::loader(std::shared_ptr<ModelStore> store) 
 
 void ModelStore::keepOnly(const std::vector<ModelKey>& keys) {
     const std::scoped_lock lock(mutex_);
-    std::erase_if(kept_, [&](const auto& kept) {
+    std::erase_if(cache_, [&](const auto& kept) {
         return std::find(keys.begin(), keys.end(), kept.first) == keys.end();
     });
     const auto isOfOthers = [&](const auto& one) {

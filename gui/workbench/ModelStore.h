@@ -66,7 +66,7 @@ class ModelStore {
     /// held.
     void bringUpToDate(AsRead& asRead, const std::filesystem::path& file,
                        irsg::LoadPurpose purpose);
-    struct Kept {
+    struct CacheEntry {
         irsg::ModelStamp stamp;
         long painting = 0; ///< the last one when it was made
         long reading = 0;  ///< the number of
@@ -75,7 +75,7 @@ class ModelStore {
 
     Reader read_;
     mutable std::mutex mutex_;
-    std::map<ModelKey, Kept> kept_;
+    std::map<ModelKey, CacheEntry> cache_;
     std::map<std::filesystem::path, std::shared_ptr<AsRead>> asRead_;
     struct OnModel {
         Painted surfaces; ///< null for those of the file beside the model

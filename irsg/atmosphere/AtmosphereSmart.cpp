@@ -5,7 +5,7 @@
 
 #include "irsg/atmosphere/AirNodes.h"
 #include "irsg/atmosphere/SmartAdapter.h"
-#include "irsg/atmosphere/ck/CkKept.h"
+#include "irsg/atmosphere/ck/CkCache.h"
 #include "irsg/atmosphere/ck/CkStore.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/atmosphere/engine/ResourceFile.h"
@@ -221,9 +221,9 @@ double AtmosphereSmart::ambientTemperature_K(double altitude_m) const {
 std::shared_ptr<const SensorCkData> AtmosphereSmart::prepareCk(const CkRequest& request) const {
     checkRange(request.band.range());
     const std::optional<CkStore> store = storeOf(*this);
-    return keptOrTrained(store, store ? keyOf(*this, request) : CkKey(),
-                         CkNodes(transfer(), request.band), request.band,
-                         [&] { return SensorCkData::prepare(transfer(), request); });
+    return cachedOrTrained(store, store ? keyOf(*this, request) : CkKey(),
+                           CkNodes(transfer(), request.band), request.band,
+                           [&] { return SensorCkData::prepare(transfer(), request); });
 }
 
 } // namespace irsg

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "irsg/atmosphere/BeerLambert.h"
-#include "irsg/atmosphere/ck/CkKept.h"
+#include "irsg/atmosphere/ck/CkCache.h"
 #include "irsg/atmosphere/ck/CkTraining.h"
 #include "irsg/core/Interpolation.h"
 #include "irsg/radiometry/Planck.h"
@@ -147,8 +147,9 @@ std::shared_ptr<const SensorCkData> BeerLambert::prepareCk(const CkRequest& requ
     for (std::size_t i = 0; i < known.nodes.size(); ++i)
         falling.push_back(known.nodes.wavelength_um(i));
     known.values = [&](const AtmosphericQuery& query) { return valuesAt(query, falling); };
-    return keptOrTrained(CkStore::ofUser(), keyOf(parameters_, request), known.nodes, request.band,
-                         [&] { return SensorCkData::prepare(known, *this, request); });
+    return cachedOrTrained(CkStore::ofUser(), keyOf(parameters_, request), known.nodes,
+                           request.band,
+                           [&] { return SensorCkData::prepare(known, *this, request); });
 }
 
 } // namespace irsg

@@ -4,7 +4,7 @@
 
 #include "irsg/atmosphere/TabulatedAtmosphere.h"
 #include "irsg/atmosphere/TabulatedPoints.h"
-#include "irsg/atmosphere/ck/CkKept.h"
+#include "irsg/atmosphere/ck/CkCache.h"
 #include "irsg/atmosphere/ck/CkTraining.h"
 
 namespace irsg {
@@ -115,8 +115,8 @@ std::shared_ptr<const SensorCkData> TabulatedAtmosphere::prepareCk(const CkReque
             return {};
         }
     };
-    return keptOrTrained(CkStore::ofUser(), keyOf(runs_, request), known.nodes, request.band,
-                         [&] { return SensorCkData::prepare(known, *this, request); });
+    return cachedOrTrained(CkStore::ofUser(), keyOf(runs_, request), known.nodes, request.band,
+                           [&] { return SensorCkData::prepare(known, *this, request); });
 }
 
 } // namespace irsg

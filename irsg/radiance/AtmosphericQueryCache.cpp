@@ -12,7 +12,7 @@ void AtmosphericQueryCache::setEnvironment(const Environment& environment) {
                         environment.defaultBackground == environment_.defaultBackground &&
                         environment.defaultAmbient_K == environment_.defaultAmbient_K;
     const bool hasAsked = !isNewCase_;
-    if (!isSame || (hasAsked && numbers_ > mostKept)) {
+    if (!isSame || (hasAsked && numbers_ > mostCached)) {
         const auto isOld = [&](const auto& kept) { return !isSame || kept.second.used < case_; };
         std::erase_if(spectra_, isOld);
         std::erase_if(samples_, isOld);

@@ -33,16 +33,18 @@ class AtmosphericQueryCache {
 
     /// Numbers that are kept from case to case (8 MiB), since a sweep of some thousand paths would
     /// fill memory; of more, those of the last case that asked.
-    static constexpr std::size_t mostKept = std::size_t{1} << 20;
+    static constexpr std::size_t mostCached = std::size_t{1} << 20;
 
     Environment environment_;
     template <typename Value>
-    struct Kept {
+    struct CacheEntry {
         Answer<Value> answer;
         long used = 0; ///< the case that asked for it last
     };
-    std::map<std::pair<AtmosphericQueryKey, std::pair<double, double>>, Kept<Spectrum>> spectra_;
-    std::map<std::pair<AtmosphericQueryKey, const SpectralSampling*>, Kept<SharedValues>> samples_;
+    std::map<std::pair<AtmosphericQueryKey, std::pair<double, double>>, CacheEntry<Spectrum>>
+        spectra_;
+    std::map<std::pair<AtmosphericQueryKey, const SpectralSampling*>, CacheEntry<SharedValues>>
+        samples_;
     /// Those of samples_.
     std::map<const SpectralSampling*, std::shared_ptr<const SpectralSampling>> samplings_;
     long case_ = 0; // that asked last

@@ -13,16 +13,17 @@ std::size_t nodesOf(const Environment& environment, const Band& band) {
 
 } // namespace
 
-const Environment& CoarseSpectralErrorEstimate::kept(RecentlyUsed<Kept>& among,
-                                                     const Environment& environment,
-                                                     const std::function<Environment()>& make) {
-    among.letGo([](const Kept& kept) { return kept.of.isGone(); });
-    Environment& other = among
-                             .of([&](const Kept& kept) { return kept.of.isOf(environment); },
-                                 [&] {
-                                     return Kept{AirIdentity(environment), make()};
-                                 })
-                             .environment;
+const Environment& CoarseSpectralErrorEstimate::cached(RecentlyUsed<CacheEntry>& among,
+                                                       const Environment& environment,
+                                                       const std::function<Environment()>& make) {
+    among.letGo([](const CacheEntry& cached) { return cached.of.isGone(); });
+    Environment& other =
+        among
+            .of([&](const CacheEntry& cached) { return cached.of.isOf(environment); },
+                [&] {
+                    return CacheEntry{AirIdentity(environment), make()};
+                })
+            .environment;
     other.sun = environment.sun;
     other.defaultBackground = environment.defaultBackground;
     other.defaultAmbient_K = environment.defaultAmbient_K;
@@ -31,7 +32,7 @@ const Environment& CoarseSpectralErrorEstimate::kept(RecentlyUsed<Kept>& among,
 
 const Environment& CoarseSpectralErrorEstimate::of(const Environment& environment,
                                                    const Band& band) {
-    return kept(others_, environment, [&] {
+    return cached(others_, environment, [&] {
         constexpr int wide_per_cm = 15, usual_per_cm = 5;
         // The next wider, or the next narrower of the widest.
         Environment made = onTheFly(withBins(environment, usual_per_cm));
@@ -42,7 +43,7 @@ const Environment& CoarseSpectralErrorEstimate::of(const Environment& environmen
 }
 
 const Environment& CoarseSpectralErrorEstimate::like(const Environment& environment) {
-    return kept(alike_, environment, [&] { return onTheFly(environment); });
+    return cached(alike_, environment, [&] { return onTheFly(environment); });
 }
 
 } // namespace irsg

@@ -27,14 +27,14 @@ class CoarseSpectralErrorEstimate {
     RadiometryCache radiometry;
 
   private:
-    struct Kept {
+    struct CacheEntry {
         AirIdentity of;
         Environment environment;
     };
-    const Environment& kept(RecentlyUsed<Kept>& among, const Environment& environment,
-                            const std::function<Environment()>& make);
+    const Environment& cached(RecentlyUsed<CacheEntry>& among, const Environment& environment,
+                              const std::function<Environment()>& make);
 
-    RecentlyUsed<Kept> others_{4}, alike_{4};
+    RecentlyUsed<CacheEntry> others_{4}, alike_{4};
 };
 
 } // namespace irsg

@@ -22,11 +22,11 @@ class PlanckTable {
 
   private:
     /// Numbers that are kept (64 MiB); before there are more, all are forgotten.
-    static constexpr std::size_t mostKept = std::size_t{1} << 23;
+    static constexpr std::size_t mostCached = std::size_t{1} << 23;
 
     const std::vector<double>& wavelengths_um_;
     std::mutex mutex_;
-    std::map<double, SharedValues> kept_;
+    std::map<double, SharedValues> cache_;
 };
 
 } // namespace irsg

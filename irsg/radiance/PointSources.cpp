@@ -11,11 +11,11 @@ Vec3 PointSources::onGrid(const Vec3& direction, double step) {
 
 const PointGeometry& PointSources::of(int entity, const PointAspect& aspect,
                                       const std::function<PointGeometry()>& draw) {
-    RecentlyUsed<Kept>& kept = kept_.try_emplace(entity, mostKept).first->second;
+    RecentlyUsed<CacheEntry>& kept = cache_.try_emplace(entity, mostCached).first->second;
     return kept
-        .of([&](const Kept& known) { return known.aspect == aspect; },
+        .of([&](const CacheEntry& known) { return known.aspect == aspect; },
             [&] {
-                return Kept{aspect, draw()};
+                return CacheEntry{aspect, draw()};
             })
         .factors;
 }

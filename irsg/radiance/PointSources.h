@@ -48,14 +48,14 @@ class PointSources {
                             const std::function<PointGeometry()>& draw);
 
   private:
-    struct Kept {
+    struct CacheEntry {
         PointAspect aspect;
         PointGeometry factors;
     };
     /// Aspects that are kept of an entity: one that moves a pixel to and fro is seen from the
     /// neighbours of a point of the grid in turn.
-    static constexpr std::size_t mostKept = 16;
-    std::map<int, RecentlyUsed<Kept>> kept_; // by entity
+    static constexpr std::size_t mostCached = 16;
+    std::map<int, RecentlyUsed<CacheEntry>> cache_; // by entity
 };
 
 } // namespace irsg

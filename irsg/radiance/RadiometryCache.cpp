@@ -52,12 +52,12 @@ RadiometryCache::of(const RadianceTerms& terms, const std::vector<Entity>& entit
                     const std::vector<ObjectGeometry>& geometry,
                     const std::shared_ptr<const SampledScene>& sampled,
                     const OccluderStacks& occluderStacks) {
-    Kept key;
+    CacheEntry key;
     for (std::size_t e = 0; e < entities.size(); ++e) {
         key.entities.push_back(EntityKey::of(entities[e]));
         key.altitudes_m.push_back(geometry[e].path.targetAltitude_m);
     }
-    Kept* const known = kept_.find([&](const Kept& kept) {
+    CacheEntry* const known = cache_.find([&](const CacheEntry& kept) {
         return kept.entities == key.entities && kept.altitudes_m == key.altitudes_m &&
                areAlike(*kept.sampled, *sampled);
     });
@@ -69,7 +69,7 @@ RadiometryCache::of(const RadianceTerms& terms, const std::vector<Entity>& entit
     key.sampled = sampled;
     key.scene =
         std::make_shared<EvaluatedScene>(terms, entities, geometry, sampled->bands, occluderStacks);
-    const std::shared_ptr<EvaluatedScene> scene = kept_.add(std::move(key)).scene;
+    const std::shared_ptr<EvaluatedScene> scene = cache_.add(std::move(key)).scene;
     forget();
     return scene;
 }
@@ -77,7 +77,7 @@ RadiometryCache::of(const RadianceTerms& terms, const std::vector<Entity>& entit
 void RadiometryCache::forget() {
     std::vector<EntityKey> latest;
     std::size_t ofState = 0, others = 0;
-    kept_.letGo([&](const Kept& kept) {
+    cache_.letGo([&](const CacheEntry& kept) {
         if (latest.empty())
             latest = kept.entities;
         if (kept.entities == latest)

@@ -46,20 +46,20 @@ class RadiometryCache {
                                        const OccluderStacks& occluderStacks);
 
   private:
-    struct Kept {
+    struct CacheEntry {
         std::vector<EntityKey> entities;
         std::vector<double> altitudes_m;
         std::shared_ptr<const SampledScene> sampled;
         std::shared_ptr<EvaluatedScene> scene;
     };
     /// Of each state of the entities two: a table goes through its states at each aspect.
-    static constexpr std::size_t mostKept = 16, mostOfState = 2;
+    static constexpr std::size_t mostCached = 16, mostOfState = 2;
 
     /// Lets go of scenes of other models or databases than the latest, and of old ones of its
     /// state.
     void forget();
 
-    RecentlyUsed<Kept> kept_{mostKept};
+    RecentlyUsed<CacheEntry> cache_{mostCached};
 };
 
 } // namespace irsg

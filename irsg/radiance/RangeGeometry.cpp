@@ -61,11 +61,12 @@ std::vector<RangeGeometry::Weight> RangeGeometry::weightsAt(double nearness) {
 
 const ViewGeometry& RangeGeometry::at(int entity, const PointAspect& aspect, std::size_t node,
                                       const std::function<ViewGeometry()>& draw) {
-    Kept& kept = kept_.try_emplace(entity, mostKept)
-                     .first->second.of([&](const Kept& known) { return known.aspect == aspect; },
-                                       [&] {
-                                           return Kept{aspect, {}};
-                                       });
+    CacheEntry& kept =
+        cache_.try_emplace(entity, mostCached)
+            .first->second.of([&](const CacheEntry& known) { return known.aspect == aspect; },
+                              [&] {
+                                  return CacheEntry{aspect, {}};
+                              });
     std::optional<ViewGeometry>& own = kept.atNode[node];
     if (!own)
         own = draw();

@@ -54,12 +54,12 @@ class RangeGeometry {
                            const std::function<ViewGeometry()>& draw);
 
   private:
-    struct Kept {
+    struct CacheEntry {
         PointAspect aspect;
         std::array<std::optional<ViewGeometry>, nodes.size()> atNode;
     };
-    static constexpr std::size_t mostKept = 4; ///< aspects of an entity
-    std::map<int, RecentlyUsed<Kept>> kept_;   // by entity
+    static constexpr std::size_t mostCached = 4;    ///< aspects of an entity
+    std::map<int, RecentlyUsed<CacheEntry>> cache_; // by entity
 };
 
 /// Where along its line of sight an object is seen.

@@ -107,15 +107,16 @@ std::shared_ptr<const SampledScene> SampledScenes::of(AtmosphericQueryCache& ans
                                                       const std::vector<Band>& bands,
                                                       bool withSources, const Sampler& sample,
                                                       const std::vector<SliceNodes>& slices) {
-    kept_.letGo([](const Kept& kept) { return kept.key.atmospheres.isGone(); });
+    cache_.letGo([](const CacheEntry& kept) { return kept.key.atmospheres.isGone(); });
     Key key = keyOf(answers, scene, bands, withSources, slices);
-    if (const Kept* known = kept_.find([&](const Kept& kept) { return kept.key == key; }))
+    if (const CacheEntry* known =
+            cache_.find([&](const CacheEntry& kept) { return kept.key == key; }))
         return known->scene;
     auto made = make(answers, scene, bands, withSources, sample, slices);
     const std::size_t size = sizeOf(*made);
-    const Kept& latest = kept_.add({std::move(key), std::move(made), size});
+    const CacheEntry& latest = cache_.add({std::move(key), std::move(made), size});
     std::size_t numbers = 0;
-    kept_.letGo([&](const Kept& kept) {
+    cache_.letGo([&](const CacheEntry& kept) {
         numbers += kept.size;
         return &kept != &latest && numbers > mostNumbers;
     });

@@ -56,14 +56,14 @@ class SampledScenes {
         std::vector<SliceNodes> slices;
         bool operator==(const Key&) const = default;
     };
-    struct Kept {
+    struct CacheEntry {
         Key key;
         std::shared_ptr<const SampledScene> scene;
         std::size_t size; ///< numbers in it
     };
     /// As many as a Monte Carlo analysis has phases and more; of large scenes as many as hold so
     /// many numbers (8 MiB), and the last one.
-    static constexpr std::size_t mostKept = 16, mostNumbers = std::size_t{1} << 20;
+    static constexpr std::size_t mostCached = 16, mostNumbers = std::size_t{1} << 20;
 
     static Key keyOf(const AtmosphericQueryCache& answers, const AirScene& scene,
                      const std::vector<Band>& bands, bool withSources,
@@ -72,7 +72,7 @@ class SampledScenes {
     make(AtmosphericQueryCache& answers, const AirScene& scene, const std::vector<Band>& bands,
          bool withSources, const Sampler& sample, const std::vector<SliceNodes>& slices);
 
-    RecentlyUsed<Kept> kept_{mostKept};
+    RecentlyUsed<CacheEntry> cache_{mostCached};
 };
 
 } // namespace irsg

@@ -190,15 +190,15 @@ SceneSampling::quadrature(AtmosphericQueryCache& answers, const AirScene& scene,
     std::vector<double> edges_um = mergeAxes(spectra, band.range());
     const double finest_K = coldestOf_K(answers, scene);
 
-    const Kept* const known = kept_.find([&](const Kept& kept) {
+    const CacheEntry* const known = cache_.find([&](const CacheEntry& kept) {
         return kept.band == band && kept.coldest_K == finest_K && kept.edges_um == edges_um;
     });
     if (known != nullptr)
         return known->sampling;
     auto made = std::make_shared<const SpectralQuadrature>(band, spectra, finest_K);
-    const Kept& latest = kept_.add({band, finest_K, std::move(edges_um), std::move(made)});
+    const CacheEntry& latest = cache_.add({band, finest_K, std::move(edges_um), std::move(made)});
     std::size_t numbers = 0;
-    kept_.letGo([&](const Kept& kept) {
+    cache_.letGo([&](const CacheEntry& kept) {
         numbers += kept.edges_um.size() + kept.sampling->size();
         return &kept != &latest && numbers > mostNumbers;
     });
@@ -223,18 +223,18 @@ std::vector<double> SampledSpectra::of(const Spectrum& spectrum) {
     if (spectrum.isConstant())
         return sampling_->sampled(spectrum);
     const std::scoped_lock lock(mutex_);
-    return kept_
-        .of([&](const Kept& kept) { return kept.spectrum == spectrum; },
+    return cache_
+        .of([&](const CacheEntry& kept) { return kept.spectrum == spectrum; },
             [&] {
-                return Kept{spectrum, sampling_->sampled(spectrum)};
+                return CacheEntry{spectrum, sampling_->sampled(spectrum)};
             })
         .values;
 }
 
-const SceneSampling::KeptNodes* SceneSampling::nodesKept(const Environment& environment,
-                                                         std::vector<Band> bands) {
-    keptNodes_.letGo([](const KeptNodes& kept) { return kept.atmospheres.isGone(); });
-    const KeptNodes* const known = keptNodes_.find([&](const KeptNodes& kept) {
+const SceneSampling::CachedNodes* SceneSampling::nodesCached(const Environment& environment,
+                                                             std::vector<Band> bands) {
+    cachedNodes_.letGo([](const CachedNodes& kept) { return kept.atmospheres.isGone(); });
+    const CachedNodes* const known = cachedNodes_.find([&](const CachedNodes& kept) {
         return kept.bands == bands && kept.atmospheres.isOf(environment);
     });
     if (known != nullptr)
@@ -243,13 +243,13 @@ const SceneSampling::KeptNodes* SceneSampling::nodesKept(const Environment& envi
     if (!made)
         return nullptr;
     auto spectra = std::make_shared<SampledSpectra>(made);
-    return &keptNodes_.add(
+    return &cachedNodes_.add(
         {std::move(bands), AirIdentity(environment), std::move(made), std::move(spectra)});
 }
 
 std::shared_ptr<const SpectralSampling> SceneSampling::nodes(const Environment& environment,
                                                              const Band& band) {
-    const KeptNodes* const kept = nodesKept(environment, {band});
+    const CachedNodes* const kept = nodesCached(environment, {band});
     return kept == nullptr ? nullptr : kept->sampling;
 }
 
@@ -262,9 +262,9 @@ std::vector<SampledBand> SceneSampling::spectral(AtmosphericQueryCache& answers,
         const auto at = [&](std::size_t band) {
             return bands.begin() + static_cast<std::ptrdiff_t>(band);
         };
-        const KeptNodes* kept = nodesKept(answers.environment(), {at(first), at(end)});
+        const CachedNodes* kept = nodesCached(answers.environment(), {at(first), at(end)});
         if (!kept && end > first + 1)
-            kept = nodesKept(answers.environment(), {at(first), at(end = first + 1)});
+            kept = nodesCached(answers.environment(), {at(first), at(end = first + 1)});
         SampledBand made =
             sampledBand(kept ? kept->sampling : quadrature(answers, scene, bands[first]));
         if (kept)

@@ -64,14 +64,14 @@ class SampledSpectra {
     std::vector<double> of(const Spectrum& spectrum);
 
   private:
-    static constexpr std::size_t mostKept = 64;
-    struct Kept {
+    static constexpr std::size_t mostCached = 64;
+    struct CacheEntry {
         Spectrum spectrum;
         std::vector<double> values;
     };
     std::shared_ptr<const SpectralSampling> sampling_;
     std::mutex mutex_; ///< of what follows
-    RecentlyUsed<Kept> kept_{mostKept};
+    RecentlyUsed<CacheEntry> cache_{mostCached};
 };
 
 /// The samplings of bands, kept while their spectra stay what they are.
@@ -102,26 +102,26 @@ class SceneSampling {
   private:
     /// Quadratures that are kept, and their nodes and edges: every range of a sweep through real
     /// air has its own.
-    static constexpr std::size_t mostKept = 4096, mostNumbers = std::size_t{1} << 18;
+    static constexpr std::size_t mostCached = 4096, mostNumbers = std::size_t{1} << 18;
     /// Nodes of the air itself, which are those of a band whatever the range.
-    static constexpr std::size_t mostNodesKept = 256;
+    static constexpr std::size_t mostNodesCached = 256;
 
-    struct Kept {
+    struct CacheEntry {
         Band band;
         double coldest_K;
         std::vector<double> edges_um; ///< of the panels: the kinks of all spectra
         std::shared_ptr<const SpectralSampling> sampling;
     };
-    RecentlyUsed<Kept> kept_{mostKept};
-    struct KeptNodes {
+    RecentlyUsed<CacheEntry> cache_{mostCached};
+    struct CachedNodes {
         std::vector<Band> bands;
         AirIdentity atmospheres;
         std::shared_ptr<const SpectralSampling> sampling;
         std::shared_ptr<SampledSpectra> spectra;
     };
     /// Null where the air has none of itself, or has none for several bands in one.
-    const KeptNodes* nodesKept(const Environment& environment, std::vector<Band> bands);
-    RecentlyUsed<KeptNodes> keptNodes_{mostNodesKept};
+    const CachedNodes* nodesCached(const Environment& environment, std::vector<Band> bands);
+    RecentlyUsed<CachedNodes> cachedNodes_{mostNodesCached};
 };
 
 /// The surfaces of a scene, entity by entity, codes ascending; the rows of a drawing.

@@ -71,7 +71,7 @@ class SurfaceRttPass : public RttPass {
         }
         Stopwatch evaluating(evaluateSeconds);
         radiances_.evaluate(factors, samples);
-        if (factors.size() > mostSamplesKept)
+        if (factors.size() > mostSamplesCached)
             factors = {};
         layersLeftOver += samples.layersLeftOver;
     }

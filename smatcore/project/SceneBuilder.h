@@ -45,15 +45,15 @@ class SceneBuilder {
 
   private:
     template <typename Value, typename Stamp = irsg::FileStamp>
-    struct Kept {
+    struct CacheEntry {
         Stamp stamp;
         Value value;
     };
     static irsg::FileStamp stampOf(const std::filesystem::path& file, const char* what);
 
     ModelLoader loader_;
-    std::map<ModelKey, Kept<std::shared_ptr<const irsg::Model>, irsg::ModelStamp>> models_;
-    std::map<std::string, Kept<std::shared_ptr<const irsg::SignatureDatabase>>> databases_;
+    std::map<ModelKey, CacheEntry<std::shared_ptr<const irsg::Model>, irsg::ModelStamp>> models_;
+    std::map<std::string, CacheEntry<std::shared_ptr<const irsg::SignatureDatabase>>> databases_;
     DatabaseOverrides overrides_;
     // The last ones, by all that names them and the stamps of their files.
     std::pair<std::string, std::shared_ptr<const irsg::Skybox>> skybox_;

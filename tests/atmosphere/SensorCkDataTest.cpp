@@ -183,7 +183,7 @@ TEST(SensorCkData, AreTheSameFromWhatWasKept) {
     request.band = Band::topHat(9.9, 10.2);
     const SensorCkData made = SensorCkData::prepare(transfer, request);
     const auto read =
-        SensorCkData::fromKept(CkNodes(transfer, request.band), request.band, made.kept());
+        SensorCkData::fromCached(CkNodes(transfer, request.band), request.band, made.cacheText());
     ASSERT_TRUE(read);
     EXPECT_EQ(read->wavelengths_um(), made.wavelengths_um());
     EXPECT_EQ(read->weights_um(), made.weights_um());
@@ -200,14 +200,14 @@ TEST(SensorCkData, AreKeptWithPointsUnderDecimalCommas) {
     CkRequest request;
     request.band = Band::topHat(9.9, 10.2);
     const SensorCkData made = SensorCkData::prepare(transfer, request);
-    const std::string kept = made.kept(), key = CkKey().add(0.5).text();
+    const std::string kept = made.cacheText(), key = CkKey().add(0.5).text();
     const smat::test::DecimalCommas locale("de_DE", folder.path());
     if (!locale.isThere()) {
         GTEST_SKIP() << "de_DE cannot be made here (package locales)";
     }
-    EXPECT_EQ(made.kept(), kept);
+    EXPECT_EQ(made.cacheText(), kept);
     EXPECT_EQ(CkKey().add(0.5).text(), key);
-    EXPECT_TRUE(SensorCkData::fromKept(CkNodes(transfer, request.band), request.band, kept));
+    EXPECT_TRUE(SensorCkData::fromCached(CkNodes(transfer, request.band), request.band, kept));
 }
 
 TEST(SensorCkData, AreFoundByAllThatTheyDependOn) {
@@ -241,20 +241,20 @@ TEST(SensorCkData, AreNothingFromWhatIsDamaged) {
     const RadiativeTransfer transfer = airOf(ModelAtmosphere::usStandard1976);
     CkRequest request;
     request.band = Band::topHat(9.9, 10.2);
-    const std::string text = SensorCkData::prepare(transfer, request).kept();
+    const std::string text = SensorCkData::prepare(transfer, request).cacheText();
     for (std::size_t length = 0; length < text.size(); length += 7) {
-        EXPECT_FALSE(SensorCkData::fromKept(CkNodes(transfer, request.band), request.band,
-                                            text.substr(0, length)))
+        EXPECT_FALSE(SensorCkData::fromCached(CkNodes(transfer, request.band), request.band,
+                                              text.substr(0, length)))
             << length;
     }
     for (std::size_t at = 0; at < text.size(); at += 11) {
         std::string bad = text;
         bad[at] = '?';
-        EXPECT_FALSE(SensorCkData::fromKept(CkNodes(transfer, request.band), request.band, bad))
+        EXPECT_FALSE(SensorCkData::fromCached(CkNodes(transfer, request.band), request.band, bad))
             << at;
     }
-    EXPECT_FALSE(SensorCkData::fromKept(CkNodes(transfer, Band::topHat(4.0, 4.2)),
-                                        Band::topHat(4.0, 4.2), text))
+    EXPECT_FALSE(SensorCkData::fromCached(CkNodes(transfer, Band::topHat(4.0, 4.2)),
+                                          Band::topHat(4.0, 4.2), text))
         << "another band";
 }
 

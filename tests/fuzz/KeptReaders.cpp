@@ -40,12 +40,12 @@ const irsg::Band& narrowBand() {
 std::string widebandText() {
     irsg::CkRequest request;
     request.band = narrowBand();
-    return irsg::SensorCkData::prepare(air(), request).kept();
+    return irsg::SensorCkData::prepare(air(), request).cacheText();
 }
 
 void readWidebandText(File file) {
-    const auto points = irsg::SensorCkData::fromKept(irsg::CkNodes(air(), narrowBand()),
-                                                     narrowBand(), irsg::readFile(file));
+    const auto points = irsg::SensorCkData::fromCached(irsg::CkNodes(air(), narrowBand()),
+                                                       narrowBand(), irsg::readFile(file));
     if (!points) { // trained anew, without a word
         throw irsg::InputError({file.string(), "", "no points", "points that were kept"});
     }

@@ -66,7 +66,7 @@ void addTo(CkKey& key, const CkRequest& request) {
     key.add(request.largestError).add(static_cast<double>(request.mostPoints));
 }
 
-std::string SensorCkData::kept() const {
+std::string SensorCkData::cacheText() const {
     CkKey text;
     text.add(static_cast<double>(size()));
     for (const double error : {largestError_, rmsError_, heldOutError_, heldOutRms_})
@@ -78,8 +78,8 @@ std::string SensorCkData::kept() const {
     return text.text() + "end";
 }
 
-std::optional<SensorCkData> SensorCkData::fromKept(const CkNodes& nodes, const Band& band,
-                                                   const std::string& text) {
+std::optional<SensorCkData> SensorCkData::fromCached(const CkNodes& nodes, const Band& band,
+                                                     const std::string& text) {
     std::istringstream words(text);
     auto number = [&] {
         std::string word;

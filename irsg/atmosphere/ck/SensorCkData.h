@@ -55,9 +55,9 @@ class SensorCkData : public SpectralSampling {
 
     /// The points as text, and from it: nothing where it is damaged or of other tables. The band is
     /// that of the training.
-    std::string kept() const;
-    static std::optional<SensorCkData> fromKept(const CkNodes& nodes, const Band& band,
-                                                const std::string& text);
+    std::string cacheText() const;
+    static std::optional<SensorCkData> fromCached(const CkNodes& nodes, const Band& band,
+                                                  const std::string& text);
 
     /// A sampling as points; null where it is of another kind.
     static const SensorCkData* of(const SpectralSampling& sampling) {

@@ -107,8 +107,8 @@ std::shared_ptr<const AdaptiveTable>
 AirTables::table(const Key& key, double low, double high, const AdaptiveTable::Function& function,
                  const AdaptiveTable::Distance& distance) const {
     const std::lock_guard lock(mutex_);
-    const auto isThis = [&](const Kept& kept) { return kept.first == key; };
-    if (const Kept* known = tables_.find(isThis))
+    const auto isThis = [&](const CacheEntry& kept) { return kept.first == key; };
+    if (const CacheEntry* known = tables_.find(isThis))
         return known->second;
     // What is asked once is not worth a table.
     const auto isSame = [&](const Key& asked) { return asked == key; };
@@ -118,7 +118,7 @@ AirTables::table(const Key& key, double low, double high, const AdaptiveTable::F
     }
     // Those that were not asked longest make place; who is asking one meanwhile still has it.
     std::size_t bytes = 0;
-    tables_.letGo([&](const Kept& kept) {
+    tables_.letGo([&](const CacheEntry& kept) {
         bytes += kept.second->bytes();
         return bytes > mostBytes;
     });
@@ -275,7 +275,7 @@ std::vector<double> AirTables::downwardFlux(double altitude_m, const SunPosition
 std::size_t AirTables::evaluations() const {
     const std::lock_guard lock(mutex_);
     std::size_t sum = 0;
-    tables_.letGo([&](const Kept& kept) {
+    tables_.letGo([&](const CacheEntry& kept) {
         sum += kept.second->evaluations();
         return false;
     });
@@ -285,7 +285,7 @@ std::size_t AirTables::evaluations() const {
 std::size_t AirTables::bytes() const {
     const std::lock_guard lock(mutex_);
     std::size_t sum = 0;
-    tables_.letGo([&](const Kept& kept) {
+    tables_.letGo([&](const CacheEntry& kept) {
         sum += kept.second->bytes();
         return false;
     });
@@ -295,7 +295,7 @@ std::size_t AirTables::bytes() const {
 double AirTables::largestError() const {
     const std::lock_guard lock(mutex_);
     double largest = 0.0;
-    tables_.letGo([&](const Kept& kept) {
+    tables_.letGo([&](const CacheEntry& kept) {
         largest = std::max(largest, kept.second->largestError());
         return false;
     });

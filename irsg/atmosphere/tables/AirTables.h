@@ -68,9 +68,9 @@ class AirTables {
     double tolerance_;
     bool onTheFly() const { return tolerance_ <= 0.0; }
     mutable std::mutex mutex_;
-    using Kept = std::pair<Key, std::shared_ptr<const AdaptiveTable>>;
+    using CacheEntry = std::pair<Key, std::shared_ptr<const AdaptiveTable>>;
     static constexpr std::size_t mostTables = 512, mostHorizons = 4096;
-    mutable RecentlyUsed<Kept> tables_{mostTables};
+    mutable RecentlyUsed<CacheEntry> tables_{mostTables};
     mutable RecentlyUsed<Key> asked_{mostTables}; ///< that have no table yet
     mutable std::map<double, Horizon> horizons_;
     /// Light of the last geometries asked for one by one: another azimuth costs a phase function.

@@ -14,7 +14,7 @@ namespace irsg {
 namespace {
 
 /// Bands in which integrals are kept, some kB a kind and band; a spectrum has too many outputs.
-constexpr std::size_t mostOutputsKept = 128;
+constexpr std::size_t mostOutputsCached = 128;
 /// What reflects less, sr-1, is black.
 constexpr double leastReflectance_per_sr = 1e-9;
 
@@ -255,7 +255,7 @@ std::vector<SurfaceStackId> SceneLight::inOrder(const LightSums& sums) const {
 }
 
 void SceneLight::prepare(const std::vector<SurfaceStackId>& kinds) {
-    if (radiometry_.outputs().size() > mostOutputsKept)
+    if (radiometry_.outputs().size() > mostOutputsCached)
         return;
     std::vector<SurfaceStackId> missing;
     std::vector<std::vector<std::vector<double>>*> places;
@@ -273,7 +273,7 @@ void SceneLight::prepare(const std::vector<SurfaceStackId>& kinds) {
 }
 
 std::span<const double> SceneLight::integrals(const SurfaceStackId& kind, std::size_t output) {
-    if (radiometry_.outputs().size() > mostOutputsKept)
+    if (radiometry_.outputs().size() > mostOutputsCached)
         return passing_ = integrator().of(kind, output);
     const auto known = known_.find({kind.stack, kind.row});
     if (known == known_.end())

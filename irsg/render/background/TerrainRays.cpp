@@ -38,7 +38,7 @@ PiecePlaces placesOf(const osg::Geometry& geometry) {
 
 } // namespace
 
-struct TerrainRays::Kept {
+struct TerrainRays::CacheEntry {
     std::shared_ptr<const Terrain> terrain;
     std::shared_ptr<const RayMesh> mesh;
     PieceUses uses{0};
@@ -61,10 +61,10 @@ struct TerrainRays::Kept {
 TerrainRays::TerrainRays() = default;
 TerrainRays::~TerrainRays() = default;
 
-const TerrainRays::Kept& TerrainRays::keep(const std::shared_ptr<const Terrain>& terrain) {
-    if (kept_ && kept_->terrain == terrain)
-        return *kept_;
-    auto kept = std::make_unique<Kept>();
+const TerrainRays::CacheEntry& TerrainRays::keep(const std::shared_ptr<const Terrain>& terrain) {
+    if (cache_ && cache_->terrain == terrain)
+        return *cache_;
+    auto kept = std::make_unique<CacheEntry>();
     kept->terrain = terrain;
     std::vector<RayMesh::Piece> pieces;
     for (const Terrain::Impl::Piece& piece : terrain->parts().pieces) {
@@ -77,8 +77,8 @@ const TerrainRays::Kept& TerrainRays::keep(const std::shared_ptr<const Terrain>&
         kept->uses.set(i, {.isThere = true});
     for (const Terrain::Impl::Texture& texture : terrain->parts().textures)
         kept->textures.emplace_back(texture.image, texture.wrapS, texture.wrapT);
-    kept_ = std::move(kept);
-    return *kept_;
+    cache_ = std::move(kept);
+    return *cache_;
 }
 
 std::shared_ptr<const RayMesh> TerrainRays::meshOf(const std::shared_ptr<const Terrain>& terrain) {
@@ -87,7 +87,7 @@ std::shared_ptr<const RayMesh> TerrainRays::meshOf(const std::shared_ptr<const T
 
 TerrainImage TerrainRays::paint(const std::shared_ptr<const Terrain>& terrain,
                                 const CameraFrame& camera, double offset) {
-    const Kept& kept = keep(terrain);
+    const CacheEntry& kept = keep(terrain);
     const Sensor& sensor = camera.sensor();
     const Rotation toMesh = terrain->pose().attitude.rotation().transposed();
     const Viewpoint& eye = camera.viewpoint();

@@ -21,9 +21,9 @@ class TerrainRays : public TerrainPainter {
                        double offset) override;
 
   private:
-    struct Kept;
-    const Kept& keep(const std::shared_ptr<const Terrain>& terrain);
-    std::unique_ptr<Kept> kept_;
+    struct CacheEntry;
+    const CacheEntry& keep(const std::shared_ptr<const Terrain>& terrain);
+    std::unique_ptr<CacheEntry> cache_;
 };
 
 } // namespace irsg

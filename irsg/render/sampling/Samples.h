@@ -32,7 +32,7 @@ class SpecularEnvironmentTable {
 };
 
 /// Room for so many samples is kept from one picture to the next.
-inline constexpr std::size_t mostSamplesKept = 1'000'000;
+inline constexpr std::size_t mostSamplesCached = 1'000'000;
 
 /// One window of samples, bottom row first.
 struct RadianceSamples {

@@ -28,7 +28,7 @@ FrameReduction TileSamplingStrategy::draw(const CameraFrame& camera,
         for (const SampleTile& tile : sheet.tiles)
             frame.add(tile, samples_);
     }
-    if (samples_.planes.size() > 2 * mostSamplesKept)
+    if (samples_.planes.size() > 2 * mostSamplesCached)
         samples_ = {};
     return frame;
 }

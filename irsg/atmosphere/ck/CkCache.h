@@ -16,15 +16,15 @@ inline constexpr double ckTraining = 7;
 /// Quadrature points that are kept under a key, if they are those of these nodes, else trained and
 /// kept; without a store trained.
 inline std::shared_ptr<const SensorCkData>
-keptOrTrained(const std::optional<CkStore>& store, const CkKey& key, const CkNodes& nodes,
-              const Band& band, const std::function<SensorCkData()>& train) {
+cachedOrTrained(const std::optional<CkStore>& store, const CkKey& key, const CkNodes& nodes,
+                const Band& band, const std::function<SensorCkData()>& train) {
     if (!store)
         return std::make_shared<const SensorCkData>(train());
     if (const auto text = store->find(key.text()))
-        if (auto kept = SensorCkData::fromKept(nodes, band, *text))
+        if (auto kept = SensorCkData::fromCached(nodes, band, *text))
             return std::make_shared<const SensorCkData>(std::move(*kept));
     auto made = std::make_shared<const SensorCkData>(train());
-    store->keep(key.text(), made->kept());
+    store->keep(key.text(), made->cacheText());
     return made;
 }
 

@@ -18,7 +18,7 @@ namespace smat::gui {
 namespace {
 
 /// Results that outlive the window they came from.
-class KeptResultsTest : public test::WindowFixture {
+class ResultCacheTest : public test::WindowFixture {
   protected:
     void SetUp() override {
         WindowFixture::SetUp();
@@ -43,7 +43,7 @@ class KeptResultsTest : public test::WindowFixture {
     }
 };
 
-TEST_F(KeptResultsTest, ComeBackWithTheProject) {
+TEST_F(ResultCacheTest, ComeBackWithTheProject) {
     runAnalysis("range");
     runAnalysis("image");
     workbench.resultStore().rename(1, "cold morning");
@@ -99,7 +99,7 @@ TEST_F(KeptResultsTest, ComeBackWithTheProject) {
     answer = 1;
 }
 
-TEST_F(KeptResultsTest, QuittingAsksAndSavesDiscardsOrStays) {
+TEST_F(ResultCacheTest, QuittingAsksAndSavesDiscardsOrStays) {
     runAnalysis("range");
     answer = -1;
     EXPECT_FALSE(window->close());
@@ -114,7 +114,7 @@ TEST_F(KeptResultsTest, QuittingAsksAndSavesDiscardsOrStays) {
     EXPECT_TRUE(asked.isEmpty());
 }
 
-TEST_F(KeptResultsTest, AnotherProjectHasItsOwn) {
+TEST_F(ResultCacheTest, AnotherProjectHasItsOwn) {
     runAnalysis("range");
     const auto other = folder / "other";
     std::filesystem::create_directory(other);
@@ -129,7 +129,7 @@ TEST_F(KeptResultsTest, AnotherProjectHasItsOwn) {
     EXPECT_FALSE(std::filesystem::exists(results()));
 }
 
-TEST_F(KeptResultsTest, AFolderThatWasMovedIsSaidAndNothingElseBreaks) {
+TEST_F(ResultCacheTest, AFolderThatWasMovedIsSaidAndNothingElseBreaks) {
     runAnalysis("range");
     save();
     // While the project is open: written again when it is saved.
@@ -150,7 +150,7 @@ TEST_F(KeptResultsTest, AFolderThatWasMovedIsSaidAndNothingElseBreaks) {
     EXPECT_TRUE(workbench.hasProject());
 }
 
-TEST_F(KeptResultsTest, OnesThatAreRemovedGoWhenTheProjectIsSaved) {
+TEST_F(ResultCacheTest, OnesThatAreRemovedGoWhenTheProjectIsSaved) {
     runAnalysis("range");
     save();
     workbench.removeResult(1);
@@ -161,7 +161,7 @@ TEST_F(KeptResultsTest, OnesThatAreRemovedGoWhenTheProjectIsSaved) {
     EXPECT_EQ(loadProject(folder / "ship.smat").results, "");
 }
 
-TEST_F(KeptResultsTest, GoAlongToAnotherName) {
+TEST_F(ResultCacheTest, GoAlongToAnotherName) {
     runAnalysis("range");
     save();
     chosen = QString::fromStdString((folder / "boat.smat").string());
