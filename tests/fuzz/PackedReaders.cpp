@@ -18,11 +18,11 @@
 #include "irsg/geometry/model/Model.h"
 #include "irsg/geometry/reading/IrCodes.h"
 #include "irsg/geometry/reading/sandbox/AxesCoding.h"
+#include "irsg/geometry/reading/sandbox/CompletenessCheck.h"
+#include "irsg/geometry/reading/sandbox/DeclaredContents.h"
 #include "irsg/geometry/reading/sandbox/GltfFile.h"
 #include "irsg/geometry/reading/sandbox/GraphCoding.h"
 #include "irsg/geometry/reading/sandbox/ReaderMessages.h"
-#include "irsg/geometry/reading/sandbox/StatedModel.h"
-#include "irsg/geometry/reading/sandbox/WholeFile.h"
 #include "irsg/geometry/reading/text/ObjReader.h"
 #include "irsg/scene/scattering/SceneScattering.h"
 #include "tests/fuzz/Readers.h"
@@ -137,7 +137,7 @@ void readMaterials(File file) {
 void readWhole(File file) {
     for (const char* name : {"a.osg", "a.osgx", "a.3ds", "a.lwo", "a.dxf", "a.ac"}) {
         try {
-            irsg::checkWhole(file, name);
+            irsg::checkCompleteness(file, name);
         } catch (const irsg::InputError&) {
         }
     }

@@ -23,7 +23,7 @@
 #include "irsg/geometry/reading/sandbox/AxesCoding.h"
 #include "irsg/geometry/reading/sandbox/Bytes.h"
 #include "irsg/geometry/reading/sandbox/GraphCoding.h"
-#include "irsg/geometry/reading/sandbox/PicturesApart.h"
+#include "irsg/geometry/reading/sandbox/SandboxedPictures.h"
 #include "irsg/geometry/reading/text/ObjReader.h"
 #include "irsg/geometry/reading/text/StlReader.h"
 
@@ -137,7 +137,7 @@ LoadedGraph loadFlight(const fs::path& file, LoadPurpose purpose) {
 }
 
 /// What a process of its own reads and hands over as bytes.
-LoadedGraph loadApart(const fs::path& place, const fs::path& file) {
+LoadedGraph loadSandboxed(const fs::path& place, const fs::path& file) {
     try {
         ReaderProcess process;
         const ReaderAnswer answer = process.read(FileKind::model, place, file);
@@ -166,12 +166,12 @@ LoadedGraph loadOfType(const std::string& extension, const fs::path& file, LoadP
     if (extension == "obj") {
         // The infrared picture has no use for others.
         ReaderProcess process;
-        return readObj(file,
-                       purpose == LoadPurpose::visible
-                           ? [&](const fs::path& name) { return readPictureApart(process, name); }
-                           : PictureReading());
+        return readObj(
+            file, purpose == LoadPurpose::visible
+                      ? [&](const fs::path& name) { return readPictureSandboxed(process, name); }
+                      : PictureReading());
     }
-    return loadApart(file, file);
+    return loadSandboxed(file, file);
 }
 
 } // namespace
@@ -223,8 +223,8 @@ LoadedGraph loadWritten(const std::string& bytes, const fs::path& name) {
             throw LogicError("there is no memory for a copy of " + name.string());
         rest.remove_prefix(static_cast<std::size_t>(count));
     }
-    return loadApart("/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(descriptor),
-                     name);
+    return loadSandboxed("/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(descriptor),
+                         name);
 }
 
 } // namespace irsg

@@ -20,10 +20,10 @@
 
 #include "irsg/core/Errors.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
-#include "irsg/geometry/reading/sandbox/PicturesApart.h"
 #include "irsg/geometry/reading/sandbox/PluginReading.h"
 #include "irsg/geometry/reading/sandbox/ReaderService.h"
 #include "irsg/geometry/reading/sandbox/ReadingLimits.h"
+#include "irsg/geometry/reading/sandbox/SandboxedPictures.h"
 #include "irsg/geometry/reading/text/ObjReader.h"
 #include "irsg/geometry/reading/text/StlReader.h"
 
@@ -92,7 +92,7 @@ class ReadGuard : public osgDB::ReadFileCallback {
             return Result::FILE_NOT_HANDLED;
         const std::string file = osgDB::findDataFile(name, options);
         if (!isReadHere())
-            return file.empty() ? Result(Result::FILE_NOT_FOUND) : readApart(file);
+            return file.empty() ? Result(Result::FILE_NOT_FOUND) : readSandboxed(file);
         noteSize(file);
         return next_ ? next_->readImage(name, options) : ReadFileCallback::readImage(name, options);
     }
@@ -159,10 +159,10 @@ class ReadGuard : public osgDB::ReadFileCallback {
             return std::nullopt;
         }
     }
-    static Result readApart(const std::string& file) {
+    static Result readSandboxed(const std::string& file) {
         try {
             ReaderProcess own;
-            const auto image = readPictureApart(reading ? processOf(*reading) : own, file);
+            const auto image = readPictureSandboxed(reading ? processOf(*reading) : own, file);
             image->setFileName(file);
             return image;
         } catch (const InputError& error) {

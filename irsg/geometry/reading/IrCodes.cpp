@@ -48,7 +48,7 @@ class PolygonCounter : public osg::NodeVisitor {
 
 } // namespace
 
-std::optional<IrCodes> statedCodes(const osg::Object& object) {
+std::optional<IrCodes> declaredCodes(const osg::Object& object) {
     const auto* list = dynamic_cast<const osgSim::ShapeAttributeList*>(object.getUserData());
     const auto* temperature = attribute(list, "IRColor");
     const auto* material = attribute(list, "IRMaterial");
@@ -64,10 +64,10 @@ std::optional<IrCodes> statedCodes(const osg::Object& object) {
 }
 
 IrCodes codesOf(const osg::Drawable& drawable, const std::vector<osg::Node*>& path) {
-    if (const auto codes = statedCodes(drawable))
+    if (const auto codes = declaredCodes(drawable))
         return *codes;
     for (auto node = path.rbegin(); node != path.rend(); ++node)
-        if (const auto codes = statedCodes(**node))
+        if (const auto codes = declaredCodes(**node))
             return *codes;
     return {};
 }

@@ -19,7 +19,7 @@ namespace irsg {
 IrCodes codesOf(const osg::Drawable& drawable, const std::vector<osg::Node*>& path);
 
 /// Codes that an object states itself, nothing where it states none.
-std::optional<IrCodes> statedCodes(const osg::Object& object);
+std::optional<IrCodes> declaredCodes(const osg::Object& object);
 
 /// Gives a drawable or node a ShapeAttributeList with IRColor and IRMaterial as its UserData, and
 /// removes the plug-in's user values.

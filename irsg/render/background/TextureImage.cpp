@@ -11,7 +11,7 @@
 
 #include "irsg/core/Errors.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
-#include "irsg/geometry/reading/sandbox/PicturesApart.h"
+#include "irsg/geometry/reading/sandbox/SandboxedPictures.h"
 #include "irsg/image/ExrFile.h"
 #include "irsg/image/PngPlane.h"
 
@@ -40,12 +40,12 @@ TextureImage readExrTexture(const fs::path& file) {
     return {image.width(), image.height(), red ? red->values : image.primary().values};
 }
 
-osg::ref_ptr<osg::Image> readApart(const fs::path& file) {
+osg::ref_ptr<osg::Image> readSandboxed(const fs::path& file) {
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored))
         throw InputError({file.string(), "", "no such file", expectationOf(FileKind::picture)});
     ReaderProcess process;
-    return readPictureApart(process, file);
+    return readPictureSandboxed(process, file);
 }
 
 template <typename Number>
@@ -119,7 +119,7 @@ TextureImage readTexture(const fs::path& file) {
         checkFinite(image, file.string());
         return image;
     }
-    return textureOf(*readApart(file), file.string());
+    return textureOf(*readSandboxed(file), file.string());
 }
 
 } // namespace irsg

@@ -20,8 +20,8 @@
 #include "irsg/geometry/reading/assimp/AssimpFiles.h"
 #include "irsg/geometry/reading/assimp/AssimpGraph.h"
 #include "irsg/geometry/reading/assimp/AssimpStates.h"
+#include "irsg/geometry/reading/sandbox/DeclaredContents.h"
 #include "irsg/geometry/reading/sandbox/GltfFile.h"
-#include "irsg/geometry/reading/sandbox/StatedModel.h"
 
 namespace irsg {
 
@@ -118,7 +118,7 @@ class AssimpModel {
         if (isGltf_)
             takeGltf(loaded.axes);
         else
-            takeStated(loaded.axes);
+            takeDeclared(loaded.axes);
         AssimpGraph graph(*scene_, states, transforms_, file_.string());
         loaded.node = graph.make();
         loaded.remarks = std::move(remarks_);
@@ -245,7 +245,7 @@ class AssimpModel {
                                        "says: one of both is damaged");
     }
 
-    void takeStated(FileAxes& axes) {
+    void takeDeclared(FileAxes& axes) {
         axes = stated_.axes;
         appendUnique(remarks_, stated_.remarks);
         // What Assimp turned and scales is what the outermost node does: files have no other for
@@ -272,7 +272,7 @@ class AssimpModel {
     std::string extension_;
     bool isGltf_;
     GltfFile gltf_;
-    StatedModel stated_;
+    DeclaredContents stated_;
     const aiScene* scene_ = nullptr;
     std::vector<std::string> remarks_;
     AssimpGraph::Transforms transforms_; ///< of glTF's nodes

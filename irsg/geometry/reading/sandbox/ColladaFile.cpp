@@ -10,7 +10,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
-#include "irsg/geometry/reading/sandbox/StatedModel.h"
+#include "irsg/geometry/reading/sandbox/DeclaredContents.h"
 
 namespace irsg {
 
@@ -38,7 +38,7 @@ class ColladaText {
   public:
     explicit ColladaText(const fs::path& file) : file_(file) {}
 
-    StatedModel read(const std::string& text) {
+    DeclaredContents read(const std::string& text) {
         pugi::xml_document document;
         const auto result = document.load_buffer(text.data(), text.size());
         if (!result)
@@ -47,7 +47,7 @@ class ColladaText {
         if (std::string_view(root.name()) != "COLLADA")
             refuse("", "\"" + std::string(root.name()) + "\"", "COLLADA");
         learn(root, 0);
-        StatedModel stated;
+        DeclaredContents stated;
         stated.axes = axesOf(root.child("asset"));
         const XmlNode scene = referred(root.child("scene").child("instance_visual_scene"), "url");
         double polygons = 0.0;
@@ -218,7 +218,7 @@ class ColladaText {
 
 } // namespace
 
-StatedModel readColladaFile(const fs::path& place, const fs::path& file) {
+DeclaredContents readColladaFile(const fs::path& place, const fs::path& file) {
     return ColladaText(file).read(readFile(place, largestModel_B));
 }
 

@@ -11,7 +11,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
-#include "irsg/geometry/reading/sandbox/StatedModel.h"
+#include "irsg/geometry/reading/sandbox/DeclaredContents.h"
 
 namespace irsg {
 
@@ -60,12 +60,12 @@ class BinaryFbx {
   public:
     BinaryFbx(const std::string& bytes, const fs::path& file) : bytes_(bytes), file_(file) {}
 
-    StatedModel read() {
+    DeclaredContents read() {
         version_ = number<std::uint32_t>(23);
         if (version_ < 7100 || version_ > 7700)
             refuse(23, "version " + std::to_string(version_), "7100 to 7700");
         readList(27, bytes_.size(), 0, "");
-        StatedModel stated;
+        DeclaredContents stated;
         stated.axes = axesOf(settings_);
         stated.corners = corners_;
         return stated;
@@ -167,7 +167,7 @@ class TextFbx {
   public:
     TextFbx(const std::string& text, const fs::path& file) : text_(text), file_(file) {}
 
-    StatedModel read() {
+    DeclaredContents read() {
         std::size_t line = 1, lastOpen = 1;
         long open = 0;
         for (std::size_t at = 0; at < text_.size(); ++at) {
@@ -199,7 +199,7 @@ class TextFbx {
         // Brackets may be even in what is left of a file, but not without what joins its objects.
         if (text_.find("\nConnections:") == text_.npos)
             refuse(line, "the end of the file", "Connections, which end a model");
-        StatedModel stated;
+        DeclaredContents stated;
         stated.axes = axesOf(settings());
         countCorners(stated);
         return stated;
@@ -236,7 +236,7 @@ class TextFbx {
     }
 
     /// PolygonVertexIndex: *24 {
-    void countCorners(StatedModel& stated) const {
+    void countCorners(DeclaredContents& stated) const {
         constexpr std::string_view key = "PolygonVertexIndex: *";
         std::uint64_t corners = 0;
         bool any = false;
@@ -259,7 +259,7 @@ class TextFbx {
 
 } // namespace
 
-StatedModel readFbxFile(const fs::path& place, const fs::path& file) {
+DeclaredContents readFbxFile(const fs::path& place, const fs::path& file) {
     const std::string bytes = readFile(place, largestModel_B);
     if (bytes.starts_with(magic.substr(0, 18)))
         return BinaryFbx(bytes, file).read();

@@ -88,7 +88,7 @@ class GraphEncoder {
         putTexts(sink_, node.getDescriptions());
         sink_.put(static_cast<std::uint32_t>(node.getNodeMask()));
         sink_.put(states_.number(node.getStateSet()));
-        const auto codes = statedCodes(node);
+        const auto codes = declaredCodes(node);
         sink_.put(static_cast<std::uint8_t>(codes.has_value()));
         if (codes)
             sink_.put(*codes);

@@ -11,7 +11,7 @@
 #include "irsg/geometry/reading/OpenableFiles.h"
 #include "irsg/geometry/reading/OsgNotices.h"
 #include "irsg/geometry/reading/ProxyNodes.h"
-#include "irsg/geometry/reading/sandbox/WholeFile.h"
+#include "irsg/geometry/reading/sandbox/CompletenessCheck.h"
 
 namespace irsg {
 
@@ -80,7 +80,7 @@ void preparePlugins() {
 LoadedGraph readModelHere(const fs::path& place, const fs::path& file) {
     if (modelReaderOf(file.string()) == FormatReader::assimp)
         return readByAssimp(place, file);
-    checkWhole(place, file);
+    checkCompleteness(place, file);
     OsgNotices notices;
     GuardedReading guard;
     LoadedGraph loaded;

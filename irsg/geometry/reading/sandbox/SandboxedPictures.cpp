@@ -1,4 +1,4 @@
-#include "irsg/geometry/reading/sandbox/PicturesApart.h"
+#include "irsg/geometry/reading/sandbox/SandboxedPictures.h"
 
 #include "irsg/core/Errors.h"
 #include "irsg/geometry/reading/sandbox/Bytes.h"
@@ -6,8 +6,8 @@
 
 namespace irsg {
 
-osg::ref_ptr<osg::Image> readPictureApart(ReaderProcess& process,
-                                          const std::filesystem::path& file) {
+osg::ref_ptr<osg::Image> readPictureSandboxed(ReaderProcess& process,
+                                              const std::filesystem::path& file) {
     try {
         const ReaderAnswer answer = process.read(FileKind::picture, file);
         ByteSource source(answer.bytes());

@@ -9,6 +9,6 @@ namespace irsg {
 /// left of the file (.3ds, .lwo), an end that is missing (.dxf), fewer objects, surfaces and
 /// vertices than it says (.ac). Plug-ins read what is left of such a file without a word. Formats
 /// that cannot tell pass. The bytes are at `place`.
-void checkWhole(const std::filesystem::path& place, const std::filesystem::path& file);
+void checkCompleteness(const std::filesystem::path& place, const std::filesystem::path& file);
 
 } // namespace irsg

@@ -12,7 +12,7 @@ namespace irsg {
 
 /// What a file says of itself, read without the library that reads its geometry: what that gives is
 /// held against it.
-struct StatedModel {
+struct DeclaredContents {
     FileAxes axes;
     /// Polygons of three corners or more with every copy that is placed.
     std::optional<double> placedPolygons;
@@ -23,10 +23,11 @@ struct StatedModel {
 
 /// Of .fbx, as text or binary. Throws InputError for records that are longer than what is left, a
 /// list without its end, brackets that stay open and a version that is not read.
-StatedModel readFbxFile(const std::filesystem::path& place, const std::filesystem::path& file);
+DeclaredContents readFbxFile(const std::filesystem::path& place, const std::filesystem::path& file);
 
 /// Of .dae. Throws InputError for a text that is no whole XML, lists of polygons that are shorter
 /// than they say, references to what is not there and nodes in a circle.
-StatedModel readColladaFile(const std::filesystem::path& place, const std::filesystem::path& file);
+DeclaredContents readColladaFile(const std::filesystem::path& place,
+                                 const std::filesystem::path& file);
 
 } // namespace irsg

@@ -24,10 +24,10 @@
 #include "irsg/geometry/reading/MaterialNames.h"
 #include "irsg/geometry/reading/sandbox/AxesCoding.h"
 #include "irsg/geometry/reading/sandbox/Bytes.h"
+#include "irsg/geometry/reading/sandbox/CompletenessCheck.h"
 #include "irsg/geometry/reading/sandbox/GraphCoding.h"
 #include "irsg/geometry/reading/sandbox/ReaderMessages.h"
 #include "irsg/geometry/reading/sandbox/StateCoding.h"
-#include "irsg/geometry/reading/sandbox/WholeFile.h"
 #include "irsg/render/background/TextureImage.h"
 #include "tests/support/FlightBytes.h"
 #include "tests/support/QuietListener.h"
@@ -324,7 +324,7 @@ TEST(GraphCoding, RefusesBytesThatDoNotHoldTogether) {
     }
 }
 
-TEST(ReadingApart, RefusesFacesOfVerticesThatThereAreNot) {
+TEST(SandboxedImport, RefusesFacesOfVerticesThatThereAreNot) {
     const TemporaryFolder folder;
     for (const char* kind : {"osgt", "osgb", "ive"}) {
         auto node = geode();
@@ -337,7 +337,7 @@ TEST(ReadingApart, RefusesFacesOfVerticesThatThereAreNot) {
     }
 }
 
-TEST(ReadingApart, RefusesGraphsThatGrowOutOfAllProportion) {
+TEST(SandboxedImport, RefusesGraphsThatGrowOutOfAllProportion) {
     const TemporaryFolder folder;
     for (const char* kind : {"osgt", "osgb", "ive"}) {
         const auto file = folder / ("a." + std::string(kind));
@@ -357,7 +357,7 @@ TEST(ReadingApart, RefusesGraphsThatGrowOutOfAllProportion) {
     EXPECT_THAT(refusalOf([&] { handedOver(*deep, remarks); }), HasSubstr("1000 levels"));
 }
 
-TEST(ReadingApart, HasNothingToSayOfNodesThatItKnows) {
+TEST(SandboxedImport, HasNothingToSayOfNodesThatItKnows) {
     const TemporaryFolder folder;
     const osg::ref_ptr<osgSim::DOFTransform> joint = new osgSim::DOFTransform;
     joint->addChild(geode({1, 2}));
@@ -368,7 +368,7 @@ TEST(ReadingApart, HasNothingToSayOfNodesThatItKnows) {
     }
 }
 
-TEST(ReadingApart, RefusesChunksThatStandInEachOtherWithoutEnd) {
+TEST(SandboxedImport, RefusesChunksThatStandInEachOtherWithoutEnd) {
     const TemporaryFolder folder;
     const auto nested = [](std::uint32_t levels) {
         std::string bytes;
@@ -381,11 +381,12 @@ TEST(ReadingApart, RefusesChunksThatStandInEachOtherWithoutEnd) {
         return bytes;
     };
     const auto file = folder.write("a.3ds", nested(300'000));
-    EXPECT_THAT(refusalOf([&] { checkWhole(file, "a.3ds"); }), HasSubstr("a chunk in 8 others"));
-    EXPECT_NO_THROW(checkWhole(folder.write("b.3ds", nested(8)), "b.3ds"));
+    EXPECT_THAT(refusalOf([&] { checkCompleteness(file, "a.3ds"); }),
+                HasSubstr("a chunk in 8 others"));
+    EXPECT_NO_THROW(checkCompleteness(folder.write("b.3ds", nested(8)), "b.3ds"));
 }
 
-TEST(ReadingApart, RefusesCutFilesWhereTheFormatCanTell) {
+TEST(SandboxedImport, RefusesCutFilesWhereTheFormatCanTell) {
     const TemporaryFolder folder;
     osg::ref_ptr<osg::Group> root = new osg::Group;
     root->addChild(geode({1, 2}));
@@ -404,7 +405,7 @@ TEST(ReadingApart, RefusesCutFilesWhereTheFormatCanTell) {
     }
 }
 
-TEST(ReadingApart, RefusesAnAcThatIsCut) {
+TEST(SandboxedImport, RefusesAnAcThatIsCut) {
     const TemporaryFolder folder;
     const std::string vertices = "numvert 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
     const std::string surface = "SURF 0x0\nmat 1\nrefs 4\n0 0 0\n1 0 0\n2 0 0\n3 0 0\n";
@@ -422,7 +423,7 @@ TEST(ReadingApart, RefusesAnAcThatIsCut) {
     }
 }
 
-TEST(ReadingApart, OpensNoConnectionAndRunsNothing) {
+TEST(SandboxedImport, OpensNoConnectionAndRunsNothing) {
     const TemporaryFolder folder;
     const QuietListener listener;
     const auto trace = folder / "ran";
@@ -458,7 +459,7 @@ TEST(ReadingApart, OpensNoConnectionAndRunsNothing) {
     EXPECT_FALSE(fs::exists(trace));
 }
 
-TEST(ReadingApart, RefusesDamagedModelsByName) {
+TEST(SandboxedImport, RefusesDamagedModelsByName) {
     const fs::path damaged = smat::test::sharedMaterial("data/damaged");
     if (damaged.empty()) {
         GTEST_SKIP() << "the shared folder data/damaged is absent";

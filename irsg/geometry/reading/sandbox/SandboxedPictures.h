@@ -9,7 +9,7 @@
 namespace irsg {
 
 /// A picture that a process of its own reads. Throws InputError as ReaderProcess does.
-osg::ref_ptr<osg::Image> readPictureApart(ReaderProcess& process,
-                                          const std::filesystem::path& file);
+osg::ref_ptr<osg::Image> readPictureSandboxed(ReaderProcess& process,
+                                              const std::filesystem::path& file);
 
 } // namespace irsg

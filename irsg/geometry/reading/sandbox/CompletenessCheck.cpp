@@ -1,4 +1,4 @@
-#include "irsg/geometry/reading/sandbox/WholeFile.h"
+#include "irsg/geometry/reading/sandbox/CompletenessCheck.h"
 
 #include <algorithm>
 #include <string>
@@ -175,7 +175,7 @@ constexpr Check checks[] = {
 
 } // namespace
 
-void checkWhole(const std::filesystem::path& place, const std::filesystem::path& file) {
+void checkCompleteness(const std::filesystem::path& place, const std::filesystem::path& file) {
     const std::string extension = lowerCase(file.extension().string());
     const auto* check = std::ranges::find_if(
         checks, [&](const Check& known) { return extension == known.extension; });
