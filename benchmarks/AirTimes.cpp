@@ -44,11 +44,11 @@ struct Way {
     std::function<std::shared_ptr<const SpectralSampling>(const AtmosphereSmart&)> prepare;
 
     void path(const AtmosphericPath& path) const {
-        (void)air->answer(AtmosphericQuery::transmittance(path), *sampling);
-        (void)air->answer(AtmosphericQuery::pathRadiance(path, sun), *sampling);
+        (void)air->provide(AtmosphericQuery::transmittance(path), *sampling);
+        (void)air->provide(AtmosphericQuery::pathRadiance(path, sun), *sampling);
     }
     void sky(const LineOfSight& sight) const {
-        (void)air->answer(AtmosphericQuery::backgroundRadiance(sight, sun), *sampling);
+        (void)air->provide(AtmosphericQuery::backgroundRadiance(sight, sun), *sampling);
     }
 };
 

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "apps/smat-batch/AtmosphereAnswers.h"
 #include "apps/smat-batch/AtmosphereEditing.h"
 #include "apps/smat-batch/AtmosphereInfo.h"
+#include "apps/smat-batch/AtmosphereProviders.h"
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/Output.h"
 #include "irsg/atmosphere/TabulatedAtmosphere.h"
@@ -88,7 +88,7 @@ void addEditing(CLI::App& command, Context& context) {
 }
 
 /// `atmosphere answers`.
-void addAnswers(CLI::App& command, Context& context) {
+void addProviders(CLI::App& command, Context& context) {
     struct Wanted {
         std::vector<std::string> atmospheres, bands = {"3-5"};
     };
@@ -106,7 +106,7 @@ void addAnswers(CLI::App& command, Context& context) {
         ->capture_default_str();
     answers->callback([&context, wanted] {
         context.work = [&context, wanted] {
-            return printWhoAnswers(wanted->atmospheres, wanted->bands, context);
+            return printAtmosphereProviders(wanted->atmospheres, wanted->bands, context);
         };
     });
 }
@@ -140,7 +140,7 @@ void addAtmosphereCommand(CLI::App& app, Context& context) {
         context.work = [&context, files, out] { return import(*files, *out, context); };
     });
     addEditing(*command, context);
-    addAnswers(*command, context);
+    addProviders(*command, context);
 }
 
 } // namespace smat::batch

@@ -90,7 +90,7 @@ class CostAccuracyCommand {
             warn(warning);
         const StageTimer::Scope scope(&context.timer, "save");
         files_.write(data.name, data.table, data.summary, {}, context.json);
-        for (const std::string& sentence : data.answeredBy)
+        for (const std::string& sentence : data.providedBy)
             if (!context.json &&
                 (sentence.starts_with("configurations: ") || sentence.starts_with("target error")))
                 fmt::print("{}\n", sentence);

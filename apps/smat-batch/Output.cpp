@@ -119,7 +119,7 @@ std::string summaryJson(const std::vector<Outcome>& outcomes) {
                         {"state", stateName(data.state)},
                         {"elapsed_s", data.elapsed_s},
                         {"renderer", data.renderer},
-                        {"answered_by", data.answeredBy},
+                        {"answered_by", data.providedBy},
                         {"warnings", data.warnings},
                         {"summary", summary},
                         {"files", files},

@@ -315,7 +315,7 @@ class SimulateCommand {
                  {"frames", sensor.frames},
                  {"frames_missing", sensor.framesMissing},
                  {"folder", files.frameFile(sensor.sensor, 0, "").parent_path().string()},
-                 {"answered_by", sensor.answeredBy},
+                 {"answered_by", sensor.providedBy},
                  {"warnings", sensor.warnings},
                  {"settings", settings},
                  {"table", Json::parse(sensor.table.toJson())}});

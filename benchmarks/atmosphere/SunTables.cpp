@@ -15,7 +15,7 @@ constexpr double altitudes_m[] = {0.0, 3e3, 1e4};
 double direct_W_m2(const AtmosphereSmart& air, const SpectralSampling& nodes, double altitude_m,
                    double elevation_rad) {
     return nodes.integrate(
-        air.answer(AtmosphericQuery::solarIrradiance(altitude_m, {0.0, elevation_rad}), nodes));
+        air.provide(AtmosphericQuery::solarIrradiance(altitude_m, {0.0, elevation_rad}), nodes));
 }
 
 } // namespace

@@ -33,7 +33,7 @@ QString bandTitle(const irsg::SpectralRange& band) {
 } // namespace
 
 struct ProjectAirPage::Answer {
-    std::vector<BandAnswers> bands;
+    std::vector<BandProviders> bands;
     QStringList problems;
 };
 
@@ -245,7 +245,7 @@ void ProjectAirPage::ask() {
                 std::vector<irsg::SpectralRange> bands;
                 for (const Settings& one : eachBand(settings))
                     bands.push_back(irsg::Band::fromText(one.text(key::sensorBand)).range());
-                answer.bands = whoAnswers(environmentOf(project, settings), bands);
+                answer.bands = providersFor(environmentOf(project, settings), bands);
             } catch (const irsg::InputError& error) {
                 answer.problems = sentencesOf(error);
             }
@@ -260,13 +260,13 @@ void ProjectAirPage::showAnswer(const Answer& answer) {
                                              : static_cast<int>(answer.bands[0].sources.size()));
     table_->setColumnCount(static_cast<int>(answer.bands.size()));
     for (int column = 0; column < table_->columnCount(); ++column) {
-        const BandAnswers& band = answer.bands[static_cast<std::size_t>(column)];
+        const BandProviders& band = answer.bands[static_cast<std::size_t>(column)];
         table_->setHorizontalHeaderItem(column, new QTableWidgetItem(bandTitle(band.band)));
         for (int row = 0; row < table_->rowCount(); ++row) {
-            const AnswerSource& source = band.sources[static_cast<std::size_t>(row)];
+            const QuantityProvider& source = band.sources[static_cast<std::size_t>(row)];
             auto* cell = new QTableWidgetItem(
-                source.answeredBy.empty() ? tr("none") : textOf(source.answeredBy));
-            if (source.answeredBy.empty())
+                source.providedBy.empty() ? tr("none") : textOf(source.providedBy));
+            if (source.providedBy.empty())
                 cell->setForeground(palette().brush(QPalette::PlaceholderText));
             QStringList why;
             for (const std::string& refusal : source.refusals)

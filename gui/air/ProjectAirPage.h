@@ -4,7 +4,7 @@
 
 #include "gui/widgets/Dialogs.h"
 #include "gui/widgets/LatestTask.h"
-#include "smatcore/tools/WhoAnswers.h"
+#include "smatcore/tools/QuantityProviders.h"
 
 class QBoxLayout;
 class QLabel;

@@ -196,7 +196,7 @@ JobResult AnalysisJob::measureConfigurations(const ProgressCallback& progress,
 void AnalysisJob::keep(const AnalysisData& data, const Progress& now) {
     const std::lock_guard lock(kept_.mutex);
     takeNewRows(kept_.data.table, data.table);
-    kept_.data.answeredBy = data.answeredBy;
+    kept_.data.providedBy = data.providedBy;
     kept_.data.warnings = data.warnings;
     kept_.data.renderer = data.renderer;
     kept_.progress = now;

@@ -22,8 +22,8 @@ namespace {
 struct MenuEntry {
     std::string_view tool;
     const char* action;
-    const char* text; ///< of the menu, with the letter of its key
-    bool asksTheAir;  ///< of the project: without one there is none
+    const char* text;       ///< of the menu, with the letter of its key
+    bool queriesAtmosphere; ///< of the project: without one there is none
     QWidget* (*make)(Workbench& workbench, const Dialogs& dialogs);
 };
 
@@ -59,7 +59,7 @@ void addToolPages(
                              addPage(make(workbench, dialogs), icon(kind->icon),
                                      QObject::tr(kind->title));
                          });
-        if (!page->asksTheAir)
+        if (!page->queriesAtmosphere)
             continue;
         action->setEnabled(workbench.hasProject());
         QObject::connect(&workbench, &Workbench::projectOpened, action,

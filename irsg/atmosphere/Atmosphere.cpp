@@ -46,8 +46,8 @@ double Atmosphere::ambientTemperature_K(double) const {
     refuse(*this, AtmosphereProperty::ambientTemperature);
 }
 
-std::vector<double> Atmosphere::answer(const AtmosphericQuery& query,
-                                       const SpectralSampling& sampling) const {
+std::vector<double> Atmosphere::provide(const AtmosphericQuery& query,
+                                        const SpectralSampling& sampling) const {
     if (const SensorCkData* points = SensorCkData::of(sampling)) {
         if (!isWidebandModeAvailable())
             refuseWideband(*this);

@@ -67,8 +67,8 @@ class Atmosphere {
     /// A value at every node. LogicError for what is not accepted, and for quadrature points of
     /// wideband-ck where they are not available; InputError for a path, a line of sight or an
     /// altitude below ground, a negative range or anything that is not finite.
-    std::vector<double> answer(const AtmosphericQuery& query,
-                               const SpectralSampling& sampling) const;
+    std::vector<double> provide(const AtmosphericQuery& query,
+                                const SpectralSampling& sampling) const;
     /// The answer as a spectrum on the nodes that the atmosphere has of itself, over at least the
     /// range: a quadrature for products of such spectra is built on their nodes.
     Spectrum spectrum(const AtmosphericQuery& query, const SpectralRange& range) const;

@@ -33,7 +33,7 @@ bool isDark(const AtmosphericQuery& query, const Atmosphere& air) {
 }
 
 /// Its name, of a family of runs with how far the nearest is.
-std::string whoAnswers(const Atmosphere& air, const AtmosphericQuery& query) {
+std::string providersFor(const Atmosphere& air, const AtmosphericQuery& query) {
     const auto* family = dynamic_cast<const RunFamily*>(&air);
     return air.name() + (family ? family->nearestRun(query) : "");
 }
@@ -97,8 +97,8 @@ bool Environment::isByDefault(const SpectralRange& range, AtmosphereProperty pro
            !find(range, property);
 }
 
-Answer<std::vector<double>> Environment::answer(const AtmosphericQuery& query,
-                                                const SpectralSampling& sampling) const {
+Provided<std::vector<double>> Environment::provide(const AtmosphericQuery& query,
+                                                   const SpectralSampling& sampling) const {
     const SpectralRange& range = sampling.range();
     const bool isWideband = SensorCkData::of(sampling) != nullptr;
     if (!isWideband && isByDefault(range, query.quantity))
@@ -107,16 +107,16 @@ Answer<std::vector<double>> Environment::answer(const AtmosphericQuery& query,
         isWideband ? requireWideband(range, query.quantity) : require(range, query.quantity);
     if (isDark(query, air))
         return {std::vector<double>(sampling.size(), 0.0), air.name()};
-    return {air.answer(query, sampling), whoAnswers(air, query)};
+    return {air.provide(query, sampling), providersFor(air, query)};
 }
 
-Answer<Spectrum> Environment::spectrum(const AtmosphericQuery& query,
-                                       const SpectralRange& range) const {
+Provided<Spectrum> Environment::spectrum(const AtmosphericQuery& query,
+                                         const SpectralRange& range) const {
     if (isByDefault(range, query.quantity))
         return {*defaultBackground, byDefault};
     const Atmosphere& air = require(range, query.quantity);
     return {isDark(query, air) ? Spectrum::constant(0.0) : air.spectrum(query, range),
-            whoAnswers(air, query)};
+            providersFor(air, query)};
 }
 
 AtmosphericQueryKey Environment::keyOf(const AtmosphericQuery& query,
@@ -154,7 +154,7 @@ Environment::nodesAt(const std::vector<double>& wavelengths_um) const {
     return air ? air->nodesAt(wavelengths_um) : nullptr;
 }
 
-Answer<double> Environment::ambientTemperature_K(double altitude_m) const {
+Provided<double> Environment::ambientTemperature_K(double altitude_m) const {
     // A temperature has no range: the first that knows one answers.
     std::string refusals;
     for (const auto& atmosphere : atmospheres_) {
@@ -211,7 +211,8 @@ const Atmosphere& Environment::requireWideband(const SpectralRange& range,
     return atmosphere;
 }
 
-Answer<std::shared_ptr<const SensorCkData>> Environment::prepareCk(const CkRequest& request) const {
+Provided<std::shared_ptr<const SensorCkData>>
+Environment::prepareCk(const CkRequest& request) const {
     const Atmosphere& air = requireWideband(request.band.range());
     return {air.prepareCk(request), air.name()};
 }

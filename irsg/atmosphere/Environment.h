@@ -12,9 +12,9 @@ namespace irsg {
 
 /// A value and which atmosphere gave it.
 template <typename Value>
-struct Answer {
+struct Provided {
     Value value;
-    std::string answeredBy;
+    std::string providedBy;
 };
 
 /// The world around a scene (report section 5): the sun and an ordered list of atmospheres. The
@@ -52,15 +52,15 @@ class Environment {
     /// prepared them answers, and there is no default (F29); InputError for what it does not
     /// support. Direct light of a sun whose whole disc is below the horizon is zero, whoever
     /// answers.
-    Answer<std::vector<double>> answer(const AtmosphericQuery& query,
-                                       const SpectralSampling& sampling) const;
+    Provided<std::vector<double>> provide(const AtmosphericQuery& query,
+                                          const SpectralSampling& sampling) const;
     /// The same on the nodes of the answering atmosphere; see Atmosphere::spectrum.
-    Answer<Spectrum> spectrum(const AtmosphericQuery& query, const SpectralRange& range) const;
+    Provided<Spectrum> spectrum(const AtmosphericQuery& query, const SpectralRange& range) const;
     /// What `spectrum` and `answer` depend on, for as long as the atmospheres and defaults stay.
     AtmosphericQueryKey keyOf(const AtmosphericQuery& query, const SpectralRange& range) const;
     AtmosphericQueryKey keyOf(const AtmosphericQuery& query,
                               const SpectralSampling& sampling) const;
-    Answer<double> ambientTemperature_K(double altitude_m) const;
+    Provided<double> ambientTemperature_K(double altitude_m) const;
 
     /// Nodes of the air that answers for the transmittance, see Atmosphere::nodesOf; null where it
     /// has none.
@@ -77,7 +77,7 @@ class Environment {
     /// The same; InputError listing each atmosphere and why it has no quadrature points for the
     /// band: there is no default in wideband mode (F29).
     const Atmosphere& requireWideband(const SpectralRange& range) const;
-    Answer<std::shared_ptr<const SensorCkData>> prepareCk(const CkRequest& request) const;
+    Provided<std::shared_ptr<const SensorCkData>> prepareCk(const CkRequest& request) const;
 
   private:
     const Atmosphere& requireWideband(const SpectralRange& range,

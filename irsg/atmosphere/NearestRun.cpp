@@ -44,7 +44,7 @@ std::string withoutNearestRun(std::string line) {
     return line;
 }
 
-void addAnswer(std::vector<std::string>& lines, std::string line) {
+void addProvider(std::vector<std::string>& lines, std::string line) {
     const auto distance = distanceIn(line);
     const auto place = std::ranges::find_if(lines, [&](const std::string& other) {
         return other == line || (distance && distanceIn(other) &&
@@ -61,9 +61,9 @@ void addAnswer(std::vector<std::string>& lines, std::string line) {
     }
 }
 
-void addAnswer(std::vector<std::string>& lines, const std::vector<std::string>& more) {
+void addProvider(std::vector<std::string>& lines, const std::vector<std::string>& more) {
     for (const std::string& line : more)
-        addAnswer(lines, line);
+        addProvider(lines, line);
 }
 
 } // namespace irsg

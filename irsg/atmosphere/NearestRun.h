@@ -36,7 +36,7 @@ std::string withoutNearestRun(std::string line);
 /// Adds who answered ("transmittance: family.smatatm (nearest run ...)") where it is new. Of lines
 /// that differ in the distance alone one remains, which has the larger distances: a sweep tells
 /// how far its farthest cases are.
-void addAnswer(std::vector<std::string>& lines, std::string line);
-void addAnswer(std::vector<std::string>& lines, const std::vector<std::string>& more);
+void addProvider(std::vector<std::string>& lines, std::string line);
+void addProvider(std::vector<std::string>& lines, const std::vector<std::string>& more);
 
 } // namespace irsg

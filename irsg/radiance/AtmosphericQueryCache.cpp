@@ -35,8 +35,8 @@ void AtmosphericQueryCache::beginCase() {
     isNewCase_ = false;
 }
 
-const Answer<Spectrum>& AtmosphericQueryCache::spectrum(const AtmosphericQuery& query,
-                                                        const SpectralRange& range) {
+const Provided<Spectrum>& AtmosphericQueryCache::spectrum(const AtmosphericQuery& query,
+                                                          const SpectralRange& range) {
     beginCase();
     const std::pair key{environment_.keyOf(query, range), std::pair{range.min_um, range.max_um}};
     auto known = spectra_.find(key);
@@ -48,7 +48,7 @@ const Answer<Spectrum>& AtmosphericQueryCache::spectrum(const AtmosphericQuery& 
     return known->second.answer;
 }
 
-const Answer<SharedValues>&
+const Provided<SharedValues>&
 AtmosphericQueryCache::at(const AtmosphericQuery& query,
                           const std::shared_ptr<const SpectralSampling>& sampling) {
     beginCase();
@@ -57,19 +57,19 @@ AtmosphericQueryCache::at(const AtmosphericQuery& query,
     if (known == samples_.end()) {
         // In the spectral mode the quadrature was built on the same spectra, which need not be
         // asked for again.
-        Answer<std::vector<double>> answer;
+        Provided<std::vector<double>> answer;
         if (!SensorCkData::of(*sampling) && !AirNodes::of(*sampling)) {
-            const Answer<Spectrum>& native = spectrum(query, sampling->range());
-            answer = {sampling->sampled(native.value), native.answeredBy};
+            const Provided<Spectrum>& native = spectrum(query, sampling->range());
+            answer = {sampling->sampled(native.value), native.providedBy};
         } else {
-            answer = environment_.answer(query, *sampling);
+            answer = environment_.provide(query, *sampling);
         }
         samplings_.try_emplace(sampling.get(), sampling);
         numbers_ += 64 + sampling->size();
         auto values = std::make_shared<const std::vector<double>>(std::move(answer.value));
         known = samples_
-                    .try_emplace(
-                        key, Answer<SharedValues>{std::move(values), std::move(answer.answeredBy)})
+                    .try_emplace(key, Provided<SharedValues>{std::move(values),
+                                                             std::move(answer.providedBy)})
                     .first;
     }
     known->second.used = case_;

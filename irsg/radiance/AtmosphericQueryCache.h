@@ -23,10 +23,10 @@ class AtmosphericQueryCache {
     const Environment& environment() const { return environment_; }
 
     /// On the nodes that the air has of itself. InputError where nobody answers.
-    const Answer<Spectrum>& spectrum(const AtmosphericQuery& query, const SpectralRange& range);
+    const Provided<Spectrum>& spectrum(const AtmosphericQuery& query, const SpectralRange& range);
     /// On the nodes of a sampling, which is kept as long as its answers.
-    const Answer<SharedValues>& at(const AtmosphericQuery& query,
-                                   const std::shared_ptr<const SpectralSampling>& sampling);
+    const Provided<SharedValues>& at(const AtmosphericQuery& query,
+                                     const std::shared_ptr<const SpectralSampling>& sampling);
 
   private:
     void beginCase();
@@ -38,7 +38,7 @@ class AtmosphericQueryCache {
     Environment environment_;
     template <typename Value>
     struct CacheEntry {
-        Answer<Value> answer;
+        Provided<Value> answer;
         long used = 0; ///< the case that asked for it last
     };
     std::map<std::pair<AtmosphericQueryKey, std::pair<double, double>>, CacheEntry<Spectrum>>

@@ -92,7 +92,7 @@ std::shared_ptr<const SampledScene> SampledScenes::make(AtmosphericQueryCache& a
     for (SampledBand& band : made->bands) {
         if (isSliced)
             SceneSampling::takeAir(answers, own, band);
-        addAnswer(made->answeredBy, band.air.answeredBy);
+        addProvider(made->providedBy, band.air.providedBy);
         appendUnique(made->warnings, band.air.warnings);
     }
     const std::size_t seen = made->bands.size();

@@ -21,7 +21,7 @@ struct SampledScene {
     std::vector<SliceNodes> slices_m;
     std::vector<double> airError, likelyAirError;
     SharedValues background; ///< see backgroundOf
-    std::vector<std::string> answeredBy, warnings;
+    std::vector<std::string> providedBy, warnings;
 
     /// That has an output, counted through all bands.
     const SampledBand& ofOutput(std::size_t output) const;

@@ -26,14 +26,14 @@ PathScattering scatteringAlong(AtmosphericQueryCache& answers, const Atmospheric
     if (lut && lut->accept(band.range(), query.quantity))
         return {meanOver(band, lut->spectrum(query, band.range())), lut->name()};
     if (environment.find(band.range(), query.quantity)) {
-        const Answer<Spectrum>& answer = answers.spectrum(query, band.range());
-        return {std::max(meanOver(band, answer.value), 0.0), answer.answeredBy};
+        const Provided<Spectrum>& answer = answers.spectrum(query, band.range());
+        return {std::max(meanOver(band, answer.value), 0.0), answer.providedBy};
     }
-    const Answer<Spectrum>& through =
+    const Provided<Spectrum>& through =
         answers.spectrum(AtmosphericQuery::transmittance(path), band.range());
     const double mean = meanOver(band, through.value);
     return {mean > 0.0 ? std::max(-std::log(mean), 0.0) : std::numeric_limits<double>::infinity(),
-            through.answeredBy, true};
+            through.providedBy, true};
 }
 
 } // namespace irsg

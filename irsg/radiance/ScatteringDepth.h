@@ -10,7 +10,7 @@ namespace irsg {
 /// How much a path scatters in a band, and who said so.
 struct PathScattering {
     double opticalDepth = 0.0; ///< mean over the response, >= 0
-    std::string answeredBy;
+    std::string providedBy;
     bool fromTransmittance = false; ///< by the report's eq. 10: absorption counts as scattering
 };
 

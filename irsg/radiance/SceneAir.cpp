@@ -139,7 +139,7 @@ std::vector<AtmosphericQueryKey> airQueries(const Environment& environment,
     return keys;
 }
 
-Answer<double> ambientOf(const AtmosphericQueryCache& answers, const ObjectGeometry& geometry) {
+Provided<double> ambientOf(const AtmosphericQueryCache& answers, const ObjectGeometry& geometry) {
     return answers.environment().ambientTemperature_K(geometry.path.targetAltitude_m);
 }
 
@@ -154,11 +154,11 @@ SceneAir sceneAir(AtmosphericQueryCache& answers, const RadianceTerms& terms,
         std::string line = quantity;
         line += ": ";
         line += who;
-        addAnswer(scene.answeredBy, std::move(line));
+        addProvider(scene.providedBy, std::move(line));
     };
     const auto take = [&](const AtmosphericQuery& query, const char* quantity) {
         const auto& answer = answers.at(query, sampling);
-        note(quantity, answer.answeredBy);
+        note(quantity, answer.providedBy);
         return answer.value;
     };
     std::set<std::string> said;
@@ -191,8 +191,8 @@ SceneAir sceneAir(AtmosphericQueryCache& answers, const RadianceTerms& terms,
         }
         for (const AtmosphericQuery& query : specularQueries(geometry[e], settings, sun))
             air.specular.push_back(take(query, "reflected sky and ground"));
-        const Answer<double> ambient = ambientOf(answers, geometry[e]);
-        note("ambient temperature", ambient.answeredBy);
+        const Provided<double> ambient = ambientOf(answers, geometry[e]);
+        note("ambient temperature", ambient.providedBy);
         air.ambient_K = ambient.value;
 
         for (const auto& [name, spectrum] : entities[e].database->spectra) {

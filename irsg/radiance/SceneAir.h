@@ -55,7 +55,7 @@ struct ObjectAir {
 struct SceneAir {
     std::vector<ObjectAir> objects;
     SharedValues background;             ///< null where the environment is not asked for it
-    std::vector<std::string> answeredBy; ///< "transmittance: vacuum", each once
+    std::vector<std::string> providedBy; ///< "transmittance: vacuum", each once
     std::vector<std::string> warnings;   ///< each once
 };
 
@@ -85,6 +85,6 @@ std::vector<AtmosphericQueryKey> airQueries(const Environment& environment,
                                             const LineOfSight& centre);
 
 /// Ambient temperature at an object's altitude, K, and who said so.
-Answer<double> ambientOf(const AtmosphericQueryCache& answers, const ObjectGeometry& geometry);
+Provided<double> ambientOf(const AtmosphericQueryCache& answers, const ObjectGeometry& geometry);
 
 } // namespace irsg

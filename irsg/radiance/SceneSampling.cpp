@@ -216,7 +216,7 @@ void SceneSampling::takeAir(AtmosphericQueryCache& answers, const AirScene& scen
         if (!taken[e].empty())
             fillBetween(scene.terms, band, e);
     if (!band.description.empty())
-        band.air.answeredBy.insert(band.air.answeredBy.begin(), band.description);
+        band.air.providedBy.insert(band.air.providedBy.begin(), band.description);
 }
 
 std::vector<double> SampledSpectra::of(const Spectrum& spectrum) {

@@ -61,7 +61,7 @@ WidebandPoints::WidebandPoints(const Environment& environment, const Band& band,
       largestError_(largestError) {
     auto answer = environment.prepareCk(requestOf(environment, band, spectra_, largestError));
     data_ = std::move(answer.value);
-    answeredBy_ = std::move(answer.answeredBy);
+    providedBy_ = std::move(answer.providedBy);
     for (const Spectrum& material : spectra_.materials)
         materialSamples_.push_back(data_->sampled(material));
     for (const Spectrum& radiance : spectra_.radiances)
@@ -94,7 +94,7 @@ std::string WidebandPoints::description() const {
                   " quadrature points, %.2g %% rms and at most %.2g %% off on paths that were not "
                   "trained, of ",
                   100.0 * data_->heldOutRms(), 100.0 * data_->heldOutError());
-    return "wideband-ck: " + std::to_string(data_->size()) + errors + answeredBy_;
+    return "wideband-ck: " + std::to_string(data_->size()) + errors + providedBy_;
 }
 
 } // namespace irsg

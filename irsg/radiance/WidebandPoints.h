@@ -52,7 +52,7 @@ class WidebandPoints {
     WidebandSpectra spectra_;
     double largestError_;
     std::shared_ptr<const SensorCkData> data_;
-    std::string answeredBy_;
+    std::string providedBy_;
     std::vector<std::vector<double>> materialSamples_, radianceSamples_; ///< of spectra_
 };
 

@@ -36,12 +36,12 @@ std::vector<ScatteredObject> HazeRenderer::objectsOf(const Frame& frame,
             appendUnique(warnings,
                          {"scattering: no atmosphere has a scattering optical depth, so that "
                           "eq. 10 takes it from the transmittance of " +
-                          withoutNearestRun(path.answeredBy) +
+                          withoutNearestRun(path.providedBy) +
                           ": absorption by gases blurs as if it scattered"});
         else if (path.opticalDepth == 0.0)
             appendUnique(warnings,
                          {"scattering: nothing scatters on the path to '" + name + "', as " +
-                          withoutNearestRun(path.answeredBy) + " says: it has no haze"});
+                          withoutNearestRun(path.providedBy) + " says: it has no haze"});
     }
     return objects;
 }

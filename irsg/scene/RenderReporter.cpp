@@ -110,8 +110,8 @@ double RenderReporter::totalIrradiance_W_m2(const Frame& frame, std::size_t outp
 
 void RenderReporter::fill(const Frame& frame, std::size_t output, RenderReport& report) {
     report.background_W_m2_sr = frame.backgrounds.byOutput[output].centre_W_m2_sr();
-    report.answeredBy = frame.evaluation().sampled->answeredBy;
-    addAnswer(report.answeredBy, frame.backgrounds.report.answeredBy);
+    report.providedBy = frame.evaluation().sampled->providedBy;
+    addProvider(report.providedBy, frame.backgrounds.report.providedBy);
     for (const auto* warnings : {&frame.evaluation().sampled->warnings, &frame.shading().warnings,
                                  &frame.backgrounds.report.warnings})
         report.warnings.insert(report.warnings.end(), warnings->begin(), warnings->end());

@@ -102,7 +102,7 @@ FrameBackgrounds SceneEvaluator::backgrounds(const FrameRequest& request,
                 samplingOf(request, evaluation, k);
             const BandSky sky(scene.environment, *nodes);
             BackgroundSettings wanted;
-            wanted.asksEnvironment = settings.background == BackgroundMode::environment;
+            wanted.queriesEnvironment = settings.background == BackgroundMode::environment;
             wanted.uniform_W_m2_sr = radiances.background_W_m2_sr(k);
             wanted.rows = settings.backgroundRows;
             wanted.columns = settings.backgroundColumns;
@@ -113,7 +113,7 @@ FrameBackgrounds SceneEvaluator::backgrounds(const FrameRequest& request,
             all.byOutput.push_back(background_.draw(request.view.sensor, request.view.viewpoint,
                                                     sky, wanted, terrainPainter, report));
             all.report.flooredPixels += report.flooredPixels;
-            addAnswer(all.report.answeredBy, report.answeredBy);
+            addProvider(all.report.providedBy, report.providedBy);
             appendUnique(all.report.warnings, report.warnings);
         }
         all.layers = background_.takeLayers();

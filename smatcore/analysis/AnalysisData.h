@@ -39,7 +39,7 @@ struct AnalysisData {
     /// The signature databases of the models as they were, edits that are not saved included; empty
     /// where that is not known.
     std::vector<std::shared_ptr<const irsg::SignatureDatabase>> databases;
-    std::vector<std::string> answeredBy; ///< "transmittance: vacuum"
+    std::vector<std::string> providedBy; ///< "transmittance: vacuum"
     std::vector<std::string> warnings;   ///< each said once
     std::string renderer;
     double elapsed_s = 0.0;

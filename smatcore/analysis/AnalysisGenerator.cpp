@@ -40,7 +40,7 @@ void drawImage(AnalysisData& data, const PlacedCase& placed, const RenderDoor& d
     const irsg::RenderReport& report = rendered.reports.front();
     if (report.all.errors)
         describeErrors(*report.all.errors, rendered.image);
-    irsg::addAnswer(data.answeredBy, report.answeredBy);
+    irsg::addProvider(data.providedBy, report.providedBy);
     warnings.addReport(report, data.settings[key::renderLayers]);
     if (target)
         target->check(rendered.reports, warnings);
@@ -57,7 +57,7 @@ void measureSpectrum(AnalysisData& data, const PlacedCase& placed, const RenderD
     const bool errors = plan.errors != ErrorColumns::none;
     const irsg::RenderReport report =
         placed.render(door, Outputs::reports().withErrors(errors)).reports.front();
-    irsg::addAnswer(data.answeredBy, report.answeredBy);
+    irsg::addProvider(data.providedBy, report.providedBy);
     warnings.addReport(report, data.settings[key::renderLayers]);
     const irsg::IntensitySpectrum spectrum =
         placed.render(door, Outputs::spectrum(plan.wavenumbers_per_cm).withErrors(errors)).spectrum;
@@ -72,7 +72,7 @@ CaseRecord recordOf(const AnalysisData& data, const Reports& reports, const Anal
                     std::string place) {
     CaseRecord record{std::move(place), table.rowOf(one, reports), {}, {}};
     for (const irsg::RenderReport& report : reports) {
-        irsg::addAnswer(record.answeredBy, report.answeredBy);
+        irsg::addProvider(record.providedBy, report.providedBy);
         warnings.addReport(report, data.settings[key::renderLayers]);
     }
     if (target)
@@ -162,7 +162,7 @@ PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan cases, SceneDescription 
     data.table = {};
     data.summary.clear();
     data.databases.clear();
-    data.answeredBy.clear();
+    data.providedBy.clear();
     data.warnings.clear();
 
     // A case of a sweep has the same numbers whatever was before it, and those of an image.
@@ -175,7 +175,7 @@ PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan cases, SceneDescription 
             CalculationChoice choice = chooseCalculation(scene, cases);
             scene.settings.mode = choice.mode;
             if (!choice.reason.empty() && !data.settings[key::renderTargetError])
-                data.answeredBy.push_back(std::move(choice.reason));
+                data.providedBy.push_back(std::move(choice.reason));
         }
         if (data.kind->form == AnalysisForm::sweep)
             shareDrawings(cases, scene);
@@ -199,7 +199,7 @@ PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan cases, SceneDescription 
             return SweepTarget::choose(door, *placer, scene, cases, data.settings);
         }();
         if (target)
-            irsg::appendUnique(data.answeredBy, target->choice().sentences);
+            irsg::appendUnique(data.providedBy, target->choice().sentences);
         const StageTimer::Scope scope(control.timer, "analyse");
         logInfo(cases.description);
         std::size_t done = 0;
@@ -213,7 +213,7 @@ PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan cases, SceneDescription 
         };
         const auto take = [&](const CaseRecord& record) {
             data.table.insertRow(adaptive ? adaptive->add(record.row) : done, record.row);
-            irsg::addAnswer(data.answeredBy, record.answeredBy);
+            irsg::addProvider(data.providedBy, record.providedBy);
             tellWarnings();
             ++done;
         };
@@ -295,7 +295,7 @@ PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan cases, SceneDescription 
         }
         finishBegun();
         if (adaptive && done == cases.cases.size())
-            data.answeredBy.push_back(adaptive->sentence());
+            data.providedBy.push_back(adaptive->sentence());
         if (progress)
             progress({done, wanted, elapsed_s(), name(data.kind)});
         data.state = done == cases.cases.size() ? AnalysisState::complete : AnalysisState::partial;

@@ -141,7 +141,7 @@ void writeProvenance(AnalysisData& data, const SceneDescription& scene) {
     if (!buildId().empty())
         provenance.add("build", buildId());
     provenance.add("renderer", data.renderer);
-    for (const std::string& answer : data.answeredBy)
+    for (const std::string& answer : data.providedBy)
         provenance.add("answered by", answer);
     for (const std::string& warning : data.warnings)
         provenance.add("warning", warning);

@@ -105,7 +105,7 @@ struct Read {
 CaseRecord recordOf(const JsonReader& json, const std::vector<std::string>& lastAnswers) {
     CaseRecord record{json.at("place").text(), rowOf(json.at("row")), lastAnswers, {}};
     if (json.has("answered"))
-        record.answeredBy = json.at("answered").texts();
+        record.providedBy = json.at("answered").texts();
     for (const JsonReader& remark : json.at("remarks").listOrNone()) {
         const CaseRemark one{remark.at("kind").text(), remark.at("sentence").text(),
                              numberOf(remark.at("value"))};
@@ -117,7 +117,7 @@ CaseRecord recordOf(const JsonReader& json, const std::vector<std::string>& last
 OrderedJson jsonOf(std::size_t i, const CaseRecord& record, bool withAnswers) {
     OrderedJson json{{"case", i}, {"place", record.place}, {"row", rowText(record.row)}};
     if (withAnswers)
-        json["answered"] = record.answeredBy;
+        json["answered"] = record.providedBy;
     for (const CaseRemark& remark : record.remarks)
         json["remarks"].push_back({{"kind", remark.kind},
                                    {"sentence", remark.sentence},
@@ -170,7 +170,7 @@ Read readCases(const fs::path& file) {
                 place.refuse(fmt::format("a case from 0 to {}", read.cases() - 1));
             if (!record.row.empty() && record.row.size() != read.head["columns"].size())
                 json.at("row").refuse(fmt::format("{} numbers", read.head["columns"].size()));
-            lastAnswers = record.answeredBy;
+            lastAnswers = record.providedBy;
             read.records[static_cast<std::size_t>(i)] = std::move(record);
         }
         read.whole_B = begin = end + 1;
@@ -302,7 +302,7 @@ const CaseRecord* CaseFile::known(std::size_t i) const {
 
 void CaseFile::add(std::size_t i, const CaseRecord& record) {
     // What is as in the line before is not said again.
-    const bool isSaid = record.answeredBy != std::exchange(lastAnswers_, record.answeredBy);
+    const bool isSaid = record.providedBy != std::exchange(lastAnswers_, record.providedBy);
     write(line(jsonOf(i, record, isSaid)));
 }
 
@@ -366,10 +366,10 @@ AnalysisData joinedCases(const std::vector<fs::path>& files) {
     ResultTable table;
     for (const OrderedJson& column : head["columns"])
         table.add(column["name"].get<std::string>(), column["unit"].get<std::string>());
-    std::vector<std::string> answeredBy, before;
+    std::vector<std::string> providedBy, before;
     for (const OrderedJson& entry : head["provenance"])
         if (entry["key"] == "answered by")
-            answeredBy.push_back(entry["value"]);
+            providedBy.push_back(entry["value"]);
         else if (entry["key"] == "warning")
             before.push_back(entry["value"]);
     // Frames of a scenario are no sweep, whose warnings name their cases.
@@ -398,7 +398,7 @@ AnalysisData joinedCases(const std::vector<fs::path>& files) {
         }
         if (!found->row.empty())
             table.addRow(found->row);
-        irsg::addAnswer(answeredBy, found->answeredBy);
+        irsg::addProvider(providedBy, found->providedBy);
         warnings.addCase(found->place, found->remarks);
     }
     if (missing > 0) {
@@ -430,7 +430,7 @@ AnalysisData joinedCases(const std::vector<fs::path>& files) {
         else if (key != "command" && key != "answered by" && key != "warning")
             table.provenance.add(key, entry["value"]);
     }
-    for (const std::string& answer : answeredBy)
+    for (const std::string& answer : providedBy)
         table.provenance.add("answered by", answer);
     for (const std::string& warning : before)
         table.provenance.add("warning", warning);

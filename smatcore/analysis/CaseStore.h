@@ -14,7 +14,7 @@ struct AnalysisData;
 struct CaseRecord {
     std::string place;       ///< AnalysisPlan::place of the case
     std::vector<double> row; ///< of the table; empty: it has none
-    std::vector<std::string> answeredBy;
+    std::vector<std::string> providedBy;
     std::vector<CaseRemark> remarks;
     bool operator==(const CaseRecord&) const = default;
 };

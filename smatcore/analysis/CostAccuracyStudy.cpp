@@ -348,7 +348,7 @@ void CostAccuracyStudy::run(AnalysisData& data, const RenderDoor& door, const Sc
     tell(0, "what all are held against");
     const auto truth = measured(finest(scene), 0);
     for (const irsg::RenderReport& report : truth.front())
-        irsg::addAnswer(data.answeredBy, report.answeredBy);
+        irsg::addProvider(data.providedBy, report.providedBy);
 
     std::vector<Found> found;
     std::map<std::size_t, double> aloneErrors;
@@ -376,7 +376,7 @@ void CostAccuracyStudy::run(AnalysisData& data, const RenderDoor& door, const Sc
         }
     }
     if (found.size() == order.size() && order.size() < configurations.size())
-        data.answeredBy.push_back(fmt::format(
+        data.providedBy.push_back(fmt::format(
             "configurations: {} of {}, each choice alone and those that may be on the front; a "
             "model "
             "of costs has one that is cheaper and has half the error for each of the others",
@@ -392,14 +392,14 @@ void CostAccuracyStudy::run(AnalysisData& data, const RenderDoor& door, const Sc
     const std::string prefix =
         fmt::format("target error {} %: ", irsg::roundedText(100.0 * target, 4));
     if (chosen != nullptr)
-        data.answeredBy.push_back(prefix + chosen->configuration->configuration.words(scene) +
+        data.providedBy.push_back(prefix + chosen->configuration->configuration.words(scene) +
                                   lightWords(chosen->configuration->light) +
                                   fmt::format(", the quickest of {} configurations that meet it: "
                                               "{} ms a case, a true error of {} %",
                                               found.size(), irsg::roundedText(chosen->time_ms, 3),
                                               irsg::roundedText(100.0 * chosen->trueError, 2)));
     else
-        data.answeredBy.push_back(prefix + "no configuration meets it");
+        data.providedBy.push_back(prefix + "no configuration meets it");
     for (const Found& one : found)
         if (one.isOnFront)
             data.summary.push_back(

@@ -163,7 +163,7 @@ class Run {
                 store.add(i, *record);
             }
             analysis.table.addRow(record->row);
-            irsg::addAnswer(analysis.answeredBy, record->answeredBy);
+            irsg::addProvider(analysis.providedBy, record->providedBy);
             ++done_;
         }
         irsg::appendUnique(analysis.warnings, warnings.sentences());
@@ -195,7 +195,7 @@ class Run {
         }).run([&](std::size_t draw) { say(fmt::format("{}: draw {}", place, draw)); }, stop_);
         if (one.realisations() < data_.options.samples)
             return std::nullopt;
-        return CaseRecord{place, rowOfRealisations(one, axis, 0), one.analysis.answeredBy,
+        return CaseRecord{place, rowOfRealisations(one, axis, 0), one.analysis.providedBy,
                           views.remarks()};
     }
 
@@ -263,7 +263,7 @@ MonteCarloData asked(const MonteCarloData& data) {
     fresh.analysis.table = {};
     fresh.analysis.summary.clear();
     fresh.analysis.warnings.clear();
-    fresh.analysis.answeredBy.clear();
+    fresh.analysis.providedBy.clear();
     fresh.options = data.options;
     return fresh;
 }

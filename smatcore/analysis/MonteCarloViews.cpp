@@ -107,7 +107,7 @@ MonteCarloViews::RenderedView MonteCarloViews::renderOne(const AnalysisCase& one
         placed.render(door_, Outputs::reports(bands_).withErrors(withErrors));
     for (const irsg::RenderReport& report : rendered.reports) {
         drawing.values.push_back({numberOf(report.all, asked)});
-        irsg::addAnswer(drawing.answeredBy, report.answeredBy);
+        irsg::addProvider(drawing.providedBy, report.providedBy);
         if (isInPlace)
             warnings_.addReport(report, data_.analysis.settings[key::renderLayers]);
         if (withErrors)
@@ -135,7 +135,7 @@ void MonteCarloViews::renderPhases(const AnalysisCase& one, PlacedCase placed, c
                 append(nominal_[band], drawing.values[band]);
             for (std::size_t band = 0; band < drawing.errors.size(); ++band)
                 errors_[band].push_back(drawing.errors[band]);
-            irsg::addAnswer(data_.analysis.answeredBy, drawing.answeredBy);
+            irsg::addProvider(data_.analysis.providedBy, drawing.providedBy);
             std::vector<irsg::ScalingInput> inputs;
             for (const SceneScaling& scaling : data_.scalings)
                 inputs.push_back(scaling.input);

@@ -43,7 +43,7 @@ class MonteCarloViews {
     struct RenderedView {
         std::vector<double> abscissae;
         std::vector<std::vector<double>> values; ///< by band
-        std::vector<std::string> answeredBy;
+        std::vector<std::string> providedBy;
         std::vector<irsg::ErrorParts> errors; ///< by band, of the case in its own place
     };
     /// In its own place, whose warnings and errors count, or at a phase.

@@ -25,7 +25,7 @@ void takeProvenance(AnalysisData& data) {
         provenance.value("state") == "partial" ? AnalysisState::partial : AnalysisState::complete;
     for (const auto& [key, value] : provenance.entries)
         if (key == "answered by")
-            data.answeredBy.push_back(value);
+            data.providedBy.push_back(value);
         else if (key == "warning")
             data.warnings.push_back(value);
 }

@@ -67,8 +67,8 @@ std::vector<Skippable> boundsOfLight(ProbedViews& views, const CalculationConfig
         });
     };
     const bool mirrors = hasSpeculars(views.scene());
-    const bool asksSun = own.sun == ReflectionMode::smart && !mirrors;
-    const bool asksFluxes = own.ambientReflection == ReflectionMode::smart && !mirrors;
+    const bool queriesSun = own.sun == ReflectionMode::smart && !mirrors;
+    const bool queriesFluxes = own.ambientReflection == ReflectionMode::smart && !mirrors;
     const bool asksLight = own.bounces != 0;
     enum { all, single, noSun, anySun, noFluxes, anyFluxes, lightNoSun, lightNoFluxes };
     const std::vector<CalculationConfiguration> configurations = {
@@ -81,13 +81,13 @@ std::vector<Skippable> boundsOfLight(ProbedViews& views, const CalculationConfig
         with([](RenderSettings& render) { render.sun = ReflectionMode::off; }),
         with([](RenderSettings& render) { render.ambientReflection = ReflectionMode::off; })};
     std::vector<int> asked = {all, single};
-    if (asksSun)
+    if (queriesSun)
         asked.insert(asked.end(), {noSun, anySun});
-    if (asksFluxes)
+    if (queriesFluxes)
         asked.insert(asked.end(), {noFluxes, anyFluxes});
-    if (asksLight && asksSun)
+    if (asksLight && queriesSun)
         asked.push_back(lightNoSun);
-    if (asksLight && asksFluxes)
+    if (asksLight && queriesFluxes)
         asked.push_back(lightNoFluxes);
     std::vector<CalculationConfiguration> distinct;
     for (const int one : asked)
@@ -103,7 +103,7 @@ std::vector<Skippable> boundsOfLight(ProbedViews& views, const CalculationConfig
     std::vector<Skippable> found;
     // What is reflected twice is looked at, not bounded: twice what the views show.
     constexpr double ofLooked = 2.0;
-    if (asksSun) {
+    if (queriesSun) {
         // `approx` gives every surface a quarter of what one that faces the sun has.
         const double bound = std::max(4.0 * difference(anySun, noSun),
                                       asksLight ? ofLooked * difference(all, lightNoSun) : 0.0);
@@ -118,7 +118,7 @@ std::vector<Skippable> boundsOfLight(ProbedViews& views, const CalculationConfig
                 {"shadows of the sun", "as if all were shaded", difference(single, noSun),
                  [](RenderSettings& render) { render.sunShadows = SunShadowMode::off; }});
     }
-    if (asksFluxes)
+    if (queriesFluxes)
         // And of sky and ground a half each, of which no surface sees more than all.
         found.push_back(
             {"light of sky and ground", "as if all saw the brighter one alone",

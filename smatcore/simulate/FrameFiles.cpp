@@ -147,7 +147,7 @@ void FrameFiles::describe(SensorFrame& frame, std::size_t number) const {
     const irsg::Band band = sensor.scene.allBands().at(frame.band);
     attributes["band"] =
         fmt::format("{} ({} to {} um)", band.name(), band.range().min_um, band.range().max_um);
-    for (const std::string& answer : frame.rendered.report.answeredBy)
+    for (const std::string& answer : frame.rendered.report.providedBy)
         join("answered by", answer);
 
     // Where everybody was.
@@ -203,7 +203,7 @@ void FrameFiles::write(SensorFrame& frame, std::size_t number) const {
 Provenance FrameFiles::provenanceOf(const SensorResult& result, AnalysisState state) const {
     Provenance provenance = sensorProvenance(scenario_, result.sensor, commandLine_);
     provenance.add("state", state == AnalysisState::complete ? "complete" : "partial");
-    for (const std::string& answer : result.answeredBy)
+    for (const std::string& answer : result.providedBy)
         provenance.add("answered by", answer);
     for (const std::string& warning : result.warnings)
         provenance.add("warning", warning);

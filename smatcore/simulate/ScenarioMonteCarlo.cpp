@@ -149,7 +149,7 @@ class ScenarioRun {
             if (run_.scenario.sensors[one.sensor].settings.isDefault(key::scalingSeed))
                 provenance.add(key::scalingSeed.name, std::to_string(seed_));
             provenance.add("renderer", door_.description(run_.scenario.sensors[one.sensor].scene));
-            for (const std::string& answer : analysis.answeredBy)
+            for (const std::string& answer : analysis.providedBy)
                 provenance.add("answered by", answer);
             for (const std::string& warning : analysis.warnings)
                 provenance.add("warning", warning);
@@ -214,7 +214,7 @@ class ScenarioRun {
             series.data.abscissae.push_back(time_s);
             for (std::size_t band = 0; band < bands.size(); ++band) {
                 const auto index = static_cast<std::size_t>(place);
-                irsg::appendUnique(series.data.analysis.answeredBy, reports[band].answeredBy);
+                irsg::appendUnique(series.data.analysis.providedBy, reports[band].providedBy);
                 irsg::appendUnique(run_.warnings, reports[band].warnings);
                 series.nominal[band].push_back(
                     valueOf(series.entity ? reports[band].objects.at(index) : reports[band].all));

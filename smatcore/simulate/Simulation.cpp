@@ -41,7 +41,7 @@ SensorResult resultOf(const LoadedScenario& loaded, std::size_t sensor) {
     SensorResult result{.sensor = sensor,
                         .name = loaded.scenario.sensors[sensor].name,
                         .table = {},
-                        .answeredBy = {},
+                        .providedBy = {},
                         .warnings = loaded.sensors[sensor].warnings};
     irsg::appendUnique(result.warnings, loaded.sensors[sensor].scene.remarks);
     result.table.add(Quantity::time);
@@ -78,7 +78,7 @@ void takeFrame(const SensorFrame& frame, StepSums& sums, CaseRecord& record,
                CaseWarnings& warnings) {
     sums.totalIrradiance_W_m2.push_back(frame.rendered.report.totalIrradiance_W_m2);
     sums.of.push_back(frame.objects);
-    irsg::addAnswer(record.answeredBy, frame.rendered.report.answeredBy);
+    irsg::addProvider(record.providedBy, frame.rendered.report.providedBy);
     for (const std::string& sentence : frame.rendered.report.warnings)
         warnings.add(sentence);
     for (const std::string& sentence : frame.warnings)
@@ -152,7 +152,7 @@ void beginSteps(const SimulationSteps& steps, const SimulationPlan& plan,
 
 /// What becomes of the step of a sensor, drawn or known.
 void takeStep(SensorResult& sensor, const CaseRecord& record, std::size_t bands) {
-    irsg::addAnswer(sensor.answeredBy, record.answeredBy);
+    irsg::addProvider(sensor.providedBy, record.providedBy);
     if (record.row.empty()) {
         ++sensor.framesMissing;
     } else {

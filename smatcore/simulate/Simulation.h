@@ -50,7 +50,7 @@ struct SensorResult {
     /// With `render.errors` those of intensity, contrast and irradiance stand behind the numbers of
     /// an entity's band, `error_NAME.intensity [W sr-1]`.
     ResultTable table;
-    std::vector<std::string> answeredBy;
+    std::vector<std::string> providedBy;
     std::vector<std::string> warnings; ///< each said once
 };
 

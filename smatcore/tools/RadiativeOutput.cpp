@@ -113,8 +113,8 @@ class Output {
                                            .sight = geometry_.sight.value_or(irsg::LineOfSight{}),
                                            .altitude_m = geometry_.targetAltitude_m.value_or(0.0),
                                            .sun = environment_.sun};
-        irsg::Answer<Spectrum> answer = environment_.spectrum(query, request_.band);
-        result_.answeredBy.push_back(std::string(irsg::name(property)) + ": " + answer.answeredBy);
+        irsg::Provided<Spectrum> answer = environment_.spectrum(query, request_.band);
+        result_.providedBy.push_back(std::string(irsg::name(property)) + ": " + answer.providedBy);
         return std::move(answer.value);
     }
 
@@ -163,7 +163,7 @@ class Output {
                 result_.summary.push_back(
                     {"ambient_temperature",
                      atmosphere->ambientTemperature_K(*geometry_.targetAltitude_m), "K"});
-                result_.answeredBy.push_back(
+                result_.providedBy.push_back(
                     std::string(irsg::name(AtmosphereProperty::ambientTemperature)) + ": " +
                     atmosphere->name());
                 return;
@@ -211,7 +211,7 @@ class Output {
             provenance.add(item.unit.empty() ? item.label : item.label + " [" + item.unit + "]",
                            irsg::numberText(item.value));
         }
-        for (const std::string& answer : result_.answeredBy)
+        for (const std::string& answer : result_.providedBy)
             provenance.add("answered by", answer);
         for (const std::string& warning : result_.warnings)
             provenance.add("warning", warning);

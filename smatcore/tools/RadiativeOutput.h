@@ -38,7 +38,7 @@ struct RadiativeOutput {
     /// the file back as the same spectra.
     ResultTable table;
     std::vector<SummaryItem> summary; ///< band means of ratios, integrals of densities
-    std::vector<std::string> answeredBy;
+    std::vector<std::string> providedBy;
     std::vector<std::string> warnings;
 };
 

@@ -48,12 +48,12 @@ ResultTable temperatureProfile(const irsg::Environment& environment,
     table.add(irsg::Quantity::temperature);
     const double steps = (request.max_m - request.min_m) / request.step_m;
     const auto rows = static_cast<int>(std::floor(steps * (1.0 + 1e-12))) + 1;
-    std::string answeredBy;
+    std::string providedBy;
     for (int i = 0; i < rows; ++i) {
         const double altitude_m =
             std::min(request.min_m + static_cast<double>(i) * request.step_m, request.max_m);
-        const irsg::Answer<double> answer = air.ambientTemperature_K(altitude_m);
-        answeredBy = answer.answeredBy;
+        const irsg::Provided<double> answer = air.ambientTemperature_K(altitude_m);
+        providedBy = answer.providedBy;
         table.addRow({altitude_m, answer.value});
     }
 
@@ -61,7 +61,7 @@ ResultTable temperatureProfile(const irsg::Environment& environment,
     table.provenance.add("analysis", name(AnalysisKind::temperatureProfile));
     if (!request.commandLine.empty())
         table.provenance.add("command", request.commandLine);
-    table.provenance.add("answered by", "ambient temperature: " + answeredBy);
+    table.provenance.add("answered by", "ambient temperature: " + providedBy);
     return table;
 }
 

@@ -47,7 +47,7 @@ TEST(AirNodes, AddUpASingleQuantityAsItsSpectrumDoes) {
                   AtmosphericQuery::upwardFlux(500.0, sun),
                   AtmosphericQuery::backgroundRadiance({10.0, 0.3, 0.0}, sun)}) {
                 const double expected = sumOf(air->spectrum(query, over.range()), over);
-                EXPECT_NEAR(nodes->integrate(air->answer(query, *nodes)) / expected, 1.0, 1e-9)
+                EXPECT_NEAR(nodes->integrate(air->provide(query, *nodes)) / expected, 1.0, 1e-9)
                     << resolution_per_cm << " " << name(query.quantity);
             }
         }
@@ -60,9 +60,9 @@ TEST(AirNodes, MultiplyWhatMeetsTheSameLinesBeforeTheBinIsSummed) {
     const auto air = airOf();
     const auto nodes = air->nodesOf({band});
     const AtmosphericPath once{1000.0, 1000.0, 1500.0}, twice{1000.0, 1000.0, 3000.0};
-    const std::vector<double> there = air->answer(AtmosphericQuery::transmittance(once), *nodes);
+    const std::vector<double> there = air->provide(AtmosphericQuery::transmittance(once), *nodes);
     const double expected =
-        nodes->integrate(air->answer(AtmosphericQuery::transmittance(twice), *nodes));
+        nodes->integrate(air->provide(AtmosphericQuery::transmittance(twice), *nodes));
     EXPECT_NEAR(nodes->integrate(there, there) / expected, 1.0, 2e-4);
     const Spectrum mean = air->transmittance(once, band.range());
     const Spectrum* const squared[] = {&mean, &mean};
@@ -89,7 +89,7 @@ TEST(AirNodes, AtWavelengthsAreTheSpectrum) {
     ASSERT_EQ(nodes.outputs().size(), wavelengths_um.size());
     const AtmosphericQuery query = AtmosphericQuery::solarIrradiance(100.0, sun);
     const Spectrum spectrum = air->spectrum(query, band.range());
-    const std::vector<double> values = air->answer(query, nodes);
+    const std::vector<double> values = air->provide(query, nodes);
     const Spectrum slope({3.0, 3.4}, {0.0, 1.0});
     const std::vector<double> ofSlope = nodes.sampled(slope);
     for (std::size_t i = 0; i < wavelengths_um.size(); ++i) {
@@ -128,7 +128,7 @@ TEST(AirNodes, OfSeveralBandsAreThoseOfEachAlone) {
         for (const AtmosphericQuery& query :
              {AtmosphericQuery::transmittance(path), AtmosphericQuery::pathRadiance(path, sun),
               AtmosphericQuery::backgroundRadiance({10.0, 0.3, 0.0}, sun)}) {
-            EXPECT_EQ(part(air->answer(query, *together), k), air->answer(query, *alone))
+            EXPECT_EQ(part(air->provide(query, *together), k), air->provide(query, *alone))
                 << k << " " << name(query.quantity);
         }
     }
@@ -145,7 +145,7 @@ TEST(AirNodes, OfOneAirAreAnsweredByAnotherWithItsSpectrum) {
     const auto air = airOf(), other = airOf(15);
     const auto nodes = air->nodesOf({band});
     const AtmosphericQuery query = AtmosphericQuery::transmittance(path);
-    EXPECT_EQ(other->answer(query, *nodes),
+    EXPECT_EQ(other->provide(query, *nodes),
               nodes->sampled(other->transmittance(path, band.range())));
     BeerLambertParameters haze;
     haze.extinction_per_m = Spectrum({2.0, 6.0}, {1e-5, 4e-5});
@@ -156,7 +156,7 @@ TEST(AirNodes, OfOneAirAreAnsweredByAnotherWithItsSpectrum) {
     smooth.add(std::make_shared<BeerLambert>(haze));
     smooth.add(air);
     EXPECT_EQ(smooth.nodesOf(band), nullptr) << "who answers has no lines";
-    EXPECT_EQ(smooth.answer(query, *nodes).value,
+    EXPECT_EQ(smooth.provide(query, *nodes).value,
               nodes->sampled(smooth.atmospheres()[0]->transmittance(path, band.range())));
     EXPECT_THROW((void)AirNodes::of(*nodes)->arranged(std::vector<double>{1.0}), LogicError);
     EXPECT_THROW((void)air->nodesOf({Band::topHat(8.0, 9.0)}), LogicError);

@@ -110,18 +110,18 @@ TEST_P(EveryAtmosphere, AnswersAtAnySamplingWithItsNativeSpectrum) {
     for (const AtmosphericQuery& query : queries()) {
         if (!air->supports(query.quantity)) {
             EXPECT_THROW((void)air->spectrum(query, range), LogicError);
-            EXPECT_THROW((void)air->answer(query, SpectralPoints({4.0})), LogicError);
+            EXPECT_THROW((void)air->provide(query, SpectralPoints({4.0})), LogicError);
             continue;
         }
         ++answered;
         const Spectrum native = air->spectrum(query, range);
         EXPECT_TRUE(native.covers(range));
         const SpectralGrid grid(native, range);
-        EXPECT_EQ(air->answer(query, grid), native.sample(grid.wavelengths_um()));
+        EXPECT_EQ(air->provide(query, grid), native.sample(grid.wavelengths_um()));
         const Spectrum* const kinked[] = {&native};
         const SpectralQuadrature quadrature(
             Band::fromResponse(Spectrum({range.min_um, range.max_um}, {1.0, 0.5})), kinked);
-        EXPECT_EQ(air->answer(query, quadrature), quadrature.sampled(native));
+        EXPECT_EQ(air->provide(query, quadrature), quadrature.sampled(native));
     }
     EXPECT_GT(answered, 0);
 }
@@ -152,17 +152,17 @@ TEST_P(EveryAtmosphere, AnswersAtTheVeryEndsOfItsBaseButNotBeyond) {
         }
         const Spectrum native = air->spectrum(query, base);
         for (const double end_um : {base.min_um, base.max_um}) {
-            const std::vector<double> values = air->answer(query, SpectralPoints({end_um}));
+            const std::vector<double> values = air->provide(query, SpectralPoints({end_um}));
             // Air with bins has the mean of a bin where it is asked for one wavelength.
             EXPECT_NEAR(values.at(0), native.at(end_um), 1e-3 * std::abs(native.at(end_um)));
         }
         const std::vector<double> ends =
-            air->answer(query, SpectralPoints({base.min_um, base.max_um}));
+            air->provide(query, SpectralPoints({base.min_um, base.max_um}));
         EXPECT_NEAR(ends[0], native.at(base.min_um), 1e-12 * std::abs(ends[0]));
         EXPECT_NEAR(ends[1], native.at(base.max_um), 1e-12 * std::abs(ends[1]));
-        EXPECT_THROW((void)air->answer(query, SpectralPoints({base.min_um * (1.0 - 1e-8)})),
+        EXPECT_THROW((void)air->provide(query, SpectralPoints({base.min_um * (1.0 - 1e-8)})),
                      LogicError);
-        EXPECT_THROW((void)air->answer(query, SpectralPoints({base.max_um * (1.0 + 1e-8)})),
+        EXPECT_THROW((void)air->provide(query, SpectralPoints({base.max_um * (1.0 + 1e-8)})),
                      LogicError);
     }
     EXPECT_FALSE(air->covers({base.max_um * (1.0 + 1e-8), 2.0 * base.max_um}));
@@ -221,67 +221,67 @@ INSTANTIATE_TEST_SUITE_P(
         Kind{"Tabulated", []() -> std::shared_ptr<const Atmosphere> { return table(); }}),
     [](const auto& info) { return std::string(info.param.name); });
 
-TEST(AnswersOfAnEnvironment, AreThoseOfTheFirstThatAccepts) {
+TEST(ProvidersOfAnEnvironment, AreThoseOfTheFirstThatAccepts) {
     Environment environment;
     environment.add(haze("near", {3.0, 4.0}));
     environment.add(haze("wide", {3.0, 5.0}));
     const AtmosphericQuery query = AtmosphericQuery::transmittance(path);
     const SpectralPoints low({3.2, 3.9}), all({3.2, 4.9});
-    EXPECT_EQ(environment.answer(query, low).answeredBy, "near");
-    EXPECT_EQ(environment.answer(query, low).value,
-              environment.atmospheres()[0]->answer(query, low));
-    EXPECT_EQ(environment.answer(query, all).answeredBy, "wide");
-    EXPECT_EQ(environment.answer(query, all).value,
-              environment.atmospheres()[1]->answer(query, all));
+    EXPECT_EQ(environment.provide(query, low).providedBy, "near");
+    EXPECT_EQ(environment.provide(query, low).value,
+              environment.atmospheres()[0]->provide(query, low));
+    EXPECT_EQ(environment.provide(query, all).providedBy, "wide");
+    EXPECT_EQ(environment.provide(query, all).value,
+              environment.atmospheres()[1]->provide(query, all));
     EXPECT_THAT(refusalOf([&] {
-                    (void)environment.answer(query, SpectralPoints({4.0, 5.5}));
+                    (void)environment.provide(query, SpectralPoints({4.0, 5.5}));
                 }),
                 AllOf(HasSubstr("environment: transmittance over 4-5.5 um"),
                       HasSubstr("near (holds only 3-4 um)"),
                       HasSubstr("wide (holds only 3-5 um)")));
 }
 
-TEST(AnswersOfAnEnvironment, TakeTheDefaultBackgroundWhereNobodyHasOne) {
+TEST(ProvidersOfAnEnvironment, TakeTheDefaultBackgroundWhereNobodyHasOne) {
     Environment environment;
     const AtmosphericQuery query = AtmosphericQuery::backgroundRadiance(up, day);
     const SpectralPoints points({3.0, 4.0});
-    EXPECT_THAT(refusalOf([&] { (void)environment.answer(query, points); }),
+    EXPECT_THAT(refusalOf([&] { (void)environment.provide(query, points); }),
                 AllOf(HasSubstr("background radiance"), HasSubstr("no atmosphere")));
     environment.defaultBackground = Spectrum({3.0, 5.0}, {1.0, 3.0});
-    EXPECT_EQ(environment.answer(query, points).value, (std::vector<double>{1.0, 2.0}));
-    EXPECT_EQ(environment.answer(query, points).answeredBy, "default");
+    EXPECT_EQ(environment.provide(query, points).value, (std::vector<double>{1.0, 2.0}));
+    EXPECT_EQ(environment.provide(query, points).providedBy, "default");
     environment.add(haze());
-    EXPECT_EQ(environment.answer(query, SpectralPoints({3.5})).answeredBy, "haze");
+    EXPECT_EQ(environment.provide(query, SpectralPoints({3.5})).providedBy, "haze");
 }
 
-TEST(AnswersOfAnEnvironment, AreZeroForASunBelowTheHorizon) {
+TEST(ProvidersOfAnEnvironment, AreZeroForASunBelowTheHorizon) {
     Environment environment;
     environment.add(measured()); // refuses any sun but its own
     const SpectralPoints points({3.5, 4.0});
     const auto sunlight = [&](const SunPosition& sun) {
-        return environment.answer(AtmosphericQuery::solarIrradiance(100.0, sun), points);
+        return environment.provide(AtmosphericQuery::solarIrradiance(100.0, sun), points);
     };
     EXPECT_GT(sunlight(day).value[0], 0.0);
     EXPECT_EQ(sunlight({0.0, -0.02}).value, (std::vector<double>{0.0, 0.0}));
-    EXPECT_EQ(sunlight({0.0, -0.3}).answeredBy, "measured");
+    EXPECT_EQ(sunlight({0.0, -0.3}).providedBy, "measured");
 }
 
-TEST(AnswersAtPoints, AreThoseOfTheAirThatPreparedThem) {
+TEST(ProvidesAtPoints, AreThoseOfTheAirThatPreparedThem) {
     const auto air = smart();
     Environment environment = Environment::vacuum();
     environment.add(air);
     environment.defaultBackground = Spectrum::constant(5.0);
     const auto points = environment.prepareCk(requestOf(Band::topHat(9.92, 9.98)));
-    EXPECT_EQ(points.answeredBy, "smart");
+    EXPECT_EQ(points.providedBy, "smart");
     const SensorCkData& ck = *points.value;
     const RadiativeTransfer& transfer = air->transfer();
     const NodeSet& nodes = ck.nodes();
     const auto expect = [&](const AtmosphericQuery& query, const std::vector<double>& values) {
-        const auto answer = environment.answer(query, ck);
-        EXPECT_EQ(answer.answeredBy, "smart"); // though the vacuum is asked first
+        const auto answer = environment.provide(query, ck);
+        EXPECT_EQ(answer.providedBy, "smart"); // though the vacuum is asked first
         EXPECT_EQ(answer.value, values);
-        EXPECT_EQ(air->answer(query, ck), values);
-        EXPECT_EQ(environment.answer(query, SpectralPoints({9.95})).answeredBy, "vacuum");
+        EXPECT_EQ(air->provide(query, ck), values);
+        EXPECT_EQ(environment.provide(query, SpectralPoints({9.95})).providedBy, "vacuum");
     };
     expect(queries()[0], transfer.transmittance(nodes, path));
     expect(queries()[1], transfer.pathRadiance(nodes, path, day));
@@ -291,16 +291,16 @@ TEST(AnswersAtPoints, AreThoseOfTheAirThatPreparedThem) {
     expect(queries()[5], transfer.downwardFlux(nodes, 100.0, day));
     expect(queries()[6], transfer.scatteringOpticalDepth(nodes, path));
     const auto night =
-        environment.answer(AtmosphericQuery::solarIrradiance(100.0, {0.0, -0.1}), ck);
+        environment.provide(AtmosphericQuery::solarIrradiance(100.0, {0.0, -0.1}), ck);
     EXPECT_EQ(night.value, std::vector<double>(ck.size(), 0.0));
 }
 
-TEST(AnswersAtPoints, AreRefusedByNameWhereNoAirHasThem) {
+TEST(ProvidesAtPoints, AreRefusedByNameWhereNoAirHasThem) {
     Environment real;
     real.add(smart(1));
     const auto points = real.prepareCk(requestOf(Band::topHat(9.92, 9.98)));
     EXPECT_THAT(refusalOf([&] {
-                    (void)real.answer(AtmosphericQuery::upwardFlux(0.0, day), *points.value);
+                    (void)real.provide(AtmosphericQuery::upwardFlux(0.0, day), *points.value);
                 }),
                 AllOf(HasSubstr("wideband upward flux over 9.92-9.98 um"),
                       HasSubstr("smart (has no"),
@@ -308,12 +308,12 @@ TEST(AnswersAtPoints, AreRefusedByNameWhereNoAirHasThem) {
     Environment plain = Environment::vacuum();
     plain.defaultBackground = Spectrum::constant(5.0);
     EXPECT_THAT(refusalOf([&] {
-                    (void)plain.answer(AtmosphericQuery::backgroundRadiance(up, day),
-                                       *points.value);
+                    (void)plain.provide(AtmosphericQuery::backgroundRadiance(up, day),
+                                        *points.value);
                 }),
                 AllOf(HasSubstr("wideband-ck over 9.92-9.98 um"),
                       HasSubstr("vacuum (has no wideband mode)")));
-    EXPECT_THROW((void)Vacuum().answer(AtmosphericQuery::transmittance(path), *points.value),
+    EXPECT_THROW((void)Vacuum().provide(AtmosphericQuery::transmittance(path), *points.value),
                  LogicError);
     EXPECT_THROW((void)Vacuum().prepareCk(requestOf(Band::topHat(9.92, 9.98))), LogicError);
 }

@@ -43,30 +43,30 @@ class MidnightSun : public Vacuum {
     }
 };
 
-Answer<Spectrum> transmittance(const Environment& environment, const AtmosphericPath& path,
-                               const SpectralRange& range) {
+Provided<Spectrum> transmittance(const Environment& environment, const AtmosphericPath& path,
+                                 const SpectralRange& range) {
     return environment.spectrum(AtmosphericQuery::transmittance(path), range);
 }
-Answer<Spectrum> pathRadiance(const Environment& environment, const AtmosphericPath& path,
-                              const SpectralRange& range) {
+Provided<Spectrum> pathRadiance(const Environment& environment, const AtmosphericPath& path,
+                                const SpectralRange& range) {
     return environment.spectrum(AtmosphericQuery::pathRadiance(path, environment.sun), range);
 }
-Answer<Spectrum> backgroundRadiance(const Environment& environment, const LineOfSight& sight,
-                                    const SpectralRange& range) {
+Provided<Spectrum> backgroundRadiance(const Environment& environment, const LineOfSight& sight,
+                                      const SpectralRange& range) {
     return environment.spectrum(AtmosphericQuery::backgroundRadiance(sight, environment.sun),
                                 range);
 }
-Answer<Spectrum> solarIrradiance(const Environment& environment, double altitude_m,
-                                 const SpectralRange& range) {
+Provided<Spectrum> solarIrradiance(const Environment& environment, double altitude_m,
+                                   const SpectralRange& range) {
     return environment.spectrum(AtmosphericQuery::solarIrradiance(altitude_m, environment.sun),
                                 range);
 }
-Answer<Spectrum> upwardFlux(const Environment& environment, double altitude_m,
-                            const SpectralRange& range) {
+Provided<Spectrum> upwardFlux(const Environment& environment, double altitude_m,
+                              const SpectralRange& range) {
     return environment.spectrum(AtmosphericQuery::upwardFlux(altitude_m, environment.sun), range);
 }
-Answer<Spectrum> downwardFlux(const Environment& environment, double altitude_m,
-                              const SpectralRange& range) {
+Provided<Spectrum> downwardFlux(const Environment& environment, double altitude_m,
+                                const SpectralRange& range) {
     return environment.spectrum(AtmosphericQuery::downwardFlux(altitude_m, environment.sun), range);
 }
 
@@ -93,27 +93,27 @@ TEST(Environment, TheFirstOfTwoOverlappingAtmospheresAnswersAndTheOrderDecides) 
     swapped.add(thin);
     const AtmosphericPath path{0.0, 0.0, 1000.0};
 
-    EXPECT_EQ(transmittance(environment, path, mwir).answeredBy, "thin");
-    EXPECT_EQ(transmittance(swapped, path, mwir).answeredBy, "thick");
+    EXPECT_EQ(transmittance(environment, path, mwir).providedBy, "thin");
+    EXPECT_EQ(transmittance(swapped, path, mwir).providedBy, "thick");
     EXPECT_NEAR(transmittance(environment, path, mwir).value.at(4.0), std::exp(-0.01), 1e-15);
     EXPECT_NEAR(transmittance(swapped, path, mwir).value.at(4.0), std::exp(-1.0), 1e-15);
-    EXPECT_EQ(pathRadiance(environment, path, mwir).answeredBy, "thin");
-    EXPECT_EQ(backgroundRadiance(swapped, {}, mwir).answeredBy, "thick");
-    EXPECT_EQ(solarIrradiance(swapped, 0.0, mwir).answeredBy, "thick");
-    EXPECT_EQ(upwardFlux(swapped, 0.0, mwir).answeredBy, "thick");
-    EXPECT_EQ(downwardFlux(swapped, 0.0, mwir).answeredBy, "thick");
+    EXPECT_EQ(pathRadiance(environment, path, mwir).providedBy, "thin");
+    EXPECT_EQ(backgroundRadiance(swapped, {}, mwir).providedBy, "thick");
+    EXPECT_EQ(solarIrradiance(swapped, 0.0, mwir).providedBy, "thick");
+    EXPECT_EQ(upwardFlux(swapped, 0.0, mwir).providedBy, "thick");
+    EXPECT_EQ(downwardFlux(swapped, 0.0, mwir).providedBy, "thick");
     EXPECT_EQ(environment.ambientTemperature_K(0.0).value, 280.0);
     EXPECT_EQ(swapped.ambientTemperature_K(0.0).value, 300.0);
     // Where one alone holds the band, it answers in either order.
-    EXPECT_EQ(transmittance(environment, path, {8.0, 12.0}).answeredBy, "thick");
-    EXPECT_EQ(transmittance(swapped, path, {2.0, 2.5}).answeredBy, "thin");
+    EXPECT_EQ(transmittance(environment, path, {8.0, 12.0}).providedBy, "thick");
+    EXPECT_EQ(transmittance(swapped, path, {2.0, 2.5}).providedBy, "thin");
 }
 
 TEST(Environment, ABandOneNanometreTooWideIsRefusedByNameAndReason) {
     Environment environment;
     environment.add(air("first", {3.0, 5.0}, 1e-5));
     environment.add(air("second", {2.9, 4.9}, 1e-5));
-    EXPECT_EQ(transmittance(environment, {}, mwir).answeredBy, "first");
+    EXPECT_EQ(transmittance(environment, {}, mwir).providedBy, "first");
     EXPECT_THAT(refusal([&] {
                     (void)transmittance(environment, {}, {2.999, 5.0});
                 }),
@@ -141,10 +141,10 @@ TEST(Environment, WithoutAtmospheresRefusesAllButItsDefaults) {
     EXPECT_THAT(refusal([&] { (void)backgroundRadiance(environment, {}, mwir); }),
                 HasSubstr("background radiance"));
     EXPECT_EQ(environment.ambientTemperature_K(0.0).value, 288.15);
-    EXPECT_EQ(environment.ambientTemperature_K(0.0).answeredBy, "default");
+    EXPECT_EQ(environment.ambientTemperature_K(0.0).providedBy, "default");
     environment.defaultBackground = Spectrum::constant(1.5);
     EXPECT_EQ(backgroundRadiance(environment, {}, mwir).value, Spectrum::constant(1.5));
-    EXPECT_EQ(backgroundRadiance(environment, {}, mwir).answeredBy, "default");
+    EXPECT_EQ(backgroundRadiance(environment, {}, mwir).providedBy, "default");
     EXPECT_THROW(environment.add(nullptr), LogicError);
 }
 
@@ -152,9 +152,9 @@ TEST(Environment, PrefersAnAtmosphereToItsDefaults) {
     Environment environment;
     environment.defaultBackground = Spectrum::constant(1.5);
     environment.add(air("haze", {3.0, 5.0}, 1e-5, 270.0));
-    EXPECT_EQ(backgroundRadiance(environment, {}, mwir).answeredBy, "haze");
+    EXPECT_EQ(backgroundRadiance(environment, {}, mwir).providedBy, "haze");
     EXPECT_EQ(environment.ambientTemperature_K(0.0).value, 270.0);
-    EXPECT_EQ(backgroundRadiance(environment, {}, {3.0, 5.1}).answeredBy, "default");
+    EXPECT_EQ(backgroundRadiance(environment, {}, {3.0, 5.1}).providedBy, "default");
 }
 
 TEST(Environment, SunBelowTheHorizonIsExactlyZeroWhoeverAnswers) {
@@ -165,7 +165,7 @@ TEST(Environment, SunBelowTheHorizonIsExactlyZeroWhoeverAnswers) {
     for (const double elevation_rad : {-0.01, -0.2}) {
         environment.sun = {0.0, elevation_rad};
         EXPECT_EQ(solarIrradiance(environment, 0.0, mwir).value, Spectrum::constant(0.0));
-        EXPECT_EQ(solarIrradiance(environment, 0.0, mwir).answeredBy, "midnight sun");
+        EXPECT_EQ(solarIrradiance(environment, 0.0, mwir).providedBy, "midnight sun");
     }
 }
 
@@ -173,7 +173,7 @@ TEST(Environment, OfVacuumAnswersEverySpectralQuantity) {
     const Environment environment = Environment::vacuum();
     EXPECT_EQ(transmittance(environment, {0.0, 0.0, 1e7}, mwir).value, Spectrum::constant(1.0));
     EXPECT_EQ(pathRadiance(environment, {}, mwir).value, Spectrum::constant(0.0));
-    EXPECT_EQ(backgroundRadiance(environment, {}, mwir).answeredBy, "vacuum");
+    EXPECT_EQ(backgroundRadiance(environment, {}, mwir).providedBy, "vacuum");
     EXPECT_GT(solarIrradiance(environment, 0.0, mwir).value.minimum(), 0.0);
     EXPECT_EQ(upwardFlux(environment, 0.0, mwir).value, Spectrum::constant(0.0));
     EXPECT_EQ(downwardFlux(environment, 0.0, mwir).value, Spectrum::constant(0.0));

@@ -84,7 +84,7 @@ TEST(EnvironmentXml, AtmospheresAreAskedByPriority) {
     EXPECT_EQ(loaded.environment.atmospheres()[1]->name(), "Beer-Lambert (haze.csv)");
     EXPECT_LE(loaded.environment.sun.elevation_rad, 0.5 * pi);
     // Each answer says who gave it.
-    EXPECT_EQ(loaded.environment.ambientTemperature_K(0.0).answeredBy,
+    EXPECT_EQ(loaded.environment.ambientTemperature_K(0.0).providedBy,
               "AtmosphereSmart (summer.xml)");
 }
 
@@ -95,7 +95,7 @@ TEST(EnvironmentXml, TheDefaultBackgroundAnswersWhereNoAtmosphereDoes) {
     const LoadedEnvironment loaded = loadEnvironment(file);
     const auto answer = loaded.environment.spectrum(
         AtmosphericQuery::backgroundRadiance({}, loaded.environment.sun), {3.0, 5.0});
-    EXPECT_EQ(answer.answeredBy, "default");
+    EXPECT_EQ(answer.providedBy, "default");
     EXPECT_EQ(answer.value.at(4.0), 2.0);
     EXPECT_EQ(answer.value.at(9.0), 0.0);
     EXPECT_THAT(loaded.remarks, Contains("no SunElevation: taken as 0.7854 rad"));

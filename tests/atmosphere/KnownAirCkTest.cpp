@@ -77,8 +77,8 @@ double worstOver(const Atmosphere& air, const SensorCkData& points, const Atmosp
             quadrature.integrate(quadrature.planck(temperature_K), quadrature.sampled(through)) +
             quadrature.integrate(quadrature.sampled(emitted));
         const double found =
-            points.integrate(points.planck(temperature_K), air.answer(tau, points)) +
-            points.integrate(air.answer(light, points));
+            points.integrate(points.planck(temperature_K), air.provide(tau, points)) +
+            points.integrate(air.provide(light, points));
         worst = std::max(worst, std::abs(found / expected - 1.0));
     }
     return worst;
@@ -115,13 +115,13 @@ TEST(HazeCk, AnswersEveryQuantityAsTheSpectralModeDoes) {
         const Spectrum spectral = air.spectrum(query, points->range());
         const Spectrum* axes[] = {&spectral};
         const SpectralQuadrature quadrature(points->band(), axes);
-        EXPECT_NEAR(points->integrate(air.answer(query, *points)) /
+        EXPECT_NEAR(points->integrate(air.provide(query, *points)) /
                         quadrature.integrate(quadrature.sampled(spectral)),
                     1.0, 0.006)
             << name(query.quantity) << " at " << query.sight.elevation_rad;
     }
     const std::vector<double> depth =
-        air.answer(AtmosphericQuery::scatteringOpticalDepth({0.0, 0.0, 1e3}), *points);
+        air.provide(AtmosphericQuery::scatteringOpticalDepth({0.0, 0.0, 1e3}), *points);
     EXPECT_THAT(depth, testing::Each(0.0));
 }
 
@@ -164,11 +164,11 @@ TEST(TableCk, RefusesWhatTheFamilyDoesNotHoldAsTheSpectralModeDoes) {
     const AtmosphericQuery tooFar = AtmosphericQuery::transmittance({0.0, 0.0, 6000.0});
     const std::string spectral = refusal([&] { (void)air.spectrum(tooFar, points->range()); });
     EXPECT_THAT(spectral, HasSubstr("range up to 5000 m"));
-    EXPECT_EQ(refusal([&] { (void)air.answer(tooFar, *points); }), spectral);
+    EXPECT_EQ(refusal([&] { (void)air.provide(tooFar, *points); }), spectral);
     Environment environment;
     environment.add(std::make_shared<TabulatedAtmosphere>(air));
     EXPECT_THAT(
-        refusal([&] { (void)environment.answer(AtmosphericQuery::upwardFlux(0.0, {}), *points); }),
+        refusal([&] { (void)environment.provide(AtmosphericQuery::upwardFlux(0.0, {}), *points); }),
         HasSubstr("wideband upward flux over 4-4.8 um: found one run (has no upward flux)"));
 }
 

@@ -117,7 +117,7 @@ TEST(TabulatedAtmosphere, SupportsWhatItsRunsContain) {
     Environment environment;
     environment.add(std::make_shared<TabulatedAtmosphere>(clear));
     EXPECT_EQ(
-        environment.spectrum(AtmosphericQuery::transmittance({0, 0, 100}), {4.95, 4.96}).answeredBy,
+        environment.spectrum(AtmosphericQuery::transmittance({0, 0, 100}), {4.95, 4.96}).providedBy,
         "family (nearest run at most 0 m in altitude, 900 m in range away)");
 }
 

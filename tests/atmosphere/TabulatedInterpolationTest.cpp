@@ -286,17 +286,17 @@ TEST(NearestRun, OneLineKeepsTheFarthest) {
                nearestRunText({.altitude_m = altitude_m, .range_m = range_m});
     };
     std::vector<std::string> lines;
-    addAnswer(lines, line(0.0, 250.0));
-    addAnswer(lines, "path radiance: vacuum");
-    addAnswer(lines, line(100.0, 20.0));
-    addAnswer(lines, line(0.0, 1.0));
-    addAnswer(lines, "path radiance: vacuum");
+    addProvider(lines, line(0.0, 250.0));
+    addProvider(lines, "path radiance: vacuum");
+    addProvider(lines, line(100.0, 20.0));
+    addProvider(lines, line(0.0, 1.0));
+    addProvider(lines, "path radiance: vacuum");
     EXPECT_EQ(lines, (std::vector<std::string>{line(100.0, 250.0), "path radiance: vacuum"}));
     // Another quantity and another family are lines of their own.
-    addAnswer(lines, "path radiance: family" + nearestRunText({.range_m = 3.0}));
-    addAnswer(lines,
-              std::vector<std::string>{"sun: family" + nearestRunText({.elevation_deg = 0.5}),
-                                       "sun: family" + nearestRunText({.altitude_m = 7.0})});
+    addProvider(lines, "path radiance: family" + nearestRunText({.range_m = 3.0}));
+    addProvider(lines,
+                std::vector<std::string>{"sun: family" + nearestRunText({.elevation_deg = 0.5}),
+                                         "sun: family" + nearestRunText({.altitude_m = 7.0})});
     ASSERT_EQ(lines.size(), 4u);
     EXPECT_EQ(lines.back(),
               "sun: family (nearest run at most 7 m in altitude, 0.5 deg in elevation away)");

@@ -70,7 +70,7 @@ TEST(SmatBatchAtmosphere, ResultsOfAFamilySayHowFarItsNearestRunIs) {
                          tape7File(folder, "b", 2.0), tape7File(folder, "c", 5.0), "--out", out})
                   .exitCode,
               0);
-    const auto answeredBy = [&](const char* range_m) {
+    const auto providedBy = [&](const char* range_m) {
         const std::string file = (folder.path() / "out.csv").string();
         const Ran ran = smatBatch({"radiative", out, "--quantity", "transmittance", "--band",
                                    "4.91-4.99", "--sensor-altitude", "0", "--altitude", "0",
@@ -78,9 +78,9 @@ TEST(SmatBatchAtmosphere, ResultsOfAFamilySayHowFarItsNearestRunIs) {
         EXPECT_EQ(ran.exitCode, 0) << ran.err;
         return ResultTable::load(file).provenance.value("answered by");
     };
-    EXPECT_THAT(answeredBy("2000"),
+    EXPECT_THAT(providedBy("2000"),
                 HasSubstr("(nearest run at most 0 m in altitude, 0 m in range"));
-    EXPECT_THAT(answeredBy("3400"),
+    EXPECT_THAT(providedBy("3400"),
                 HasSubstr("(nearest run at most 0 m in altitude, 1400 m in range away)"));
 }
 

@@ -68,7 +68,7 @@ TEST(AdaptiveSweep, MeetsItsErrorAlongARange) {
     // h^2 / 8 y'' of 1 % of a curve as 1 / d^2 is h = 0.115 d, down to a tenth of the largest.
     EXPECT_LT(range_m.size(), 80u);
     EXPECT_GT(range_m.size(), 15u);
-    EXPECT_THAT(data.answeredBy, Contains(HasSubstr("adaptive steps: 10 + ")));
+    EXPECT_THAT(data.providedBy, Contains(HasSubstr("adaptive steps: 10 + ")));
     EXPECT_EQ(data.state, AnalysisState::complete);
     EXPECT_EQ(static_cast<std::size_t>(sphere.drawings), range_m.size()) << "each once";
 }
@@ -105,7 +105,7 @@ TEST(AdaptiveSweep, LeavesStraightCurvesAlone) {
     const AnalysisData data =
         ran(AnalysisKind::polar, sphere, {{"polar.step", "30"}, {"polar.steps", "adaptive"}});
     EXPECT_EQ(data.table.rowCount(), 12u);
-    EXPECT_THAT(data.answeredBy, Contains("adaptive steps: 12 + 0 cases, straight lines between "
+    EXPECT_THAT(data.providedBy, Contains("adaptive steps: 12 + 0 cases, straight lines between "
                                           "which are within 0 % of the curves"));
 }
 
@@ -134,7 +134,7 @@ TEST(AdaptiveSweep, ClosesInOnJumpsAndSaysSo) {
         }
     }
     EXPECT_EQ(step_deg, 0.5) << "1/32 of the step";
-    EXPECT_THAT(data.answeredBy, Contains(HasSubstr("of the least step, over which they jump")));
+    EXPECT_THAT(data.providedBy, Contains(HasSubstr("of the least step, over which they jump")));
     EXPECT_LT(angle_deg.size(), 60u);
 }
 
@@ -269,7 +269,7 @@ TEST(AdaptiveSweep, IsWhatAPlotIsByDefaultAndIsDrawnWithinItsError) {
         worst = std::max(worst, std::abs(drawn.at(a) - Lobed::at(a)) / Lobed::at(a));
     }
     EXPECT_LT(worst, 0.02);
-    const std::string& told = data.answeredBy.back();
+    const std::string& told = data.providedBy.back();
     EXPECT_THAT(told, HasSubstr("adaptive steps: 72 + "));
     EXPECT_LE(100.0 * worst, std::stod(told.substr(told.find("within ") + 7))) << told;
     EXPECT_EQ(data.table.provenance.value("polar.steps"), "adaptive");

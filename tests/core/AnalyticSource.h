@@ -73,7 +73,7 @@ class AnalyticSource {
         report.all.irradiance_W_m2 = report.all.contrastIntensity_W_sr / (d_m * d_m);
         const double pitch = scene.sensor.pixelPitch();
         report.all.coveredPixels = projectedArea_m2(direction) / (d_m * d_m * pitch * pitch);
-        report.answeredBy = {"transmittance: closed form"};
+        report.providedBy = {"transmittance: closed form"};
         return report;
     }
     /// What is asked for of the bands, or of that of the sensor.

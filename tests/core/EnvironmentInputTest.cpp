@@ -110,19 +110,19 @@ TEST_F(EnvironmentInput, TheBackgroundOfAnEnvironmentWithoutAtmospheresIsSeenThr
     settings.set("environment.atmospheres", world.string());
     const irsg::Environment environment = smat::environmentOf(project, settings);
     const irsg::SpectralPoints points({3.0, 4.0, 5.0});
-    const auto seen = environment.answer(
+    const auto seen = environment.provide(
         irsg::AtmosphericQuery::backgroundRadiance({0.0, 0.2, 0.0}, environment.sun), points);
     EXPECT_EQ(seen.value, (std::vector<double>{2.0, 2.5, 3.0}));
-    EXPECT_EQ(seen.answeredBy, "default");
+    EXPECT_EQ(seen.providedBy, "default");
     EXPECT_EQ(
-        environment.answer(irsg::AtmosphericQuery::transmittance({0.0, 0.0, 1e4}), points).value,
+        environment.provide(irsg::AtmosphericQuery::transmittance({0.0, 0.0, 1e4}), points).value,
         (std::vector<double>{1.0, 1.0, 1.0}));
     settings.set("environment.atmospheres", "none");
     EXPECT_EQ(
         smat::environmentOf(project, settings)
-            .answer(irsg::AtmosphericQuery::backgroundRadiance({0.0, 0.2, 0.0}, environment.sun),
-                    points)
-            .answeredBy,
+            .provide(irsg::AtmosphericQuery::backgroundRadiance({0.0, 0.2, 0.0}, environment.sun),
+                     points)
+            .providedBy,
         "vacuum");
 }
 

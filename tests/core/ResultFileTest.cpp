@@ -58,7 +58,7 @@ TEST_F(ResultFileTest, GivesATableBackWithAllThatWasSaidOfIt) {
         EXPECT_EQ(read.commandLine, "smat-batch polar x.smat") << name;
         EXPECT_EQ(read.renderer, "llvmpipe") << name;
         EXPECT_THAT(read.warnings, testing::ElementsAre("stopped after 2 of 9 cases")) << name;
-        EXPECT_THAT(read.answeredBy, testing::ElementsAre("transmittance: vacuum")) << name;
+        EXPECT_THAT(read.providedBy, testing::ElementsAre("transmittance: vacuum")) << name;
         EXPECT_FALSE(read.summary.empty()) << name;
     }
 }

@@ -49,7 +49,7 @@ class PoweredEntities : public test::GreySphere {
                 report.all.contrastIntensity_W_sr += object.contrastIntensity_W_sr;
                 report.objects.push_back(object);
             }
-            report.answeredBy = {"transmittance: closed form"};
+            report.providedBy = {"transmittance: closed form"};
         }
         return made;
     }

@@ -35,7 +35,7 @@ class NotingSource : public test::GreySphere {
             object.coveredPixels = static_cast<double>(i + 1);
             report.objects.push_back(object);
         }
-        report.answeredBy = {"transmittance: closed form"};
+        report.providedBy = {"transmittance: closed form"};
         return report;
     }
     std::vector<irsg::RenderReport> reports(const irsg::Outputs& outputs) override {
@@ -160,7 +160,7 @@ TEST_F(ASimulation, ASensorOfSeveralBandsHasAFrameAndColumnsForEach) {
     EXPECT_EQ(source.images, 4);
     EXPECT_EQ(source.measured, 2);
     EXPECT_THAT(result.sensors[0].warnings, Contains(HasSubstr("a window of its own")));
-    EXPECT_THAT(result.sensors[0].answeredBy, ElementsAre("transmittance: closed form"));
+    EXPECT_THAT(result.sensors[0].providedBy, ElementsAre("transmittance: closed form"));
     const FrameFiles files(loaded, folder / "out", {".exr"}, "");
     EXPECT_EQ(files.frameFile(0, 7, ".exr", 1).filename(), "frame_000007@8-12um.exr");
     EXPECT_EQ(files.frameFile(1, 7, ".exr").filename(), "frame_000007.exr");

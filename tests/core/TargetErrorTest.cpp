@@ -217,7 +217,7 @@ TEST(TargetError, IsWrittenIntoTheResultWithItsErrors) {
         ran(AnalysisKind::polar, source,
             {{"polar.step", "30"}, {"render.targetError", "0.5%"}, {"render.bounces", "0"}});
     EXPECT_EQ(data.table.provenance.value("render.targetError"), "0.5 %");
-    EXPECT_THAT(data.answeredBy,
+    EXPECT_THAT(data.providedBy,
                 Contains(HasSubstr("target error 0.5 %: windows of 512 samples a side")));
     EXPECT_THAT(data.table.toCsv(), HasSubstr("# answered by: target error 0.5 %: skipped sun"));
     ASSERT_NE(data.table.find("error_contrast_intensity"), nullptr);
@@ -236,7 +236,7 @@ TEST(TargetError, NamesTheCasesThatMissIt) {
                                    {"polar.step", "90"},
                                    {"render.targetError", "0.5"},
                                    {"render.bounces", "0"}});
-    EXPECT_THAT(data.answeredBy, Contains(HasSubstr("windows of 1024 samples")));
+    EXPECT_THAT(data.providedBy, Contains(HasSubstr("windows of 1024 samples")));
     source.worseBehind = 1.0;
     const AnalysisData none =
         ran(AnalysisKind::polar, source, {{"polar.step", "90"}, {"render.targetError", "0.02"}});
@@ -248,7 +248,7 @@ TEST(TargetError, LeavesSpectraAsTheyAreSet) {
     Lawful source;
     const AnalysisData data = ran(AnalysisKind::spectrum, source, {{"render.targetError", "0.5"}});
     EXPECT_EQ(data.state, AnalysisState::complete);
-    EXPECT_THAT(data.answeredBy, Not(Contains(HasSubstr("target error"))));
+    EXPECT_THAT(data.providedBy, Not(Contains(HasSubstr("target error"))));
 }
 
 TEST(TargetError, IsAPercentageWithOrWithoutItsSign) {
@@ -339,7 +339,7 @@ TEST(CostAccuracyStudy, MarksWhatNothingBeatsAndTheQuickestThatMeetsTheTarget) {
                 100.0 * (1.0 + 0.01 * std::pow(0.5, 1.5)) / (1.0 + 0.01 * std::pow(0.0625, 1.5)) -
                     100.0,
                 1e-6);
-    EXPECT_THAT(data.answeredBy,
+    EXPECT_THAT(data.providedBy,
                 Contains(HasSubstr("target error 0.5 %: windows of 256 samples a side, the "
                                    "quickest of 12 configurations that meet it")));
 }
@@ -391,8 +391,8 @@ TEST(CostAccuracyStudy, LeavesOutConfigurationsThatAModelOfCostsCallsBeaten) {
     for (const auto& [configuration, error] : some) {
         EXPECT_EQ(error, known.at(configuration)) << "the same number";
     }
-    EXPECT_THAT(likely.answeredBy, Contains(HasSubstr("configurations: ")));
-    EXPECT_THAT(all.answeredBy, Not(Contains(HasSubstr("configurations: "))));
+    EXPECT_THAT(likely.providedBy, Contains(HasSubstr("configurations: ")));
+    EXPECT_THAT(all.providedBy, Not(Contains(HasSubstr("configurations: "))));
     // Twice the same, whatever the clock says.
     AnalysisData again = ofCostAccuracy(settings);
     CostAccuracyStudy::run(again, source, test::sceneWithoutFiles, {.repeats = 1, .likely = true});

@@ -65,7 +65,7 @@ class ProjectAirTest : public test::AirFixture {
     QTableWidget* table = nullptr;
 };
 
-TEST_F(ProjectAirTest, WhoAnswersIsToldPerQuantityAndBand) {
+TEST_F(ProjectAirTest, ProvidersAreToldPerQuantityAndBand) {
     EXPECT_EQ(table->columnCount(), 2);
     EXPECT_EQ(answered("transmittance", 0), "AtmosphereSmart (own.xml)");
     EXPECT_EQ(answered("transmittance", 1), "haze"); // the first holds 3 to 5 um alone

@@ -299,7 +299,7 @@ TEST(SceneBackground, AsksARealAtmosphereForItsRowsWithTheWeightsOfTheBand) {
     GlTerrain painter;
     const FrameBackground frame = background.draw(sensor, view, sky, settings, painter, report);
     ASSERT_FALSE(frame.isUniform());
-    ASSERT_EQ(report.answeredBy.size(), 1u);
+    ASSERT_EQ(report.providedBy.size(), 1u);
     const FieldRays rays(sensor, view);
     const Horizon horizon(rays, smart->horizonElevation_rad(3000.0));
     for (const int y : {0, 63}) {

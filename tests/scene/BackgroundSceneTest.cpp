@@ -100,8 +100,8 @@ TEST_F(BackgroundScene, IsTheSumOfSkyboxSunAndEnvironmentBehindTheObject) {
     view(5000.0);
     const RenderedImage far = render();
     EXPECT_NEAR(static_cast<double>(far.image.at(32, 29)), sun + 1.0, 1e-5 * sun);
-    EXPECT_NE(std::ranges::find(far.report.answeredBy, "solar disc: constant air"),
-              far.report.answeredBy.end());
+    EXPECT_NE(std::ranges::find(far.report.providedBy, "solar disc: constant air"),
+              far.report.providedBy.end());
 }
 
 TEST_F(BackgroundScene, EntersTheContrastPixelByPixel) {

@@ -218,7 +218,7 @@ TEST(SceneBackground, AddsItsLayersAndFloorsAndCountsWhatIsBelowZero) {
     const Sensor sensor = sensorOf(40, 30, 8.0);
     const Viewpoint view = looking(0.0, degrees(0.1));
     BackgroundSettings settings;
-    settings.asksEnvironment = false;
+    settings.queriesEnvironment = false;
     settings.uniform_W_m2_sr = 0.25;
     settings.sunDisc = true;
     settings.skybox = {10.0, 2.05};

@@ -145,7 +145,7 @@ TEST(SunDisc, IsInThePictureOnlyWhereItIsAskedFor) {
     }
     EXPECT_NEAR(sum, 10.0, 1e-9) << "E over the band, upon the background";
     EXPECT_EQ(frame.at(0, 0), 6.0);
-    EXPECT_EQ(report.answeredBy, std::vector<std::string>{"solar disc: constant air"});
+    EXPECT_EQ(report.providedBy, std::vector<std::string>{"solar disc: constant air"});
 
     // It follows the eye, and turns with the view.
     view.position_m = {1e5, -3e4, 0.0};

@@ -192,7 +192,7 @@ auto told(Renderer& renderer, const Case& one) {
                                            object.irradiance_W_m2, object.coveredPixels,
                                            object.solidAngle_sr, object.airError});
         }
-        lines.insert(lines.end(), report.answeredBy.begin(), report.answeredBy.end());
+        lines.insert(lines.end(), report.providedBy.begin(), report.providedBy.end());
         lines.insert(lines.end(), report.warnings.begin(), report.warnings.end());
     }
     return std::pair{numbers, lines};

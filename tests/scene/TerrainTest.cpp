@@ -88,7 +88,7 @@ FrameBackground drawn(SceneBackground& background, const Sensor& sensor, const V
 
 BackgroundSettings onBackground(double uniform_W_m2_sr, TextureScale terrain) {
     BackgroundSettings settings;
-    settings.asksEnvironment = false;
+    settings.queriesEnvironment = false;
     settings.uniform_W_m2_sr = uniform_W_m2_sr;
     settings.terrain = terrain;
     return settings;

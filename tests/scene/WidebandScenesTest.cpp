@@ -70,9 +70,9 @@ TEST_P(WidebandScenes, HaveTheIntensityAndTheBackgroundOfTheSpectralMode) {
         EXPECT_NEAR(intensity, 0.0, 5e-3) << scene.name;
         EXPECT_NEAR(background, 0.0, 5e-3) << scene.name;
         worst = std::max({worst, std::abs(intensity), std::abs(background)});
-        EXPECT_THAT(wideband.answeredBy.front(), HasSubstr("wideband-ck: "));
-        EXPECT_THAT(wideband.answeredBy.front(), HasSubstr("% off on paths that were not trained"));
-        EXPECT_THAT(wideband.answeredBy.front(), HasSubstr("AtmosphereSmart"));
+        EXPECT_THAT(wideband.providedBy.front(), HasSubstr("wideband-ck: "));
+        EXPECT_THAT(wideband.providedBy.front(), HasSubstr("% off on paths that were not trained"));
+        EXPECT_THAT(wideband.providedBy.front(), HasSubstr("AtmosphereSmart"));
     }
     RecordProperty("worst_percent", std::to_string(100.0 * worst));
 }
@@ -223,7 +223,7 @@ TEST(WidebandScene, DoesNotDependOnWhatWasDrawnBefore) {
         EXPECT_EQ(once.all.intensity_W_sr, later.all.intensity_W_sr);
         EXPECT_EQ(once.all.irradiance_W_m2, later.all.irradiance_W_m2);
         EXPECT_EQ(once.background_W_m2_sr, later.background_W_m2_sr);
-        EXPECT_EQ(once.answeredBy, later.answeredBy);
+        EXPECT_EQ(once.providedBy, later.providedBy);
     }
 }
 

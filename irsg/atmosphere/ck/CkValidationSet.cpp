@@ -87,7 +87,7 @@ CkErrors heldOutErrors(const Atmosphere& air, const SensorCkData& points, const 
         if (!air.supports(query.quantity))
             return std::nullopt;
         try {
-            return BothWays{air.answer(query, points), air.spectrum(query, range)};
+            return BothWays{air.provide(query, points), air.spectrum(query, range)};
         } catch (const InputError&) { // its tables do not reach there
             return std::nullopt;
         }

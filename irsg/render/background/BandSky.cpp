@@ -8,11 +8,11 @@ BandSky::BandSky(const Environment& environment, const SpectralSampling& samplin
     : environment_(environment), sampling_(sampling) {}
 
 double BandSky::ask(const char* quantity, const AtmosphericQuery& query) const {
-    const auto answer = environment_.answer(query, sampling_);
+    const auto answer = environment_.provide(query, sampling_);
     std::string line = quantity;
     line += ": ";
-    line += answer.answeredBy;
-    addAnswer(answeredBy_, std::move(line));
+    line += answer.providedBy;
+    addProvider(providedBy_, std::move(line));
     return sampling_.integrate(answer.value);
 }
 

@@ -23,14 +23,14 @@ class BandSky {
     const SunPosition& sun() const { return environment_.sun; }
 
     /// "solar disc: vacuum", each once.
-    const std::vector<std::string>& answeredBy() const { return answeredBy_; }
+    const std::vector<std::string>& providedBy() const { return providedBy_; }
 
   private:
     double ask(const char* quantity, const AtmosphericQuery& query) const;
 
     const Environment& environment_;
     const SpectralSampling& sampling_;
-    mutable std::vector<std::string> answeredBy_;
+    mutable std::vector<std::string> providedBy_;
 };
 
 } // namespace irsg

@@ -32,7 +32,7 @@ FrameBackground SceneBackground::draw(const Sensor& sensor, const Viewpoint& vie
     layers_ = {};
     const FieldRays rays(sensor, viewpoint);
     const double altitude_m = std::max(viewpoint.position_m.z, 0.0);
-    const bool grid = settings.asksEnvironment && settings.rows * settings.columns != 1;
+    const bool grid = settings.queriesEnvironment && settings.rows * settings.columns != 1;
     if (!grid && !settings.sunDisc && !skybox_ && !terrain_)
         return FrameBackground(settings.uniform_W_m2_sr);
 
@@ -52,7 +52,7 @@ FrameBackground SceneBackground::draw(const Sensor& sensor, const Viewpoint& vie
             [&](const LineOfSight& sight) { return sky.radiance_W_m2_sr(sight); });
         layers_.environment = nodes.pixels();
     }
-    report.answeredBy = sky.answeredBy();
+    report.providedBy = sky.providedBy();
     if (terrain_)
         renderTerrain(sensor, viewpoint, settings.terrain, painter);
     if (layers_.sky.empty() && layers_.terrain.empty() && !grid)

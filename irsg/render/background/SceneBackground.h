@@ -19,9 +19,9 @@ namespace irsg {
 
 /// What the background consists of.
 struct BackgroundSettings {
-    bool asksEnvironment = true;  ///< else `uniform_W_m2_sr` everywhere
-    double uniform_W_m2_sr = 0.0; ///< of the line of sight at the field's centre, or a constant
-    int rows = 1, columns = 1;    ///< of the grid; 1 x 1 is uniform
+    bool queriesEnvironment = true; ///< else `uniform_W_m2_sr` everywhere
+    double uniform_W_m2_sr = 0.0;   ///< of the line of sight at the field's centre, or a constant
+    int rows = 1, columns = 1;      ///< of the grid; 1 x 1 is uniform
     bool sunDisc = false;
     TextureScale skybox, terrain;
 };
@@ -37,7 +37,7 @@ struct BackgroundLayers {
 
 struct BackgroundReport {
     long flooredPixels = 0; ///< whose sum was below 0
-    std::vector<std::string> answeredBy, warnings;
+    std::vector<std::string> providedBy, warnings;
 };
 
 /// Draws what is behind the objects (F27 to F33): the skybox, the disc of the sun in its place, the

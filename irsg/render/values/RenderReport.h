@@ -42,7 +42,7 @@ struct RenderReport {
     /// Of all objects together: each sum is that of the objects, whose intensities are each at
     /// their own range; `range_m` is that of the first.
     ObjectRadiometry all;
-    std::vector<std::string> answeredBy; ///< "transmittance: vacuum"
+    std::vector<std::string> providedBy; ///< "transmittance: vacuum"
     std::vector<std::string> warnings;   ///< each said once
     std::vector<SampledTile> tiles;      ///< what the antialiasing sampled by itself
     long flooredPixels = 0;              ///< of the background, whose sum was below 0

@@ -1,4 +1,4 @@
-#include "smatcore/tools/WhoAnswers.h"
+#include "smatcore/tools/QuantityProviders.h"
 
 #include <fmt/format.h>
 
@@ -15,44 +15,44 @@ std::string outside(const Atmosphere& atmosphere) {
                        base.max_um);
 }
 
-/// Goes through the atmospheres until one has `mayAnswer` and holds the band.
-template <typename MayAnswer, typename WhyNot>
-AnswerSource sourceOf(std::string quantity, const irsg::Environment& environment,
-                      const irsg::SpectralRange* band, const MayAnswer& mayAnswer,
-                      const WhyNot& whyNot) {
-    AnswerSource source{.quantity = std::move(quantity), .answeredBy = {}, .refusals = {}};
+/// Goes through the atmospheres until one has `mayProvide` and holds the band.
+template <typename MayProvide, typename WhyNot>
+QuantityProvider sourceOf(std::string quantity, const irsg::Environment& environment,
+                          const irsg::SpectralRange* band, const MayProvide& mayProvide,
+                          const WhyNot& whyNot) {
+    QuantityProvider source{.quantity = std::move(quantity), .providedBy = {}, .refusals = {}};
     for (const auto& atmosphere : environment.atmospheres()) {
-        if (!mayAnswer(*atmosphere)) {
+        if (!mayProvide(*atmosphere)) {
             source.refusals.push_back(atmosphere->name() + " " + whyNot(*atmosphere));
         } else if (band != nullptr && !atmosphere->covers(*band)) {
             source.refusals.push_back(outside(*atmosphere));
         } else {
-            source.answeredBy = atmosphere->name();
+            source.providedBy = atmosphere->name();
             break;
         }
     }
     return source;
 }
 
-AnswerSource sourceOf(AtmosphereProperty property, const irsg::Environment& environment,
-                      const irsg::SpectralRange& band) {
+QuantityProvider sourceOf(AtmosphereProperty property, const irsg::Environment& environment,
+                          const irsg::SpectralRange& band) {
     const bool isTemperature = property == AtmosphereProperty::ambientTemperature;
-    AnswerSource source = sourceOf(
+    QuantityProvider source = sourceOf(
         irsg::name(property), environment, isTemperature ? nullptr : &band,
         [&](const Atmosphere& one) { return one.supports(property); },
         [&](const Atmosphere& one) { return one.refusal(property); });
-    if (source.answeredBy.empty() && isTemperature && environment.defaultAmbient_K)
-        source.answeredBy = fmt::format("default {:.6g} K", *environment.defaultAmbient_K);
-    if (source.answeredBy.empty() && property == AtmosphereProperty::backgroundRadiance &&
+    if (source.providedBy.empty() && isTemperature && environment.defaultAmbient_K)
+        source.providedBy = fmt::format("default {:.6g} K", *environment.defaultAmbient_K);
+    if (source.providedBy.empty() && property == AtmosphereProperty::backgroundRadiance &&
         environment.defaultBackground)
-        source.answeredBy = "default background";
+        source.providedBy = "default background";
     return source;
 }
 
 /// One air has the quadrature points of a band.
-AnswerSource widebandSourceOf(const irsg::Environment& environment,
-                              const irsg::SpectralRange& band) {
-    AnswerSource source{.quantity = "wideband-ck", .answeredBy = {}, .refusals = {}};
+QuantityProvider widebandSourceOf(const irsg::Environment& environment,
+                                  const irsg::SpectralRange& band) {
+    QuantityProvider source{.quantity = "wideband-ck", .providedBy = {}, .refusals = {}};
     const Atmosphere* answering = environment.findWideband(band);
     for (const auto& atmosphere : environment.atmospheres()) {
         if (atmosphere.get() == answering)
@@ -66,17 +66,17 @@ AnswerSource widebandSourceOf(const irsg::Environment& environment,
                                       answering->name());
     }
     if (answering != nullptr)
-        source.answeredBy = answering->name();
+        source.providedBy = answering->name();
     return source;
 }
 
 } // namespace
 
-std::vector<BandAnswers> whoAnswers(const irsg::Environment& environment,
-                                    std::span<const irsg::SpectralRange> bands) {
-    std::vector<BandAnswers> all;
+std::vector<BandProviders> providersFor(const irsg::Environment& environment,
+                                        std::span<const irsg::SpectralRange> bands) {
+    std::vector<BandProviders> all;
     for (const irsg::SpectralRange& band : bands) {
-        BandAnswers& one = all.emplace_back(BandAnswers{.band = band, .sources = {}});
+        BandProviders& one = all.emplace_back(BandProviders{.band = band, .sources = {}});
         for (const AtmosphereProperty property : irsg::allAtmosphereProperties)
             one.sources.push_back(sourceOf(property, environment, band));
         one.sources.push_back(widebandSourceOf(environment, band));

@@ -9,21 +9,21 @@
 namespace smat {
 
 /// Which of the atmospheres of an environment answers for a quantity.
-struct AnswerSource {
+struct QuantityProvider {
     std::string quantity;   ///< "path radiance", or "wideband-ck"
-    std::string answeredBy; ///< name of the atmosphere, "default ..."; empty where none answers
+    std::string providedBy; ///< name of the atmosphere, "default ..."; empty where none answers
     /// Those that were asked before it, each with why it does not answer; of all where none does.
     std::vector<std::string> refusals;
 };
 
-struct BandAnswers {
+struct BandProviders {
     irsg::SpectralRange band;
-    std::vector<AnswerSource> sources; ///< each quantity, then wideband-ck
+    std::vector<QuantityProvider> sources; ///< each quantity, then wideband-ck
 };
 
 /// For each band the first atmosphere that has a quantity over the whole of it, as every analysis
 /// takes it. The ambient temperature has no band.
-std::vector<BandAnswers> whoAnswers(const irsg::Environment& environment,
-                                    std::span<const irsg::SpectralRange> bands);
+std::vector<BandProviders> providersFor(const irsg::Environment& environment,
+                                        std::span<const irsg::SpectralRange> bands);
 
 } // namespace smat

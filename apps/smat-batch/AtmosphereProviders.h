@@ -9,7 +9,7 @@ struct Context;
 
 /// `smat-batch atmosphere answers`: which of several atmospheres answers for what, for each band
 /// ("3-5"). Throws InputError as addAir does, and for a band that is none.
-int printWhoAnswers(const std::vector<std::string>& atmospheres,
-                    const std::vector<std::string>& bands, const Context& context);
+int printAtmosphereProviders(const std::vector<std::string>& atmospheres,
+                             const std::vector<std::string>& bands, const Context& context);
 
 } // namespace smat::batch
