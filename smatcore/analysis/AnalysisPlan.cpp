@@ -102,7 +102,7 @@ irsg::Pose AnalysisCase::standing(const irsg::Pose& inScene) const {
     return at;
 }
 
-irsg::EntityState AnalysisCase::state(irsg::EntityState inScene, const OwnState& own) const {
+irsg::EntityState AnalysisCase::state(irsg::EntityState inScene, const StateOverride& own) const {
     inScene.time_s = time_s;
     inScene.power = power.value_or(inScene.power);
     inScene.mach = mach.value_or(inScene.mach);

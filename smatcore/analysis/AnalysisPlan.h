@@ -50,7 +50,7 @@ struct AnalysisCase {
     /// range.
     irsg::Pose pose(const irsg::Pose& standing, const irsg::Vec3& referencePointInModel) const;
     /// What an entity does in this case, by what it does in the scene and does by itself.
-    irsg::EntityState state(irsg::EntityState inScene, const OwnState& own) const;
+    irsg::EntityState state(irsg::EntityState inScene, const StateOverride& own) const;
 };
 
 /// What an adaptive sweep puts more cases into: the places along one of its axes.

@@ -47,7 +47,7 @@ void addStates(const AnalysisData& analysis, std::size_t model, irsg::LintScope&
     const irsg::EntityState standing = targetStateOf(analysis.settings);
     const irsg::Pose pose = poseOf(analysis.project, analysis.settings, model);
 
-    const OwnState own = model == 0 ? OwnState() : analysis.project.models[model].own;
+    const StateOverride own = model == 0 ? StateOverride() : analysis.project.models[model].own;
     const std::string name = analysis.name.empty() ? smat::name(analysis.kind) : analysis.name;
     const std::size_t first = scope.states.size();
     // The states do not depend on the band, and an image has one at a time.

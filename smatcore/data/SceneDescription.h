@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "irsg/scene/Scene.h"
-#include "smatcore/data/OwnState.h"
+#include "smatcore/data/StateOverride.h"
 
 namespace smat {
 
@@ -23,12 +23,12 @@ struct SceneDescription : irsg::Scene {
     std::set<std::size_t> unsavedDatabases;
     std::vector<std::string> remarks; ///< what loading had to say, each said once
     /// What entities do by themselves, in their states already; empty: all do the same.
-    std::vector<OwnState> own;
+    std::vector<StateOverride> own;
     /// What was drawn of scaling files: "temperature 5 (exhaust): 1.03, uniform, 0.9 to 1.1".
     std::vector<std::string> sampledScales;
 
-    OwnState ownOf(std::size_t entity) const {
-        return entity < own.size() ? own[entity] : OwnState();
+    StateOverride ownOf(std::size_t entity) const {
+        return entity < own.size() ? own[entity] : StateOverride();
     }
     std::vector<irsg::Band> allBands() const {
         std::vector<irsg::Band> all{sensor.band};

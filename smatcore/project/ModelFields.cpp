@@ -99,7 +99,7 @@ ModelField heading() {
     return field;
 }
 
-ModelField ownNumber(std::string key, std::optional<double> OwnState::*of, RealKey setting,
+ModelField ownNumber(std::string key, std::optional<double> StateOverride::*of, RealKey setting,
                      std::string label, std::string help) {
     const SettingInfo& limits = settingInfo(setting);
     ModelField field = fieldOf(key, "--" + key, std::move(label), limits.unit, limits.minimum,
@@ -134,10 +134,10 @@ std::vector<ModelField> makeFields() {
                            key::targetPitch));
     fields.push_back(angle("roll", &irsg::Attitude::roll_rad, 180, "Roll",
                            "Starboard down is positive.", key::targetRoll));
-    fields.push_back(ownNumber("power", &OwnState::power, key::statePower, "Engine power",
+    fields.push_back(ownNumber("power", &StateOverride::power, key::statePower, "Engine power",
                                "Power setting of its own; target: what state.power and sweeps of "
                                "it say."));
-    fields.push_back(ownNumber("mach", &OwnState::mach, key::stateMach, "Mach number",
+    fields.push_back(ownNumber("mach", &StateOverride::mach, key::stateMach, "Mach number",
                                "Speed of its own for aerodynamic heating; target: what state.mach "
                                "and sweeps of it say."));
     const SettingInfo& time = settingInfo(key::stateTime);

@@ -7,7 +7,7 @@
 
 #include "irsg/geometry/model/Model.h"
 #include "irsg/geometry/view/Pose.h"
-#include "smatcore/data/OwnState.h"
+#include "smatcore/data/StateOverride.h"
 #include "smatcore/project/AnalysisKind.h"
 #include "smatcore/settings/Settings.h"
 
@@ -25,8 +25,8 @@ struct ProjectModel {
     std::filesystem::path file;     ///< relative to the project file, or absolute
     std::filesystem::path database; ///< the same
     irsg::ModelOptions options = {};
-    irsg::Pose pose = {}; ///< world: m east, north, altitude; not of the target
-    OwnState own = {};    ///< not of the target
+    irsg::Pose pose = {};   ///< world: m east, north, altitude; not of the target
+    StateOverride own = {}; ///< not of the target
     /// In model axes; the centre of the bounding box where it is not set.
     std::optional<irsg::Vec3> referencePoint_m = {};
     std::optional<int> fallbackTemperature = {}; ///< entries that stand in for codes without one

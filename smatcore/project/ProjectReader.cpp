@@ -22,7 +22,7 @@ std::string leftOver(const JsonReader& json) {
     return unknown.empty() ? "" : unknown.dump();
 }
 
-void refuseOwnOfTarget(const JsonReader& json) {
+void refuseOverrideOfTarget(const JsonReader& json) {
     for (const char* key : {"power", "mach", "timeOffset_s"})
         json.refuseMember(key, "no state of its own: the first model is the target, of which "
                                "state.power, state.mach and state.time tell");
@@ -99,7 +99,7 @@ Project readProject(const std::string& text, const std::string& file,
         if (!model.isObject("an object with file and database"))
             continue;
         if (isFirst)
-            refuseOwnOfTarget(model);
+            refuseOverrideOfTarget(model);
         project.models.push_back(readModel(model));
     }
     readAnalyses(project, root.at("analyses"));

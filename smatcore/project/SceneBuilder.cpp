@@ -86,7 +86,7 @@ SceneDescription SceneBuilder::build(const Project& project, const Settings& set
                 scene.unsavedDatabases.insert(i);
         }
         entity.pose = poseOf(project, settings, i);
-        scene.own.push_back(i == 0 ? OwnState() : given.own);
+        scene.own.push_back(i == 0 ? StateOverride() : given.own);
         entity.state = scene.own.back().where(targetStateOf(settings));
         entity.referencePoint_m = given.referencePoint_m;
         entity.fallbackTemperature = given.fallbackTemperature;

@@ -165,7 +165,7 @@ TEST_F(Scenes, GiveOfEachModelWhatItGivesAlone) {
     EXPECT_NEAR(column(dark, "ball.intensity")[0], irsg::pi * radiance, 2e-3 * irsg::pi * radiance);
 }
 
-TEST_F(Scenes, OwnStatesStayThoseOfTheirModels) {
+TEST_F(Scenes, StateOverridesStayThoseOfTheirModels) {
     makeThree();
     const auto all = [&](std::vector<std::string> more) {
         more.insert(more.begin(), "three.smat");
@@ -215,7 +215,7 @@ TEST_F(Scenes, AreMadeAndChangedWithoutJson) {
     EXPECT_EQ(project.settings[key::cameraRange], 500.0);
     EXPECT_EQ(project.models[1].fallbackMaterial, 1);
     run({"project", "set", "one.smat", "mate", "--power", "target", "--fallback-material", "none"});
-    EXPECT_EQ(loadProject(folder / "one.smat").models[1].own, OwnState());
+    EXPECT_EQ(loadProject(folder / "one.smat").models[1].own, StateOverride());
     // What a flag turned on, it turns off; beside it everything stays.
     const auto optionsOf = [&] { return loadProject(folder / "one.smat").models[1].options; };
     run({"project", "set", "one.smat", "mate", "--cut-texture-alpha", "--unit", "cm"});

@@ -68,7 +68,7 @@ TEST(SceneModels, AnotherTargetMovesNothingAndChangesNoState) {
     EXPECT_EQ(after.models[0].shownName(), "boat");
     EXPECT_EQ(after.models[1].shownName(), "ship");
     EXPECT_EQ(after.models[0].pose, irsg::Pose());
-    EXPECT_EQ(after.models[0].own, OwnState());
+    EXPECT_EQ(after.models[0].own, StateOverride());
     EXPECT_EQ(after.settings[key::targetYaw], 30.0);
     EXPECT_EQ(after.settings[key::targetAltitude], 5.0);
     EXPECT_EQ(after.settings[key::statePower], 0.75);
@@ -137,7 +137,7 @@ TEST(SceneModels, ANewOneStandsClearOfAllOthers) {
     EXPECT_NEAR(irsg::degrees(added.pose.attitude.yaw_rad), 110, 1e-9);
 }
 
-TEST(SceneModels, OwnStatesComeBackEqualAndTheTargetHasNone) {
+TEST(SceneModels, StateOverridesComeBackEqualAndTheTargetHasNone) {
     const Project project = fleet();
     EXPECT_EQ(projectFromJson(projectToJson(project, here), here), project);
     for (const char* key : {"power", "mach", "timeOffset_s", "yaw_deg"}) {

@@ -38,7 +38,7 @@ TEST_F(PlacedModelsTest, ArePlacedByNumbers) {
     EXPECT_EQ(workbench.undoStack().index(), steps + static_cast<int>(std::size(all)));
     EXPECT_EQ(model(1).pose.position_m, irsg::Vec3(320.5, -40, 250));
     EXPECT_NEAR(irsg::degrees(model(1).pose.attitude.yaw_rad), 90, 1e-9);
-    EXPECT_EQ(model(1).own, (OwnState{0.75, 0.4, 3.0}));
+    EXPECT_EQ(model(1).own, (StateOverride{0.75, 0.4, 3.0}));
     EXPECT_EQ(view()->scene().models[1].pose, model(1).pose) << "the view follows";
     EXPECT_EQ(workbench.models()->readings(), readings) << "nothing is read for it";
     const Project after = workbench.editedProject();

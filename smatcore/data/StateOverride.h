@@ -8,7 +8,7 @@ namespace smat {
 
 /// What one of several models does by itself, whatever the settings or the cases of a sweep say of
 /// all of them.
-struct OwnState {
+struct StateOverride {
     std::optional<double> power, mach; ///< as all others have them where not set
     double timeOffset_s = 0.0;         ///< that its time is ahead of the scene's
 
@@ -19,7 +19,7 @@ struct OwnState {
         others.time_s += timeOffset_s;
         return others;
     }
-    bool operator==(const OwnState&) const = default;
+    bool operator==(const StateOverride&) const = default;
 };
 
 } // namespace smat
