@@ -14,7 +14,7 @@
 #include "gui/MainDialogs.h"
 #include "gui/WindowLayout.h"
 #include "gui/air/AirPages.h"
-#include "gui/analysis/MissingForAnalyses.h"
+#include "gui/analysis/AnalysisPreconditions.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/analysis/ResultsDock.h"
 #include "gui/database/DatabaseDock.h"
@@ -359,7 +359,7 @@ void MainMenus::refresh() {
                               database.access() == DatabaseSession::Access::edit);
     saveDatabaseAs_->setEnabled(database.isOpen());
     const bool ready = with_.workbench.hasProject();
-    const QString missing = missingForAnalyses(with_.workbench);
+    const QString missing = missingPreconditions(with_.workbench);
     for (const auto& [kind, action] : analyses_) {
         action->setEnabled(missing.isEmpty());
         const QString tip = action->data().toString();

@@ -17,7 +17,7 @@
 
 #include "gui/ModelFieldsForm.h"
 #include "gui/settings/SettingForm.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/ThemeColors.h"
 #include "gui/workbench/Workbench.h"
@@ -150,7 +150,7 @@ void ManipulatorsDock::addRow(QGridLayout* grid, const std::string& key, const Q
     row.field->setToolTip(row.slider->toolTip());
     auto* caption = new QLabel(label);
     caption->setBuddy(row.field);
-    auto* unit = new QLabel(readableUnit(info.unit));
+    auto* unit = new QLabel(formattedUnit(info.unit));
     unit->setForegroundRole(QPalette::PlaceholderText);
     const int line = grid->rowCount();
     grid->addWidget(caption, line, 0);

@@ -5,7 +5,7 @@
 #include <QLineEdit>
 
 #include "gui/settings/SettingForm.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/ThemeColors.h"
 #include "gui/workbench/Workbench.h"
@@ -34,7 +34,7 @@ void ModelFieldsForm::addRow(QGridLayout* grid, const ModelField& field) {
     auto* caption = new QLabel(textOf(field.info.label), this);
     caption->setBuddy(edit);
     caption->setToolTip(edit->toolTip());
-    auto* unit = new QLabel(readableUnit(field.info.unit), this);
+    auto* unit = new QLabel(formattedUnit(field.info.unit), this);
     unit->setForegroundRole(QPalette::PlaceholderText);
     const int line = grid->rowCount();
     grid->addWidget(caption, line, 0);

@@ -12,8 +12,8 @@
 
 #include "apps/UnknownArguments.h"
 #include "apps/smat/PlotCommand.h"
-#include "gui/Leaving.h"
 #include "gui/MainWindow.h"
+#include "gui/Shutdown.h"
 #include "gui/settings/Preferences.h"
 #include "gui/widgets/Theme.h"
 #include "gui/workbench/Workbench.h"
@@ -90,7 +90,7 @@ int runWindow(const std::string& file, std::optional<smat::gui::ThemeMode> theme
     smat::gui::applyTheme(application, theme.value_or(smat::gui::Preferences::load().theme));
     smat::gui::Workbench workbench;
     const int code = runMainWindow(application, workbench, file);
-    smat::gui::leave(workbench, code);
+    smat::gui::shutDown(workbench, code);
     return code;
 }
 

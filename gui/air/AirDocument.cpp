@@ -1,7 +1,7 @@
 #include "gui/air/AirDocument.h"
 
 #include "gui/start/DataFolder.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "irsg/core/FileReading.h"
 
 namespace smat::gui {

@@ -10,7 +10,7 @@
 #include "gui/air/AirSight.h"
 #include "gui/air/ParameterForm.h"
 #include "gui/start/DataFolder.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/ThemeColors.h"
 #include "gui/widgets/VerticalScrollArea.h"

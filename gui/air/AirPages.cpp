@@ -4,7 +4,7 @@
 #include "gui/air/AirRecovery.h"
 #include "gui/air/ImportAirDialog.h"
 #include "gui/air/ProjectAirPage.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
 #include "gui/workbench/PageTabs.h"

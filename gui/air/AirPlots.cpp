@@ -6,7 +6,7 @@
 #include <QEvent>
 
 #include "gui/plot/CartesianPlot.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Theme.h"
 
 namespace smat::gui {
@@ -68,9 +68,9 @@ void AirPlots::showSpectra(const AirSpectra& spectra) {
                         .xTitle = wavelength,
                         .yTitle = tr("Path radiance"),
                         .curves = {{tr("%1, in band %2 %3")
-                                        .arg(readableUnit("W m-2 sr-1 um-1"))
+                                        .arg(formattedUnit("W m-2 sr-1 um-1"))
                                         .arg(spectra.inBandPathRadiance_W_m2_sr, 0, 'g', 4)
-                                        .arg(readableUnit("W m-2 sr-1")),
+                                        .arg(formattedUnit("W m-2 sr-1")),
                                     spectra.wavelength_um, spectra.pathRadiance_W_m2_sr_um}}});
 }
 

@@ -13,7 +13,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
 #include "gui/workbench/Workbench.h"
@@ -215,9 +215,9 @@ void ImportAirDialog::showReading(const Reading& reading) {
         const auto runs = family_->runs().size();
         words << tr("%1, %2 to %3 µm")
                      .arg(runs == 1 ? tr("1 run") : tr("%1 runs").arg(runs))
-                     .arg(readableNumber(base.min_um), readableNumber(base.max_um));
+                     .arg(formattedNumber(base.min_um), formattedNumber(base.max_um));
         for (const std::string& span : family_->spans())
-            words << withReadableUnits(textOf(span));
+            words << withFormattedUnits(textOf(span));
     } else if (reading.files.empty()) {
         words << tr("Add the results that are to become a table.");
     } else if (reading.problems.isEmpty()) {

@@ -10,7 +10,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/ThemeColors.h"
@@ -24,7 +24,8 @@ QString textOf(std::string_view text) {
 }
 
 QString unitOf(const irsg::SmartParameter& parameter) {
-    return parameter.unit == "C" ? QStringLiteral("°C") : readableUnit(std::string(parameter.unit));
+    return parameter.unit == "C" ? QStringLiteral("°C")
+                                 : formattedUnit(std::string(parameter.unit));
 }
 
 QString titleOf(irsg::SmartGroup group) {
@@ -58,7 +59,7 @@ QString helpText(const irsg::SmartParameter& parameter) {
     return QStringLiteral("<p style='white-space:normal'>%1</p><p><i>%2</i></p>")
         .arg(textOf(parameter.help).toHtmlEscaped(),
              ParameterForm::tr("%1; by default %2")
-                 .arg(withReadableUnits(textOf(parameter.range)),
+                 .arg(withFormattedUnits(textOf(parameter.range)),
                       usual.isEmpty() ? ParameterForm::tr("none") : usual)
                  .toHtmlEscaped());
 }

@@ -10,7 +10,7 @@
 
 #include "gui/air/AirDocument.h"
 #include "gui/air/AirPages.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/ThemeColors.h"
 #include "gui/workbench/Workbench.h"
@@ -270,7 +270,7 @@ void ProjectAirPage::showAnswer(const Answer& answer) {
                 cell->setForeground(palette().brush(QPalette::PlaceholderText));
             QStringList why;
             for (const std::string& refusal : source.refusals)
-                why << withReadableUnits(textOf(refusal));
+                why << withFormattedUnits(textOf(refusal));
             cell->setToolTip(why.join('\n'));
             table_->setItem(row, column, cell);
             table_->setVerticalHeaderItem(row, new QTableWidgetItem(textOf(source.quantity)));

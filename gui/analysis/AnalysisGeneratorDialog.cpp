@@ -16,7 +16,7 @@
 #include <QVBoxLayout>
 
 #include "gui/widgets/DialogButtons.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
@@ -168,7 +168,7 @@ QStringList AnalysisGeneratorDialog::problems() const {
     };
     const AnalysisData asked = data();
     collect([&] {
-        plan_->setText(withReadableUnits(QString::fromStdString(
+        plan_->setText(withFormattedUnits(QString::fromStdString(
             planAnalysis(asked.kind, asked.project, asked.settings).description)));
     });
     collect([&] {

@@ -20,7 +20,7 @@
 
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotPanel.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Theme.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/Conditions.h"
@@ -142,7 +142,7 @@ void CostAccuracyPanel::setTable(const ResultTable& table) {
         if (key == "answered by" &&
             (value.starts_with("target error") || value.starts_with("configurations: ") ||
              value.starts_with("ways: "))) // as earlier versions wrote it
-            sentences << withReadableUnits(QString::fromStdString(value));
+            sentences << withFormattedUnits(QString::fromStdString(value));
         else if (key == "warning")
             sentences << tr("note: %1").arg(QString::fromStdString(value));
     said_->setText(sentences.join('\n'));

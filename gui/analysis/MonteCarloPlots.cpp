@@ -22,7 +22,7 @@
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotExport.h"
 #include "gui/plot/PlotLook.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Theme.h"
 #include "irsg/core/Quantity.h"
 #include "smatcore/analysis/MonteCarloFile.h"
@@ -53,7 +53,7 @@ std::vector<double> columnOf(const MonteCarloData& data, const std::string& key)
 
 /// "3-5 µm" of one of several bands, else nothing.
 QString bandText(const MonteCarloData& data, std::size_t band) {
-    return withReadableUnits(
+    return withFormattedUnits(
         QString::fromStdString(ColumnName{"", "", "", data.bands.at(band)}.which()));
 }
 
@@ -233,8 +233,8 @@ void MonteCarloPlots::drawHistogram() {
     const auto k = static_cast<std::size_t>(place_->value());
     const std::size_t count = data_.abscissae.size();
     const QString band = bandText(data_, k / count);
-    placeText_->setText(withReadableUnits(QString::number(data_.abscissae[k % count], 'g', 6) +
-                                          " " + QString::fromStdString(data_.abscissaUnit)) +
+    placeText_->setText(withFormattedUnits(QString::number(data_.abscissae[k % count], 'g', 6) +
+                                           " " + QString::fromStdString(data_.abscissaUnit)) +
                         (band.isEmpty() ? "" : ", " + band));
     histogram_->setAxisTitle(QwtPlot::xBottom, axisText(quantityTitle(data_), style));
     auto* grid = new QwtPlotGrid;

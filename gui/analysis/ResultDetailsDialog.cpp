@@ -13,7 +13,7 @@
 
 #include "gui/analysis/ResultStore.h"
 #include "gui/widgets/DialogButtons.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 
 namespace smat::gui {
 namespace {
@@ -74,8 +74,8 @@ ResultDetailsDialog::ResultDetailsDialog(const ResultEntry& entry, QWidget* pare
         const qsizetype colon = line.indexOf(": ");
         const QString what = line.left(colon), value = line.mid(colon + 2);
         auto* item =
-            colon > 0 ? new QTreeWidgetItem({withReadableUnits(what),
-                                             what == "command" ? value : withReadableUnits(value)})
+            colon > 0 ? new QTreeWidgetItem({withFormattedUnits(what),
+                                             what == "command" ? value : withFormattedUnits(value)})
                       : new QTreeWidgetItem({tr("Made"), line});
         item->setToolTip(1, item->text(1));
         list->addTopLevelItem(item);

@@ -16,7 +16,7 @@
 #include "gui/plot/PolarPlot.h"
 #include "gui/plot/ResultPlot.h"
 #include "gui/plot/TablePanel.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/workbench/ModelStore.h"
 #include "irsg/core/Errors.h"
 #include "irsg/image/PngView.h"
@@ -43,7 +43,7 @@ std::vector<NamedResult> named(const std::vector<ResultEntry>& results) {
     for (std::size_t i = 0; i < results.size(); ++i) {
         const bool tells = !telling[i].empty() && isUsual(results[i]);
         list.push_back(
-            {tells ? withReadableUnits(QString::fromStdString(telling[i])) : results[i].title,
+            {tells ? withFormattedUnits(QString::fromStdString(telling[i])) : results[i].title,
              &results[i].data->table, results.size() == 1});
     }
     return list;

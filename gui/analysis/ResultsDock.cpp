@@ -15,7 +15,7 @@
 #include "gui/analysis/ResultItemDelegate.h"
 #include "gui/analysis/ResultNotesDialog.h"
 #include "gui/image/ImageExport.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
 #include "gui/workbench/UnsavedNote.h"
@@ -223,12 +223,12 @@ void ResultsDock::refreshItem(int id) {
     words << sweptWords(*entry);
     if (!entry->notes.isEmpty())
         words << entry->notes.section('\n', 0, 0);
-    item->setData(ResultItemDelegate::detailRole, withReadableUnits(words.join(" · ")));
+    item->setData(ResultItemDelegate::detailRole, withFormattedUnits(words.join(" · ")));
 
     // The first lines are the figures; the whole provenance has a dialog.
     constexpr int shown = 9;
     QStringList lines = describe(*entry).mid(0, shown);
-    lines.insert(2, withReadableUnits(askedWords(*entry)));
+    lines.insert(2, withFormattedUnits(askedWords(*entry)));
     for (const auto& warning : entry->data->warnings)
         lines << tr("Note: %1").arg(QString::fromStdString(warning));
     item->setToolTip(lines.join('\n'));

@@ -5,7 +5,7 @@
 
 #include <QCoreApplication>
 
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "irsg/core/Errors.h"
 
 namespace smat::gui {
@@ -140,7 +140,7 @@ Node NodeRules::bounded(const Nodes& nodes, std::size_t index, Node wanted) cons
 NodeRules rulesOf(const irsg::TableRules& rules, const QString& valueUnit) {
     NodeRules made;
     made.xName = QCoreApplication::translate("EntryFields", rules.axis);
-    made.xUnit = readableUnit(rules.unit);
+    made.xUnit = formattedUnit(rules.unit);
     made.yName = QCoreApplication::translate("EntryFields", rules.value);
     made.yUnit = valueUnit;
     made.xMinimum = rules.leastPosition;

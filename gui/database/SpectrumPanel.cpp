@@ -13,7 +13,7 @@
 
 #include "gui/database/SpectrumTableModel.h"
 #include "gui/plot/CartesianPlot.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/Widgets.h"
 
@@ -111,7 +111,7 @@ void SpectrumPanel::refresh() {
                        .arg(axis.back(), 0, 'g', 4);
     }
     if (!spectrum.importedUnit.empty())
-        caption += tr(", imported as %1").arg(readableUnit(spectrum.importedUnit));
+        caption += tr(", imported as %1").arg(formattedUnit(spectrum.importedUnit));
     showTexts({}, spectrum.notes, caption);
     numbers_.show(spectrum);
     if (spectrum.components == shown_.components && spectrum.name == shown_.name)

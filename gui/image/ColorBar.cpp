@@ -13,7 +13,7 @@
 #include <QVBoxLayout>
 
 #include "gui/image/ColorBarScale.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "irsg/core/Errors.h"
 
 namespace smat::gui {
@@ -168,8 +168,8 @@ void ColorBar::setColors(const irsg::ColorMap& map, const irsg::DisplayLimits& l
     limits_ = limits;
     colorScale_->setItemText(colorScale_->findData(static_cast<int>(irsg::ColorScale::automatic)),
                              chosenWord(limits.scale));
-    low_->setText(readableNumber(limits.low));
-    high_->setText(readableNumber(limits.high));
+    low_->setText(formattedNumber(limits.low));
+    high_->setText(formattedNumber(limits.high));
     scale_->update();
 }
 
@@ -291,8 +291,8 @@ void ColorBar::readLimits() {
     bool highGood = false;
     const double low = low_->text().toDouble(&lowGood);
     const double high = high_->text().toDouble(&highGood);
-    const bool unchanged = low_->text() == readableNumber(limits_.low) &&
-                           high_->text() == readableNumber(limits_.high);
+    const bool unchanged = low_->text() == formattedNumber(limits_.low) &&
+                           high_->text() == formattedNumber(limits_.high);
     if (unchanged)
         return;
     if (!lowGood || !highGood || !(low < high) || !std::isfinite(low) || !std::isfinite(high)) {

@@ -6,7 +6,7 @@
 
 #include "gui/image/ColoredPlane.h"
 #include "gui/image/ImageExport.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "irsg/core/Errors.h"
 #include "irsg/image/ComparisonFigures.h"
@@ -214,13 +214,13 @@ QString ComparedPair::readoutAt(int x, int y) const {
             continue;
         values[i] = static_cast<double>(of->values[sides_[i].image->offset(x, y)]);
         text += QStringLiteral("          %1  %2 %3")
-                    .arg(i == 0 ? "A" : "B", readableNumber(values[i]), readableUnit(of->unit));
+                    .arg(i == 0 ? "A" : "B", formattedNumber(values[i]), formattedUnit(of->unit));
     }
     if (difference_ && !differenceTask_.isBusy())
         text += QStringLiteral("          %1  %2 %3")
                     .arg(differenceName(mode_),
-                         readableNumber(irsg::difference(values[0], values[1], mode_)),
-                         readableUnit(difference_->primary().unit));
+                         formattedNumber(irsg::difference(values[0], values[1], mode_)),
+                         formattedUnit(difference_->primary().unit));
     return text.trimmed();
 }
 

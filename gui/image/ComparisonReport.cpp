@@ -11,7 +11,7 @@
 #include "gui/image/HistogramPlot.h"
 #include "gui/image/ImageInspector.h"
 #include "gui/image/ThresholdForm.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/ThemeColors.h"
 #include "irsg/image/ComparisonFigures.h"
 
@@ -21,16 +21,16 @@ namespace {
 QString cell(const irsg::ComparisonFigure& figure) {
     QString unit = QString::fromStdString(figure.unit);
     if (unit.endsWith(" px"))
-        unit = readableUnit(unit.chopped(3).toStdString()) + "·px";
+        unit = formattedUnit(unit.chopped(3).toStdString()) + "·px";
     else
-        unit = readableUnit(figure.unit);
+        unit = formattedUnit(figure.unit);
     return (QString::fromStdString(irsg::shortNumber(figure.value)) + " " + unit).trimmed();
 }
 
 QString detail(const irsg::ComparisonFigure& figure, const irsg::Comparison& comparison) {
     QString text = QString::fromStdString(figure.detail);
     if (!comparison.unit.empty())
-        text.replace(QString::fromStdString(comparison.unit), readableUnit(comparison.unit));
+        text.replace(QString::fromStdString(comparison.unit), formattedUnit(comparison.unit));
     return text;
 }
 
@@ -113,7 +113,7 @@ void ComparisonReport::showNumbers(const ComparedPair& pair) {
         numbers_->setFigures({}, {});
         return;
     }
-    thresholds_->setUnit(readableUnit(whole->unit));
+    thresholds_->setUnit(formattedUnit(whole->unit));
     const auto figures = irsg::comparisonFigures(*whole, pair.options());
     const auto ofPart = part ? irsg::comparisonFigures(*part, pair.options())
                              : std::vector<irsg::ComparisonFigure>();

@@ -23,7 +23,7 @@
 #include "gui/image/ImageInspector.h"
 #include "gui/image/PaperPicture.h"
 #include "gui/image/ThresholdForm.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/Conditions.h"
@@ -176,7 +176,7 @@ void ComparisonWindow::showDifference() {
         report_->inspector()->clear();
         return;
     }
-    const QString unit = readableUnit(difference->primary().unit);
+    const QString unit = formattedUnit(difference->primary().unit);
     const QString title =
         differenceName(pair_->mode()) + (unit.isEmpty() ? QString() : " (" + unit + ")");
     panes_->setDifference(shareValues(difference, difference->primary()), pair_->mode(), title);

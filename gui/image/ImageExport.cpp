@@ -10,7 +10,7 @@
 #include <QPainter>
 #include <QPixmap>
 
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReplacement.h"
 #include "irsg/image/ApparentTemperature.h"
@@ -109,7 +109,7 @@ QString planeTitle(const irsg::ImageChannel& channel) {
 }
 
 QString titleWithUnit(const irsg::ImageChannel& channel) {
-    const QString unit = readableUnit(channel.unit);
+    const QString unit = formattedUnit(channel.unit);
     return planeTitle(channel) + (unit.isEmpty() ? QString() : " (" + unit + ")");
 }
 

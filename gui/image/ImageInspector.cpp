@@ -7,7 +7,7 @@
 
 #include "gui/image/FiguresTable.h"
 #include "gui/image/HistogramPlot.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "irsg/image/ImageIntensity.h"
 
 namespace smat::gui {
@@ -16,8 +16,8 @@ namespace {
 constexpr int bins = 256, contrastRow = 6;
 
 QString where(double value, int x, int y) {
-    return x < 0 ? readableNumber(value)
-                 : QStringLiteral("%1  (%2, %3)").arg(readableNumber(value)).arg(x).arg(y);
+    return x < 0 ? formattedNumber(value)
+                 : QStringLiteral("%1  (%2, %3)").arg(formattedNumber(value)).arg(x).arg(y);
 }
 
 /// The column of one set of figures.
@@ -25,11 +25,11 @@ QStringList column(const PlaneFigures& figures) {
     const auto& s = figures.statistics;
     return {where(s.minimum, s.minimumX, s.minimumY),
             where(s.maximum, s.maximumX, s.maximumY),
-            readableNumber(s.mean),
-            readableNumber(s.median),
-            readableNumber(s.standardDeviation),
-            readableNumber(s.sum),
-            figures.contrastIntensity_W_sr ? readableNumber(*figures.contrastIntensity_W_sr)
+            formattedNumber(s.mean),
+            formattedNumber(s.median),
+            formattedNumber(s.standardDeviation),
+            formattedNumber(s.sum),
+            figures.contrastIntensity_W_sr ? formattedNumber(*figures.contrastIntensity_W_sr)
                                            : QStringLiteral("–"),
             QString::number(s.finite),
             QString::number(s.nan),

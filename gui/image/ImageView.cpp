@@ -15,7 +15,7 @@
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ImageExport.h"
 #include "gui/image/ImageInspector.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "irsg/core/Errors.h"
 #include "irsg/image/ApparentTemperature.h"
@@ -113,7 +113,7 @@ QString ImageView::windowWords(int x, int y) const {
     if (finest->across == 0.0)
         return tr("Point: %1").arg(objects);
     return tr("Window: %1 × %2 samples a pixel, %3")
-        .arg(readableNumber(finest->across), readableNumber(finest->down), objects);
+        .arg(formattedNumber(finest->across), formattedNumber(finest->down), objects);
 }
 
 void ImageView::setShownPlane(int index) {
@@ -129,7 +129,7 @@ void ImageView::showPlane() {
                       showsColors() ? std::optional(lightOf(image_)) : std::nullopt);
     colors_->setEnabled(!showsColors());
     colorBar_->setTitle(titleWithUnit(shown));
-    inspector_->show(image_, shown, titleWithUnit(shown), readableUnit(shown.unit));
+    inspector_->show(image_, shown, titleWithUnit(shown), formattedUnit(shown.unit));
     updateColors();
     updateStatistics();
 }
@@ -211,7 +211,7 @@ QString ImageView::readoutAt(int x, int y) const {
     for (const auto& channel : image_->channels) {
         const double value = static_cast<double>(channel.values.at(image_->offset(x, y)));
         text += QStringLiteral("     %1 %2 %3")
-                    .arg(planeTitle(channel), readableNumber(value), readableUnit(channel.unit))
+                    .arg(planeTitle(channel), formattedNumber(value), formattedUnit(channel.unit))
                     .trimmed()
                     .prepend("     ");
     }
@@ -234,12 +234,12 @@ QString ImageView::statisticsText(const std::optional<irsg::PixelRectangle>& sel
                                    .arg(selection->y)
                              : tr("Image %1 × %2").arg(image_->width()).arg(image_->height());
     text += tr("     min %1   max %2   mean %3   median %4   σ %5   sum %6")
-                .arg(readableNumber(s.minimum), readableNumber(s.maximum), readableNumber(s.mean),
-                     readableNumber(s.median), readableNumber(s.standardDeviation),
-                     readableNumber(s.sum));
+                .arg(formattedNumber(s.minimum), formattedNumber(s.maximum),
+                     formattedNumber(s.mean), formattedNumber(s.median),
+                     formattedNumber(s.standardDeviation), formattedNumber(s.sum));
     if (figures.contrastIntensity_W_sr)
         text += tr("     contrast intensity %1 W·sr⁻¹")
-                    .arg(readableNumber(*figures.contrastIntensity_W_sr));
+                    .arg(formattedNumber(*figures.contrastIntensity_W_sr));
     const auto missing = s.nan + s.positiveInfinite + s.negativeInfinite;
     if (missing > 0)
         text += tr("     %1 pixels without a value").arg(missing);

@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 
 #include "gui/widgets/DialogButtons.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Widgets.h"
 #include "irsg/core/Errors.h"
 
@@ -19,7 +19,7 @@ namespace {
 /// What is in a field: the exact end that it began with, whose digits are not all shown, or what
 /// has been typed; nothing where that is no number.
 std::optional<double> endIn(const QLineEdit* field, double before) {
-    return field->text() == readableNumber(before) ? before : numberIn(field);
+    return field->text() == formattedNumber(before) ? before : numberIn(field);
 }
 
 } // namespace
@@ -39,7 +39,7 @@ AxisLimitsDialog::AxisLimitsDialog(const std::vector<Axis>& axes, QWidget* paren
     for (const Axis& axis : axes) {
         const int line = static_cast<int>(rows_.size()) + 1;
         const auto field = [&](double value, const char* end, int column) {
-            auto* edit = new QLineEdit(readableNumber(value), this);
+            auto* edit = new QLineEdit(formattedNumber(value), this);
             edit->setObjectName(QStringLiteral("limit%1%2").arg(line).arg(end));
             edit->setMinimumWidth(130);
             connect(edit, &QLineEdit::textChanged, this, &AxisLimitsDialog::refresh);

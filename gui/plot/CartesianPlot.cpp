@@ -17,7 +17,7 @@
 #include "gui/plot/CurveDrawing.h"
 #include "gui/plot/PlotLook.h"
 #include "gui/plot/PlotNavigator.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "irsg/core/Errors.h"
 
 namespace smat::gui {
@@ -241,7 +241,7 @@ QString CartesianPlot::readoutAt(const QPointF& canvasPoint) const {
     if (!QRectF(canvas()->rect()).contains(canvasPoint))
         return {};
     const double x = invTransform(xBottom, canvasPoint.x());
-    return data_.xTitle + ": " + readableNumber(x) + readoutsAt(x, 0.0);
+    return data_.xTitle + ": " + formattedNumber(x) + readoutsAt(x, 0.0);
 }
 
 CartesianPlot* CartesianPlot::makePrintCopy() const {
@@ -269,7 +269,7 @@ void CartesianPlot::paintCrosshair(QPainter& painter, const QPointF& point) cons
     painter.drawLine(QPointF(0.0, point.y()), QPointF(area.right(), point.y()));
 
     const double x = invTransform(xBottom, point.x());
-    paintReadouts(painter, point, data_.xTitle + "  " + readableNumber(x), x, 0.0,
+    paintReadouts(painter, point, data_.xTitle + "  " + formattedNumber(x), x, 0.0,
                   [&](double value) -> std::optional<QPointF> {
                       if (data_.yLogarithmic && !(value > 0.0))
                           return std::nullopt;

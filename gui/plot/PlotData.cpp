@@ -6,7 +6,7 @@
 
 #include <QStringList>
 
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/data/AkimaInterpolant.h"
 
@@ -144,7 +144,7 @@ QString Curve::readoutAt(double at, double period) const {
     const auto value = read(*this);
     if (!value)
         return QStringLiteral("no value");
-    QString text = readableNumber(*value);
+    QString text = formattedNumber(*value);
     if (error.empty())
         return text;
     if (const auto half = read({name, x, error}))

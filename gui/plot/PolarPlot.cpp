@@ -19,7 +19,7 @@
 #include "gui/plot/PlotLook.h"
 #include "gui/plot/PlotNavigator.h"
 #include "gui/plot/PolarItems.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "irsg/core/Errors.h"
 
 namespace smat::gui {
@@ -165,7 +165,7 @@ void PolarPlot::rebuild() {
     QString radius =
         data_.radiusTitle.isEmpty() ? QString() : tr("radius: %1").arg(data_.radiusTitle);
     if (radiusScale_ == RadiusScale::decibel)
-        radius += tr(", dB below %1").arg(readableNumber(largest_));
+        radius += tr(", dB below %1").arg(formattedNumber(largest_));
     if (const int left = samplesLeftOut(); left > 0)
         radius += tr(" (%1 values not above 0 left out)").arg(left);
     notes_ = std::make_unique<PolarNotes>(style_, data_.directionNote, data_.clockwise, radius);

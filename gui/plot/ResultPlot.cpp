@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/Conditions.h"
 #include "smatcore/analysis/ResultFile.h"
@@ -51,7 +51,7 @@ QString curveName(const NamedResult& result, const ResultColumn& column, bool ha
     ColumnName parts = ColumnName::of(column.key);
     if (hasObjects && parts.object.empty())
         parts.object = "all";
-    const QString which = withReadableUnits(QString::fromStdString(parts.which()));
+    const QString which = withFormattedUnits(QString::fromStdString(parts.which()));
     return which.isEmpty() || result.name.isEmpty() ? result.name + which
                                                     : result.name + ": " + which;
 }

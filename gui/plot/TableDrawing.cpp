@@ -8,7 +8,7 @@
 #include <QPainter>
 
 #include "gui/plot/PlotLook.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/ThemeColors.h"
 #include "irsg/core/Errors.h"
 #include "irsg/geometry/view/Pose.h"
@@ -28,7 +28,7 @@ QString words(const char* text) {
 }
 
 QString shownNumber(double value) {
-    return readableNumber(value);
+    return formattedNumber(value);
 }
 
 /// Towards the camera of a direction: x to starboard, y to the nose, z up.
@@ -123,7 +123,7 @@ QString TableDrawing::barTitle() const {
     const QString title = QString::fromStdString(column_->axisTitle());
     if (!isDecibel_)
         return title;
-    const QString unit = readableUnit(column_->unit);
+    const QString unit = formattedUnit(column_->unit);
     const QString name = title.section(" (", 0, 0);
     return unit.isEmpty() ? words("%1 (dB)").arg(name) : words("%1 (dB over 1 %2)").arg(name, unit);
 }
@@ -138,7 +138,7 @@ QString TableDrawing::readout(int direction) const {
     const auto& at = table_.directions()[static_cast<std::size_t>(direction)];
     QString text = words("Azimuth %1°, elevation %2°: %3 %4")
                        .arg(shownNumber(at.azimuth_deg), shownNumber(at.elevation_deg),
-                            shownNumber(value(direction)), readableUnit(column_->unit))
+                            shownNumber(value(direction)), formattedUnit(column_->unit))
                        .trimmed();
     if (isDecibel_)
         text += words(", %1 dB").arg(shownValue(direction), 0, 'f', 2);

@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 
 #include "gui/widgets/FlowBar.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Widgets.h"
 #include "irsg/core/Errors.h"
@@ -58,7 +58,7 @@ void TablePanel::fillBar() {
     auto* flow = new FlowBar(this);
     quantity_ = box("tableQuantity", tr("Quantity that is drawn"));
     for (const TableVariable& variable : variables_.list) {
-        const QString unit = readableUnit(variable.unit);
+        const QString unit = formattedUnit(variable.unit);
         quantity_->addItem(QString::fromStdString(variable.title) +
                                (unit.isEmpty() ? QString() : " (" + unit + ")"),
                            QString::fromStdString(variable.name));
@@ -68,7 +68,7 @@ void TablePanel::fillBar() {
     flow->first()->addWidget(quantity_);
     band_ = box("tableBand", tr("Band"));
     for (const std::string& band : variables_.bands)
-        band_->addItem(withReadableUnits(QString::fromStdString(band)));
+        band_->addItem(withFormattedUnits(QString::fromStdString(band)));
     band_->setVisible(variables_.bands.size() > 1);
     flow->first()->addWidget(band_);
     for (const SignatureTable::Axis& axis : plot_->drawing().table().axes()) {
@@ -78,7 +78,7 @@ void TablePanel::fillBar() {
         auto* values = box("tableAxis." + QString::fromStdString(axis.key), name);
         for (const double value : axis.values)
             values->addItem(QStringLiteral("%1 %2 %3")
-                                .arg(name, readableNumber(value), readableUnit(axis.unit))
+                                .arg(name, formattedNumber(value), formattedUnit(axis.unit))
                                 .trimmed());
         axes_.push_back(values);
         flow->first()->addWidget(values);

@@ -14,7 +14,7 @@
 #include "gui/database/NumberField.h"
 #include "gui/project/PlacingFields.h"
 #include "gui/widgets/DialogButtons.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "irsg/signature/MaterialLibrary.h"
 #include "irsg/signature/SignatureFile.h"

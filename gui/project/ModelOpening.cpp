@@ -1,6 +1,6 @@
 #include "gui/project/ModelOpening.h"
 
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "smatcore/project/ProjectFile.h"
 

@@ -11,7 +11,7 @@
 
 #include "gui/database/NumberField.h"
 #include "gui/project/PlacingPicture.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/project/Project.h"
@@ -220,9 +220,9 @@ void PlacingFields::refresh() {
             const osg::Vec3d size =
                 osg::Matrixd::transform3x3(high - low, irsg::turnAndScale(whole));
             said_->setText(tr("%1 m long, %2 m wide, %3 m high%4")
-                               .arg(readableNumber(std::abs(size.y())),
-                                    readableNumber(std::abs(size.x())),
-                                    readableNumber(std::abs(size.z())),
+                               .arg(formattedNumber(std::abs(size.y())),
+                                    formattedNumber(std::abs(size.x())),
+                                    formattedNumber(std::abs(size.z())),
                                     shape_->axes.reason.empty()
                                         ? QString()
                                         : "; " + QString::fromStdString(shape_->axes.reason)));

@@ -11,7 +11,7 @@
 #include "gui/project/NewProjectDialog.h"
 #include "gui/settings/Preferences.h"
 #include "gui/start/DataFolder.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/geometry/reading/OpenableFiles.h"

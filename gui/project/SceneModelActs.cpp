@@ -4,7 +4,7 @@
 
 #include "gui/project/ProjectFiles.h"
 #include "gui/widgets/Dialogs.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"

@@ -12,7 +12,7 @@
 
 #include "gui/project/SceneTreeItems.h"
 #include "gui/widgets/BackgroundPool.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Theme.h"
 #include "gui/workbench/Workbench.h"
 

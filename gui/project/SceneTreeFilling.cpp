@@ -4,7 +4,7 @@
 #include <QTreeWidgetItemIterator>
 
 #include "gui/project/SceneTreeDock.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/ThemeColors.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/radiometry/Units.h"
@@ -170,7 +170,7 @@ void SceneTreeDock::refreshSettings() {
     if (sensor_ == nullptr)
         return;
     const Settings& settings = workbench_.settings();
-    const auto unit = [](const std::string& key) { return readableUnit(settingInfo(key).unit); };
+    const auto unit = [](const std::string& key) { return formattedUnit(settingInfo(key).unit); };
     QStringList responses;
     for (const auto& file : settings[key::sensorResponse])
         responses << textOf(file.filename().string());

@@ -18,7 +18,7 @@
 #include "gui/scenario/ScenarioSettings.h"
 #include "gui/scenario/TrajectoryModel.h"
 #include "gui/scenario/TrajectoryView.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/ThemeColors.h"
 #include "gui/widgets/Widgets.h"

@@ -16,7 +16,7 @@
 #include "gui/plot/PlotPanel.h"
 #include "gui/plot/ResultPlot.h"
 #include "gui/start/DataFolder.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Widgets.h"
 #include "irsg/core/Errors.h"

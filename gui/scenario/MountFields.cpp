@@ -5,7 +5,7 @@
 #include <QComboBox>
 #include <QFormLayout>
 
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 
 namespace smat::gui {
 namespace {

@@ -4,7 +4,7 @@
 #include <QLabel>
 
 #include "gui/database/NumberField.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/simulate/Trajectory.h"
 
@@ -34,7 +34,7 @@ PlaceFields::PlaceFields(QWidget* parent) : QWidget(parent) {
         // Those of a trajectory behind its time.
         const TrajectoryColumn& column = TrajectoryTable::columns()[i + 1];
         const QString name = textOf(std::string(column.name));
-        auto* field = new NumberField(readableUnit(std::string(column.unit)), this);
+        auto* field = new NumberField(formattedUnit(std::string(column.unit)), this);
         field->setObjectName("place." + name);
         field->setAccessibleName(name);
         field->setToolTip(tips[static_cast<int>(i)]);

@@ -2,7 +2,7 @@
 
 #include <QHeaderView>
 
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 
 namespace smat::gui {
 
@@ -53,7 +53,7 @@ void PresentTable::showMoment(const Scenario& scenario, const ScenarioPicture& p
         const auto object = i < picture.objects.size() ? picture.objects[i]
                                                        : std::optional<irsg::ObjectRadiometry>();
         const auto number = [](bool isThere, double value) {
-            return isThere ? readableNumber(value) : QStringLiteral("–");
+            return isThere ? formattedNumber(value) : QStringLiteral("–");
         };
         const irsg::ObjectRadiometry seen = object.value_or(irsg::ObjectRadiometry{});
         const TrajectoryPoint point = at.value_or(TrajectoryPoint{});

@@ -15,7 +15,7 @@
 #include "gui/scenario/ScenarioDocument.h"
 #include "gui/start/DataFolder.h"
 #include "gui/widgets/DialogButtons.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "irsg/core/Errors.h"
 #include "irsg/image/ImageFormat.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "gui/start/DataFolder.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/simulate/ScenarioFile.h"
 #include "smatcore/support/TextFile.h"
@@ -108,7 +108,7 @@ QString ScenarioDocument::change(const QString& step,
     } catch (const irsg::InputError& error) {
         const irsg::Diagnostic& first = error.diagnostics().front();
         return tr("%1, where %2 is needed")
-            .arg(textOf(first.value), withReadableUnits(textOf(first.expected)));
+            .arg(textOf(first.value), withFormattedUnits(textOf(first.expected)));
     }
     this->edit(std::move(after), step, gesture);
     return {};

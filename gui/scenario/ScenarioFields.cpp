@@ -7,7 +7,7 @@
 #include <QSignalBlocker>
 
 #include "gui/database/NumberField.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 
 namespace smat::gui {
 namespace {

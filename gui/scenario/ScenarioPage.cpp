@@ -20,7 +20,7 @@
 #include "gui/scenario/TimeLine.h"
 #include "gui/start/DataFolder.h"
 #include "gui/widgets/FlowBar.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/VerticalScrollArea.h"
 #include "gui/widgets/Widgets.h"

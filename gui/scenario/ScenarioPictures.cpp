@@ -1,6 +1,6 @@
 #include "gui/scenario/ScenarioPictures.h"
 
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/workbench/ModelStore.h"
 #include "irsg/image/ApparentTemperature.h"

@@ -1,7 +1,7 @@
 #include "gui/scenario/ScenarioSettings.h"
 
 #include "gui/settings/SettingsDialog.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
 

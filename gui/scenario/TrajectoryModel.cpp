@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/NumberText.h"
-#include "gui/widgets/Readable.h"
 
 namespace smat::gui {
 namespace {
@@ -89,7 +89,7 @@ QVariant TrajectoryModel::headerData(int section, Qt::Orientation orientation, i
     if (orientation == Qt::Vertical)
         return section < points() ? QVariant(section + 1) : QVariant("+");
     const TrajectoryTable::Column column = columnAt(section);
-    const QString unit = readableUnit(std::string(columnOf(column).unit));
+    const QString unit = formattedUnit(std::string(columnOf(column).unit));
     return unit.isEmpty() ? nameOf(column) : QStringLiteral("%1\n(%2)").arg(nameOf(column), unit);
 }
 
@@ -126,7 +126,7 @@ QString TrajectoryModel::problemOf(const QModelIndex& cell, const QString& text)
     const auto number = numberOf(text);
     const TrajectoryTable::Column column = columnAt(cell.column());
     const QString expected =
-        withReadableUnits(QString::fromStdString(columnOf(column).expectation()));
+        withFormattedUnits(QString::fromStdString(columnOf(column).expectation()));
     if (!number)
         return tr("%1: '%2', where %3 is needed").arg(nameOf(column), text, expected);
     if (*number < columnOf(column).minimum || *number > columnOf(column).maximum)
@@ -151,8 +151,9 @@ QString TrajectoryModel::take(std::vector<Row> rows, const QString& step) {
                 rows[i][column] > columnOf(column).maximum)
                 return tr("row %1, %2: %3, where %4 is needed")
                     .arg(i + 1)
-                    .arg(nameOf(column), gui::textOf(rows[i][column]),
-                         withReadableUnits(QString::fromStdString(columnOf(column).expectation())));
+                    .arg(
+                        nameOf(column), gui::textOf(rows[i][column]),
+                        withFormattedUnits(QString::fromStdString(columnOf(column).expectation())));
         }
         if (i > 0 && rows[i][TrajectoryTable::time] == rows[i - 1][TrajectoryTable::time])
             return tr("two rows have the time %1 s")

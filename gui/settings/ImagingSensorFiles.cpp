@@ -3,7 +3,7 @@
 #include <QFileInfo>
 
 #include "gui/start/DataFolder.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"

@@ -13,7 +13,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/ThemeColors.h"
 #include "smatcore/settings/SettingAvailability.h"
@@ -23,7 +23,7 @@ namespace {
 
 /// What a field takes, with long powers of ten as 10⁹.
 QString expectedText(const SettingInfo& info) {
-    QString text = withReadableUnits(textOf(info.expected()));
+    QString text = withFormattedUnits(textOf(info.expected()));
     static const QRegularExpression power("\\b1(0{6,})\\b");
     for (auto found = power.match(text); found.hasMatch(); found = power.match(text)) {
         QString exponent = QString::number(found.capturedLength(1));
@@ -60,7 +60,7 @@ SettingForm::SettingForm(const std::vector<std::string>& keys, FileChooser choos
     int unitWidth = 28;
     for (const auto& key : keys)
         unitWidth = std::max(
-            unitWidth, fontMetrics().horizontalAdvance(readableUnit(settingInfo(key).unit)) + 2);
+            unitWidth, fontMetrics().horizontalAdvance(formattedUnit(settingInfo(key).unit)) + 2);
     for (const auto& key : keys) {
         const SettingInfo& info = settingInfo(key);
         QWidget* field = makeField(info);
@@ -78,7 +78,7 @@ SettingForm::SettingForm(const std::vector<std::string>& keys, FileChooser choos
         auto* row = new QHBoxLayout;
         row->setSpacing(8);
         row->addWidget(field, 1);
-        auto* unit = new QLabel(readableUnit(info.unit), this);
+        auto* unit = new QLabel(formattedUnit(info.unit), this);
         unit->setForegroundRole(QPalette::PlaceholderText);
         unit->setMinimumWidth(unitWidth); // so that all fields end in one line
         row->addWidget(unit);

@@ -8,7 +8,7 @@
 #include <QLockFile>
 #include <QRegularExpression>
 
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "irsg/core/Errors.h"
 
 namespace smat::gui {

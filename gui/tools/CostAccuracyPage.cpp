@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 
 #include "gui/analysis/CostAccuracyPanel.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"

@@ -13,7 +13,7 @@
 #include <QVBoxLayout>
 
 #include "gui/analysis/MonteCarloPlots.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/CsvTable.h"
@@ -139,9 +139,9 @@ void MonteCarloPage::fillScales() {
                     row->setToolTip(0, QString::fromStdString(entry.documentation));
                     row->setText(1, d.isFixed() ? tr("fixed")
                                                 : QString::fromUtf8(irsg::info(d.kind()).name));
-                    row->setText(2, d.isFixed() ? readableNumber(d.minimum())
-                                                : readableNumber(d.minimum()) + " – " +
-                                                      readableNumber(d.maximum()));
+                    row->setText(2, d.isFixed() ? formattedNumber(d.minimum())
+                                                : formattedNumber(d.minimum()) + " – " +
+                                                      formattedNumber(d.maximum()));
                     row->setDisabled(d.isFixed());
                 }
         } catch (const irsg::InputError& error) {
@@ -259,8 +259,8 @@ void MonteCarloPage::showResult(const JobResult& result) {
     for (const SummaryItem& item : data.analysis.summary)
         if (item.label.find("index of") == std::string::npos)
             lines << QString("%1: %2 %3")
-                         .arg(withReadableUnits(QString::fromStdString(item.label)),
-                              readableNumber(item.value), readableUnit(item.unit))
+                         .arg(withFormattedUnits(QString::fromStdString(item.label)),
+                              formattedNumber(item.value), formattedUnit(item.unit))
                          .trimmed();
     for (const std::string& warning : data.analysis.warnings)
         lines << tr("note: %1").arg(QString::fromStdString(warning));

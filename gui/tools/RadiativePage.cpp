@@ -11,7 +11,7 @@
 
 #include "gui/settings/SettingForm.h"
 #include "gui/tools/TargetPoint.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"
@@ -44,7 +44,7 @@ QString figuresOf(const RadiativeOutput& output) {
         lines << QStringLiteral("%1: %2 %3")
                      .arg(label)
                      .arg(item.value, 0, 'g', 6)
-                     .arg(readableUnit(item.unit))
+                     .arg(formattedUnit(item.unit))
                      .trimmed();
     }
     for (const auto& warning : output.warnings)

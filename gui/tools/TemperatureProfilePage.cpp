@@ -6,7 +6,7 @@
 #include <QLineEdit>
 #include <QVBoxLayout>
 
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Widgets.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"

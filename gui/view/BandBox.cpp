@@ -2,7 +2,7 @@
 
 #include <QLineEdit>
 
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"

@@ -9,7 +9,7 @@
 
 #include "gui/image/ImageView.h"
 #include "gui/view/InfraredDisplay.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat::gui {
@@ -126,7 +126,7 @@ QString InfraredPictures::readoutAt(double right, double down) const {
     const auto& plane = picture->plane();
     const auto value = static_cast<double>(plane.values[picture->image->offset(x, y)]);
     return QStringLiteral("%1 %2 %3")
-        .arg(planeTitle(plane), readableNumber(value), readableUnit(plane.unit));
+        .arg(planeTitle(plane), formattedNumber(value), formattedUnit(plane.unit));
 }
 
 const InfraredPicture* InfraredPictures::shown() const {

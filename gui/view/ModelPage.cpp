@@ -19,7 +19,7 @@
 #include "gui/view/SensorFrusta.h"
 #include "gui/view/ViewOverlay.h"
 #include "gui/widgets/FlowBar.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Theme.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/Conditions.h"
@@ -340,7 +340,7 @@ void ModelPage::refreshBar() {
     if (picture == nullptr)
         return;
     const auto& plane = picture->plane();
-    bar_->setTitle(QStringLiteral("%1 (%2)").arg(planeTitle(plane), readableUnit(plane.unit)));
+    bar_->setTitle(QStringLiteral("%1 (%2)").arg(planeTitle(plane), formattedUnit(plane.unit)));
     bar_->setColors(view_->infrared().colorMap(), picture->limits);
 }
 

@@ -5,7 +5,7 @@
 #include <QString>
 
 #include "gui/view/ViewHud.h"
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/project/EnvironmentInput.h"
@@ -100,7 +100,7 @@ QString ViewSubject::fieldWords(const char* key) const {
     Project shown = *project_;
     shown.settings = settings_;
     const std::string text = smat::textOf(shown, chosen_, *field);
-    const QString unit = readableUnit(field->info.unit);
+    const QString unit = formattedUnit(field->info.unit);
     return QStringLiteral("%1 %2%3").arg(QString::fromStdString(field->info.label).toLower(),
                                          QString::fromStdString(text),
                                          unit.isEmpty() || unit == "°" ? unit : " " + unit);

@@ -4,7 +4,7 @@
 
 #include <QUndoCommand>
 
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "smatcore/settings/SettingInfo.h"
 
 namespace smat::gui {
@@ -23,7 +23,7 @@ QString stepOf(const std::string& key, const std::string& value) {
     if (info.kind == SettingKind::boolean)
         return (value == "true" ? EditSteps::tr("Switch %1 on") : EditSteps::tr("Switch %1 off"))
             .arg(label);
-    if (const QString unit = readableUnit(info.unit); !unit.isEmpty())
+    if (const QString unit = formattedUnit(info.unit); !unit.isEmpty())
         text += (unit == "°" ? "" : " ") + unit;
     return EditSteps::tr("Set %1 to %2").arg(label, text.size() > 40 ? text.left(39) + "…" : text);
 }

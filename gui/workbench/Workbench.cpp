@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 #include "irsg/core/Errors.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
 #include "smatcore/project/ProjectFile.h"
@@ -281,7 +281,7 @@ void Workbench::setField(std::size_t model, const ModelField& field, const std::
     }
     if (after == before)
         return;
-    const QString unit = readableUnit(field.info.unit);
+    const QString unit = formattedUnit(field.info.unit);
     const QString value = textOf(smat::textOf(after, model, field)) +
                           (unit.isEmpty() || unit == "°" ? unit : " " + unit);
     steps_.push(before, after,

@@ -30,7 +30,7 @@ class RecoveryCopyTest : public test::WindowFixture {
             RecoverySlot::remove(copy);
         }
     }
-    static void leave(const std::string& title, int number = 1) {
+    static void shutDown(const std::string& title, int number = 1) {
         Project left = projectOfModel(ship());
         left.title = title;
         const auto copy = RecoveryCopy::pathFor({}, number);
@@ -49,7 +49,7 @@ class RecoveryCopyTest : public test::WindowFixture {
 };
 
 TEST_F(RecoveryCopyTest, ACopyThatWasLeftBehindIsNeverWrittenOver) {
-    leave("Of the crash");
+    shutDown("Of the crash");
     answer = -1;
     EXPECT_TRUE(window->begin(ship()));
     EXPECT_EQ(asked, QStringList{"Recover unsaved changes"});
@@ -69,7 +69,7 @@ TEST_F(RecoveryCopyTest, ACopyThatWasLeftBehindIsNeverWrittenOver) {
 }
 
 TEST_F(RecoveryCopyTest, AModelOfTheCommandLineComesAfterWhatIsRecovered) {
-    leave("Of the crash");
+    shutDown("Of the crash");
     QStringList said;
     QObject::connect(&window->files(), &ProjectFiles::said,
                      [&](const QString& sentence) { said << sentence; });
@@ -90,7 +90,7 @@ TEST_F(RecoveryCopyTest, AModelOfTheCommandLineComesAfterWhatIsRecovered) {
 
 TEST_F(RecoveryCopyTest, EveryCopyThatWasLeftBehindIsOffered) {
     for (int number = 1; number <= 3; ++number) {
-        leave("Crash " + std::to_string(number), number);
+        shutDown("Crash " + std::to_string(number), number);
     }
     // Newest first; the first is discarded, the second left alone and the third taken.
     answers = {1, -1, 0};

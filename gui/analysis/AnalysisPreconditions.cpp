@@ -1,4 +1,4 @@
-#include "gui/analysis/MissingForAnalyses.h"
+#include "gui/analysis/AnalysisPreconditions.h"
 
 #include <QCoreApplication>
 
@@ -9,12 +9,12 @@ namespace smat::gui {
 namespace {
 
 struct Missing {
-    Q_DECLARE_TR_FUNCTIONS(smat::gui::MissingForAnalyses)
+    Q_DECLARE_TR_FUNCTIONS(smat::gui::AnalysisPreconditions)
 };
 
 } // namespace
 
-QString missingForAnalyses(Workbench& workbench) {
+QString missingPreconditions(Workbench& workbench) {
     if (!workbench.hasProject())
         return Missing::tr("Open a project, a sample or a model first.");
     if (workbench.project().models.empty())

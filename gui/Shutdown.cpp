@@ -1,4 +1,4 @@
-#include "gui/Leaving.h"
+#include "gui/Shutdown.h"
 
 #include <iostream>
 
@@ -17,7 +17,7 @@ constexpr int patience_ms = 300, pause_ms = 5;
 
 } // namespace
 
-void leave(Workbench& workbench, int code) {
+void shutDown(Workbench& workbench, int code) {
     backgroundPool().clear();
     workbench.jobs().cancelAll();
     const auto rests = [&] {

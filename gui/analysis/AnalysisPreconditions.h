@@ -7,6 +7,6 @@ namespace smat::gui {
 class Workbench;
 
 /// Why no analysis can be run now, as one sentence that says what to do; empty where one can.
-QString missingForAnalyses(Workbench& workbench);
+QString missingPreconditions(Workbench& workbench);
 
 } // namespace smat::gui

@@ -14,13 +14,13 @@ inline QString textOf(const std::filesystem::path& file) {
     return QString::fromStdString(file.string());
 }
 /// "1.2346e+05": six significant digits for read-outs, "no value" where it is not finite.
-QString readableNumber(double value);
+QString formattedNumber(double value);
 /// A number that reads back as it is; nothing where it is not finite.
 QString exactNumber(double value);
 /// "W m-2 sr-1" as "W·m⁻²·sr⁻¹"; a unit that is no quantity's as it is.
-QString readableUnit(const std::string& unit);
+QString formattedUnit(const std::string& unit);
 /// The same for units behind numbers in a sentence: "0 to 350°, 640 × 512 px" for
 /// "0 to 350 deg, 640 x 512 px".
-QString withReadableUnits(QString sentence);
+QString withFormattedUnits(QString sentence);
 
 } // namespace smat::gui

@@ -1,4 +1,4 @@
-#include "gui/Leaving.h"
+#include "gui/Shutdown.h"
 
 #include <semaphore>
 
@@ -30,11 +30,11 @@ void leaveWhileReading(const std::function<void(Workbench&, MainWindow&)>& act) 
             _exit(1);
         }
     }
-    leave(workbench, 7);
+    shutDown(workbench, 7);
     _exit(2); // it came back although somebody reads
 }
 
-class LeavingTest : public ::testing::Test {
+class ShutdownTest : public ::testing::Test {
   protected:
     void SetUp() override {
         GTEST_FLAG_SET(death_test_style, "threadsafe");
@@ -44,13 +44,13 @@ class LeavingTest : public ::testing::Test {
     }
 };
 
-TEST_F(LeavingTest, DoesNotWaitForAModelThatIsBeingRead) {
+TEST_F(ShutdownTest, DoesNotWaitForAModelThatIsBeingRead) {
     // Through the project, so that view, tree and editor all ask for it.
     EXPECT_EXIT(leaveWhileReading([](Workbench& workbench, MainWindow&) { workbench.open(box); }),
                 ::testing::ExitedWithCode(7), "");
 }
 
-TEST_F(LeavingTest, DoesNotWaitForAnAnalysisWhoseModelIsBeingRead) {
+TEST_F(ShutdownTest, DoesNotWaitForAnAnalysisWhoseModelIsBeingRead) {
     EXPECT_EXIT(leaveWhileReading([](Workbench& workbench, MainWindow&) {
                     workbench.open(box);
                     AnalysisData data;
@@ -61,7 +61,7 @@ TEST_F(LeavingTest, DoesNotWaitForAnAnalysisWhoseModelIsBeingRead) {
                 ::testing::ExitedWithCode(7), "");
 }
 
-TEST_F(LeavingTest, ComesBackWhereNothingRuns) {
+TEST_F(ShutdownTest, ComesBackWhereNothingRuns) {
     Workbench workbench;
     {
         MainWindow window(workbench);
@@ -70,7 +70,7 @@ TEST_F(LeavingTest, ComesBackWhereNothingRuns) {
         ASSERT_TRUE(test::waitUntil([&] { return !window.isLoadingModel(); }));
         ASSERT_TRUE(window.close());
     }
-    leave(workbench, 7);
+    shutDown(workbench, 7);
     SUCCEED();
 }
 

@@ -1,4 +1,4 @@
-#include "gui/widgets/Readable.h"
+#include "gui/widgets/NumberFormat.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ QString withRaisedPowers(const QString& unit) {
 
 } // namespace
 
-QString readableNumber(double value) {
+QString formattedNumber(double value) {
     return std::isfinite(value) ? QString::number(value, 'g', 6) : QStringLiteral("no value");
 }
 
@@ -41,7 +41,7 @@ QString exactNumber(double value) {
     return std::isfinite(value) ? QString::fromStdString(irsg::numberText(value)) : QString();
 }
 
-QString readableUnit(const std::string& unit) {
+QString formattedUnit(const std::string& unit) {
     for (int i = 0; i <= static_cast<int>(irsg::Quantity::dimensionless); ++i) {
         const auto& info = irsg::info(static_cast<irsg::Quantity>(i));
         if (info.unit == unit)
@@ -59,8 +59,8 @@ std::vector<std::pair<QRegularExpression, QString>> unitsInSentences() {
     std::vector<std::pair<QString, QString>> units;
     for (int i = 0; i < static_cast<int>(irsg::Quantity::dimensionless); ++i) {
         const std::string unit(irsg::info(static_cast<irsg::Quantity>(i)).unit);
-        if (const QString plain = QString::fromStdString(unit); readableUnit(unit) != plain)
-            units.emplace_back(plain, readableUnit(unit));
+        if (const QString plain = QString::fromStdString(unit); formattedUnit(unit) != plain)
+            units.emplace_back(plain, formattedUnit(unit));
     }
     std::ranges::sort(units, {}, [](const auto& unit) { return -unit.first.size(); });
     std::vector<std::pair<QRegularExpression, QString>> result;
@@ -73,7 +73,7 @@ std::vector<std::pair<QRegularExpression, QString>> unitsInSentences() {
 
 } // namespace
 
-QString withReadableUnits(QString sentence) {
+QString withFormattedUnits(QString sentence) {
     static const auto units = unitsInSentences();
     static const QRegularExpression times("(?<=\\d) x (?=\\d)");
     for (const auto& [plain, readable] : units)

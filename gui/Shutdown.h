@@ -8,6 +8,6 @@ class Workbench;
 /// read a model, or draw, do it for nobody; where they do not end by themselves the process ends
 /// with `code` here, in their midst. What is written comes into being whole or not at all, so
 /// nothing is damaged by that. Returns where all threads rest.
-void leave(Workbench& workbench, int code);
+void shutDown(Workbench& workbench, int code);
 
 } // namespace smat::gui
