@@ -105,11 +105,11 @@ double targetOf(int number) {
     return 1e-3 * std::pow(50.0, std::fmod(0.618034 * number, 1.0));
 }
 
-RandomAir airOf(int number) {
+RandomAtmosphere atmosphereOf(int number) {
     // Half of them without air, a tenth wideband.
-    return number % 2 == 0    ? RandomAir::none
-           : number % 10 == 9 ? RandomAir::wideband
-                              : RandomAir::spectral;
+    return number % 2 == 0    ? RandomAtmosphere::none
+           : number % 10 == 9 ? RandomAtmosphere::wideband
+                              : RandomAtmosphere::spectral;
 }
 
 void judgeTargets(int first, int scenes) {
@@ -118,7 +118,7 @@ void judgeTargets(int first, int scenes) {
     std::vector<double> parts; // of the target
     double alone_s = 0.0, chosen_s = 0.0;
     for (int i = first; i < first + scenes; ++i) {
-        const RandomScene random = randomScene(static_cast<unsigned>(i), airOf(i));
+        const RandomScene random = randomScene(static_cast<unsigned>(i), atmosphereOf(i));
         const auto truth = judged(renderer, random);
         Targeted one(random, targetOf(i));
         const smat::TargetChoice choice = one.choice(1, 0.0, 1);
@@ -178,7 +178,7 @@ int main(int argc, char** argv) {
     Tally all, of[3], intensity, contrast;
     std::vector<RandomScene> timed[3];
     for (int i = first; i < first + scenes; ++i) {
-        const RandomAir air = isWideband ? RandomAir::wideband : airOf(i);
+        const RandomAtmosphere air = isWideband ? RandomAtmosphere::wideband : atmosphereOf(i);
         const RandomScene random = randomScene(static_cast<unsigned>(i), air);
         if (timed[static_cast<int>(air)].size() < 6)
             timed[static_cast<int>(air)].push_back(random);

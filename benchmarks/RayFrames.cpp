@@ -93,7 +93,7 @@ void measureLight(const Entity& entity, EngineChoice engine, int aspects) {
         settings.tileSide_samples = 0;
         settings.samplesPerAxis = 1;
         irsg.scene.settings = settings;
-        irsg.scene.environment = test::brightAir();
+        irsg.scene.environment = test::brightAtmosphere();
         irsg.scene.entities = {hasLobes ? glossy(entity) : entity};
         test::View view{.range_m = 20.0 * size_m,
                         .azimuth_rad = radians(60.0),
@@ -185,7 +185,7 @@ void measureEngines() {
                         settings.tileSide_samples = 0;
                         settings.samplesPerAxis = 1;
                         irsg.scene.settings = settings;
-                        irsg.scene.environment = test::brightAir();
+                        irsg.scene.environment = test::brightAtmosphere();
                         irsg.scene.entities = {what == 2 ? glossy(sphere) : sphere};
                         test::look(irsg, {.range_m = 50.0,
                                           .azimuth_rad = radians(60.0),
@@ -212,7 +212,7 @@ void measure(const char* name, const Entity& entity) {
             settings.tileSide_samples = 0;
             settings.samplesPerAxis = 1;
             irsg.scene.settings = settings;
-            irsg.scene.environment = test::brightAir();
+            irsg.scene.environment = test::brightAtmosphere();
             irsg.scene.entities = {entity};
             const double size_m = entity.model->bounds().diagonal_m();
             test::look(irsg, {.range_m = 20.0 * size_m,

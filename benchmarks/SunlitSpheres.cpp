@@ -41,8 +41,8 @@ int main(int argc, char** argv) {
         const Band band = Band::topHat(range.min_um, range.max_um);
         for (int model = 1; model <= 6; ++model) {
             InteractiveRenderer irsg;
-            irsg.scene.environment =
-                environmentOf(smartAir(model, range.min_um, range.max_um, 2, resolution_per_cm));
+            irsg.scene.environment = environmentOf(
+                smartAtmosphere(model, range.min_um, range.max_um, 2, resolution_per_cm));
             const auto scenes = widebandScenes(band);
             irsg.scene.entities = {scenes.front().entity};
             look(irsg, scenes.front().view);

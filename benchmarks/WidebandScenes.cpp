@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
     std::printf("| air | scene | reflection | spectral W sr⁻¹ | difference %% | background, "
                 "difference %% | "
                 "spectral ms | wideband ms | ratio |\n|---|---|---|---|---|---|---|---|---|\n");
-    for (const WidebandAir& air : widebandAirs()) {
+    for (const WidebandAtmosphere& air : widebandAtmospheres()) {
         InteractiveRenderer irsg;
         irsg.scene.environment = air.environment(resolution_per_cm);
         for (const WidebandScene& scene : widebandScenes(air.band()))

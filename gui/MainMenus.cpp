@@ -13,10 +13,10 @@
 #include "gui/HelpDialogs.h"
 #include "gui/MainDialogs.h"
 #include "gui/WindowLayout.h"
-#include "gui/air/AirPages.h"
 #include "gui/analysis/AnalysisPreconditions.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/analysis/ResultsDock.h"
+#include "gui/atmosphere/AtmospherePages.h"
 #include "gui/database/DatabaseDock.h"
 #include "gui/image/ImagePages.h"
 #include "gui/project/ProjectFiles.h"
@@ -260,7 +260,7 @@ void MainMenus::makeToolsMenu(QMenu* menu) {
         with_.air.makeNew();
     })->setToolTip(tr("Parameters of an AtmosphereSmart with what they do to the scene"));
     needProject_.append(add(menu, "projectAir", "air", tr("Air of the &project"), {},
-                            [this] { with_.air.showProjectAir(); }));
+                            [this] { with_.air.showProjectAtmosphere(); }));
     add(menu, "importAir", "import", tr("&Import results of MODTRAN…"), {},
         [this] { with_.air.importTables(); });
     addToolPages(*menu, with_.workbench, with_.dialogs,

@@ -16,7 +16,7 @@ class QToolBar;
 
 namespace smat::gui {
 
-class AirPages;
+class AtmospherePages;
 class DatabaseDock;
 class FileOpening;
 class ImagePages;
@@ -43,7 +43,7 @@ struct MainParts {
     ProjectView* view; ///< null where the desktop has no OpenGL
     ResultsDock& results;
     DatabaseDock& database;
-    AirPages& air;
+    AtmospherePages& air;
     WindowLayout& layout;
     SceneModelActs& models;
     SceneTreeDock& tree;

@@ -12,12 +12,12 @@
 #include "gui/MainMenus.h"
 #include "gui/ManipulatorsDock.h"
 #include "gui/WindowLayout.h"
-#include "gui/air/AirPage.h"
-#include "gui/air/AirPages.h"
-#include "gui/air/AirRecovery.h"
 #include "gui/analysis/JobBar.h"
 #include "gui/analysis/ResultPages.h"
 #include "gui/analysis/ResultsDock.h"
+#include "gui/atmosphere/AtmospherePage.h"
+#include "gui/atmosphere/AtmospherePages.h"
+#include "gui/atmosphere/AtmosphereRecovery.h"
 #include "gui/database/DatabaseDock.h"
 #include "gui/database/DatabasePreview.h"
 #include "gui/image/ImagePages.h"
@@ -56,7 +56,7 @@ MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     auto* scenarios = new ScenarioPages(workbench_, dialogs_, *tabs_);
     opening_ =
         new FileOpening(this, workbench_, dialogs_, *files_, *images_, *results_, *scenarios);
-    auto* air = new AirPages(workbench_, dialogs_, *tabs_);
+    auto* air = new AtmospherePages(workbench_, dialogs_, *tabs_);
     openWith({"xml"}, [air](const std::filesystem::path& file) { return air->open(file); });
     layout_ = new WindowLayout(*this);
     menus_ =
@@ -329,7 +329,7 @@ void MainWindow::openWith(const QStringList& suffixes,
 
 void MainWindow::tellInternalError(const QString& what) {
     files_->recovery().writeNow();
-    for (AirPage* page : tabs_->findChildren<AirPage*>())
+    for (AtmospherePage* page : tabs_->findChildren<AtmospherePage*>())
         page->recovery().writeNow();
     dialogs_.tell(this, tr("Internal error"),
                   {what, tr("Your unsaved changes were kept in a recovery copy.")});

@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-int airInfo(const std::string& file, Context& context) {
+int atmosphereFileInfo(const std::string& file, Context& context) {
     const StageTimer::Scope scope(&context.timer, "load");
     if (context.json)
         fmt::print("{}\n", jsonText(atmosphereInfo(file)));
@@ -123,8 +123,9 @@ void addAtmosphereCommand(CLI::App& app, Context& context) {
                 "of a table, the list of an environment");
     auto file = std::make_shared<std::string>();
     infoCommand->add_option("FILE", *file, "Atmosphere or Environment")->required()->type_name("");
-    infoCommand->callback(
-        [&context, file] { context.work = [&context, file] { return airInfo(*file, context); }; });
+    infoCommand->callback([&context, file] {
+        context.work = [&context, file] { return atmosphereFileInfo(*file, context); };
+    });
 
     CLI::App* importCommand = command->add_subcommand(
         "import", "One table of MODTRAN results: tape7, tape7.scn, CSV and JSON");

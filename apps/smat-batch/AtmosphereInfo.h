@@ -12,7 +12,7 @@ namespace smat::batch {
 /// and remarks of the atmosphere and what it tells of itself (Atmosphere::describe); of an
 /// Environment sun, default background and the list of its atmospheres in the order in which they
 /// are asked.
-/// Both throw InputError as addAir does.
+/// Both throw InputError as addAtmosphere does.
 nlohmann::ordered_json atmosphereInfo(const std::filesystem::path& file);
 void printAtmosphereInfo(const std::filesystem::path& file);
 

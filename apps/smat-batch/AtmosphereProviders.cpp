@@ -42,7 +42,7 @@ int printAtmosphereProviders(const std::vector<std::string>& atmospheres,
     for (const std::string& band : bands)
         ranges.push_back(irsg::Band::fromText(band).range());
     irsg::Environment environment;
-    addAir(environment, {atmospheres.begin(), atmospheres.end()});
+    addAtmosphere(environment, {atmospheres.begin(), atmospheres.end()});
     const std::vector<BandProviders> all = providersFor(environment, ranges);
     if (!context.json) {
         for (const BandProviders& one : all)

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "apps/smat-batch/AirInput.h"
+#include "apps/smat-batch/AtmosphereArguments.h"
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/NumberOptions.h"
 #include "apps/smat-batch/SunOptions.h"
@@ -174,7 +174,7 @@ class RadiativeCommand {
         return environment;
     }
 
-    AirInput air_;
+    AtmosphereArguments air_;
     std::vector<std::string> quantities_;
     std::string band_ = "3-5";
     std::string sun_ = "on";

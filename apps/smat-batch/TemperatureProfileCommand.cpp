@@ -1,4 +1,4 @@
-#include "apps/smat-batch/AirInput.h"
+#include "apps/smat-batch/AtmosphereArguments.h"
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/NumberOptions.h"
 #include "irsg/core/Errors.h"
@@ -43,7 +43,7 @@ class TemperatureProfileCommand {
     }
 
   private:
-    AirInput air_;
+    AtmosphereArguments air_;
     NumberOptions numbers_;
     TableFiles files_;
 };

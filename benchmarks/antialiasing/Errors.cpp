@@ -94,7 +94,7 @@ void measureErrors(const Options& options) {
     std::ofstream file(options.folder / "errors.csv");
     file << "body,size [px],strategy,mode,rms_error [%],largest_error [%]\n";
     InteractiveRenderer irsg;
-    irsg.scene.environment = test::environmentOf(test::ConstantAir{});
+    irsg.scene.environment = test::environmentOf(test::ConstantAtmosphere{});
     for (const Body& body : chosenBodies(options)) {
         irsg.scene.entities = {greyEntity(body.mesh)};
         for (double size_px : sizes_px()) {
@@ -121,7 +121,7 @@ void measureAngles(const Options& options) {
     file << "angle [deg],size [px],rms_error [%],largest_error [%]\n";
 
     InteractiveRenderer irsg;
-    irsg.scene.environment = test::environmentOf(test::ConstantAir{});
+    irsg.scene.environment = test::environmentOf(test::ConstantAtmosphere{});
     Body body = bodies()[1];
     irsg.scene.entities = {greyEntity(body.mesh)};
     int cases = 0, above = 0;

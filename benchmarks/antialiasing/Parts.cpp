@@ -70,7 +70,7 @@ void measureParts(const Options& options) {
     const std::vector<Way> all = ways();
 
     InteractiveRenderer irsg;
-    irsg.scene.environment = test::environmentOf(test::ConstantAir{});
+    irsg.scene.environment = test::environmentOf(test::ConstantAtmosphere{});
     irsg.scene.entities = {sampleAircraft()};
     struct Sum {
         double squares = 0.0, largest = 0.0, time_ms = 0.0;

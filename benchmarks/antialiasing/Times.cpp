@@ -66,7 +66,7 @@ class TimedScene {
         for (const Method& method : methods()) {
             InteractiveRenderer& irsg =
                 *generators_.emplace_back(std::make_unique<InteractiveRenderer>());
-            irsg.scene.environment = test::environmentOf(test::ConstantAir{});
+            irsg.scene.environment = test::environmentOf(test::ConstantAtmosphere{});
             irsg.scene.settings = method.settings();
             irsg.scene.entities = {entity_};
         }
@@ -209,7 +209,7 @@ void measureRanges(const Options& options) {
     // The sphere of 1 m radius moves across the pixels as it recedes; finely stepped, so that what
     // a mode makes of its phase is seen.
     InteractiveRenderer irsg;
-    irsg.scene.environment = test::environmentOf(test::ConstantAir{});
+    irsg.scene.environment = test::environmentOf(test::ConstantAtmosphere{});
     irsg.scene.entities = {greyEntity(bodies().front().mesh)};
     constexpr int steps = 200;
     for (int i = 0; i <= steps; ++i) {
@@ -237,7 +237,7 @@ void measureRanges(const Options& options) {
 void profile(const Options& options) {
     for (const Body& body : chosenBodies(options)) {
         InteractiveRenderer irsg;
-        irsg.scene.environment = test::environmentOf(test::ConstantAir{});
+        irsg.scene.environment = test::environmentOf(test::ConstantAtmosphere{});
         Entity entity = greyEntity(body.mesh);
         entity.pose.attitude = body.attitude;
         irsg.scene.entities = {entity};

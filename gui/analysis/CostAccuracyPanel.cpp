@@ -40,7 +40,7 @@ double cell(const ResultTable& table, const char* key, std::size_t row) {
     return column->values.at(row);
 }
 
-QString airWords(const ResultTable& table, std::size_t row) {
+QString atmosphereWords(const ResultTable& table, std::size_t row) {
     if (cell(table, "wideband", row) != 0.0)
         return CostAccuracyPanel::tr("wideband-ck");
     const double bins_per_cm = cell(table, "bins", row);
@@ -70,7 +70,7 @@ QString rowsWords(const ResultTable& table, std::size_t row) {
 QString words(const ResultTable& table, std::size_t row) {
     return CostAccuracyPanel::tr("mode %1, %2, background rows: %3, light: %4")
         .arg(cell(table, "antialiasing", row))
-        .arg(airWords(table, row), rowsWords(table, row), lightWords(table, row));
+        .arg(atmosphereWords(table, row), rowsWords(table, row), lightWords(table, row));
 }
 
 QString percent(double value) {
@@ -207,7 +207,7 @@ void CostAccuracyPanel::fillConfigurations() {
                                 milliseconds(cell(table_, "first_time", i)),
                                 percent(cell(table_, "stated_error", i)),
                                 tr("mode %1").arg(cell(table_, "antialiasing", i)),
-                                airWords(table_, i),
+                                atmosphereWords(table_, i),
                                 rowsWords(table_, i),
                                 lightWords(table_, i)};
         for (int k = 0; k < texts.size(); ++k) {

@@ -100,7 +100,7 @@ void EditorContext::readSettings() {
     key += std::to_string(state.time_s) + "|" + std::to_string(state.power) + "|" +
            std::to_string(state.mach);
     air += std::to_string(state.altitude_m);
-    if (key == settingsKey_ && air == airKey_)
+    if (key == settingsKey_ && air == atmosphereKey_)
         return;
     settingsKey_ = key;
     try {
@@ -110,8 +110,8 @@ void EditorContext::readSettings() {
     }
     state.ambient_K = state_.ambient_K;
     state_ = state;
-    if (air != airKey_) {
-        airKey_ = air;
+    if (air != atmosphereKey_) {
+        atmosphereKey_ = air;
         try {
             state_.ambient_K =
                 environmentOf(project, settings).ambientTemperature_K(state_.altitude_m).value;

@@ -65,7 +65,7 @@ class EditorContext : public QObject {
     bool knowsModel_ = false;
     irsg::ModelUse use_;
     std::optional<ModelKey> target_; ///< that use_ is of
-    std::string airKey_, settingsKey_;
+    std::string atmosphereKey_, settingsKey_;
     irsg::SpectralRange band_;
     irsg::EntityState state_;
     LatestTask reading_;

@@ -97,7 +97,7 @@ void addPixelSurface(PixelHeads& heads, const irsg::ExplainedSurface& surface) {
         addPixelRow(head, tr("share of the pixel"), surface.share);
         addPixelRow(head, tr("range"), surface.range_m, "m");
     }
-    addPixelRow(head, tr("transmittance of the air"), surface.airTransmittance);
+    addPixelRow(head, tr("transmittance of the air"), surface.atmosphereTransmittance);
     for (const std::string& through : surface.throughMaterials)
         addPixelRow(head, tr("seen or lit through"), QString::fromStdString(through));
     if (!surface.throughMaterials.empty())

@@ -59,7 +59,7 @@ irsg::SpectralRange firstBand(const Settings& asked) {
 
 std::string commandFor(const Project& project, const Settings& asked,
                        const std::vector<std::string>& words, const PathGeometryInput& geometry) {
-    return radiativeCommand(resolvedAir(project, asked), words, geometry, firstBand(asked),
+    return radiativeCommand(resolvedAtmosphere(project, asked), words, geometry, firstBand(asked),
                             sunOf(project, asked), asked[key::environmentDayOfYear],
                             "radiative.csv");
 }
@@ -67,7 +67,7 @@ std::string commandFor(const Project& project, const Settings& asked,
 } // namespace
 
 RadiativePage::RadiativePage(Workbench& workbench, Dialogs dialogs, QWidget* parent)
-    : AirToolPage(workbench, std::move(dialogs), parent),
+    : AtmosphereToolPage(workbench, std::move(dialogs), parent),
       targetPoint_(new TargetPoint(workbench, this)) {
     setObjectName("radiativePage");
     form_ = new SettingForm(

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "gui/tools/AirToolPage.h"
+#include "gui/tools/AtmosphereToolPage.h"
 #include "irsg/atmosphere/Atmosphere.h"
 #include "smatcore/settings/Settings.h"
 
@@ -16,7 +16,7 @@ class TargetPoint;
 /// Radiative output (F51): spectra of the project's air between viewer and target for a place of
 /// the viewer, an altitude of the target and a distance. The answer can be made an input of the
 /// project: an image in it is the image in the air itself.
-class RadiativePage : public AirToolPage {
+class RadiativePage : public AtmosphereToolPage {
     Q_OBJECT
 
   public:

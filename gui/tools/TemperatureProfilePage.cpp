@@ -17,7 +17,7 @@
 namespace smat::gui {
 TemperatureProfilePage::TemperatureProfilePage(Workbench& workbench, Dialogs dialogs,
                                                QWidget* parent)
-    : AirToolPage(workbench, std::move(dialogs), parent) {
+    : AtmosphereToolPage(workbench, std::move(dialogs), parent) {
     setObjectName("temperatureProfilePage");
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(12);
@@ -62,7 +62,7 @@ std::optional<TemperatureProfileRequest> TemperatureProfilePage::request() const
 void TemperatureProfilePage::refresh() {
     if (step_ == nullptr)
         return;
-    air_->setText(airWords());
+    air_->setText(atmosphereWords());
     QStringList problems;
     const auto asked = request();
     if (!asked)
@@ -80,7 +80,7 @@ void TemperatureProfilePage::refresh() {
         return;
     setCommand(QString::fromStdString(
         "smat-batch temperature-profile" +
-        airArguments(resolvedAir(workbench().project(), workbench().settings())) +
+        atmosphereArguments(resolvedAtmosphere(workbench().project(), workbench().settings())) +
         " --min=" + irsg::numberText(asked->min_m) + " --max=" + irsg::numberText(asked->max_m) +
         " --step=" + irsg::numberText(asked->step_m) + " --out profile.csv"));
 }

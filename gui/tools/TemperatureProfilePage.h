@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "gui/tools/AirToolPage.h"
+#include "gui/tools/AtmosphereToolPage.h"
 #include "smatcore/tools/TemperatureProfile.h"
 
 class QLabel;
@@ -12,7 +12,7 @@ namespace smat::gui {
 
 /// Temperature of the project's air over altitude (F47), from a least to a largest altitude in
 /// steps.
-class TemperatureProfilePage : public AirToolPage {
+class TemperatureProfilePage : public AtmosphereToolPage {
     Q_OBJECT
 
   public:

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "irsg/atmosphere/AirNodes.h"
+#include "irsg/atmosphere/AtmosphereNodes.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/atmosphere/path/Earth.h"
 #include "irsg/atmosphere/path/SunDiscGeometry.h"
@@ -54,7 +54,7 @@ std::vector<double> Atmosphere::provide(const AtmosphericQuery& query,
         checkQuery(query);
         return valuesAtPoints(query, *points);
     }
-    if (const AirNodes* nodes = AirNodes::of(sampling)) {
+    if (const AtmosphereNodes* nodes = AtmosphereNodes::of(sampling)) {
         checkRange(sampling.range());
         checkQuery(query);
         if (auto values = valuesAtNodes(query, *nodes))

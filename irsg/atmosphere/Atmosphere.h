@@ -12,7 +12,7 @@
 
 namespace irsg {
 
-class AirNodes;
+class AtmosphereNodes;
 class Band;
 class SensorCkData;
 struct CkRequest;
@@ -128,7 +128,7 @@ class Atmosphere {
 
     /// The answer at nodes; nothing where they are those of other air.
     virtual std::optional<std::vector<double>> valuesAtNodes(const AtmosphericQuery&,
-                                                             const AirNodes&) const {
+                                                             const AtmosphereNodes&) const {
         return std::nullopt;
     }
 

@@ -3,7 +3,7 @@
 #include <set>
 #include <utility>
 
-#include "irsg/atmosphere/AirNodes.h"
+#include "irsg/atmosphere/AtmosphereNodes.h"
 #include "irsg/atmosphere/SmartAdapter.h"
 #include "irsg/atmosphere/ck/CkCache.h"
 #include "irsg/atmosphere/ck/CkStore.h"
@@ -122,13 +122,13 @@ void AtmosphereSmart::makeTransfer() const {
     transfer_ = std::make_shared<const RadiativeTransfer>(air_, gases_);
 }
 
-const AirTables& AtmosphereSmart::tables(const NodeSet& nodes) const {
+const AtmosphereTables& AtmosphereSmart::tables(const NodeSet& nodes) const {
     const RadiativeTransfer& air = transfer();
     const std::lock_guard lock(tablesMutex_);
     auto& own = tables_[nodes.nodes];
     if (!own)
-        own = std::make_unique<AirTables>(air, nodes,
-                                          parameters_.irradianceMode == 1 ? tableTolerance : 0.0);
+        own = std::make_unique<AtmosphereTables>(
+            air, nodes, parameters_.irradianceMode == 1 ? tableTolerance : 0.0);
     return *own;
 }
 
@@ -156,7 +156,7 @@ SunView AtmosphereSmart::sunView(double altitude_m, const SunPosition& sun) cons
 
 std::vector<double> AtmosphereSmart::valuesAt(const NodeSet& nodes,
                                               const AtmosphericQuery& query) const {
-    const AirTables& air = tables(nodes);
+    const AtmosphereTables& air = tables(nodes);
     const auto& [quantity, path, sight, altitude_m, sun] = query;
     switch (quantity) {
     case AtmosphereProperty::transmittance:
@@ -189,8 +189,8 @@ std::vector<double> AtmosphereSmart::valuesAtPoints(const AtmosphericQuery& quer
     return valuesAt(points.nodes(), query);
 }
 
-std::optional<std::vector<double>> AtmosphereSmart::valuesAtNodes(const AtmosphericQuery& query,
-                                                                  const AirNodes& nodes) const {
+std::optional<std::vector<double>>
+AtmosphereSmart::valuesAtNodes(const AtmosphericQuery& query, const AtmosphereNodes& nodes) const {
     (void)transfer();
     if (!nodes.isOf(transfer_))
         return std::nullopt;
@@ -202,13 +202,13 @@ AtmosphereSmart::nodesOf(const std::vector<Band>& bands) const {
     for (const Band& band : bands)
         checkRange(band.range());
     (void)transfer();
-    return std::make_shared<const AirNodes>(transfer_, bands);
+    return std::make_shared<const AtmosphereNodes>(transfer_, bands);
 }
 
 std::shared_ptr<const SpectralSampling>
 AtmosphereSmart::nodesAt(const std::vector<double>& wavelengths_um) const {
     (void)transfer();
-    auto nodes = std::make_shared<const AirNodes>(transfer_, wavelengths_um);
+    auto nodes = std::make_shared<const AtmosphereNodes>(transfer_, wavelengths_um);
     checkRange(nodes->range());
     return nodes;
 }

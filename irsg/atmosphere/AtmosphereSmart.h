@@ -10,7 +10,7 @@
 #include "irsg/atmosphere/Atmosphere.h"
 #include "irsg/atmosphere/AtmosphereSmartParameters.h"
 #include "irsg/atmosphere/engine/RadiativeTransfer.h"
-#include "irsg/atmosphere/tables/AirTables.h"
+#include "irsg/atmosphere/tables/AtmosphereTables.h"
 
 namespace irsg {
 
@@ -68,7 +68,7 @@ class AtmosphereSmart : public Atmosphere {
     }
     AtmosphereDescription describe() const override;
 
-    /// See AirNodes.h.
+    /// See AtmosphereNodes.h.
     std::shared_ptr<const SpectralSampling> nodesOf(const std::vector<Band>& bands) const override;
     std::shared_ptr<const SpectralSampling>
     nodesAt(const std::vector<double>& wavelengths_um) const override;
@@ -86,11 +86,11 @@ class AtmosphereSmart : public Atmosphere {
     std::vector<double> valuesAtPoints(const AtmosphericQuery& query,
                                        const SensorCkData& points) const override;
     std::optional<std::vector<double>> valuesAtNodes(const AtmosphericQuery& query,
-                                                     const AirNodes& nodes) const override;
+                                                     const AtmosphereNodes& nodes) const override;
 
   private:
     void makeTransfer() const;
-    const AirTables& tables(const NodeSet& nodes) const;
+    const AtmosphereTables& tables(const NodeSet& nodes) const;
     /// The answer at every node of a set.
     std::vector<double> valuesAt(const NodeSet& nodes, const AtmosphericQuery& query) const;
 
@@ -105,7 +105,7 @@ class AtmosphereSmart : public Atmosphere {
     mutable std::mutex onTheFlyMutex_;
     mutable std::shared_ptr<const AtmosphereSmart> onTheFly_;
     mutable std::mutex tablesMutex_;
-    mutable std::map<std::vector<std::uint32_t>, std::unique_ptr<AirTables>> tables_;
+    mutable std::map<std::vector<std::uint32_t>, std::unique_ptr<AtmosphereTables>> tables_;
 };
 
 } // namespace irsg

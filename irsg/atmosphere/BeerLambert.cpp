@@ -108,7 +108,7 @@ Spectrum BeerLambert::through(double range_m, const SpectralRange& range) const 
         return Spectrum::constant(std::exp(-extinction.values().front() * range_m));
     return sampledCurve(
         [&](double wavelength_um) { return std::exp(-extinction.at(wavelength_um) * range_m); },
-        kinks(range), airTolerance, airFloor);
+        kinks(range), atmosphereTolerance, atmosphereFloor);
 }
 
 Spectrum BeerLambert::emittedAlong(double range_m, const SpectralRange& range) const {
@@ -121,7 +121,7 @@ Spectrum BeerLambert::emittedAlong(double range_m, const SpectralRange& range) c
             return -std::expm1(-depth) *
                    planckRadiance_W_m2_sr_um(wavelength_um, parameters_.airTemperature_K);
         },
-        kinks(range), airTolerance, airFloor);
+        kinks(range), atmosphereTolerance, atmosphereFloor);
 }
 
 Spectrum BeerLambert::seenAlong(const LineOfSight& sight, const SpectralRange& range) const {
@@ -140,7 +140,7 @@ Spectrum BeerLambert::seenAlong(const LineOfSight& sight, const SpectralRange& r
                 planckRadiance_W_m2_sr_um(wavelength_um, parameters_.airTemperature_K);
             return std::exp(-depth) * ground - std::expm1(-depth) * air;
         },
-        kinks(range), airTolerance, airFloor);
+        kinks(range), atmosphereTolerance, atmosphereFloor);
 }
 
 Spectrum BeerLambert::unboundedRadiance(const SpectralRange& range) const {
@@ -175,7 +175,7 @@ Spectrum BeerLambert::unboundedRadiance(const SpectralRange& range) const {
                 return planckRadiance_W_m2_sr_um(wavelength_um, parameters_.airTemperature_K);
             return sky ? sky->at(wavelength_um) : 0.0;
         },
-        nodes, airTolerance, airFloor);
+        nodes, atmosphereTolerance, atmosphereFloor);
 }
 
 double BeerLambert::ambientTemperature_K(double altitude_m) const {

@@ -22,8 +22,8 @@ struct BeerLambertParameters {
 };
 
 /// How closely the spectra of this air follow its curves, see CurveSampling.h.
-inline constexpr double airTolerance = 1e-5;
-inline constexpr double airFloor = 1e-3;
+inline constexpr double atmosphereTolerance = 1e-5;
+inline constexpr double atmosphereFloor = 1e-3;
 
 /// Homogeneous air (Beer-Lambert's law): tau = exp(-extinction range), path radiance
 /// (1 - tau) L_bb(T_air), and a sun, a sky and a ground that do not change with altitude. The earth
@@ -33,10 +33,10 @@ inline constexpr double airFloor = 1e-3;
 ///
 /// The extinction is linear between its nodes, and tau is the exponential of that line, not a line:
 /// returned spectra keep the nodes of the extinction and have as many between them as straight
-/// pieces need to follow the exponential and the Planck function to `airTolerance` of the local
-/// value (or of `airFloor` of the largest): a few thousand nodes for 5 km of hazy air in 3-5 um,
-/// ten times fewer than 1e-6 would take. The base is what all sampled spectra cover, 0.2 to 40 um
-/// where all are constant.
+/// pieces need to follow the exponential and the Planck function to `atmosphereTolerance` of the
+/// local value (or of `atmosphereFloor` of the largest): a few thousand nodes for 5 km of hazy air
+/// in 3-5 um, ten times fewer than 1e-6 would take. The base is what all sampled spectra cover, 0.2
+/// to 40 um where all are constant.
 class BeerLambert : public Atmosphere {
   public:
     /// Throws InputError for negative extinction, flux or temperature, and for spectra that have no

@@ -133,13 +133,14 @@ std::vector<double> BeerLambert::valuesAtPoints(const AtmosphericQuery& query,
 std::shared_ptr<const SensorCkData> BeerLambert::prepareCk(const CkRequest& request) const {
     checkRange(request.band.range());
     const std::vector<double> wavelengths_um = candidates(request.band.range());
-    CkAir known{.nodes = CkNodes(wavelengths_um, 0, request.band),
-                .values = {},
-                .ambient_K = parameters_.airTemperature_K,
-                .paths = homogeneousPaths({10.0, 30.0, 100.0, 300.0, 1e3, 2e3, 3.5e3, 6e3, 9e3,
-                                           13e3, 20e3, 30e3, 50e3, 80e3, 150e3}),
-                .sights = {},
-                .heldOut = homogeneousPaths({11.0, 70.0, 800.0, 2.7e3, 7.5e3, 16e3, 38e3, 100e3})};
+    CkAtmosphere known{.nodes = CkNodes(wavelengths_um, 0, request.band),
+                       .values = {},
+                       .ambient_K = parameters_.airTemperature_K,
+                       .paths = homogeneousPaths({10.0, 30.0, 100.0, 300.0, 1e3, 2e3, 3.5e3, 6e3,
+                                                  9e3, 13e3, 20e3, 30e3, 50e3, 80e3, 150e3}),
+                       .sights = {},
+                       .heldOut =
+                           homogeneousPaths({11.0, 70.0, 800.0, 2.7e3, 7.5e3, 16e3, 38e3, 100e3})};
     for (const double altitude_m : {2.0, 100.0, 1000.0, 10000.0})
         for (const double elevation_rad : {-1.5, -0.3, -0.05, 0.1})
             known.sights.push_back({altitude_m, elevation_rad, 0.0});

@@ -25,16 +25,12 @@ constexpr std::string_view skyHeader = "sky_radiance [W m-2 sr-1 um-1]";
 constexpr std::array knownHeaders = {wavelengthHeader, extinctionHeader, solarHeader,
                                      downHeader,       upHeader,         skyHeader};
 
-constexpr std::string_view airKey = "air_temperature [K]";
+constexpr std::string_view atmosphereKey = "air_temperature [K]";
 constexpr std::string_view groundKey = "ground_temperature [K]";
 constexpr std::string_view skyKey = "sky_temperature [K]";
-constexpr std::array knownKeys = {std::string_view("name"),
-                                  airKey,
-                                  groundKey,
-                                  skyKey,
-                                  std::string_view("sun"),
-                                  std::string_view("source"),
-                                  std::string_view("note")};
+constexpr std::array knownKeys = {
+    std::string_view("name"),   atmosphereKey,           groundKey, skyKey, std::string_view("sun"),
+    std::string_view("source"), std::string_view("note")};
 
 template <std::size_t count>
 std::string listOf(const std::array<std::string_view, count>& words) {
@@ -86,7 +82,7 @@ class Reader {
                                           std::to_string(table_.comment(comment.key)->line)));
             }
         }
-        air_K_ = temperature(airKey);
+        air_K_ = temperature(atmosphereKey);
         ground_K_ = temperature(groundKey);
         sky_K_ = temperature(skyKey);
         if (const CsvComment* sun = table_.comment("sun")) {

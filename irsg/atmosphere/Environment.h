@@ -65,8 +65,8 @@ class Environment {
     /// Nodes of the air that answers for the transmittance, see Atmosphere::nodesOf; null where it
     /// has none.
     std::shared_ptr<const SpectralSampling> nodesOf(const Band& band) const;
-    /// Those of several bands in one, each an output of its own (AirNodes::outputs); null as well
-    /// where bands could be answered by different atmospheres.
+    /// Those of several bands in one, each an output of its own (AtmosphereNodes::outputs); null as
+    /// well where bands could be answered by different atmospheres.
     std::shared_ptr<const SpectralSampling> nodesOf(const std::vector<Band>& bands) const;
     std::shared_ptr<const SpectralSampling>
     nodesAt(const std::vector<double>& wavelengths_um) const;

@@ -99,11 +99,11 @@ std::shared_ptr<const SensorCkData> TabulatedAtmosphere::prepareCk(const CkReque
     const std::vector<double> wavelengths_um(
         wavelengths_um_.begin() + static_cast<std::ptrdiff_t>(first),
         wavelengths_um_.begin() + static_cast<std::ptrdiff_t>(last));
-    CkAir known{.nodes = CkNodes(wavelengths_um, first, request.band),
-                .values = {},
-                .paths = ckPaths(false),
-                .sights = spread(backgrounds_.sights(), 40),
-                .heldOut = ckPaths(true)};
+    CkAtmosphere known{.nodes = CkNodes(wavelengths_um, first, request.band),
+                       .values = {},
+                       .paths = ckPaths(false),
+                       .sights = spread(backgrounds_.sights(), 40),
+                       .heldOut = ckPaths(true)};
     known.values = [&](const AtmosphericQuery& query) -> std::vector<double> {
         if (!supports(query.quantity))
             return {};

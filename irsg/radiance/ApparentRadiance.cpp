@@ -18,7 +18,7 @@ constexpr double opaque = 1e-30;
 /// is given back.
 void addMeasured(const SurfaceInput& surface, const SpectrumSampler& sample,
                  SurfaceSpectra& result) {
-    result.emissionPassesAir = !surface.insideReference;
+    result.emissionPassesAtmosphere = !surface.insideReference;
     const std::vector<double> factors = componentFactors(surface);
     for (std::size_t j = 0; j < factors.size(); ++j) {
         std::vector<double> radiance = sample(surface.userSpectrum->components[j].radiance);
@@ -87,7 +87,7 @@ SurfaceSpectra lobeSpectra(const SurfaceSpectra& whole, const DirectionalSpectra
                            std::size_t component, const std::vector<double>& wavelengths_um) {
     const std::size_t count = wavelengths_um.size();
     SurfaceSpectra lobe;
-    lobe.emissionPassesAir = whole.emissionPassesAir;
+    lobe.emissionPassesAtmosphere = whole.emissionPassesAtmosphere;
     lobe.temperature_K = whole.temperature_K;
     lobe.reflectance.resize(count);
     lobe.emissivity.resize(count);
@@ -113,7 +113,7 @@ SurfaceSpectra lobeSpectra(const SurfaceSpectra& whole, const DirectionalSpectra
 SurfaceSpectra specularSpectra(const SurfaceSpectra& whole, SharedValues amount,
                                SharedValues light) {
     SurfaceSpectra lobe;
-    lobe.emissionPassesAir = whole.emissionPassesAir;
+    lobe.emissionPassesAtmosphere = whole.emissionPassesAtmosphere;
     lobe.temperature_K = whole.temperature_K;
     lobe.lobeAmount = std::move(amount);
     lobe.lobeLight = std::move(light);
@@ -212,7 +212,7 @@ const std::vector<double>& SurfaceSpectra::quantity(SurfaceQuantity quantity) co
 }
 
 std::vector<double> apparentTerm(const SurfaceSpectra& surface, const RadianceTerms& terms,
-                                 std::size_t number, const AirSamples& air) {
+                                 std::size_t number, const AtmosphereSamples& air) {
     const RadianceTerm& term = terms.terms[number];
     if ((term.light && !air.light[number]) || surface.isWithout(term.surface))
         return {};
@@ -222,7 +222,7 @@ std::vector<double> apparentTerm(const SurfaceSpectra& surface, const RadianceTe
         for (const SurfaceSpectra::Emission& part : surface.emission)
             for (std::size_t i = 0; i < sent.size(); ++i)
                 sent[i] += part.factor * part.radiance[i];
-        if (surface.emissionPassesAir)
+        if (surface.emissionPassesAtmosphere)
             multiply(sent, *air.transmittance);
     } else {
         sent = surface.quantity(term.surface);
@@ -231,7 +231,7 @@ std::vector<double> apparentTerm(const SurfaceSpectra& surface, const RadianceTe
     }
     if (term.light)
         multiply(sent, *air.light[number]);
-    if (term.passesAir)
+    if (term.passesAtmosphere)
         multiply(sent, *air.transmittance);
     return sent;
 }

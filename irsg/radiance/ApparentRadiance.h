@@ -15,12 +15,12 @@
 namespace irsg {
 
 /// The air between one place of an object and the sensor, on the nodes of a sampling.
-struct AirSamples {
+struct AtmosphereSamples {
     SharedValues transmittance;
     /// By term of a RadianceTerms: what the air sends in it, W m-2 sr-1 um-1 into the path or
     /// W m-2 um-1 onto the object; null for a term without light, and where it is off.
     std::vector<SharedValues> light;
-    bool operator==(const AirSamples& other) const {
+    bool operator==(const AtmosphereSamples& other) const {
         return areEqual(transmittance, other.transmittance) &&
                std::ranges::equal(light, other.light, areEqual);
     }
@@ -58,7 +58,7 @@ struct SurfaceSpectra {
     /// The radiance of the air that a lobe reflects, W m-2 sr-1 um-1, and how much of it: one for
     /// all places of the air. Null for others.
     SharedValues lobeLight, lobeAmount;
-    bool emissionPassesAir = true; ///< false: measured from farther away, with all its air
+    bool emissionPassesAtmosphere = true; ///< false: measured from farther away, with all its air
     std::vector<double> reflectance, opacity; ///< empty: 0
     std::vector<double> transmissivity;
     std::vector<double> emissivity; ///< of the material, before any scaling
@@ -125,6 +125,6 @@ std::vector<double> componentFactors(const SurfaceInput& surface);
 /// Apparent spectral radiance of a surface at the sensor in term `number` of a list at a geometric
 /// factor of 1, W m-2 sr-1 um-1; empty where the term is off or the surface sends nothing in it.
 std::vector<double> apparentTerm(const SurfaceSpectra& surface, const RadianceTerms& terms,
-                                 std::size_t number, const AirSamples& air);
+                                 std::size_t number, const AtmosphereSamples& air);
 
 } // namespace irsg

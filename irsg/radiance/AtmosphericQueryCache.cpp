@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "irsg/atmosphere/AirNodes.h"
+#include "irsg/atmosphere/AtmosphereNodes.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
 
 namespace irsg {
@@ -58,7 +58,7 @@ AtmosphericQueryCache::at(const AtmosphericQuery& query,
         // In the spectral mode the quadrature was built on the same spectra, which need not be
         // asked for again.
         Provided<std::vector<double>> answer;
-        if (!SensorCkData::of(*sampling) && !AirNodes::of(*sampling)) {
+        if (!SensorCkData::of(*sampling) && !AtmosphereNodes::of(*sampling)) {
             const Provided<Spectrum>& native = spectrum(query, sampling->range());
             answer = {sampling->sampled(native.value), native.providedBy};
         } else {

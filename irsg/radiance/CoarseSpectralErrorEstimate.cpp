@@ -21,7 +21,7 @@ const Environment& CoarseSpectralErrorEstimate::cached(RecentlyUsed<CacheEntry>&
         among
             .of([&](const CacheEntry& cached) { return cached.of.isOf(environment); },
                 [&] {
-                    return CacheEntry{AirIdentity(environment), make()};
+                    return CacheEntry{AtmosphereIdentity(environment), make()};
                 })
             .environment;
     other.sun = environment.sun;

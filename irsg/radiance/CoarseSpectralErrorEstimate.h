@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "irsg/atmosphere/AirIdentity.h"
+#include "irsg/atmosphere/AtmosphereIdentity.h"
 #include "irsg/core/RecentlyUsed.h"
 #include "irsg/radiance/AtmosphericQueryCache.h"
 #include "irsg/radiance/RadiometryCache.h"
@@ -28,7 +28,7 @@ class CoarseSpectralErrorEstimate {
 
   private:
     struct CacheEntry {
-        AirIdentity of;
+        AtmosphereIdentity of;
         Environment environment;
     };
     const Environment& cached(RecentlyUsed<CacheEntry>& among, const Environment& environment,

@@ -154,8 +154,8 @@ ExplainedSurface PixelTerms::explained(const Key& key, const Sums& sums,
     surface.nAngleFactor = spectra.nAngleFactor;
 
     // What it is seen through.
-    const AirSamples& air = radiometry_.air(sums.row);
-    surface.airTransmittance = mean(*air.transmittance);
+    const AtmosphereSamples& air = radiometry_.air(sums.row);
+    surface.atmosphereTransmittance = mean(*air.transmittance);
     std::vector<double> through(spectra.transmissivity.size(), 1.0);
     for (const auto& [of, material] : occluderStacks_.materials(stack)) {
         const std::vector<double>& lets = radiometry_.transmissivity(of, material);

@@ -108,20 +108,20 @@ RadianceTerms makeStandard() {
     list.factors[sun].shadowedFrom = sunShadow;
     using enum SurfaceQuantity;
     using enum AtmosphereProperty;
-    constexpr bool complement = true, passesAir = true;
+    constexpr bool complement = true, passesAtmosphere = true;
     list.terms = {
         {"thermal", {view}, emission, std::nullopt, false, always},
-        {"sun", {sun}, reflectance, solarIrradiance, passesAir, withSun, LightOrigin::sun},
+        {"sun", {sun}, reflectance, solarIrradiance, passesAtmosphere, withSun, LightOrigin::sun},
         {"up",
          {sky, complement},
          reflectance,
          upwardFlux,
-         passesAir,
+         passesAtmosphere,
          withFluxes,
          LightOrigin::ground},
-        {"down", {sky}, reflectance, downwardFlux, passesAir, withFluxes, LightOrigin::sky},
+        {"down", {sky}, reflectance, downwardFlux, passesAtmosphere, withFluxes, LightOrigin::sky},
         {"path", {}, opacity, pathRadiance, false, always},
-        {"mirror", {}, specular, std::nullopt, passesAir, withSpecular},
+        {"mirror", {}, specular, std::nullopt, passesAtmosphere, withSpecular},
     };
     return list;
 }

@@ -61,7 +61,7 @@ struct RadianceTerm {
     std::optional<AtmosphereProperty> light;
     /// The light passes the air between surface and sensor. (That of emission is in the surface
     /// quantity, since a measured spectrum holds a part of its air already.)
-    bool passesAir = false;
+    bool passesAtmosphere = false;
     std::function<bool(const RenderSettings&)> isOn;
     LightOrigin origin = LightOrigin::none;
 };

@@ -5,7 +5,7 @@
 #include "irsg/atmosphere/NearestRun.h"
 #include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
-#include "irsg/radiance/AirSlices.h"
+#include "irsg/radiance/AtmosphereSlices.h"
 #include "irsg/radiance/SceneRadiometry.h"
 
 namespace irsg {
@@ -15,8 +15,8 @@ namespace {
 std::size_t sizeOf(const SampledScene& scene) {
     std::size_t numbers = 0;
     for (const SampledBand& band : scene.bands)
-        for (const ObjectAir& object : band.air.objects)
-            for (const AirSamples& node : object.nodes)
+        for (const ObjectAtmosphere& object : band.air.objects)
+            for (const AtmosphereSamples& node : object.nodes)
                 numbers +=
                     band.sampling->size() *
                     (1 + static_cast<std::size_t>(std::ranges::count_if(
@@ -35,17 +35,18 @@ const SampledBand& SampledScene::ofOutput(std::size_t output) const {
     throw LogicError("a scene was asked for an output that it has not");
 }
 
-SampledScenes::Key SampledScenes::keyOf(const AtmosphericQueryCache& answers, const AirScene& scene,
+SampledScenes::Key SampledScenes::keyOf(const AtmosphericQueryCache& answers,
+                                        const AtmosphereScene& scene,
                                         const std::vector<Band>& bands, bool withSources,
                                         const std::vector<SliceNodes>& slices) {
     const Environment& environment = answers.environment();
     const RenderSettings& settings = scene.settings;
-    Key key{AirIdentity(environment),
+    Key key{AtmosphereIdentity(environment),
             environment.defaultBackground,
             environment.defaultAmbient_K,
-            airQueries(environment, scene.terms, scene.geometry, settings, scene.centre),
+            atmosphereQueries(environment, scene.terms, scene.geometry, settings, scene.centre),
             {environment.sun.azimuth_rad, environment.sun.elevation_rad,
-             environment.sun.distance_au, settings.airSliceFrom, settings.background_W_m2_sr,
+             environment.sun.distance_au, settings.atmosphereSliceFrom, settings.background_W_m2_sr,
              static_cast<double>(settings.background), static_cast<double>(settings.mode),
              settings.widebandError, static_cast<double>(settings.referenceTransmittance)},
             bands,
@@ -66,14 +67,14 @@ SampledScenes::Key SampledScenes::keyOf(const AtmosphericQueryCache& answers, co
 }
 
 std::shared_ptr<const SampledScene> SampledScenes::make(AtmosphericQueryCache& answers,
-                                                        const AirScene& scene,
+                                                        const AtmosphereScene& scene,
                                                         const std::vector<Band>& bands,
                                                         bool withSources, const Sampler& sample,
                                                         const std::vector<SliceNodes>& slices) {
     std::vector<ObjectGeometry> geometry = scene.geometry;
     for (ObjectGeometry& object : geometry)
         object.slices_m.clear();
-    const AirScene own{scene.terms, scene.entities, geometry, scene.settings, scene.centre};
+    const AtmosphereScene own{scene.terms, scene.entities, geometry, scene.settings, scene.centre};
     auto made = std::make_shared<SampledScene>();
     made->bands = sample(own, bands);
     for (SampledBand& band : made->bands)
@@ -86,12 +87,12 @@ std::shared_ptr<const SampledScene> SampledScenes::make(AtmosphericQueryCache& a
             geometry[e].slices_m = slices[e];
         isSliced = isSliced || geometry[e].slices_m.size() > 1;
         made->slices_m.push_back(geometry[e].slices_m);
-        made->airError.push_back(geometry[e].airError);
-        made->likelyAirError.push_back(geometry[e].likelyAirError);
+        made->atmosphereError.push_back(geometry[e].atmosphereError);
+        made->likelyAtmosphereError.push_back(geometry[e].likelyAtmosphereError);
     }
     for (SampledBand& band : made->bands) {
         if (isSliced)
-            SceneSampling::takeAir(answers, own, band);
+            SceneSampling::takeAtmosphere(answers, own, band);
         addProvider(made->providedBy, band.air.providedBy);
         appendUnique(made->warnings, band.air.warnings);
     }
@@ -103,7 +104,7 @@ std::shared_ptr<const SampledScene> SampledScenes::make(AtmosphericQueryCache& a
 }
 
 std::shared_ptr<const SampledScene> SampledScenes::of(AtmosphericQueryCache& answers,
-                                                      const AirScene& scene,
+                                                      const AtmosphereScene& scene,
                                                       const std::vector<Band>& bands,
                                                       bool withSources, const Sampler& sample,
                                                       const std::vector<SliceNodes>& slices) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/atmosphere/AirIdentity.h"
+#include "irsg/atmosphere/AtmosphereIdentity.h"
 #include "irsg/core/RecentlyUsed.h"
 #include "irsg/radiance/EntityKey.h"
 #include "irsg/radiance/SceneSampling.h"
@@ -19,7 +19,7 @@ struct SampledScene {
     std::vector<SampledBand> bands;
     // By entity: see ObjectGeometry.
     std::vector<SliceNodes> slices_m;
-    std::vector<double> airError, likelyAirError;
+    std::vector<double> atmosphereError, likelyAtmosphereError;
     SharedValues background; ///< see backgroundOf
     std::vector<std::string> providedBy, warnings;
 
@@ -34,17 +34,16 @@ class SampledScenes {
   public:
     /// Samples the bands of a scene whose objects have one slice each, in their order.
     using Sampler =
-        std::function<std::vector<SampledBand>(const AirScene&, const std::vector<Band>&)>;
+        std::function<std::vector<SampledBand>(const AtmosphereScene&, const std::vector<Band>&)>;
 
     /// `scene.geometry` may hold any slices: they come out. With `slices`, by entity, it has these.
-    std::shared_ptr<const SampledScene> of(AtmosphericQueryCache& answers, const AirScene& scene,
-                                           const std::vector<Band>& bands, bool withSources,
-                                           const Sampler& sample,
-                                           const std::vector<SliceNodes>& slices = {});
+    std::shared_ptr<const SampledScene>
+    of(AtmosphericQueryCache& answers, const AtmosphereScene& scene, const std::vector<Band>& bands,
+       bool withSources, const Sampler& sample, const std::vector<SliceNodes>& slices = {});
 
   private:
     struct Key {
-        AirIdentity atmospheres;
+        AtmosphereIdentity atmospheres;
         std::optional<Spectrum> defaultBackground;
         std::optional<double> defaultAmbient_K;
         std::vector<AtmosphericQueryKey> queries;
@@ -65,12 +64,14 @@ class SampledScenes {
     /// many numbers (8 MiB), and the last one.
     static constexpr std::size_t mostCached = 16, mostNumbers = std::size_t{1} << 20;
 
-    static Key keyOf(const AtmosphericQueryCache& answers, const AirScene& scene,
+    static Key keyOf(const AtmosphericQueryCache& answers, const AtmosphereScene& scene,
                      const std::vector<Band>& bands, bool withSources,
                      const std::vector<SliceNodes>& slices);
-    static std::shared_ptr<const SampledScene>
-    make(AtmosphericQueryCache& answers, const AirScene& scene, const std::vector<Band>& bands,
-         bool withSources, const Sampler& sample, const std::vector<SliceNodes>& slices);
+    static std::shared_ptr<const SampledScene> make(AtmosphericQueryCache& answers,
+                                                    const AtmosphereScene& scene,
+                                                    const std::vector<Band>& bands,
+                                                    bool withSources, const Sampler& sample,
+                                                    const std::vector<SliceNodes>& slices);
 
     RecentlyUsed<CacheEntry> cache_{mostCached};
 };

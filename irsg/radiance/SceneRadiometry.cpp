@@ -52,7 +52,7 @@ SceneRadiometry::SceneRadiometry(const RadianceTerms& terms, const std::vector<E
             for (std::size_t k = 0; k < band.outputs.size(); ++k)
                 steps.push_back(band.sliceStep(e, k));
     }
-    joinAir(bands);
+    joinAtmosphere(bands);
 
     std::vector<SurfaceKey> keys = surfaceKeys(entities);
     std::vector<bool> transparent;
@@ -94,7 +94,7 @@ SceneRadiometry::SceneRadiometry(const RadianceTerms& terms, const std::vector<E
     samples_.clear();
 }
 
-void SceneRadiometry::joinAir(const std::vector<SampledBand>& bands) {
+void SceneRadiometry::joinAtmosphere(const std::vector<SampledBand>& bands) {
     for (std::size_t e = 0; e < air_.size(); ++e) {
         ambient_K_.push_back(bands.front().air.objects[e].ambient_K);
         std::vector<SharedValues>& mirrored = specular_.emplace_back();
@@ -102,10 +102,10 @@ void SceneRadiometry::joinAir(const std::vector<SampledBand>& bands) {
             mirrored.push_back(joined(
                 bands, [&](const SampledBand& band) { return band.air.objects[e].specular[k]; }));
         for (std::size_t node = 0; node < air_[e].size(); ++node) {
-            const auto ofNode = [&](const SampledBand& band) -> const AirSamples& {
+            const auto ofNode = [&](const SampledBand& band) -> const AtmosphereSamples& {
                 return band.air.objects[e].nodes[node];
             };
-            AirSamples& air = air_[e][node];
+            AtmosphereSamples& air = air_[e][node];
             air.transmittance =
                 joined(bands, [&](const SampledBand& b) { return ofNode(b).transmittance; });
             for (std::size_t k = 0; k < terms_->terms.size(); ++k) {
@@ -148,7 +148,7 @@ void SceneRadiometry::fillSurface(int drawn, const std::vector<Entity>& entities
     if (input.userSpectrum) {
         const std::string& name = input.temperature->userSpectrum;
         for (const SampledBand& band : bands) {
-            const ObjectAir& object = band.air.objects[entity];
+            const ObjectAtmosphere& object = band.air.objects[entity];
             const auto reference = object.toReference.find(name);
             if (reference != object.toReference.end())
                 append(input.referenceTransmittance, *reference->second);
@@ -184,12 +184,12 @@ void SceneRadiometry::fillLobes(int drawn, const DirectionalSpectra& directional
 
 void SceneRadiometry::fillThermal(int drawn) {
     const SurfaceSpectra& surface = surfaces_[static_cast<std::size_t>(drawn)];
-    const AirSamples& samples = air(rows_.first(drawn));
+    const AtmosphereSamples& samples = air(rows_.first(drawn));
     std::vector<double>& all = thermal_W_m2_sr_[static_cast<std::size_t>(drawn)];
     for (const SurfaceSpectra::Emission& part : surface.emission) {
         SurfaceSpectra alone;
         alone.emission.push_back({1.0, part.radiance});
-        alone.emissionPassesAir = surface.emissionPassesAir;
+        alone.emissionPassesAtmosphere = surface.emissionPassesAtmosphere;
         std::vector<double> ofPart(outputs_.size(), 0.0);
         for (std::size_t k = 0; k < terms_->terms.size(); ++k) {
             if (terms_->terms[k].surface != SurfaceQuantity::emission)
@@ -239,7 +239,7 @@ std::vector<double> SceneRadiometry::sampled(const Spectrum& spectrum,
     return samples_.try_emplace(&spectrum, std::move(values)).first->second;
 }
 
-const AirSamples& SceneRadiometry::air(int row) const {
+const AtmosphereSamples& SceneRadiometry::air(int row) const {
     const auto entity = static_cast<std::size_t>(rows_.keyOf(rows_.renderedOf(row)).first);
     return air_[entity][static_cast<std::size_t>(rows_.nodeOf(row))];
 }

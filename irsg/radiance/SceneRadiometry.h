@@ -48,7 +48,7 @@ class SceneRadiometry {
     /// Nodes that are summed together, first and behind the last: a band's, or one wavelength.
     const std::vector<std::pair<std::size_t, std::size_t>>& outputs() const { return outputs_; }
     /// The air between a row's place and the sensor.
-    const AirSamples& air(int row) const;
+    const AtmosphereSamples& air(int row) const;
     /// Between which rows of its slices an output takes the air of a row: its air is linear there.
     SliceBetween rowsAbout(int row, std::size_t output) const;
     /// Spectral transmissivity of a material of an entity.
@@ -65,7 +65,7 @@ class SceneRadiometry {
     const std::vector<std::string>& warnings() const { return warnings_; }
 
   private:
-    void joinAir(const std::vector<SampledBand>& bands);
+    void joinAtmosphere(const std::vector<SampledBand>& bands);
     void fillSurface(int drawn, const std::vector<Entity>& entities,
                      const std::vector<ObjectGeometry>& geometry,
                      const std::vector<SampledBand>& bands);
@@ -83,8 +83,8 @@ class SceneRadiometry {
     std::vector<std::pair<std::size_t, std::size_t>> outputs_;
     std::vector<SurfaceSpectra> surfaces_;
     std::vector<std::shared_ptr<const SurfaceModel>> models_;
-    std::vector<std::vector<AirSamples>> air_; // by entity and node
-    std::vector<std::vector<int>> sliceSteps_; // by entity and output
+    std::vector<std::vector<AtmosphereSamples>> air_; // by entity and node
+    std::vector<std::vector<int>> sliceSteps_;        // by entity and output
     std::vector<std::vector<SharedValues>>
         specular_;                  // by entity and place of its SpecularEnvironmentGrid
     std::vector<double> ambient_K_; // by entity

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "irsg/atmosphere/AirNodes.h"
+#include "irsg/atmosphere/AtmosphereNodes.h"
 #include "irsg/core/Errors.h"
 #include "irsg/radiance/SurfaceTemperatures.h"
 #include "irsg/radiometry/Quadrature.h"
@@ -81,7 +81,7 @@ std::vector<bool> nodesTaken(const SampledBand& band, std::size_t entity, std::s
 
 /// What the air has between the nodes that an output takes is linear in range.
 void fillBetween(const RadianceTerms& terms, SampledBand& band, std::size_t entity) {
-    std::vector<AirSamples>& nodes = band.air.objects[entity].nodes;
+    std::vector<AtmosphereSamples>& nodes = band.air.objects[entity].nodes;
     const auto last = static_cast<int>(nodes.size()) - 1;
     // `of(samples)` of all nodes.
     const auto fill = [&](const auto& of) {
@@ -101,14 +101,14 @@ void fillBetween(const RadianceTerms& terms, SampledBand& band, std::size_t enti
         for (std::size_t node = 0; node < nodes.size(); ++node)
             of(nodes[node]) = std::move(filled[node]);
     };
-    fill([](AirSamples& node) -> SharedValues& { return node.transmittance; });
+    fill([](AtmosphereSamples& node) -> SharedValues& { return node.transmittance; });
     for (std::size_t k = 0; k < terms.terms.size(); ++k) {
         if (!nodes.front().light[k])
             continue;
         if (geometryOf(*terms.terms[k].light) == QueryGeometry::path)
-            fill([k](AirSamples& node) -> SharedValues& { return node.light[k]; });
+            fill([k](AtmosphereSamples& node) -> SharedValues& { return node.light[k]; });
         else // light onto the object is the same at all nodes
-            for (AirSamples& node : nodes)
+            for (AtmosphereSamples& node : nodes)
                 node.light[k] = nodes.front().light[k];
     }
 }
@@ -123,11 +123,11 @@ SampledBand SampledBand::ofSource(const RadianceTerms& terms) const {
     SampledBand source = *this;
     source.isSource = true;
     source.air.background = air.background ? none : nullptr;
-    for (ObjectAir& object : source.air.objects) {
+    for (ObjectAtmosphere& object : source.air.objects) {
         // What the air has taken of a measured spectrum cannot be given back where it took all.
         for (auto& [name, transmittance] : object.toReference)
             transmittance = one;
-        for (AirSamples& node : object.nodes) {
+        for (AtmosphereSamples& node : object.nodes) {
             node.transmittance = one;
             for (std::size_t k = 0; k < terms.terms.size(); ++k) {
                 const auto& light = terms.terms[k].light;
@@ -163,7 +163,7 @@ SurfaceInput surfaceInput(const Entity& entity, const IrCodes& codes,
     return input;
 }
 
-double coldestOf_K(const AtmosphericQueryCache& answers, const AirScene& scene) {
+double coldestOf_K(const AtmosphericQueryCache& answers, const AtmosphereScene& scene) {
     double coldest_K = 300.0;
     std::vector<double> ambient_K;
     ambient_K.reserve(scene.geometry.size());
@@ -179,11 +179,12 @@ double coldestOf_K(const AtmosphericQueryCache& answers, const AirScene& scene) 
     return std::max(coldestStep_K * std::floor(coldest_K / coldestStep_K), coldestThatMatters_K);
 }
 
-std::shared_ptr<const SpectralSampling>
-SceneSampling::quadrature(AtmosphericQueryCache& answers, const AirScene& scene, const Band& band) {
+std::shared_ptr<const SpectralSampling> SceneSampling::quadrature(AtmosphericQueryCache& answers,
+                                                                  const AtmosphereScene& scene,
+                                                                  const Band& band) {
     std::vector<const Spectrum*> spectra =
-        airSpectra(answers, scene.terms, scene.entities, scene.geometry, scene.settings,
-                   scene.centre, band.range());
+        atmosphereSpectra(answers, scene.terms, scene.entities, scene.geometry, scene.settings,
+                          scene.centre, band.range());
     addSurfaceSpectra(scene.entities, spectra);
     std::ranges::sort(spectra);
     spectra.erase(std::ranges::unique(spectra).begin(), spectra.end());
@@ -205,13 +206,13 @@ SceneSampling::quadrature(AtmosphericQueryCache& answers, const AirScene& scene,
     return latest.sampling;
 }
 
-void SceneSampling::takeAir(AtmosphericQueryCache& answers, const AirScene& scene,
-                            SampledBand& band) {
+void SceneSampling::takeAtmosphere(AtmosphericQueryCache& answers, const AtmosphereScene& scene,
+                                   SampledBand& band) {
     std::vector<std::vector<bool>> taken(scene.geometry.size());
     for (std::size_t e = 0; e < taken.size(); ++e)
         taken[e] = nodesTaken(band, e, scene.geometry[e].slices_m.size());
-    band.air = sceneAir(answers, scene.terms, scene.entities, scene.geometry, scene.settings,
-                        scene.centre, band.sampling, taken);
+    band.air = sceneAtmosphere(answers, scene.terms, scene.entities, scene.geometry, scene.settings,
+                               scene.centre, band.sampling, taken);
     for (std::size_t e = 0; e < taken.size(); ++e)
         if (!taken[e].empty())
             fillBetween(scene.terms, band, e);
@@ -244,7 +245,7 @@ const SceneSampling::CachedNodes* SceneSampling::nodesCached(const Environment& 
         return nullptr;
     auto spectra = std::make_shared<SampledSpectra>(made);
     return &cachedNodes_.add(
-        {std::move(bands), AirIdentity(environment), std::move(made), std::move(spectra)});
+        {std::move(bands), AtmosphereIdentity(environment), std::move(made), std::move(spectra)});
 }
 
 std::shared_ptr<const SpectralSampling> SceneSampling::nodes(const Environment& environment,
@@ -254,7 +255,7 @@ std::shared_ptr<const SpectralSampling> SceneSampling::nodes(const Environment& 
 }
 
 std::vector<SampledBand> SceneSampling::spectral(AtmosphericQueryCache& answers,
-                                                 const AirScene& scene,
+                                                 const AtmosphereScene& scene,
                                                  const std::vector<Band>& bands) {
     std::vector<SampledBand> all;
     for (std::size_t first = 0; first < bands.size();) {
@@ -271,27 +272,27 @@ std::vector<SampledBand> SceneSampling::spectral(AtmosphericQueryCache& answers,
             made.sample = [spectra = kept->spectra](const Spectrum& spectrum) {
                 return spectra->of(spectrum);
             };
-        if (const AirNodes* nodes = AirNodes::of(*made.sampling))
+        if (const AtmosphereNodes* nodes = AtmosphereNodes::of(*made.sampling))
             made.outputs = nodes->outputs();
         made.areas_um.clear();
         for (; first < end; ++first)
             made.areas_um.push_back(bands[first].area_um());
-        takeAir(answers, scene, made);
+        takeAtmosphere(answers, scene, made);
         all.push_back(std::move(made));
     }
     return all;
 }
 
-SampledBand SceneSampling::wideband(AtmosphericQueryCache& answers, const AirScene& scene,
+SampledBand SceneSampling::wideband(AtmosphericQueryCache& answers, const AtmosphereScene& scene,
                                     const std::shared_ptr<const WidebandPoints>& points) {
     SampledBand made = sampledBand(points->sampling());
     made.sample = [points](const Spectrum& spectrum) { return points->sampled(spectrum); };
     made.description = points->description();
-    takeAir(answers, scene, made);
+    takeAtmosphere(answers, scene, made);
     return made;
 }
 
-SampledBand SceneSampling::wavelengths(AtmosphericQueryCache& answers, const AirScene& scene,
+SampledBand SceneSampling::wavelengths(AtmosphericQueryCache& answers, const AtmosphereScene& scene,
                                        const std::vector<double>& wavelengths_um) {
     if (wavelengths_um.empty())
         throw LogicError("a spectrum without wavelengths was asked for");
@@ -300,7 +301,7 @@ SampledBand SceneSampling::wavelengths(AtmosphericQueryCache& answers, const Air
     if (!sampling)
         sampling = std::make_shared<const SpectralPoints>(wavelengths_um);
     SampledBand made = sampledBand(sampling);
-    if (const AirNodes* nodes = AirNodes::of(*sampling)) {
+    if (const AtmosphereNodes* nodes = AtmosphereNodes::of(*sampling)) {
         made.outputs = nodes->outputs();
     } else {
         made.outputs.clear();
@@ -308,7 +309,7 @@ SampledBand SceneSampling::wavelengths(AtmosphericQueryCache& answers, const Air
             made.outputs.emplace_back(i, i + 1);
     }
     made.areas_um.assign(made.outputs.size(), sampling->range().width_um());
-    takeAir(answers, scene, made);
+    takeAtmosphere(answers, scene, made);
     return made;
 }
 

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "irsg/atmosphere/AirIdentity.h"
+#include "irsg/atmosphere/AtmosphereIdentity.h"
 #include "irsg/core/RecentlyUsed.h"
-#include "irsg/radiance/SceneAir.h"
+#include "irsg/radiance/SceneAtmosphere.h"
 #include "irsg/radiance/WidebandPoints.h"
 #include "irsg/radiometry/Band.h"
 
@@ -24,7 +24,7 @@ struct SampledBand {
     SpectrumSampler sample;
     std::vector<double> areas_um; ///< by output: of the response, or of all wavelengths' interval
     std::string description;      ///< what is to be told of the nodes, or nothing
-    SceneAir air;
+    SceneAtmosphere air;
     /// By entity and output: every so many-th node of its slices is one that the air is taken at,
     /// and the last is; see sliceBetween. No outputs: every node.
     std::vector<std::vector<int>> sliceSteps;
@@ -42,7 +42,7 @@ struct SampledBand {
 };
 
 /// A scene as its air sees it.
-struct AirScene {
+struct AtmosphereScene {
     const RadianceTerms& terms;
     const std::vector<Entity>& entities;
     const std::vector<ObjectGeometry>& geometry;
@@ -51,7 +51,7 @@ struct AirScene {
 };
 
 /// Of the surfaces with a temperature, in steps, K: it decides how fine a quadrature must be.
-double coldestOf_K(const AtmosphericQueryCache& answers, const AirScene& scene);
+double coldestOf_K(const AtmosphericQueryCache& answers, const AtmosphereScene& scene);
 
 /// Spectra brought to the nodes of a sampling, kept for the next scene that has them: each view of
 /// a sweep is evaluated anew in its own air, with the surfaces of all others. May be asked by
@@ -81,23 +81,24 @@ class SceneSampling {
     /// twice is right; null where it has none.
     std::shared_ptr<const SpectralSampling> nodes(const Environment& environment, const Band& band);
     /// Without: Gauss points between the kinks of all spectra of the scene.
-    std::shared_ptr<const SpectralSampling> quadrature(AtmosphericQueryCache& answers,
-                                                       const AirScene& scene, const Band& band);
+    std::shared_ptr<const SpectralSampling>
+    quadrature(AtmosphericQueryCache& answers, const AtmosphereScene& scene, const Band& band);
 
     /// In the order of the bands. Air that has nodes of itself is asked once for all bands that
     /// ascend and lie next to each other: many narrow bands then cost little more than one as wide
     /// as all of them.
-    std::vector<SampledBand> spectral(AtmosphericQueryCache& answers, const AirScene& scene,
+    std::vector<SampledBand> spectral(AtmosphericQueryCache& answers, const AtmosphereScene& scene,
                                       const std::vector<Band>& bands);
     /// In the wideband mode: a node is a quadrature point, and spectra are means over its bin.
-    static SampledBand wideband(AtmosphericQueryCache& answers, const AirScene& scene,
+    static SampledBand wideband(AtmosphericQueryCache& answers, const AtmosphereScene& scene,
                                 const std::shared_ptr<const WidebandPoints>& points);
     /// For spectra: each of the ascending wavelengths is an output.
-    static SampledBand wavelengths(AtmosphericQueryCache& answers, const AirScene& scene,
+    static SampledBand wavelengths(AtmosphericQueryCache& answers, const AtmosphereScene& scene,
                                    const std::vector<double>& wavelengths_um);
 
     /// The air of the scene at the nodes of a band, anew: with the slices that its geometry has.
-    static void takeAir(AtmosphericQueryCache& answers, const AirScene& scene, SampledBand& band);
+    static void takeAtmosphere(AtmosphericQueryCache& answers, const AtmosphereScene& scene,
+                               SampledBand& band);
 
   private:
     /// Quadratures that are kept, and their nodes and edges: every range of a sweep through real
@@ -115,7 +116,7 @@ class SceneSampling {
     RecentlyUsed<CacheEntry> cache_{mostCached};
     struct CachedNodes {
         std::vector<Band> bands;
-        AirIdentity atmospheres;
+        AtmosphereIdentity atmospheres;
         std::shared_ptr<const SpectralSampling> sampling;
         std::shared_ptr<SampledSpectra> spectra;
     };

@@ -119,7 +119,7 @@ void SceneScaledView::gather(const ViewGeometry& view, const SceneRadiometry& ra
         const int drawn = radiometry.rows().renderedOf(kind.row);
         Surface& surface = surfaces[static_cast<std::size_t>(drawn)];
         const SurfaceSpectra& spectra = radiometry.surfaces()[static_cast<std::size_t>(drawn)];
-        const AirSamples& air = radiometry.air(kind.row);
+        const AtmosphereSamples& air = radiometry.air(kind.row);
         const double range_m =
             ranges_m[static_cast<std::size_t>(radiometry.rows().keyOf(drawn).first)];
         const double square_m2 = range_m * range_m;
@@ -160,7 +160,7 @@ void SceneScaledView::gather(const ViewGeometry& view, const SceneRadiometry& ra
 }
 
 std::vector<double> SceneScaledView::unitOf(const SurfaceSpectra& surface, const RadianceTerm& term,
-                                            const AirSamples& air, std::size_t number,
+                                            const AtmosphereSamples& air, std::size_t number,
                                             std::vector<double> passed) const {
     const auto multiply = [&](const std::vector<double>& values) {
         for (std::size_t i = 0; i < passed.size(); ++i)
@@ -169,7 +169,7 @@ std::vector<double> SceneScaledView::unitOf(const SurfaceSpectra& surface, const
     const bool isEmission = term.surface == SurfaceQuantity::emission;
     if (term.light)
         multiply(*air.light[number]);
-    if (term.passesAir || (isEmission && surface.emissionPassesAir))
+    if (term.passesAtmosphere || (isEmission && surface.emissionPassesAtmosphere))
         multiply(*air.transmittance);
     if (term.surface == SurfaceQuantity::specular)
         multiply(*surface.lobeLight);

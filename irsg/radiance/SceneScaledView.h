@@ -57,7 +57,7 @@ class SceneScaledView : public ScaledView {
     /// By node, from what passes the materials in front: what multiplies the emissivity times
     /// Planck's law, the measured emission's scale or the reflectivity in a term.
     std::vector<double> unitOf(const SurfaceSpectra& surface, const RadianceTerm& term,
-                               const AirSamples& air, std::size_t number,
+                               const AtmosphereSamples& air, std::size_t number,
                                std::vector<double> passed) const;
     /// Sums over the band what can be summed.
     void close(Surface& surface, PlanckTable& planck,

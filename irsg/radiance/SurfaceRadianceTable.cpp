@@ -73,12 +73,13 @@ void SurfaceRadianceTable::turn(const std::vector<int>& drawn) {
 
 std::vector<SurfaceRadianceTable::TermGroup> SurfaceRadianceTable::termGroupsOf(int drawn) const {
     const SurfaceSpectra& surface = radiometry_.surfaces()[static_cast<std::size_t>(drawn)];
-    const AirSamples& air = radiometry_.air(radiometry_.rows().first(drawn));
+    const AtmosphereSamples& air = radiometry_.air(radiometry_.rows().first(drawn));
     std::vector<TermGroup> groups;
     const auto add = [&](std::size_t term, double sign, TermGroup group) {
         auto known = std::ranges::find_if(groups, [&](const TermGroup& other) {
             return other.slot == group.slot && other.part == group.part &&
-                   other.passesAir == group.passesAir && other.pathLight == group.pathLight;
+                   other.passesAtmosphere == group.passesAtmosphere &&
+                   other.pathLight == group.pathLight;
         });
         if (known == groups.end())
             known = groups.insert(groups.end(), std::move(group));
@@ -90,7 +91,8 @@ std::vector<SurfaceRadianceTable::TermGroup> SurfaceRadianceTable::termGroupsOf(
             continue;
         const bool isEmission = term.surface == SurfaceQuantity::emission;
         TermGroup group;
-        group.passesAir = term.passesAir || (isEmission && surface.emissionPassesAir);
+        group.passesAtmosphere =
+            term.passesAtmosphere || (isEmission && surface.emissionPassesAtmosphere);
         if (term.light && irsg::geometryOf(*term.light) == QueryGeometry::path)
             group.pathLight = static_cast<int>(k);
         const auto parts = static_cast<int>(surface.emission.size());
@@ -227,8 +229,8 @@ void SurfaceRadianceTable::addBlock(int drawn, const std::vector<int>& rows,
         const TermGroup& group = groups[s];
         fillGroup(drawn, group, &passed[begin], begin, count, values);
         for (std::size_t r = 0; r < rows.size(); ++r) {
-            const AirSamples& air = radiometry_.air(rows[r]);
-            const double* of = group.passesAir ? air.transmittance->data() + begin : nullptr;
+            const AtmosphereSamples& air = radiometry_.air(rows[r]);
+            const double* of = group.passesAtmosphere ? air.transmittance->data() + begin : nullptr;
             if (group.pathLight >= 0) {
                 const double* light =
                     air.light[static_cast<std::size_t>(group.pathLight)]->data() + begin;
@@ -245,7 +247,7 @@ void SurfaceRadianceTable::addBlock(int drawn, const std::vector<int>& rows,
 void SurfaceRadianceTable::fillGroup(int drawn, const TermGroup& group, const double* passed,
                                      std::size_t begin, std::size_t count, double* values) const {
     const SurfaceSpectra& surface = radiometry_.surfaces()[static_cast<std::size_t>(drawn)];
-    const AirSamples& air = radiometry_.air(radiometry_.rows().first(drawn));
+    const AtmosphereSamples& air = radiometry_.air(radiometry_.rows().first(drawn));
     bool isFirst = true;
     const auto add = [&](const auto& make) {
         if (std::exchange(isFirst, false))

@@ -78,10 +78,10 @@ class SurfaceRadianceTable {
     /// Terms of the radiance that one sum over nodes serves: they share their drawn factor, their
     /// part of the emission and the air that they pass.
     struct TermGroup {
-        std::size_t slot = 0;   ///< a drawn factor, or behind them for what has none
-        int part = -1;          ///< of the emission; none
-        bool passesAir = false; ///< multiplied with the transmittance of the row
-        int pathLight = -1;     ///< with the light of this term, where it differs between rows
+        std::size_t slot = 0;          ///< a drawn factor, or behind them for what has none
+        int part = -1;                 ///< of the emission; none
+        bool passesAtmosphere = false; ///< multiplied with the transmittance of the row
+        int pathLight = -1; ///< with the light of this term, where it differs between rows
         std::vector<std::pair<std::size_t, double>> terms; ///< that it sums, and their signs
     };
     /// Where a kind's numbers lie, output by output.

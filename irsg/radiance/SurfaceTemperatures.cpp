@@ -1,6 +1,6 @@
 #include "irsg/radiance/SurfaceTemperatures.h"
 
-#include "irsg/radiance/SceneAir.h"
+#include "irsg/radiance/SceneAtmosphere.h"
 #include "irsg/signature/SurfaceTemperature.h"
 
 namespace irsg {

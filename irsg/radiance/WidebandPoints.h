@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "irsg/atmosphere/AirIdentity.h"
-#include "irsg/radiance/SceneAir.h"
+#include "irsg/atmosphere/AtmosphereIdentity.h"
+#include "irsg/radiance/SceneAtmosphere.h"
 #include "irsg/radiometry/Band.h"
 
 namespace irsg {
@@ -47,7 +47,7 @@ class WidebandPoints {
     std::string description() const;
 
   private:
-    AirIdentity atmospheres_;
+    AtmosphereIdentity atmospheres_;
     SunPosition sun_;
     WidebandSpectra spectra_;
     double largestError_;

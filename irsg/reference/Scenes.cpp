@@ -163,7 +163,8 @@ Entity entityOf(std::shared_ptr<const Model> model, SignatureDatabase database) 
     return entity;
 }
 
-Spectrum ConstantAir::nativeSpectrum(const AtmosphericQuery& query, const SpectralRange&) const {
+Spectrum ConstantAtmosphere::nativeSpectrum(const AtmosphericQuery& query,
+                                            const SpectralRange&) const {
     switch (query.quantity) {
     case AtmosphereProperty::transmittance:
         return Spectrum::constant(transmittanceValue);
@@ -182,15 +183,15 @@ Spectrum ConstantAir::nativeSpectrum(const AtmosphericQuery& query, const Spectr
     }
 }
 
-Environment environmentOf(const ConstantAir& air, const SunPosition& sun) {
+Environment environmentOf(const ConstantAtmosphere& air, const SunPosition& sun) {
     Environment environment;
-    environment.add(std::make_shared<ConstantAir>(air));
+    environment.add(std::make_shared<ConstantAtmosphere>(air));
     environment.sun = sun;
     return environment;
 }
 
-Environment brightAir() {
-    ConstantAir air;
+Environment brightAtmosphere() {
+    ConstantAtmosphere air;
     air.transmittanceValue = 0.7;
     air.pathRadianceValue = 0.2;
     air.backgroundValue = 0.4;

@@ -51,7 +51,7 @@ Material greyMaterial(double emissivity, double transmissivity = 0.0, double nAn
 Entity entityOf(std::shared_ptr<const Model> model, SignatureDatabase database);
 
 /// An atmosphere whose every quantity is a constant given by the test.
-class ConstantAir : public Atmosphere {
+class ConstantAtmosphere : public Atmosphere {
   public:
     double transmittanceValue = 1.0;
     double pathRadianceValue = 0.0;
@@ -69,9 +69,9 @@ class ConstantAir : public Atmosphere {
   protected:
     Spectrum nativeSpectrum(const AtmosphericQuery& query, const SpectralRange&) const override;
 };
-Environment environmentOf(const ConstantAir& air, const SunPosition& sun = {});
+Environment environmentOf(const ConstantAtmosphere& air, const SunPosition& sun = {});
 /// Air and sun of which every term is seen.
-Environment brightAir();
+Environment brightAtmosphere();
 
 /// A generator that looks at entity 0, standing at 1000 m altitude, from azimuth and elevation.
 struct View {

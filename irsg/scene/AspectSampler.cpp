@@ -187,7 +187,7 @@ void AspectSampler::addAlongRange(const Frame& frame, const ObjectExtent& object
     const ObjectGeometry& geometry =
         frame.evaluation().geometry[static_cast<std::size_t>(object.entity)];
     // In air every range takes the same drawings, whether it is sliced there or not.
-    const bool isSliced = geometry.slices_m.size() > 1 || geometry.airError > 0.0;
+    const bool isSliced = geometry.slices_m.size() > 1 || geometry.atmosphereError > 0.0;
     const double reach_m = prepared_.reach_m(entity);
     const Vec3 from =
         PointSources::onGrid(entity.pose.attitude.rotation().transposed() *

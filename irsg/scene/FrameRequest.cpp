@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "irsg/radiance/SceneAir.h"
+#include "irsg/radiance/SceneAtmosphere.h"
 
 namespace irsg {
 

@@ -84,7 +84,7 @@ std::optional<std::vector<ObjectGeometry>> seenPlaces(std::vector<ObjectGeometry
     constexpr double before = 0.6; // of how far it reaches
     bool isMoved = false;
     for (ObjectGeometry& object : nearer)
-        if (object.slices_m.size() < 2 && object.likelyAirError > 0.0) {
+        if (object.slices_m.size() < 2 && object.likelyAtmosphereError > 0.0) {
             object.path.range_m = std::max(
                 object.path.range_m - before * 0.5 * (object.farthest_m - object.nearest_m), 0.0);
             isMoved = true;
@@ -195,18 +195,19 @@ void RenderErrorEstimator::addOfAtmosphere(const Frame& frame, const ViewGeometr
     const bool isWideband = frame.settings().mode == CalculationMode::wideband;
     const Environment& own = frame.scene().environment;
     const Environment& other = isWideband ? own : other_.of(own, frame.request.bands.front());
-    const bool hasBins = !isWideband && !AirIdentity(other).isOf(own);
+    const bool hasBins = !isWideband && !AtmosphereIdentity(other).isOf(own);
     const std::size_t entities = frame.evaluation().geometry.size();
 
     // As parts of the intensity: its error, and that of the contrast.
-    struct AirParts {
+    struct AtmosphereParts {
         double intensity = 0.0, contrast = 0.0;
         void add(double ofIntensity, double ofSublatticeDifference) {
             intensity = std::hypot(intensity, ofIntensity);
             contrast = std::hypot(contrast, ofSublatticeDifference);
         }
     };
-    std::vector<std::vector<AirParts>> parts(sums.size(), std::vector<AirParts>(entities));
+    std::vector<std::vector<AtmosphereParts>> parts(sums.size(),
+                                                    std::vector<AtmosphereParts>(entities));
     const auto addDifference = [&](const std::vector<ObjectSums>& a,
                                    const std::vector<ObjectSums>& b, double times = 1.0) {
         for (std::size_t o = 0; o < parts.size(); ++o)
@@ -225,7 +226,7 @@ void RenderErrorEstimator::addOfAtmosphere(const Frame& frame, const ViewGeometr
                 const ObjectGeometry& object = frame.evaluation().geometry[e];
                 if ((object.slices_m.size() > 1) == ofSliced &&
                     !frame.evaluation().sampled->ofOutput(o).isSource)
-                    parts[o][e].add(object.likelyAirError, object.likelyAirError);
+                    parts[o][e].add(object.likelyAtmosphereError, object.likelyAtmosphereError);
             }
     };
     addLikely(true); // slices are thin, and radiance nearly linear over each
@@ -254,7 +255,7 @@ void RenderErrorEstimator::addOfAtmosphere(const Frame& frame, const ViewGeometr
     for (std::size_t o = 0; isWideband && o < sums.size(); ++o)
         if (const auto* points =
                 SensorCkData::of(*frame.evaluation().sampled->ofOutput(o).sampling))
-            for (AirParts& one : parts[o])
+            for (AtmosphereParts& one : parts[o])
                 one.add(deviations * points->heldOutRms(), deviations * points->heldOutRms());
 
     for (std::size_t o = 0; o < sums.size(); ++o) {
@@ -358,11 +359,12 @@ ErrorsByOutput RenderErrorEstimator::ofSpectrum(const Frame& frame, const ViewGe
     } catch (const InputError&) {
         nearer.clear(); // some air answers for the path to the reference point alone
     }
-    const auto ofAir = [&](std::size_t k, std::size_t e) {
+    const auto ofAtmosphere = [&](std::size_t k, std::size_t e) {
         const ObjectGeometry& object = frame.evaluation().geometry[e];
         const double intensity = std::abs(sums[k].objects[e].intensity_W_sr);
         if (object.slices_m.size() > 1 || nearer.empty())
-            return std::pair(intensity * object.likelyAirError, intensity * object.likelyAirError);
+            return std::pair(intensity * object.likelyAtmosphereError,
+                             intensity * object.likelyAtmosphereError);
         const ObjectRadiometry &a = here[k].objects[e], &b = nearer[k].objects[e];
         if (!(a.intensity_W_sr > 0.0))
             return std::pair(0.0, 0.0);
@@ -387,7 +389,7 @@ ErrorsByOutput RenderErrorEstimator::ofSpectrum(const Frame& frame, const ViewGe
         if (knowsBackground(frame.scene()))
             behind = ofBackground(frame, e, seenAlong, {});
         for (std::size_t k = 0; k < sums.size(); ++k) {
-            const auto [intensity, contrast] = ofAir(k, e);
+            const auto [intensity, contrast] = ofAtmosphere(k, e);
             const double square_m2 = ranges_m[e] * ranges_m[e];
             const double background = behind[k] * sums[k].objects[e].solidAngle_sr;
             for (RadiometryErrors* one : {&errors[k][e], &errors[k].back()}) {

@@ -15,7 +15,7 @@ namespace irsg {
 namespace {
 
 /// What the air's change over an object's extent may leave wrong without a word.
-constexpr double airErrorToTell = 0.0051;
+constexpr double atmosphereErrorToTell = 0.0051;
 constexpr const char* publishedTilesInSums =
     "the published zoom (sills) is drawn in pictures alone: intensities, contrast and irradiances "
     "of several objects or bands are those of aligned windows";
@@ -33,7 +33,7 @@ RenderReport RenderReporter::report(const Frame& frame, const FrameReduction& pi
     report.all = pixels.objects(frame.backgrounds.byOutput.front(), range_m);
     fill(frame, 0, report);
     if (!frame.evaluation().geometry.empty()) {
-        report.all.airError = frame.evaluation().geometry.front().airError;
+        report.all.atmosphereError = frame.evaluation().geometry.front().atmosphereError;
         report.objects.assign(1, report.all);
         report.objects.front().name = frame.scene().entities.front().name;
     }
@@ -62,9 +62,9 @@ std::vector<RenderReport> RenderReporter::reports(const Frame& frame, const View
             for (std::size_t e = 0; e < report.objects.size(); ++e) {
                 report.objects[e].name = frame.scene().entities[e].name;
                 report.objects[e].range_m = ranges_m[e];
-                report.objects[e].airError = frame.evaluation().geometry[e].airError;
-                report.all.airError =
-                    std::max(report.all.airError, frame.evaluation().geometry[e].airError);
+                report.objects[e].atmosphereError = frame.evaluation().geometry[e].atmosphereError;
+                report.all.atmosphereError = std::max(
+                    report.all.atmosphereError, frame.evaluation().geometry[e].atmosphereError);
             }
             for (std::size_t e = 0; frame.request.withErrors && e < report.objects.size(); ++e)
                 report.objects[e].errors = errors[band][e];
@@ -122,12 +122,12 @@ void RenderReporter::fill(const Frame& frame, std::size_t output, RenderReport& 
     if (frame.settings().scattering)
         report.warnings.push_back(scatteringInSums);
     for (std::size_t e = 0; e < frame.evaluation().geometry.size(); ++e)
-        if (frame.evaluation().geometry[e].airError > airErrorToTell)
+        if (frame.evaluation().geometry[e].atmosphereError > atmosphereErrorToTell)
             report.warnings.push_back(
                 "the air changes over the extent of '" + frame.scene().entities[e].name +
                 "': its radiance may be wrong by up to " +
-                roundedText(std::round(1000.0 * frame.evaluation().geometry[e].airError) / 10.0,
-                            9) +
+                roundedText(
+                    std::round(1000.0 * frame.evaluation().geometry[e].atmosphereError) / 10.0, 9) +
                 " %");
     if (frame.exchange())
         warnOfExchange(*frame.exchange(), frame.scene(), report.warnings);

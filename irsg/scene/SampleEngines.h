@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/radiance/SceneAir.h"
+#include "irsg/radiance/SceneAtmosphere.h"
 #include "irsg/render/background/TerrainRays.h"
 #include "irsg/scene/EngineCost.h"
 #include "irsg/scene/FrameEngine.h"

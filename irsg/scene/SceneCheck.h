@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "irsg/geometry/view/Sensor.h"
-#include "irsg/radiance/SceneAir.h"
+#include "irsg/radiance/SceneAtmosphere.h"
 
 namespace irsg {
 

@@ -6,7 +6,7 @@
 #include "irsg/geometry/view/FrameBackground.h"
 #include "irsg/radiance/RadiometryCache.h"
 #include "irsg/radiance/SampledScene.h"
-#include "irsg/radiance/SceneAir.h"
+#include "irsg/radiance/SceneAtmosphere.h"
 #include "irsg/render/background/SceneBackground.h"
 #include "irsg/render/sampling/SurfaceScene.h"
 

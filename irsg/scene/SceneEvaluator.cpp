@@ -70,8 +70,8 @@ SceneEvaluation SceneEvaluator::evaluate(const FrameRequest& request,
                               request.withSources, sampler(scene, answers_));
         for (std::size_t e = 0; e < geometry.size(); ++e) {
             geometry[e].slices_m = sampled->slices_m[e];
-            geometry[e].airError = sampled->airError[e];
-            geometry[e].likelyAirError = sampled->likelyAirError[e];
+            geometry[e].atmosphereError = sampled->atmosphereError[e];
+            geometry[e].likelyAtmosphereError = sampled->likelyAtmosphereError[e];
         }
         std::shared_ptr<EvaluatedScene> evaluated =
             radiometry_.of(terms_, scene.entities, geometry, sampled, occluderStacks_);
@@ -134,15 +134,16 @@ EvaluatedSpectrum SceneEvaluator::atWavelengths(const FrameRequest& request,
 
 SampledScenes::Sampler SceneEvaluator::sampler(const Scene& ofScene,
                                                AtmosphericQueryCache& answers) {
-    return [this, &ofScene, &answers](const AirScene& scene, const std::vector<Band>& bands) {
-        if (scene.settings.mode != CalculationMode::wideband)
-            return sampling_.spectral(answers, scene, bands);
-        std::vector<SampledBand> sampled;
-        sampled.reserve(bands.size());
-        for (const Band& band : bands)
-            sampled.push_back(SceneSampling::wideband(answers, scene, wideband(ofScene, band)));
-        return sampled;
-    };
+    return
+        [this, &ofScene, &answers](const AtmosphereScene& scene, const std::vector<Band>& bands) {
+            if (scene.settings.mode != CalculationMode::wideband)
+                return sampling_.spectral(answers, scene, bands);
+            std::vector<SampledBand> sampled;
+            sampled.reserve(bands.size());
+            for (const Band& band : bands)
+                sampled.push_back(SceneSampling::wideband(answers, scene, wideband(ofScene, band)));
+            return sampled;
+        };
 }
 
 std::shared_ptr<const SpectralSampling>

@@ -48,8 +48,8 @@ class SceneEvaluator {
     /// What the atmosphere of the scene that was evaluated last answered.
     AtmosphericQueryCache& answers() { return answers_; }
     /// The scene along other paths; all must live as long.
-    AirScene airScene(const FrameRequest& request,
-                      const std::vector<ObjectGeometry>& geometry) const {
+    AtmosphereScene airScene(const FrameRequest& request,
+                             const std::vector<ObjectGeometry>& geometry) const {
         return {terms_, request.scene.entities, geometry, request.scene.settings, request.centre};
     }
     /// Samples bands with the answers of a scene's atmosphere, or of another; both must live as

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int wavelengths = 16;
 constexpr double zenith_K = 230.0, horizon_K = 285.0, ground_K = 295.0;
-constexpr double sun_K = 5778.0, throughAir = 0.7, discSolidAngle_sr = 6.8e-5;
+constexpr double sun_K = 5778.0, throughAtmosphere = 0.7, discSolidAngle_sr = 6.8e-5;
 /// What the disc adds to slopes, as in scenes.
 constexpr double discSpread = 2.7e-6;
 constexpr SurfaceDirection sun{-0.5, 0.70710678118654752, 0.5};
@@ -66,7 +66,7 @@ class Outdoors {
             for (std::size_t k = 0; k < lights_.size(); ++k) {
                 Lights& own = lights_[k];
                 own.emitted += amounts[k] * black(LitBall::temperature_K);
-                own.ofSun_W_m2 += amounts[k] * throughAir * discSolidAngle_sr * black(sun_K);
+                own.ofSun_W_m2 += amounts[k] * throughAtmosphere * discSolidAngle_sr * black(sun_K);
                 own.ground += amounts[k] * black(ground_K);
                 for (std::size_t node = 0; node < skyNodes; ++node) {
                     const double sine = static_cast<double>(node) / (skyNodes - 1);

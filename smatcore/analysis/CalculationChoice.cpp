@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "irsg/atmosphere/AtmosphereSmart.h"
-#include "irsg/radiance/WidebandAir.h"
+#include "irsg/radiance/WidebandAtmosphere.h"
 #include "irsg/radiance/WidebandPoints.h"
 #include "irsg/radiometry/Units.h"
 
@@ -23,7 +23,7 @@ namespace {
 constexpr double ofSky = 2.5, ofGases = 4.4, dearerWithGases = 3.3;
 
 /// Points of air of a file are trained in a few lines of sight.
-constexpr double fewestInAirOfAFile = 3.0;
+constexpr double fewestInAtmosphereOfAFile = 3.0;
 
 /// About as many points as a fit has: where many bands have no more nodes each, points save
 /// nothing.
@@ -59,8 +59,9 @@ Training training(const SceneDescription& scene) {
         const auto nodes = static_cast<double>(sampling->size());
         const double width_per_cm = 1e4 / band.range().min_um - 1e4 / band.range().max_um;
         const double density = nodes / (width_per_cm + 2.0 * bin_per_cm) / beside5;
-        constexpr double ofAir = 90.0, ofFit = 95.0, ofDenseFit = 380.0, sparse = 1.4;
-        cost += nodes * (ofAir + (ofFit + ofDenseFit * std::max(0.0, density - sparse)) / beside5);
+        constexpr double ofAtmosphere = 90.0, ofFit = 95.0, ofDenseFit = 380.0, sparse = 1.4;
+        cost += nodes *
+                (ofAtmosphere + (ofFit + ofDenseFit * std::max(0.0, density - sparse)) / beside5);
         all += nodes;
         ++bands;
     }
@@ -83,7 +84,7 @@ std::size_t skiesOf(const AnalysisPlan& plan, int rows) {
 std::size_t fewestToTrain(const SceneDescription& scene, const Training& computed,
                           const AnalysisPlan& plan, std::size_t linesOfPlan) {
     if (computed.cost == 0.0)
-        return static_cast<std::size_t>(fewestInAirOfAFile);
+        return static_cast<std::size_t>(fewestInAtmosphereOfAFile);
     const bool hasGases = !irsg::widebandSpectraOf(scene.entities).radiances.empty();
     const auto lines = std::max(1.0, static_cast<double>(linesOfPlan));
     double saved = lines;
@@ -111,7 +112,7 @@ CalculationChoice chooseCalculation(const SceneDescription& scene, const Analysi
     using irsg::CalculationMode;
     const std::vector<irsg::Band> bands = scene.allBands();
     if (!std::all_of(bands.begin(), bands.end(), [&](const irsg::Band& band) {
-            return irsg::hasWidebandAir(scene.environment, band, scene.settings);
+            return irsg::hasWidebandAtmosphere(scene.environment, band, scene.settings);
         })) {
         return {};
     }

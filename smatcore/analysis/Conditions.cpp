@@ -23,7 +23,7 @@ struct NumberCondition {
     RealKey key;
     Quantity quantity;
 };
-constexpr std::array beforeAir{
+constexpr std::array beforeAtmosphere{
     NumberCondition{key::cameraRange, Quantity::range},
     NumberCondition{key::cameraAzimuth, Quantity::azimuth},
     NumberCondition{key::cameraElevation, Quantity::elevation},
@@ -63,7 +63,7 @@ std::vector<Condition> conditions(const Settings& settings, const ResultTable* t
         if (auto one = conditionOf(which, settings, table))
             list.push_back(std::move(*one));
     };
-    std::ranges::for_each(beforeAir, add);
+    std::ranges::for_each(beforeAtmosphere, add);
     list.push_back(
         {key::environmentAtmospheres, valueWords(settings, key::environmentAtmospheres)});
     add(time);

@@ -13,7 +13,7 @@
 #include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/Wording.h"
-#include "irsg/radiance/WidebandAir.h"
+#include "irsg/radiance/WidebandAtmosphere.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
@@ -212,7 +212,7 @@ CostAccuracyStudy::configurationsOf(const SceneDescription& scene, bool wideband
                 {irsg::CalculationMode::spectral, 1}};
     const std::vector<irsg::Band> bands = scene.allBands();
     if (wideband && std::ranges::all_of(bands, [&](const irsg::Band& band) {
-            return irsg::hasWidebandAir(scene.environment, band, scene.settings);
+            return irsg::hasWidebandAtmosphere(scene.environment, band, scene.settings);
         }))
         airs.emplace_back(irsg::CalculationMode::wideband, 0);
     std::vector<int> rows = {scene.settings.backgroundRows};

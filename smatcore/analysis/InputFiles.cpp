@@ -71,7 +71,7 @@ std::vector<InputFile> inputFilesOf(const Project& project, const Settings& sett
             continue;
         const auto listed = settings[PathsKey{setting.key.c_str()}];
         for (std::size_t i = 0; i < listed.size(); ++i) {
-            if (isNoAir(listed[i]))
+            if (isNoAtmosphere(listed[i]))
                 continue;
             const fs::path file = project.resolve(listed[i]);
             inputs.push_back({setting.key, file, i});

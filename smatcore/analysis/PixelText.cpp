@@ -43,7 +43,7 @@ std::string surfaceText(const ExplainedSurface& surface) {
         text += line("share of the pixel", surface.share, "");
         text += line("range", surface.range_m, "m");
     }
-    text += line("transmittance of the air", surface.airTransmittance, "");
+    text += line("transmittance of the air", surface.atmosphereTransmittance, "");
     if (!surface.throughMaterials.empty()) {
         text += fmt::format("  {:<34} {}\n", "seen or lit through",
                             fmt::join(surface.throughMaterials, "; "));
@@ -125,7 +125,7 @@ OrderedJson surfaceJson(const ExplainedSurface& surface) {
         {"n_angle_factor", surface.nAngleFactor},
         {"share", surface.share},
         {"range_m", surface.range_m},
-        {"air_transmittance", surface.airTransmittance},
+        {"air_transmittance", surface.atmosphereTransmittance},
         {"through", surface.throughMaterials},
         {"through_transmittance", surface.throughTransmittance},
         {"terms", terms},

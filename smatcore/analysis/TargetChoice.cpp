@@ -142,7 +142,7 @@ class Expected {
   public:
     void learn(const CalculationConfiguration& configuration, const StatedErrors& errors) {
         sampling_[configuration.render.tileSide_samples] = errors.sampling;
-        air_[airOf(configuration)] = errors.air;
+        air_[atmosphereOf(configuration)] = errors.air;
         background_[configuration.render.backgroundRows] = errors.background;
         sums_.emplace_back(configuration, errors.sum);
     }
@@ -158,14 +158,14 @@ class Expected {
         if (const auto known = measured(configuration))
             return *known;
         return std::hypot(sampling(configuration.render.tileSide_samples),
-                          air(airOf(configuration)),
+                          air(atmosphereOf(configuration)),
                           background(configuration.render.backgroundRows));
     }
 
   private:
     /// Mode, bins, and what the quadrature points of wideband-ck are trained to.
     using Air = std::tuple<CalculationMode, int, double>;
-    static Air airOf(const CalculationConfiguration& configuration) {
+    static Air atmosphereOf(const CalculationConfiguration& configuration) {
         const bool hasPoints = configuration.render.mode == CalculationMode::wideband;
         return {configuration.render.mode, configuration.bins_per_cm,
                 hasPoints ? configuration.render.widebandError : 0.0};

@@ -9,12 +9,12 @@
 
 namespace smat {
 
-bool isNoAir(const std::filesystem::path& input) {
+bool isNoAtmosphere(const std::filesystem::path& input) {
     return input == "none" || input == "vacuum";
 }
 
 std::shared_ptr<const irsg::Atmosphere> openAtmosphere(const std::filesystem::path& input) {
-    if (isNoAir(input))
+    if (isNoAtmosphere(input))
         return std::make_shared<irsg::Vacuum>();
     std::error_code failure;
     if (!std::filesystem::is_regular_file(input, failure)) {

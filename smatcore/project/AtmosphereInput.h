@@ -8,7 +8,7 @@
 namespace smat {
 
 /// True for `none` and `vacuum`, which are words, not files.
-bool isNoAir(const std::filesystem::path& input);
+bool isNoAtmosphere(const std::filesystem::path& input);
 
 /// One atmosphere that a project or a command names: those words, or a file of any kind that
 /// irsg::loadAtmosphere knows. Throws InputError for a file that is missing, is no atmosphere or

@@ -15,7 +15,7 @@ namespace smat {
 namespace {
 
 /// The atmospheres and default background of one file, and its sun where it has one.
-struct LoadedAir {
+struct LoadedAtmosphere {
     irsg::Environment environment;
     std::optional<irsg::SunPosition> sun;
 };
@@ -26,8 +26,8 @@ void logRemarks(const std::string& whose, const std::vector<std::string>& remark
 }
 
 /// What one file or word adds.
-LoadedAir loadedFrom(const std::filesystem::path& input) {
-    LoadedAir loaded;
+LoadedAtmosphere loadedFrom(const std::filesystem::path& input) {
+    LoadedAtmosphere loaded;
     if (!irsg::isEnvironmentXml(input)) {
         loaded.environment.add(openAtmosphere(input));
         return loaded;
@@ -67,15 +67,15 @@ withResolution(const std::vector<std::shared_ptr<const irsg::Atmosphere>>& atmos
 
 } // namespace
 
-std::optional<irsg::SunPosition> addAir(irsg::Environment& environment,
-                                        const std::vector<std::filesystem::path>& inputs,
-                                        std::optional<int> resolution_per_cm) {
+std::optional<irsg::SunPosition> addAtmosphere(irsg::Environment& environment,
+                                               const std::vector<std::filesystem::path>& inputs,
+                                               std::optional<int> resolution_per_cm) {
     std::vector<std::shared_ptr<const irsg::Atmosphere>> atmospheres;
     std::optional<irsg::SunPosition> sun;
     std::vector<irsg::Diagnostic> diagnostics;
     for (const auto& input : inputs) {
         try {
-            const LoadedAir loaded = loadedFrom(input);
+            const LoadedAtmosphere loaded = loadedFrom(input);
             const auto& own = loaded.environment.atmospheres();
             atmospheres.insert(atmospheres.end(), own.begin(), own.end());
             if (!environment.defaultBackground)

@@ -17,12 +17,14 @@ namespace smat {
 ///
 /// `resolution_per_cm`, 1, 5 or 15, takes the place of that of every AtmosphereSmart among them;
 /// air without one has no bins and is an InputError with it.
-std::optional<irsg::SunPosition> addAir(irsg::Environment& environment,
-                                        const std::vector<std::filesystem::path>& inputs,
-                                        std::optional<int> resolution_per_cm = {});
+std::optional<irsg::SunPosition> addAtmosphere(irsg::Environment& environment,
+                                               const std::vector<std::filesystem::path>& inputs,
+                                               std::optional<int> resolution_per_cm = {});
 
-/// What the settings list as atmospheres, with paths that hold anywhere; words (see isNoAir) stay.
-std::vector<std::filesystem::path> resolvedAir(const Project& project, const Settings& settings);
+/// What the settings list as atmospheres, with paths that hold anywhere; words (see isNoAtmosphere)
+/// stay.
+std::vector<std::filesystem::path> resolvedAtmosphere(const Project& project,
+                                                      const Settings& settings);
 
 /// Gives `sun` the azimuth and elevation that the settings set; what they do not set stays.
 void moveSun(irsg::SunPosition& sun, const Settings& settings);

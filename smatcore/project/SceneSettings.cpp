@@ -51,7 +51,7 @@ irsg::SunPosition sunOf(const Project& project, const Settings& settings) {
     std::optional<irsg::SunPosition> ofFile;
     for (const std::filesystem::path& listed : settings[key::environmentAtmospheres]) {
         const auto file = project.resolve(listed);
-        if (ofFile || isNoAir(listed) || !irsg::isEnvironmentXml(file))
+        if (ofFile || isNoAtmosphere(listed) || !irsg::isEnvironmentXml(file))
             continue;
         try {
             ofFile = irsg::environmentFromKarma(irsg::KarmaXml::read(file)).parameters.sun;
@@ -62,10 +62,11 @@ irsg::SunPosition sunOf(const Project& project, const Settings& settings) {
     return sunFrom(settings, ofFile);
 }
 
-std::vector<std::filesystem::path> resolvedAir(const Project& project, const Settings& settings) {
+std::vector<std::filesystem::path> resolvedAtmosphere(const Project& project,
+                                                      const Settings& settings) {
     auto files = settings[key::environmentAtmospheres];
     for (auto& listed : files)
-        listed = isNoAir(listed) ? listed : project.resolve(listed);
+        listed = isNoAtmosphere(listed) ? listed : project.resolve(listed);
     return files;
 }
 
@@ -82,8 +83,8 @@ irsg::Environment environmentOf(const Project& project, const Settings& settings
     std::optional<int> bins_per_cm;
     if (settings[key::environmentBins] != "native")
         bins_per_cm = std::stoi(settings[key::environmentBins]);
-    environment.sun =
-        sunFrom(settings, addAir(environment, resolvedAir(project, settings), bins_per_cm));
+    environment.sun = sunFrom(
+        settings, addAtmosphere(environment, resolvedAtmosphere(project, settings), bins_per_cm));
     if (environment.atmospheres().size() == mtf.size()) {
         using enum irsg::Vacuum::Background;
         environment.add(
@@ -109,7 +110,7 @@ std::string environmentKey(const Project& project, const Settings& settings) {
         else
             text += settings.text(setting.key);
     }
-    std::vector<std::filesystem::path> files = resolvedAir(project, settings);
+    std::vector<std::filesystem::path> files = resolvedAtmosphere(project, settings);
     for (const std::filesystem::path& mtf : settings[key::environmentMtf])
         files.push_back(project.resolve(mtf));
     for (const std::filesystem::path& file : files)

@@ -13,7 +13,7 @@ namespace smat::selftest {
 // One list a room, in the order in which they are told.
 std::vector<SelfTestCheck> radiometryChecks();
 std::vector<SelfTestCheck> signatureChecks();
-std::vector<SelfTestCheck> airChecks();
+std::vector<SelfTestCheck> atmosphereChecks();
 std::vector<SelfTestCheck> surfaceChecks();
 std::vector<SelfTestCheck> sceneChecks();
 std::vector<SelfTestCheck> samplingChecks();

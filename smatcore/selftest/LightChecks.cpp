@@ -81,7 +81,7 @@ SelfTestValue perpendicularSquares(SelfTestBench& bench) {
 SelfTestValue shadow(SelfTestBench& bench) {
     needRays();
     InteractiveRenderer& irsg = bench.irsg();
-    ConstantAir air;
+    ConstantAtmosphere air;
     air.sunValue = 100.0;
     const irsg::SunPosition sun{0.8, irsg::radians(40.0)};
     irsg.scene.environment = environmentOf(air, sun);

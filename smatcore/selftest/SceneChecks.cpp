@@ -66,7 +66,7 @@ SelfTestValue againstRays(SelfTestBench& bench) {
         rays.surfaces.push_back(terms);
     }
     InteractiveRenderer& irsg = bench.irsg();
-    irsg.scene.environment = brightAir();
+    irsg.scene.environment = brightAtmosphere();
     irsg::RenderSettings settings;
     settings.tileSide_samples = 0;
     settings.samplesPerAxis = 1;

@@ -43,7 +43,8 @@ std::size_t countOf(const std::vector<SelfTestResult>& results, Outcome outcome)
 irsg::InteractiveRenderer& SelfTestBench::irsg() {
     if (!irsg_)
         irsg_ = std::make_unique<irsg::InteractiveRenderer>();
-    irsg_->scene.environment = irsg::reference::environmentOf(irsg::reference::ConstantAir{});
+    irsg_->scene.environment =
+        irsg::reference::environmentOf(irsg::reference::ConstantAtmosphere{});
     irsg_->scene.entities = {};
     irsg_->scene.skybox = nullptr;
     irsg_->scene.terrain = nullptr;
@@ -62,7 +63,7 @@ const std::vector<SelfTestCheck>& selfTestChecks() {
     static const std::vector<SelfTestCheck> all = [] {
         std::vector<SelfTestCheck> checks;
         for (auto room :
-             {selftest::radiometryChecks, selftest::signatureChecks, selftest::airChecks,
+             {selftest::radiometryChecks, selftest::signatureChecks, selftest::atmosphereChecks,
               selftest::surfaceChecks, selftest::sceneChecks, selftest::samplingChecks,
               selftest::lightChecks, selftest::scatteringChecks})
             for (SelfTestCheck& check : room())

@@ -34,7 +34,7 @@ Mesh tilted(double angle_rad, irsg::IrCodes codes = {1, 1}) {
 struct Middle {
     Mesh mesh = tilted(0.0);
     irsg::SignatureDatabase database = greyDatabase(0.8, 320.0);
-    ConstantAir air;
+    ConstantAtmosphere air;
     irsg::SunPosition sun{0.0, irsg::radians(30.0)};
     irsg::RenderSettings settings;
     double range_m = 100.0;

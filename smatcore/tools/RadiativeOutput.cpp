@@ -68,10 +68,10 @@ class Output {
         std::vector<irsg::Diagnostic> diagnostics;
         for (const AtmosphereProperty property : request_.quantities) {
             const std::string missing = missingFor(property, geometry_);
-            const bool hasAir = environment_.find(request_.band, property) != nullptr ||
-                                (property == AtmosphereProperty::backgroundRadiance &&
-                                 environment_.defaultBackground.has_value());
-            if (missing.empty() && (hasAir || !request_.leaveOutMissing)) {
+            const bool hasAtmosphere = environment_.find(request_.band, property) != nullptr ||
+                                       (property == AtmosphereProperty::backgroundRadiance &&
+                                        environment_.defaultBackground.has_value());
+            if (missing.empty() && (hasAtmosphere || !request_.leaveOutMissing)) {
                 asked.push_back(property);
             } else if (request_.leaveOutMissing) {
                 result_.warnings.push_back(std::string(irsg::name(property)) + " is left out: " +

@@ -50,7 +50,7 @@ irsg::Vec3 targetReferencePoint(const Project& project, SceneBuilder& scenes) {
     }
 }
 
-std::string airArguments(const std::vector<std::filesystem::path>& air) {
+std::string atmosphereArguments(const std::vector<std::filesystem::path>& air) {
     std::string arguments;
     for (const auto& one : air)
         arguments += " " + shellQuoted(one.string());
@@ -62,7 +62,7 @@ std::string radiativeCommand(const std::vector<std::filesystem::path>& air,
                              const PathGeometryInput& geometry, const irsg::SpectralRange& band,
                              const irsg::SunPosition& sun, std::optional<double> dayOfYear,
                              const std::string& outputFile) {
-    std::string command = "smat-batch radiative" + airArguments(air);
+    std::string command = "smat-batch radiative" + atmosphereArguments(air);
     const auto add = [&](const char* option, double value) {
         command += std::string(" ") + option + "=" + irsg::numberText(value);
     };

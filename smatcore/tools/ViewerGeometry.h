@@ -23,7 +23,7 @@ PathGeometryInput viewerGeometry(const Project& project, const Settings& setting
 irsg::Vec3 targetReferencePoint(const Project& project, SceneBuilder& scenes);
 
 /// The atmospheres as arguments of a command, each after a space; " none" where there are none.
-std::string airArguments(const std::vector<std::filesystem::path>& air);
+std::string atmosphereArguments(const std::vector<std::filesystem::path>& air);
 
 /// The command that makes the same radiative output from a terminal, with `air` as the
 /// atmospheres, `none` where it is empty, and the words of its quantities (see

@@ -8,12 +8,12 @@
 #include <gtest/gtest.h>
 
 #include "irsg/radiometry/Units.h"
-#include "tests/atmosphere/SyntheticAir.h"
+#include "tests/atmosphere/SyntheticAtmosphere.h"
 
 namespace irsg {
 namespace {
 
-using namespace syntheticair;
+using namespace syntheticatmosphere;
 
 /// A model atmosphere whose air is warmer by `peak_K` at `peak_m`, falling off to nothing at the
 /// ground and 200 m above the peak.

@@ -10,7 +10,7 @@
 #include "irsg/atmosphere/SmartAdapter.h"
 #include "irsg/radiometry/Planck.h"
 #include "tests/atmosphere/KarmaSupport.h"
-#include "tests/atmosphere/SyntheticAir.h"
+#include "tests/atmosphere/SyntheticAtmosphere.h"
 
 namespace irsg {
 namespace {
@@ -31,7 +31,7 @@ AtmosphereSmartParameters parametersOfBand() {
 }
 
 AtmosphereSmart smart(const AtmosphereSmartParameters& parameters) {
-    return AtmosphereSmart(parameters, "smart", {}, syntheticair::table());
+    return AtmosphereSmart(parameters, "smart", {}, syntheticatmosphere::table());
 }
 
 TEST(SmartAdapter, ConvertsUnitsAndCodes) {
@@ -251,7 +251,7 @@ TEST(AtmosphereSmart, SingleScatteringHasNoFluxesAndSaysWhy) {
     AtmosphereSmartParameters parameters = parametersOfBand();
     parameters.scatteringMode = 1;
     const auto air =
-        std::make_shared<AtmosphereSmart>(parameters, "single", "", syntheticair::table());
+        std::make_shared<AtmosphereSmart>(parameters, "single", "", syntheticatmosphere::table());
     EXPECT_FALSE(air->supports(AtmosphereProperty::upwardFlux));
     EXPECT_FALSE(air->supports(AtmosphereProperty::downwardFlux));
     EXPECT_TRUE(air->supports(AtmosphereProperty::pathRadiance));

@@ -15,7 +15,7 @@
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/core/Errors.h"
 #include "irsg/radiometry/Quadrature.h"
-#include "tests/atmosphere/SyntheticAir.h"
+#include "tests/atmosphere/SyntheticAtmosphere.h"
 #include "tests/atmosphere/TabulatedSupport.h"
 #include "tests/support/Refusal.h"
 
@@ -59,7 +59,7 @@ std::shared_ptr<const AtmosphereSmart> smart(int scatteringMode = 2) {
     parameters.baseWavelengthMin_um = 9.905;
     parameters.baseWavelengthMax_um = 9.995;
     parameters.scatteringMode = scatteringMode;
-    return std::make_shared<AtmosphereSmart>(parameters, "smart", "", syntheticair::table());
+    return std::make_shared<AtmosphereSmart>(parameters, "smart", "", syntheticatmosphere::table());
 }
 
 std::shared_ptr<const SpectraAtmosphere> measured() {

@@ -22,24 +22,24 @@ namespace {
 const SpectralRange mwir{3.0, 5.0};
 const SunPosition noon{0.0, 1.0};
 
-BeerLambert airOf(const std::string& text, const std::string& fileName = "air.csv") {
+BeerLambert atmosphereOf(const std::string& text, const std::string& fileName = "air.csv") {
     return BeerLambert::fromCsv(smat::test::writtenFile(smat::test::ownFolder() / fileName, text));
 }
 
 } // namespace
 
 TEST(BeerLambertCsv, ReadsEverythingAFileMayHold) {
-    const BeerLambert air = airOf("# name: All of it\r\n"
-                                  "# Written by hand: a test.\r\n"
-                                  "# air_temperature [K]: 280\r\n"
-                                  "# ground_temperature [K]: 290\r\n"
-                                  "# note: one\r\n"
-                                  "# note: two\r\n"
-                                  "sky_radiance [W m-2 sr-1 um-1],wavelength [um],"
-                                  "extinction [km-1],solar_irradiance [W m-2 um-1],"
-                                  "down_flux [W m-2 um-1],up_flux [W m-2 um-1]\r\n"
-                                  "0.5,3,2,10,1,3\r\n"
-                                  "0.7,5,4,20,2,5\r\n");
+    const BeerLambert air = atmosphereOf("# name: All of it\r\n"
+                                         "# Written by hand: a test.\r\n"
+                                         "# air_temperature [K]: 280\r\n"
+                                         "# ground_temperature [K]: 290\r\n"
+                                         "# note: one\r\n"
+                                         "# note: two\r\n"
+                                         "sky_radiance [W m-2 sr-1 um-1],wavelength [um],"
+                                         "extinction [km-1],solar_irradiance [W m-2 um-1],"
+                                         "down_flux [W m-2 um-1],up_flux [W m-2 um-1]\r\n"
+                                         "0.5,3,2,10,1,3\r\n"
+                                         "0.7,5,4,20,2,5\r\n");
     EXPECT_EQ(air.name(), "All of it");
     EXPECT_EQ(air.base(), mwir);
     EXPECT_EQ(air.ambientTemperature_K(0.0), 280.0);
@@ -52,10 +52,10 @@ TEST(BeerLambertCsv, ReadsEverythingAFileMayHold) {
 }
 
 TEST(BeerLambertCsv, FillsWhatIsMissingFromItsTemperatures) {
-    const BeerLambert air = airOf("# air_temperature [K]: 280\n"
-                                  "# sky_temperature [K]: 250\n"
-                                  "wavelength [um],extinction [km-1]\n3,0.1\n5,0.1\n",
-                                  "plain.csv");
+    const BeerLambert air = atmosphereOf("# air_temperature [K]: 280\n"
+                                         "# sky_temperature [K]: 250\n"
+                                         "wavelength [um],extinction [km-1]\n3,0.1\n5,0.1\n",
+                                         "plain.csv");
     EXPECT_EQ(air.name(), "Beer-Lambert (plain.csv)");
     EXPECT_EQ(air.parameters().groundTemperature_K, 280.0);
     for (const double x : {3.0, 3.7, 4.9}) {
@@ -68,7 +68,7 @@ TEST(BeerLambertCsv, FillsWhatIsMissingFromItsTemperatures) {
                         extraterrestrialSolarIrradiance(mwir).at(x),
                     1.0, 1e-12);
     }
-    const BeerLambert bare = airOf("wavelength [um],extinction [km-1]\n3,0.1\n5,0.1\n");
+    const BeerLambert bare = atmosphereOf("wavelength [um],extinction [km-1]\n3,0.1\n5,0.1\n");
     EXPECT_EQ(bare.ambientTemperature_K(0.0), 288.15);
     EXPECT_FALSE(bare.parameters().skyRadiance_W_m2_sr_um);
     const double down = pi * planckRadiance_W_m2_sr_um(4.0, 288.15);
@@ -76,7 +76,8 @@ TEST(BeerLambertCsv, FillsWhatIsMissingFromItsTemperatures) {
 }
 
 TEST(BeerLambertCsv, TheSunCanBeSwitchedOff) {
-    const BeerLambert air = airOf("# sun: none\nwavelength [um],extinction [km-1]\n3,0.1\n5,0.1\n");
+    const BeerLambert air =
+        atmosphereOf("# sun: none\nwavelength [um],extinction [km-1]\n3,0.1\n5,0.1\n");
     EXPECT_EQ(air.solarIrradiance(0.0, noon, mwir), Spectrum::constant(0.0));
 }
 
@@ -192,7 +193,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(BeerLambertCsv, NamesEveryDiagnosticAtOnce) {
     try {
-        airOf("# air_temperature [K]: x\n# sun: y\n" + header + "3,a\n2,b\n1,-1\n");
+        atmosphereOf("# air_temperature [K]: x\n# sun: y\n" + header + "3,a\n2,b\n1,-1\n");
         FAIL() << "accepted";
     } catch (const InputError& error) {
         EXPECT_EQ(error.diagnostics().size(), 7u) << error.what();

@@ -59,7 +59,7 @@ std::vector<double> probes(const SpectralRange& range, int count) {
 template <typename ClosedForm>
 double worstError(const Spectrum& spectrum, const SpectralRange& range, ClosedForm&& closedForm) {
     double worst = 0.0;
-    const double floor = airFloor * spectrum.maximum();
+    const double floor = atmosphereFloor * spectrum.maximum();
     for (const double x : probes(range, 50021)) {
         const double truth = closedForm(x);
         const double scale = std::max(truth, floor);
@@ -77,7 +77,7 @@ TEST(BeerLambert, TransmittanceIsTheExponentialOfTheInterpolatedExtinction) {
         EXPECT_TRUE(tau.covers(mwir));
         const double worst = worstError(
             tau, mwir, [&](double x) { return std::exp(-extinctionOf(air, x) * range_m); });
-        EXPECT_LT(worst, 2.0 * airTolerance) << range_m << " m";
+        EXPECT_LT(worst, 2.0 * atmosphereTolerance) << range_m << " m";
         EXPECT_LE(tau.maximum(), 1.0);
         EXPECT_GE(tau.minimum(), 0.0);
     }
@@ -90,7 +90,7 @@ TEST(BeerLambert, PathRadianceIsThatOfAirWhichEmitsWhatItAbsorbs) {
         const double worst = worstError(path, mwir, [&](double x) {
             return -std::expm1(-extinctionOf(air, x) * range_m) * planck(x, 285.0);
         });
-        EXPECT_LT(worst, 2.0 * airTolerance) << range_m << " m";
+        EXPECT_LT(worst, 2.0 * atmosphereTolerance) << range_m << " m";
     }
 }
 
@@ -107,7 +107,7 @@ TEST(BeerLambert, OpaqueBandsRadiateAtAirTemperature) {
     const Spectrum radiance = air.pathRadiance(path, noon, mwir);
     for (const double x : {4.0, 4.05, 4.1, 4.2}) {
         EXPECT_LT(tau.at(x), 1e-30);
-        EXPECT_NEAR(radiance.at(x) / planck(x, 285.0), 1.0, 2.0 * airTolerance);
+        EXPECT_NEAR(radiance.at(x) / planck(x, 285.0), 1.0, 2.0 * atmosphereTolerance);
     }
 }
 
@@ -124,14 +124,15 @@ TEST(BeerLambert, AnIsothermalEnclosureHidesEverything) {
         const Spectrum radiance = air.pathRadiance(path, noon, mwir);
         for (const double x : probes(mwir, 997)) {
             EXPECT_NEAR((tau.at(x) * planck(x, 285.0) + radiance.at(x)) / planck(x, 285.0), 1.0,
-                        2.0 * airTolerance)
+                        2.0 * atmosphereTolerance)
                 << range_m << " m, " << x << " um";
         }
     }
     for (const double elevation_rad : {-0.5 * pi, -0.01, 0.0, 0.3, 0.5 * pi}) {
         const Spectrum seen = air.backgroundRadiance({500.0, elevation_rad, 0.0}, noon, mwir);
         for (const double x : probes(mwir, 997)) {
-            EXPECT_NEAR(seen.at(x) / planck(x, 285.0), 1.0, 2.0 * airTolerance) << x << " um";
+            EXPECT_NEAR(seen.at(x) / planck(x, 285.0), 1.0, 2.0 * atmosphereTolerance)
+                << x << " um";
         }
     }
 }
@@ -146,9 +147,11 @@ TEST(BeerLambert, ALayerCutInTwoChangesNothing) {
     const Spectrum all = air.pathRadiance({0.0, 0.0, 2000.0}, noon, mwir);
     for (const double x : probes(mwir, 997)) {
         EXPECT_NEAR(first.at(x) * second.at(x), whole.at(x),
-                    4.0 * airTolerance * whole.at(x) + airFloor * airTolerance);
+                    4.0 * atmosphereTolerance * whole.at(x) +
+                        atmosphereFloor * atmosphereTolerance);
         EXPECT_NEAR(near.at(x) + first.at(x) * far.at(x), all.at(x),
-                    4.0 * airTolerance * all.at(x) + airFloor * airTolerance * all.maximum());
+                    4.0 * atmosphereTolerance * all.at(x) +
+                        atmosphereFloor * atmosphereTolerance * all.maximum());
     }
 }
 
@@ -162,11 +165,11 @@ TEST(BeerLambert, ADownwardLineOfSightEndsOnTheGroundAfterItsWayThroughTheAir) {
             const double tau = std::exp(-extinctionOf(air, x) * way_m);
             return tau * planck(x, 295.0) + (1.0 - tau) * planck(x, 285.0);
         });
-        EXPECT_LT(worst, 2.0 * airTolerance) << elevation_deg << " deg";
+        EXPECT_LT(worst, 2.0 * atmosphereTolerance) << elevation_deg << " deg";
     }
     // Standing on the ground and looking down, nothing lies between.
     const Spectrum ground = air.backgroundRadiance({0.0, -0.5, 0.0}, noon, mwir);
-    EXPECT_NEAR(ground.at(4.1) / planck(4.1, 295.0), 1.0, 2.0 * airTolerance);
+    EXPECT_NEAR(ground.at(4.1) / planck(4.1, 295.0), 1.0, 2.0 * atmosphereTolerance);
 }
 
 TEST(BeerLambert, ALineOfSightThatNeverEndsSeesOpaqueAirOrTheSkyThroughTheClearWindow) {
@@ -176,21 +179,21 @@ TEST(BeerLambert, ALineOfSightThatNeverEndsSeesOpaqueAirOrTheSkyThroughTheClearW
             BeerLambert(parameters).backgroundRadiance({0.0, elevation_rad, 0.0}, noon, mwir);
         EXPECT_EQ(dark.at(4.65), 0.0);
         EXPECT_EQ(dark.at(4.5), 0.0);
-        EXPECT_NEAR(dark.at(4.4999) / planck(4.4999, 285.0), 1.0, 2.0 * airTolerance);
-        EXPECT_NEAR(dark.at(4.8001) / planck(4.8001, 285.0), 1.0, 2.0 * airTolerance);
-        EXPECT_NEAR(dark.at(3.0) / planck(3.0, 285.0), 1.0, 2.0 * airTolerance);
+        EXPECT_NEAR(dark.at(4.4999) / planck(4.4999, 285.0), 1.0, 2.0 * atmosphereTolerance);
+        EXPECT_NEAR(dark.at(4.8001) / planck(4.8001, 285.0), 1.0, 2.0 * atmosphereTolerance);
+        EXPECT_NEAR(dark.at(3.0) / planck(3.0, 285.0), 1.0, 2.0 * atmosphereTolerance);
     }
     parameters.skyRadiance_W_m2_sr_um = Spectrum::constant(0.125);
     const Spectrum seen = BeerLambert(parameters).backgroundRadiance({0.0, 0.2, 0.0}, noon, mwir);
     EXPECT_EQ(seen.at(4.65), 0.125);
-    EXPECT_NEAR(seen.at(4.1) / planck(4.1, 285.0), 1.0, 2.0 * airTolerance);
+    EXPECT_NEAR(seen.at(4.1) / planck(4.1, 285.0), 1.0, 2.0 * atmosphereTolerance);
 }
 
 TEST(BeerLambert, AnExtinctionThatTouchesZeroAtOneNodeIsOpaqueInTheEnd) {
     BeerLambertParameters parameters = wavy();
     parameters.extinction_per_m = Spectrum({2.5, 4.0, 6.0}, {1e-3, 0.0, 1e-3});
     const Spectrum seen = BeerLambert(parameters).backgroundRadiance({}, noon, mwir);
-    EXPECT_NEAR(seen.at(4.0) / planck(4.0, 285.0), 1.0, 2.0 * airTolerance);
+    EXPECT_NEAR(seen.at(4.0) / planck(4.0, 285.0), 1.0, 2.0 * atmosphereTolerance);
 }
 
 TEST(BeerLambert, SunFluxesAndTemperatureDoNotChangeWithAltitude) {
@@ -224,7 +227,7 @@ TEST(BeerLambert, OfConstantExtinctionHoldsTheWholeSpectrum) {
     const Spectrum path = air.pathRadiance({0.0, 0.0, 1000.0}, noon, {0.2, 40.0});
     for (const double x : {3.3, 4.7, 9.9, 25.1, 39.9}) {
         EXPECT_NEAR(path.at(x) / ((1.0 - std::exp(-1.0)) * planck(x, 288.15)), 1.0,
-                    2.0 * airTolerance);
+                    2.0 * atmosphereTolerance);
     }
 }
 

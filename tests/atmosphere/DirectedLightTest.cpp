@@ -4,14 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/AtmosphereSmart.h"
-#include "irsg/atmosphere/tables/AirTables.h"
+#include "irsg/atmosphere/tables/AtmosphereTables.h"
 #include "irsg/radiometry/Units.h"
 
 using namespace irsg;
 
 namespace {
 
-AtmosphereSmart hazyAir(int irradianceMode = 2, int scatteringMode = 2) {
+AtmosphereSmart hazyAtmosphere(int irradianceMode = 2, int scatteringMode = 2) {
     AtmosphereSmartParameters parameters;
     parameters.irradianceMode = irradianceMode;
     parameters.scatteringMode = scatteringMode;
@@ -35,7 +35,7 @@ double azimuthAt(double angle_rad, double sightElevation_rad, double sunElevatio
 // What is seen to space is what is seen to any place on the way and from there on.
 TEST(LightOfThePath, WithTheSkyBeyondTheTargetIsTheSky) {
     for (const int scattering : {1, 2}) {
-        const AtmosphereSmart air = hazyAir(2, scattering);
+        const AtmosphereSmart air = hazyAtmosphere(2, scattering);
         const RadiativeTransfer& transfer = air.transfer();
         for (const SpectralRange& range :
              {SpectralRange{0.85, 0.9}, SpectralRange{2.1, 2.2}, SpectralRange{3.5, 4.0}}) {
@@ -76,7 +76,7 @@ TEST(LightOfThePath, WithTheSkyBeyondTheTargetIsTheSky) {
 }
 
 TEST(LightOfThePath, IsBrightestTowardsTheSunAndAlikeOnBothSides) {
-    const AtmosphereSmart air = hazyAir();
+    const AtmosphereSmart air = hazyAtmosphere();
     const SpectralRange range{0.85, 0.9};
     const SunPosition sun{1.0, 0.3};
     const auto at = [&](double fromSun_rad) {
@@ -94,9 +94,9 @@ TEST(LightOfThePath, IsBrightestTowardsTheSunAndAlikeOnBothSides) {
 }
 
 TEST(LightOfThePath, IsTheSameFromTablesAtEveryAzimuth) {
-    const AtmosphereSmart fly = hazyAir(2), table = hazyAir(1);
+    const AtmosphereSmart fly = hazyAtmosphere(2), table = hazyAtmosphere(1);
     const NodeSet nodes = fly.transfer().nodesOf({2.1, 2.2});
-    const AirTables tables(table.transfer(), nodes);
+    const AtmosphereTables tables(table.transfer(), nodes);
     const SunPosition sun{1.0, 0.4};
     for (double range_m = 2000.0; range_m < 6000.0; range_m += 370.0) {
         for (const double azimuth_rad : {1.05, 2.5}) {

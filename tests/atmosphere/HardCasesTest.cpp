@@ -13,7 +13,7 @@ namespace irsg {
 namespace {
 
 /// Air of the shipped tables over a band, at 15 cm-1 and computed on the fly.
-AtmosphereSmart airOver(const SpectralRange& base, int scatteringMode = 2) {
+AtmosphereSmart atmosphereOver(const SpectralRange& base, int scatteringMode = 2) {
     AtmosphereSmartParameters parameters;
     parameters.baseWavelengthMin_um = base.min_um;
     parameters.baseWavelengthMax_um = base.max_um;
@@ -40,7 +40,7 @@ double bandOf(const Spectrum& spectrum, const SpectralRange& band) {
 }
 
 TEST(HardCases, BothEndsOfTheSpectrumAreAnswered) {
-    const AtmosphereSmart air = airOver({0.2, 40.0});
+    const AtmosphereSmart air = atmosphereOver({0.2, 40.0});
     for (const SpectralRange& end : {SpectralRange{0.2, 0.205}, SpectralRange{38.0, 40.0}}) {
         const std::string what = numberText(end.min_um) + " um";
         const AtmosphericPath path{100.0, 2000.0, 5000.0};
@@ -57,7 +57,7 @@ TEST(HardCases, BothEndsOfTheSpectrumAreAnswered) {
 
 TEST(HardCases, AnOpaqueBandRadiatesAsTheAirAtTheSensor) {
     const SpectralRange band{4.24, 4.28};
-    const AtmosphereSmart air = airOver({4.2, 4.4});
+    const AtmosphereSmart air = atmosphereOver({4.2, 4.4});
     const AtmosphericPath path{0.0, 0.0, 50e3};
     expectSound(air.transmittance(path, band), 1e-30, "transmittance");
     // Across a bin, whose nodes are not all at its centre, Planck's radiance changes by 4 %.
@@ -72,7 +72,7 @@ TEST(HardCases, AnOpaqueBandRadiatesAsTheAirAtTheSensor) {
 
 TEST(HardCases, NoRangeIsNoAirAndACentimetreKeepsItsDigits) {
     const SpectralRange band{10.0, 10.3};
-    const AtmosphereSmart air = airOver({9.9, 10.4});
+    const AtmosphereSmart air = atmosphereOver({9.9, 10.4});
     const Spectrum transmittance = air.transmittance({500.0, 500.0, 0.0}, band);
     // The weights of a bin are floats that add up to 1.
     EXPECT_THAT(transmittance.values(), testing::Each(testing::DoubleNear(1.0, 1e-6)));
@@ -86,7 +86,7 @@ TEST(HardCases, NoRangeIsNoAirAndACentimetreKeepsItsDigits) {
 
 TEST(HardCases, AirIsTheSameFromTheFringeOfSpaceAndFromTenThousandKilometres) {
     const SpectralRange band{8.0, 9.0};
-    const AtmosphereSmart air = airOver(band);
+    const AtmosphereSmart air = atmosphereOver(band);
     const AtmosphericPath near{100e3, 1000.0, 99e3};
     const double transmittance = bandOf(air.transmittance(near, band), band);
     const double radiance = bandOf(air.pathRadiance(near, day, band), band);
@@ -103,7 +103,7 @@ TEST(HardCases, AirIsTheSameFromTheFringeOfSpaceAndFromTenThousandKilometres) {
 
 TEST(HardCases, TheSkyIsContinuousAMicroradianFromTheHorizontal) {
     const SpectralRange band{9.0, 9.5};
-    const AtmosphereSmart air = airOver(band);
+    const AtmosphereSmart air = atmosphereOver(band);
     for (const double altitude_m : {0.0, 2.0, 3000.0, 12e3}) {
         const auto at = [&](double elevation_rad) {
             return bandOf(air.backgroundRadiance({altitude_m, elevation_rad, 0.0}, day, band),
@@ -119,7 +119,7 @@ TEST(HardCases, TheSkyIsContinuousAMicroradianFromTheHorizontal) {
 TEST(HardCases, EverySunGivesLightOrNone) {
     const SpectralRange band{0.5, 0.51};
     for (const int mode : {1, 2}) {
-        const AtmosphereSmart air = airOver(band, mode);
+        const AtmosphereSmart air = atmosphereOver(band, mode);
         for (const double elevation_rad : {0.5 * pi, 1.0, 1e-6, 0.0, -1e-6, -0.2, -0.5 * pi}) {
             const SunPosition sun{0.0, elevation_rad};
             const std::string what = "sun at " + numberText(elevation_rad) + " rad";

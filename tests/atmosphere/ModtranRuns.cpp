@@ -72,7 +72,7 @@ SunPosition sunOf(const SpectralRun& run) {
 
 /// The air as sunlight meets it: with IPH 0 all particles scatter by Henyey and Greenstein's
 /// function with the asymmetry G of card 3A2 (0: alike into all directions) in place of their own.
-AtmosphericModel airOfSunlight(AtmosphericModel air, const SpectralRun& run) {
+AtmosphericModel atmosphereOfSunlight(AtmosphericModel air, const SpectralRun& run) {
     if (card(run, "IPH", 2.0) == 0.0) {
         for (ParticleLayer& layer : air.particles) {
             for (ParticleOptics& optics : layer.optics) {
@@ -235,7 +235,7 @@ double bandMean(const std::vector<double>& wavenumbers_per_cm, const std::vector
     return sum / width;
 }
 
-AtmosphericModel airOf(const SpectralRun& run, double co2_ppmv) {
+AtmosphericModel atmosphereOf(const SpectralRun& run, double co2_ppmv) {
     const auto model = static_cast<ModelAtmosphere>(static_cast<int>(card(run, "MODEL")));
     AtmosphericModel air{Profile::model(model, co2_ppmv), {}};
     ParticleSettings settings;
@@ -256,7 +256,7 @@ AtmosphericModel airOf(const SpectralRun& run, double co2_ppmv) {
 
 ModtranComparison compare(const std::filesystem::path& folder, const PublishedFile& file) {
     const SpectralRun run = readTape7(folder / file.name).front();
-    const RadiativeTransfer transfer(airOf(run, file.co2_ppmv), GasTable::shipped());
+    const RadiativeTransfer transfer(atmosphereOf(run, file.co2_ppmv), GasTable::shipped());
     const Slit slit(transfer, run.wavenumbers_per_cm, card(run, "FWHM"));
     const double sensor_m = run.geometry.sensorAltitude_m;
     constexpr SunPosition night{0.0, -0.5 * std::numbers::pi};
@@ -277,7 +277,8 @@ ModtranComparison compare(const std::filesystem::path& folder, const PublishedFi
     } else if (run.kind != RunKind::transmittance) {
         result.radiance = slit.at(radianceOf(run, transfer, slit.nodes(), night));
         if (run.kind == RunKind::solarRadiance) {
-            const RadiativeTransfer sunlit(airOfSunlight(transfer.air(), run), GasTable::shipped());
+            const RadiativeTransfer sunlit(atmosphereOfSunlight(transfer.air(), run),
+                                           GasTable::shipped());
             const SunPosition sun = sunOf(run);
             const auto day = slit.at(radianceOf(run, sunlit, slit.nodes(), sun));
             const auto dark = slit.at(radianceOf(run, sunlit, slit.nodes(), night));
@@ -363,7 +364,7 @@ AbsorberComparisons compareAbsorbers(const std::filesystem::path& folder) {
         }
     }
 
-    AtmosphericModel air = airOf(run, publishedFiles().front().co2_ppmv);
+    AtmosphericModel air = atmosphereOf(run, publishedFiles().front().co2_ppmv);
     {
         const RadiativeTransfer transfer(air, GasTable::shipped());
         const Slit slit(transfer, run.wavenumbers_per_cm, card(run, "FWHM"));

@@ -83,7 +83,7 @@ struct InBand {
 };
 
 /// The settings of a run as our air.
-AtmosphericModel airOf(const SpectralRun& run, double co2_ppmv);
+AtmosphericModel atmosphereOf(const SpectralRun& run, double co2_ppmv);
 /// Reads and computes. Throws InputError where the file cannot be read.
 ModtranComparison compare(const std::filesystem::path& folder, const PublishedFile& file);
 std::vector<InBand> inBand(const ModtranComparison& comparison, const PublishedFile& file);

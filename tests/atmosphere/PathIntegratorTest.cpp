@@ -6,12 +6,12 @@
 #include "irsg/atmosphere/engine/DiffuseLight.h"
 #include "irsg/atmosphere/engine/PathIntegrator.h"
 #include "irsg/radiometry/Planck.h"
-#include "tests/atmosphere/SyntheticAir.h"
+#include "tests/atmosphere/SyntheticAtmosphere.h"
 
 namespace irsg {
 namespace {
 
-using namespace syntheticair;
+using namespace syntheticatmosphere;
 
 /// A vertical path inside one layer, upwards.
 RaySegment vertical(const AtmosphericColumn& air, double from_m, double to_m) {

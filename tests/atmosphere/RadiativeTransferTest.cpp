@@ -9,12 +9,12 @@
 #include "irsg/atmosphere/BeerLambert.h"
 #include "irsg/core/Errors.h"
 #include "irsg/radiometry/Planck.h"
-#include "tests/atmosphere/SyntheticAir.h"
+#include "tests/atmosphere/SyntheticAtmosphere.h"
 
 namespace irsg {
 namespace {
 
-using namespace syntheticair;
+using namespace syntheticatmosphere;
 
 constexpr double pi = std::numbers::pi;
 

@@ -51,7 +51,7 @@ TEST(RayPathRefraction, BendsTheSunAsLaplaceSays) {
         const RayPath seen = tracer.along({0.0, radians(apparent), 0.0});
         EXPECT_NEAR(sun.endElevation_rad, seen.endElevation_rad, 0.005 * known) << apparent;
     }
-    EXPECT_NEAR(emptyAir().towardsSun(0.0, 0.3).length_m, straight_m(0.0, 0.3, 1e5), 1e-4);
+    EXPECT_NEAR(emptyAtmosphere().towardsSun(0.0, 0.3).length_m, straight_m(0.0, 0.3, 1e5), 1e-4);
 }
 
 TEST(RayPathRefraction, SeesTheSunBelowTheHorizonFromAloft) {

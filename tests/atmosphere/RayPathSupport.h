@@ -29,8 +29,8 @@ inline RayTracer tracerOf(ModelAtmosphere model = ModelAtmosphere::usStandard197
 }
 
 /// Air so thin that rays are straight lines.
-inline RayTracer emptyAir(std::vector<double> grid = {0.0, 1000.0, 2500.0, 5000.0, 20000.0,
-                                                      100000.0}) {
+inline RayTracer emptyAtmosphere(std::vector<double> grid = {0.0, 1000.0, 2500.0, 5000.0, 20000.0,
+                                                             100000.0}) {
     const Profile thin(
         {AtmosphericState{0.0, 1e-9, 300.0, {}}, AtmosphericState{100000.0, 1e-10, 300.0, {}}});
     return RayTracer(thin, std::move(grid));

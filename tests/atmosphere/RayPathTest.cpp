@@ -18,7 +18,7 @@ using namespace irsg::raypathtest;
 using testing::HasSubstr;
 
 TEST(RayPath, IsAStraightLineWithoutAir) {
-    const RayTracer tracer = emptyAir();
+    const RayTracer tracer = emptyAtmosphere();
     for (const double degrees : {0.0, 0.01, 1.0, 10.0, 45.0, 89.0, 90.0}) {
         const double elevation = radians(degrees);
         const RayPath path = tracer.along({300.0, elevation, 0.0});
@@ -37,7 +37,7 @@ TEST(RayPath, IsAStraightLineWithoutAir) {
 }
 
 TEST(RayPath, DownwardsEndsOnTheGroundOrPassesItsTangent) {
-    const RayTracer tracer = emptyAir();
+    const RayTracer tracer = emptyAtmosphere();
     const RayPath down = tracer.along({10000.0, radians(-30.0), 0.0});
     expectSound(tracer, down);
     EXPECT_EQ(down.end, RayPath::End::ground);
@@ -59,7 +59,7 @@ TEST(RayPath, DownwardsEndsOnTheGroundOrPassesItsTangent) {
 }
 
 TEST(RayPath, FromSpaceEntersTheAirOrMissesIt) {
-    const RayTracer tracer = emptyAir();
+    const RayTracer tracer = emptyAtmosphere();
     const double sensor = 400e3;
     const double r = earth_m + sensor;
     const double toGround = -std::acos(earth_m / r);
@@ -84,7 +84,7 @@ TEST(RayPath, FromSpaceEntersTheAirOrMissesIt) {
 }
 
 TEST(RayPath, JoinsTheEndsOfAStraightLine) {
-    const RayTracer tracer = emptyAir();
+    const RayTracer tracer = emptyAtmosphere();
     for (const AtmosphericPath& ends :
          {AtmosphericPath{0, 100, 1000}, AtmosphericPath{3000, 10000, 9000},
           AtmosphericPath{10, 20, 20}, AtmosphericPath{4000, 4500, 150e3},
@@ -247,8 +247,8 @@ TEST(RayPath, IsContinuousWhereItTouchesTheGround) {
 
 TEST(RayPath, CarriesQuantitiesLinearInAltitudeExactly) {
     // Against Simpson's rule along a chord.
-    const RayTracer coarse = emptyAir({0.0, 100000.0});
-    const RayTracer fine = emptyAir();
+    const RayTracer coarse = emptyAtmosphere({0.0, 100000.0});
+    const RayTracer fine = emptyAtmosphere();
     for (const double elevation : {0.0, 0.01, 0.3, 1.5}) {
         const RayPath a = coarse.along({0.0, elevation, 0.0});
         const RayPath b = fine.along({0.0, elevation, 0.0});

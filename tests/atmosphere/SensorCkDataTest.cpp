@@ -16,7 +16,7 @@
 namespace irsg {
 namespace {
 
-RadiativeTransfer airOf(ModelAtmosphere model) {
+RadiativeTransfer atmosphereOf(ModelAtmosphere model) {
     AtmosphericModel air{Profile::model(model), {}};
     ParticleSettings particles;
     particles.visibility_m = 23e3;
@@ -76,7 +76,7 @@ TEST_P(Wideband, GivesApparentRadianceWithinHalfAPercent) {
     double worst = 0.0, trained = 0.0, heldOut = 0.0;
     std::size_t points = 0, nodes = 0;
     for (int model = 1; model <= 6; ++model) {
-        const RadiativeTransfer transfer = airOf(static_cast<ModelAtmosphere>(model));
+        const RadiativeTransfer transfer = atmosphereOf(static_cast<ModelAtmosphere>(model));
         CkRequest request;
         request.band = band;
         request.sun = sun;
@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(Bands, Wideband,
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(SensorCkData, HoldsWhatASensorNeeds) {
-    const RadiativeTransfer transfer = airOf(ModelAtmosphere::midlatitudeSummer);
+    const RadiativeTransfer transfer = atmosphereOf(ModelAtmosphere::midlatitudeSummer);
     const Band band = Band::fromResponse(Spectrum({3.4, 3.9, 4.4}, {0.0, 1.0, 0.0}));
     CkRequest request;
     request.band = band;
@@ -171,14 +171,15 @@ TEST(SensorCkData, WorksWithOnePoint) {
     CkRequest request;
     request.band = Band::topHat(10.0, 10.2);
     request.mostPoints = 1;
-    const SensorCkData ck = SensorCkData::prepare(airOf(ModelAtmosphere::usStandard1976), request);
+    const SensorCkData ck =
+        SensorCkData::prepare(atmosphereOf(ModelAtmosphere::usStandard1976), request);
     EXPECT_EQ(ck.size(), 1u);
     // One wavelength serves no path well; it weighs as much as the band is wide, roughly.
     EXPECT_NEAR(ck.weights_um()[0], 0.2, 0.1);
 }
 
 TEST(SensorCkData, AreTheSameFromWhatWasKept) {
-    const RadiativeTransfer transfer = airOf(ModelAtmosphere::usStandard1976);
+    const RadiativeTransfer transfer = atmosphereOf(ModelAtmosphere::usStandard1976);
     CkRequest request;
     request.band = Band::topHat(9.9, 10.2);
     const SensorCkData made = SensorCkData::prepare(transfer, request);
@@ -196,7 +197,7 @@ TEST(SensorCkData, AreTheSameFromWhatWasKept) {
 
 TEST(SensorCkData, AreKeptWithPointsUnderDecimalCommas) {
     const smat::test::TemporaryFolder folder;
-    const RadiativeTransfer transfer = airOf(ModelAtmosphere::usStandard1976);
+    const RadiativeTransfer transfer = atmosphereOf(ModelAtmosphere::usStandard1976);
     CkRequest request;
     request.band = Band::topHat(9.9, 10.2);
     const SensorCkData made = SensorCkData::prepare(transfer, request);
@@ -238,7 +239,7 @@ TEST(SensorCkData, AreFoundByAllThatTheyDependOn) {
 }
 
 TEST(SensorCkData, AreNothingFromWhatIsDamaged) {
-    const RadiativeTransfer transfer = airOf(ModelAtmosphere::usStandard1976);
+    const RadiativeTransfer transfer = atmosphereOf(ModelAtmosphere::usStandard1976);
     CkRequest request;
     request.band = Band::topHat(9.9, 10.2);
     const std::string text = SensorCkData::prepare(transfer, request).cacheText();

@@ -7,20 +7,21 @@
 #include "irsg/atmosphere/Vacuum.h"
 #include "irsg/atmosphere/path/SunDiscGeometry.h"
 #include "tests/atmosphere/RayPathSupport.h"
-#include "tests/atmosphere/SyntheticAir.h"
+#include "tests/atmosphere/SyntheticAtmosphere.h"
 
 using namespace irsg;
 using namespace irsg::raypathtest;
 
 namespace {
 
-RadiativeTransfer hazyAir() {
-    AtmosphericModel air{.profile = syntheticair::profile(290.0, 6.5), .particles = {}};
-    air.particles = {syntheticair::particles({0.0, 2000.0, 4000.0}, {5e-5, 1e-5, 0.0}, 0.9, 0.6)};
-    return {std::move(air), syntheticair::table()};
+RadiativeTransfer hazyAtmosphere() {
+    AtmosphericModel air{.profile = syntheticatmosphere::profile(290.0, 6.5), .particles = {}};
+    air.particles = {
+        syntheticatmosphere::particles({0.0, 2000.0, 4000.0}, {5e-5, 1e-5, 0.0}, 0.9, 0.6)};
+    return {std::move(air), syntheticatmosphere::table()};
 }
 
-const NodeSet dayNodes{{syntheticair::sunlit, syntheticair::blue}, {5801.0, 20000.0}};
+const NodeSet dayNodes{{syntheticatmosphere::sunlit, syntheticatmosphere::blue}, {5801.0, 20000.0}};
 
 /// Largest part of its greatest value that a quantity changes by over a microradian.
 template <typename Quantity>
@@ -73,7 +74,7 @@ TEST(VisibleSun, IsContinuousAndWholeOrNothingBeyondTheRims) {
 // Without air the horizon from an altitude h dips by acos(R / (R + h)), 3.2 degrees at 10 km; air
 // bends the grazing ray on its way down and up again.
 TEST(Sunset, IsAtTheRefractedHorizonOfTheAltitude) {
-    const RayTracer empty = emptyAir();
+    const RayTracer empty = emptyAtmosphere();
     EXPECT_NEAR(degrees(empty.trueHorizonElevation_rad(1e4)),
                 -degrees(std::acos(earth_m / (earth_m + 1e4))), 1e-9);
     EXPECT_EQ(empty.sunbeam(1e4, empty.trueHorizonElevation_rad(1e4)).part, 0.5);
@@ -103,7 +104,7 @@ TEST(Sunset, IsAtTheRefractedHorizonOfTheAltitude) {
 }
 
 TEST(Sunset, IsContinuousOfDirectSunFluxesSkyAndPath) {
-    const RadiativeTransfer air = hazyAir();
+    const RadiativeTransfer air = hazyAtmosphere();
     const auto sun = [](double elevation_rad) { return SunPosition{0.3, elevation_rad}; };
     for (const double altitude_m : {0.0, 3e3, 1e4}) {
         // A disc that rises by a microradian shows up to 1.4e-4 more of itself.
@@ -135,7 +136,7 @@ TEST(Sunset, IsContinuousOfDirectSunFluxesSkyAndPath) {
 }
 
 TEST(Sunset, LightGoesWithTheSquareOfTheDistance) {
-    const RadiativeTransfer air = hazyAir();
+    const RadiativeTransfer air = hazyAtmosphere();
     const SunPosition mean{0.0, 0.4}, near{0.0, 0.4, 0.98};
     const double factor = 1.0 / (0.98 * 0.98);
     const auto expect = [&](const std::vector<double>& a, const std::vector<double>& b) {

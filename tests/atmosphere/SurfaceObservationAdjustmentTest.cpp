@@ -17,7 +17,7 @@ constexpr ModelAtmosphere allModels[] = {
     ModelAtmosphere::midlatitudeWinter, ModelAtmosphere::subarcticSummer,
     ModelAtmosphere::subarcticWinter,   ModelAtmosphere::usStandard1976};
 
-void expectSaneAir(const Profile& air) {
+void expectSaneAtmosphere(const Profile& air) {
     for (double z = 0.0; z < 1500.0; z += 7.0) {
         const AtmosphericState state = air.at(z);
         EXPECT_LE(relativeHumidity(state), 1.0 + 1e-9) << z;
@@ -37,7 +37,7 @@ TEST(SurfaceObservationAdjustment, PassesThroughTheMeasurements) {
         EXPECT_NEAR(air.at(12.0).pressure_hPa, 1004.5, 1e-9);
         EXPECT_NEAR(relativeHumidity(air.at(12.0)), 0.63, 1e-9);
         EXPECT_NEAR(relativeHumidity(air.at(0.0)), 0.63, 1e-9);
-        expectSaneAir(air);
+        expectSaneAtmosphere(air);
     }
 }
 
@@ -122,7 +122,7 @@ TEST(SurfaceObservationAdjustment, OfWeatherFarFromTheModelStaysSane) {
             SCOPED_TRACE(each.name);
             const Profile before = Profile::model(model);
             const Profile air = before.adjustedToSurfaceObservation(each.measured);
-            expectSaneAir(air);
+            expectSaneAtmosphere(air);
             // Between the ground and the measurement, and from there to the model: no overshoot.
             const double ground = air.at(0.0).temperature_K;
             const double height = each.measured.temperature_K;

@@ -48,6 +48,6 @@ Words with(Words first, const Words& more);
 Words imageWith(const Words& more = {});
 
 /// The first line of a table of air.
-inline const std::string airHead = "wavelength [um],extinction [km-1]\n";
+inline const std::string atmosphereHead = "wavelength [um],extinction [km-1]\n";
 
 } // namespace smat::test

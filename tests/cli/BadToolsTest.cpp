@@ -5,7 +5,7 @@ namespace {
 
 /// A radiative output of a haze from 3.5 to 6 um.
 BadRow radiativeRow(const char* name, const Words& more, const Words& named) {
-    return {name, file("a.csv", airHead + "3.5,0.1\n6,0.1\n"),
+    return {name, file("a.csv", atmosphereHead + "3.5,0.1\n6,0.1\n"),
             with({"radiative", "a.csv", "--out", "o.csv"}, more), named};
 }
 
@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
     nameOf);
 
 BadRow profileRow(const char* name, const Words& more, const Words& named) {
-    return {name, file("a.csv", airHead + "3.5,0.1\n6,0.1\n"),
+    return {name, file("a.csv", atmosphereHead + "3.5,0.1\n6,0.1\n"),
             with({"temperature-profile", "a.csv", "--out", "o.csv"}, more), named};
 }
 

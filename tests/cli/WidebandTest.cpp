@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(
                     WidebandCase{"SphereInHaze", "sphere/sphere.smat", "3.2-4.8", "haze-23km.csv"}),
     [](const auto& info) { return std::string(info.param.name); });
 
-TEST(SmatBatchComputedAir, IsSeenStraightDownAndStraightUp) {
+TEST(SmatBatchComputedAtmosphere, IsSeenStraightDownAndStraightUp) {
     const std::string air =
         sample("../resources/atmospheres/midlatitude-summer-rural-23km.xml").string();
     const TemporaryFolder folder;

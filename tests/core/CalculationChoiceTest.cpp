@@ -16,7 +16,7 @@ namespace {
 using irsg::CalculationMode;
 using testing::HasSubstr;
 
-SceneDescription computedAir(const irsg::AtmosphereSmartParameters& more = {}) {
+SceneDescription computedAtmosphere(const irsg::AtmosphereSmartParameters& more = {}) {
     irsg::AtmosphereSmartParameters parameters = more;
     parameters.baseWavelengthMin_um = 8.0;
     parameters.baseWavelengthMax_um = 12.0;
@@ -47,12 +47,12 @@ std::size_t fewestOf(const SceneDescription& scene, double elevation_deg = 12.0)
 }
 
 TEST(CalculationChoices, AreSpectralUntilLinesOfSightPayForTraining) {
-    const CalculationChoice few = chooseCalculation(computedAir(), ranges(70));
+    const CalculationChoice few = chooseCalculation(computedAtmosphere(), ranges(70));
     EXPECT_EQ(few.mode, CalculationMode::spectral);
     EXPECT_EQ(few.reason,
               "mode auto: spectral, as training wideband-ck pays from 71 different lines of "
               "sight on, not for 70");
-    const CalculationChoice many = chooseCalculation(computedAir(), ranges(71));
+    const CalculationChoice many = chooseCalculation(computedAtmosphere(), ranges(71));
     EXPECT_EQ(many.mode, CalculationMode::wideband);
     EXPECT_THAT(many.reason, HasSubstr("71 different lines of sight pay"));
 }
@@ -60,7 +60,7 @@ TEST(CalculationChoices, AreSpectralUntilLinesOfSightPayForTraining) {
 /// Break-evens by processor time: a box before a background of one row at 72 lines, before one of 4
 /// rows at 26.
 TEST(CalculationChoices, CountWhatTheAirIsAskedForALineOfSight) {
-    SceneDescription scene = computedAir();
+    SceneDescription scene = computedAtmosphere();
     EXPECT_EQ(fewestOf(scene, 0.0), 246u) << "one sky for all ranges";
     scene.settings.backgroundRows = 16;
     EXPECT_EQ(fewestOf(scene), 7u);
@@ -110,7 +110,7 @@ TEST(CalculationChoices, CountALineOfSightOnceHoweverManyAspectsShareIt) {
         one.range_m = 500.0;
         one.shownAzimuth_deg = 0.36 * i;
     }
-    const CalculationChoice choice = chooseCalculation(computedAir(), turn);
+    const CalculationChoice choice = chooseCalculation(computedAtmosphere(), turn);
     EXPECT_EQ(choice.mode, CalculationMode::spectral);
     EXPECT_THAT(choice.reason, HasSubstr("not for 1"));
 }
@@ -118,7 +118,7 @@ TEST(CalculationChoices, CountALineOfSightOnceHoweverManyAspectsShareIt) {
 TEST(CalculationChoices, DoNotDependOnWhatWasTrainedBefore) {
     const test::TemporaryFolder folder;
     setenv("SMAT_CACHE", folder.path().c_str(), 1);
-    const SceneDescription scene = computedAir();
+    const SceneDescription scene = computedAtmosphere();
     irsg::CkRequest request;
     request.band = scene.sensor.band;
     request.sun = scene.environment.sun;
@@ -139,7 +139,7 @@ TEST(CalculationChoices, AreNoneWhereOtherAirAnswersInEitherMode) {
     known.path = irsg::AtmosphericPath{0.0, 0.0, 1000.0};
     scene.environment.add(std::make_shared<irsg::SpectraAtmosphere>(known));
     EXPECT_EQ(chooseCalculation(scene, many).reason, "") << "air without wideband-ck";
-    scene.environment.add(computedAir().environment.atmospheres().front());
+    scene.environment.add(computedAtmosphere().environment.atmospheres().front());
     const CalculationChoice mixed = chooseCalculation(scene, many);
     EXPECT_EQ(mixed.mode, CalculationMode::spectral) << "other air answers in the spectral mode";
     EXPECT_EQ(mixed.reason, "");
@@ -152,7 +152,7 @@ TEST(CalculationChoices, PayFromThreeLinesOfSightOnInAirOfAFile) {
         irsg::BeerLambert::fromCsv(SMAT_SOURCE_DIR "/resources/atmospheres/haze-23km.csv")));
     EXPECT_EQ(chooseCalculation(scene, ranges(2)).mode, CalculationMode::spectral);
     EXPECT_EQ(chooseCalculation(scene, ranges(3)).mode, CalculationMode::wideband);
-    scene.environment.add(computedAir().environment.atmospheres().front());
+    scene.environment.add(computedAtmosphere().environment.atmospheres().front());
     EXPECT_EQ(chooseCalculation(scene, ranges(3)).mode, CalculationMode::wideband)
         << "which answers all, too, and last";
 }
@@ -183,7 +183,7 @@ TEST(CalculationChoices, AreThereForRunsWhereNothingIsAskedThatTheyLack) {
 TEST(CalculationChoices, AreNoneForAirThatLacksWhatTheWidebandModeWouldRefuse) {
     irsg::AtmosphereSmartParameters parameters;
     parameters.scatteringMode = 1; // without fluxes
-    EXPECT_EQ(chooseCalculation(computedAir(parameters), ranges(1000)).reason, "");
+    EXPECT_EQ(chooseCalculation(computedAtmosphere(parameters), ranges(1000)).reason, "");
 }
 
 } // namespace

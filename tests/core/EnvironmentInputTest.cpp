@@ -30,7 +30,7 @@ class EnvironmentInput : public testing::Test {
     irsg::Environment environmentOf(const std::filesystem::path& file,
                                     std::optional<int> resolution_per_cm = {}) const {
         irsg::Environment environment;
-        addAir(environment, {file}, resolution_per_cm);
+        addAtmosphere(environment, {file}, resolution_per_cm);
         return environment;
     }
     std::filesystem::path haze() const {
@@ -95,8 +95,8 @@ TEST_F(EnvironmentInput, TheFirstSunAndDefaultBackgroundAreGivenBack) {
                                           irsg::vectorXml("BackgroundRadianceWavelengths", "3 5") +
                                           irsg::vectorXml("BackgroundRadianceValues", "2 2")));
     irsg::Environment environment;
-    EXPECT_FALSE(addAir(environment, {haze()}).has_value());
-    EXPECT_EQ(addAir(environment, {world})->elevation_rad, 0.25);
+    EXPECT_FALSE(addAtmosphere(environment, {haze()}).has_value());
+    EXPECT_EQ(addAtmosphere(environment, {world})->elevation_rad, 0.25);
     EXPECT_EQ(environment.defaultBackground->at(4.0), 2.0);
 }
 

@@ -88,9 +88,9 @@ void PrintTo(const BadRow& row, std::ostream* out) {
     *out << row.name;
 }
 
-class BadAirGeometry : public testing::TestWithParam<BadRow> {};
+class BadAtmosphereGeometry : public testing::TestWithParam<BadRow> {};
 
-TEST_P(BadAirGeometry, IsRefusedByName) {
+TEST_P(BadAtmosphereGeometry, IsRefusedByName) {
     try {
         solveGeometry(GetParam().input);
         FAIL() << "nothing was refused";
@@ -102,7 +102,7 @@ TEST_P(BadAirGeometry, IsRefusedByName) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Rows, BadAirGeometry,
+    Rows, BadAtmosphereGeometry,
     testing::Values(
         BadRow{"SensorBelowGround",
                {.sensorAltitude_m = -5.0, .losElevation_deg = 0.0, .range_m = 10.0},

@@ -196,21 +196,21 @@ std::string otherThan(const SettingInfo& setting, const Settings& settings) {
 
 TEST_F(SceneBuilderTest, TheKeyOfAnEnvironmentChangesWithEverySettingThatItIsMadeOf) {
     // What else stands in that section; all settings of other sections are not of the environment.
-    const std::set<std::string> besideTheAir = {
+    const std::set<std::string> besideTheAtmosphere = {
         "environment.skybox",      "environment.skyboxSlope",  "environment.skyboxOffset",
         "environment.terrain",     "environment.terrainSlope", "environment.terrainOffset",
         "environment.terrainEast", "environment.terrainNorth", "environment.terrainAltitude"};
     std::size_t found = 0;
     for (const SettingInfo& setting : settingTable()) {
-        found += besideTheAir.count(setting.key);
+        found += besideTheAtmosphere.count(setting.key);
         const std::string before = environmentKey(project, project.settings);
         const std::string value = otherThan(setting, project.settings);
         project.settings.set(setting.key, value);
         EXPECT_EQ(environmentKey(project, project.settings) != before,
-                  setting.section() == "environment" && !besideTheAir.contains(setting.key))
+                  setting.section() == "environment" && !besideTheAtmosphere.contains(setting.key))
             << setting.key << " " << value;
     }
-    EXPECT_EQ(found, besideTheAir.size());
+    EXPECT_EQ(found, besideTheAtmosphere.size());
     // Files are named from where the project stands.
     Project elsewhere = project;
     elsewhere.file = folder / "elsewhere" / "p.smat";

@@ -8,7 +8,7 @@
 #include <QSignalSpy>
 #include <gtest/gtest.h>
 
-#include "gui/tools/AirToolPage.h"
+#include "gui/tools/AtmosphereToolPage.h"
 #include "gui/widgets/BackgroundPool.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"
@@ -83,10 +83,10 @@ TEST_F(CalculationTest, SaysWhatWasRefused) {
     EXPECT_TRUE(said.front().contains("air.csv"));
 }
 
-class HeldPage : public AirToolPage {
+class HeldPage : public AtmosphereToolPage {
   public:
     HeldPage(Workbench& workbench, Held& held, int& answer)
-        : AirToolPage(workbench, {}), held_(held), answer_(answer) {}
+        : AtmosphereToolPage(workbench, {}), held_(held), answer_(answer) {}
 
   protected:
     Calculation::Work work() override { return held_.work(answer_, 1); }

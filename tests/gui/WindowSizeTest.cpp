@@ -7,7 +7,7 @@
 
 #include "gui/database/DatabaseDock.h"
 #include "gui/database/NodePlot.h"
-#include "gui/tools/AirToolPage.h"
+#include "gui/tools/AtmosphereToolPage.h"
 #include "tests/gui/WindowFixture.h"
 
 namespace smat::gui {
@@ -42,7 +42,7 @@ TEST_F(WindowSizeTest, EveryPageAndDockFitsASmallScreen) {
         fits(tool);
         test::keepScreenshot(*window, std::string("small-") + tool);
     }
-    auto* radiative = window->findChild<AirToolPage*>("radiativePage");
+    auto* radiative = window->findChild<AtmosphereToolPage*>("radiativePage");
     radiative->compute();
     ASSERT_TRUE(test::waitUntil([&] { return !radiative->isRunning(); }));
     window->findChild<QTabWidget*>("tabs")->setCurrentWidget(radiative);

@@ -17,7 +17,7 @@ constexpr double emissivity = 0.9, temperature_K = 320.0;
 
 InteractiveRenderer& generator(double background_W_m2_sr = 0.0) {
     static InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     RenderSettings settings;
     settings.background = BackgroundMode::constant;
     settings.background_W_m2_sr = background_W_m2_sr;
@@ -397,7 +397,7 @@ TEST(AlignedTiles, SharesTheMemoryOfItsTiles) {
     const std::shared_ptr<const Model> ball = modelOf(sphereMesh(1.0, 16, 32, one));
     const auto memory_bytes = [&](int objects, double transmissivity) {
         InteractiveRenderer irsg;
-        irsg.scene.environment = environmentOf(ConstantAir{});
+        irsg.scene.environment = environmentOf(ConstantAtmosphere{});
         RenderSettings settings;
         settings.tileSide_samples = 512;
         settings.background = BackgroundMode::constant;

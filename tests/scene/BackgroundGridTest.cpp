@@ -94,7 +94,7 @@ TEST(Horizon, SharesAPixelByItsArea) {
     }
 }
 
-TEST(HorizonOfAir, DipsWithAltitudeAsItsGeometrySays) {
+TEST(HorizonOfTheAtmosphere, DipsWithAltitudeAsItsGeometrySays) {
     const Environment vacuum = Environment::vacuum();
     const SpectralRange band{3.0, 5.0};
     EXPECT_EQ(vacuum.horizonElevation_rad(0.0, band), 0.0);

@@ -79,7 +79,7 @@ class BackgroundScene : public ::testing::Test {
         return irsg.imageWithReport();
     }
 
-    ConstantAir air;
+    ConstantAtmosphere air;
     InteractiveRenderer irsg;
     RenderSettings settings;
     const double blackBody = bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 320.0);

@@ -42,7 +42,7 @@ void aim(InteractiveRenderer& irsg, double azimuth_rad) {
 
 InteractiveRenderer glazedBody() {
     InteractiveRenderer irsg;
-    irsg.scene.environment = brightAir();
+    irsg.scene.environment = brightAtmosphere();
     irsg.scene.entities = {entityOf(modelOf(glazedMesh()), measuredBody())};
     return irsg;
 }

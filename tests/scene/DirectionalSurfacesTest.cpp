@@ -81,7 +81,7 @@ RenderSettings sunAlone(EngineChoice engine) {
 }
 
 double glint_W_sr(const Material& material, double phase_deg, EngineChoice engine) {
-    ConstantAir air;
+    ConstantAtmosphere air;
     air.sunValue = 1.0;
     const double elevation_rad = 0.4;
     // In the plane of one elevation: the angle between two directions of azimuths apart.
@@ -208,7 +208,7 @@ TEST_F(DirectionalSurfaces, EmitByDirection) {
 TEST_F(DirectionalSurfaces, AreInvisibleInAnIsothermalEnclosure) {
     const Band band = Band::topHat(8.0, 8.0001);
     const double black = bandRadiance_W_m2_sr(band, 300.0) / band.area_um();
-    ConstantAir air;
+    ConstantAtmosphere air;
     air.transmittanceValue = 0.6;
     air.pathRadianceValue = 0.4 * black;
     air.backgroundValue = black;
@@ -285,7 +285,7 @@ namespace {
 
 /// Brighter towards the zenith and the nadir from the horizon on, straight between the rows of
 /// directions that are asked for.
-class Sky : public ConstantAir {
+class Sky : public ConstantAtmosphere {
   public:
     double at(double elevation_rad) const {
         elevation_rad -= horizonElevation_rad(standingAltitude_m);
@@ -299,7 +299,7 @@ class Sky : public ConstantAir {
         if (query.quantity == AtmosphereProperty::backgroundRadiance) {
             return Spectrum::constant(at(query.sight.elevation_rad));
         }
-        return ConstantAir::nativeSpectrum(query, range);
+        return ConstantAtmosphere::nativeSpectrum(query, range);
     }
 };
 
@@ -371,7 +371,7 @@ TEST_F(DirectionalSurfaces, AreTheSameByEveryWay) {
         settings.sunShadows = SunShadowMode::point;
         settings.bounces = convergedBounces;
         settings.hotSpots = false; // windows that do not follow the scales
-        InteractiveRenderer irsg = rendererOf({polishedCorner()}, settings, brightAir());
+        InteractiveRenderer irsg = rendererOf({polishedCorner()}, settings, brightAtmosphere());
         View view;
         view.azimuth_rad = 2.2;
         view.elevation_rad = 0.7;
@@ -409,7 +409,8 @@ TEST_F(DirectionalSurfaces, AreTheSameByEveryWay) {
             other.temperatureScale[2] = scales[0];
             other.emissivityScale[2] = scales[1];
             other.emissivityScale[3] = scales[2];
-            InteractiveRenderer there = rendererOf({other}, irsg.scene.settings, brightAir());
+            InteractiveRenderer there =
+                rendererOf({other}, irsg.scene.settings, brightAtmosphere());
             look(there, view);
             const double expected = there.measure().all.intensity_W_sr;
             EXPECT_NEAR(values.intensity[0] / expected, 1.0,

@@ -139,8 +139,8 @@ TEST(ErrorsOfScenes, CoverWhatIsWrong) {
     int covered = 0, count = 0;
     std::vector<double> ratios;
     for (unsigned number = 400; number < 412; ++number) {
-        const RandomScene scene =
-            randomScene(number, number % 4 == 3 ? RandomAir::spectral : RandomAir::none);
+        const RandomScene scene = randomScene(number, number % 4 == 3 ? RandomAtmosphere::spectral
+                                                                      : RandomAtmosphere::none);
         for (const JudgedNumber& one : judged(renderer, scene)) {
             ++count;
             covered += one.isCovered() ? 1 : 0;
@@ -181,7 +181,7 @@ TEST(ErrorsOfScenes, AreThoseOfTheScatterOfARangeCurve) {
 }
 
 TEST(ErrorsOfScenes, AreOfferedOnRequestAndChangeNoNumber) {
-    const RandomScene scene = randomScene(403, RandomAir::none);
+    const RandomScene scene = randomScene(403, RandomAtmosphere::none);
     Renderer renderer;
     const auto reportOf = [&](bool image, bool errors) {
         const Outputs outputs = image ? Outputs(Outputs::imageWithReports().withErrors(errors))
@@ -226,7 +226,7 @@ TEST(ErrorsOfScenes, OfASpectrumAreThoseOfItsBand) {
         EXPECT_EQ(grey.errors[i].intensity_W_sr.air, 0.0);
     }
     // Of air and what lies behind: what the wavenumbers of a band have adds to that of the band.
-    irsg.scene.environment = environmentOf(smartAir(6));
+    irsg.scene.environment = environmentOf(smartAtmosphere(6));
     look(irsg, {.range_m = 300.0, .fieldOfView_rad = 0.06});
     const RenderReport report = measured(irsg, true);
     std::vector<double> fine_per_cm;
@@ -252,7 +252,7 @@ TEST(ErrorsOfScenes, OfASpectrumAreThoseOfItsBand) {
 TEST(ErrorsOfScenes, OfTheBackgroundAreThoseOfAHorizonBehindTheObject) {
     // Seen level from its own height, with the horizon behind its lower part.
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(smartAir(6));
+    irsg.scene.environment = environmentOf(smartAtmosphere(6));
     irsg.scene.entities = {
         entityOf(modelOf(sphereMesh(5.0, 24, 48, {1, 1})), greyDatabase(0.9, 290.0))};
     look(irsg, {.range_m = 300.0, .fieldOfView_rad = 0.06});

@@ -17,7 +17,7 @@ namespace {
 const IrCodes one{1, 1};
 
 Environment darkness() {
-    return environmentOf(ConstantAir{});
+    return environmentOf(ConstantAtmosphere{});
 }
 
 double total(const RadianceImage& image) {

@@ -84,7 +84,7 @@ RenderSettings settingsOf(int tileSide_samples, bool hotSpots = true) {
 
 InteractiveRenderer& generator() {
     static InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     return irsg;
 }
 
@@ -207,7 +207,7 @@ TEST(HotSpotSampling, OfSeveralStatesAreDrawnOnceForAll) {
     wall.database = std::make_shared<const SignatureDatabase>(database);
     const auto measured = [&](const std::vector<double>& powers, bool areShared, long& drawings) {
         InteractiveRenderer irsg;
-        irsg.scene.environment = environmentOf(ConstantAir{});
+        irsg.scene.environment = environmentOf(ConstantAtmosphere{});
         irsg.scene.settings = settingsOf(128);
         Entity entity = wall;
         for (const double power : powers) {

@@ -92,7 +92,7 @@ double largestError(InteractiveRenderer& irsg, double size_px) {
 
 TEST(HotSpotSearch, AreSurfacesThatShineOutOfTheirObject) {
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     for (const auto& [temperature_K, isHot] :
          {std::pair{900.0, true}, {500.0, true}, {330.0, false}, {300.0, false}, {200.0, false}}) {
         Entity entity = wall();
@@ -100,7 +100,7 @@ TEST(HotSpotSearch, AreSurfacesThatShineOutOfTheirObject) {
         database.temperatures[2] = fixedTemperature(temperature_K);
         entity.database = std::make_shared<const SignatureDatabase>(database);
         const SceneRadiometry radiometry =
-            inBand(environmentOf(ConstantAir{}), {entity},
+            inBand(environmentOf(ConstantAtmosphere{}), {entity},
                    objectGeometry({entity}, {{0, 0, 0}},
                                   Viewpoint::lookAt({0, 1000, 0}, {}, {0, 0, 1}, {1, 0, 0})),
                    settingsOf(256, true), LineOfSight{}, Band::topHat(3.0, 5.0));
@@ -123,7 +123,7 @@ TEST(HotSpotSearch, AreFoundPieceByPiece) {
 TEST(HotSpotSearch, AreNarrowerThanTheSamplesAndKeepTheirIntensity) {
     // 30 m in 256 samples are 12 cm each; the lips are 2 cm wide.
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.entities = {wall()};
     for (const double size_px : {90.0, 30.0, 3.0, 0.7, 0.04, 0.01}) {
         irsg.scene.settings = settingsOf(256, true);
@@ -135,7 +135,7 @@ TEST(HotSpotSearch, AreNarrowerThanTheSamplesAndKeepTheirIntensity) {
 
 TEST(HotSpotSearch, AreTheSameInImagesAndInFactors) {
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.entities = {wall()};
     for (const bool hotSpots : {true, false, true}) {
         irsg.scene.settings = settingsOf(256, hotSpots);

@@ -101,7 +101,7 @@ TEST_F(LightBetweenTest, EveryWayGivesTheSame) {
     for (const EngineChoice engine : {EngineChoice::opengl, EngineChoice::rays}) {
         for (const int bounces : {1, convergedBounces}) {
             InteractiveRenderer irsg =
-                rendererOf({corner()}, brightSettings(engine, bounces), brightAir());
+                rendererOf({corner()}, brightSettings(engine, bounces), brightAtmosphere());
             View view;
             view.azimuth_rad = 2.2;
             view.elevation_rad = 0.7;
@@ -139,7 +139,8 @@ TEST_F(LightBetweenTest, EveryWayGivesTheSame) {
                 Entity other = corner();
                 other.temperatureScale[2] = scales[0];
                 other.emissivityScale[2] = scales[1];
-                InteractiveRenderer there = rendererOf({other}, irsg.scene.settings, brightAir());
+                InteractiveRenderer there =
+                    rendererOf({other}, irsg.scene.settings, brightAtmosphere());
                 look(there, view);
                 const double expected = there.measure().all.intensity_W_sr;
                 // What is reflected on the way counts to the first order.
@@ -207,7 +208,7 @@ double worstDraw(const std::vector<ScalingInput>& inputs, bool isSpectrum) {
     const RenderSettings settings = brightSettings(EngineChoice::rays, convergedBounces);
     const View view{.azimuth_rad = 0.5, .elevation_rad = 0.9, .fieldOfView_rad = 0.08};
     const std::vector<double> wavenumbers_per_cm{2100.0, 2600.0, 3100.0};
-    InteractiveRenderer irsg = rendererOf({openBox()}, settings, brightAir());
+    InteractiveRenderer irsg = rendererOf({openBox()}, settings, brightAtmosphere());
     look(irsg, view);
     const auto scaled =
         isSpectrum ? irsg.scaledSpectrum(inputs, wavenumbers_per_cm) : irsg.scaledView(inputs);
@@ -225,7 +226,7 @@ double worstDraw(const std::vector<ScalingInput>& inputs, bool isSpectrum) {
         }
         ScaledValues found;
         scaled->evaluate(scales, found);
-        InteractiveRenderer there = rendererOf({box}, settings, brightAir());
+        InteractiveRenderer there = rendererOf({box}, settings, brightAtmosphere());
         look(there, view);
         std::vector<double> expected{there.measure().all.intensity_W_sr};
         if (isSpectrum) {
@@ -252,7 +253,7 @@ TEST_F(LightBetweenTest, ThreadsChangeNoBit) {
     for (const unsigned threads : {1u, 3u, 0u}) {
         setMostThreads(threads);
         InteractiveRenderer irsg = rendererOf(
-            {corner()}, brightSettings(EngineChoice::rays, convergedBounces), brightAir());
+            {corner()}, brightSettings(EngineChoice::rays, convergedBounces), brightAtmosphere());
         look(irsg, {.azimuth_rad = 2.2, .elevation_rad = 0.7, .fieldOfView_rad = 0.08});
         const RadianceImage image = irsg.imageWithReport().image;
         if (first.empty()) {
@@ -269,7 +270,7 @@ TEST_F(LightBetweenTest, ConvexBodiesAreAsBefore) {
     std::vector<std::vector<float>> images;
     for (const int bounces : {0, convergedBounces}) {
         InteractiveRenderer irsg =
-            rendererOf({entity}, brightSettings(EngineChoice::rays, bounces), brightAir());
+            rendererOf({entity}, brightSettings(EngineChoice::rays, bounces), brightAtmosphere());
         look(irsg, {});
         images.push_back(irsg.imageWithReport().image.find("L")->values);
     }
@@ -302,7 +303,7 @@ TEST_F(LightBetweenTest, OthersLightAsOwnPartsDo) {
         }
         RenderSettings settings = brightSettings(EngineChoice::rays, i == 2 ? 0 : convergedBounces);
         settings.lightError = 0.004;
-        InteractiveRenderer irsg = rendererOf(entities, settings, brightAir());
+        InteractiveRenderer irsg = rendererOf(entities, settings, brightAtmosphere());
         look(irsg, {.azimuth_rad = 0.5, .elevation_rad = 0.9, .fieldOfView_rad = 0.1});
         intensity[static_cast<std::size_t>(i)] = irsg.measure().all.intensity_W_sr;
     }

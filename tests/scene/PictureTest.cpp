@@ -27,7 +27,7 @@ SignatureDatabase glazing() {
 class PictureTest : public testing::Test {
   protected:
     PictureTest() {
-        irsg.scene.environment = brightAir();
+        irsg.scene.environment = brightAtmosphere();
         irsg.scene.entities = {entityOf(modelOf(glazedMesh()), glazing())};
         // Windows that do not follow the temperatures, so that drawings can be counted.
         RenderSettings settings;
@@ -97,7 +97,7 @@ TEST_F(PictureTest, FollowsTheViewTheFieldTheSunAndThePose) {
     for (int twice = 0; twice < 2; ++twice) {
         irsg.picture();
     }
-    Environment moved = brightAir();
+    Environment moved = brightAtmosphere();
     moved.sun.azimuth_rad = 2.0;
     irsg.scene.environment = moved;
     expectThatOfRender("sun");

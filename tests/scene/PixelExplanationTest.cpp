@@ -65,8 +65,8 @@ const ExplainedTerm& term(const ExplainedSurface& surface, const std::string& na
 #define EXPECT_CLOSE(value, expected, relative)                                                    \
     EXPECT_NEAR(value, expected, (relative)*std::abs(expected))
 
-ConstantAir clearAir() {
-    ConstantAir air;
+ConstantAtmosphere clearAtmosphere() {
+    ConstantAtmosphere air;
     air.transmittanceValue = 0.6;
     air.pathRadianceValue = 0.25;
     air.backgroundValue = 0.4;
@@ -78,7 +78,7 @@ ConstantAir clearAir() {
 
 TEST_F(PixelExplanationTest, OfAPlateIsItsClosedForm) {
     InteractiveRenderer irsg = sceneOf(plate(0.0, {1, 1}, 2.0), greyDatabase(0.8, 320.0),
-                                       environmentOf(clearAir(), {0.0, radians(30.0)}));
+                                       environmentOf(clearAtmosphere(), {0.0, radians(30.0)}));
     const auto [pixel, drawn] = explained(irsg, 12, 8);
     ASSERT_EQ(pixel.surfaces.size(), 1u);
     const ExplainedSurface& surface = pixel.surfaces.front();
@@ -89,7 +89,7 @@ TEST_F(PixelExplanationTest, OfAPlateIsItsClosedForm) {
     EXPECT_DOUBLE_EQ(surface.temperature_K, 320.0);
     EXPECT_CLOSE(surface.emissivity, 0.8, 1e-12);
     EXPECT_CLOSE(surface.reflectivity, 0.2, 1e-12);
-    EXPECT_CLOSE(surface.airTransmittance, 0.6, 1e-12);
+    EXPECT_CLOSE(surface.atmosphereTransmittance, 0.6, 1e-12);
     EXPECT_CLOSE(surface.share, 1.0, 1e-12);
     EXPECT_CLOSE(surface.range_m, 100.0, 1e-3);
 
@@ -115,7 +115,7 @@ TEST_F(PixelExplanationTest, TellsAPlumeFromWhatIsBehindIt) {
     database.materials[2].name = "gas";
     // The sensor stands where the nose points to, at +y.
     InteractiveRenderer irsg = sceneOf(joined(plate(-0.5, {1, 1}), plate(0.5, {2, 2})), database,
-                                       environmentOf(clearAir()));
+                                       environmentOf(clearAtmosphere()));
     const auto [pixel, drawn] = explained(irsg, 8, 8);
     ASSERT_EQ(pixel.surfaces.size(), 2u);
     const ExplainedSurface &gas = pixel.surfaces[0], &body = pixel.surfaces[1];
@@ -134,8 +134,8 @@ TEST_F(PixelExplanationTest, TellsAPlumeFromWhatIsBehindIt) {
 }
 
 TEST_F(PixelExplanationTest, OfBackgroundAloneIsTheBackground) {
-    InteractiveRenderer irsg =
-        sceneOf(plate(0.0, {1, 1}, 0.3), greyDatabase(0.8, 320.0), environmentOf(clearAir()));
+    InteractiveRenderer irsg = sceneOf(plate(0.0, {1, 1}, 0.3), greyDatabase(0.8, 320.0),
+                                       environmentOf(clearAtmosphere()));
     const auto [pixel, drawn] = explained(irsg, 0, 0);
     EXPECT_TRUE(pixel.surfaces.empty());
     EXPECT_TRUE(pixel.isInterior);
@@ -149,7 +149,7 @@ TEST_F(PixelExplanationTest, SharesAPixelThatAnEdgeCrosses) {
     settings.samplesPerAxis = 4;
     // The pixels are 0.25 m wide: the edge halves those of column 8 + 2.
     InteractiveRenderer irsg = sceneOf(plate(0.0, {1, 1}, 0.625), greyDatabase(1.0, 320.0),
-                                       environmentOf(clearAir()), settings);
+                                       environmentOf(clearAtmosphere()), settings);
     const auto [pixel, drawn] = explained(irsg, 10, 8);
     ASSERT_EQ(pixel.surfaces.size(), 1u);
     EXPECT_EQ(pixel.samples, 16);
@@ -161,7 +161,7 @@ TEST_F(PixelExplanationTest, SharesAPixelThatAnEdgeCrosses) {
 
 TEST_F(PixelExplanationTest, KnowsAnObjectThatIsAPoint) {
     InteractiveRenderer irsg =
-        sceneOf(plate(0.0, {1, 1}), greyDatabase(0.8, 320.0), environmentOf(clearAir()));
+        sceneOf(plate(0.0, {1, 1}), greyDatabase(0.8, 320.0), environmentOf(clearAtmosphere()));
     look(irsg, {.range_m = 1e6, .width_px = 15, .height_px = 15, .fieldOfView_rad = 0.04});
     const auto [pixel, drawn] = explained(irsg, 7, 7);
     ASSERT_EQ(pixel.surfaces.size(), 1u);
@@ -180,8 +180,8 @@ TEST_F(PixelExplanationTest, AddsUpToWhatIsDrawnOfABodyInAllItsLight) {
         database.temperatures[i] = fixedTemperature(290.0 + 20.0 * i);
         database.materials[i] = greyMaterial(0.5, i == 3 ? 0.4 : 0.0, i == 2 ? 1.0 : 0.0);
     }
-    InteractiveRenderer irsg =
-        sceneOf(glazedMesh(), database, environmentOf(clearAir(), {0.5, radians(40.0)}), settings);
+    InteractiveRenderer irsg = sceneOf(
+        glazedMesh(), database, environmentOf(clearAtmosphere(), {0.5, radians(40.0)}), settings);
     const RadianceImage image = irsg.picture();
     const auto ready = irsg.explainer();
     int interior = 0;
@@ -207,7 +207,7 @@ TEST_F(PixelExplanationTest, AddsUpToWhatIsDrawnOfABodyInAllItsLight) {
 
 TEST_F(PixelExplanationTest, RefusesAPixelOutsideTheFrame) {
     InteractiveRenderer irsg =
-        sceneOf(plate(0.0, {1, 1}), greyDatabase(0.8, 320.0), environmentOf(clearAir()));
+        sceneOf(plate(0.0, {1, 1}), greyDatabase(0.8, 320.0), environmentOf(clearAtmosphere()));
     const auto ready = irsg.explainer();
     EXPECT_THROW(ready(16, 0), LogicError);
     EXPECT_THROW(ready(0, -1), LogicError);

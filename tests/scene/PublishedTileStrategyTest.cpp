@@ -42,7 +42,7 @@ double mean(const std::vector<double>& values) {
 
 InteractiveRenderer& generator(TileStrategy strategy, int size = 256) {
     static InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     RenderSettings settings;
     settings.tileSide_samples = size;
     settings.tileStrategy = strategy;

@@ -103,7 +103,7 @@ TEST(BodyInGas, ShowsWhatItDoesInAFirstPictureWhateverWasDrawnBefore) {
         return irsg.imageWithReport().image.primary().values;
     };
     const auto prepare = [](InteractiveRenderer& irsg) {
-        irsg.scene.environment = brightAir();
+        irsg.scene.environment = brightAtmosphere();
         irsg.scene.entities = {
             entityOf(modelOf(joined(boxMesh({2, 2, 2}, std::vector<IrCodes>(6, gas)),
                                     plateMesh({6, 0, 0}, {0, 3, 0}, {0, 0, -3}, otherGas))),
@@ -122,7 +122,7 @@ TEST(BodyInGas, ShowsWhatItDoesInAFirstPictureWhateverWasDrawnBefore) {
 TEST(EveryWayToANumber, GivesTheSameNumber) {
     for (const int tileSide_samples : {0, 128}) {
         InteractiveRenderer irsg;
-        irsg.scene.environment = brightAir();
+        irsg.scene.environment = brightAtmosphere();
         SignatureDatabase database = bodyInGas();
         database.materials[1] = greyMaterial(0.7);
         irsg.scene.entities = {
@@ -172,7 +172,7 @@ TEST(EveryWayToANumber, GivesTheSameNumber) {
 
 TEST(SeveralBands, AreThoseOfRunsOfTheirOwnAndAddUp) {
     InteractiveRenderer irsg;
-    irsg.scene.environment = brightAir();
+    irsg.scene.environment = brightAtmosphere();
     irsg.scene.entities = {entityOf(modelOf(glazedMesh()), [] {
         SignatureDatabase database = bodyInGas();
         database.materials[3] = greyMaterial(0.3, 0.6);
@@ -210,7 +210,7 @@ TEST(SeveralBands, AreThoseOfRunsOfTheirOwnAndAddUp) {
 
 TEST(Threads, LeaveEveryBitAsItIs) {
     InteractiveRenderer irsg;
-    irsg.scene.environment = brightAir();
+    irsg.scene.environment = brightAtmosphere();
     irsg.scene.entities = {entityOf(modelOf(glazedMesh()), [] {
         SignatureDatabase database = bodyInGas();
         database.materials[3] = greyMaterial(0.3, 0.6);
@@ -245,7 +245,7 @@ TEST(PlainShader, AddsUpWhatTheEvaluatorDoes) {
     for (const ReflectionMode mode :
          {ReflectionMode::off, ReflectionMode::approx, ReflectionMode::smart}) {
         InteractiveRenderer irsg;
-        irsg.scene.environment = brightAir();
+        irsg.scene.environment = brightAtmosphere();
         RenderSettings settings;
         settings.tileSide_samples = 0;
         settings.sun = settings.ambientReflection = mode;
@@ -291,11 +291,11 @@ TEST(RadianceTerms, TakeAnotherTermFromOneRecord) {
     term.factor.drawn = static_cast<int>(list.factors.size()) - 1;
     term.surface = SurfaceQuantity::reflectance;
     term.light = AtmosphereProperty::solarIrradiance;
-    term.passesAir = true;
+    term.passesAtmosphere = true;
     term.isOn = [](const RenderSettings&) { return true; };
     list.terms.push_back(term);
 
-    ConstantAir air;
+    ConstantAtmosphere air;
     air.transmittanceValue = 0.8;
     air.sunValue = 3.0;
     Scene scene;
@@ -345,7 +345,7 @@ TEST(RadianceTerms, TakeAnotherTermFromOneRecord) {
 }
 
 // Strong air: what is farther away is darker, also within one object.
-TEST(AirAlongAnObject, IsTakenAtTheRangeOfEverySample) {
+TEST(AtmosphereAlongAnObject, IsTakenAtTheRangeOfEverySample) {
     const double perMetre = 0.1; // 100 /km
     Environment environment;
     BeerLambertParameters parameters;
@@ -376,24 +376,24 @@ TEST(AirAlongAnObject, IsTakenAtTheRangeOfEverySample) {
         const double found = static_cast<double>(image.primary().values[image.offset(x, 32)]);
         EXPECT_NEAR(found / expected, 1.0, 2e-3) << x;
     }
-    EXPECT_LT(rendered.report.all.airError, 5e-3);
+    EXPECT_LT(rendered.report.all.atmosphereError, 5e-3);
     EXPECT_NEAR(irsg.measure().all.intensity_W_sr / rendered.report.all.intensity_W_sr, 1.0, 2e-6);
 
     // In one slice, the bound that is told covers what is wrong.
-    settings.airSliceFrom = 1e9;
+    settings.atmosphereSliceFrom = 1e9;
     irsg.scene.settings = settings;
     const RenderedImage coarse = irsg.imageWithReport();
     const double wrong = static_cast<double>(coarse.image.primary().values[image.offset(8, 32)]) /
                              static_cast<double>(image.primary().values[image.offset(8, 32)]) -
                          1.0;
     EXPECT_GT(std::abs(wrong), 0.05);
-    EXPECT_GE(coarse.report.objects.front().airError, std::abs(wrong));
+    EXPECT_GE(coarse.report.objects.front().atmosphereError, std::abs(wrong));
     EXPECT_FALSE(coarse.report.warnings.empty());
 }
 
 // The ship of the samples from its bow: 122 m of depth. The integral over depth is exact where the
 // distance of every sample is known.
-TEST(AirAlongAnObject, IsTakenAlongAShipThatIsSeenFromItsBow) {
+TEST(AtmosphereAlongAnObject, IsTakenAlongAShipThatIsSeenFromItsBow) {
     const double perMetre = 2e-3;
     Environment environment;
     BeerLambertParameters parameters;
@@ -415,15 +415,15 @@ TEST(AirAlongAnObject, IsTakenAlongAShipThatIsSeenFromItsBow) {
 
     const double black = bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 320.0);
     struct Sums {
-        double found = 0.0, exact = 0.0, nearest_m = 1e9, farthest_m = 0.0, airError = 0.0;
+        double found = 0.0, exact = 0.0, nearest_m = 1e9, farthest_m = 0.0, atmosphereError = 0.0;
         double wrong() const { return std::abs(found / exact - 1.0); }
     };
-    const auto sumsWith = [&](double airSliceFrom) {
-        settings.airSliceFrom = airSliceFrom;
+    const auto sumsWith = [&](double atmosphereSliceFrom) {
+        settings.atmosphereSliceFrom = atmosphereSliceFrom;
         irsg.scene.settings = settings;
         RenderedImage rendered = irsg.imageWithReport();
         Sums sums;
-        sums.airError = rendered.report.all.airError;
+        sums.atmosphereError = rendered.report.all.atmosphereError;
         const std::vector<float>& ranges = rendered.image.channel("range", "m").values;
         for (std::size_t i = 0; i < ranges.size(); ++i) {
             if (std::isnan(ranges[i])) {
@@ -437,18 +437,18 @@ TEST(AirAlongAnObject, IsTakenAlongAShipThatIsSeenFromItsBow) {
         }
         return sums;
     };
-    const Sums sliced = sumsWith(RenderSettings().airSliceFrom);
+    const Sums sliced = sumsWith(RenderSettings().atmosphereSliceFrom);
     EXPECT_GT(sliced.farthest_m - sliced.nearest_m, 80.0);
     EXPECT_LT(sliced.wrong(), 5e-3);
-    EXPECT_LE(sliced.wrong(), sliced.airError);
+    EXPECT_LE(sliced.wrong(), sliced.atmosphereError);
     const Sums whole = sumsWith(1e9);
     EXPECT_GT(whole.wrong(), 5e-3);
-    EXPECT_LE(whole.wrong(), whole.airError);
+    EXPECT_LE(whole.wrong(), whole.atmosphereError);
 }
 
 // Views that share a path ask for its air once.
-TEST(AirOfASweep, IsAskedOnceForAPathThatItsCasesShare) {
-    class CountingAir : public ConstantAir {
+TEST(AtmosphereOfASweep, IsAskedOnceForAPathThatItsCasesShare) {
+    class CountingAtmosphere : public ConstantAtmosphere {
       public:
         mutable long asked = 0;
 
@@ -456,10 +456,10 @@ TEST(AirOfASweep, IsAskedOnceForAPathThatItsCasesShare) {
         Spectrum nativeSpectrum(const AtmosphericQuery& query,
                                 const SpectralRange& range) const override {
             ++asked;
-            return ConstantAir::nativeSpectrum(query, range);
+            return ConstantAtmosphere::nativeSpectrum(query, range);
         }
     };
-    auto air = std::make_shared<CountingAir>();
+    auto air = std::make_shared<CountingAtmosphere>();
     Environment environment;
     environment.add(air);
     InteractiveRenderer irsg;

@@ -29,7 +29,7 @@ InteractiveRenderer& generator() {
 
 /// Vacuum without its sun.
 Environment darkness() {
-    return environmentOf(ConstantAir{});
+    return environmentOf(ConstantAtmosphere{});
 }
 
 float centreOf(const RadianceImage& image) {
@@ -171,7 +171,7 @@ class ReflectionOnASphere : public testing::TestWithParam<Reflection> {};
 
 TEST_P(ReflectionOnASphere, FollowsTheFormulaAlongTheVerticalGreatCircle) {
     const Reflection& c = GetParam();
-    ConstantAir air;
+    ConstantAtmosphere air;
     air.sunValue = c.sun;
     air.upValue = c.up;
     air.downValue = c.down;
@@ -251,7 +251,7 @@ TEST_P(TwoSidedPlate, IsLitOnTheSideThatIsSeen) {
                  greyDatabase(0.4, 300.0))};
     const double elevation = radians(c.seenFromAbove ? 60.0 : -60.0);
     auto seen = [&](double sun, double up, double down) {
-        ConstantAir air;
+        ConstantAtmosphere air;
         air.sunValue = sun;
         air.upValue = up;
         air.downValue = down;
@@ -282,7 +282,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& row) { return std::string(row.param.name); });
 
 TEST(Surface, ThatTransmitsEverythingIsExactlyTheBackground) {
-    ConstantAir air;
+    ConstantAtmosphere air;
     air.backgroundValue = 0.731;
     air.pathRadianceValue = 0.2;
     air.sunValue = air.upValue = air.downValue = 1.0;
@@ -300,7 +300,7 @@ TEST(Surface, ThatTransmitsEverythingIsExactlyTheBackground) {
 }
 
 TEST(Surface, ThatIsBlackAndColdShowsExactlyThePathRadiance) {
-    ConstantAir air;
+    ConstantAtmosphere air;
     air.pathRadianceValue = 0.2;
     air.transmittanceValue = 0.3;
     air.backgroundValue = 5.0;
@@ -319,7 +319,7 @@ TEST(Surface, IsInvisibleInAnIsothermalEnclosure) {
     // Everything at 300 K: a Lambertian grey body radiates and reflects as the walls do.
     const Band band = Band::topHat(8.0, 8.0001);
     const double black = bandRadiance_W_m2_sr(band, 300.0) / band.area_um();
-    ConstantAir air;
+    ConstantAtmosphere air;
     air.transmittanceValue = 0.6;
     air.pathRadianceValue = 0.4 * black;
     air.backgroundValue = black;

@@ -39,7 +39,7 @@ Entity grey(const Mesh& mesh) {
 
 InteractiveRenderer generatorOf(std::vector<Entity> entities, int tileSide_samples = 256) {
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.settings = settingsOf(tileSide_samples);
     irsg.scene.entities = std::move(entities);
     return irsg;
@@ -303,13 +303,13 @@ TEST(RangeCurve, TakesStrongAirAlongAnObjectAtEveryRange) {
         EXPECT_NEAR(curve.intensity_W_sr / drawn.intensity_W_sr, 1.0, 2e-3) << range_m;
         EXPECT_NEAR(curve.contrastIntensity_W_sr / drawn.contrastIntensity_W_sr, 1.0, 4e-3)
             << range_m;
-        EXPECT_EQ(curve.airError, drawn.airError);
+        EXPECT_EQ(curve.atmosphereError, drawn.atmosphereError);
         RenderSettings settings = irsg.scene.settings;
-        settings.airSliceFrom = 1e9;
+        settings.atmosphereSliceFrom = 1e9;
         irsg.scene.settings = settings;
         wasSliced |=
             std::abs(irsg.measure().all.intensity_W_sr / drawn.intensity_W_sr - 1.0) > 5e-3;
-        settings.airSliceFrom = RenderSettings{}.airSliceFrom;
+        settings.atmosphereSliceFrom = RenderSettings{}.atmosphereSliceFrom;
         irsg.scene.settings = settings;
     }
     EXPECT_TRUE(wasSliced) << "slices matter here";

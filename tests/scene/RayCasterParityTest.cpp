@@ -104,7 +104,7 @@ void PrintTo(const Case& c, std::ostream* out) {
 
 /// Holds what an engine draws against the ray caster in double.
 void expectTheCaster(const Case& c, EngineChoice engine) {
-    ConstantAir air;
+    ConstantAtmosphere air;
     air.transmittanceValue = 0.7;
     air.pathRadianceValue = 0.05;
     air.backgroundValue = 0.4;

@@ -38,7 +38,7 @@ InteractiveRenderer withEngine(EngineChoice engine, RenderSettings settings,
     InteractiveRenderer irsg;
     settings.engine = engine;
     irsg.scene.settings = settings;
-    irsg.scene.environment = brightAir();
+    irsg.scene.environment = brightAtmosphere();
     irsg.scene.entities = entities;
     look(irsg, view);
     return irsg;

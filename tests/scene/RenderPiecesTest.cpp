@@ -72,7 +72,7 @@ TEST(RenderPieces, HoldEveryTriangleOnceWithItsCodes) {
 // A window that shows a part of a model leaves out the pieces beside it, and shows the same.
 TEST(RenderPieces, ThatATileCannotShowAreNotMissed) {
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     RenderSettings settings;
     settings.tileSide_samples = 0;
     settings.samplesPerAxis = 1;

@@ -24,7 +24,7 @@ Entity sphere(const std::string& name, double x_m) {
 std::vector<SampledTile> tilesIn(const std::vector<Entity>& entities, double size_px,
                                  const std::function<void(RenderSettings&)>& change = {}) {
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     RenderSettings settings;
     settings.background = BackgroundMode::constant;
     if (change) {

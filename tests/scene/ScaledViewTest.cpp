@@ -74,7 +74,7 @@ Entity scaled(Entity entity, const std::vector<double>& scales) {
 
 TEST(ScaledView, SaysWhatTheRendererSaysOfAScaledScene) {
     InteractiveRenderer& irsg = generator();
-    irsg.scene.environment = brightAir();
+    irsg.scene.environment = brightAtmosphere();
     for (const Band& band : {Band::topHat(3.0, 5.0), Band::topHat(8.0, 12.0)}) {
         irsg.scene.entities = {glazedSphere()};
         look(irsg, {.range_m = 100.0, .azimuth_rad = 0.5, .elevation_rad = 0.2, .band = band});
@@ -103,7 +103,7 @@ TEST(ScaledView, StaysNearTheRendererWhereAScaledSpectrumIsCutInsideTheBand) {
     // there that neither of the two knows of: what remains is the quadrature's error, not physics
     // (spectra agree wavelength by wavelength).
     InteractiveRenderer& irsg = generator();
-    irsg.scene.environment = brightAir();
+    irsg.scene.environment = brightAtmosphere();
     irsg.scene.entities = {glazedSphere()};
     look(irsg, {.range_m = 100.0, .azimuth_rad = 0.5, .elevation_rad = 0.2});
     std::vector<ScalingInput> wider = inputs;
@@ -121,7 +121,7 @@ TEST(ScaledView, StaysNearTheRendererWhereAScaledSpectrumIsCutInsideTheBand) {
 
 TEST(ScaledView, IsTheUnscaledSceneAtScalesOfOne) {
     InteractiveRenderer& irsg = generator();
-    irsg.scene.environment = brightAir();
+    irsg.scene.environment = brightAtmosphere();
     irsg.scene.entities = {glazedSphere()};
     look(irsg, {.range_m = 100.0});
     ScaledValues found;
@@ -134,7 +134,7 @@ TEST(ScaledView, IsTheUnscaledSceneAtScalesOfOne) {
 
 TEST(ScaledView, ScalesSpectraWavelengthByWavelength) {
     InteractiveRenderer& irsg = generator();
-    irsg.scene.environment = brightAir();
+    irsg.scene.environment = brightAtmosphere();
     irsg.scene.entities = {glazedSphere()};
     look(irsg, {.range_m = 100.0, .azimuth_rad = 0.5});
     // In any order, and one of them twice.
@@ -162,7 +162,7 @@ TEST(Scalings, KeepEmissivityAndReflectivityAndTransmissivityAtOne) {
     // narrow band Planck's law is a number.
     const double wavelength_um = 10.0, temperature_K = 300.0;
     const double black = planckRadiance_W_m2_sr_um(wavelength_um, temperature_K);
-    ConstantAir air;
+    ConstantAtmosphere air;
     air.upValue = air.downValue = pi * black;
     InteractiveRenderer& irsg = generator();
     irsg.scene.environment = environmentOf(air);
@@ -182,7 +182,7 @@ TEST(Scalings, KeepEmissivityAndReflectivityAndTransmissivityAtOne) {
 
 TEST(Scalings, NeverEmitMoreThanABlackBody) {
     InteractiveRenderer& irsg = generator();
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     const auto intensityOf = [&](double emissivity, double scale) {
         Entity sphere =
             entityOf(modelOf(sphereMesh(1.0, 32, 64, {1, 1})), greyDatabase(emissivity, 320.0));
@@ -197,7 +197,7 @@ TEST(Scalings, NeverEmitMoreThanABlackBody) {
 
 TEST(Scalings, MultiplyTheTemperatureInKelvinAndTheEmissionOfASpectrumOnlyByEmissivity) {
     InteractiveRenderer& irsg = generator();
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     const auto intensityOf = [&](Entity entity, double temperature, double emissivity) {
         entity.temperatureScale[1] = temperature;
         entity.emissivityScale[1] = emissivity;

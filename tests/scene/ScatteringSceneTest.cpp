@@ -72,7 +72,7 @@ Environment isothermal(double temperature_K, double extinction_per_m) {
 }
 
 Environment darkness() {
-    return environmentOf(ConstantAir{});
+    return environmentOf(ConstantAtmosphere{});
 }
 
 Environment with(Environment environment, const std::filesystem::path& database,
@@ -124,7 +124,7 @@ double number(const RadianceImage& image, const std::string& key) {
 
 TEST_F(ScatteringScene, LeavesAnObjectInvisibleThatShinesAsItsBackground) {
     // Half of its light and that of the air before it are exactly what lies behind.
-    ConstantAir air;
+    ConstantAtmosphere air;
     air.transmittanceValue = 0.5;
     air.pathRadianceValue = 0.25;
     RenderSettings settings = scattering();
@@ -251,7 +251,7 @@ TEST_F(ScatteringScene, FollowsAnUnevenBackground) {
 }
 
 TEST_F(ScatteringScene, SaysWhenItTakesTheOpticalDepthFromTheTransmittance) {
-    class Quiet : public ConstantAir {
+    class Quiet : public ConstantAtmosphere {
       public:
         bool supports(AtmosphereProperty property) const override {
             return property != AtmosphereProperty::scatteringOpticalDepth;

@@ -17,7 +17,7 @@ constexpr double emissivity = 0.9, temperature_K = 320.0, apart_m = 800.0;
 class TwoSpheres : public testing::Test {
   protected:
     void SetUp() override {
-        irsg.scene.environment = environmentOf(ConstantAir{});
+        irsg.scene.environment = environmentOf(ConstantAtmosphere{});
         Entity far = entityOf(modelOf(sphereMesh(1.0, 48, 96, {1, 1})),
                               greyDatabase(emissivity, temperature_K));
         Entity near = far;
@@ -104,7 +104,7 @@ TEST_F(TwoSpheres, AreScaledEachAtItsOwnRange) {
 
 TEST(OneObject, IsTheSceneAndHasNoSpectrumBesideIt) {
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.entities = {
         entityOf(modelOf(sphereMesh(1.0, 32, 64, {1, 1})), greyDatabase(0.9, 320.0))};
     look(irsg, {.range_m = 100.0});

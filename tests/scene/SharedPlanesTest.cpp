@@ -50,7 +50,7 @@ double intensity(const std::shared_ptr<const Model>& model, EngineChoice engine,
     RenderSettings settings;
     settings.engine = engine;
     irsg.scene.settings = settings;
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.entities = {entityOf(model, database)};
     look(irsg, {.range_m = 1000.0, .azimuth_rad = azimuth_rad, .elevation_rad = 0.9});
     return irsg.measure().all.intensity_W_sr;

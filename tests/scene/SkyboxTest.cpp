@@ -63,7 +63,7 @@ Viewpoint looking(double azimuth_deg, double elevation_deg, const Vec3& eye = {}
 
 FrameBackground drawn(SceneBackground& background, const Sensor& sensor, const Viewpoint& view,
                       const BackgroundSettings& settings, BackgroundReport& report) {
-    ConstantAir air;
+    ConstantAtmosphere air;
     air.sunValue = 5.0;
     const Environment environment = environmentOf(air, {0.0, 0.1});
     const SpectralPoints ends({3.0, 5.0}, {1.0, 1.0}, {3.0, 5.0});

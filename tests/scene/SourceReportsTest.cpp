@@ -33,29 +33,29 @@ InteractiveRenderer glazed(const Environment& environment, double range_m) {
 }
 
 /// Bright air that takes and adds nothing on the way to the sensor.
-Environment clearAir() {
-    ConstantAir air;
+Environment clearAtmosphere() {
+    ConstantAtmosphere air;
     air.sunValue = 3.0;
     air.upValue = 2.0;
     air.downValue = 1.0;
-    return environmentOf(air, brightAir().sun);
+    return environmentOf(air, brightAtmosphere().sun);
 }
-Environment hazyAir() {
-    ConstantAir air;
+Environment hazyAtmosphere() {
+    ConstantAtmosphere air;
     air.transmittanceValue = 0.4;
     air.pathRadianceValue = 0.9;
     air.backgroundValue = 1.7;
     air.sunValue = 3.0;
     air.upValue = 2.0;
     air.downValue = 1.0;
-    return environmentOf(air, brightAir().sun);
+    return environmentOf(air, brightAtmosphere().sun);
 }
 
 } // namespace
 
 TEST(SourceReports, OfABlackPlateIsItsPlanckRadianceWhateverTheAir) {
     InteractiveRenderer irsg;
-    irsg.scene.environment = hazyAir();
+    irsg.scene.environment = hazyAtmosphere();
     irsg.scene.entities = {entityOf(modelOf(plateMesh({0, 0, 0}, {-1, 0, 0}, {0, 0, 1}, {1, 1})),
                                     greyDatabase(1.0, 320.0))};
     look(irsg, {.range_m = 3000.0, .fieldOfView_rad = 2e-3});
@@ -72,7 +72,8 @@ TEST(SourceReports, OfABlackPlateIsItsPlanckRadianceWhateverTheAir) {
 
 TEST(SourceReports, AreThoseOfTheSameLightThroughClearAirBeforeNothing) {
     for (const bool alongRange : {false, true}) {
-        InteractiveRenderer hazy = glazed(hazyAir(), 300.0), clear = glazed(clearAir(), 300.0);
+        InteractiveRenderer hazy = glazed(hazyAtmosphere(), 300.0),
+                            clear = glazed(clearAtmosphere(), 300.0);
         RenderSettings settings;
         settings.background = BackgroundMode::none;
         clear.scene.settings = settings;
@@ -89,7 +90,8 @@ TEST(SourceReports, AreThoseOfTheSameLightThroughClearAirBeforeNothing) {
 TEST(SourceReports, LeaveThoseOfTheBandsAsTheyAre) {
     for (const BackgroundMode background :
          {BackgroundMode::environment, BackgroundMode::constant, BackgroundMode::none}) {
-        InteractiveRenderer with = glazed(hazyAir(), 300.0), without = glazed(hazyAir(), 300.0);
+        InteractiveRenderer with = glazed(hazyAtmosphere(), 300.0),
+                            without = glazed(hazyAtmosphere(), 300.0);
         RenderSettings settings;
         settings.background = background;
         settings.background_W_m2_sr = 0.3;

@@ -18,12 +18,12 @@ const Band midwave = Band::topHat(3.0, 5.0);
 
 /// Air whose transmittance falls with range as one exponential a wavelength: 3-4 um clear, 4-5 um
 /// not.
-class TwoBandAir : public ConstantAir {
+class TwoBandAtmosphere : public ConstantAtmosphere {
   protected:
     Spectrum nativeSpectrum(const AtmosphericQuery& query,
                             const SpectralRange& range) const override {
         if (query.quantity != AtmosphereProperty::transmittance) {
-            return ConstantAir::nativeSpectrum(query, range);
+            return ConstantAtmosphere::nativeSpectrum(query, range);
         }
         const double t = std::exp(-1e-3 * query.path.range_m);
         return Spectrum({0.2, 4.0, 4.0001, 40.0}, {1.0, 1.0, t, t});
@@ -31,12 +31,12 @@ class TwoBandAir : public ConstantAir {
 };
 
 /// Air whose lines are saturated: exp(-sqrt(range / km)) beyond 4 um.
-class SaturatedAir : public ConstantAir {
+class SaturatedAtmosphere : public ConstantAtmosphere {
   protected:
     Spectrum nativeSpectrum(const AtmosphericQuery& query,
                             const SpectralRange& range) const override {
         if (query.quantity != AtmosphereProperty::transmittance) {
-            return ConstantAir::nativeSpectrum(query, range);
+            return ConstantAtmosphere::nativeSpectrum(query, range);
         }
         const double t = std::exp(-std::sqrt(1e-3 * query.path.range_m));
         return Spectrum({0.2, 4.0, 4.0001, 40.0}, {1.0, 1.0, t, t});
@@ -45,7 +45,7 @@ class SaturatedAir : public ConstantAir {
 
 /// Tables of air over exactly these ranges, which pass half and add 2 W m-2 sr-1 um-1 along
 /// horizontal paths.
-Environment tabulatedAir(const std::vector<SpectralRange>& ranges) {
+Environment tabulatedAtmosphere(const std::vector<SpectralRange>& ranges) {
     Environment environment;
     for (const SpectralRange& range : ranges) {
         std::vector<SpectralRun> runs;
@@ -102,7 +102,7 @@ double centreRadiance(InteractiveRenderer& irsg) {
 TEST(IntensitySpectrumOfASphere, IsPlancksLawTimesItsArea) {
     const Mesh mesh = sphereMesh(1.0, 64, 128, one);
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.entities = {entityOf(modelOf(mesh), greyDatabase(0.9, 450.0))};
     look(irsg, {.range_m = 1000.0, .width_px = 200, .height_px = 200, .fieldOfView_rad = 0.0024});
     const std::vector<double> wavenumbers_per_cm{2000.0, 3333.0, 2500.0, 2100.5};
@@ -124,7 +124,7 @@ TEST(IntensitySpectrumOfASphere, IsPlancksLawTimesItsArea) {
 
 TEST(IntensitySpectrumOfAScene, IntegratesToItsInBandIntensity) {
     InteractiveRenderer irsg;
-    auto air = std::make_shared<TwoBandAir>();
+    auto air = std::make_shared<TwoBandAtmosphere>();
     air->sunValue = 2.0;
     Environment environment;
     environment.add(air);
@@ -169,7 +169,7 @@ TEST(IntensitySpectrumOfAScene, ReachesTheEndsOfATable) {
         wavenumbers_per_cm.back() = 1e4 / range.min_um;
         irsg.scene.environment = Environment::vacuum();
         const IntensitySpectrum bare = irsg.measureSpectrum(wavenumbers_per_cm);
-        irsg.scene.environment = tabulatedAir({range});
+        irsg.scene.environment = tabulatedAtmosphere({range});
         const IntensitySpectrum all = irsg.measureSpectrum(wavenumbers_per_cm);
         const double area_m2 =
             bare.intensity_W_sr_um[0] / (0.9 * planckRadiance_W_m2_sr_um(range.max_um, 450.0));
@@ -203,7 +203,7 @@ TEST(IntensitySpectrumOfAScene, MayEndWhereTwoTablesMeet) {
     settings.sun = settings.ambientReflection = ReflectionMode::off;
     settings.background = BackgroundMode::constant;
     irsg.scene.settings = settings;
-    irsg.scene.environment = tabulatedAir({{3.0, 4.0}, {4.0, 5.0}});
+    irsg.scene.environment = tabulatedAtmosphere({{3.0, 4.0}, {4.0, 5.0}});
     const double first = irsg.measureSpectrum({3000.0}).intensity_W_sr_um.at(0);
     EXPECT_GT(irsg.measureSpectrum({2500.0}).intensity_W_sr_um.at(0), first);
     EXPECT_GT(irsg.measureSpectrum({2500.0, 2000.0}).intensity_W_sr_um.at(1), first);
@@ -211,7 +211,7 @@ TEST(IntensitySpectrumOfAScene, MayEndWhereTwoTablesMeet) {
 
 TEST(UserSpectrum, AddsItsComponentsWithTheirFactors) {
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.entities = {entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), gasDatabase(0.0))};
     // CO2 is a triangle of area 2.5, H2O a constant of area 1; the aspect angle is the azimuth
     // here.
@@ -224,7 +224,7 @@ TEST(UserSpectrum, AddsItsComponentsWithTheirFactors) {
 
 TEST(UserSpectrum, IsCalibratedAsAWhole) {
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     SignatureDatabase database = gasDatabase(0.0);
     for (const double calibration : {1.0, 0.8, 1.25, 0.0}) {
         database.spectra["gas"].calibrationFactor = calibration;
@@ -240,7 +240,7 @@ TEST(UserSpectrum, IsCalibratedAsAWhole) {
 TEST(UserSpectrum, LosesTheAirBeyondItsReferenceDistanceOnly) {
     InteractiveRenderer irsg;
     Environment environment;
-    environment.add(std::make_shared<TwoBandAir>());
+    environment.add(std::make_shared<TwoBandAtmosphere>());
     irsg.scene.environment = environment;
     auto radianceAt = [&](double range_m, double reference_m) {
         irsg.scene.entities = {
@@ -248,22 +248,22 @@ TEST(UserSpectrum, LosesTheAirBeyondItsReferenceDistanceOnly) {
         look(irsg, {.range_m = range_m, .fieldOfView_rad = 1.0 / range_m});
         return centreRadiance(irsg);
     };
-    const double clear = 2.0 * 2.5 + 1.0;     // nothing lost
-    const double inFoulAir = 2.0 * 2.5 + 0.5; // CO2 all in 4-5 um, half of H2O
+    const double clear = 2.0 * 2.5 + 1.0;            // nothing lost
+    const double inFoulAtmosphere = 2.0 * 2.5 + 0.5; // CO2 all in 4-5 um, half of H2O
     EXPECT_NEAR(radianceAt(400.0, 500.0), clear, 1e-5) << "nearer than the reference distance";
     EXPECT_NEAR(radianceAt(500.0, 500.0), clear, 1e-5);
-    EXPECT_NEAR(radianceAt(1500.0, 500.0), 0.5 + inFoulAir * std::exp(-1.0), 1e-3);
-    EXPECT_NEAR(radianceAt(1500.0, 0.0), 0.5 + inFoulAir * std::exp(-1.5), 1e-3);
+    EXPECT_NEAR(radianceAt(1500.0, 500.0), 0.5 + inFoulAtmosphere * std::exp(-1.0), 1e-3);
+    EXPECT_NEAR(radianceAt(1500.0, 0.0), 0.5 + inFoulAtmosphere * std::exp(-1.5), 1e-3);
 }
 
 TEST(UserSpectrum, PassesARatioOrTheSegmentThatIsLeft) {
     InteractiveRenderer irsg;
     Environment environment;
-    environment.add(std::make_shared<SaturatedAir>());
+    environment.add(std::make_shared<SaturatedAtmosphere>());
     irsg.scene.environment = environment;
     irsg.scene.entities = {entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), gasDatabase(500.0))};
     look(irsg, {.range_m = 1500.0, .fieldOfView_rad = 1.0 / 1500.0});
-    const double inFoulAir = 2.0 * 2.5 + 0.5; // CO2 all in 4-5 um, half of H2O
+    const double inFoulAtmosphere = 2.0 * 2.5 + 0.5; // CO2 all in 4-5 um, half of H2O
     const std::vector<std::pair<ReferenceTransmittance, double>> expected = {
         {ReferenceTransmittance::ratio, std::exp(-(std::sqrt(1.5) - std::sqrt(0.5)))},
         {ReferenceTransmittance::segment, std::exp(-std::sqrt(1.0))},
@@ -272,13 +272,13 @@ TEST(UserSpectrum, PassesARatioOrTheSegmentThatIsLeft) {
         RenderSettings settings = irsg.scene.settings;
         settings.referenceTransmittance = rule;
         irsg.scene.settings = settings;
-        EXPECT_NEAR(centreRadiance(irsg), 0.5 + inFoulAir * transmittance, 1e-3);
+        EXPECT_NEAR(centreRadiance(irsg), 0.5 + inFoulAtmosphere * transmittance, 1e-3);
     }
 }
 
 TEST(UserSpectrum, SaysWhenItIsSeenFromNearerThanItWasMeasured) {
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.entities = {entityOf(modelOf(sphereMesh(1.0, 16, 32, one)), gasDatabase(500.0))};
     look(irsg, {.range_m = 100.0});
     const RenderReport report = irsg.measure();
@@ -296,7 +296,7 @@ TEST(ProjectedGeometryOfAScene, MultiplySpectrallyWhatAScalarCannot) {
     const Mesh mesh = joined(plateMesh({0, 0, 0}, {0.5, 0, 0}, {0, 0, 0.5}, one),
                              plateMesh({0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {2, 2}));
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.entities = {entityOf(modelOf(mesh), database)};
     look(irsg, {.range_m = 200.0, .fieldOfView_rad = 0.02});
     const RenderReport report = irsg.measure();
@@ -311,7 +311,7 @@ TEST(ProjectedGeometryOfAScene, MultiplySpectrallyWhatAScalarCannot) {
 
 TEST(ProjectedGeometryOfAScene, AreKeptWhileOnlySignaturesChange) {
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.entities = {
         entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(0.9, 320.0))};
     look(irsg, {});
@@ -339,7 +339,7 @@ TEST(ProjectedGeometryOfAScene, AreKeptWhileOnlySignaturesChange) {
 }
 
 TEST(TruthLayersOfAnImage, AddUpToItsRadianceAndNameTheSurfaces) {
-    ConstantAir air;
+    ConstantAtmosphere air;
     air.transmittanceValue = 0.7;
     air.pathRadianceValue = 0.1;
     air.backgroundValue = 0.3;
@@ -381,7 +381,7 @@ TEST(TruthLayersOfAnImage, AddUpToItsRadianceAndNameTheSurfaces) {
 
 TEST(StageTimesOfAnImage, NameEveryStageThatTookTime) {
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.entities = {
         entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(0.9, 320.0))};
     look(irsg, {});
@@ -402,7 +402,7 @@ TEST(StageTimesOfAnImage, NameEveryStageThatTookTime) {
 
 TEST(SeveralEntities, AreMeasuredEachAndTogether) {
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     const auto sphere = modelOf(sphereMesh(1.0, 32, 64, one));
     Entity first = entityOf(sphere, greyDatabase(0.9, 320.0));
     Entity second = entityOf(sphere, greyDatabase(0.9, 350.0));

@@ -62,7 +62,7 @@ TEST(Subfaces, HideTheFaceTheyLieOnFromAnyDirectionAndRange) {
     const double radianceTimesArea = 8.0 * l1 + 0.75 * l2 + 0.25 * l3;
 
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     RenderSettings settings;
     settings.tileSide_samples = 0;
     settings.samplesPerAxis = 4;

@@ -118,7 +118,7 @@ TEST(SunDisc, IsHalfOnTheHorizonWhereItsCentreIs) {
 }
 
 TEST(SunDisc, IsInThePictureOnlyWhereItIsAskedFor) {
-    ConstantAir air;
+    ConstantAtmosphere air;
     air.sunValue = 5.0;
     air.backgroundValue = 3.0;
     const Environment environment = environmentOf(air, {0.3, 0.2});

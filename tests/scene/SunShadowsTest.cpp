@@ -26,7 +26,7 @@ const SunPosition sun{0.8, radians(40.0)};
 const double sunIrradiance = 3.0; // W m-2 um-1
 
 Environment sunlit() {
-    ConstantAir air;
+    ConstantAtmosphere air;
     air.sunValue = sunIrradiance;
     return environmentOf(air, sun);
 }

@@ -23,9 +23,9 @@ namespace {
 constexpr IrCodes body{1, 1}, gas{2, 2};
 
 /// Air of which every answer depends on every number of its query.
-class SensitiveAir : public Atmosphere {
+class SensitiveAtmosphere : public Atmosphere {
   public:
-    explicit SensitiveAir(double density = 1.0) : density_(density) {}
+    explicit SensitiveAtmosphere(double density = 1.0) : density_(density) {}
 
     std::string name() const override { return "sensitive air"; }
     SpectralRange base() const override { return {0.2, 40.0}; }
@@ -91,7 +91,7 @@ Case first(bool inVacuum = false) {
     Case one;
     one.scene.environment = inVacuum ? Environment::vacuum() : Environment();
     if (!inVacuum) {
-        one.scene.environment.add(std::make_shared<SensitiveAir>());
+        one.scene.environment.add(std::make_shared<SensitiveAtmosphere>());
     }
     one.scene.environment.sun = {1.0, 0.6};
     Entity entity = entityOf(modelOf(joined(sphereMesh(1.0, 12, 24, body),
@@ -157,7 +157,7 @@ const std::vector<Change> changes{
     {"atmosphere",
      [](Case& one) {
          one.scene.environment = Environment();
-         one.scene.environment.add(std::make_shared<SensitiveAir>(1.3));
+         one.scene.environment.add(std::make_shared<SensitiveAtmosphere>(1.3));
          one.scene.environment.sun = {1.0, 0.6};
      }},
     {"azimuth of the sun", [](Case& one) { one.scene.environment.sun.azimuth_rad = 2.0; }},
@@ -175,7 +175,7 @@ const std::vector<Change> changes{
          one.scene.settings.background = BackgroundMode::constant;
          one.scene.settings.background_W_m2_sr = 4.0;
      }},
-    {"slices", [](Case& one) { one.scene.settings.airSliceFrom = 1e9; }},
+    {"slices", [](Case& one) { one.scene.settings.atmosphereSliceFrom = 1e9; }},
 };
 
 /// All that is told of a case.
@@ -190,7 +190,7 @@ auto told(Renderer& renderer, const Case& one) {
         for (const ObjectRadiometry& object : objects) {
             numbers.insert(numbers.end(), {object.intensity_W_sr, object.contrastIntensity_W_sr,
                                            object.irradiance_W_m2, object.coveredPixels,
-                                           object.solidAngle_sr, object.airError});
+                                           object.solidAngle_sr, object.atmosphereError});
         }
         lines.insert(lines.end(), report.providedBy.begin(), report.providedBy.end());
         lines.insert(lines.end(), report.warnings.begin(), report.warnings.end());
@@ -250,7 +250,7 @@ TEST(SampledScenes, AreFoundAgainOnlyWhereTheAirIsTheSame) {
                           base.scene.settings,
                           {1100.0, 0.0, azimuth_rad}},
                          {Band::topHat(3.0, 5.0)}, false,
-                         [&](const AirScene& scene, const std::vector<Band>& bands) {
+                         [&](const AtmosphereScene& scene, const std::vector<Band>& bands) {
                              ++sampled;
                              return sampling.spectral(answers, scene, bands);
                          });
@@ -283,11 +283,11 @@ TEST(SampledScenes, AskTheAirOnceForBandsNextToEachOther) {
     object.nearest_m = 148.0;
     object.farthest_m = 152.0;
     const std::vector<ObjectGeometry> geometry{object};
-    const AirScene scene{RadianceTerms::standard(),
-                         base.scene.entities,
-                         geometry,
-                         base.scene.settings,
-                         {1100.0, 0.0, 0.3}};
+    const AtmosphereScene scene{RadianceTerms::standard(),
+                                base.scene.entities,
+                                geometry,
+                                base.scene.settings,
+                                {1100.0, 0.0, 0.3}};
     const auto outputsOf = [&](const Environment& environment) {
         answers.setEnvironment(environment);
         std::vector<std::size_t> outputs;

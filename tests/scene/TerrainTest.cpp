@@ -77,7 +77,7 @@ Viewpoint north(const Vec3& eye = {}) {
 FrameBackground drawn(SceneBackground& background, const Sensor& sensor, const Viewpoint& view,
                       const BackgroundSettings& settings, BackgroundReport& report,
                       const SunPosition& sun = {}) {
-    ConstantAir air;
+    ConstantAtmosphere air;
     air.sunValue = 5.0;
     const Environment environment = environmentOf(air, sun);
     const SpectralPoints ends({3.0, 5.0}, {1.0, 1.0}, {3.0, 5.0});

@@ -170,7 +170,7 @@ TEST(TextureCut, IsDrawnAlikeByOpenGlAndByRays) {
         RenderSettings settings;
         settings.engine = engine;
         irsg.scene.settings = settings;
-        irsg.scene.environment = environmentOf(ConstantAir{});
+        irsg.scene.environment = environmentOf(ConstantAtmosphere{});
         irsg.scene.entities = {entityOf(drawn, greyDatabase(1.0, 400.0))};
         look(irsg, {.elevation_rad = 1.0});
         return irsg.measure().all.intensity_W_sr;

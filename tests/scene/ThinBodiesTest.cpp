@@ -61,7 +61,7 @@ struct Errors {
 Errors errorsOf(const Mesh& mesh, int tileSide_samples, double pixels, double length_m,
                 double pitch_deg) {
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(ConstantAir{});
+    irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     RenderSettings settings;
     settings.tileSide_samples = tileSide_samples;
     settings.background = BackgroundMode::constant;

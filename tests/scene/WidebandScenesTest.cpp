@@ -49,7 +49,7 @@ std::string refusal(InteractiveRenderer& irsg) {
     return smat::test::refusalOf([&] { measured(irsg, CalculationMode::wideband); });
 }
 
-class WidebandScenes : public testing::TestWithParam<WidebandAir> {};
+class WidebandScenes : public testing::TestWithParam<WidebandAtmosphere> {};
 
 // Five scenes in each of four airs: the check of feature F17, for what surfaces emit. What they
 // reflect has its own, as the spectral mode multiplies means of bins there.
@@ -78,7 +78,7 @@ TEST_P(WidebandScenes, HaveTheIntensityAndTheBackgroundOfTheSpectralMode) {
 }
 
 TEST(WidebandRadiometry, MultipliesMonochromaticallyAtEveryPoint) {
-    const auto smart = smartAir(2);
+    const auto smart = smartAtmosphere(2);
     const Environment environment = environmentOf(smart);
     const std::vector<Entity> entities{entityOf(box(), withGas(200.0))};
     const ObjectGeometry geometry = geometryOf({1500.0, 1000.0, 3000.0});
@@ -112,7 +112,7 @@ TEST(WidebandRadiometry, MultipliesMonochromaticallyAtEveryPoint) {
 // product at every node, its mean taken last.
 TEST_P(WidebandScenes, ReflectAsIfMultipliedAtEveryNodeOfTheBand) {
     const SpectralRange range = GetParam().band().range();
-    const auto smart = smartAir(GetParam().model, range.min_um, range.max_um);
+    const auto smart = smartAtmosphere(GetParam().model, range.min_um, range.max_um);
     const Environment environment = environmentOf(smart);
     const RadiativeTransfer& transfer = smart->transfer();
     const NodeSet nodes = transfer.nodesOf(range);
@@ -149,7 +149,7 @@ TEST_P(WidebandScenes, ReflectAsIfMultipliedAtEveryNodeOfTheBand) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Airs, WidebandScenes, testing::ValuesIn(widebandAirs()),
+INSTANTIATE_TEST_SUITE_P(Airs, WidebandScenes, testing::ValuesIn(widebandAtmospheres()),
                          [](const auto& test) { return test.param.name; });
 
 TEST(SpectraOfAScene, AreSortedByEntityAndCodesAndHeldOnceEach) {
@@ -165,7 +165,7 @@ TEST(SpectraOfAScene, AreSortedByEntityAndCodesAndHeldOnceEach) {
 }
 
 TEST(WidebandPointsOfAScene, AreThoseOfAGasHoweverFaintItIs) {
-    const Environment environment = environmentOf(smartAir(2));
+    const Environment environment = environmentOf(smartAtmosphere(2));
     const Band band = Band::topHat(4.0, 5.0);
     const Spectrum bright = hotGas();
     const Spectrum faint = bright.mapped([](double radiance) { return radiance / 65536.0; });
@@ -178,7 +178,7 @@ TEST(WidebandPointsOfAScene, AreThoseOfAGasHoweverFaintItIs) {
 
 TEST(WidebandPointsOfAScene, AreTrainedOnceForAnEnvironmentABandAndItsSpectra) {
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(smartAir(2, 3.0, 5.0));
+    irsg.scene.environment = environmentOf(smartAtmosphere(2, 3.0, 5.0));
     const Band band = Band::topHat(3.0, 5.0), narrow = Band::topHat(4.5, 4.9),
                wide = Band::topHat(2.8, 5.0);
     irsg.scene.entities = {entityOf(box(), painted(band, 300.0))};
@@ -201,7 +201,7 @@ TEST(WidebandPointsOfAScene, AreTrainedOnceForAnEnvironmentABandAndItsSpectra) {
         std::make_shared<const SignatureDatabase>(painted(wide, 350.0));
     measured(irsg, CalculationMode::wideband);
     EXPECT_EQ(trainings(irsg), 3) << "another paint is";
-    irsg.scene.environment = environmentOf(smartAir(5, 3.0, 5.0));
+    irsg.scene.environment = environmentOf(smartAtmosphere(5, 3.0, 5.0));
     measured(irsg, CalculationMode::wideband);
     EXPECT_EQ(trainings(irsg), 4) << "and so is other air, wherever it lies in memory";
 }
@@ -209,7 +209,7 @@ TEST(WidebandPointsOfAScene, AreTrainedOnceForAnEnvironmentABandAndItsSpectra) {
 TEST(WidebandScene, DoesNotDependOnWhatWasDrawnBefore) {
     auto result = [](const std::vector<double>& ranges_m, CalculationMode mode) {
         InteractiveRenderer irsg;
-        irsg.scene.environment = environmentOf(smartAir(2));
+        irsg.scene.environment = environmentOf(smartAtmosphere(2));
         irsg.scene.entities = {entityOf(box(), withGas(0.0))};
         RenderReport report;
         for (const double range_m : ranges_m) {
@@ -229,7 +229,7 @@ TEST(WidebandScene, DoesNotDependOnWhatWasDrawnBefore) {
 
 TEST(WidebandScene, KeepsAConstantBackgroundToItsLastDigits) {
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(smartAir(2));
+    irsg.scene.environment = environmentOf(smartAtmosphere(2));
     irsg.scene.entities = {entityOf(ball(), greyDatabase(0.9, 300.0))};
     RenderSettings settings;
     settings.background = BackgroundMode::constant;
@@ -244,7 +244,7 @@ TEST(WidebandScene, KeepsAConstantBackgroundToItsLastDigits) {
 
 TEST(WidebandScene, HasSpectraOfTheSpectralModeAndSaysSo) {
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(smartAir(2));
+    irsg.scene.environment = environmentOf(smartAtmosphere(2));
     irsg.scene.entities = {entityOf(ball(), greyDatabase(0.9, 300.0))};
     look(irsg, {});
     const IntensitySpectrum spectral = irsg.measureSpectrum({2200.0, 2500.0});
@@ -260,7 +260,7 @@ TEST(WidebandScene, HasSpectraOfTheSpectralModeAndSaysSo) {
 
 TEST(WidebandScene, OfAnAircraftWithItsPlumesHasTheIntensityOfTheSpectralMode) {
     InteractiveRenderer irsg;
-    irsg.scene.environment = environmentOf(smartAir(2));
+    irsg.scene.environment = environmentOf(smartAtmosphere(2));
     irsg.scene.entities = {sampleAircraft()};
     for (const double range_m : {900.0, 3000.0, 8000.0}) {
         look(irsg, {.range_m = range_m,
@@ -291,10 +291,10 @@ TEST(WidebandScene, IsRefusedByNameWithoutAirThatHasTheMode) {
     irsg.scene.environment = environmentOf(std::make_shared<SpectraAtmosphere>(measured));
     EXPECT_THAT(refusal(irsg), HasSubstr("measured (has no wideband mode: it knows one line"));
 
-    irsg.scene.environment = environmentOf(smartAir(2, 8.0, 12.0));
+    irsg.scene.environment = environmentOf(smartAtmosphere(2, 8.0, 12.0));
     EXPECT_THAT(refusal(irsg), HasSubstr("holds only 8-12 um"));
 
-    irsg.scene.environment = environmentOf(smartAir(2, 3.0, 5.0, 1));
+    irsg.scene.environment = environmentOf(smartAtmosphere(2, 3.0, 5.0, 1));
     EXPECT_THAT(refusal(irsg), HasSubstr("wideband upward flux over 3-5 um"));
     EXPECT_THAT(refusal(irsg), HasSubstr("ScatteringMode 2"));
 }

@@ -5,7 +5,7 @@
 #include <map>
 #include <random>
 
-#include "irsg/atmosphere/AirIdentity.h"
+#include "irsg/atmosphere/AtmosphereIdentity.h"
 #include "irsg/geometry/model/ModelLoader.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/SignatureFile.h"
@@ -96,7 +96,7 @@ struct Airs {
     Environment usual, finest;
 };
 
-const Airs& airsOf(const WidebandAir& air) {
+const Airs& atmospheresOf(const WidebandAtmosphere& air) {
     static std::map<std::string, Airs> known;
     const auto found = known.find(air.name);
     if (found != known.end()) {
@@ -107,12 +107,13 @@ const Airs& airsOf(const WidebandAir& air) {
 
 } // namespace
 
-RandomScene randomScene(unsigned number, RandomAir air) {
+RandomScene randomScene(unsigned number, RandomAtmosphere air) {
     Draw draw(1000 + number);
     RandomScene random;
-    const WidebandAir computed = widebandAirs().at(static_cast<std::size_t>(number % 4));
+    const WidebandAtmosphere computed =
+        widebandAtmospheres().at(static_cast<std::size_t>(number % 4));
     random.view.sensor.band =
-        air == RandomAir::none
+        air == RandomAtmosphere::none
             ? (draw.below(2) == 0 ? Band::topHat(3.0, 5.0) : Band::topHat(8.0, 12.0))
             : computed.band();
     const char* const samples[] = {"turboprop4", "heron", "corvette", "ship"};
@@ -137,18 +138,18 @@ RandomScene randomScene(unsigned number, RandomAir air) {
         settings.tileSide_samples = 128 << mode;
     }
     random.alongRange = mode < 3 && draw.below(4) == 0;
-    if (air == RandomAir::none) {
-        ConstantAir constant;
+    if (air == RandomAtmosphere::none) {
+        ConstantAtmosphere constant;
         constant.upValue = 20.0, constant.downValue = 10.0, constant.sunValue = 5.0;
         random.scene.environment = environmentOf(constant, {1.0, 0.6});
         settings.background = BackgroundMode::constant;
         settings.background_W_m2_sr =
             draw.between(0.3, 1.0) * (random.view.sensor.band.range().min_um > 6.0 ? 30.0 : 1.0);
     } else {
-        random.scene.environment = airsOf(computed).usual;
-        settings.mode =
-            air == RandomAir::wideband ? CalculationMode::wideband : CalculationMode::spectral;
-        if (air == RandomAir::wideband) { // of the grid, too
+        random.scene.environment = atmospheresOf(computed).usual;
+        settings.mode = air == RandomAtmosphere::wideband ? CalculationMode::wideband
+                                                          : CalculationMode::spectral;
+        if (air == RandomAtmosphere::wideband) { // of the grid, too
             settings.backgroundRows = 16;
         }
     }
@@ -183,11 +184,11 @@ std::array<JudgedNumber, 2> judged(Renderer& renderer, const RandomScene& random
     Scene fine = random.scene;
     fine.settings.tileSide_samples = 2048;
     fine.settings.mode = CalculationMode::spectral;
-    fine.settings.airSliceFrom = 1e-3;
+    fine.settings.atmosphereSliceFrom = 1e-3;
     fine.settings.pointSourceBelow_px = 0.0;
-    for (const WidebandAir& air : widebandAirs()) {
-        if (AirIdentity(fine.environment) == AirIdentity(airsOf(air).usual)) {
-            fine.environment = airsOf(air).finest;
+    for (const WidebandAtmosphere& air : widebandAtmospheres()) {
+        if (AtmosphereIdentity(fine.environment) == AtmosphereIdentity(atmospheresOf(air).usual)) {
+            fine.environment = atmospheresOf(air).finest;
         }
     }
     if (fine.settings.background == BackgroundMode::environment) {

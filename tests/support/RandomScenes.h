@@ -8,7 +8,7 @@
 namespace irsg::test {
 
 /// Where a random scene is from.
-enum class RandomAir {
+enum class RandomAtmosphere {
     none,     ///< constant air and background
     spectral, ///< computed air, 5 cm-1
     wideband
@@ -24,7 +24,7 @@ struct RandomScene {
 };
 
 /// Equal numbers give equal scenes on every machine.
-RandomScene randomScene(unsigned number, RandomAir air);
+RandomScene randomScene(unsigned number, RandomAtmosphere air);
 
 /// A measured number with its error, and the truth.
 struct JudgedNumber {

@@ -13,8 +13,8 @@ const IrCodes one{1, 1}, two{2, 2};
 
 } // namespace
 
-std::shared_ptr<AtmosphereSmart> smartAir(int model, double min_um, double max_um, int scattering,
-                                          int resolution_per_cm) {
+std::shared_ptr<AtmosphereSmart> smartAtmosphere(int model, double min_um, double max_um,
+                                                 int scattering, int resolution_per_cm) {
     AtmosphereSmartParameters parameters;
     parameters.atmosphereModel = model;
     parameters.baseWavelengthMin_um = min_um;
@@ -70,11 +70,11 @@ std::shared_ptr<const Model> box() {
     return model;
 }
 
-Environment WidebandAir::environment(int resolution_per_cm) const {
-    return environmentOf(smartAir(model, min_um, max_um, 2, resolution_per_cm));
+Environment WidebandAtmosphere::environment(int resolution_per_cm) const {
+    return environmentOf(smartAtmosphere(model, min_um, max_um, 2, resolution_per_cm));
 }
 
-std::vector<WidebandAir> widebandAirs() {
+std::vector<WidebandAtmosphere> widebandAtmospheres() {
     return {{"TropicalMidwave", 1, 3.0, 5.0},
             {"SubarcticMidwave", 5, 3.4, 4.8},
             {"StandardLongwave", 6, 8.0, 12.0},

@@ -11,8 +11,9 @@
 namespace irsg::test {
 
 /// Computed air of a model atmosphere (1 to 6) over a band, which answers every view on the fly.
-std::shared_ptr<AtmosphereSmart> smartAir(int model, double min_um = 3.0, double max_um = 5.0,
-                                          int scattering = 2, int resolution_per_cm = 5);
+std::shared_ptr<AtmosphereSmart> smartAtmosphere(int model, double min_um = 3.0,
+                                                 double max_um = 5.0, int scattering = 2,
+                                                 int resolution_per_cm = 5);
 /// It alone, with the sun in the east, 34 deg high.
 Environment environmentOf(std::shared_ptr<const Atmosphere> atmosphere);
 
@@ -30,7 +31,7 @@ std::shared_ptr<const Model> box();
 
 /// The scenes that compare the wideband mode with the spectral one (F17): five in each of four
 /// airs.
-struct WidebandAir {
+struct WidebandAtmosphere {
     const char* name;
     int model;
     double min_um, max_um;
@@ -38,10 +39,10 @@ struct WidebandAir {
     Band band() const { return Band::topHat(min_um, max_um); }
     Environment environment(int resolution_per_cm = 5) const;
 };
-inline void PrintTo(const WidebandAir& air, std::ostream* out) {
+inline void PrintTo(const WidebandAtmosphere& air, std::ostream* out) {
     *out << air.name;
 }
-std::vector<WidebandAir> widebandAirs();
+std::vector<WidebandAtmosphere> widebandAtmospheres();
 
 struct WidebandScene {
     std::string name;

@@ -169,10 +169,11 @@ void makePlume(const Plume& plume, const Gases& gases, const std::filesystem::pa
                           plume.moleFraction, plume.carbonDioxide_g_m2);
         const std::vector<double> water = transmittance(
             gases.water, gases.partition, zone.temperature_K, plume.moleFraction, plume.water_g_m2);
-        auto airAt = [&](std::size_t i) { return air.empty() ? 1.0 : air[i]; };
-        const auto fromCo2 = means(axis, [&](std::size_t i) { return (1.0 - co2[i]) * airAt(i); });
+        auto atmosphereAt = [&](std::size_t i) { return air.empty() ? 1.0 : air[i]; };
+        const auto fromCo2 =
+            means(axis, [&](std::size_t i) { return (1.0 - co2[i]) * atmosphereAt(i); });
         const auto fromWater =
-            means(axis, [&](std::size_t i) { return co2[i] * (1.0 - water[i]) * airAt(i); });
+            means(axis, [&](std::size_t i) { return co2[i] * (1.0 - water[i]) * atmosphereAt(i); });
         const auto through = means(axis, [&](std::size_t i) { return co2[i] * water[i]; });
 
         char head[256];

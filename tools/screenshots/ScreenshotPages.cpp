@@ -12,14 +12,14 @@
 #include <QTimer>
 #include <QToolButton>
 
-#include "gui/air/AirPage.h"
 #include "gui/analysis/ResultPage.h"
+#include "gui/atmosphere/AtmospherePage.h"
 #include "gui/database/DatabaseDock.h"
 #include "gui/image/ComparisonPanes.h"
 #include "gui/image/ComparisonWindow.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PolarPlot.h"
-#include "gui/tools/AirToolPage.h"
+#include "gui/tools/AtmosphereToolPage.h"
 #include "gui/tools/MonteCarloPage.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "tools/screenshots/ScreenshotTaker.h"
@@ -41,11 +41,11 @@ Widget* shown(QWidget& within, const char* name) {
 } // namespace
 
 void ScreenshotTaker::fill(QWidget* page) {
-    if (auto* tool = dynamic_cast<AirToolPage*>(page)) {
+    if (auto* tool = dynamic_cast<AtmosphereToolPage*>(page)) {
         tool->compute();
         waitWhile([tool] { return tool->isRunning(); });
     }
-    if (const auto* air = dynamic_cast<AirPage*>(page))
+    if (const auto* air = dynamic_cast<AtmospherePage*>(page))
         waitWhile([air] { return air->isBusy(); });
     if (auto* monteCarlo = dynamic_cast<MonteCarloPage*>(page)) {
         keepPage(current_ + "-empty");

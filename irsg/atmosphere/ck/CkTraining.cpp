@@ -187,7 +187,7 @@ std::vector<Source> ownSources(const CkNodes& nodes, const CkRequest& request) {
 }
 
 /// A black body as warm as the air at the ground.
-double ambientInBand_W_m2_sr(const CkAir& air) {
+double ambientInBand_W_m2_sr(const CkAtmosphere& air) {
     return Source(air.nodes,
                   [&](double wavelength_um) {
                       return planckRadiance_W_m2_sr_um(wavelength_um, air.ambient_K);
@@ -199,7 +199,7 @@ double ambientInBand_W_m2_sr(const CkAir& air) {
 class Cases {
   public:
     /// The light that falls on targets at the ends of the paths is computed here.
-    Cases(const CkAir& air, const CkRequest& request,
+    Cases(const CkAtmosphere& air, const CkRequest& request,
           std::initializer_list<std::span<const AtmosphericPath>> paths)
         : air_(air),
           sun_(request.sun),
@@ -305,7 +305,7 @@ class Cases {
             take(Case{air_.nodes.ones(), nullptr, values, least});
     }
 
-    const CkAir& air_;
+    const CkAtmosphere& air_;
     SunPosition sun_;
     std::vector<Source> surfaces_, own_;
     double ambient_W_m2_sr_;
@@ -313,7 +313,7 @@ class Cases {
 };
 
 /// Of points along the held-out paths, against the sums over all nodes.
-CkErrors errorsHeldOut(const CkAir& air, const Cases& cases, const SparseWeights& chosen) {
+CkErrors errorsHeldOut(const CkAtmosphere& air, const Cases& cases, const SparseWeights& chosen) {
     std::vector<std::vector<double>> errors(air.heldOut.size());
     parallelFor(errors.size(), [&](std::size_t i) {
         const bool withOwn = cases.ownCount() <= 8 || i % 4 == 0;
@@ -341,7 +341,7 @@ CkErrors errorsHeldOut(const CkAir& air, const Cases& cases, const SparseWeights
 
 } // namespace
 
-SparseWeights trainedPoints(const CkAir& air, const CkRequest& request, CkErrors* heldOut) {
+SparseWeights trainedPoints(const CkAtmosphere& air, const CkRequest& request, CkErrors* heldOut) {
     if (air.nodes.size() == 0)
         throw InputError(Diagnostic{"band " + request.band.name(), "", "no spectral node",
                                     "a band within the atmosphere's table"});

@@ -14,7 +14,7 @@ struct CkRequest;
 
 /// What wideband quadrature points are trained on: one air at the nodes of its spectral mode over a
 /// band, and where it is asked.
-struct CkAir {
+struct CkAtmosphere {
     CkNodes nodes;
     /// At every node, in their order; empty where the air does not know: it lacks the quantity, or
     /// its tables do not reach there.
@@ -29,7 +29,7 @@ struct CkAir {
 };
 
 /// Computed air, with paths of all kinds between the ground and its top. Refers to `transfer`.
-CkAir ckAirOf(const RadiativeTransfer& transfer, const Band& band);
+CkAtmosphere ckAtmosphereOf(const RadiativeTransfer& transfer, const Band& band);
 
 /// How far quadrature points are off, relative to each in-band quantity.
 struct CkErrors {
@@ -39,7 +39,7 @@ struct CkErrors {
 /// The points that serve the request along the paths and lines of sight of an air, which is asked
 /// from all threads; with `heldOut` also how far they are off along its held-out paths, against the
 /// sums over its nodes. InputError where the band has no node or the air answers nothing there.
-SparseWeights trainedPoints(const CkAir& air, const CkRequest& request,
+SparseWeights trainedPoints(const CkAtmosphere& air, const CkRequest& request,
                             CkErrors* heldOut = nullptr);
 /// How far quadrature points of any air are off, against its spectral mode with a quadrature of its
 /// own for every path: bodies of several temperatures, grey, sloped and of the scene, path radiance

@@ -30,7 +30,7 @@ SensorCkData::SensorCkData(const CkNodes& nodes, const CkRequest& request,
 }
 
 SensorCkData SensorCkData::prepare(const RadiativeTransfer& transfer, const CkRequest& request) {
-    const CkAir air = ckAirOf(transfer, request.band);
+    const CkAtmosphere air = ckAtmosphereOf(transfer, request.band);
     CkErrors heldOut;
     const SparseWeights chosen = trainedPoints(air, request, &heldOut);
     SensorCkData data(air.nodes, request, chosen);
@@ -39,7 +39,7 @@ SensorCkData SensorCkData::prepare(const RadiativeTransfer& transfer, const CkRe
     return data;
 }
 
-SensorCkData SensorCkData::prepare(const CkAir& known, const Atmosphere& air,
+SensorCkData SensorCkData::prepare(const CkAtmosphere& known, const Atmosphere& air,
                                    const CkRequest& request) {
     SensorCkData data(known.nodes, request, trainedPoints(known, request));
     const CkErrors heldOut = heldOutErrors(air, data, request, known.heldOut);

@@ -29,7 +29,7 @@ struct CkRequest {
 class Atmosphere;
 class CkKey;
 class CkNodes;
-struct CkAir;
+struct CkAtmosphere;
 struct SparseWeights;
 /// Adds all of a request to what its points are found by, and what training itself is.
 void addTo(CkKey& key, const CkRequest& request);
@@ -50,7 +50,7 @@ class SensorCkData : public SpectralSampling {
     static SensorCkData prepare(const RadiativeTransfer& transfer, const CkRequest& request);
     /// Of air that is not computed: `known` is `air` at its nodes, and the error on paths that were
     /// not trained is that against the spectral mode of `air`, which is asked at the points for it.
-    static SensorCkData prepare(const CkAir& known, const Atmosphere& air,
+    static SensorCkData prepare(const CkAtmosphere& known, const Atmosphere& air,
                                 const CkRequest& request);
 
     /// The points as text, and from it: nothing where it is damaged or of other tables. The band is

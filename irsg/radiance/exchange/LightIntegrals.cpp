@@ -85,7 +85,7 @@ LightIntegrals::Taken LightIntegrals::takenFor(std::span<const SurfaceStackId> k
 
 const double* LightIntegrals::lightOn(const SurfaceStackId& kind, int term) const {
     const SurfaceRows& rows = radiometry_.rows();
-    const AirSamples& air = radiometry_.air(rows.first(rows.renderedOf(kind.row)));
+    const AtmosphereSamples& air = radiometry_.air(rows.first(rows.renderedOf(kind.row)));
     return air.light[static_cast<std::size_t>(term)]->data();
 }
 

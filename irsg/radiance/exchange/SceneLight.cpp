@@ -126,7 +126,7 @@ void SceneLight::findColumns() {
             return exchange_->isSender(receiver);
         });
         const SurfaceSpectra& surface = radiometry_.surfaces()[static_cast<std::size_t>(row)];
-        const AirSamples& air = radiometry_.air(radiometry_.rows().first(row));
+        const AtmosphereSamples& air = radiometry_.air(radiometry_.rows().first(row));
         for (std::size_t t = 0; t < terms.size(); ++t) {
             if (terms[t].surface == SurfaceQuantity::emission && sends)
                 columns_.push_back({row, t, LightPattern::emission});

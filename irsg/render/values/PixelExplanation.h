@@ -27,7 +27,7 @@ struct ExplainedSurface {
     // Means over the band, weighted with its response.
     double emissivity = 0.0, reflectivity = 0.0, transmissivity = 0.0;
     double throughTransmittance = 1.0; ///< of all that stands before it but the air
-    double airTransmittance = 1.0;
+    double atmosphereTransmittance = 1.0;
     double nAngleFactor = 0.0;
     std::vector<std::string> throughMaterials; ///< "object: index name"
     double share = 0.0;                        ///< of the pixel's area

@@ -22,7 +22,7 @@ struct ObjectRadiometry {
     double solidAngle_sr = 0.0;          ///< sum of coverage omega
     /// Bound of what the air's change over the object's extent leaves wrong, as a part of what
     /// arrives from it.
-    double airError = 0.0;
+    double atmosphereError = 0.0;
     std::optional<RadiometryErrors> errors; ///< where they were asked for (Outputs)
 
     /// Adds what another has seen to its sums.

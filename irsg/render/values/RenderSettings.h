@@ -118,8 +118,8 @@ struct RenderSettings {
     bool truthLayers = false;
     /// Objects over whose extent the air changes by more than this, as a part of what arrives, are
     /// cut into slices of range; else the air is that of their reference point and a bound of the
-    /// error is reported. See AirSlices.
-    double airSliceFrom = 0.02;
+    /// error is reported. See AtmosphereSlices.
+    double atmosphereSliceFrom = 0.02;
 
     bool operator==(const RenderSettings&) const = default;
 };
