@@ -61,7 +61,7 @@ class CostAccuracyPanel : public QWidget, public Exportable {
     ResultTable table_;
     PlotPanel* plot_ = nullptr;
     QSplitter* parts_ = nullptr;
-    QTreeWidget* ways_ = nullptr;
+    QTreeWidget* configurations_ = nullptr;
     QCheckBox* all_ = nullptr;
     QLabel* said_ = nullptr;
     QPushButton* use_ = nullptr;

@@ -165,7 +165,7 @@ irsg::RenderedImage SceneGenerator3D::render(const SensorFrame& frame, const Pla
     irsg::RenderReport& drawn = rendered.reports.front();
     if (!sums)
         return {std::move(rendered.image), std::move(drawn)};
-    sums->windows = std::move(drawn.tiles);
+    sums->tiles = std::move(drawn.tiles);
     irsg::appendUnique(sums->warnings, drawn.warnings);
     sums->layersLeftOver = drawn.layersLeftOver;
     return {std::move(rendered.image), std::move(*sums)};
