@@ -121,6 +121,11 @@ function(smat_configure_target target)
     # seventh of its time in large units and saves up to a third of its memory; here it begins at 1.5 GB.
     target_compile_options(${target} PRIVATE
         $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=50;--param=ggc-min-heapsize=1048576>)
+    get_target_property(type ${target} TYPE)
+    if(type MATCHES LIBRARY)
+        # No other library takes the place of functions of ours, so that gcc may inline them.
+        target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
+    endif()
     if(SMAT_UNITY)
         set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${SMAT_UNITY_FILES})
         # An Impl whose members have types of its file's unnamed namespace is of that file alone.
@@ -212,6 +217,8 @@ function(smat_add_floor house floor)
                                               $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
     target_link_libraries(${name} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
     target_compile_features(${name} PUBLIC cxx_std_20)
+    # A copy of a template that another library compiled lightly must not take the place of this library's own.
+    target_link_options(${name} PRIVATE $<$<PLATFORM_ID:Linux>:LINKER:-Bsymbolic-functions>)
     set_target_properties(${name} PROPERTIES EXPORT_NAME ${floor}
                           VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
     smat_configure_target(${name})
