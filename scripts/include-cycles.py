@@ -2,8 +2,8 @@
 """Rooms that include each other: include-cycles.py [--folders] [--limit NUMBER] [TREE]
 
 A room is a header with its source, the sources beside it that do a part of it (BeerLambertCk.cpp, which has no header
-of its own, belongs to BeerLambert.h) and its hidden header (RendererImpl.h). Of the product in TREE, this one where none
-is named, prints every group of rooms, each of which leads to each by includes, that has more than NUMBER of them (3),
+of its own, belongs to BeerLambert.h) and its hidden header (RendererImpl.h). Of the product in TREE, this one where
+none is named, prints every group of rooms, each of which leads to each by includes, that has more than NUMBER of them (3),
 with the includes inside it, and ends with 1 where there is one. --folders prints, too, which folders' headers include
 each other, for information.
 """

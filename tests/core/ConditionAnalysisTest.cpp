@@ -88,21 +88,16 @@ TEST(ConditionAnalysis, SpacesItsValuesByEqualRatiosWhereThatIsAsked) {
 
 TEST(ConditionAnalysis, TakesTheCameraAlongWithTheAltitude) {
     Telltale target;
-    const AnalysisData data = ran(asked({{"condition.over", "altitude"},
-                                         {"condition.from", "1000"},
-                                         {"condition.to", "9000"},
-                                         {"condition.points", "2"},
-                                         {"camera.range", "700"},
-                                         {"camera.elevation", "10"}}),
-                                  target);
-    // The last position is that of the restored scene.
-    ASSERT_GE(target.positions.size(), 3U);
+    ran(asked({{"condition.over", "altitude"},
+               {"condition.from", "1000"},
+               {"condition.to", "9000"},
+               {"condition.points", "2"},
+               {"camera.range", "700"},
+               {"camera.elevation", "10"}}),
+        target);
+    ASSERT_EQ(target.positions.size(), 2U);
     EXPECT_NEAR(target.positions[1].z - target.positions[0].z, 8000.0, 1e-6);
     EXPECT_NEAR(target.positions[0].z, 1000.0 + 700.0 * std::sin(irsg::radians(10.0)), 1e-6);
-    EXPECT_EQ(
-        target.positions.back(),
-        (startingCase(data.settings).viewpoint(target.poses.front().toWorld(target.referencePoint)))
-            .position_m);
 }
 
 TEST(ConditionAnalysis, ReadsItsTableBackAsItsOwnKind) {

@@ -33,8 +33,7 @@ class ScaledSphere : public test::GreySphere {
             values.intensity = values.contrastIntensity = values.irradiance = {scales[0]};
         }
     };
-    std::unique_ptr<const irsg::ScaledView> scaledView(const std::vector<irsg::ScalingInput>&,
-                                                       const std::vector<double>&) override {
+    std::unique_ptr<const irsg::ScaledView> scaledView(const irsg::Outputs&) override {
         return std::make_unique<View>();
     }
 };

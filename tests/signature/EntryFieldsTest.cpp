@@ -271,7 +271,7 @@ TEST(EntryFields, ASelectionThatNobodyKnowsIsRefusedByItsPlace) {
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr("temperatures.3.factors[0].selection"));
         EXPECT_THAT(error.what(),
-                    testing::HasSubstr("found 'both', expected 'table' or 'constant'"));
+                    testing::HasSubstr("found \"both\", expected 'table' or 'constant'"));
     }
 }
 
