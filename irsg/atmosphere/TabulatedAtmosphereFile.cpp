@@ -43,6 +43,8 @@ class TableReader {
     TableReader(const std::string& text, const std::string& file)
         : root_(text, file, {.expected = "a tabulated atmosphere (JSON)", .indexInBrackets = true},
                 JsonErrors::collect) {
+        if (!root_.isObject("a tabulated atmosphere (a JSON object)"))
+            root_.throwRefused();
         if (const JsonReader format = root_.at("format"); format.json() != formatName)
             format.refuse("\"" + std::string(formatName) + "\"");
         root_.throwRefused();

@@ -160,7 +160,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"tableEmpty", "bad.smatatm", "",
             "line 1, column 1: found the end of the text, expected a tabulated atmosphere (JSON)"},
         Bad{"tableArray", "bad.smatatm", "[]",
-            "format: found nothing, expected \"irsg tabulated atmosphere\""},
+            "found [], expected a tabulated atmosphere (a JSON object)"},
         Bad{"tableCut", "bad.smatatm", "{\"format\": \"smat",
             "line 1, column 17: found the end of the text, expected a tabulated atmosphere (JSON)"},
         Bad{"noKind", "bad.xyz", "hello\n",

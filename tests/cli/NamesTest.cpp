@@ -68,7 +68,9 @@ INSTANTIATE_TEST_SUITE_P(
                     "mean '--azimuth'? (smat-batch image --help lists them)"},
         MistypedRow{"AnOptionWithItsValue", image({"--heigth=5"}), "did you mean '--height'?"},
         MistypedRow{"AnOptionOfEveryCommand", image({"--verbos"}), "did you mean '--verbose'?"},
-        MistypedRow{"AWordTooMany", image({"5"}), "found 5, expected no further argument"},
+        MistypedRow{"AWordTooMany",
+                    {"image", box, "5", "--out", "a.exr"},
+                    "found 5, expected no further argument"},
         MistypedRow{"ASetting", image({"--set", "sensor.widht=5"}),
                     "--set: sensor.widht: found 5, expected a setting that exists (smat-batch "
                     "settings lists them); did you mean 'sensor.width'?"},
