@@ -107,7 +107,7 @@ CostAccuracyPanel::CostAccuracyPanel(Dialogs dialogs, QWidget* parent) : QWidget
     configurations_->setMinimumHeight(90);
     configurations_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     auto* row = new QHBoxLayout;
-    all_ = new QCheckBox(tr("&All configurations, also those off the front"), below);
+    all_ = new QCheckBox(tr("&Also those off the front"), below);
     all_->setObjectName("frontierAll");
     use_ = new QPushButton(tr("&Use this configuration"), below);
     use_->setObjectName("useWay");

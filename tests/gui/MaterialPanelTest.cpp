@@ -209,7 +209,8 @@ TEST_F(DatabaseEditorTest, EditsATableOfReflectanceFromTheEmissivityOn) {
     EXPECT_FALSE(find<QLabel>("reflectanceMessage")->styleSheet().isEmpty())
         << "more than all light";
     workbench.undoStack().undo();
-    view->selectRow(last + 1);
+    view->selectionModel()->select(view->model()->index(last + 1, 0),
+                                   QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
     find<QToolButton>("removeReflectance")->click();
     EXPECT_EQ(material().reflectanceTable.rows().size(), begun.rows().size());
     workbench.undoStack().undo();

@@ -22,7 +22,7 @@ TEST_F(UndoTest, StepsAreNamedAfterSettingValueAndUnit) {
     workbench.set("render.sunDisc", "true");
     EXPECT_EQ(next(), "Switch sun disc on");
     workbench.set("render.ambientReflection", "off");
-    EXPECT_EQ(next(), "Set flux reflection to off");
+    EXPECT_EQ(next(), "Set ambient reflection to off");
     workbench.undoStack().undo();
     workbench.undoStack().undo();
     EXPECT_EQ(next(), "Set range to 1200 m");
