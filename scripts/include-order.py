@@ -50,14 +50,14 @@ ORDER = [
     ["gui"],
     ["apps", "tools"],
 ]
-# What the sources of a folder, and of those below it, must not name.
+# Headers, and the folders whose sources, with those in folders below them, must not name them.
 OSG = r"osg[A-Za-z]*/|GL/|EGL/"
 QT = r"Q[A-Z]|qwt"
-WITHOUT = {
-    "irsg/core": OSG, "irsg/radiometry": OSG, "irsg/karma": OSG, "irsg/atmosphere": OSG, "irsg/signature": OSG,
-    "irsg/image": OSG, "irsg/scattering": OSG, "irsg/radiance": OSG, "irsg/thermal": OSG, "irsg/sensor": OSG,
-    "smatcore": OSG, "irsg": QT, "smatcore/": QT,
-}
+WITHOUT = [
+    (OSG, ["irsg/core", "irsg/radiometry", "irsg/karma", "irsg/atmosphere", "irsg/signature", "irsg/image",
+           "irsg/scattering", "irsg/radiance", "irsg/thermal", "irsg/sensor", "smatcore"]),
+    (QT, ["irsg", "smatcore"]),
+]
 
 parser = argparse.ArgumentParser()
 parser.add_argument("--counts", action="store_true")
@@ -90,9 +90,10 @@ for top in ("irsg", "smatcore", "gui", "apps", "tools"):
                         if other is not None and other > own:
                             complaints.append(f"{path}:{number}: {match[1]} lies above {folder}")
                     elif match := re.match(r"\s*#\s*include\s+<([^>]+)>", line):
-                        for without, names_of in WITHOUT.items():
-                            if (folder + "/").startswith(without.rstrip("/") + "/") and re.match(names_of, match[1]):
-                                complaints.append(f"{path}:{number}: {without.rstrip('/')} does without <{match[1]}>")
+                        for headers, floors in WITHOUT:
+                            for floor in floors:
+                                if (folder + "/").startswith(floor + "/") and re.match(headers, match[1]):
+                                    complaints.append(f"{path}:{number}: {floor} does without <{match[1]}>")
 
 for complaint in complaints:
     print(complaint)

@@ -311,8 +311,9 @@ void JsonReader::refuseUnknown(
         const auto found = known.find(key);
         const JsonReader one(document_, &value, joinedKeyPath(path_, key), false);
         if (found == known.end())
-            one.refuse("an unknown key", (keys.empty() ? "none here" : "one of " + keys) +
-                                             (hint ? hint(one.path_) : ""));
+            one.refuse("an unknown key with " + one.shown(),
+                       (keys.empty() ? "none here" : "one of " + keys) +
+                           (hint ? hint(one.path_) : ""));
         else if (found->second == Known::inParts)
             one.refuseUnknown(hint);
     }

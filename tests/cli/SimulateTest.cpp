@@ -311,7 +311,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadRow{"UnknownKey",
                scenarioOf(ball, south, R"("dt_s": 1, "end_s": 1, "fps": 9)"),
                plain,
-               {"s.json: fps, line 5", "an unknown key", "dt_s"}},
+               {"s.json: fps, line 5", "an unknown key with 9", "dt_s"}},
         BadRow{"NoOut", passing(south), {"simulate", "s.json"}, {"--out", "folder"}},
         BadRow{"OutThatIsAFile",
                passing(south),

@@ -274,10 +274,11 @@ INSTANTIATE_TEST_SUITE_P(
                  root.refuseUnknown();
                  root.section("f").refuseUnknown();
              },
-             {"a.json: b.d, line 3: found an unknown key, expected one of c",
-              "a.json: e, line 4: found an unknown key, expected one of a, b, missing",
-              "a.json: f, line 5: found an unknown key, expected one of a, b, missing",
-              "a.json: f.g, line 6: found an unknown key, expected none here"}},
+             {"a.json: b.d, line 3: found an unknown key with 2, expected one of c",
+              "a.json: e, line 4: found an unknown key with {}, expected one of a, b, missing",
+              "a.json: f, line 5: found an unknown key with {\"g\":1}, expected one of a, b, "
+              "missing",
+              "a.json: f.g, line 6: found an unknown key with 1, expected none here"}},
         Hard{"MembersThatMustNotBe",
              "{\"a\": 1,\n\"b\": 2}",
              [](const JsonReader& root) {
@@ -291,7 +292,7 @@ INSTANTIATE_TEST_SUITE_P(
                  root.refuseUnknown();
              },
              {"a.json: a, line 1: found 1, expected no a beside b",
-              "a.json: b, line 2: found an unknown key, expected none here"}},
+              "a.json: b, line 2: found an unknown key with 2, expected none here"}},
         Hard{"WhatItsReaderRefuses",
              "{\"a\": \"x\",\n\"b\": 7,\n\"c\": [1,\n2]}",
              [](const JsonReader& root) {
