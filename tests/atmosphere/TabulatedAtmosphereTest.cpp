@@ -230,7 +230,7 @@ TEST(TabulatedAtmosphere, BadTableFilesAreRefusedByName) {
         {"a zero byte", good + std::string("\0}", 2), "found a zero byte"},
         {"foreign", "{\"format\": \"x\"}", "format: found \"x\""},
         {"no format", "{}", "format: found nothing"},
-        {"an array", "[1]", "found [1], expected an object"},
+        {"an array", "[1]", "found [1], expected a tabulated atmosphere (a JSON object)"},
         {"another version", with("\"version\":1", "\"version\":9"), "version: found 9, expected 1"},
         {"no runs", with("\"runs\":[{", "\"xruns\":[{"),
          "runs: found nothing, expected at least one run"},
