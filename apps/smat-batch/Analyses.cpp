@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/smat-batch/Output.h"
+#include "apps/smat-batch/RunControl.h"
 #include "apps/smat-batch/StopSignal.h"
 #include "smatcore/jobs/CaseTeam.h"
 
@@ -17,36 +18,22 @@ int runJobs(const std::vector<Job>& jobs, Context& context) {
     JobRunner runner;
     std::vector<Outcome> outcomes;
     for (PlannedJob& job : planned) {
-        std::stop_source stop;
-        const JobOutcome outcome = [&] {
-            ProgressLine line;
-            return runner.run(job, {.progress =
-                                        [&](const Progress& progress) {
-                                            line.show(progress);
-                                            if (stopWasAsked())
-                                                stop.request_stop();
-                                        },
-                                    .stop = stop.get_token(),
-                                    .timer = &context.timer,
-                                    .team = context.team});
-        }();
+        const JobOutcome outcome = runner.run(job, RunControl(context));
         if (!outcome.isLed)
             continue;
-        for (const std::string& remark : outcome.remarks)
-            warn(remark);
+        warnOf(outcome);
         for (const std::string& warning : job.data.warnings)
             warn(job.data.name + ": " + warning);
         // What is written need not wait for the end of all.
         job.data.image = {};
         outcomes.push_back({&job.data, outcome.files});
-        if (stopWasAsked()) {
-            warn("stopped; what was done so far is kept");
+        if (stopWasAsked())
             break;
-        }
     }
+    const int end = endOfRun();
     if (context.team == nullptr || context.team->isLeader())
         fmt::print("{}", context.json ? summaryJson(outcomes) : summaryText(outcomes));
-    return stopWasAsked() ? warned : done;
+    return end;
 }
 
 int describeJobs(const std::vector<Job>& jobs, const Context& context) {

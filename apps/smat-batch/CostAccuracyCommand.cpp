@@ -4,6 +4,7 @@
 #include "apps/smat-batch/NumberOptions.h"
 #include "apps/smat-batch/Output.h"
 #include "apps/smat-batch/ProjectInput.h"
+#include "apps/smat-batch/RunControl.h"
 #include "apps/smat-batch/SettingOptions.h"
 #include "apps/smat-batch/StopSignal.h"
 #include "smatcore/jobs/AnalysisJobs.h"
@@ -73,18 +74,9 @@ class CostAccuracyCommand {
         }
         logInfo("cost-accuracy: " + words);
         catchStopSignal();
-        std::stop_source stop;
         {
-            ProgressLine line;
             const StageTimer::Scope scope(&context.timer, "measure");
-            JobRunner().run(data, options,
-                            {.progress =
-                                 [&](const Progress& progress) {
-                                     line.show(progress);
-                                     if (stopWasAsked())
-                                         stop.request_stop();
-                                 },
-                             .stop = stop.get_token()});
+            JobRunner().run(data, options, RunControl(context));
         }
         for (const std::string& warning : data.warnings)
             warn(warning);

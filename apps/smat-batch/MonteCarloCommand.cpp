@@ -9,6 +9,7 @@
 #include "apps/smat-batch/Output.h"
 #include "apps/smat-batch/PartOptions.h"
 #include "apps/smat-batch/ProjectInput.h"
+#include "apps/smat-batch/RunControl.h"
 #include "apps/smat-batch/ScenarioOptions.h"
 #include "apps/smat-batch/SettingOptions.h"
 #include "apps/smat-batch/StopSignal.h"
@@ -16,12 +17,8 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
-#include "smatcore/analysis/MonteCarlo.h"
-#include "smatcore/analysis/MonteCarloFile.h"
-#include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/simulate/ScenarioFile.h"
-#include "smatcore/simulate/ScenarioMonteCarlo.h"
 
 namespace smat::batch {
 
@@ -107,117 +104,42 @@ class MonteCarloCommand {
 
     int run(Context& context) const {
         checkFiles();
-        if (parts_.isGiven() || context.team != nullptr)
-            checkParts();
         if (isScenarioFile(project_.file()))
             return runScenario(context);
         refuseGiven({"--sensor", "--from", "--to"}, "a scenario in place of a project");
-        MonteCarloData data;
-        data.options = options();
-        SceneDescription scene;
+        JobRunner runner;
+        MonteCarloJob job{.files = {files_.begin(), files_.end()},
+                          .realisationFiles = {realisationFiles_.begin(), realisationFiles_.end()},
+                          .share = parts_.share(),
+                          .isInParts = parts_.isGiven(),
+                          .resumes = parts_.resumes()};
+        AnalysisData& analysis = job.data.analysis;
+        job.data.options = options();
         {
             const StageTimer::Scope scope(&context.timer, "load");
-            SceneBuilder builder;
             const Settings given = settings_.values();
             Project project = project_.load();
             settings_.place(project);
-            data.analysis = started(project);
-            data.analysis.settings = data.analysis.settings.with(given);
-            data.analysis.commandLine = context.commandLine;
-            settings_.requireNamed(data.analysis.settings);
-            data.options.check();
-            scene = builder.build(project, MonteCarlo::settingsOf(data.analysis));
-            std::vector<std::string> remarks;
-            sceneScalings(project, scene, remarks);
+            analysis = started(project);
+            analysis.settings = analysis.settings.with(given);
+            analysis.commandLine = context.commandLine;
+            settings_.requireNamed(analysis.settings);
         }
         catchStopSignal();
-        MonteCarlo monteCarlo(openRenderDoor(),
-                              [&](const Project&, const Settings&) { return scene; });
-        if (parts_.isGiven() || context.team != nullptr)
-            return runParts(data, monteCarlo, context);
-        std::stop_source stop;
-        {
-            ProgressLine line;
-            monteCarlo.run(
-                data,
-                [&](const Progress& progress) {
-                    line.show(progress);
-                    if (stopWasAsked())
-                        stop.request_stop();
-                },
-                stop.get_token(), &context.timer);
-        }
-        for (const std::string& warning : data.analysis.warnings)
-            warn(data.analysis.name + ": " + warning);
-        std::vector<std::filesystem::path> written;
-        {
-            const StageTimer::Scope scope(&context.timer, "save");
-            for (const std::string& file : files_) {
-                const auto made = saveMonteCarlo(data, file);
-                written.insert(written.end(), made.begin(), made.end());
-            }
-            for (const std::string& file : realisationFiles_) {
-                realisationsTable(data).save(file);
-                written.emplace_back(file);
-            }
-        }
-        const std::vector<Outcome> outcomes{{&data.analysis, written}};
-        fmt::print("{}", context.json ? summaryJson(outcomes) : summaryText(outcomes));
-        if (stopWasAsked())
-            warn("stopped; what was done so far is kept");
-        return data.analysis.state == AnalysisState::complete ? done : warned;
+        const JobOutcome outcome = runner.run(job, RunControl(context));
+        if (!outcome.isLed)
+            return done;
+        warnOf(outcome);
+        for (const std::string& warning : analysis.warnings)
+            warn(analysis.name + ": " + warning);
+        report({{&analysis, outcome.files}}, context);
+        const int end = endOfRun();
+        return analysis.state == AnalysisState::complete || job.isInParts ? end : warned;
     }
 
   private:
-    /// Case by case, into the table alone.
-    int runParts(MonteCarloData& data, MonteCarlo& monteCarlo, Context& context) const {
-        for (const std::string& file : files_)
-            irsg::refuseInputAsOutput(file);
-        CasePlace place{files_.front(), parts_.share(), parts_.resumes(), inputHashes()};
-        const CaseWork work = [&](CaseStore& store, const ProgressCallback& progress,
-                                  std::stop_token stop) {
-            monteCarlo.run(data, store, progress, std::move(stop), &context.timer);
-        };
-        if (context.team != nullptr) {
-            if (!renderedByTeam(place, *context.team, work))
-                return done;
-            place.resumes = true; // all of them are there
-        }
-        CaseFile cases(CaseFile::besides(place.result, place.share), place.options());
-        workThrough(cases, work);
-        if (cases.keptOld())
-            warn("cases of an earlier run are kept as " + cases.file().string() +
-                 ".old; --resume goes on with them");
-        for (const std::string& warning : data.analysis.warnings)
-            warn(data.analysis.name + ": " + warning);
-        const StageTimer::Scope scope(&context.timer, "save");
-        Outcome outcome{&data.analysis, {}};
-        cases.flush();
-        if (!place.share.isAll()) {
-            outcome.files.push_back(cases.file());
-        } else if (!data.analysis.table.empty()) {
-            for (const std::string& file : files_) {
-                data.analysis.table.save(file);
-                outcome.files.emplace_back(file);
-            }
-            if (data.analysis.state == AnalysisState::complete)
-                cases.remove();
-        }
-        fmt::print("{}", context.json ? summaryJson({outcome}) : summaryText({outcome}));
-        if (stopWasAsked())
-            warn("stopped; what was done so far is kept");
-        return stopWasAsked() ? warned : done;
-    }
-
-    /// What parts cannot give. Throws InputError.
-    void checkParts() const {
-        if (!realisationFiles_.empty())
-            throw refusal("--draws", realisationFiles_.front(),
-                          "no raw draws of a run in parts: each has those of its cases alone");
-        for (const std::string& file : files_)
-            if (std::filesystem::path(file).extension() != ".csv")
-                throw refusal("--out", file,
-                              "a .csv of a run in parts: a .json has the draws of all cases");
+    static void report(const std::vector<Outcome>& outcomes, const Context& context) {
+        fmt::print("{}", context.json ? summaryJson(outcomes) : summaryText(outcomes));
     }
 
     void refuseGiven(const std::vector<const char*>& options, const std::string& expected) const {
@@ -233,12 +155,15 @@ class MonteCarloCommand {
         parts_.refuse("a project in place of a scenario");
         if (context.team != nullptr)
             throw refusal("montecarlo", "a scenario", "a project for several processes");
-        ScenarioMonteCarlo run;
+        JobRunner runner;
+        ScenarioMonteCarloJob job{
+            .files = {files_.begin(), files_.end()},
+            .realisationFiles = {realisationFiles_.begin(), realisationFiles_.end()}};
+        ScenarioMonteCarlo& run = job.run;
         run.options = options();
         if (!numbers_.value("--subpixel-shifts"))
             run.options.subpixelShifts = 1;
         run.commandLine = context.commandLine;
-        SceneBuilder builder;
         {
             const StageTimer::Scope scope(&context.timer, "load");
             Settings given = scenarioOverrides(settings_);
@@ -247,7 +172,7 @@ class MonteCarloCommand {
             run.plan = planSimulation(scenario, {.sensors = sensors_,
                                                  .from_s = numbers_.value("--from"),
                                                  .to_s = numbers_.value("--to")});
-            run.scenario = loadScenarioFiles(scenario, builder, given);
+            run.scenario = loadScenarioFiles(scenario, runner.scenes(), given);
             for (const std::size_t sensor : run.plan.sensors) {
                 settings_.requireNamed(run.scenario.sensors[sensor].settings);
                 for (const std::string& warning : run.scenario.sensors[sensor].warnings)
@@ -255,39 +180,16 @@ class MonteCarloCommand {
             }
         }
         catchStopSignal();
-        std::stop_source stop;
-        {
-            ProgressLine line;
-            runScenarioMonteCarlo(
-                run, openRenderDoor(),
-                [&](const Progress& progress) {
-                    line.show(progress);
-                    if (stopWasAsked())
-                        stop.request_stop();
-                },
-                stop.get_token(), &context.timer);
-        }
+        const JobOutcome outcome = runner.run(job, RunControl(context));
         for (const std::string& warning : run.warnings)
             warn(warning);
-        std::vector<std::filesystem::path> written;
-        {
-            const StageTimer::Scope scope(&context.timer, "save");
-            const auto take = [&](const std::vector<std::filesystem::path>& made) {
-                written.insert(written.end(), made.begin(), made.end());
-            };
-            for (const std::string& file : files_)
-                take(saveDistributions(run, file));
-            for (const std::string& file : realisationFiles_)
-                take(saveScenarioRealisations(run, file));
-        }
         std::vector<Outcome> outcomes;
         for (const ScenarioDistribution& part : run.parts)
             outcomes.push_back({&part.data.analysis, {}});
-        outcomes.back().files = written;
-        fmt::print("{}", context.json ? summaryJson(outcomes) : summaryText(outcomes));
-        if (stopWasAsked())
-            warn("stopped; what was done so far is kept");
-        return run.state == AnalysisState::complete ? done : warned;
+        outcomes.back().files = outcome.files;
+        report(outcomes, context);
+        const int end = endOfRun();
+        return run.state == AnalysisState::complete ? end : warned;
     }
 
     void checkFiles() const {

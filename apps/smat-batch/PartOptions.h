@@ -3,7 +3,7 @@
 #include <string>
 
 #include "apps/smat-batch/Command.h"
-#include "smatcore/jobs/CaseTeam.h"
+#include "smatcore/analysis/CaseFile.h"
 
 namespace smat::batch {
 
@@ -25,11 +25,5 @@ class PartOptions {
     std::string shard_;
     bool resumes_ = false;
 };
-
-/// The same of cases that all processes of a team draw, with a line of progress.
-bool renderedByTeam(const CasePlace& place, CaseTeam& team, const CaseWork& work);
-
-/// `work` with a line of progress; a stop that was asked for ends it.
-void workThrough(CaseStore& store, const CaseWork& work);
 
 } // namespace smat::batch

@@ -158,8 +158,8 @@ JobResult AnalysisJob::analyse(const ProgressCallback& progress, std::stop_token
 
 JobResult AnalysisJob::simulate(const ProgressCallback& progress, std::stop_token stop) {
     JobResult result;
-    result.simulation = std::make_shared<const SimulationOutcome>(runSimulationOrder(
-        *order_.simulation, engine_->scenes(), engine_->door(), progress, std::move(stop)));
+    result.simulation = std::make_shared<const SimulationFrames>(runSimulation(
+        *order_.simulation, *engine_, {.progress = progress, .stop = std::move(stop)}));
     return result;
 }
 
@@ -173,11 +173,12 @@ JobResult AnalysisJob::makeFilm(const ProgressCallback& progress,
 }
 
 JobResult AnalysisJob::sampleScales(const ProgressCallback& progress, std::stop_token stop) {
-    auto run = std::make_shared<MonteCarloData>();
-    run->analysis = order_.analysis;
-    run->options = *order_.monteCarlo;
+    MonteCarloJob job;
+    job.data.analysis = order_.analysis;
+    job.data.options = *order_.monteCarlo;
     StageTimer timer;
-    engine_->run(*run, {.progress = progress, .stop = std::move(stop), .timer = &timer});
+    engine_->run(job, {.progress = progress, .stop = std::move(stop), .timer = &timer});
+    const auto run = std::make_shared<MonteCarloData>(std::move(job.data));
     run->analysis.stages = timer.stages();
     if (run->realisations() == 0)
         return {};

@@ -9,7 +9,7 @@
 #include <QObject>
 #include <QStringList>
 
-#include "gui/scenario/SimulationOrder.h"
+#include "gui/scenario/SimulationFrames.h"
 #include "smatcore/jobs/AnalysisJobs.h"
 
 namespace smat::gui {
@@ -20,7 +20,7 @@ struct JobOrder {
     AnalysisData analysis;
     std::optional<MonteCarloOptions> monteCarlo = {};
     std::optional<CostAccuracyStudy::Options> costAccuracy = {};
-    std::shared_ptr<const SimulationOrder> simulation = {};
+    std::shared_ptr<const SimulationJob> simulation = {};
     std::shared_ptr<const FilmOrder> film = {};
 };
 
@@ -29,7 +29,7 @@ struct JobOrder {
 struct JobResult {
     std::shared_ptr<const AnalysisData> data = {};
     std::shared_ptr<const MonteCarloData> monteCarlo = {};
-    std::shared_ptr<const SimulationOutcome> simulation = {};
+    std::shared_ptr<const SimulationFrames> simulation = {};
     std::shared_ptr<const FilmOutcome> film = {};
     bool isEmpty() const { return !data && !simulation && !film; }
 };

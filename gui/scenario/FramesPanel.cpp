@@ -124,7 +124,7 @@ void FramesPanel::say(const QString& sentence) {
     words_->setVisible(!sentence.isEmpty());
 }
 
-void FramesPanel::setOutcome(std::shared_ptr<const SimulationOutcome> outcome,
+void FramesPanel::setOutcome(std::shared_ptr<const SimulationFrames> outcome,
                              const QString& colorMap) {
     outcome_ = std::move(outcome);
     colorMap_ = colorMap;

@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "gui/scenario/SimulationOrder.h"
+#include "gui/scenario/SimulationFrames.h"
 #include "gui/widgets/Dialogs.h"
 
 class QBoxLayout;
@@ -25,8 +25,8 @@ class FramesPanel : public QWidget {
   public:
     explicit FramesPanel(Dialogs dialogs, QWidget* parent = nullptr);
 
-    void setOutcome(std::shared_ptr<const SimulationOutcome> outcome, const QString& colorMap);
-    const SimulationOutcome* outcome() const { return outcome_.get(); }
+    void setOutcome(std::shared_ptr<const SimulationFrames> outcome, const QString& colorMap);
+    const SimulationFrames* outcome() const { return outcome_.get(); }
     /// Of the scenario.
     void showSensor(std::size_t sensor);
     /// What is to be said of the run.
@@ -52,7 +52,7 @@ class FramesPanel : public QWidget {
     const FilmStrip* shownFilm() const;
     const SensorResult* shownResult() const;
 
-    std::shared_ptr<const SimulationOutcome> outcome_;
+    std::shared_ptr<const SimulationFrames> outcome_;
     QString colorMap_;
     std::size_t sensor_ = 0;
     Dialogs dialogs_;

@@ -152,13 +152,13 @@ std::string RunScenarioDialog::commandLine() const {
     return line;
 }
 
-SimulationOrder RunScenarioDialog::order() const {
-    SimulationOrder order{.scenario = scenario_.scenario,
-                          .trajectories = scenario_.trajectories,
-                          .request = {},
-                          .folder = folder_->text().toStdString(),
-                          .extensions = {},
-                          .commandLine = isSaved_ ? command_->text().toStdString() : ""};
+SimulationJob RunScenarioDialog::order() const {
+    SimulationJob order{.scenario = scenario_.scenario,
+                        .trajectories = scenario_.trajectories,
+                        .request = {},
+                        .folder = folder_->text().toStdString(),
+                        .extensions = {},
+                        .commandLine = isSaved_ ? command_->text().toStdString() : ""};
     if (!areAllOn(sensors_))
         for (const QCheckBox* box : sensors_)
             if (box->isChecked())

@@ -4,7 +4,7 @@
 
 #include <QDialog>
 
-#include "gui/scenario/SimulationOrder.h"
+#include "gui/scenario/SimulationFrames.h"
 #include "gui/widgets/Dialogs.h"
 
 class QCheckBox;
@@ -25,7 +25,7 @@ class RunScenarioDialog : public QDialog {
     /// `isSaved` is false where the files are not what is run, so that no command does the same.
     RunScenarioDialog(const EditedScenario& scenario, bool isSaved, Dialogs& dialogs,
                       QWidget* parent = nullptr);
-    SimulationOrder order() const;
+    SimulationJob order() const;
 
   private:
     void refresh();

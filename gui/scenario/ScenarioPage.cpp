@@ -307,7 +307,7 @@ void ScenarioPage::run() {
     job_ = workbench_.start(dialog.order());
 }
 
-void ScenarioPage::takeOutcome(const std::shared_ptr<const SimulationOutcome>& outcome) {
+void ScenarioPage::takeOutcome(const std::shared_ptr<const SimulationFrames>& outcome) {
     frames_->setOutcome(outcome, textOf(image_->colorMap().name()));
     frames_->showSensor(shownSensor());
     panels_->setCurrentWidget(frames_);

@@ -5,7 +5,7 @@
 #include <QWidget>
 
 #include "gui/scenario/ScenarioPictures.h"
-#include "gui/scenario/SimulationOrder.h"
+#include "gui/scenario/SimulationFrames.h"
 #include "gui/widgets/Dialogs.h"
 #include "gui/widgets/Exportable.h"
 #include "gui/workbench/DocumentPage.h"
@@ -76,7 +76,7 @@ class ScenarioPage : public QWidget, public Exportable, public DocumentPage {
     void run();
     void connectJobs();
     void takeFilm(const FilmOutcome& film);
-    void takeOutcome(const std::shared_ptr<const SimulationOutcome>& outcome);
+    void takeOutcome(const std::shared_ptr<const SimulationFrames>& outcome);
     bool saveTo(std::filesystem::path file);
 
     std::unique_ptr<ScenarioDocument> document_;

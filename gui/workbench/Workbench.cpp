@@ -372,10 +372,10 @@ int Workbench::start(const AnalysisData& view, const CostAccuracyStudy::Options&
     return number;
 }
 
-int Workbench::start(SimulationOrder order) {
+int Workbench::start(SimulationJob order) {
     // Frames are those that a terminal gives: of databases as they are saved.
     JobOrder job;
-    job.simulation = std::make_shared<const SimulationOrder>(std::move(order));
+    job.simulation = std::make_shared<const SimulationJob>(std::move(order));
     return jobs_.add(std::move(job), {});
 }
 

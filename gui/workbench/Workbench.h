@@ -111,7 +111,7 @@ class Workbench : public QObject {
     int start(const AnalysisData& view, const CostAccuracyStudy::Options& options,
               QObject* asker = nullptr);
     /// The same for the frames of a scenario, or a film of them, of which jobs().finished() tells.
-    int start(SimulationOrder order);
+    int start(SimulationJob order);
     int start(FilmOrder order);
     /// Whether a job runs or waits.
     bool isRunning() const { return jobs_.isBusy(); }

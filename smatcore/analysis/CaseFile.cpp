@@ -350,6 +350,13 @@ void CaseFile::remove() {
     fs::remove(file_, ignored);
 }
 
+std::vector<std::string> CaseFile::remarksOn(const std::string& cases) const {
+    if (!keptOld_)
+        return {};
+    return {cases + " of an earlier run are kept as " + file_.string() +
+            ".old; --resume goes on with them"};
+}
+
 AnalysisData joinedCases(const std::vector<fs::path>& files) {
     if (files.empty())
         throw irsg::LogicError("no files of cases to join");

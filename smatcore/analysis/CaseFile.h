@@ -70,6 +70,8 @@ class CaseFile : public CaseStore {
                                                          const std::string& who);
     /// True where begin() set cases of an earlier run aside.
     bool keptOld() const { return keptOld_; }
+    /// Where it did, the sentence that says so of these, "cases".
+    std::vector<std::string> remarksOn(const std::string& cases) const;
 
   private:
     void write(const std::string& line);

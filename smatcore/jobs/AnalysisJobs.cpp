@@ -147,16 +147,11 @@ JobOutcome JobRunner::run(PlannedJob& job, const JobControl& control) {
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
         job.data.elapsed_s = passed.count();
     }
-    if (cases && cases->keptOld())
-        outcome.remarks.push_back("cases of an earlier run are kept as " + cases->file().string() +
-                                  ".old; --resume goes on with them");
+    if (cases)
+        outcome.remarks = cases->remarksOn("cases");
     const StageTimer::Scope scope(control.timer, "save");
     save(job, cases.get(), outcome);
     return outcome;
-}
-
-void JobRunner::run(MonteCarloData& data, const JobControl& control) {
-    MonteCarlo(door(), factory()).run(data, control.progress, control.stop, control.timer);
 }
 
 void JobRunner::run(AnalysisData& data, const CostAccuracyStudy::Options& options,

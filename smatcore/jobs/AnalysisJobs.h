@@ -9,8 +9,9 @@
 #include "smatcore/analysis/AnalysisGenerator.h"
 #include "smatcore/analysis/CaseFile.h"
 #include "smatcore/analysis/CostAccuracyStudy.h"
-#include "smatcore/analysis/MonteCarlo.h"
 #include "smatcore/data/RenderDoor.h"
+#include "smatcore/jobs/MonteCarloJob.h"
+#include "smatcore/jobs/SimulationJob.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat {
@@ -54,8 +55,14 @@ struct JobOutcome {
     std::vector<std::string> remarks; ///< on its files
 };
 
+/// What became of a simulation.
+struct SimulationOutcome : JobOutcome {
+    SimulationResult result;
+    std::vector<FilmStrip> strips; ///< its frames, where they were written with their values
+};
+
 /// Runs jobs one after the other, of window, command line and MPI, with one renderer and the models
-/// that it has loaded.
+/// that it has loaded. A stop keeps and marks what was done. All functions throw InputError.
 class JobRunner {
   public:
     /// `loader` stands in for irsg::Model::load.
@@ -68,11 +75,19 @@ class JobRunner {
     bool hasDoor() const { return door_.isOpen(); }
 
     /// Builds the scene, runs the plan, saves. The cases of a sweep stand beside its first file
-    /// until it is saved (CaseFile); of a part they are the result. A stop keeps and marks what was
-    /// done. Throws InputError.
+    /// until it is saved (CaseFile); of a part they are the result.
     JobOutcome run(PlannedJob& job, const JobControl& control = {});
-    /// See MonteCarlo and Frontier; neither saves.
-    void run(MonteCarloData& data, const JobControl& control = {});
+    /// Builds the scene, draws, saves (MonteCarlo).
+    JobOutcome run(MonteCarloJob& job, const JobControl& control = {});
+    /// Draws and saves (runScenarioMonteCarlo).
+    JobOutcome run(ScenarioMonteCarloJob& job, const JobControl& control = {});
+    /// Counts the steps of a simulation and reads its files. Nothing is written yet.
+    PlannedSimulation plan(SimulationJob job);
+    /// Writes folders, frames, tables and the film. `heed` is given each frame after it was
+    /// written, where one process draws them all.
+    SimulationOutcome run(const PlannedSimulation& job, const JobControl& control = {},
+                          const FrameSink& heed = {});
+    /// See CostAccuracyStudy; the result stays in the data.
     void run(AnalysisData& data, const CostAccuracyStudy::Options& options,
              const JobControl& control = {});
 

@@ -1,9 +1,7 @@
-#include "gui/scenario/SimulationOrder.h"
+#include "gui/scenario/SimulationFrames.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "smatcore/simulate/FrameFiles.h"
 
 namespace smat::gui {
 namespace {
@@ -45,25 +43,18 @@ WrittenFrame smallCopy(const SensorFrame& frame, std::size_t number) {
 
 } // namespace
 
-SimulationOutcome runSimulationOrder(const SimulationOrder& order, SceneBuilder& scenes,
-                                     const RenderDoor& door, const ProgressCallback& progress,
-                                     std::stop_token stop) {
-    SimulationOutcome outcome;
-    outcome.order = order;
-    const SimulationPlan plan = planSimulation(order.scenario, order.request);
-    const LoadedScenario loaded = loadScenarioFiles(order.scenario, scenes, {}, order.trajectories);
-    const FrameFiles files(loaded, order.folder, order.extensions, order.commandLine);
-    files.checkExtensions();
-    outcome.notes = files.makeFolders(plan.sensors);
-    FilmRecorder recorder(loaded, files);
-    writeSimulation(loaded, plan, files, door, outcome.result, progress, std::move(stop), nullptr,
-                    [&](SensorFrame& frame, std::size_t number) {
-                        outcome.frames.push_back(smallCopy(frame, number));
-                        recorder.heed(frame, number);
-                    });
-    if (std::ranges::find(order.extensions, ".exr") != order.extensions.end())
-        outcome.films = recorder.strips();
-    return outcome;
+SimulationFrames runSimulation(const SimulationJob& job, JobRunner& runner,
+                               const JobControl& control) {
+    SimulationFrames made{.order = job};
+    const PlannedSimulation planned = runner.plan(job);
+    made.notes = planned.files().makeFolders(planned.plan.sensors);
+    SimulationOutcome outcome =
+        runner.run(planned, control, [&](SensorFrame& frame, std::size_t number) {
+            made.frames.push_back(smallCopy(frame, number));
+        });
+    made.result = std::move(outcome.result);
+    made.films = std::move(outcome.strips);
+    return made;
 }
 
 } // namespace smat::gui

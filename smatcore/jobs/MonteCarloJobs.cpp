@@ -1,0 +1,115 @@
+#include "irsg/core/FileReading.h"
+#include "smatcore/analysis/MonteCarlo.h"
+#include "smatcore/analysis/MonteCarloFile.h"
+#include "smatcore/jobs/AnalysisJobs.h"
+#include "smatcore/jobs/CaseTeam.h"
+#include "smatcore/project/SceneScalings.h"
+
+namespace smat {
+
+namespace {
+
+template <typename Files>
+void append(std::vector<std::filesystem::path>& list, const Files& files) {
+    list.insert(list.end(), files.begin(), files.end());
+}
+
+irsg::InputError noPart(const std::string& option, const std::filesystem::path& file,
+                        const std::string& expected) {
+    return irsg::InputError(
+        {.file = option, .position = "", .value = file.string(), .expected = expected});
+}
+
+/// What a run in parts cannot give.
+void checkParts(const MonteCarloJob& job) {
+    if (job.files.empty() && job.realisationFiles.empty())
+        throw irsg::LogicError("a run in parts needs a file for its table");
+    if (!job.realisationFiles.empty())
+        throw noPart("--draws", job.realisationFiles.front(),
+                     "no raw draws of a run in parts: each has those of its cases alone");
+    for (const std::filesystem::path& file : job.files)
+        if (file.extension() != ".csv")
+            throw noPart("--out", file,
+                         "a .csv of a run in parts: a .json has the draws of all cases");
+}
+
+void save(const MonteCarloJob& job, JobOutcome& outcome) {
+    for (const std::filesystem::path& file : job.files)
+        append(outcome.files, saveMonteCarlo(job.data, file));
+    for (const std::filesystem::path& file : job.realisationFiles) {
+        realisationsTable(job.data).save(file);
+        outcome.files.push_back(file);
+    }
+}
+
+/// Case by case, by one process or a team.
+void runParts(MonteCarloJob& job, MonteCarlo& monteCarlo, const JobControl& control,
+              JobOutcome& outcome) {
+    for (const std::filesystem::path& file : job.files)
+        irsg::refuseInputAsOutput(file);
+    CasePlace place{job.files.front(), job.share, job.resumes, inputHashes()};
+    const auto work = [&](CaseStore& store, const ProgressCallback& progress,
+                          std::stop_token stop) {
+        monteCarlo.run(job.data, store, progress, std::move(stop), control.timer);
+    };
+    if (control.team != nullptr) {
+        outcome.isLed = renderedByTeam(place, *control.team, work, control.progress);
+        if (!outcome.isLed)
+            return;
+        place.resumes = true; // all of them are there
+    }
+    CaseFile cases(CaseFile::besides(place.result, place.share), place.options());
+    work(cases, control.progress, control.stop);
+    outcome.remarks = cases.remarksOn("cases");
+    const StageTimer::Scope scope(control.timer, "save");
+    cases.flush();
+    if (!place.share.isAll()) {
+        outcome.files.push_back(cases.file());
+    } else if (!job.data.analysis.table.empty()) {
+        for (const std::filesystem::path& file : job.files)
+            job.data.analysis.table.save(file);
+        append(outcome.files, job.files);
+        if (job.data.analysis.state == AnalysisState::complete)
+            cases.remove();
+    }
+}
+
+} // namespace
+
+JobOutcome JobRunner::run(MonteCarloJob& job, const JobControl& control) {
+    const bool isInParts = job.isInParts || control.team != nullptr;
+    if (isInParts)
+        checkParts(job);
+    const Project& project = job.data.analysis.project;
+    SceneDescription scene;
+    {
+        const StageTimer::Scope scope(control.timer, "load");
+        job.data.options.check();
+        scene = scenes_.build(project, MonteCarlo::settingsOf(job.data.analysis));
+        std::vector<std::string> remarks; // said by the run itself
+        sceneScalings(project, scene, remarks);
+    }
+    MonteCarlo monteCarlo(door(), [&](const Project&, const Settings&) { return scene; });
+    JobOutcome outcome;
+    if (isInParts) {
+        runParts(job, monteCarlo, control, outcome);
+        return outcome;
+    }
+    monteCarlo.run(job.data, control.progress, control.stop, control.timer);
+    const StageTimer::Scope scope(control.timer, "save");
+    save(job, outcome);
+    return outcome;
+}
+
+JobOutcome JobRunner::run(ScenarioMonteCarloJob& job, const JobControl& control) {
+    runScenarioMonteCarlo(job.run, door(), control.progress, control.stop, control.timer);
+    JobOutcome outcome;
+    const StageTimer::Scope scope(control.timer, "save");
+    for (const std::filesystem::path& file : job.files)
+        append(outcome.files, saveDistributions(job.run, file));
+    for (const std::filesystem::path& file : job.realisationFiles)
+        append(outcome.files, saveScenarioRealisations(job.run, file));
+    return outcome;
+}
+
+} // namespace smat
