@@ -24,12 +24,6 @@ Vec3 farthestAxis(const Vec3& v) {
 
 } // namespace
 
-Vec3 Rotation::operator*(const Vec3& v) const {
-    return {m[0][0] * v.x + m[0][1] * v.y + m[0][2] * v.z,
-            m[1][0] * v.x + m[1][1] * v.y + m[1][2] * v.z,
-            m[2][0] * v.x + m[2][1] * v.y + m[2][2] * v.z};
-}
-
 Rotation Rotation::operator*(const Rotation& o) const {
     Rotation product;
     for (std::size_t row = 0; row < 3; ++row)

@@ -10,7 +10,11 @@ namespace irsg {
 struct Rotation {
     std::array<std::array<double, 3>, 3> m{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-    Vec3 operator*(const Vec3& v) const;
+    Vec3 operator*(const Vec3& v) const {
+        return {m[0][0] * v.x + m[0][1] * v.y + m[0][2] * v.z,
+                m[1][0] * v.x + m[1][1] * v.y + m[1][2] * v.z,
+                m[2][0] * v.x + m[2][1] * v.y + m[2][2] * v.z};
+    }
     Rotation operator*(const Rotation& o) const;
     Rotation transposed() const;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <compare>
 
 namespace irsg {
@@ -13,11 +14,26 @@ struct Vec3 {
     Vec3 operator*(double s) const { return {x * s, y * s, z * s}; }
     auto operator<=>(const Vec3&) const = default;
 };
-double dot(const Vec3& a, const Vec3& b);
-Vec3 cross(const Vec3& a, const Vec3& b);
-double length(const Vec3& v);
-/// LogicError for the null vector.
-Vec3 normalized(const Vec3& v);
+
+// Rays and sums call these by the million, from other libraries.
+inline double dot(const Vec3& a, const Vec3& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline Vec3 cross(const Vec3& a, const Vec3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline double length(const Vec3& v) {
+    return std::hypot(v.x, v.y, v.z);
+}
+/// Throws LogicError: a vector that is null or not finite has no direction.
+[[noreturn]] void refuseDirectionless();
+/// Throws LogicError for the null vector and for one that is not finite.
+inline Vec3 normalized(const Vec3& v) {
+    const double norm = length(v);
+    if (!(norm > 0.0) || !std::isfinite(norm))
+        refuseDirectionless();
+    return {v.x / norm, v.y / norm, v.z / norm};
+}
 
 /// A box along the axes of its model or of the world.
 struct BoundingBox {
