@@ -39,22 +39,33 @@ option(SMAT_UNITY "Compile SMAT_UNITY_FILES source files at a time" OFF)
 set(SMAT_UNITY_FILES 130 CACHE STRING "Source files that are compiled together, at most")
 
 # What reads, writes, checks and shows is compiled with -Og, which takes two fifths off the time of compiling
-# it; it waits for what computes, which keeps the optimisation of the preset.
-option(SMAT_LIGHT "Compile what does not compute with -Og" OFF)
+# it. LightSources.txt lists these sources: each has been measured to take no time that a user waits for
+# (benchmarks/profile_sources.py). Any other source, and so every new one, keeps the optimisation of the preset.
+option(SMAT_LIGHT "Compile what cmake/LightSources.txt lists with -Og" OFF)
+file(STRINGS "${CMAKE_CURRENT_LIST_DIR}/LightSources.txt" SMAT_LIGHT_SOURCES)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/LightSources.txt")
+foreach(source IN LISTS SMAT_LIGHT_SOURCES)
+    if(NOT EXISTS "${PROJECT_SOURCE_DIR}/${source}")
+        message(FATAL_ERROR "cmake/LightSources.txt: found ${source}, expected a source that exists")
+    endif()
+endforeach()
 
-# smat_compile_lightly(smat_core): a target that computes nothing itself.
-# smat_compile_lightly(irsg_scene FILES PATTERN...): of a target the sources that match one of the patterns.
-# smat_compile_lightly(smat_gui EXCEPT PATTERN...): all others.
+# smat_compile_lightly(smat_core): of a target what LightSources.txt lists. smat_compile_lightly(test_core ALL): all of it.
 # What is split off stays so where everything is compiled alike: files that are compiled together are the same in
 # every preset.
 function(smat_compile_lightly target)
-    cmake_parse_arguments(ARG "" "" "FILES;EXCEPT" ${ARGN})
+    cmake_parse_arguments(ARG "ALL" "" "" ${ARGN})
     set(light ${target})
-    if(ARG_FILES)
-        smat_split(${target} light ${ARG_FILES})
-        set(light ${target}_light)
-    elseif(ARG_EXCEPT)
-        smat_split(${target} swift ${ARG_EXCEPT})
+    if(NOT ARG_ALL)
+        smat_listed_lightly(${target} listed)
+        if(NOT listed)
+            return()
+        endif()
+        get_target_property(all ${target} SOURCES)
+        if(NOT "${listed}" STREQUAL "${all}")
+            smat_split_off(${target} light ${listed})
+            set(light ${target}_light)
+        endif()
     endif()
     if(SMAT_LIGHT)
         # What gcc then takes to be used uninitialised is set, on paths that it no longer follows.
@@ -62,12 +73,25 @@ function(smat_compile_lightly target)
     endif()
 endfunction()
 
+# Sets `listed` to the sources of a target that LightSources.txt lists.
+function(smat_listed_lightly target listed)
+    file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
+    get_target_property(all ${target} SOURCES)
+    set(found "")
+    foreach(source IN LISTS all)
+        if("${folder}/${source}" IN_LIST SMAT_LIGHT_SOURCES)
+            list(APPEND found "${source}")
+        endif()
+    endforeach()
+    set(${listed} "${found}" PARENT_SCOPE)
+endfunction()
+
 # smat_split(irsg_atmosphere loops PATTERN...) makes of the sources that match a pattern an object library,
 # irsg_atmosphere_loops, which stays a part of the target but may be compiled otherwise. A pattern that no source
 # matches is an error: a file that was renamed would be compiled otherwise without a word.
 function(smat_split target part)
     get_target_property(all ${target} SOURCES)
-    set(others ${all})
+    set(own "")
     foreach(pattern ${ARGN})
         set(matching ${all})
         list(FILTER matching INCLUDE REGEX "${pattern}")
@@ -75,10 +99,16 @@ function(smat_split target part)
             message(FATAL_ERROR "no source of ${target} is left that matches ${pattern}, which is to be compiled in "
                                 "${target}_${part}")
         endif()
-        list(REMOVE_ITEM others ${matching})
+        list(APPEND own ${matching})
     endforeach()
-    set(own ${all})
-    list(REMOVE_ITEM own ${others})
+    list(REMOVE_DUPLICATES own)
+    smat_split_off(${target} ${part} ${own})
+endfunction()
+
+# The same of sources by name.
+function(smat_split_off target part)
+    set(own ${ARGN})
+    get_target_property(all ${target} SOURCES)
     list(REMOVE_ITEM all ${own})
     add_library(${target}_${part} OBJECT ${own})
     set_property(TARGET ${target} PROPERTY SOURCES ${all} $<TARGET_OBJECTS:${target}_${part}>)
@@ -91,25 +121,34 @@ function(smat_split target part)
     smat_configure_target(${target}_${part})
 endfunction()
 
-# smat_add_rooms(smat_gui image plot): the sources in these folders of a target become object libraries of their own,
-# smat_gui_image and smat_gui_plot, compiled as the target is.
+# smat_add_rooms(smat_gui image plot): of a target the sources in these folders that are compiled lightly become object
+# libraries of their own, smat_gui_image and smat_gui_plot. All others are compiled together.
 function(smat_add_rooms target)
+    smat_listed_lightly(${target} listed)
+    get_target_property(swift ${target} SOURCES)
+    list(REMOVE_ITEM swift ${listed})
+    if(swift)
+        smat_split_off(${target} swift ${swift})
+    endif()
     foreach(room ${ARGN})
         string(REPLACE "/" "_" part "${room}")
         smat_split(${target} ${part} "^${room}/")
-        get_target_property(options ${target} COMPILE_OPTIONS)
-        list(FILTER options INCLUDE REGEX "^-Og$|maybe-uninitialized")
-        target_compile_options(${target}_${part} PRIVATE ${options})
+        smat_compile_lightly(${target}_${part})
     endforeach()
+    smat_compile_lightly(${target})
 endfunction()
 
 # smat_compile_loops(irsg_radiometry PATTERN...): of a target the sources whose long loops the compiler is to make
-# vectors of. None of the flags changes a result; without contraction it is the same on processors with and
-# without fused multiply-add. (No -fassociative-math: it would break VectorExp.h.)
+# vectors of; of a target without patterns all sources. None of the flags changes a result; without contraction it is
+# the same on processors with and without fused multiply-add. (No -fassociative-math: it would break VectorExp.h.)
 function(smat_compile_loops target)
-    smat_split(${target} loops ${ARGN})
-    target_compile_options(${target}_loops PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O3> -fno-math-errno
-                                                   -fno-trapping-math -ffp-contract=off)
+    set(loops ${target})
+    if(ARGN)
+        smat_split(${target} loops ${ARGN})
+        set(loops ${target}_loops)
+    endif()
+    target_compile_options(${loops} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O3> -fno-math-errno
+                                            -fno-trapping-math -ffp-contract=off)
 endfunction()
 
 # Applies the house rules to one target of ours.
