@@ -15,6 +15,7 @@
 #include "gui/widgets/DialogButtons.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/VerticalScrollArea.h"
+#include "irsg/core/ProgramVersion.h"
 #include "irsg/scene/scattering/SceneScattering.h"
 #include "smatcore/data/Provenance.h"
 
@@ -72,7 +73,7 @@ AboutDialog::AboutDialog(const QString& viewRenderer, const QString& sceneRender
     setWindowTitle(tr("About SMAT"));
     const QString none = tr("not used yet");
     const QString table =
-        row(tr("SMAT"), QString::fromStdString(programVersion())) + row("Qt", qVersion()) +
+        row(tr("SMAT"), QString::fromStdString(irsg::programVersion())) + row("Qt", qVersion()) +
         row("Qwt", QWT_VERSION_STR) + row("OpenSceneGraph", osgGetVersion()) +
         row("OpenEXR", OPENEXR_VERSION_STRING) + row("SQLite", sqlite3_libversion()) +
         row(tr("3-D view"), (viewRenderer.isEmpty() ? none : viewRenderer).toHtmlEscaped()) +

@@ -9,6 +9,7 @@
 #include "apps/smat-batch/NumberOptions.h"
 #include "apps/smat-batch/Output.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/ProgramVersion.h"
 #include "irsg/image/ComparisonFigures.h"
 #include "irsg/image/ImageFile.h"
 #include "irsg/image/ImageFormat.h"
@@ -186,7 +187,7 @@ int compare(const CompareOptions& options, Context& context) {
         const StageTimer::Scope scope(&context.timer, "write");
         compared.rectangle.reset();
         auto image = irsg::differenceImage(a, b, irsg::compareImages(a, b, compared), compared);
-        image.attributes["program"] = "smat " + programVersion();
+        image.attributes["program"] = irsg::programWithVersion();
         for (const std::string& file : options.out)
             writeDifference(image, file);
     }

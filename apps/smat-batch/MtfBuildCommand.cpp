@@ -11,6 +11,7 @@
 #include "apps/smat-batch/StopSignal.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/ProgramVersion.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scattering/MtfBuild.h"
 #include "irsg/scattering/PhaseFunction.h"
@@ -184,7 +185,7 @@ class MtfBuildCommand {
 
     static ResultTable tableOf(const irsg::BuiltMtf& built, const Context& context) {
         ResultTable table;
-        table.provenance.add("program", "smat-batch " + programVersion());
+        table.provenance.add("program", irsg::programWithVersion());
         table.provenance.add("command", context.commandLine);
         const irsg::MtfDatabase& database = built.database;
         table.add("frequency", "rad-1").values = database.frequencies_per_rad();

@@ -23,6 +23,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/core/ParallelFor.h"
+#include "irsg/core/ProgramVersion.h"
 #include "irsg/core/Utf8.h"
 #include "smatcore/data/Provenance.h"
 #include "smatcore/data/RenderDoor.h"
@@ -68,7 +69,7 @@ double secondsSinceStart() {
 
 /// The version with the renderer that would draw, or why there is none.
 int printVersion() {
-    fmt::print("smat-batch {}\n", programVersion());
+    fmt::print("smat-batch {}\n", irsg::programVersion());
     try {
         fmt::print("renderer: {}\n", openRenderDoor().description(irsg::Scene()));
     } catch (const irsg::InputError& error) {

@@ -18,6 +18,7 @@
 #include "gui/widgets/Theme.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/ProgramVersion.h"
 #include "irsg/core/Wording.h"
 #include "smatcore/data/Provenance.h"
 #include "smatcore/data/RenderDoor.h"
@@ -117,7 +118,7 @@ std::string versionText() {
     } catch (const irsg::InputError& error) {
         renderer = error.diagnostics().front().message();
     }
-    return "smat " + smat::programVersion() + "\nrenderer: " + renderer + "\nQt " + qVersion();
+    return irsg::programWithVersion() + "\nrenderer: " + renderer + "\nQt " + qVersion();
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/ProgramVersion.h"
 #include "irsg/image/ComparisonFigures.h"
 #include "irsg/image/ImageFile.h"
 #include "smatcore/data/Provenance.h"
@@ -229,7 +230,7 @@ irsg::RadianceImage ComparedPair::exported() const {
         throw irsg::LogicError("two images that were not compared");
     auto image =
         irsg::differenceImage(*sides_[0].image, *sides_[1].image, *whole_, options_, mode_);
-    image.attributes["program"] = "smat " + programVersion();
+    image.attributes["program"] = irsg::programWithVersion();
     return image;
 }
 

@@ -12,6 +12,7 @@
 #include "irsg/core/Collect.h"
 #include "irsg/core/FileReplacement.h"
 #include "irsg/core/JsonReader.h"
+#include "irsg/core/ProgramVersion.h"
 
 namespace irsg {
 
@@ -153,7 +154,10 @@ std::vector<SpectralRun> readRuns(const std::filesystem::path& file) {
 } // namespace
 
 std::string TabulatedAtmosphere::toText() const {
-    ordered_json root = {{"format", formatName}, {"version", formatVersion}, {"name", name_}};
+    ordered_json root = {{"format", formatName},
+                         {"version", formatVersion},
+                         {"program", programWithVersion()},
+                         {"name", name_}};
     root["wavenumbers [cm-1]"] = runs_.front().wavenumbers_per_cm;
     for (const SpectralRun& run : runs_) {
         ordered_json object = {{"source", run.source},

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "irsg/core/JsonReader.h"
+#include "irsg/core/ProgramVersion.h"
 #include "irsg/signature/CanonicalJson.h"
 #include "irsg/signature/EntryFields.h"
 #include "irsg/signature/EntryJson.h"
@@ -216,9 +217,13 @@ std::string signatureToJson(const SignatureDatabase& database) {
 
 std::string draftToJson(const SignatureDatabase& database) {
     using nlohmann::json;
-    json root = {{"format", formatName},           {"version", formatVersionOf(database)},
-                 {"title", database.title},        {"notes", database.notes},
-                 {"temperatures", json::object()}, {"materials", json::object()},
+    json root = {{"format", formatName},
+                 {"version", formatVersionOf(database)},
+                 {"program", programWithVersion()},
+                 {"title", database.title},
+                 {"notes", database.notes},
+                 {"temperatures", json::object()},
+                 {"materials", json::object()},
                  {"spectra", json::object()}};
     for (const auto& [index, entry] : database.temperatures)
         root["temperatures"][std::to_string(index)] = entryJson(entry);
@@ -233,6 +238,7 @@ SignatureDatabase signatureFromJson(const std::string& text, const std::string& 
                                     LintErrors errors) {
     const JsonReader root(text, fileName, jsonForm, JsonErrors::collect);
     root.at("format").word({formatName});
+    root.at("program");
     const JsonReader version = root.at("version");
     const double number = version.number();
     if (number != std::clamp(std::round(number), 1.0, double(newestFormatVersion())))

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "irsg/core/ProgramVersion.h"
 #include "irsg/signature/EntryColumns.h"
 #include "irsg/signature/EntryJson.h"
 #include "irsg/signature/Sha256.h"
@@ -63,6 +64,8 @@ std::vector<Table> schemaOf(int version) {
     const std::string loop = "loop INTEGER NOT NULL CHECK (loop IN (0, 1))";
     std::vector<Table> tables = {
         {"about", "key TEXT PRIMARY KEY NOT NULL, value TEXT NOT NULL"},
+        // No row of `about`: earlier programs refuse a key that they do not know there.
+        {"written_by", "program TEXT NOT NULL"},
         {"temperature", "id INTEGER PRIMARY KEY" + columnsOf(temperatureFields(), version)},
         {"temperature_table",
          "temperature INTEGER NOT NULL REFERENCES temperature(id) ON DELETE CASCADE, " + term +
@@ -303,6 +306,7 @@ void writeRows(const SignatureDatabase& database, SQLite::Database& file, int ve
     Insert about(file, "about", "key, value");
     about("title", database.title);
     about("notes", database.notes);
+    Insert(file, "written_by", "program")(programWithVersion());
     writeTemperatures(database, file, version);
     writeMaterials(database, file, version);
     writeSpectra(database, file, version);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "irsg/core/ProgramVersion.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/InputFiles.h"
@@ -100,7 +101,7 @@ void summarise(AnalysisData& data) {
 
 void writeProvenance(AnalysisData& data, const SceneDescription& scene) {
     Provenance provenance;
-    provenance.add("program", "smat " + programVersion());
+    provenance.add("program", irsg::programWithVersion());
     provenance.add("analysis", name(data.kind));
     provenance.add("name", data.name);
     provenance.add("state", data.state == AnalysisState::complete ? "complete" : "partial");

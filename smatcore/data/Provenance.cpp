@@ -24,8 +24,4 @@ std::string Provenance::toCsvLines() const {
     return lines;
 }
 
-std::string programVersion() {
-    return SMAT_VERSION;
-}
-
 } // namespace smat

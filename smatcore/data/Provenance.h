@@ -20,7 +20,4 @@ struct Provenance {
     bool operator==(const Provenance&) const = default;
 };
 
-/// "0.3.0".
-std::string programVersion();
-
 } // namespace smat

@@ -10,6 +10,7 @@
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/Interpolation.h"
+#include "irsg/core/ProgramVersion.h"
 #include "smatcore/data/AkimaInterpolant.h"
 
 namespace smat {
@@ -219,7 +220,7 @@ ResultTable differenceOf(const DifferenceSide& a, const DifferenceSide& b) {
         result.addRow(values);
     }
 
-    result.provenance.add("program", "smat " + programVersion());
+    result.provenance.add("program", irsg::programWithVersion());
     result.provenance.add("analysis", "difference");
     result.provenance.add("name", a.name + " - " + b.name);
     if (!type.empty())

@@ -126,6 +126,7 @@ JsonReader readVersioned(const std::string& text, const std::string& file, const
     else if (version.json().get<double>() > newest)
         version.refuse(expected + " or older: the file was written by a newer program");
     root.throwRefused();
+    root.at("program");
     return root;
 }
 

@@ -17,7 +17,7 @@ namespace smat {
 /// A file with a `version`. Throws InputError for text that is not JSON, for a root that is no
 /// object and for a version that is missing or newer, as by the same keys a newer file may mean
 /// other things. `kind` says what the file should be ("a project file (JSON)"), `parts` what is in
-/// it.
+/// it. A `program`, which wrote the file, counts as known.
 irsg::JsonReader readVersioned(const std::string& text, const std::string& file, const char* kind,
                                int newest, const char* parts);
 

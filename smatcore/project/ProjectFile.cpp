@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "irsg/core/AppendUnique.h"
+#include "irsg/core/ProgramVersion.h"
 #include "smatcore/project/JsonWriting.h"
 #include "smatcore/project/ProjectReader.h"
 #include "smatcore/support/NearestNames.h"
@@ -112,6 +113,7 @@ std::string projectToJson(const Project& project, const std::filesystem::path& f
                           std::filesystem::absolute(file).lexically_normal().parent_path());
     Json json = Json::object();
     json["version"] = projectFileVersion;
+    json["program"] = irsg::programWithVersion();
     if (!project.title.empty())
         json["title"] = project.title;
     if (!project.notes.empty())

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/ProgramVersion.h"
 #include "irsg/image/ExrFile.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/analysis/AnalysisPlan.h"
@@ -245,13 +246,10 @@ std::string ResultFolder::save(const ResultDocument& document, int number) const
 void ResultFolder::saveWords(const ResultDocument& document, const std::string& stem) const {
     const AnalysisData& data = *document.data;
     const JsonPaths paths({}, std::filesystem::absolute(folder_).lexically_normal().parent_path());
-    Json json = {{"version", resultFileVersion},
-                 {"title", document.title},
-                 {"origin", word(document.origin)},
-                 {"made", document.madeAt},
-                 {"name", data.name},
-                 {"elapsed_s", data.elapsed_s},
-                 {"summary", summaryJson(data.summary)}};
+    Json json = {{"version", resultFileVersion}, {"program", irsg::programWithVersion()},
+                 {"title", document.title},      {"origin", word(document.origin)},
+                 {"made", document.madeAt},      {"name", data.name},
+                 {"elapsed_s", data.elapsed_s},  {"summary", summaryJson(data.summary)}};
     if (!document.notes.empty())
         json["notes"] = document.notes;
     if (document.origin == Origin::file)

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/ProgramVersion.h"
 #include "irsg/core/Wording.h"
 #include "irsg/image/ImageFormat.h"
 #include "irsg/radiometry/Units.h"
@@ -104,7 +105,7 @@ Provenance sensorProvenance(const LoadedScenario& of, std::size_t sensor,
     const Scenario& scenario = of.scenario;
     const LoadedSensor& loaded = of.sensors.at(sensor);
     Provenance provenance;
-    provenance.add("program", "smat " + programVersion());
+    provenance.add("program", irsg::programWithVersion());
     provenance.add("analysis", name(AnalysisKind::simulation));
     if (!commandLine.empty())
         provenance.add("command", commandLine);

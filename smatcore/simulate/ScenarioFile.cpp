@@ -1,6 +1,7 @@
 #include "smatcore/simulate/ScenarioFile.h"
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/ProgramVersion.h"
 #include "smatcore/project/JsonWriting.h"
 #include "smatcore/simulate/ScenarioReader.h"
 #include "smatcore/support/TextFile.h"
@@ -101,8 +102,10 @@ bool isScenarioFile(const std::filesystem::path& file) {
 std::string scenarioToJson(const Scenario& scenario, const std::filesystem::path& file) {
     const JsonPaths paths(scenario.file.parent_path(),
                           std::filesystem::absolute(file).lexically_normal().parent_path());
-    Json json = {
-        {"version", scenarioFileVersion}, {"dt_s", scenario.dt_s}, {"end_s", scenario.end_s}};
+    Json json = {{"version", scenarioFileVersion},
+                 {"program", irsg::programWithVersion()},
+                 {"dt_s", scenario.dt_s},
+                 {"end_s", scenario.end_s}};
     writeText(json, "title", scenario.title);
     writeText(json, "notes", scenario.notes);
     if (scenario.start_s != 0.0)

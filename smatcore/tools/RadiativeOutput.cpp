@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/ProgramVersion.h"
 #include "irsg/radiometry/Units.h"
 
 namespace smat {
@@ -180,7 +181,7 @@ class Output {
         const auto angle = [&](const char* key, double value_rad) {
             provenance.add(key, fmt::format("{:.12g}", irsg::degrees(value_rad)));
         };
-        provenance.add("program", "smat " + programVersion());
+        provenance.add("program", irsg::programWithVersion());
         provenance.add("analysis", name(AnalysisKind::radiative));
         if (!request_.commandLine.empty())
             provenance.add("command", request_.commandLine);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/ProgramVersion.h"
 #include "smatcore/project/AnalysisKind.h"
 
 namespace smat {
@@ -57,7 +58,7 @@ ResultTable temperatureProfile(const irsg::Environment& environment,
         table.addRow({altitude_m, answer.value});
     }
 
-    table.provenance.add("program", "smat " + programVersion());
+    table.provenance.add("program", irsg::programWithVersion());
     table.provenance.add("analysis", name(AnalysisKind::temperatureProfile));
     if (!request.commandLine.empty())
         table.provenance.add("command", request.commandLine);

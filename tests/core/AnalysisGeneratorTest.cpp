@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/ProgramVersion.h"
 #include "tests/core/AnalyticSource.h"
 
 namespace smat {
@@ -221,7 +222,7 @@ TEST(ImageAnalysis, HasTheImageAndOneRowOfSums) {
     EXPECT_EQ(data.image.width(), 32);
     EXPECT_EQ(data.image.height(), 24);
     EXPECT_EQ(data.table.rowCount(), 1u);
-    EXPECT_EQ(data.image.attributes.at("program"), "smat " + programVersion());
+    EXPECT_EQ(data.image.attributes.at("program"), irsg::programWithVersion());
     EXPECT_EQ(data.image.attributes.at("sensor.width"), "32 px");
 }
 

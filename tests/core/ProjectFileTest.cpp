@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/ProgramVersion.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/support/TextFile.h"
 #include "tests/support/TemporaryFolder.h"
@@ -95,6 +96,7 @@ TEST(ProjectFile, LeavesDefaultsOutAndSortsKeys) {
   "camera": {
     "range": 7.0
   },
+  "program": ")" + irsg::programWithVersion() + R"(",
   "target": {
     "yaw": 5.0
   },

@@ -4,8 +4,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/ProgramVersion.h"
 #include "irsg/signature/ScalingXml.h"
 #include "smatcore/analysis/MonteCarloFile.h"
 #include "smatcore/analysis/ResultFile.h"
@@ -229,6 +231,12 @@ TEST_F(ResultFolderTest, IsBesideAProjectThatIsNamedWithoutItsFolder) {
     EXPECT_EQ(refused, "");
     EXPECT_EQ(name, "round");
     EXPECT_TRUE(std::filesystem::exists(folder / "ship.results/001-polar.result"));
+}
+
+TEST_F(ResultFolderTest, WordsNameTheVersionThatWroteThem) {
+    const std::string stem = results().save(ran(AnalysisKind::polar, "round"));
+    const auto words = nlohmann::json::parse(readTextFile(results().path() / (stem + ".result")));
+    EXPECT_EQ(words.at("program"), irsg::programWithVersion());
 }
 
 TEST_F(ResultFolderTest, ChangesWordsAloneAndNeverWritesOverAnother) {

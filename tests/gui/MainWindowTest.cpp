@@ -24,6 +24,7 @@
 #include "gui/project/ProjectFiles.h"
 #include "gui/view/SceneView.h"
 #include "gui/widgets/Theme.h"
+#include "irsg/core/ProgramVersion.h"
 #include "irsg/image/ExrFile.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
 #include "smatcore/data/Provenance.h"
@@ -368,8 +369,8 @@ TEST_F(MainWindowTest, HelpNamesKeysAndRenderers) {
     const std::string& renderer = workbench.results().front().data->renderer;
     ASSERT_FALSE(renderer.empty());
     for (const QString& part :
-         {QString::fromStdString(programVersion()), QString(qVersion()), QString("OpenSceneGraph"),
-          QString::fromStdString(renderer).toHtmlEscaped()}) {
+         {QString::fromStdString(irsg::programVersion()), QString(qVersion()),
+          QString("OpenSceneGraph"), QString::fromStdString(renderer).toHtmlEscaped()}) {
         EXPECT_TRUE(text.contains(part)) << part.toStdString() << "\n" << text.toStdString();
     }
     EXPECT_FALSE(text.contains("not used yet")) << text.toStdString();

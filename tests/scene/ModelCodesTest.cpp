@@ -233,7 +233,7 @@ TEST(ModelCodes, AFileComesBackEqualAndIsReadByLines) {
     paint(codes.painted[0], 0.1, 1e-7);
     const std::string text = modelCodesToJson(codes);
     EXPECT_EQ(modelCodesFromJson(text, "a"), codes);
-    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 13);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 14);
     EXPECT_EQ(modelCodesFromJson(modelCodesToJson({}), "a"), ModelCodes());
 }
 

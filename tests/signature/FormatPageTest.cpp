@@ -2,6 +2,7 @@
 #include "irsg/signature/SignatureFile.h"
 
 #include "Support.h"
+#include "tests/support/WithoutProgram.h"
 
 namespace irsg {
 namespace {
@@ -15,7 +16,9 @@ TEST(FormatPage, ShowsADatabaseInTheFormOfAnExport) {
     ASSERT_NE(text.find(fence), std::string::npos);
     const std::string example = text.substr(from, text.find("```", from) - from);
     const SignatureDatabase database = signatureFromJson(example, page.string());
-    EXPECT_EQ(signatureToJson(database), example);
+    // The page need not be rewritten for each version.
+    EXPECT_EQ(smat::test::withoutProgram(signatureToJson(database)),
+              smat::test::withoutProgram(example));
     EXPECT_TRUE(lint(database).empty());
 }
 

@@ -5,6 +5,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include "Support.h"
+#include "irsg/core/ProgramVersion.h"
 
 namespace irsg {
 namespace {
@@ -21,6 +22,32 @@ TEST(SignatureFile, BringsACompleteDatabaseBackUnchanged) {
     const LoadedSignature loaded = loadSignatureFile(file);
     EXPECT_TRUE(loaded.database == completeDatabase());
     EXPECT_THAT(loaded.changedOutside, IsEmpty());
+}
+
+TEST(SignatureFile, NamesTheVersionThatWroteItWhichNobodyNeeds) {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "a.sigdb";
+    saveSignatureFile(completeDatabase(), file);
+    const std::string bytes = readBytes(file);
+    const auto programs = [&] {
+        return SQLite::Database(file.string())
+            .execAndGet("SELECT group_concat(program) FROM written_by")
+            .getString();
+    };
+    EXPECT_EQ(programs(), programWithVersion());
+    // What another version wrote names it until this one saves, once.
+    for (const char* sql :
+         {"UPDATE written_by SET program = 'smat 99.0.0'",
+          "INSERT INTO written_by VALUES ('smat 0.1.0')", "DROP TABLE written_by"}) {
+        SCOPED_TRACE(sql);
+        SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec(sql);
+        const LoadedSignature loaded = loadSignatureFile(file);
+        EXPECT_TRUE(loaded.database == completeDatabase());
+        saveSignatureFile(loaded.database, file, loaded.database);
+        EXPECT_EQ(programs(), programWithVersion());
+    }
+    saveSignatureFile(completeDatabase(), folder / "b.sigdb");
+    EXPECT_EQ(readBytes(folder / "b.sigdb"), bytes);
 }
 
 TEST(SignatureFile, OfAnEmptyDatabaseComesBack) {

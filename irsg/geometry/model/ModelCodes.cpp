@@ -10,6 +10,7 @@
 #include "irsg/core/FileReading.h"
 #include "irsg/core/FileReplacement.h"
 #include "irsg/core/JsonReader.h"
+#include "irsg/core/ProgramVersion.h"
 
 namespace irsg {
 namespace {
@@ -103,6 +104,7 @@ ModelCodes modelCodesFromJson(const std::string& text, const std::string& fileNa
     const JsonForm form{.expected = "codes of a model (JSON in UTF-8)", .deepest = 8};
     const JsonReader root(text, fileName, form, JsonErrors::collect);
     root.at("format").word({formatName});
+    root.at("program");
     const JsonReader version = root.at("version");
     if (version.number() != newestVersion)
         version.refuse(std::to_string(newestVersion));
@@ -131,7 +133,8 @@ std::string modelCodesToJson(const ModelCodes& codes) {
     }
     // A line for a rule and one for a triangle: to be read, compared and merged by lines.
     std::ostringstream text;
-    text << "{\n  \"format\": \"" << formatName << "\",\n  \"version\": " << newestVersion;
+    text << "{\n  \"format\": \"" << formatName << "\",\n  \"version\": " << newestVersion
+         << ",\n  \"program\": \"" << programWithVersion() << "\"";
     const auto list = [&](const char* key, const auto& each) {
         if (!root.contains(key))
             return;
