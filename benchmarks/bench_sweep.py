@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Times of whole runs of smat-batch: sweeps in several bands, Monte Carlo, a simulation.
 
-    bench_sweep BEFORE [AFTER] [--repeat 3] [--only polar --only range] [--aspects 360]
-                [--bands 1,10,100] [--source DIR] [--before-options=WORDS]
+    bench_sweep BEFORE [AFTER] [--release] [--repeat 3] [--only polar --only range]
+                [--aspects 360] [--bands 1,10,100] [--source DIR] [--before-options=WORDS]
                 [--after-options=WORDS]
 
 With two programs each case is run by both in alternation, and ratios before / after of the least and
@@ -11,6 +11,12 @@ time, peak memory (resident, of the child) and the stages of `--timing` of its q
 
 A program that takes one band a run is asked for the first, the middle and the last of N bands; their
 mean times N stands for N runs, which the table says ("x N"). Its peak memory is that of one run.
+
+--release runs, in place of all that, the four that versions are compared by: the polar sweep of the
+README, that of the heron, Monte Carlo with 256 samples and the self-test, with ratios after / before of
+processor time (user and system; of the least, and the median of pairs that ran one after the other)
+and their geometric mean. Processor time tells more than the clock on a machine that others use, too.
+There BEFORE and AFTER may be folders with bin/smat-batch and the libraries it finds in lib.
 
 Where two programs do not compute the same by default, options make them: words that are added to
 every command of one of them. A program of before shadows and light between surfaces is compared with
@@ -26,6 +32,7 @@ and write to a temporary folder. The standard library is all that is needed.
 """
 
 import argparse
+import math
 import os
 import pathlib
 import re
@@ -77,12 +84,13 @@ def stages_of(text):
     return stages
 
 
-def run(program, arguments, folder):
+def run(program, arguments, folder, timing=True, environment=None):
     """One run of `program --timing` in `folder`; Failure unless it ends with 0."""
+    words = ["--timing"] if timing else []
     with tempfile.TemporaryFile() as said, tempfile.TemporaryFile() as printed:
         start = time.perf_counter()
-        child = subprocess.Popen([program, *arguments, "--timing"], cwd=folder, stdout=printed,
-                                 stderr=said)
+        child = subprocess.Popen([program, *arguments, *words], cwd=folder, stdout=printed,
+                                 stderr=said, env=environment)
         _, status, usage = os.wait4(child.pid, 0)
         wall_s = time.perf_counter() - start
         child.returncode = os.waitstatus_to_exitcode(status)
@@ -103,7 +111,12 @@ class Program:
     """A smat-batch, and whether it takes several bands in one run."""
 
     def __init__(self, path, options, samples):
-        self.path = str(pathlib.Path(path).resolve())
+        path = pathlib.Path(path).resolve()
+        self.path = str(path / "bin" / "smat-batch" if path.is_dir() else path)
+        # Of the release cases: nothing that one run keeps helps the next.
+        self.environment = dict(os.environ, SMAT_CACHE="")
+        if path.is_dir():
+            self.environment["LD_LIBRARY_PATH"] = str(path / "lib")
         self.options = options
         self.samples = samples
         try:
@@ -159,6 +172,51 @@ def cases_of(options):
             if not options.only or any(case[0].startswith(word) for word in options.only)]
 
 
+def release_cases():
+    """[(name, arguments, name of the result or None)]"""
+    project = "turboprop4/turboprop4.smat"
+    return [
+        ("polar of the README", ["polar", project], "polar.csv"),
+        ("polar of the heron", ["polar", "heron/heron.smat"], "polar.csv"),
+        ("montecarlo, 256 samples",
+         ["montecarlo", project, "--analysis=polar", "--samples=256"], "montecarlo.csv"),
+        ("selftest", ["selftest"], None),
+    ]
+
+
+def measure_release(programs, options):
+    """Processor time of the release cases; their geometric mean where there are two programs."""
+    ratios = []
+    width = max(len(name) for name, _, _ in release_cases())
+    print(f"{'':<{width}}     before [s]  after [s]   least  median" if len(programs) == 2 else
+          f"{'':<{width}}   processor [s]")
+    for name, arguments, result in release_cases():
+        if options.only and not any(name.startswith(word) for word in options.only):
+            continue
+        seconds = [[] for _ in programs]
+        for repetition in range(options.repeat):
+            order = range(len(programs)) if repetition % 2 == 0 else reversed(range(len(programs)))
+            for i in order:
+                with tempfile.TemporaryDirectory() as out:
+                    words = ["--out", os.path.join(out, result)] if result else []
+                    one = run(programs[i].path, [*arguments, *programs[i].options, *words],
+                              programs[i].samples, False, programs[i].environment)
+                    seconds[i].append(one.processor_s)
+        if len(programs) == 1:
+            print(f"{name:<{width}}   {min(seconds[0]):13.2f}")
+        else:
+            least = min(seconds[1]) / min(seconds[0])
+            pairs = statistics.median(b / a for a, b in zip(*seconds))
+            ratios.append((least, pairs))
+            print(f"{name:<{width}}   {min(seconds[0]):12.2f} {min(seconds[1]):10.2f}   "
+                  f"{least:5.3f}   {pairs:5.3f}")
+        sys.stdout.flush()
+    if ratios:
+        means = [math.exp(statistics.fmean(math.log(one) for one in column))
+                 for column in zip(*ratios)]
+        print(f"{'geometric mean':<{width}}   {'':12} {'':10}   {means[0]:5.3f}   {means[1]:5.3f}")
+
+
 def least_and_median(runs):
     walls = [one.wall_s for one in runs]
     return min(walls), statistics.median(walls)
@@ -212,10 +270,12 @@ def main():
         formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("before", metavar="BEFORE", help="a smat-batch")
     parser.add_argument("after", metavar="AFTER", nargs="?", help="another one to compare it with")
+    parser.add_argument("--release", action="store_true",
+                        help="processor time of the four runs that versions are compared by")
     parser.add_argument("--repeat", type=int, default=3, help="runs of each case and program (3)")
     parser.add_argument("--only", action="append", metavar="WORD",
                         help="cases whose name begins so: polar, range, montecarlo, simulate; may "
-                             "be given more than once")
+                             "be given more than once (with --release also selftest)")
     parser.add_argument("--aspects", type=int, default=360, help="of the polar cases (360)")
     parser.add_argument("--bands", default="1,10,100", metavar="LIST",
                         help="numbers of bands (1,10,100)")
@@ -238,12 +298,15 @@ def main():
     if not (samples / "turboprop4").is_dir():
         parser.error(f"--source: there is no {samples / 'turboprop4'}")
     cases = cases_of(options)
-    if not cases:
+    if not cases and not options.release:
         parser.error(f"--only: {', '.join(options.only)}, expected the beginning of a case's name")
     try:
         programs = [Program(path, words, samples)
                     for path, words in ((options.before, options.before_options),
                                         (options.after, options.after_options)) if path]
+        if options.release:
+            measure_release(programs, options)
+            return 0
         for case in cases:
             measure(case, programs, options)
     except (Failure, OSError) as error:
