@@ -6,14 +6,9 @@
 
 namespace irsg {
 
-/// Sobol's low-discrepancy sequence with Owen's nested uniform scrambling.
-///
-/// Coordinate 0 is van der Corput's sequence; coordinate j uses the j-th primitive polynomial over
-/// GF(2), by degree, then by value. Its initial direction numbers m_1 ... m_s (s the degree) are
-/// odd numbers below 2^i that are drawn with Philox; of 256 such draws the table in the source
-/// holds the one whose two-dimensional projections with all earlier coordinates have the least sum
-/// of squared t-values for 2^4 to 2^12 points. `sobol-search` in benchmarks makes the table, and a
-/// test holds both together.
+/// Sobol's low-discrepancy sequence with the direction numbers of Joe and Kuo (2008, "Constructing
+/// Sobol sequences with better two-dimensional projections", SIAM Journal on Scientific Computing
+/// 30, 2635-2654; their file new-joe-kuo-6.21201) and Owen's nested uniform scrambling.
 ///
 /// Scrambling flips each binary digit with a random bit that depends on all digits before it (Owen
 /// 1995), computed from a counter. A scrambled point is uniform in [0, 1), every replicate keeps
@@ -36,13 +31,8 @@ class SobolSequence {
     std::uint32_t replicate_;
 };
 
-/// The 32 direction numbers of a coordinate, the first with its highest bit set.
+/// The 32 direction numbers of a coordinate, 0 to 127, the first with its highest bit set. Bit k of
+/// the index of a point (counted in binary, not in Gray code) takes number k into its digits.
 const std::array<std::uint32_t, 32>& sobolDirections(int dimension);
-/// The same from a candidate of the search instead of the one in the table.
-std::array<std::uint32_t, 32> sobolDirections(int dimension, int candidate);
-/// t-value of the first 2^m points of two coordinates: of every elementary interval of volume
-/// 2^(t - m) as many points lie inside as its volume asks for. 0 is best, m is worst.
-int sobolPairQuality(const std::array<std::uint32_t, 32>& first,
-                     const std::array<std::uint32_t, 32>& second, int m);
 
 } // namespace irsg
