@@ -97,7 +97,7 @@ void MonteCarloPage::addWhat(QFormLayout* form) {
         wholeNumber("subpixelShifts", 1, MonteCarloOptions::mostSubpixelShifts, 4, this);
     subpixelShifts_->setToolTip(
         tr("Renderings of each case with the target at different places among the "
-           "pixels: their spread is the error of the rendering itself. 1 for none."));
+           "pixels, for the error of the rendering itself. 1 for none."));
     form->addRow(tr("Analysis"), analysis_);
     form->addRow(tr("Quantity"), quantity_);
     form->addRow(tr("Percentiles (%)"), percentiles_);

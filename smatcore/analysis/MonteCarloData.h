@@ -33,7 +33,7 @@ struct MonteCarloOptions {
     /// over the sweep; without it all draws are made.
     std::optional<double> standardError;
     /// Drawings of every case with the target at different places among the pixels, the first in
-    /// its own: their spread is the numerical error. 1 leaves it out.
+    /// its own, for the numerical error. 1 leaves it out.
     int subpixelShifts = 4;
     bool ranking = false;
     std::size_t rankingPairs = 1024; ///< draws with companions
@@ -66,9 +66,10 @@ struct MonteCarloData {
     // By place: all abscissae in the first band, then all in the next.
     std::vector<std::vector<double>> values; ///< by place, then by draw
     std::vector<double> nominal;             ///< at scales of 1
-    std::vector<double> numericalError;      ///< standard deviation over the subpixel shifts
+    /// At scales of 1: as stated of the drawing, or what subpixel shifts show, whichever is more.
+    std::vector<double> numericalError;
     ErrorColumns errors = ErrorColumns::none;
-    std::vector<irsg::ErrorParts> nominalErrors; ///< stated ones at scales of 1, where asked for
+    std::vector<irsg::ErrorParts> nominalErrors; ///< stated ones at scales of 1; NaN where unknown
     std::vector<Estimate> statistic;             ///< by place
     std::vector<RankedScaling> ranking;
     bool reachedStandardError = false;

@@ -1,5 +1,6 @@
 #include "smatcore/analysis/MonteCarloViews.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -17,6 +18,9 @@ namespace {
 
 using irsg::Outputs;
 using Asked = MonteCarloOptions::Quantity;
+
+/// Standard deviations that an error is, as those of the renderer (docs/errors.md).
+constexpr double deviationsOfError = 2.0;
 
 /// The camera turned by a part of a pixel, another one for every phase.
 irsg::Viewpoint atPhase(const irsg::Viewpoint& viewpoint, const irsg::Sensor& sensor, int phase) {
@@ -40,12 +44,10 @@ double numberOf(const irsg::ObjectRadiometry& all, Asked asked) {
                                                : all.irradiance_W_m2;
 }
 
-irsg::ErrorParts errorOf(const irsg::ObjectRadiometry& all, Asked asked) {
-    if (!all.errors)
-        return unknownError();
-    return asked == Asked::intensity           ? all.errors->intensity_W_sr
-           : asked == Asked::contrastIntensity ? all.errors->contrastIntensity_W_sr
-                                               : all.errors->irradiance_W_m2;
+const irsg::ErrorParts& errorOf(const irsg::RadiometryErrors& errors, Asked asked) {
+    return asked == Asked::intensity           ? errors.intensity_W_sr
+           : asked == Asked::contrastIntensity ? errors.contrastIntensity_W_sr
+                                               : errors.irradiance_W_m2;
 }
 
 const std::vector<double>& column(const irsg::IntensitySpectrum& spectrum, Asked asked) {
@@ -77,13 +79,12 @@ void MonteCarloViews::draw(const Telling& tell, const std::stop_token& stop) {
     }
     irsg::appendUnique(analysis.warnings, warnings_.sentences());
     for (std::size_t band = 0; band < bands_.size(); ++band) {
-        const auto append = [](std::vector<double>& all, const std::vector<double>& more) {
+        const auto append = [](auto& all, const auto& more) {
             all.insert(all.end(), more.begin(), more.end());
         };
         append(data_.nominal, nominal_[band]);
         append(data_.numericalError, numericalError_[band]);
-        data_.nominalErrors.insert(data_.nominalErrors.end(), errors_[band].begin(),
-                                   errors_[band].end());
+        append(data_.nominalErrors, errors_[band]);
     }
     if (!areAll())
         analysis.warnings.push_back(
@@ -93,16 +94,21 @@ void MonteCarloViews::draw(const Telling& tell, const std::stop_token& stop) {
 MonteCarloViews::RenderedView MonteCarloViews::renderOne(const AnalysisCase& one,
                                                          const PlacedCase& placed, bool isInPlace) {
     const Asked asked = data_.options.quantity;
+    const bool withErrors =
+        isInPlace && (data_.errors != ErrorColumns::none || hasNumericalError());
     if (plan_.kind->form == AnalysisForm::spectrum) {
         const irsg::IntensitySpectrum spectrum =
-            placed.render(door_, Outputs::spectrum(plan_.wavenumbers_per_cm)).spectrum;
+            placed.render(door_, Outputs::spectrum(plan_.wavenumbers_per_cm).withErrors(withErrors))
+                .spectrum;
         if (isInPlace)
             for (const std::string& sentence : spectrum.warnings)
                 warnings_.add(sentence);
-        return {spectrum.wavelengths_um, {column(spectrum, asked)}, {}, {}};
+        std::vector<irsg::ErrorParts> errors(spectrum.wavelengths_um.size(), unknownError());
+        for (std::size_t k = 0; k < spectrum.errors.size(); ++k)
+            errors[k] = errorOf(spectrum.errors[k], asked);
+        return {spectrum.wavelengths_um, {column(spectrum, asked)}, {}, {errors}};
     }
     RenderedView drawing{{one.coordinate}, {}, {}, {}};
-    const bool withErrors = isInPlace && data_.errors != ErrorColumns::none;
     const irsg::Rendered rendered =
         placed.render(door_, Outputs::reports(bands_).withErrors(withErrors));
     for (const irsg::RenderReport& report : rendered.reports) {
@@ -110,15 +116,15 @@ MonteCarloViews::RenderedView MonteCarloViews::renderOne(const AnalysisCase& one
         irsg::addProvider(drawing.providedBy, report.providedBy);
         if (isInPlace)
             warnings_.addReport(report, data_.analysis.settings[key::renderLayers]);
-        if (withErrors)
-            drawing.errors.push_back(errorOf(report.all, asked));
+        drawing.errors.push_back(
+            {report.all.errors ? errorOf(*report.all.errors, asked) : unknownError()});
     }
     return drawing;
 }
 
 void MonteCarloViews::renderPhases(const AnalysisCase& one, PlacedCase placed, const Telling& tell,
                                    const std::stop_token& stop) {
-    const auto append = [](std::vector<double>& all, const std::vector<double>& more) {
+    const auto append = [](auto& all, const auto& more) {
         all.insert(all.end(), more.begin(), more.end());
     };
     std::vector<RenderedView> atPhases;
@@ -131,10 +137,10 @@ void MonteCarloViews::renderPhases(const AnalysisCase& one, PlacedCase placed, c
         RenderedView drawing = renderOne(one, placed, phase == 0);
         if (phase == 0) {
             append(data_.abscissae, drawing.abscissae);
-            for (std::size_t band = 0; band < bands_.size(); ++band)
+            for (std::size_t band = 0; band < bands_.size(); ++band) {
                 append(nominal_[band], drawing.values[band]);
-            for (std::size_t band = 0; band < drawing.errors.size(); ++band)
-                errors_[band].push_back(drawing.errors[band]);
+                append(errors_[band], drawing.errors[band]);
+            }
             irsg::addProvider(data_.analysis.providedBy, drawing.providedBy);
             std::vector<irsg::ScalingInput> inputs;
             for (const SceneScaling& scaling : data_.scalings)
@@ -150,7 +156,8 @@ void MonteCarloViews::renderPhases(const AnalysisCase& one, PlacedCase placed, c
         if (stop.stop_requested())
             break;
     }
-    addNumericalError(atPhases);
+    if (hasNumericalError())
+        addNumericalError(atPhases);
 }
 
 void MonteCarloViews::addNumericalError(const std::vector<RenderedView>& atPhases) {
@@ -159,7 +166,12 @@ void MonteCarloViews::addNumericalError(const std::vector<RenderedView>& atPhase
             std::vector<double> same;
             for (const RenderedView& drawing : atPhases)
                 same.push_back(drawing.values[band][k]);
-            numericalError_[band].push_back(standardDeviationOf(same));
+            // What is stated of one drawing, and no less than what its phases show.
+            irsg::ErrorParts error = atPhases.front().errors[band][k];
+            const double ofPhases = deviationsOfError * standardDeviationOf(same);
+            error.sampling = std::max(error.sampling, ofPhases);
+            const double sum = error.sum();
+            numericalError_[band].push_back(std::isnan(sum) ? ofPhases : sum);
         }
 }
 

@@ -25,7 +25,7 @@ class MonteCarloViews {
         : door_(door), plan_(plan), scene_(scene), data_(data) {}
 
     /// Draws the cases and, for the numerical error, their subpixel shifts. Abscissae, nominal
-    /// values, numerical errors and warnings go to the data. A stop ends it after the first
+    /// values, their errors and warnings go to the data. A stop ends it after the first
     /// drawing.
     void draw(const Telling& tell, const std::stop_token& stop);
     /// What the last case warns of.
@@ -44,12 +44,14 @@ class MonteCarloViews {
         std::vector<double> abscissae;
         std::vector<std::vector<double>> values; ///< by band
         std::vector<std::string> providedBy;
-        std::vector<irsg::ErrorParts> errors; ///< by band, of the case in its own place
+        std::vector<std::vector<irsg::ErrorParts>> errors; ///< of the case in its own place
     };
     /// In its own place, whose warnings and errors count, or at a phase.
     RenderedView renderOne(const AnalysisCase& one, const PlacedCase& placed, bool isInPlace);
     void renderPhases(const AnalysisCase& one, PlacedCase placed, const Telling& tell,
                       const std::stop_token& stop);
+    /// Whether results have an error_numerical, for which cases are drawn at phases.
+    bool hasNumericalError() const { return data_.options.subpixelShifts > 1; }
     void addNumericalError(const std::vector<RenderedView>& atPhases);
 
     const RenderDoor& door_;

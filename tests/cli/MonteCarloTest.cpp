@@ -75,6 +75,16 @@ TEST_F(SmatBatchMonteCarlo, WritesBandsAndRankingOfTheFirstAnalysisThatIsNoImage
                             "minimum", "p10", "p90", "maximum", "error_numerical"}) {
         EXPECT_NE(bands.find(key), nullptr) << key;
     }
+    // No less than the error that a sweep states.
+    ASSERT_EQ(run({"--samples", "2", "--subpixel-shifts", "2", "--errors", "sum", "--out", "e.csv"})
+                  .exitCode,
+              0);
+    const ResultTable stated = ResultTable::load(folder / "e.csv");
+    for (std::size_t i = 0; i < 6; ++i) {
+        EXPECT_GT(stated.find("error_nominal")->values[i], 0.0);
+        EXPECT_GE(bands.find("error_numerical")->values[i],
+                  stated.find("error_nominal")->values[i]);
+    }
     EXPECT_EQ(bands.provenance.value("monte carlo"), "300 draws of the sobol sequence, seed 5");
     EXPECT_THAT(bands.provenance.value("command"), HasSubstr("montecarlo"));
     EXPECT_EQ(ResultTable::load(folder / "mc-ranking.csv").rowCount(), 11u);
