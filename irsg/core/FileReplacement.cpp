@@ -1,20 +1,14 @@
 #include "irsg/core/FileReplacement.h"
 
 #include <cerrno>
-#include <chrono>
 #include <cstdio>
-#include <map>
-#include <mutex>
 #include <system_error>
 
 #include <fcntl.h>
 #include <sys/file.h>
-#include <sys/mman.h>
-#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "irsg/core/AtomicRename.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
 
@@ -25,7 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr mode_t ordinary = 0666;
-constexpr std::string_view partEnding = ".part";
 
 [[noreturn]] void refuseToWrite(const fs::path& file, std::string value, std::string expected) {
     throw InputError({file.string(), "", std::move(value), std::move(expected)});
@@ -77,60 +70,62 @@ fs::path folderOf(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-/// Twelve letters that nobody foresees.
-std::string randomName() {
-    unsigned char bytes[12] = {};
-    static_cast<void>(getrandom(bytes, sizeof bytes, 0));
-    std::string name;
-    for (const unsigned char byte : bytes)
-        name += static_cast<char>('a' + byte % 26);
-    return name;
+/// Whether the name is that of the open file.
+bool isNameOf(const fs::path& name, int descriptor) {
+    struct stat named {
+    }, opened{};
+    return lstat(name.c_str(), &named) == 0 && fstat(descriptor, &opened) == 0 &&
+           named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
 }
 
-fs::path neighbourOf(const fs::path& target) {
+/// Removes a hidden neighbour that nobody holds a lock on: who wrote it was killed. False where
+/// somebody writes it now, or it cannot be removed.
+bool removeLeftOver(const fs::path& part) {
+    const int descriptor = open(part.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (descriptor < 0)
+        return errno == ENOENT;
+    const bool isGone = flock(descriptor, LOCK_EX | LOCK_NB) == 0 &&
+                        (!isNameOf(part, descriptor) || unlink(part.c_str()) == 0);
+    close(descriptor);
+    return isGone;
+}
+
+/// A new file beside the target, and its lock. The name is the first that no other writer of the
+/// target has; the left-over of one that was killed makes room. -1: see errno.
+int openPart(const fs::path& target, fs::path& part) {
     constexpr std::size_t longest = 200; // of the 255 bytes that names have
-    return folderOf(target) / ("." + target.filename().string().substr(0, longest) + "." +
-                               randomName() + std::string(partEnding));
-}
-
-bool isLeftOver(const fs::path& file) {
-    const std::string name = file.filename().string();
-    return name.size() > 19 && name[0] == '.' && name.ends_with(partEnding) &&
-           name[name.size() - 18] == '.';
-}
-
-/// Removes what killed programs left: neighbours that nobody holds a lock on. Looks into a folder
-/// once a second at most: one of ten thousand frames is not looked through for each of them.
-void sweep(const fs::path& folder) {
-    using Clock = std::chrono::steady_clock;
-    static std::mutex mutex;
-    static std::map<fs::path, Clock::time_point> swept;
-    std::error_code failure;
-    const std::scoped_lock lock(mutex);
-    const auto now = Clock::now();
-    const auto [known, added] = swept.try_emplace(fs::weakly_canonical(folder, failure), now);
-    if (!added && now - known->second < std::chrono::seconds(1))
-        return;
-    known->second = now;
-    for (const auto& entry : fs::directory_iterator(folder, failure)) {
-        if (!isLeftOver(entry.path()) || !entry.is_regular_file(failure))
+    const std::string stem = "." + target.filename().string().substr(0, longest) + ".smat-";
+    for (int writer = 0;;) {
+        part = folderOf(target) / (stem + std::to_string(writer) + ".part");
+        const int descriptor =
+            open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, ordinary);
+        if (descriptor < 0) {
+            if (errno != EEXIST)
+                return -1;
+            if (!removeLeftOver(part))
+                ++writer;
             continue;
-        const int descriptor = open(entry.path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
-        if (descriptor < 0)
-            continue;
-        if (flock(descriptor, LOCK_EX | LOCK_NB) == 0)
-            fs::remove(entry.path(), failure);
+        }
+        // Some file systems know no locks; where they do, another writer may have taken it for a
+        // left-over meanwhile.
+        const bool isTaken = flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+        if (!isTaken && isNameOf(part, descriptor))
+            return descriptor;
         close(descriptor);
     }
 }
 
-bool meansNoFilesWithoutNames(int error) {
-    return error == EOPNOTSUPP || error == EISDIR || error == EINVAL;
-}
-
-/// How a file without a name is called.
-std::string callingOf(int descriptor) {
-    return "/proc/self/fd/" + std::to_string(descriptor);
+/// Gives the file its name where nothing has it; 0 or the system's error.
+int renameToNew(const fs::path& part, const fs::path& target) {
+    if (renameat2(AT_FDCWD, part.c_str(), AT_FDCWD, target.c_str(), RENAME_NOREPLACE) == 0)
+        return 0;
+    // Some file systems cannot tell in one step.
+    if (errno != EINVAL)
+        return errno;
+    if (link(part.c_str(), target.c_str()) != 0)
+        return errno;
+    unlink(part.c_str());
+    return 0;
 }
 
 } // namespace
@@ -149,31 +144,24 @@ FileReplacement::FileReplacement(const fs::path& target, Input input)
         refuseToWrite(named_, ENOENT);
     if (input == Input::refuse)
         refuseInputAsOutput(named_);
-    sweep(folder);
-
-    descriptor_ = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, ordinary);
-    if (descriptor_ >= 0 && access(callingOf(descriptor_).c_str(), F_OK) != 0) {
-        close(descriptor_); // without /proc it would never get a name
-        descriptor_ = -1;
-    } else if (descriptor_ < 0 && !meansNoFilesWithoutNames(errno)) {
-        refuseToWrite(named_, errno);
-    }
-    isOnDiskOfTarget_ = descriptor_ >= 0;
-    if (!isOnDiskOfTarget_)
-        descriptor_ = memfd_create("smat", MFD_CLOEXEC);
+    descriptor_ = openPart(target_, part_);
     if (descriptor_ < 0)
         refuseToWrite(named_, errno);
-    // Whoever sweeps leaves alone what is locked.
-    static_cast<void>(flock(descriptor_, LOCK_EX | LOCK_NB));
     try {
         takePermissions();
     } catch (...) {
-        close(descriptor_);
+        removePart();
         throw;
     }
 }
 
 FileReplacement::~FileReplacement() {
+    removePart();
+}
+
+void FileReplacement::removePart() {
+    if (!isCommitted_)
+        unlink(part_.c_str());
     close(descriptor_);
 }
 
@@ -192,37 +180,19 @@ void FileReplacement::write(std::string_view bytes) {
     writeAll(descriptor_, bytes, named_);
 }
 
-/// Its only name at once, where nothing has it; 0 or the system's error.
-int FileReplacement::linkToTarget() const {
-    return linkat(AT_FDCWD, callingOf(descriptor_).c_str(), AT_FDCWD, target_.c_str(),
-                  AT_SYMLINK_FOLLOW) == 0
-               ? 0
-               : errno;
-}
-
-/// 0 or the system's error.
-int FileReplacement::atomicRenameToTarget(Existing existing) const {
-    struct stat old {};
-    const bool stands = stat(target_.c_str(), &old) == 0;
-    const std::string calling = callingOf(descriptor_), part = neighbourOf(target_).string();
-    return atomicRename({descriptor_, isOnDiskOfTarget_, calling.c_str(), part.c_str(),
-                         target_.c_str(), stands ? &old : nullptr, existing == Existing::replace});
-}
-
 void FileReplacement::commit(Existing existing) {
     if (fsync(descriptor_) != 0)
         refuseToWrite(named_, errno);
-    std::error_code failure;
-    const bool stands = fs::exists(fs::symlink_status(target_, failure));
-    int error = EEXIST;
-    if (isOnDiskOfTarget_ && (existing == Existing::refuse || !stands))
-        error = linkToTarget();
-    if (error == EEXIST && (existing == Existing::replace || !isOnDiskOfTarget_))
-        error = atomicRenameToTarget(existing);
+    int error = 0;
+    if (existing == Existing::refuse)
+        error = renameToNew(part_, target_);
+    else if (rename(part_.c_str(), target_.c_str()) != 0)
+        error = errno;
     if (error == EEXIST)
         refuseToWrite(named_, "a file that exists already", "the name of a new file");
     if (error != 0)
         refuseToWrite(named_, error);
+    isCommitted_ = true;
     bringFolderToDisk(folderOf(target_));
 }
 

@@ -6,11 +6,10 @@
 
 namespace irsg {
 
-/// A file that is written without a name (in memory where the file system knows no files without
-/// names) and takes its place in one step: whoever is killed at any moment leaves the old file or
-/// the new one and nothing else (atomicRename). After a loss of power in the middle of that step a
-/// hidden neighbour (".NAME.XXX.part") may be left; the next program that writes into the folder
-/// removes it. Writers of one file do not meet: the last one wins.
+/// A file that is written as a hidden neighbour of its place (".NAME.smat-0.part") and takes it in
+/// one step: whoever is killed at any moment leaves the old file or the new one, whole. The
+/// neighbour may be left over; the next writer of the file removes it. Writers of one file do not
+/// meet: the last one wins.
 class FileReplacement {
   public:
     enum class Input { refuse, allow };
@@ -34,13 +33,13 @@ class FileReplacement {
 
   private:
     void takePermissions();
-    int linkToTarget() const;
-    int atomicRenameToTarget(Existing existing) const;
+    void removePart();
 
     std::filesystem::path named_;  ///< as messages call it
     std::filesystem::path target_; ///< behind a link
-    bool isOnDiskOfTarget_ = true; ///< else in memory
-    int descriptor_ = -1;
+    std::filesystem::path part_;   ///< the hidden neighbour
+    int descriptor_ = -1;          ///< of it
+    bool isCommitted_ = false;
 };
 
 /// The whole of a file in one step, as above. What is no regular file but may be written (a device,

@@ -50,20 +50,48 @@ TEST(FileReplacement, LeavesTheFileAndNothingBesideIt) {
 
 TEST(FileReplacement, LeavesFilesOfOthersAlone) {
     const TemporaryFolder folder;
-    for (const char* name : {"x.part", ".x.part", "x.part1", ".x.abcdefghijkl.partly"}) {
+    const auto names = {"x.part", ".x.part", "x.part1", ".x.smat-0.partly", ".y.smat-0.part"};
+    for (const char* name : names) {
         writeFileDurably(folder / name, "mine");
     }
     writeFileDurably(folder / "x", "1");
-    for (const char* name : {"x.part", ".x.part", "x.part1", ".x.abcdefghijkl.partly"}) {
+    for (const char* name : names) {
         EXPECT_EQ(readFile(folder / name), "mine") << name;
     }
 }
 
 TEST(FileReplacement, RemovesWhatAKilledProgramLeft) {
     const TemporaryFolder folder;
-    std::ofstream(folder / ".x.abcdefghijkl.part") << "half";
-    writeFileDurably(folder / "y", "1");
-    EXPECT_THAT(namesIn(folder.path()), ElementsAre("y"));
+    std::ofstream(folder / ".x.smat-0.part") << "half";
+    writeFileDurably(folder / "x", "1");
+    EXPECT_EQ(readFile(folder / "x"), "1");
+    EXPECT_THAT(namesIn(folder.path()), ElementsAre("x"));
+}
+
+TEST(FileReplacement, AWriterLeavesAloneWhatAnotherWritesNow) {
+    const TemporaryFolder folder;
+    FileReplacement first(folder / "x"), second(folder / "x");
+    first.write("first");
+    second.write("second");
+    EXPECT_THAT(namesIn(folder.path()), ElementsAre(".x.smat-0.part", ".x.smat-1.part"));
+    second.commit();
+    EXPECT_EQ(readFile(folder / "x"), "second");
+    first.commit();
+    EXPECT_EQ(readFile(folder / "x"), "first");
+    EXPECT_THAT(namesIn(folder.path()), ElementsAre("x"));
+}
+
+TEST(FileReplacement, WhatCannotBeALeftOverIsPassedBy) {
+    const TemporaryFolder folder;
+    writeFileDurably(folder / "others", "mine");
+    fs::create_symlink(folder / "others", folder / ".x.smat-0.part");
+    fs::create_directory(folder / ".x.smat-1.part");
+    ASSERT_EQ(mkfifo((folder / ".x.smat-2.part").c_str(), 0600), 0);
+    writeFileDurably(folder / "x", "1");
+    EXPECT_EQ(readFile(folder / "x"), "1");
+    EXPECT_EQ(readFile(folder / "others"), "mine");
+    EXPECT_THAT(namesIn(folder.path()),
+                testing::IsSupersetOf({".x.smat-0.part", ".x.smat-1.part"}));
 }
 
 TEST(FileReplacement, KeepsPermissionsAndLinks) {

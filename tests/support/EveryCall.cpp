@@ -115,28 +115,12 @@ class Watch {
 void Watch::entersCall(pid_t process, user_regs_struct& registers) {
     const auto number = static_cast<long>(registers.orig_rax);
     counting_ = counting_ || (process == worker_ && opensForWriting(registers));
-    if (mishap_.everyFileHasAName && number == SYS_openat &&
-        (registers.rdx & O_TMPFILE) == O_TMPFILE) {
-        letFail(process, registers, EOPNOTSUPP);
-        return;
-    }
-    if (!counting_) {
-        return;
-    }
-    const bool isOther = process != worker_;
-    ++ended_.calls;
-    ended_.callsOfOthers += isOther;
-    const bool isCounted = isOther || mishap_.kind != Mishap::helperKilled;
-    const long call = mishap_.kind == Mishap::helperKilled ? ended_.callsOfOthers : ended_.calls;
-    if (!isCounted || call != mishap_.call) {
+    if (!counting_ || ++ended_.calls != mishap_.call) {
         return;
     }
     ended_.name = std::to_string(number);
-    ended_.wasOther = isOther;
     if (mishap_.kind == Mishap::killed) {
         kill(worker_, SIGKILL);
-    } else if (mishap_.kind == Mishap::helperKilled) {
-        kill(process, SIGKILL);
     }
     hasMet_ = mishap_.kind != Mishap::fails || never.contains(number);
     if (!hasMet_) {

@@ -6,25 +6,20 @@
 namespace smat::test {
 
 /// What happens to a process at one of its calls of the system, or at one of those of a process
-/// that shares its memory for a moment (vfork).
+/// that shares its memory until it becomes another program (vfork).
 struct Mishap {
-    /// Killed is the process itself, whoever calls; helperKilled is the one that shares its memory,
-    /// whose calls alone count.
-    enum Kind { none, killed, helperKilled, fails } kind = none;
+    /// Killed is the process itself, whoever calls.
+    enum Kind { none, killed, fails } kind = none;
     long call = 0;            ///< which call, from 1
     int error = 0;            ///< of a call that fails
     bool onlyWriting = false; ///< calls count from the first that opens a file for writing
-    /// As on a file system that knows no files without names.
-    bool everyFileHasAName = false;
 };
 
 /// How the process ended.
 struct Ended {
-    int exitCode = -1;      ///< 0 done, 2 refused, 3 something else; -1 where it was killed
-    long calls = 0;         ///< of the system, from the beginning of the work or of writing
-    long callsOfOthers = 0; ///< those of them that others made for it, up to the mishap
-    bool wasOther = false;  ///< who made the call that met the mishap
-    std::string name;       ///< number of the call that met the mishap
+    int exitCode = -1; ///< 0 done, 2 refused, 3 something else; -1 where it was killed
+    long calls = 0;    ///< of the system, from the beginning of the work or of writing
+    std::string name;  ///< number of the call that met the mishap
 };
 
 /// Whether this machine and its rules let one process watch the calls of another.
