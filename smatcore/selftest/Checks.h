@@ -23,6 +23,10 @@ std::vector<SelfTestCheck> scatteringChecks();
 inline constexpr auto relative = SelfTestCheck::Error::relative;
 inline constexpr auto absolute = SelfTestCheck::Error::absolute;
 
+/// The checks of a room, and behind them its hard ones.
+std::vector<SelfTestCheck> withHard(std::vector<SelfTestCheck> checks,
+                                    std::vector<SelfTestCheck> hard);
+
 /// Of several pairs, the one that lies farthest apart.
 class Farthest {
   public:
@@ -44,6 +48,19 @@ class Farthest {
     double worst_ = -1.0;
     SelfTestValue found_;
 };
+
+/// Of the pairs that a measurement gives for each of these numbers, the one that lies farthest
+/// apart.
+inline SelfTestValue farthestOf(const std::vector<double>& numbers,
+                                const std::function<SelfTestValue(double)>& measure,
+                                SelfTestCheck::Error error = relative) {
+    Farthest farthest(error);
+    for (const double number : numbers) {
+        const SelfTestValue pair = measure(number);
+        farthest.add(pair.value, pair.expected);
+    }
+    return farthest.found();
+}
 
 /// How many of these calls are refused with an irsg::InputError.
 template <typename... Calls>

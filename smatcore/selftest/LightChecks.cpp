@@ -108,23 +108,15 @@ SelfTestValue shadow(SelfTestBench& bench) {
 
 std::vector<SelfTestCheck> lightChecks() {
     return {
-        {.name = "light.enclosure",
-         .says = "Inside a closed grey box of one temperature, with all reflections: a black body "
-                 "in every pixel",
-         .unit = "W m-2 sr-1",
-         .bound = 2e-3,
-         .measure = [](auto& bench) { return enclosure(bench); }},
-        {.name = "light.perpendicular-squares",
-         .says = "What a square reflects of a hot one at its edge: view factor C-14 of Howell's "
-                 "catalogue",
-         .unit = "W sr-1",
-         .bound = 5e-3,
-         .measure = [](auto& bench) { return perpendicularSquares(bench); }},
-        {.name = "light.shadow",
-         .says = "A floor in the sun less the shadow of a plate of 1 m2 above it",
-         .unit = "W sr-1",
-         .bound = 5e-3,
-         .measure = [](auto& bench) { return shadow(bench); }},
+        {"light.enclosure",
+         "Inside a closed grey box of one temperature, with all reflections: a black body in every "
+         "pixel",
+         "W m-2 sr-1", 2e-3, relative, enclosure},
+        {"light.perpendicular-squares",
+         "What a square reflects of a hot one at its edge: view factor C-14 of Howell's catalogue",
+         "W sr-1", 5e-3, relative, perpendicularSquares},
+        {"light.shadow", "A floor in the sun less the shadow of a plate of 1 m2 above it", "W sr-1",
+         5e-3, relative, shadow},
     };
 }
 

@@ -58,7 +58,7 @@ SelfTestValue bandsOver(const std::vector<double>& temperatures_K) {
 }
 
 /// R rises linearly from 0 at 3 um to 1 at 5 um: the integral of (lambda - 3) / 2 L by Simpson.
-SelfTestValue sampledResponse() {
+SelfTestValue sampledResponse(SelfTestBench&) {
     const Band band = Band::fromResponse(Spectrum({3.0, 5.0}, {0.0, 1.0}));
     constexpr int intervals = 20000;
     long double sum = 0.0L;
@@ -72,7 +72,7 @@ SelfTestValue sampledResponse() {
             static_cast<double>(sum * 2.0L / intervals / 3.0L)};
 }
 
-SelfTestValue apparentTemperatures() {
+SelfTestValue apparentTemperatures(SelfTestBench&) {
     Farthest farthest;
     for (const double temperature_K : {150.0, 288.15, 320.0, 900.0, 2500.0})
         for (const auto& band : {Band::topHat(3.0, 5.0), Band::topHat(8.0, 12.0)})
@@ -85,142 +85,105 @@ SelfTestValue apparentTemperatures() {
     return farthest.found();
 }
 
+SelfTestValue slope(SelfTestBench&) {
+    Farthest farthest;
+    for (const double t : {250.0, 300.0, 900.0})
+        farthest.add(irsg::planckDerivative_W_m2_sr_um_K(4.0, t),
+                     static_cast<double>((irsg::reference::planck(4.0L, t + 0.001L) -
+                                          irsg::reference::planck(4.0L, t - 0.001L)) /
+                                         0.002L));
+    return farthest.found();
+}
+
+SelfTestValue badAxesAndResponses(SelfTestBench&) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    using Numbers = std::vector<double>;
+    int refused = refusals([] { Band::topHat(4.0, 4.0); });
+    for (const auto& [axis, values] : {std::pair<Numbers, Numbers>{{5.0, 3.0}, {1.0, 1.0}},
+                                       {{3.0, 3.0}, {1.0, 1.0}},
+                                       {{3.0, none}, {1.0, 1.0}},
+                                       {{3.0, 4.0}, {1.0, none}}})
+        refused += refusals([&] { Spectrum(axis, values); });
+    for (const Numbers& response : {Numbers{0.0, 0.0}, {-1.0, 3.0}})
+        refused += refusals([&] { Band::fromResponse(Spectrum({3.0, 5.0}, response)); });
+    return {static_cast<double>(refused), 7.0};
+}
+
 } // namespace
 
 std::vector<SelfTestCheck> radiometryChecks() {
-    return {
-        {.name = "radiometry.planck",
-         .says = "Planck's law, 200 to 3000 K, 1 to 15 um, against long double",
-         .unit = "W m-2 sr-1 um-1",
-         .bound = 1e-12,
-         .measure =
+    return withHard(
+        {
+            {"radiometry.planck", "Planck's law, 200 to 3000 K, 1 to 15 um, against long double",
+             "W m-2 sr-1 um-1", 1e-12, relative,
              [](auto&) {
                  return planckOver({1.0, 2.7, 4.3, 10.0, 15.0},
                                    {200.0, 288.15, 300.0, 700.0, 3000.0});
              }},
-        {.name = "radiometry.planck-printed",
-         .says = "Planck's law at 300 K and 10 um: 9.924 W m-2 sr-1 um-1, as tables print it",
-         .unit = "W m-2 sr-1 um-1",
-         .bound = 1e-4,
-         .measure =
+            {"radiometry.planck-printed",
+             "Planck's law at 300 K and 10 um: 9.924 W m-2 sr-1 um-1, as tables print it",
+             "W m-2 sr-1 um-1", 1e-4, relative,
              [](auto&) {
                  return SelfTestValue{planckOfLibrary(10.0, 300.0), 9.9240};
              }},
-        {.name = "radiometry.stefan-boltzmann",
-         .says = "pi times the integral of Planck's law, 0.2 to 40 um at 3000 K with the tails, "
-                 "against sigma T^4 (CODATA 2018)",
-         .unit = "W m-2",
-         .bound = 1e-8,
-         .measure =
+            {"radiometry.stefan-boltzmann",
+             "pi times the integral of Planck's law, 0.2 to 40 um at 3000 K with the tails, "
+             "against sigma T^4 (CODATA 2018)",
+             "W m-2", 1e-8, relative,
              [](auto&) {
                  const double all = irsg::bandRadiance_W_m2_sr(Band::topHat(0.05, 5000.0), 3000.0);
                  return SelfTestValue{irsg::pi * all,
                                       stefanBoltzmann_W_m2_K4 * std::pow(3000.0, 4)};
              }},
-        {.name = "radiometry.wien",
-         .says = "Wavelength of the largest radiance at 1000 K against Wien's displacement law",
-         .unit = "um",
-         .bound = 1e-6,
-         .measure =
+            {"radiometry.wien",
+             "Wavelength of the largest radiance at 1000 K against Wien's displacement law", "um",
+             1e-6, relative,
              [](auto&) {
                  return SelfTestValue{peak_um(1000.0), 2.897771955};
              }},
-        {.name = "radiometry.slope",
-         .says = "Slope of Planck's law with temperature against a central difference",
-         .unit = "W m-2 sr-1 um-1 K-1",
-         .bound = 1e-8,
-         .measure =
-             [](auto&) {
-                 Farthest farthest;
-                 for (const double t : {250.0, 300.0, 900.0})
-                     farthest.add(irsg::planckDerivative_W_m2_sr_um_K(4.0, t),
-                                  static_cast<double>((irsg::reference::planck(4.0L, t + 0.001L) -
-                                                       irsg::reference::planck(4.0L, t - 0.001L)) /
-                                                      0.002L));
-                 return farthest.found();
-             }},
-        {.name = "radiometry.band",
-         .says = "Band radiance of black bodies, 250 to 3000 K, against Simpson's rule in long "
-                 "double",
-         .unit = "W m-2 sr-1",
-         .bound = 1e-8,
-         .measure =
+            {"radiometry.slope",
+             "Slope of Planck's law with temperature against a central difference",
+             "W m-2 sr-1 um-1 K-1", 1e-8, relative, slope},
+            {"radiometry.band",
+             "Band radiance of black bodies, 250 to 3000 K, against Simpson's rule in long double",
+             "W m-2 sr-1", 1e-8, relative,
              [](auto&) {
                  return bandsOver({250.0, 288.15, 320.0, 900.0, 3000.0});
              }},
-        {.name = "radiometry.response",
-         .says = "Band radiance under a response that rises linearly over 3-5 um, likewise",
-         .unit = "W m-2 sr-1",
-         .bound = 1e-8,
-         .measure = [](auto&) { return sampledResponse(); }},
-        {.name = "radiometry.temperature-back",
-         .says = "Apparent and brightness temperature of black bodies give their temperature back",
-         .unit = "K",
-         .bound = 1e-8,
-         .measure = [](auto&) { return apparentTemperatures(); }},
-        {.name = "radiometry.planck-edges",
-         .says = "Planck's law at 1 K and 1e5 K, 0.2 to 40 um, against long double",
-         .unit = "W m-2 sr-1 um-1",
-         .bound = 1e-12,
-         .hard = true,
-         .measure =
+            {"radiometry.response",
+             "Band radiance under a response that rises linearly over 3-5 um, likewise",
+             "W m-2 sr-1", 1e-8, relative, sampledResponse},
+            {"radiometry.temperature-back",
+             "Apparent and brightness temperature of black bodies give their temperature back", "K",
+             1e-8, relative, apparentTemperatures},
+        },
+        {
+            {"radiometry.planck-edges",
+             "Planck's law at 1 K and 1e5 K, 0.2 to 40 um, against long double", "W m-2 sr-1 um-1",
+             1e-12, relative,
              [](auto&) {
                  return planckOver({0.2, 0.5, 12.0, 25.0, 40.0}, {1.0, 2.0, 30.0, 2e4, 1e5});
              }},
-        {.name = "radiometry.rayleigh-jeans",
-         .says = "h c / lambda k T = 1e-10: Planck's law against 2 c k T / lambda^4",
-         .unit = "W m-2 sr-1 um-1",
-         .bound = 1e-9,
-         .hard = true,
-         .measure =
+            {"radiometry.rayleigh-jeans",
+             "h c / lambda k T = 1e-10: Planck's law against 2 c k T / lambda^4", "W m-2 sr-1 um-1",
+             1e-9, relative,
              [](auto&) {
                  const double t = irsg::secondRadiationConstant_um_K / 40.0 * 1e10;
                  return SelfTestValue{planckOfLibrary(40.0, t),
                                       irsg::firstRadiationConstant_W_um4_m2_sr / std::pow(40.0, 4) *
                                           t / irsg::secondRadiationConstant_um_K};
              }},
-        {.name = "radiometry.band-edges",
-         .says = "Band radiance at 30 K and 5000 K against Simpson's rule in long double",
-         .unit = "W m-2 sr-1",
-         .bound = 1e-8,
-         .hard = true,
-         .measure =
+            {"radiometry.band-edges",
+             "Band radiance at 30 K and 5000 K against Simpson's rule in long double", "W m-2 sr-1",
+             1e-8, relative,
              [](auto&) {
                  return bandsOver({30.0, 5000.0});
              }},
-        {.name = "radiometry.refusals",
-         .says = "Reversed, repeated and NaN axes, a response of no area, one below zero and a "
-                 "band without width: refused",
-         .unit = "refusals",
-         .bound = 0.0,
-         .error = absolute,
-         .hard = true,
-         .measure =
-             [](auto&) {
-                 const double none = std::numeric_limits<double>::quiet_NaN();
-                 const int refused = refusals(
-                     [] {
-                         Spectrum({5.0, 3.0}, {1.0, 1.0});
-                     },
-                     [] {
-                         Spectrum({3.0, 3.0}, {1.0, 1.0});
-                     },
-                     [none] {
-                         Spectrum({3.0, none}, {1.0, 1.0});
-                     },
-                     [none] {
-                         Spectrum({3.0, 4.0}, {1.0, none});
-                     },
-                     [] {
-                         Band::fromResponse(Spectrum({3.0, 5.0}, {0.0, 0.0}));
-                     },
-                     [] {
-                         Band::fromResponse(Spectrum({3.0, 5.0}, {-1.0, 3.0}));
-                     },
-                     [] { Band::topHat(4.0, 4.0); });
-                 return SelfTestValue{static_cast<double>(refused), 7.0};
-             }},
-    };
+            {"radiometry.refusals",
+             "Reversed, repeated and NaN axes, a response of no area, one below zero and a band "
+             "without width: refused",
+             "refusals", 0.0, absolute, badAxesAndResponses},
+        });
 }
 
 } // namespace smat::selftest

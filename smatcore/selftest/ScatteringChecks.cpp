@@ -36,7 +36,7 @@ double pixelOfHaze(int x, int y) {
 }
 
 /// A picture through the transforms against the sum over its pixels.
-SelfTestValue filtered() {
+SelfTestValue filtered(SelfTestBench&) {
     irsg::MtfFilter filter(exponentialHaze());
     const irsg::HazeWindow object{11, 13, 7, 5}, frame{0, 0, 45, 51};
     std::vector<float> values(object.size()), sums(frame.size(), 0.0F);
@@ -62,44 +62,33 @@ SelfTestValue filtered() {
 
 std::vector<SelfTestCheck> scatteringChecks() {
     return {
-        {.name = "scattering.mie",
-         .says = "Extinction of a sphere of index 1.5 + i, size 100, as Wiscombe prints it "
-                 "(NCAR/TN-140)",
-         .unit = "",
-         .bound = 6e-7,
-         .error = absolute,
-         .measure =
-             [](auto&) {
-                 return SelfTestValue{irsg::MieSphere({1.5, 1.0}, 100.0).efficiencies().extinction,
-                                      2.097502};
-             }},
-        {.name = "scattering.haze-of-a-point",
-         .says = "Haze of a point at (5, 0), (3, 4), (10, 0) and (8, 6) pixels in closed form",
-         .unit = "",
-         .bound = 1e-3,
-         .measure =
-             [](auto&) {
-                 const auto point = exponentialHaze();
-                 Farthest farthest;
-                 for (const auto& [x, y] :
-                      {std::pair{5, 0}, std::pair{3, 4}, std::pair{10, 0}, std::pair{8, 6}})
-                     farthest.add(point->at(x, y), pixelOfHaze(x, y));
-                 return farthest.found();
-             }},
-        {.name = "scattering.energy",
-         .says = "Haze within the support and what the taper cuts against the gain of the MTF",
-         .unit = "",
-         .bound = 1e-4,
-         .measure =
-             [](auto&) {
-                 return SelfTestValue{exponentialHaze()->energy() + exponentialHaze()->cut(), gain};
-             }},
-        {.name = "scattering.transforms",
-         .says = "A window of 7 x 5 pixels by Fourier transforms against the direct sum",
-         .unit = "",
-         .bound = 1e-6,
-         .error = absolute,
-         .measure = [](auto&) { return filtered(); }},
+        {"scattering.mie",
+         "Extinction of a sphere of index 1.5 + i, size 100, as Wiscombe prints it (NCAR/TN-140)",
+         "", 6e-7, absolute,
+         [](auto&) {
+             return SelfTestValue{irsg::MieSphere({1.5, 1.0}, 100.0).efficiencies().extinction,
+                                  2.097502};
+         }},
+        {"scattering.haze-of-a-point",
+         "Haze of a point at (5, 0), (3, 4), (10, 0) and (8, 6) pixels in closed form", "", 1e-3,
+         relative,
+         [](auto&) {
+             const auto point = exponentialHaze();
+             Farthest farthest;
+             for (const auto& [x, y] :
+                  {std::pair{5, 0}, std::pair{3, 4}, std::pair{10, 0}, std::pair{8, 6}})
+                 farthest.add(point->at(x, y), pixelOfHaze(x, y));
+             return farthest.found();
+         }},
+        {"scattering.energy",
+         "Haze within the support and what the taper cuts against the gain of the MTF", "", 1e-4,
+         relative,
+         [](auto&) {
+             return SelfTestValue{exponentialHaze()->energy() + exponentialHaze()->cut(), gain};
+         }},
+        {"scattering.transforms",
+         "A window of 7 x 5 pixels by Fourier transforms against the direct sum", "", 1e-6,
+         absolute, filtered},
     };
 }
 

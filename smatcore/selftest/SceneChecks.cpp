@@ -157,270 +157,223 @@ SelfTestValue twoBands(SelfTestBench& bench) {
     return farthest.found();
 }
 
+SelfTestValue ballIntensity(SelfTestBench& bench) {
+    return {withBall(bench).measure().all.intensity_W_sr, intensityOfBall_W_sr(100.0)};
+}
+
+SelfTestValue plateCosine(SelfTestBench& bench) {
+    InteractiveRenderer& irsg = bench.irsg();
+    irsg.scene.entities = {entityOf(modelOf(plateMesh({0, 0, 0}, {-1, 0, 0}, {0, 0, 1}, one)),
+                                    greyDatabase(0.9, 320.0))};
+    Farthest farthest;
+    for (const double angle_deg : {0.0, 33.0, 61.0, 80.0}) {
+        look(irsg,
+             {.range_m = 5000.0, .azimuth_rad = irsg::radians(angle_deg), .fieldOfView_rad = 1e-3});
+        farthest.add(irsg.measure().all.intensity_W_sr,
+                     4.0 * std::cos(irsg::radians(angle_deg)) * grey_W_m2_sr());
+    }
+    return farthest.found();
+}
+
+SelfTestValue irradiance(SelfTestBench& bench) {
+    const auto report = withBall(bench).measure();
+    return {report.all.irradiance_W_m2, report.all.contrastIntensity_W_sr / 1e4};
+}
+
+SelfTestValue pictureAndReport(SelfTestBench& bench) {
+    InteractiveRenderer& irsg = withBall(bench);
+    const auto rendered = irsg.imageWithReport();
+    const double pixel_rad = 2.0 * std::tan(0.02) / 64.0;
+    return {sumOf(rendered.image) * pixel_rad * pixel_rad * 1e4,
+            rendered.report.all.intensity_W_sr};
+}
+
+SelfTestValue wideField(SelfTestBench& bench) {
+    InteractiveRenderer& irsg = withBall(bench);
+    look(irsg, {.width_px = 400, .height_px = 400, .fieldOfView_rad = 1.4});
+    const double aside_m = 100.0 * std::tan(irsg::radians(35.0));
+    irsg.scene.entities[0].pose = {{aside_m, 0.0, standingAltitude_m}, {}};
+    const double range_m = std::hypot(100.0, aside_m);
+    return {irsg.measure().all.intensity_W_sr,
+            grey_W_m2_sr() * convexSolidAngle_sr(ball(), {-aside_m, 100.0, 0.0}) * range_m *
+                range_m};
+}
+
+SelfTestValue hidden(SelfTestBench& bench) {
+    InteractiveRenderer& irsg = bench.irsg();
+    const Mesh front = plateMesh({0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, one);
+    const auto measured = [&](const Mesh& mesh) {
+        irsg.scene.entities = {entityOf(modelOf(mesh), greyDatabase(0.9, 320.0))};
+        look(irsg, {});
+        return irsg.measure().all.intensity_W_sr;
+    };
+    const double alone = measured(front);
+    return {measured(joined(front, plateMesh({0, -1, 0}, {-0.5, 0, 0}, {0, 0, 0.5}, one))), alone};
+}
+
+SelfTestValue spectrumAndBand(SelfTestBench& bench) {
+    InteractiveRenderer& irsg = withBall(bench);
+    std::vector<double> wavenumbers_per_cm;
+    for (int i = 0; i < 10; ++i)
+        wavenumbers_per_cm.push_back(2000.0 + 130.0 * i);
+    const auto spectrum = irsg.measureSpectrum(wavenumbers_per_cm);
+    const double area = intensityOfBall_W_sr(100.0) / grey_W_m2_sr();
+    Farthest farthest;
+    for (std::size_t i = 0; i < wavenumbers_per_cm.size(); ++i)
+        farthest.add(spectrum.intensity_W_sr_um[i],
+                     area * 0.9 *
+                         irsg::planckRadiance_W_m2_sr_um(1e4 / wavenumbers_per_cm[i], 320.0));
+    return farthest.found();
+}
+
+SelfTestValue scales(SelfTestBench& bench) {
+    InteractiveRenderer& irsg = withBall(bench);
+    auto scaled = irsg.scene.entities;
+    scaled[0].temperatureScale[1] = 1.1;
+    irsg.scene.entities = scaled;
+    const double found = irsg.measure().all.intensity_W_sr;
+    auto warmer = withBall(bench).scene.entities;
+    warmer[0].database = std::make_shared<const irsg::SignatureDatabase>(greyDatabase(0.9, 352.0));
+    irsg.scene.entities = warmer;
+    return {found, irsg.measure().all.intensity_W_sr};
+}
+
+SelfTestValue farFromTheOrigin(SelfTestBench& bench) {
+    InteractiveRenderer& irsg = withBall(bench);
+    const double here = irsg.measure().all.intensity_W_sr;
+    irsg.scene.entities[0].pose = {{6.4e6, -6.4e6, standingAltitude_m}, {}};
+    look(irsg, {});
+    return {irsg.measure().all.intensity_W_sr, here};
+}
+
+SelfTestValue tenThousandKilometres(SelfTestBench& bench) {
+    InteractiveRenderer& irsg = withBall(bench);
+    look(irsg, {.range_m = 1e7, .fieldOfView_rad = 2.4e-7});
+    return {irsg.measure().all.intensity_W_sr,
+            grey_W_m2_sr() * convexSolidAngle_sr(ball(), {0, 1e4, 0}) * 1e8};
+}
+
+SelfTestValue fromInside(SelfTestBench& bench) {
+    Farthest farthest;
+    for (const double range_m : {0.5, 1e-9}) {
+        InteractiveRenderer& irsg = withBall(bench);
+        look(irsg, {.range_m = range_m, .fieldOfView_rad = 1.0});
+        farthest.add(static_cast<double>(irsg.picture().at(32, 32)), grey_W_m2_sr());
+    }
+    return farthest.found();
+}
+
+SelfTestValue shapesOfPictures(SelfTestBench& bench) {
+    InteractiveRenderer& irsg = withBall(bench);
+    Farthest farthest;
+    constexpr int sizes[][2] = {{1, 1}, {1, 37}, {37, 1}, {53, 47}, {640, 3}};
+    for (const auto& size : sizes) {
+        look(irsg, {.width_px = size[0],
+                    .height_px = size[1],
+                    .fieldOfView_rad = size[0] == 1 ? 1e-3 : 0.018});
+        farthest.add(static_cast<double>(irsg.picture().at(size[0] / 2, size[1] / 2)),
+                     grey_W_m2_sr());
+    }
+    return farthest.found();
+}
+
+SelfTestValue degenerateFacets(SelfTestBench& bench) {
+    InteractiveRenderer& irsg = withBall(bench);
+    const double before = irsg.measure().all.intensity_W_sr;
+    Mesh mesh = ball();
+    mesh.push_back(
+        {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, one, false});
+    mesh.push_back({{{0, 0, 0}, {0.1, 0.1, 0.1}, {0.2, 0.2, 0.2}},
+                    {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+                    one,
+                    false});
+    irsg.scene.entities = {entityOf(modelOf(mesh), greyDatabase(0.9, 320.0))};
+    look(irsg, {});
+    return {irsg.measure().all.intensity_W_sr, before};
+}
+
+SelfTestValue layersLeftOver(SelfTestBench& bench) {
+    Mesh mesh;
+    for (int i = 0; i < 6; ++i)
+        mesh = joined(mesh, plateMesh({0, i * 0.1, 0}, {1, 0, 0}, {0, 0, 1}, one));
+    InteractiveRenderer& irsg = bench.irsg();
+    irsg::RenderSettings settings;
+    settings.tileSide_samples = 0;
+    settings.samplesPerAxis = 1;
+    settings.maximumLayers = 3;
+    irsg.scene.settings = settings;
+    irsg.scene.entities = {entityOf(modelOf(mesh), greyDatabase(0.3, 320.0, 0.0, 0.7))};
+    look(irsg, {.range_m = 50.0, .fieldOfView_rad = 0.01});
+    return {static_cast<double>(irsg.imageWithReport().report.layersLeftOver), 64.0 * 64.0};
+}
+
 } // namespace
 
 std::vector<SelfTestCheck> sceneChecks() {
-    return {
-        {.name = "scene.ball-intensity",
-         .says = "Radiant intensity of a grey ball against the solid angle of its facets",
-         .unit = "W sr-1",
-         .bound = 1e-3,
-         .measure =
-             [](auto& bench) {
-                 return SelfTestValue{withBall(bench).measure().all.intensity_W_sr,
-                                      intensityOfBall_W_sr(100.0)};
-             }},
-        {.name = "scene.plate-cosine",
-         .says = "Intensity of a plate of 4 m2, seen at 0 to 80 degrees: area times cosine",
-         .unit = "W sr-1",
-         .bound = 2e-3,
-         .measure =
-             [](auto& bench) {
-                 InteractiveRenderer& irsg = bench.irsg();
-                 irsg.scene.entities = {
-                     entityOf(modelOf(plateMesh({0, 0, 0}, {-1, 0, 0}, {0, 0, 1}, one)),
-                              greyDatabase(0.9, 320.0))};
-                 Farthest farthest;
-                 for (const double angle_deg : {0.0, 33.0, 61.0, 80.0}) {
-                     look(irsg, {.range_m = 5000.0,
-                                 .azimuth_rad = irsg::radians(angle_deg),
-                                 .fieldOfView_rad = 1e-3});
-                     farthest.add(irsg.measure().all.intensity_W_sr,
-                                  4.0 * std::cos(irsg::radians(angle_deg)) * grey_W_m2_sr());
-                 }
-                 return farthest.found();
-             }},
-        {.name = "scene.irradiance",
-         .says = "Irradiance of the ball at the sensor: contrast intensity over the range squared",
-         .unit = "W m-2",
-         .bound = 1e-4,
-         .measure =
-             [](auto& bench) {
-                 const auto report = withBall(bench).measure();
-                 return SelfTestValue{report.all.irradiance_W_m2,
-                                      report.all.contrastIntensity_W_sr / 1e4};
-             }},
-        {.name = "scene.picture-and-report",
-         .says = "Sum over a picture, by solid angles of pixels and range squared, against the "
-                 "intensity of the report",
-         .unit = "W sr-1",
-         .bound = 1e-3,
-         .measure =
-             [](auto& bench) {
-                 InteractiveRenderer& irsg = withBall(bench);
-                 const auto rendered = irsg.imageWithReport();
-                 const double pixel_rad = 2.0 * std::tan(0.02) / 64.0;
-                 return SelfTestValue{sumOf(rendered.image) * pixel_rad * pixel_rad * 1e4,
-                                      rendered.report.all.intensity_W_sr};
-             }},
-        {.name = "scene.hot-part",
-         .says = "Sum over a picture of the ball with a small hot plate beside it, against its "
-                 "facets and the plate's area",
-         .unit = "W sr-1",
-         .bound = 3e-3,
-         .measure = [](auto& bench) { return hotSpotInPicture(bench); }},
-        {.name = "scene.even-picture",
-         .says = "A picture of black plates of one temperature, small ones before a large one that "
-                 "fills it: the farthest pixel from that black body",
-         .unit = "W m-2 sr-1",
-         .bound = 1e-5,
-         .measure = [](auto& bench) { return evenPicture(bench); }},
-        {.name = "scene.wide-field",
-         .says = "The ball 35 degrees off the axis of a wide field, against its solid angle",
-         .unit = "W sr-1",
-         .bound = 2e-3,
-         .measure =
-             [](auto& bench) {
-                 InteractiveRenderer& irsg = withBall(bench);
-                 look(irsg, {.width_px = 400, .height_px = 400, .fieldOfView_rad = 1.4});
-                 const double aside_m = 100.0 * std::tan(irsg::radians(35.0));
-                 irsg.scene.entities[0].pose = {{aside_m, 0.0, standingAltitude_m}, {}};
-                 const double range_m = std::hypot(100.0, aside_m);
-                 return SelfTestValue{irsg.measure().all.intensity_W_sr,
-                                      grey_W_m2_sr() *
-                                          convexSolidAngle_sr(ball(), {-aside_m, 100.0, 0.0}) *
-                                          range_m * range_m};
-             }},
-        {.name = "scene.hidden",
-         .says = "A plate behind a larger one adds nothing",
-         .unit = "W sr-1",
-         .bound = 1e-9,
-         .measure =
-             [](auto& bench) {
-                 InteractiveRenderer& irsg = bench.irsg();
-                 const Mesh front = plateMesh({0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, one);
-                 const auto measured = [&](const Mesh& mesh) {
-                     irsg.scene.entities = {entityOf(modelOf(mesh), greyDatabase(0.9, 320.0))};
-                     look(irsg, {});
-                     return irsg.measure().all.intensity_W_sr;
-                 };
-                 const double alone = measured(front);
-                 return SelfTestValue{
-                     measured(joined(front, plateMesh({0, -1, 0}, {-0.5, 0, 0}, {0, 0, 0.5}, one))),
-                     alone};
-             }},
-        {.name = "scene.unseen",
-         .says = "Contrast of a body of its background's radiance, as a part of its intensity",
-         .unit = "",
-         .bound = 1e-6,
-         .error = absolute,
-         .measure = [](auto& bench) { return unseen(bench); }},
-        {.name = "scene.against-rays",
-         .says = "A picture of a glazed body, every term switched on, against a ray caster in "
-                 "double: the farthest pixel whose neighbours hit the same facets",
-         .unit = "W m-2 sr-1",
-         .bound = 1e-5,
-         .measure = [](auto& bench) { return againstRays(bench); }},
-        {.name = "scene.two-bands",
-         .says = "Two bands from one drawing, over their black bodies, against a band by itself",
-         .unit = "m2",
-         .bound = 1e-3,
-         .measure = [](auto& bench) { return twoBands(bench); }},
-        {.name = "scene.spectrum-and-band",
-         .says = "A spectrum of intensity at 10 wavenumbers against Planck's law",
-         .unit = "W sr-1 um-1",
-         .bound = 1e-3,
-         .measure =
-             [](auto& bench) {
-                 InteractiveRenderer& irsg = withBall(bench);
-                 std::vector<double> wavenumbers_per_cm;
-                 for (int i = 0; i < 10; ++i)
-                     wavenumbers_per_cm.push_back(2000.0 + 130.0 * i);
-                 const auto spectrum = irsg.measureSpectrum(wavenumbers_per_cm);
-                 const double area = intensityOfBall_W_sr(100.0) / grey_W_m2_sr();
-                 Farthest farthest;
-                 for (std::size_t i = 0; i < wavenumbers_per_cm.size(); ++i)
-                     farthest.add(
-                         spectrum.intensity_W_sr_um[i],
-                         area * 0.9 *
-                             irsg::planckRadiance_W_m2_sr_um(1e4 / wavenumbers_per_cm[i], 320.0));
-                 return farthest.found();
-             }},
-        {.name = "scene.scales",
-         .says = "A temperature scaled by 1.1 as a draw of Monte Carlo against the same model "
-                 "with 352 K",
-         .unit = "W sr-1",
-         .bound = 1e-6,
-         .measure =
-             [](auto& bench) {
-                 InteractiveRenderer& irsg = withBall(bench);
-                 auto scaled = irsg.scene.entities;
-                 scaled[0].temperatureScale[1] = 1.1;
-                 irsg.scene.entities = scaled;
-                 const double found = irsg.measure().all.intensity_W_sr;
-                 auto warmer = withBall(bench).scene.entities;
-                 warmer[0].database =
-                     std::make_shared<const irsg::SignatureDatabase>(greyDatabase(0.9, 352.0));
-                 irsg.scene.entities = warmer;
-                 return SelfTestValue{found, irsg.measure().all.intensity_W_sr};
-             }},
-        {.name = "scene.far-from-the-origin",
-         .says = "The ball 9,000 km from the world's origin against itself at the origin",
-         .unit = "W sr-1",
-         .bound = 1e-5,
-         .hard = true,
-         .measure =
-             [](auto& bench) {
-                 InteractiveRenderer& irsg = withBall(bench);
-                 const double here = irsg.measure().all.intensity_W_sr;
-                 irsg.scene.entities[0].pose = {{6.4e6, -6.4e6, standingAltitude_m}, {}};
-                 look(irsg, {});
-                 return SelfTestValue{irsg.measure().all.intensity_W_sr, here};
-             }},
-        {.name = "scene.ten-thousand-kilometres",
-         .says = "The ball from 1e7 m, 2.4 balls to the frame",
-         .unit = "W sr-1",
-         .bound = 2e-3,
-         .hard = true,
-         .measure =
-             [](auto& bench) {
-                 InteractiveRenderer& irsg = withBall(bench);
-                 look(irsg, {.range_m = 1e7, .fieldOfView_rad = 2.4e-7});
-                 return SelfTestValue{irsg.measure().all.intensity_W_sr,
-                                      grey_W_m2_sr() * convexSolidAngle_sr(ball(), {0, 1e4, 0}) *
-                                          1e8};
-             }},
-        {.name = "scene.from-inside",
-         .says = "From inside the ball, and from its very centre: its radiance all around",
-         .unit = "W m-2 sr-1",
-         .bound = 1e-5,
-         .hard = true,
-         .measure =
-             [](auto& bench) {
-                 Farthest farthest;
-                 for (const double range_m : {0.5, 1e-9}) {
-                     InteractiveRenderer& irsg = withBall(bench);
-                     look(irsg, {.range_m = range_m, .fieldOfView_rad = 1.0});
-                     farthest.add(static_cast<double>(irsg.picture().at(32, 32)), grey_W_m2_sr());
-                 }
-                 return farthest.found();
-             }},
-        {.name = "scene.shapes-of-pictures",
-         .says = "Pictures of 1 x 1, 1 x 37, 37 x 1, 53 x 47 and 640 x 3 pixels: their middle",
-         .unit = "W m-2 sr-1",
-         .bound = 1e-5,
-         .hard = true,
-         .measure =
-             [](auto& bench) {
-                 InteractiveRenderer& irsg = withBall(bench);
-                 Farthest farthest;
-                 constexpr int sizes[][2] = {{1, 1}, {1, 37}, {37, 1}, {53, 47}, {640, 3}};
-                 for (const auto& size : sizes) {
-                     look(irsg, {.width_px = size[0],
-                                 .height_px = size[1],
-                                 .fieldOfView_rad = size[0] == 1 ? 1e-3 : 0.018});
-                     farthest.add(static_cast<double>(irsg.picture().at(size[0] / 2, size[1] / 2)),
-                                  grey_W_m2_sr());
-                 }
-                 return farthest.found();
-             }},
-        {.name = "scene.degenerate-facets",
-         .says = "Facets without area, without normals: the ball as it was",
-         .unit = "W sr-1",
-         .bound = 1e-6,
-         .hard = true,
-         .measure =
-             [](auto& bench) {
-                 InteractiveRenderer& irsg = withBall(bench);
-                 const double before = irsg.measure().all.intensity_W_sr;
-                 Mesh mesh = ball();
-                 mesh.push_back({{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-                                 {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}},
-                                 one,
-                                 false});
-                 mesh.push_back({{{0, 0, 0}, {0.1, 0.1, 0.1}, {0.2, 0.2, 0.2}},
-                                 {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
-                                 one,
-                                 false});
-                 irsg.scene.entities = {entityOf(modelOf(mesh), greyDatabase(0.9, 320.0))};
-                 look(irsg, {});
-                 return SelfTestValue{irsg.measure().all.intensity_W_sr, before};
-             }},
-        {.name = "scene.layers-left-over",
-         .says = "Six panes where three layers are kept: every sample is counted",
-         .unit = "samples",
-         .bound = 0.0,
-         .error = absolute,
-         .hard = true,
-         .measure =
-             [](auto& bench) {
-                 Mesh mesh;
-                 for (int i = 0; i < 6; ++i)
-                     mesh = joined(mesh, plateMesh({0, i * 0.1, 0}, {1, 0, 0}, {0, 0, 1}, one));
-                 InteractiveRenderer& irsg = bench.irsg();
-                 irsg::RenderSettings settings;
-                 settings.tileSide_samples = 0;
-                 settings.samplesPerAxis = 1;
-                 settings.maximumLayers = 3;
-                 irsg.scene.settings = settings;
-                 irsg.scene.entities = {
-                     entityOf(modelOf(mesh), greyDatabase(0.3, 320.0, 0.0, 0.7))};
-                 look(irsg, {.range_m = 50.0, .fieldOfView_rad = 0.01});
-                 return SelfTestValue{
-                     static_cast<double>(irsg.imageWithReport().report.layersLeftOver),
-                     64.0 * 64.0};
-             }},
-    };
+    return withHard(
+        {
+            {"scene.ball-intensity",
+             "Radiant intensity of a grey ball against the solid angle of its facets", "W sr-1",
+             1e-3, relative, ballIntensity},
+            {"scene.plate-cosine",
+             "Intensity of a plate of 4 m2, seen at 0 to 80 degrees: area times cosine", "W sr-1",
+             2e-3, relative, plateCosine},
+            {"scene.irradiance",
+             "Irradiance of the ball at the sensor: contrast intensity over the range squared",
+             "W m-2", 1e-4, relative, irradiance},
+            {"scene.picture-and-report",
+             "Sum over a picture, by solid angles of pixels and range squared, against the "
+             "intensity of the report",
+             "W sr-1", 1e-3, relative, pictureAndReport},
+            {"scene.hot-part",
+             "Sum over a picture of the ball with a small hot plate beside it, against its facets "
+             "and the plate's area",
+             "W sr-1", 3e-3, relative, hotSpotInPicture},
+            {"scene.even-picture",
+             "A picture of black plates of one temperature, small ones before a large one that "
+             "fills it: the farthest pixel from that black body",
+             "W m-2 sr-1", 1e-5, relative, evenPicture},
+            {"scene.wide-field",
+             "The ball 35 degrees off the axis of a wide field, against its solid angle", "W sr-1",
+             2e-3, relative, wideField},
+            {"scene.hidden", "A plate behind a larger one adds nothing", "W sr-1", 1e-9, relative,
+             hidden},
+            {"scene.unseen",
+             "Contrast of a body of its background's radiance, as a part of its intensity", "",
+             1e-6, absolute, unseen},
+            {"scene.against-rays",
+             "A picture of a glazed body, every term switched on, against a ray caster in double: "
+             "the farthest pixel whose neighbours hit the same facets",
+             "W m-2 sr-1", 1e-5, relative, againstRays},
+            {"scene.two-bands",
+             "Two bands from one drawing, over their black bodies, against a band by itself", "m2",
+             1e-3, relative, twoBands},
+            {"scene.spectrum-and-band",
+             "A spectrum of intensity at 10 wavenumbers against Planck's law", "W sr-1 um-1", 1e-3,
+             relative, spectrumAndBand},
+            {"scene.scales",
+             "A temperature scaled by 1.1 as a draw of Monte Carlo against the same model with 352 "
+             "K",
+             "W sr-1", 1e-6, relative, scales},
+        },
+        {
+            {"scene.far-from-the-origin",
+             "The ball 9,000 km from the world's origin against itself at the origin", "W sr-1",
+             1e-5, relative, farFromTheOrigin},
+            {"scene.ten-thousand-kilometres", "The ball from 1e7 m, 2.4 balls to the frame",
+             "W sr-1", 2e-3, relative, tenThousandKilometres},
+            {"scene.from-inside",
+             "From inside the ball, and from its very centre: its radiance all around",
+             "W m-2 sr-1", 1e-5, relative, fromInside},
+            {"scene.shapes-of-pictures",
+             "Pictures of 1 x 1, 1 x 37, 37 x 1, 53 x 47 and 640 x 3 pixels: their middle",
+             "W m-2 sr-1", 1e-5, relative, shapesOfPictures},
+            {"scene.degenerate-facets", "Facets without area, without normals: the ball as it was",
+             "W sr-1", 1e-6, relative, degenerateFacets},
+            {"scene.layers-left-over",
+             "Six panes where three layers are kept: every sample is counted", "samples", 0.0,
+             absolute, layersLeftOver},
+        });
 }
 
 } // namespace smat::selftest

@@ -40,6 +40,15 @@ std::size_t countOf(const std::vector<SelfTestResult>& results, Outcome outcome)
 
 } // namespace
 
+std::vector<SelfTestCheck> selftest::withHard(std::vector<SelfTestCheck> checks,
+                                              std::vector<SelfTestCheck> hard) {
+    for (SelfTestCheck& check : hard) {
+        check.hard = true;
+        checks.push_back(std::move(check));
+    }
+    return checks;
+}
+
 irsg::InteractiveRenderer& SelfTestBench::irsg() {
     if (!irsg_)
         irsg_ = std::make_unique<irsg::InteractiveRenderer>();

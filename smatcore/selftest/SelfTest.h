@@ -35,10 +35,10 @@ struct SelfTestCheck {
     std::string unit; ///< of the value
     double bound;     ///< of the error, in its kind
     Error error = Error::relative;
-    /// One of the hard cases, at the edge of what may be asked; they run on demand.
-    bool hard = false;
     /// Throws irsg::InputError where the machine cannot do it.
     std::function<SelfTestValue(SelfTestBench&)> measure;
+    /// One of the hard cases, at the edge of what may be asked; they run on demand.
+    bool hard = false;
 
     /// How far a value lies from the right one; infinite where it is not a number.
     double errorOf(const SelfTestValue& found) const;

@@ -18,7 +18,7 @@ using irsg::TemperatureTerms;
 
 /// T0 + a T_amb (1 + 0.2 r M^2 + dT / T_amb) with numbers that can be followed by hand:
 /// 10 + 0.9 * 250 * (1 + 0.2 * 0.85 * 4 + 20 / 250) = 10 + 225 * 1.76.
-SelfTestValue recovery() {
+SelfTestValue recovery(SelfTestBench&) {
     TemperatureTerms terms;
     terms.base_K = 10.0;
     terms.ambientFactor = 0.9;
@@ -28,7 +28,7 @@ SelfTestValue recovery() {
 }
 
 /// Each table adds its own: 100 + 7 (time) + 30 (power) - 5 (altitude) + 12 (Mach).
-SelfTestValue tables() {
+SelfTestValue tables(SelfTestBench&) {
     TemperatureTerms terms;
     terms.base_K = 100.0;
     terms.time = LookupTable({0.0, 10.0}, {2.0, 12.0});
@@ -41,7 +41,7 @@ SelfTestValue tables() {
 }
 
 /// A saw tooth of period 4 from 0 to 8, far outside its nodes on either side.
-SelfTestValue loops() {
+SelfTestValue loops(SelfTestBench&) {
     const LookupTable saw({1.0, 5.0}, {0.0, 8.0}, true);
     Farthest farthest(absolute);
     for (const double x : {1.0, 2.5, 4.5, 6.0, -2.0, 41.5, -38.25}) {
@@ -51,7 +51,7 @@ SelfTestValue loops() {
     return farthest.found();
 }
 
-SelfTestValue philox() {
+SelfTestValue philox(SelfTestBench&) {
     // The known answers that come with the authors' library Random123.
     struct Known {
         std::array<std::uint32_t, 4> counter;
@@ -74,7 +74,7 @@ SelfTestValue philox() {
 }
 
 /// Mean of prod (1 + (x_i - 1/2)) over eight dimensions, which is 1, by 4096 scrambled points.
-SelfTestValue sobol() {
+SelfTestValue sobol(SelfTestBench&) {
     const irsg::SobolSequence sequence(8, 1, 0);
     double sum = 0.0;
     constexpr std::uint32_t points = 4096;
@@ -90,51 +90,32 @@ SelfTestValue sobol() {
 } // namespace
 
 std::vector<SelfTestCheck> signatureChecks() {
-    return {
-        {.name = "signature.recovery-temperature",
-         .says = "Eq. 7 with ambient factor, recovery at Mach 2 and offset, by hand",
-         .unit = "K",
-         .bound = 1e-12,
-         .measure = [](auto&) { return recovery(); }},
-        {.name = "signature.tables",
-         .says = "Eq. 7 with its tables of time, power, altitude and Mach number, by hand",
-         .unit = "K",
-         .bound = 1e-12,
-         .measure = [](auto&) { return tables(); }},
-        {.name = "signature.table-loops",
-         .says = "A looping table far outside its nodes against the remainder",
-         .unit = "K",
-         .bound = 1e-9,
-         .error = absolute,
-         .measure = [](auto&) { return loops(); }},
-        {.name = "signature.table-ends",
-         .says = "A table that does not loop holds its end values",
-         .unit = "K",
-         .bound = 0.0,
-         .error = absolute,
-         .measure =
+    return withHard(
+        {
+            {"signature.recovery-temperature",
+             "Eq. 7 with ambient factor, recovery at Mach 2 and offset, by hand", "K", 1e-12,
+             relative, recovery},
+            {"signature.tables",
+             "Eq. 7 with its tables of time, power, altitude and Mach number, by hand", "K", 1e-12,
+             relative, tables},
+            {"signature.table-loops", "A looping table far outside its nodes against the remainder",
+             "K", 1e-9, absolute, loops},
+            {"signature.table-ends", "A table that does not loop holds its end values", "K", 0.0,
+             absolute,
              [](auto&) {
                  const LookupTable table({0.0, 10.0}, {3.0, 7.0});
                  return SelfTestValue{table.at(-1e9) + 10.0 * table.at(1e9), 73.0};
              }},
-        {.name = "signature.random-words",
-         .says = "Philox4x32-10 against the three known answers of its authors (Random123)",
-         .unit = "equal",
-         .bound = 0.0,
-         .error = absolute,
-         .measure = [](auto&) { return philox(); }},
-        {.name = "signature.sobol-mean",
-         .says = "A product of eight coordinates over 4096 scrambled points of Sobol' against its "
-                 "mean",
-         .unit = "",
-         .bound = 1e-3,
-         .measure = [](auto&) { return sobol(); }},
-        {.name = "signature.students-interval",
-         .says = "95 % interval of the mean of 1 ... 10 against Student's t of 9 degrees of "
-                 "freedom (2.262157)",
-         .unit = "",
-         .bound = 1e-5,
-         .measure =
+            {"signature.random-words",
+             "Philox4x32-10 against the three known answers of its authors (Random123)", "equal",
+             0.0, absolute, philox},
+            {"signature.sobol-mean",
+             "A product of eight coordinates over 4096 scrambled points of Sobol' against its mean",
+             "", 1e-3, relative, sobol},
+            {"signature.students-interval",
+             "95 % interval of the mean of 1 ... 10 against Student's t of 9 degrees of freedom "
+             "(2.262157)",
+             "", 1e-5, relative,
              [](auto&) {
                  std::vector<double> values(10);
                  for (std::size_t i = 0; i < 10; ++i)
@@ -143,13 +124,10 @@ std::vector<SelfTestCheck> signatureChecks() {
                  return SelfTestValue{mean.high95,
                                       5.5 + 2.2621571628 * std::sqrt(55.0 / 6.0 / 10.0)};
              }},
-        {.name = "signature.refusals",
-         .says = "Tables whose axis goes back, repeats or is no number: refused",
-         .unit = "refusals",
-         .bound = 0.0,
-         .error = absolute,
-         .hard = true,
-         .measure =
+        },
+        {
+            {"signature.refusals", "Tables whose axis goes back, repeats or is no number: refused",
+             "refusals", 0.0, absolute,
              [](auto&) {
                  return SelfTestValue{static_cast<double>(refusals(
                                           [] {
@@ -164,7 +142,7 @@ std::vector<SelfTestCheck> signatureChecks() {
                                           [] { LookupTable({1.0}, {1.0}, true); })),
                                       4.0};
              }},
-    };
+        });
 }
 
 } // namespace smat::selftest

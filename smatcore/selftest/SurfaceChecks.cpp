@@ -30,46 +30,69 @@ Mesh tilted(double angle_rad, irsg::IrCodes codes = {1, 1}) {
     return plateMesh({0, 0, 0}, {-1, 0, 0}, {0, -s, c}, codes);
 }
 
+/// The same at every wavelength: W m-2 um-1, and per sr of the path and of the background.
+struct Air {
+    double sun = 0.0, sky = 0.0, ground = 0.0;
+    double transmittance = 1.0, path = 0.0, background = 0.0;
+};
+
 /// What surfaces send in the middle of the picture, W m-2 sr-1.
 struct Middle {
-    Mesh mesh = tilted(0.0);
     irsg::SignatureDatabase database = greyDatabase(0.8, 320.0);
-    ConstantAtmosphere air;
+    Air air = {};
     irsg::SunPosition sun{0.0, irsg::radians(30.0)};
-    irsg::RenderSettings settings;
-    double range_m = 100.0;
+    irsg::RenderSettings settings = {};
+    Mesh mesh = tilted(0.0);
 
     double radiance(SelfTestBench& bench) const {
+        ConstantAtmosphere constant;
+        constant.sunValue = air.sun;
+        constant.downValue = air.sky;
+        constant.upValue = air.ground;
+        constant.transmittanceValue = air.transmittance;
+        constant.pathRadianceValue = air.path;
+        constant.backgroundValue = air.background;
         InteractiveRenderer& irsg = bench.irsg();
-        irsg.scene.environment = environmentOf(air, sun);
+        irsg.scene.environment = environmentOf(constant, sun);
         irsg::RenderSettings one = settings;
         one.tileSide_samples = 0;
         one.samplesPerAxis = 1;
         irsg.scene.settings = one;
         irsg.scene.entities = {entityOf(modelOf(mesh), database)};
-        look(irsg, {.range_m = range_m, .width_px = 5, .height_px = 5, .fieldOfView_rad = 1e-3});
+        look(irsg, {.width_px = 5, .height_px = 5, .fieldOfView_rad = 1e-3});
         return static_cast<double>(irsg.picture().at(2, 2));
     }
 };
 
-SelfTestValue tilts(SelfTestBench& bench, const std::function<void(Middle&)>& set,
-                    const std::function<double(double)>& expected,
-                    const std::vector<double>& angles_deg, SelfTestCheck::Error error = relative) {
-    Farthest farthest(error);
-    for (const double angle_deg : angles_deg) {
-        Middle middle;
-        middle.mesh = tilted(irsg::radians(angle_deg));
-        set(middle);
-        farthest.add(middle.radiance(bench), expected(irsg::radians(angle_deg)));
+/// A plate at several tilts, each in its own picture, and what it sends in closed form.
+struct Tilts {
+    std::string name, says;
+    double bound;
+    std::vector<double> angles_deg;
+    Middle middle = {};
+    double (*expected)(double angle_rad);
+    std::string unit = "W m-2 sr-1";
+    SelfTestCheck::Error error = relative;
+
+    operator SelfTestCheck() const {
+        const auto measure = [tilts = *this](SelfTestBench& bench) {
+            const auto at = [&](double angle_deg) {
+                Middle middle = tilts.middle;
+                middle.mesh = tilted(irsg::radians(angle_deg));
+                return SelfTestValue{middle.radiance(bench),
+                                     tilts.expected(irsg::radians(angle_deg))};
+            };
+            return farthestOf(tilts.angles_deg, at, tilts.error);
+        };
+        return {name, says, unit, bound, error, measure};
     }
-    return farthest.found();
-}
+};
 
 /// (1 - emissivity) / pi times the band of one W m-2 um-1, of the plate of emissivity 0.8.
 constexpr double reflected_per_W_m2 = 0.2 / irsg::pi * width_um;
-/// Emission of the cold plate that reflects, which is next to nothing.
-void cold(Middle& middle) {
-    middle.database = greyDatabase(0.8, 20.0);
+/// Of the plate that reflects: its emission is next to nothing.
+irsg::SignatureDatabase cold() {
+    return greyDatabase(0.8, 20.0);
 }
 
 /// A gas whose transmissivity falls from 1 to 0 and rises again over the band, before a black body:
@@ -109,260 +132,171 @@ SelfTestValue measuredSpectrum(SelfTestBench& bench) {
     flame.components = {{"all", Spectrum({3.5, 4.5}, {10.0, 30.0}, Spectrum::Outside::zero)}};
     flame.calibrationFactor = 2.0;
     middle.database.spectra["flame"] = flame;
-    middle.air.transmittanceValue = 0.6;
+    middle.air.transmittance = 0.6;
     return {middle.radiance(bench), 2.0 * 0.6 * 20.0};
+}
+
+SelfTestValue sunFromBehind(SelfTestBench& bench) {
+    const auto lit = [&](const irsg::SunPosition& sun) {
+        return Middle{.database = cold(), .air = {.sun = 100.0}, .sun = sun}.radiance(bench);
+    };
+    const double behind = lit({irsg::pi, irsg::radians(30.0)});
+    return {behind + lit({0.0, irsg::radians(-20.0)}), 0.0};
+}
+
+SelfTestValue noneAndAll(SelfTestBench& bench) {
+    const auto of = [&](double emissivity) {
+        return Middle{.database = greyDatabase(emissivity, 320.0), .air = {.sky = 50.0}}.radiance(
+            bench);
+    };
+    const double mirror = of(0.0);
+    return {mirror + of(1.0), 25.0 * width_um / irsg::pi + black_W_m2_sr(320.0)};
+}
+
+SelfTestValue clearPane(SelfTestBench& bench) {
+    const Middle middle{.database = greyDatabase(0.0, 320.0, 0.0, 1.0),
+                        .air = {.sky = 50.0, .path = 0.25, .background = 0.9}};
+    return {middle.radiance(bench), 0.9 * width_um};
+}
+
+SelfTestValue sunAtTheZenith(SelfTestBench& bench) {
+    return farthestOf({90.0, 1.0}, [&](double elevation_deg) {
+        const Middle middle{.database = cold(),
+                            .air = {.sun = 100.0},
+                            .sun = {0.0, irsg::radians(elevation_deg)},
+                            .mesh = tilted(irsg::radians(60.0))};
+        return SelfTestValue{middle.radiance(bench),
+                             reflected_per_W_m2 * 100.0 *
+                                 std::cos(irsg::radians(60.0 - elevation_deg))};
+    });
 }
 
 } // namespace
 
 std::vector<SelfTestCheck> surfaceChecks() {
-    return {
-        {.name = "surface.emission",
-         .says = "Emission of a grey plate that is seen at 0 to 70 degrees: emissivity times a "
-                 "black body",
-         .unit = "W m-2 sr-1",
-         .bound = 1e-6,
-         .measure =
-             [](auto& bench) {
-                 return tilts(
-                     bench, [](Middle&) {}, [](double) { return 0.8 * black_W_m2_sr(320.0); },
-                     {0.0, 30.0, 70.0});
-             }},
-        {.name = "surface.angle-factor",
-         .says = "With N = 3 and at 0 to 70 degrees: times the third power of the cosine",
-         .unit = "W m-2 sr-1",
-         .bound = 2e-6,
-         .measure =
-             [](auto& bench) {
-                 return tilts(
-                     bench, [](Middle& middle) { middle.database = greyDatabase(0.8, 320.0, 3.0); },
-                     [](double angle) {
-                         return 0.8 * black_W_m2_sr(320.0) * std::pow(std::cos(angle), 3.0);
-                     },
-                     {0.0, 30.0, 70.0});
-             }},
-        {.name = "surface.transmittance",
-         .says = "Emission through air of transmittance 0.6, with a path radiance",
-         .unit = "W m-2 sr-1",
-         .bound = 1e-6,
-         .measure =
-             [](auto& bench) {
-                 return tilts(
-                     bench,
-                     [](Middle& middle) {
-                         middle.air.transmittanceValue = 0.6;
-                         middle.air.pathRadianceValue = 0.25;
-                     },
-                     [](double) { return 0.6 * 0.8 * black_W_m2_sr(320.0) + 0.25 * width_um; },
-                     {0.0, 45.0});
-             }},
-        {.name = "surface.sun",
-         .says = "Sun of 30 degrees on plates of four tilts: reflectivity / pi, irradiance, cosine "
-                 "and transmittance",
-         .unit = "W m-2 sr-1",
-         .bound = 2e-6,
-         .measure =
-             [](auto& bench) {
-                 return tilts(
-                     bench,
-                     [](Middle& middle) {
-                         cold(middle);
-                         middle.air.sunValue = 100.0;
-                         middle.air.transmittanceValue = 0.6;
-                     },
-                     [](double angle) {
-                         return reflected_per_W_m2 * 0.6 * 100.0 *
-                                std::cos(angle - irsg::radians(30.0));
-                     },
-                     {0.0, 20.0, 60.0, -40.0});
-             }},
-        {.name = "surface.sun-from-behind",
-         .says = "A sun behind the plate, and one below the horizon, light nothing that is seen",
-         .unit = "W m-2 sr-1",
-         .bound = 1e-9,
-         .error = absolute,
-         .measure =
-             [](auto& bench) {
-                 Middle middle;
-                 cold(middle);
-                 middle.air.sunValue = 100.0;
-                 middle.sun.azimuth_rad = irsg::pi;
-                 const double behind = middle.radiance(bench);
-                 middle.sun = {0.0, irsg::radians(-20.0)};
-                 return SelfTestValue{behind + middle.radiance(bench), 0.0};
-             }},
-        {.name = "surface.sky",
-         .says = "Light of the sky on plates of four tilts: view factor (1 + sin tilt) / 2",
-         .unit = "W m-2 sr-1",
-         .bound = 2e-6,
-         .measure =
-             [](auto& bench) {
-                 return tilts(
-                     bench,
-                     [](Middle& middle) {
-                         cold(middle);
-                         middle.air.downValue = 50.0;
-                     },
-                     [](double angle) {
-                         return reflected_per_W_m2 * 50.0 * 0.5 * (1.0 + std::sin(angle));
-                     },
-                     {0.0, 25.0, 70.0, -50.0});
-             }},
-        {.name = "surface.ground",
-         .says = "Light of the ground likewise: view factor (1 - sin tilt) / 2",
-         .unit = "W m-2 sr-1",
-         .bound = 2e-6,
-         .measure =
-             [](auto& bench) {
-                 return tilts(
-                     bench,
-                     [](Middle& middle) {
-                         cold(middle);
-                         middle.air.upValue = 50.0;
-                     },
-                     [](double angle) {
-                         return reflected_per_W_m2 * 50.0 * 0.5 * (1.0 - std::sin(angle));
-                     },
-                     {0.0, 25.0, 70.0, -50.0});
-             }},
-        {.name = "surface.report-weights",
-         .says = "Light of the sky with the weights of the report: 1 - zenith angle / pi",
-         .unit = "W m-2 sr-1",
-         .bound = 2e-6,
-         .measure =
-             [](auto& bench) {
-                 return tilts(
-                     bench,
-                     [](Middle& middle) {
-                         cold(middle);
-                         middle.air.downValue = 50.0;
-                         middle.settings.fluxWeights = irsg::FluxWeights::report;
-                     },
-                     [](double angle) {
-                         const double zenith = 0.5 * irsg::pi - angle;
-                         return reflected_per_W_m2 * 50.0 * (1.0 - zenith / irsg::pi);
-                     },
-                     {0.0, 25.0, 70.0, -50.0});
-             }},
-        {.name = "surface.approx",
-         .says = "Sun, sky and ground in the mode approx: a quarter, a half and a half, however "
-                 "the plate is tilted",
-         .unit = "W m-2 sr-1",
-         .bound = 2e-6,
-         .measure =
-             [](auto& bench) {
-                 return tilts(
-                     bench,
-                     [](Middle& middle) {
-                         cold(middle);
-                         middle.air.sunValue = 100.0;
-                         middle.air.downValue = 50.0;
-                         middle.air.upValue = 30.0;
-                         middle.settings.sun = irsg::ReflectionMode::approx;
-                         middle.settings.ambientReflection = irsg::ReflectionMode::approx;
-                     },
-                     [](double) { return reflected_per_W_m2 * (25.0 + 25.0 + 15.0); }, {0.0, 60.0});
-             }},
-        {.name = "surface.glass-before-sky",
-         .says = "A warm pane of emissivity 0.3 and transmissivity 0.6: emission, reflected sky, "
-                 "its part of the path and of the background",
-         .unit = "W m-2 sr-1",
-         .bound = 2e-6,
-         .measure =
-             [](auto& bench) {
-                 return tilts(
-                     bench,
-                     [](Middle& middle) {
-                         middle.database = greyDatabase(0.3, 320.0, 0.0, 0.6);
-                         middle.air.transmittanceValue = 0.7;
-                         middle.air.pathRadianceValue = 0.25;
-                         middle.air.backgroundValue = 0.9;
-                         middle.air.downValue = 50.0;
-                     },
-                     [](double) {
-                         return 0.7 * (0.3 * black_W_m2_sr(320.0) +
-                                       0.1 / irsg::pi * width_um * 25.0) +
-                                0.4 * 0.25 * width_um + 0.6 * 0.9 * width_um;
-                     },
-                     {0.0});
-             }},
-        {.name = "surface.gas-before-body",
-         .says = "A body of 700 K behind a gas of 400 K whose bands change over the sensor's: "
-                 "products at each wavelength, against Simpson's rule",
-         .unit = "W m-2 sr-1",
-         .bound = 1e-5,
-         .measure = [](auto& bench) { return gasBeforeBody(bench); }},
-        {.name = "surface.measured-spectrum",
-         .says = "A measured spectrum with its calibration factor through air, by hand",
-         .unit = "W m-2 sr-1",
-         .bound = 1e-6,
-         .measure = [](auto& bench) { return measuredSpectrum(bench); }},
-        {.name = "surface.emissivity-0-and-1",
-         .says = "Emissivity 0 emits nothing, 1 a black body and reflects nothing",
-         .unit = "W m-2 sr-1",
-         .bound = 1e-6,
-         .hard = true,
-         .measure =
-             [](auto& bench) {
-                 Middle middle;
-                 middle.air.downValue = 50.0;
-                 middle.database = greyDatabase(0.0, 320.0);
-                 const double mirror = middle.radiance(bench);
-                 middle.database = greyDatabase(1.0, 320.0);
-                 return SelfTestValue{mirror + middle.radiance(bench),
-                                      25.0 * width_um / irsg::pi + black_W_m2_sr(320.0)};
-             }},
-        {.name = "surface.clear-pane",
-         .says = "A pane of transmissivity 1 before the sky is not there",
-         .unit = "W m-2 sr-1",
-         .bound = 1e-6,
-         .hard = true,
-         .measure =
-             [](auto& bench) {
-                 Middle middle;
-                 middle.database = greyDatabase(0.0, 320.0, 0.0, 1.0);
-                 middle.air.backgroundValue = 0.9;
-                 middle.air.pathRadianceValue = 0.25;
-                 middle.air.downValue = 50.0;
-                 return SelfTestValue{middle.radiance(bench), 0.9 * width_um};
-             }},
-        {.name = "surface.angle-factor-50",
-         .says = "N = 50 at 0, 30 and 80 degrees: the power of the cosine, relative to the front",
-         .unit = "",
-         .bound = 1e-5,
-         .error = absolute,
-         .hard = true,
-         .measure =
-             [](auto& bench) {
-                 return tilts(
-                     bench,
-                     [](Middle& middle) {
-                         middle.database = greyDatabase(1.0 / black_W_m2_sr(700.0), 700.0, 50.0);
-                     },
-                     [](double angle) { return std::pow(std::cos(angle), 50.0); },
-                     {0.0, 30.0, 80.0}, absolute);
-             }},
-        {.name = "surface.sun-at-the-zenith",
-         .says = "A sun in the zenith on a plate that looks up by 60 degrees, and on the horizon",
-         .unit = "W m-2 sr-1",
-         .bound = 2e-6,
-         .hard = true,
-         .measure =
-             [](auto& bench) {
-                 Farthest farthest;
-                 for (const double elevation_deg : {90.0, 1.0}) {
-                     Middle middle;
-                     cold(middle);
-                     middle.mesh = tilted(irsg::radians(60.0));
-                     middle.air.sunValue = 100.0;
-                     middle.sun.elevation_rad = irsg::radians(elevation_deg);
-                     farthest.add(middle.radiance(bench),
-                                  reflected_per_W_m2 * 100.0 *
-                                      std::cos(irsg::radians(60.0 - elevation_deg)));
-                 }
-                 return farthest.found();
-             }},
-    };
+    return withHard(
+        {
+            Tilts{.name = "surface.emission",
+                  .says =
+                      "Emission of a grey plate that is seen at 0 to 70 degrees: emissivity times "
+                      "a black body",
+                  .bound = 1e-6,
+                  .angles_deg = {0.0, 30.0, 70.0},
+                  .expected = [](double) { return 0.8 * black_W_m2_sr(320.0); }},
+            Tilts{.name = "surface.angle-factor",
+                  .says = "With N = 3 and at 0 to 70 degrees: times the third power of the cosine",
+                  .bound = 2e-6,
+                  .angles_deg = {0.0, 30.0, 70.0},
+                  .middle = {.database = greyDatabase(0.8, 320.0, 3.0)},
+                  .expected =
+                      [](double angle) {
+                          return 0.8 * black_W_m2_sr(320.0) * std::pow(std::cos(angle), 3.0);
+                      }},
+            Tilts{.name = "surface.transmittance",
+                  .says = "Emission through air of transmittance 0.6, with a path radiance",
+                  .bound = 1e-6,
+                  .angles_deg = {0.0, 45.0},
+                  .middle = {.air = {.transmittance = 0.6, .path = 0.25}},
+                  .expected =
+                      [](double) { return 0.6 * 0.8 * black_W_m2_sr(320.0) + 0.25 * width_um; }},
+            Tilts{.name = "surface.sun",
+                  .says =
+                      "Sun of 30 degrees on plates of four tilts: reflectivity / pi, irradiance, "
+                      "cosine and transmittance",
+                  .bound = 2e-6,
+                  .angles_deg = {0.0, 20.0, 60.0, -40.0},
+                  .middle = {.database = cold(), .air = {.sun = 100.0, .transmittance = 0.6}},
+                  .expected =
+                      [](double angle) {
+                          return reflected_per_W_m2 * 0.6 * 100.0 *
+                                 std::cos(angle - irsg::radians(30.0));
+                      }},
+            {"surface.sun-from-behind",
+             "A sun behind the plate, and one below the horizon, light nothing that is seen",
+             "W m-2 sr-1", 1e-9, absolute, sunFromBehind},
+            Tilts{.name = "surface.sky",
+                  .says =
+                      "Light of the sky on plates of four tilts: view factor (1 + sin tilt) / 2",
+                  .bound = 2e-6,
+                  .angles_deg = {0.0, 25.0, 70.0, -50.0},
+                  .middle = {.database = cold(), .air = {.sky = 50.0}},
+                  .expected =
+                      [](double angle) {
+                          return reflected_per_W_m2 * 50.0 * 0.5 * (1.0 + std::sin(angle));
+                      }},
+            Tilts{.name = "surface.ground",
+                  .says = "Light of the ground likewise: view factor (1 - sin tilt) / 2",
+                  .bound = 2e-6,
+                  .angles_deg = {0.0, 25.0, 70.0, -50.0},
+                  .middle = {.database = cold(), .air = {.ground = 50.0}},
+                  .expected =
+                      [](double angle) {
+                          return reflected_per_W_m2 * 50.0 * 0.5 * (1.0 - std::sin(angle));
+                      }},
+            Tilts{.name = "surface.report-weights",
+                  .says = "Light of the sky with the weights of the report: 1 - zenith angle / pi",
+                  .bound = 2e-6,
+                  .angles_deg = {0.0, 25.0, 70.0, -50.0},
+                  .middle = {.database = cold(),
+                             .air = {.sky = 50.0},
+                             .settings = {.fluxWeights = irsg::FluxWeights::report}},
+                  .expected =
+                      [](double angle) {
+                          const double zenith = 0.5 * irsg::pi - angle;
+                          return reflected_per_W_m2 * 50.0 * (1.0 - zenith / irsg::pi);
+                      }},
+            Tilts{.name = "surface.approx",
+                  .says = "Sun, sky and ground in the mode approx: a quarter, a half and a half, "
+                          "however the plate is tilted",
+                  .bound = 2e-6,
+                  .angles_deg = {0.0, 60.0},
+                  .middle = {.database = cold(),
+                             .air = {.sun = 100.0, .sky = 50.0, .ground = 30.0},
+                             .settings = {.sun = irsg::ReflectionMode::approx,
+                                          .ambientReflection = irsg::ReflectionMode::approx}},
+                  .expected = [](double) { return reflected_per_W_m2 * (25.0 + 25.0 + 15.0); }},
+            Tilts{.name = "surface.glass-before-sky",
+                  .says =
+                      "A warm pane of emissivity 0.3 and transmissivity 0.6: emission, reflected "
+                      "sky, its part of the path and of the background",
+                  .bound = 2e-6,
+                  .angles_deg = {0.0},
+                  .middle =
+                      {.database = greyDatabase(0.3, 320.0, 0.0, 0.6),
+                       .air = {.sky = 50.0, .transmittance = 0.7, .path = 0.25, .background = 0.9}},
+                  .expected =
+                      [](double) {
+                          return 0.7 * (0.3 * black_W_m2_sr(320.0) +
+                                        0.1 / irsg::pi * width_um * 25.0) +
+                                 0.4 * 0.25 * width_um + 0.6 * 0.9 * width_um;
+                      }},
+            {"surface.gas-before-body",
+             "A body of 700 K behind a gas of 400 K whose bands change over the sensor's: products "
+             "at each wavelength, against Simpson's rule",
+             "W m-2 sr-1", 1e-5, relative, gasBeforeBody},
+            {"surface.measured-spectrum",
+             "A measured spectrum with its calibration factor through air, by hand", "W m-2 sr-1",
+             1e-6, relative, measuredSpectrum},
+        },
+        {
+            {"surface.emissivity-0-and-1",
+             "Emissivity 0 emits nothing, 1 a black body and reflects nothing", "W m-2 sr-1", 1e-6,
+             relative, noneAndAll},
+            {"surface.clear-pane", "A pane of transmissivity 1 before the sky is not there",
+             "W m-2 sr-1", 1e-6, relative, clearPane},
+            Tilts{.name = "surface.angle-factor-50",
+                  .says = "N = 50 at 0, 30 and 80 degrees: the power of the cosine, relative to "
+                          "the front",
+                  .bound = 1e-5,
+                  .angles_deg = {0.0, 30.0, 80.0},
+                  .middle = {.database = greyDatabase(1.0 / black_W_m2_sr(700.0), 700.0, 50.0)},
+                  .expected = [](double angle) { return std::pow(std::cos(angle), 50.0); },
+                  .unit = "",
+                  .error = absolute},
+            {"surface.sun-at-the-zenith",
+             "A sun in the zenith on a plate that looks up by 60 degrees, and on the horizon",
+             "W m-2 sr-1", 2e-6, relative, sunAtTheZenith},
+        });
 }
 
 } // namespace smat::selftest
