@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "irsg/core/Collect.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
@@ -57,16 +58,13 @@ std::optional<SunOptions::Sun> SunOptions::sun() const {
     if (!longitude_.empty())
         place.longitude_rad = angle_rad("--longitude", longitude_, 360.0, diagnostics);
     irsg::UniversalTime time;
-    try {
-        if (!date_.empty() && !utc_.empty())
-            time = irsg::UniversalTime::fromText(date_, utc_, "");
-    } catch (const irsg::InputError& error) {
-        for (irsg::Diagnostic diagnostic : error.diagnostics()) {
-            diagnostic.file = "--" + diagnostic.position;
-            diagnostic.position.clear();
-            diagnostics.push_back(std::move(diagnostic));
-        }
-    }
+    if (!date_.empty() && !utc_.empty())
+        irsg::collect(
+            diagnostics, [&] { time = irsg::UniversalTime::fromText(date_, utc_, ""); },
+            [](irsg::Diagnostic& one) {
+                one.file = "--" + one.position;
+                one.position.clear();
+            });
     if (!diagnostics.empty())
         throw irsg::InputError(std::move(diagnostics));
     return Sun{irsg::sunPosition(time, place), time.dayOfYear()};

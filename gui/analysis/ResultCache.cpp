@@ -2,6 +2,7 @@
 
 #include "gui/analysis/ResultStore.h"
 #include "gui/widgets/Sentences.h"
+#include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/results/ResultFolder.h"
 
@@ -113,18 +114,11 @@ void ResultStore::saveWith(const std::filesystem::path& projectFile, const std::
     }
     QStringList writtenAgain;
     std::vector<irsg::Diagnostic> refused;
-    const auto attempt = [&refused](const auto& work) {
-        try {
-            work();
-        } catch (const irsg::InputError& error) {
-            refused.insert(refused.end(), error.diagnostics().begin(), error.diagnostics().end());
-        }
-    };
     for (ResultEntry& entry : entries_) {
         const bool isGone = !entry.document.empty() && !folder.holds(entry.document);
         if (isGone)
             writtenAgain << entry.title;
-        attempt([&] {
+        irsg::collect(refused, [&] {
             if (isGone || entry.document.empty())
                 entry.document = folder.save(documentOf(entry), entry.id);
             else if (entry.wordsChanged)
@@ -133,7 +127,7 @@ void ResultStore::saveWith(const std::filesystem::path& projectFile, const std::
         });
     }
     std::erase_if(removed_, [&](const auto& document) {
-        attempt([&] { folder.remove(document); });
+        irsg::collect(refused, [&] { folder.remove(document); });
         return !folder.holds(document);
     });
     emit unsavedChanged();

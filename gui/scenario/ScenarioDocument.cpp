@@ -4,6 +4,7 @@
 
 #include "gui/start/DataFolder.h"
 #include "gui/widgets/NumberFormat.h"
+#include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/simulate/ScenarioFile.h"
 #include "smatcore/support/TextFile.h"
@@ -29,13 +30,8 @@ EditedScenario readAll(const std::filesystem::path& file) {
         const std::filesystem::path at = read.scenario.resolve(path);
         if (read.trajectories.contains(at))
             return;
-        try {
-            read.trajectories[at] = TrajectoryTable::read(at);
-        } catch (const irsg::InputError& error) {
-            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
-                               error.diagnostics().end());
-            read.trajectories[at] = {}; // said once
-        }
+        TrajectoryTable& table = read.trajectories[at]; // empty where it is refused, which is once
+        irsg::collect(diagnostics, [&] { table = TrajectoryTable::read(at); });
     });
     if (!diagnostics.empty())
         throw irsg::InputError(diagnostics);

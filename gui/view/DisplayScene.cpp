@@ -11,6 +11,7 @@
 #include <osg/NodeVisitor>
 #include <osg/StateSet>
 
+#include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
 #include "irsg/geometry/model/ModelLoader.h"
 #include "irsg/geometry/model/ModelPlacing.h"
@@ -182,13 +183,10 @@ DisplayScene loadDisplayScene(const Project& project, const Settings& settings,
         const ProjectModel& given = project.models[i];
         const ModelKey key = ModelKey::of(project, given);
         irsg::LoadedGraph loaded;
-        try {
-            loaded = irsg::loadGraph(key.file, irsg::LoadPurpose::visible);
-        } catch (const irsg::InputError& error) {
-            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
-                               error.diagnostics().end());
+        irsg::collect(diagnostics,
+                      [&] { loaded = irsg::loadGraph(key.file, irsg::LoadPurpose::visible); });
+        if (!loaded.node)
             continue;
-        }
         for (const auto& remark : loaded.remarks)
             scene.remarks.push_back(QString::fromStdString(remark));
         UnlitFaces unlit;

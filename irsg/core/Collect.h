@@ -20,7 +20,30 @@ void collect(std::vector<Diagnostic>& diagnostics, const Work& work) {
     }
 }
 
-/// The same; what is in `diagnostics` already, word for word, is not said again.
+/// The same; `edit` changes each diagnostic before it is added.
+template <typename Work, typename Edit>
+void collect(std::vector<Diagnostic>& diagnostics, const Work& work, const Edit& edit) {
+    std::vector<Diagnostic> found;
+    collect(found, work);
+    for (Diagnostic& one : found) {
+        edit(one);
+        diagnostics.push_back(std::move(one));
+    }
+}
+
+/// What `work` gives; `edit` changes each diagnostic of an InputError on its way.
+template <typename Work, typename Edit>
+auto editing(const Work& work, const Edit& edit) {
+    try {
+        return work();
+    } catch (const InputError& error) {
+        std::vector<Diagnostic> diagnostics = error.diagnostics();
+        std::ranges::for_each(diagnostics, edit);
+        throw InputError(std::move(diagnostics));
+    }
+}
+
+/// As collect; what is in `diagnostics` already, word for word, is not said again.
 template <typename Work>
 void collectOnce(std::vector<Diagnostic>& diagnostics, const Work& work) {
     std::vector<Diagnostic> found;

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <sstream>
 
+#include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/ParallelFor.h"
 #include "irsg/radiometry/Units.h"
@@ -100,14 +101,8 @@ void MtfRecipe::check() const {
          "0 < lowest < highest <= 1e7 cycles per radian");
     need(photons >= 1 && photons <= 1'000'000'000'000u, "photons", std::to_string(photons),
          "1 to 1e12");
-    for (const auto& checkPart : std::initializer_list<std::function<void()>>{
-             [&] { sizes.nodes(); }, [&] { normalised(layers); }})
-        try {
-            checkPart();
-        } catch (const InputError& error) {
-            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
-                               error.diagnostics().end());
-        }
+    collect(diagnostics, [&] { sizes.nodes(); });
+    collect(diagnostics, [&] { normalised(layers); });
     if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
 }

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "irsg/atmosphere/AtmosphereScatteringLut.h"
+#include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/Wording.h"
 #include "irsg/radiance/SurfaceTemperatures.h"
@@ -74,16 +75,13 @@ void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double am
                                    "a positive temperature in the present state"});
     }
     for (const auto& [index, material] : materials) {
-        try {
-            surfaceModelOf(*material);
-        } catch (const InputError& error) {
-            for (Diagnostic one : error.diagnostics()) {
+        collect(
+            diagnostics, [&, &of = *material] { surfaceModelOf(of); },
+            [&, index = index, &of = *material](Diagnostic& one) {
                 one.file = entity.name;
-                one.position = "material index " + std::to_string(index) + " (" + material->name +
-                               ") " + one.position;
-                diagnostics.push_back(std::move(one));
-            }
-        }
+                one.position = "material index " + std::to_string(index) + " (" + of.name + ") " +
+                               one.position;
+            });
     }
     const auto check = [&](int index, const Material* material, const Band& band) {
         for (const auto& [name, spectrum] :
@@ -147,12 +145,7 @@ void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeo
                 const Environment& environment, const Sensor& sensor,
                 const std::vector<Band>& bands, const RenderSettings& settings) {
     std::vector<Diagnostic> diagnostics;
-    try {
-        sensor.check();
-    } catch (const InputError& error) {
-        diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
-                           error.diagnostics().end());
-    }
+    collect(diagnostics, [&] { sensor.check(); });
     if (settings.tileSide_samples != 0 &&
         (settings.tileSide_samples < 8 || settings.tileSide_samples > 2048))
         diagnostics.push_back({"settings", "zoom window", std::to_string(settings.tileSide_samples),
@@ -201,16 +194,9 @@ void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeo
             diagnostics.push_back({"environment", "scattering", "no scattering atmosphere",
                                    "an AtmosphereScatteringLUT or an MTF database"});
     }
-    if (settings.mode == CalculationMode::wideband) {
-        for (const Band& band : bands) {
-            try {
-                environment.requireWideband(band.range());
-            } catch (const InputError& error) {
-                diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
-                                   error.diagnostics().end());
-            }
-        }
-    }
+    if (settings.mode == CalculationMode::wideband)
+        for (const Band& band : bands)
+            collect(diagnostics, [&] { environment.requireWideband(band.range()); });
 
     for (std::size_t e = 0; e < entities.size(); ++e) {
         const double ambient_K =

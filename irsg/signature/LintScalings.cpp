@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "irsg/core/Collect.h"
 #include "irsg/signature/Findings.h"
 #include "irsg/signature/LintEntries.h"
 #include "irsg/signature/SurfaceTemperature.h"
@@ -168,13 +169,8 @@ ScalingUse scalingUseOf(const std::filesystem::path& model) {
     const auto take = [&](ScalingKind kind, std::string& name, ScalingTable& table) {
         const auto file = scalingFile(model, kind);
         name = file.filename().string();
-        try {
-            if (std::filesystem::exists(file))
-                table = readScalingFile(file, kind);
-        } catch (const InputError& error) {
-            use.diagnostics.insert(use.diagnostics.end(), error.diagnostics().begin(),
-                                   error.diagnostics().end());
-        }
+        if (std::filesystem::exists(file))
+            collect(use.diagnostics, [&] { table = readScalingFile(file, kind); });
     };
     take(ScalingKind::temperature, use.temperatureFile, use.scalings.temperatures);
     take(ScalingKind::emissivity, use.emissivityFile, use.scalings.emissivities);

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "irsg/core/Collect.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/core/FileReplacement.h"
@@ -68,14 +69,11 @@ ReflectanceTable readReflectanceTable(const std::filesystem::path& file) {
     }
     if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
-    try {
-        return {fixed == 3, std::move(wavelengths_um), std::move(rows)};
-    } catch (const InputError& error) {
-        std::vector<Diagnostic> named = error.diagnostics();
-        for (Diagnostic& one : named)
-            one.file = file.string();
-        throw InputError(std::move(named));
-    }
+    return editing(
+        [&] {
+            return ReflectanceTable{fixed == 3, std::move(wavelengths_um), std::move(rows)};
+        },
+        [&](Diagnostic& one) { one.file = file.string(); });
 }
 
 bool isReflectanceTable(const std::filesystem::path& file) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReplacement.h"
 #include "irsg/karma/KarmaXml.h"
@@ -106,13 +107,10 @@ Scalings loadScalings(const fs::path& model) {
         const fs::path file = scalingFile(model, kind);
         if (!fs::exists(file))
             continue;
-        try {
+        collect(diagnostics, [&] {
             (kind == ScalingKind::temperature ? scalings.temperatures : scalings.emissivities) =
                 readScalingFile(file, kind);
-        } catch (const InputError& error) {
-            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
-                               error.diagnostics().end());
-        }
+        });
     }
     if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "irsg/core/Collect.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Interpolation.h"
 #include "irsg/radiometry/Units.h"
@@ -205,14 +206,11 @@ ReflectanceTable parseZemaxBsdf(const std::string& text, const std::string& name
                                 azimuth_deg,
                                 {measured.at(i, about_deg, radial_deg)}});
             }
-    try {
-        return {true, {1.0}, std::move(rows)};
-    } catch (const InputError& error) {
-        std::vector<Diagnostic> named = error.diagnostics();
-        for (Diagnostic& one : named)
-            one.file = name;
-        throw InputError(std::move(named));
-    }
+    return editing(
+        [&] {
+            return ReflectanceTable{true, {1.0}, std::move(rows)};
+        },
+        [&](Diagnostic& one) { one.file = name; });
 }
 
 } // namespace irsg

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "irsg/atmosphere/import/EnvironmentXml.h"
+#include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/project/AtmosphereInput.h"
 #include "smatcore/support/Log.h"
@@ -74,17 +75,14 @@ std::optional<irsg::SunPosition> addAtmosphere(irsg::Environment& environment,
     std::optional<irsg::SunPosition> sun;
     std::vector<irsg::Diagnostic> diagnostics;
     for (const auto& input : inputs) {
-        try {
+        irsg::collect(diagnostics, [&] {
             const LoadedAtmosphere loaded = loadedFrom(input);
             const auto& own = loaded.environment.atmospheres();
             atmospheres.insert(atmospheres.end(), own.begin(), own.end());
             if (!environment.defaultBackground)
                 environment.defaultBackground = loaded.environment.defaultBackground;
             sun = sun ? sun : loaded.sun;
-        } catch (const irsg::InputError& error) {
-            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
-                               error.diagnostics().end());
-        }
+        });
     }
     if (!diagnostics.empty())
         throw irsg::InputError(std::move(diagnostics));

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
 #include "irsg/signature/random/Philox.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -66,14 +67,8 @@ std::vector<SceneScaling> sceneScalings(const Project& project, const SceneDescr
         if (!irsg::hasScalingFiles(model))
             continue;
         anyFile = true;
-        irsg::Scalings scalings;
-        try {
-            scalings = irsg::loadScalings(model);
-        } catch (const irsg::InputError& error) {
-            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
-                               error.diagnostics().end());
-            continue;
-        }
+        irsg::Scalings scalings; // none where they are refused
+        irsg::collect(diagnostics, [&] { scalings = irsg::loadScalings(model); });
         for (const ScalingKind kind : {ScalingKind::temperature, ScalingKind::emissivity}) {
             for (const auto& [index, entry] : scalings.of(kind)) {
                 const irsg::Distribution& distribution = entry.distribution;

@@ -2,6 +2,7 @@
 #include <array>
 #include <system_error>
 
+#include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
 #include "irsg/render/background/Skybox.h"
 #include "irsg/render/background/Terrain.h"
@@ -21,16 +22,9 @@ std::string stampText(const std::filesystem::path& file) {
 /// Runs `load` and puts the setting's key before the position of what it refuses.
 template <typename Load>
 auto naming(const std::string& key, const Load& load) {
-    try {
-        return load();
-    } catch (const irsg::InputError& error) {
-        std::vector<irsg::Diagnostic> diagnostics = error.diagnostics();
-        for (irsg::Diagnostic& diagnostic : diagnostics) {
-            diagnostic.position =
-                key + (diagnostic.position.empty() ? "" : ", " + diagnostic.position);
-        }
-        throw irsg::InputError(std::move(diagnostics));
-    }
+    return irsg::editing(load, [&](irsg::Diagnostic& one) {
+        one.position = key + (one.position.empty() ? "" : ", " + one.position);
+    });
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReplacement.h"
 #include "smatcore/data/ColumnName.h"
@@ -57,15 +58,11 @@ void saveTable(const ResultTable& table, const std::filesystem::path& file) {
     const TableFormat* format = tableFormatOf(file);
     if (format == nullptr)
         throw irsg::InputError({file.string(), "", file.extension().string(), ".mat or .nc"});
-    try {
-        irsg::writeFileDurably(file, format->bytes(SignatureTable(table)));
-    } catch (const irsg::InputError& error) {
-        std::vector<irsg::Diagnostic> diagnostics = error.diagnostics();
-        for (irsg::Diagnostic& diagnostic : diagnostics)
-            if (diagnostic.file == "signature table")
-                diagnostic.file = file.string();
-        throw irsg::InputError(std::move(diagnostics));
-    }
+    irsg::editing([&] { irsg::writeFileDurably(file, format->bytes(SignatureTable(table))); },
+                  [&](irsg::Diagnostic& one) {
+                      if (one.file == "signature table")
+                          one.file = file.string();
+                  });
 }
 
 TableVariables variablesOf(const SignatureTable& table) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "irsg/atmosphere/AtmosphereFile.h"
+#include "irsg/core/Collect.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
@@ -180,14 +181,11 @@ LoadedEnvironment loadEnvironment(const std::filesystem::path& file) {
 
     std::vector<Diagnostic> diagnostics;
     for (const KarmaComposite& composite : reading.parameters.composition) {
-        try {
+        collect(diagnostics, [&] {
             const std::string position = document.diagnostic(composite, "", "").position;
             loaded.environment.add(
                 loadAtmosphere(resolveKarmaPath(composite.parameters, file, position)));
-        } catch (const InputError& error) {
-            diagnostics.insert(diagnostics.end(), error.diagnostics().begin(),
-                               error.diagnostics().end());
-        }
+        });
     }
     if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));

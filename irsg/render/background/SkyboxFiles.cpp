@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <string>
 
+#include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/Wording.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
@@ -71,16 +72,12 @@ std::shared_ptr<const Skybox> Skybox::load(const std::array<fs::path, 6>& files)
                                    "the file of its picture"});
             continue;
         }
-        try {
-            faces[face] = readTexture(files[face]);
-        } catch (const InputError& error) {
-            for (Diagnostic diagnostic : error.diagnostics()) {
-                diagnostic.position =
-                    "skybox face " + std::string(faceNames[face]) +
-                    (diagnostic.position.empty() ? "" : ", " + diagnostic.position);
-                diagnostics.push_back(std::move(diagnostic));
-            }
-        }
+        collect(
+            diagnostics, [&] { faces[face] = readTexture(files[face]); },
+            [&](Diagnostic& one) {
+                one.position = "skybox face " + std::string(faceNames[face]) +
+                               (one.position.empty() ? "" : ", " + one.position);
+            });
     }
     if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
