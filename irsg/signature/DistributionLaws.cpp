@@ -133,268 +133,6 @@ double trapezoidalAt(double side, const TailTarget& target) {
     return 0.5 * side + (1.0 - side) * lower;
 }
 
-// The kinds, in the order of their numbers.
-
-const DistributionLaw uniform{
-    .info = {DistributionKind::uniform, "uniform", {}, "every value alike"},
-    .defaults = [](double, double) -> Numbers { return {}; },
-    .standard = [](double min, double max, const Numbers&) -> StandardForm {
-        return {min, max - min};
-    },
-    .tails = [](const StandardForm&) -> Tails {
-        return [](double z) {
-            return z <= 0.0   ? nothingBelow
-                   : z >= 1.0 ? nothingAbove
-                              : LogTails{portable::log(z), portable::log1p(-z)};
-        };
-    },
-    .closedForm =
-        [](const StandardForm&, const TailTarget& target) {
-            return target.isUpper ? -portable::expm1(target.log) : portable::exp(target.log);
-        }};
-
-const DistributionLaw normal{.info = {DistributionKind::normal,
-                                      "normal",
-                                      {"mean", "standard deviation"},
-                                      "(min + max) / 2, (max - min) / 6"},
-                             .defaults = [](double min, double max) -> Numbers {
-                                 return {middle(min, max), (max - min) / 6.0};
-                             },
-                             .check = widthAndShapes<DistributionKind::normal>,
-                             .standard = originScaleShapes,
-                             .tails = [](const StandardForm&) -> Tails { return normalTails; }};
-
-const DistributionLaw exponential{
-    .info = {DistributionKind::exponential,
-             "exponential",
-             {"origin", "mean beyond it"},
-             "min, (max - min) / 4"},
-    .defaults = [](double min, double max) -> Numbers {
-        return {min, (max - min) / 4.0};
-    },
-    .check = widthAndShapes<DistributionKind::exponential>,
-    .standard = originScaleShapes,
-    .tails = [](const StandardForm&) -> Tails { return exponentialTails; },
-    .closedForm = [](const StandardForm&,
-                     const TailTarget& target) { return exponentialAt(target); }};
-
-const DistributionLaw laplace{
-    .info = {DistributionKind::laplace, "Laplace", {"centre", "scale"}, aboutTheMiddle},
-    .defaults = [](double min, double max) -> Numbers {
-        return {middle(min, max), (max - min) / 8.0};
-    },
-    .check = widthAndShapes<DistributionKind::laplace>,
-    .standard = originScaleShapes,
-    .tails = [](const StandardForm&) -> Tails {
-        return
-            [](double z) { return mirrored(tailsFromUpper(-std::abs(z) - std::numbers::ln2), z); };
-    },
-    .closedForm =
-        [](const StandardForm&, const TailTarget& target) {
-            const double beyond = std::min(target.log + std::numbers::ln2, 0.0);
-            return target.isUpper ? -beyond : beyond;
-        }};
-
-const DistributionLaw cauchy{.info = {DistributionKind::cauchy,
-                                      "Cauchy",
-                                      {"centre", "half width at half maximum"},
-                                      aboutTheMiddle},
-                             .defaults = [](double min, double max) -> Numbers {
-                                 return {middle(min, max), (max - min) / 8.0};
-                             },
-                             .check = widthAndShapes<DistributionKind::cauchy>,
-                             .standard = originScaleShapes,
-                             .tails = [](const StandardForm&) -> Tails {
-                                 return [](double z) {
-                                     static const StableDistribution cauchy(1.0, 0.0);
-                                     return cauchy.tails(z);
-                                 };
-                             }};
-
-const DistributionLaw rayleigh{
-    .info = {DistributionKind::rayleigh,
-             "Rayleigh",
-             {"origin", "mode beyond it"},
-             "min, (max - min) / 4"},
-    .defaults = [](double min, double max) -> Numbers {
-        return {min, (max - min) / 4.0};
-    },
-    .check = widthAndShapes<DistributionKind::rayleigh>,
-    .standard = originScaleShapes,
-    .tails = [](const StandardForm&) -> Tails {
-        return [](double z) { return z > 0.0 ? exponentialTails(0.5 * z * z) : nothingBelow; };
-    },
-    .closedForm = [](const StandardForm&,
-                     const TailTarget& target) { return std::sqrt(2.0 * exponentialAt(target)); }};
-
-const DistributionLaw logNormal{.info = {DistributionKind::logNormal,
-                                         "log-normal",
-                                         {"median", "sigma of ln x"},
-                                         "sqrt(min max), ln(max / min) / 6; min > 0"},
-                                .defaults = [](double min, double max) -> Numbers {
-                                    return {std::sqrt(min * max), portable::log(max / min) / 6.0};
-                                },
-                                .checkEnds = positiveMin,
-                                .check =
-                                    [](ParameterCheck& check, const Numbers& p) {
-                                        positive(check, "median", p[0]);
-                                        positive(check, "sigma of ln x", p[1]);
-                                    },
-                                .standard = scaleAndShape,
-                                .tails = [](const StandardForm& form) -> Tails {
-                                    return [sigma = form.a](double z) {
-                                        return z > 0.0 ? normalTails(portable::log(z) / sigma)
-                                                       : nothingBelow;
-                                    };
-                                }};
-
-const DistributionLaw stable{
-    .info = {DistributionKind::stable,
-             "Levy alpha-stable",
-             {"centre", "scale", "alpha", "beta"},
-             "(min + max) / 2, (max - min) / 8, 1.5, 0"},
-    .defaults = [](double min, double max) -> Numbers {
-        return {middle(min, max), (max - min) / 8.0, 1.5, 0.0};
-    },
-    .check =
-        [](ParameterCheck& check, const Numbers& p) {
-            const double alpha = p[2], beta = p[3];
-            positive(check, "scale", p[1]);
-            check.require(alpha == 1.0 || (alpha >= 0.5 && alpha <= 0.9) ||
-                              (alpha >= 1.1 && alpha <= 2.0),
-                          "alpha", alpha, "0.5 to 0.9, 1, or 1.1 to 2");
-            check.require(alpha == 1.0 ? beta == 0.0 : std::abs(beta) <= 1.0, "beta", beta,
-                          alpha == 1.0 ? "0 where alpha is 1" : "a number from -1 to 1");
-        },
-    .standard = originScaleShapes,
-    .tails = [](const StandardForm& form) -> Tails {
-        return [law = std::make_shared<const StableDistribution>(form.a, form.b)](double z) {
-            return law->tails(z);
-        };
-    }};
-
-const DistributionLaw gamma{.info = {DistributionKind::gamma,
-                                     "gamma",
-                                     {"origin", "scale", "shape"},
-                                     "min, (max - min) / 8, 2"},
-                            .defaults = [](double min, double max) -> Numbers {
-                                return {min, (max - min) / 8.0, 2.0};
-                            },
-                            .check = widthAndShapes<DistributionKind::gamma>,
-                            .standard = originScaleShapes,
-                            .tails = [](const StandardForm& form) -> Tails {
-                                return [shape = form.a](double z) { return gammaTails(shape, z); };
-                            }};
-
-const DistributionLaw chiSquared{.info = {DistributionKind::chiSquared,
-                                          "chi-squared",
-                                          {"origin", "scale", "degrees of freedom"},
-                                          "min, (max - min) / 16, 4"},
-                                 .defaults = [](double min, double max) -> Numbers {
-                                     return {min, (max - min) / 16.0, 4.0};
-                                 },
-                                 .check = widthAndShapes<DistributionKind::chiSquared>,
-                                 .standard = originScaleShapes,
-                                 .tails = [](const StandardForm& form) -> Tails {
-                                     return [degrees = form.a](double z) {
-                                         return gammaTails(0.5 * degrees, 0.5 * z);
-                                     };
-                                 }};
-
-const DistributionLaw fisherF{
-    .info = {DistributionKind::fisherF,
-             "F",
-             {"origin", "scale", "degrees of freedom 1", "degrees of freedom 2"},
-             "min, (max - min) / 4, 5, 10"},
-    .defaults = [](double min, double max) -> Numbers {
-        return {min, (max - min) / 4.0, 5.0, 10.0};
-    },
-    .check = widthAndShapes<DistributionKind::fisherF>,
-    .standard = originScaleShapes,
-    .tails = [](const StandardForm& form) -> Tails {
-        return [a = form.a, b = form.b](double z) {
-            const double whole = a * z + b;
-            return z > 0.0 ? betaTails(0.5 * a, 0.5 * b, a * z / whole, b / whole) : nothingBelow;
-        };
-    }};
-
-const DistributionLaw studentT{.info = {DistributionKind::studentT,
-                                        "Student's t",
-                                        {"centre", "scale", "degrees of freedom"},
-                                        "(min + max) / 2, (max - min) / 8, 5"},
-                               .defaults = [](double min, double max) -> Numbers {
-                                   return {middle(min, max), (max - min) / 8.0, 5.0};
-                               },
-                               .check = widthAndShapes<DistributionKind::studentT>,
-                               .standard = originScaleShapes,
-                               .tails = [](const StandardForm& form) -> Tails {
-                                   return [degrees = form.a](double z) {
-                                       return studentTails(degrees, z);
-                                   };
-                               }};
-
-const DistributionLaw beta{
-    .info = {DistributionKind::beta, "beta", {"origin", "width", "a", "b"}, "min, max - min, 2, 2"},
-    .defaults = [](double min, double max) -> Numbers {
-        return {min, max - min, 2.0, 2.0};
-    },
-    .check = widthAndShapes<DistributionKind::beta>,
-    .standard = originScaleShapes,
-    .tails = [](const StandardForm& form) -> Tails {
-        return [a = form.a, b = form.b](double z) { return betaTails(a, b, z, 1.0 - z); };
-    }};
-
-const DistributionLaw pareto{.info = {DistributionKind::pareto,
-                                      "Pareto",
-                                      {"least value", "exponent"},
-                                      "min, 4 / ln(max / min); min > 0"},
-                             .defaults = [](double min, double max) -> Numbers {
-                                 return {min, 4.0 / portable::log(max / min)};
-                             },
-                             .checkEnds = positiveMin,
-                             .check =
-                                 [](ParameterCheck& check, const Numbers& p) {
-                                     positive(check, "least value", p[0]);
-                                     check.require(p[1] > 0.0 && p[1] <= 1e9, "exponent", p[1],
-                                                   "more than 0 and at most 1e9");
-                                 },
-                             .standard = scaleAndShape,
-                             .tails = [](const StandardForm& form) -> Tails {
-                                 return [exponent = form.a](double z) {
-                                     return z > 1.0 ? exponentialTails(exponent * portable::log(z))
-                                                    : nothingBelow;
-                                 };
-                             },
-                             .closedForm =
-                                 [](const StandardForm& form, const TailTarget& target) {
-                                     return portable::exp(exponentialAt(target) / form.a);
-                                 }};
-
-const DistributionLaw poisson{
-    .info = {DistributionKind::poisson,
-             "Poisson",
-             {"mean"},
-             "(min + max) / 2; whole numbers from min to max"},
-    .defaults = [](double min, double max) -> Numbers { return {middle(min, max)}; },
-    .checkEnds =
-        [](ParameterCheck& check, double min, double max) {
-            const double mean = middle(min, max);
-            check.require(mean > 0.0 && mean <= largestShape, "a mean of", mean,
-                          "min and max around a number above 0 and at most 1e4");
-        },
-    .check =
-        [](ParameterCheck& check, const Numbers& p) {
-            check.require(p[0] > 0.0 && p[0] <= largestShape, "mean", p[0],
-                          "more than 0 and at most 1e4");
-        },
-    .standard = [](double, double, const Numbers& p) -> StandardForm {
-        return {0.0, 1.0, p[0], 0.0};
-    },
-    .tails = [](const StandardForm& form) -> Tails {
-        return [mean = form.a](double k) { return poissonTails(mean, k); };
-    },
-    .isDiscrete = true};
-
 /// The parameters of laws over a width, of which a part is special.
 Numbers wholeWidthAndHalf(double min, double max) {
     return {min, max - min, 0.5};
@@ -405,40 +143,267 @@ void widthAndPart(ParameterCheck& check, const Numbers& p, const char* part) {
     check.require(p[2] >= 0.0 && p[2] <= 1.0, part, p[2], "a part from 0 to 1");
 }
 
-const DistributionLaw triangular{
-    .info = {DistributionKind::triangular,
-             "triangular",
-             {"least value", "width", "mode, as a part of the width"},
-             "min, max - min, 0.5"},
-    .defaults = wholeWidthAndHalf,
-    .check = [](ParameterCheck& check, const Numbers& p) { widthAndPart(check, p, "mode"); },
-    .standard = originScaleShapes,
-    .tails = [](const StandardForm& form) -> Tails {
-        return [mode = form.a](double z) { return triangularTails(mode, z); };
-    },
-    .closedForm = [](const StandardForm& form,
-                     const TailTarget& target) { return triangularAt(form.a, target); }};
-
-const DistributionLaw trapezoidal{
-    .info = {DistributionKind::trapezoidal,
-             "trapezoidal",
-             {"least value", "width", "top, as a part of the width"},
-             "min, max - min, 0.5"},
-    .defaults = wholeWidthAndHalf,
-    .check = [](ParameterCheck& check, const Numbers& p) { widthAndPart(check, p, "top"); },
-    .standard = originScaleShapes,
-    .tails = [](const StandardForm& form) -> Tails {
-        return [side = 0.5 * (1.0 - form.a)](double z) { return trapezoidalTails(side, z); };
-    },
-    .closedForm =
-        [](const StandardForm& form, const TailTarget& target) {
-            return trapezoidalAt(0.5 * (1.0 - form.a), target);
-        }};
-
-const DistributionLaw* const laws[] = {
-    &uniform,   &normal, &exponential, &laplace,    &cauchy,     &rayleigh,
-    &logNormal, &stable, &gamma,       &chiSquared, &fisherF,    &studentT,
-    &beta,      &pareto, &poisson,     &triangular, &trapezoidal};
+/// In the order of their numbers.
+const DistributionLaw laws[] = {
+    {.info = {DistributionKind::uniform, "uniform", {}, "every value alike"},
+     .defaults = [](double, double) -> Numbers { return {}; },
+     .standard = [](double min, double max, const Numbers&) -> StandardForm {
+         return {min, max - min};
+     },
+     .tails = [](const StandardForm&) -> Tails {
+         return [](double z) {
+             return z <= 0.0   ? nothingBelow
+                    : z >= 1.0 ? nothingAbove
+                               : LogTails{portable::log(z), portable::log1p(-z)};
+         };
+     },
+     .closedForm =
+         [](const StandardForm&, const TailTarget& target) {
+             return target.isUpper ? -portable::expm1(target.log) : portable::exp(target.log);
+         }},
+    {.info = {DistributionKind::normal,
+              "normal",
+              {"mean", "standard deviation"},
+              "(min + max) / 2, (max - min) / 6"},
+     .defaults = [](double min, double max) -> Numbers {
+         return {middle(min, max), (max - min) / 6.0};
+     },
+     .check = widthAndShapes<DistributionKind::normal>,
+     .standard = originScaleShapes,
+     .tails = [](const StandardForm&) -> Tails { return normalTails; }},
+    {.info = {DistributionKind::exponential,
+              "exponential",
+              {"origin", "mean beyond it"},
+              "min, (max - min) / 4"},
+     .defaults = [](double min, double max) -> Numbers {
+         return {min, (max - min) / 4.0};
+     },
+     .check = widthAndShapes<DistributionKind::exponential>,
+     .standard = originScaleShapes,
+     .tails = [](const StandardForm&) -> Tails { return exponentialTails; },
+     .closedForm = [](const StandardForm&,
+                      const TailTarget& target) { return exponentialAt(target); }},
+    {.info = {DistributionKind::laplace, "Laplace", {"centre", "scale"}, aboutTheMiddle},
+     .defaults = [](double min, double max) -> Numbers {
+         return {middle(min, max), (max - min) / 8.0};
+     },
+     .check = widthAndShapes<DistributionKind::laplace>,
+     .standard = originScaleShapes,
+     .tails = [](const StandardForm&) -> Tails {
+         return
+             [](double z) { return mirrored(tailsFromUpper(-std::abs(z) - std::numbers::ln2), z); };
+     },
+     .closedForm =
+         [](const StandardForm&, const TailTarget& target) {
+             const double beyond = std::min(target.log + std::numbers::ln2, 0.0);
+             return target.isUpper ? -beyond : beyond;
+         }},
+    {.info = {DistributionKind::cauchy,
+              "Cauchy",
+              {"centre", "half width at half maximum"},
+              aboutTheMiddle},
+     .defaults = [](double min, double max) -> Numbers {
+         return {middle(min, max), (max - min) / 8.0};
+     },
+     .check = widthAndShapes<DistributionKind::cauchy>,
+     .standard = originScaleShapes,
+     .tails = [](const StandardForm&) -> Tails {
+         return [](double z) {
+             static const StableDistribution cauchy(1.0, 0.0);
+             return cauchy.tails(z);
+         };
+     }},
+    {.info = {DistributionKind::rayleigh,
+              "Rayleigh",
+              {"origin", "mode beyond it"},
+              "min, (max - min) / 4"},
+     .defaults = [](double min, double max) -> Numbers {
+         return {min, (max - min) / 4.0};
+     },
+     .check = widthAndShapes<DistributionKind::rayleigh>,
+     .standard = originScaleShapes,
+     .tails = [](const StandardForm&) -> Tails {
+         return [](double z) { return z > 0.0 ? exponentialTails(0.5 * z * z) : nothingBelow; };
+     },
+     .closedForm = [](const StandardForm&,
+                      const TailTarget& target) { return std::sqrt(2.0 * exponentialAt(target)); }},
+    {.info = {DistributionKind::logNormal,
+              "log-normal",
+              {"median", "sigma of ln x"},
+              "sqrt(min max), ln(max / min) / 6; min > 0"},
+     .defaults = [](double min, double max) -> Numbers {
+         return {std::sqrt(min * max), portable::log(max / min) / 6.0};
+     },
+     .checkEnds = positiveMin,
+     .check =
+         [](ParameterCheck& check, const Numbers& p) {
+             positive(check, "median", p[0]);
+             positive(check, "sigma of ln x", p[1]);
+         },
+     .standard = scaleAndShape,
+     .tails = [](const StandardForm& form) -> Tails {
+         return [sigma = form.a](double z) {
+             return z > 0.0 ? normalTails(portable::log(z) / sigma) : nothingBelow;
+         };
+     }},
+    {.info = {DistributionKind::stable,
+              "Levy alpha-stable",
+              {"centre", "scale", "alpha", "beta"},
+              "(min + max) / 2, (max - min) / 8, 1.5, 0"},
+     .defaults = [](double min, double max) -> Numbers {
+         return {middle(min, max), (max - min) / 8.0, 1.5, 0.0};
+     },
+     .check =
+         [](ParameterCheck& check, const Numbers& p) {
+             const double alpha = p[2], beta = p[3];
+             positive(check, "scale", p[1]);
+             check.require(alpha == 1.0 || (alpha >= 0.5 && alpha <= 0.9) ||
+                               (alpha >= 1.1 && alpha <= 2.0),
+                           "alpha", alpha, "0.5 to 0.9, 1, or 1.1 to 2");
+             check.require(alpha == 1.0 ? beta == 0.0 : std::abs(beta) <= 1.0, "beta", beta,
+                           alpha == 1.0 ? "0 where alpha is 1" : "a number from -1 to 1");
+         },
+     .standard = originScaleShapes,
+     .tails = [](const StandardForm& form) -> Tails {
+         return [law = std::make_shared<const StableDistribution>(form.a, form.b)](double z) {
+             return law->tails(z);
+         };
+     }},
+    {.info = {DistributionKind::gamma,
+              "gamma",
+              {"origin", "scale", "shape"},
+              "min, (max - min) / 8, 2"},
+     .defaults = [](double min, double max) -> Numbers {
+         return {min, (max - min) / 8.0, 2.0};
+     },
+     .check = widthAndShapes<DistributionKind::gamma>,
+     .standard = originScaleShapes,
+     .tails = [](const StandardForm& form) -> Tails {
+         return [shape = form.a](double z) { return gammaTails(shape, z); };
+     }},
+    {.info = {DistributionKind::chiSquared,
+              "chi-squared",
+              {"origin", "scale", "degrees of freedom"},
+              "min, (max - min) / 16, 4"},
+     .defaults = [](double min, double max) -> Numbers {
+         return {min, (max - min) / 16.0, 4.0};
+     },
+     .check = widthAndShapes<DistributionKind::chiSquared>,
+     .standard = originScaleShapes,
+     .tails = [](const StandardForm& form) -> Tails {
+         return [degrees = form.a](double z) { return gammaTails(0.5 * degrees, 0.5 * z); };
+     }},
+    {.info = {DistributionKind::fisherF,
+              "F",
+              {"origin", "scale", "degrees of freedom 1", "degrees of freedom 2"},
+              "min, (max - min) / 4, 5, 10"},
+     .defaults = [](double min, double max) -> Numbers {
+         return {min, (max - min) / 4.0, 5.0, 10.0};
+     },
+     .check = widthAndShapes<DistributionKind::fisherF>,
+     .standard = originScaleShapes,
+     .tails = [](const StandardForm& form) -> Tails {
+         return [a = form.a, b = form.b](double z) {
+             const double whole = a * z + b;
+             return z > 0.0 ? betaTails(0.5 * a, 0.5 * b, a * z / whole, b / whole) : nothingBelow;
+         };
+     }},
+    {.info = {DistributionKind::studentT,
+              "Student's t",
+              {"centre", "scale", "degrees of freedom"},
+              "(min + max) / 2, (max - min) / 8, 5"},
+     .defaults = [](double min, double max) -> Numbers {
+         return {middle(min, max), (max - min) / 8.0, 5.0};
+     },
+     .check = widthAndShapes<DistributionKind::studentT>,
+     .standard = originScaleShapes,
+     .tails = [](const StandardForm& form) -> Tails {
+         return [degrees = form.a](double z) { return studentTails(degrees, z); };
+     }},
+    {.info =
+         {DistributionKind::beta, "beta", {"origin", "width", "a", "b"}, "min, max - min, 2, 2"},
+     .defaults = [](double min, double max) -> Numbers {
+         return {min, max - min, 2.0, 2.0};
+     },
+     .check = widthAndShapes<DistributionKind::beta>,
+     .standard = originScaleShapes,
+     .tails = [](const StandardForm& form) -> Tails {
+         return [a = form.a, b = form.b](double z) { return betaTails(a, b, z, 1.0 - z); };
+     }},
+    {.info = {DistributionKind::pareto,
+              "Pareto",
+              {"least value", "exponent"},
+              "min, 4 / ln(max / min); min > 0"},
+     .defaults = [](double min, double max) -> Numbers {
+         return {min, 4.0 / portable::log(max / min)};
+     },
+     .checkEnds = positiveMin,
+     .check =
+         [](ParameterCheck& check, const Numbers& p) {
+             positive(check, "least value", p[0]);
+             check.require(p[1] > 0.0 && p[1] <= 1e9, "exponent", p[1],
+                           "more than 0 and at most 1e9");
+         },
+     .standard = scaleAndShape,
+     .tails = [](const StandardForm& form) -> Tails {
+         return [exponent = form.a](double z) {
+             return z > 1.0 ? exponentialTails(exponent * portable::log(z)) : nothingBelow;
+         };
+     },
+     .closedForm =
+         [](const StandardForm& form, const TailTarget& target) {
+             return portable::exp(exponentialAt(target) / form.a);
+         }},
+    {.info = {DistributionKind::poisson,
+              "Poisson",
+              {"mean"},
+              "(min + max) / 2; whole numbers from min to max"},
+     .defaults = [](double min, double max) -> Numbers { return {middle(min, max)}; },
+     .checkEnds =
+         [](ParameterCheck& check, double min, double max) {
+             const double mean = middle(min, max);
+             check.require(mean > 0.0 && mean <= largestShape, "a mean of", mean,
+                           "min and max around a number above 0 and at most 1e4");
+         },
+     .check =
+         [](ParameterCheck& check, const Numbers& p) {
+             check.require(p[0] > 0.0 && p[0] <= largestShape, "mean", p[0],
+                           "more than 0 and at most 1e4");
+         },
+     .standard = [](double, double, const Numbers& p) -> StandardForm {
+         return {0.0, 1.0, p[0], 0.0};
+     },
+     .tails = [](const StandardForm& form) -> Tails {
+         return [mean = form.a](double k) { return poissonTails(mean, k); };
+     },
+     .isDiscrete = true},
+    {.info = {DistributionKind::triangular,
+              "triangular",
+              {"least value", "width", "mode, as a part of the width"},
+              "min, max - min, 0.5"},
+     .defaults = wholeWidthAndHalf,
+     .check = [](ParameterCheck& check, const Numbers& p) { widthAndPart(check, p, "mode"); },
+     .standard = originScaleShapes,
+     .tails = [](const StandardForm& form) -> Tails {
+         return [mode = form.a](double z) { return triangularTails(mode, z); };
+     },
+     .closedForm = [](const StandardForm& form,
+                      const TailTarget& target) { return triangularAt(form.a, target); }},
+    {.info = {DistributionKind::trapezoidal,
+              "trapezoidal",
+              {"least value", "width", "top, as a part of the width"},
+              "min, max - min, 0.5"},
+     .defaults = wholeWidthAndHalf,
+     .check = [](ParameterCheck& check, const Numbers& p) { widthAndPart(check, p, "top"); },
+     .standard = originScaleShapes,
+     .tails = [](const StandardForm& form) -> Tails {
+         return [side = 0.5 * (1.0 - form.a)](double z) { return trapezoidalTails(side, z); };
+     },
+     .closedForm =
+         [](const StandardForm& form, const TailTarget& target) {
+             return trapezoidalAt(0.5 * (1.0 - form.a), target);
+         }},
+};
 static_assert(std::size(laws) == distributionKindCount);
 
 } // namespace
@@ -447,14 +412,14 @@ const DistributionLaw& lawOf(DistributionKind kind) {
     const auto number = static_cast<std::size_t>(kind);
     if (number >= std::size(laws))
         throw LogicError("unknown distribution");
-    return *laws[number];
+    return laws[number];
 }
 
 const std::vector<DistributionInfo>& distributionTable() {
     static const std::vector<DistributionInfo> table = [] {
         std::vector<DistributionInfo> all;
-        for (const DistributionLaw* law : laws)
-            all.push_back(law->info);
+        for (const DistributionLaw& law : laws)
+            all.push_back(law.info);
         return all;
     }();
     return table;
