@@ -135,8 +135,8 @@ class MtfBuildCommand {
         else if (droplets_ == "log-normal")
             sizes = {SizeDistribution::Kind::logNormal, 50.0, 1.5};
         else if (droplets_ != "single")
-            throw refusal("--droplets", droplets_,
-                          "single, gamma, log-normal, advection-fog or radiation-fog");
+            throw wordRefusal("--droplets", droplets_,
+                              {"single", "gamma", "log-normal", "advection-fog", "radiation-fog"});
         double diameter_um = 2.0 * sizes.radius_um;
         take("--diameter", diameter_um);
         sizes.radius_um = 0.5 * diameter_um;

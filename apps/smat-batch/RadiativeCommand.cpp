@@ -8,18 +8,19 @@
 #include "irsg/core/Errors.h"
 #include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/Units.h"
+#include "smatcore/support/NearestNames.h"
 #include "smatcore/tools/RadiativeOutput.h"
 
 namespace smat::batch {
 
 namespace {
 
-/// "all, transmittance, path, ...".
-std::string quantityWords() {
-    std::string text = "all";
+/// "all", "transmittance", "path", ...
+std::vector<std::string> quantityWords() {
+    std::vector<std::string> words{"all"};
     for (const RadiativeQuantity& known : radiativeQuantities())
-        text += ", " + std::string(known.word);
-    return text;
+        words.emplace_back(known.word);
+    return words;
 }
 
 /// `smat-batch radiative ATMOSPHERE... --quantity path --sensor-altitude m --los-elevation deg
@@ -30,7 +31,8 @@ class RadiativeCommand {
         : air_(command), numbers_(command), moment_(command), files_(command) {
         command
             .add_option("--quantity", quantities_,
-                        "One of " + quantityWords() + "; may be given more than once")
+                        "What is tabulated, " + oneOf(quantityWords(), "") +
+                            "; may be given more than once")
             ->type_name("WORD")
             ->expected(1)
             ->take_all();
@@ -125,10 +127,10 @@ class RadiativeCommand {
                 isKnown = isKnown || word == known.word;
             }
             if (!isKnown)
-                diagnostics.push_back({"--quantity", "", word, "one of " + quantityWords()});
+                diagnostics.push_back({"--quantity", "", word, oneOf(quantityWords(), word)});
         }
         if (quantities_.empty())
-            diagnostics.push_back({"--quantity", "", "nothing", "one of " + quantityWords()});
+            diagnostics.push_back({"--quantity", "", "nothing", oneOf(quantityWords(), "")});
     }
 
     void checkLimits(const char* option, double least, double most, const char* unit,

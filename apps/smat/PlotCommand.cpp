@@ -11,6 +11,7 @@
 #include "gui/plot/TablePlot.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/Conditions.h"
+#include "smatcore/support/NearestNames.h"
 
 namespace smat {
 namespace {
@@ -27,13 +28,13 @@ SignatureTable::Choice chosen(const SignatureTable& table, const std::vector<std
         const std::size_t equals = text.find('=');
         const std::string key = text.substr(0, equals);
         const auto axis = std::ranges::find(table.axes(), key, &SignatureTable::Axis::key);
-        std::string keys;
+        std::vector<std::string> keys;
         for (const SignatureTable::Axis& one : table.axes())
-            keys += (keys.empty() ? "" : ", ") + one.key;
+            keys.push_back(one.key);
         if (equals == std::string::npos || axis == table.axes().end())
             throw irsg::InputError({"--at", "", text,
                                     keys.empty() ? "nothing: this table has one range and state"
-                                                 : "KEY=VALUE with one of " + keys});
+                                                 : "KEY=VALUE with " + oneOf(keys, key)});
         bool isNumber = false;
         const double value = QString::fromStdString(text.substr(equals + 1)).toDouble(&isNumber);
         std::string values;
@@ -56,11 +57,12 @@ void plotTable(const PlotRequest& request, ResultTable table) {
     gui::TableDrawing drawing(std::make_shared<const ResultTable>(std::move(table)));
     if (!request.quantity.empty()) {
         if (drawing.table().column(request.quantity) == nullptr) {
-            std::string keys;
+            std::vector<std::string> keys;
             for (const ResultColumn* column : drawing.table().columns())
-                keys += (keys.empty() ? "" : ", ") + column->key;
+                keys.push_back(column->key);
             throw irsg::InputError({request.results.front().string(), "",
-                                    "no column \"" + request.quantity + "\"", "one of " + keys});
+                                    "no column \"" + request.quantity + "\"",
+                                    oneOf(keys, request.quantity)});
         }
         drawing.setColumn(request.quantity);
     }

@@ -13,6 +13,7 @@
 #include "smatcore/data/ResultDifference.h"
 #include "smatcore/project/AnalysisKind.h"
 #include "smatcore/settings/SettingKeys.h"
+#include "smatcore/support/NearestNames.h"
 
 namespace smat::gui {
 namespace {
@@ -37,11 +38,8 @@ std::vector<const ResultColumn*> requiredColumns(const NamedResult& result,
     requireRows(*result.table, result.name.toStdString());
     auto columns = columnsOf(*result.table, quantity);
     if (columns.empty()) {
-        std::string keys;
-        for (const auto& key : plottableQuantities(*result.table))
-            keys += (keys.empty() ? "" : ", ") + key;
-        throw irsg::InputError(
-            {result.name.toStdString(), "", "no column \"" + quantity + "\"", "one of " + keys});
+        throw irsg::InputError({result.name.toStdString(), "", "no column \"" + quantity + "\"",
+                                oneOf(plottableQuantities(*result.table), quantity)});
     }
     return columns;
 }

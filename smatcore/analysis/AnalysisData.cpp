@@ -38,18 +38,15 @@ Project withAnalysis(const Project& project, const NamedAnalysis* analysis) {
 AnalysisData AnalysisData::of(const Project& project, const std::string& name) {
     const NamedAnalysis* found = project.find(name);
     if (found == nullptr) {
-        std::string names;
-        std::vector<std::string> known;
-        for (const NamedAnalysis& analysis : project.analyses) {
-            names += (names.empty() ? "" : ", ") + analysis.name;
-            known.push_back(analysis.name);
-        }
+        std::vector<std::string> names;
+        for (const NamedAnalysis& analysis : project.analyses)
+            names.push_back(analysis.name);
         throw irsg::InputError({.file = project.displayName(),
                                 .position = "analyses",
                                 .value = name,
                                 .expected = names.empty()
                                                 ? "an analysis, but the project names none"
-                                                : "one of " + names + didYouMean(name, known)});
+                                                : oneOf(names, name)});
     }
     AnalysisData data;
     data.name = found->name;

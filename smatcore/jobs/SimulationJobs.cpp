@@ -24,15 +24,15 @@ double renderedByAll_s(const PlannedSimulation& job, const FrameFiles& files, co
     for (const std::size_t sensor : job.plan.sensors) {
         SimulationPlan ofSensor = job.plan;
         ofSensor.sensors = {sensor};
-        renderedByTeam({files.tableFile(sensor), job.share, job.resumes, inputs}, *control.team,
-                       [&](CaseStore& store, const ProgressCallback& progress,
-                           std::stop_token stop) {
-                           const SimulationParts parts{{&store}, true};
-                           SimulationResult result;
-                           writeSimulation(job.loaded, ofSensor, files, door, result, progress,
-                                           std::move(stop), nullptr, {}, &parts);
-                       },
-                       control.progress);
+        renderedByTeam(
+            {files.tableFile(sensor), job.share, job.resumes, inputs}, *control.team,
+            [&](CaseStore& store, const ProgressCallback& progress, std::stop_token stop) {
+                const SimulationParts parts{{&store}, true};
+                SimulationResult result;
+                writeSimulation(job.loaded, ofSensor, files, door, result, progress,
+                                std::move(stop), nullptr, {}, &parts);
+            },
+            control.progress);
         control.team->meet();
     }
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -71,8 +71,8 @@ void writeFilms(const PlannedSimulation& job, const JobControl& control,
 PlannedSimulation JobRunner::plan(SimulationJob job) {
     PlannedSimulation planned{std::move(job), {}, {}};
     planned.plan = planSimulation(planned.scenario, planned.request);
-    planned.loaded = loadScenarioFiles(planned.scenario, scenes_, planned.overrides,
-                                       planned.trajectories);
+    planned.loaded =
+        loadScenarioFiles(planned.scenario, scenes_, planned.overrides, planned.trajectories);
     planned.files().checkExtensions();
     if (planned.film.empty())
         return planned;
@@ -104,15 +104,16 @@ SimulationOutcome JobRunner::run(const PlannedSimulation& job, const JobControl&
         parts.stores.push_back(file.get());
     FilmRecorder recorder(job.loaded, files);
     const bool isFilmed = hasValues(job) && control.team == nullptr && !job.isInParts;
-    writeSimulation(job.loaded, job.plan, files, door(), outcome.result, control.progress,
-                    control.stop, control.timer,
-                    [&](SensorFrame& frame, std::size_t number) {
-                        if (isFilmed)
-                            recorder.heed(frame, number);
-                        if (heed)
-                            heed(frame, number);
-                    },
-                    steps.empty() ? nullptr : &parts);
+    writeSimulation(
+        job.loaded, job.plan, files, door(), outcome.result, control.progress, control.stop,
+        control.timer,
+        [&](SensorFrame& frame, std::size_t number) {
+            if (isFilmed)
+                recorder.heed(frame, number);
+            if (heed)
+                heed(frame, number);
+        },
+        steps.empty() ? nullptr : &parts);
     outcome.result.elapsed_s += ofTeam_s;
     for (const std::unique_ptr<CaseFile>& file : steps) {
         file->flush();

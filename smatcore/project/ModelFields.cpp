@@ -220,15 +220,13 @@ void assignToModel(Project& project, std::string_view argument) {
     const std::string_view place = irsg::trimmed(argument.substr(0, equals));
     const std::string_view path = place.substr(modelPrefix.size());
     const std::size_t dot = path.rfind('.');
-    std::string keys;
-    for (const std::string& key : modelFieldKeys())
-        keys += (keys.empty() ? "" : ", ") + key;
     if (equals == std::string_view::npos || dot == std::string_view::npos)
-        refusePlace("--set", argument, "models.NAME.KEY=value, where KEY is one of " + keys);
+        refusePlace("--set", argument,
+                    "models.NAME.KEY=value, where KEY is " + oneOf(modelFieldKeys(), ""));
     const ModelField* field = findModelField(path.substr(dot + 1));
     if (field == nullptr)
         refusePlace(std::string(place), path.substr(dot + 1),
-                    "one of " + keys + didYouMean(path.substr(dot + 1), modelFieldKeys()));
+                    oneOf(modelFieldKeys(), path.substr(dot + 1)));
     const std::size_t model = findModel(project, path.substr(0, dot), std::string(place));
     if (model == 0 && !field->ofTarget.empty())
         refusePlace(std::string(place), path.substr(0, dot),

@@ -81,4 +81,11 @@ std::string didYouMean(std::string_view word, const std::vector<std::string>& na
     return "; did you mean " + irsg::alternatives(nearest) + "?";
 }
 
+std::string oneOf(const std::vector<std::string>& names, std::string_view word) {
+    std::string list;
+    for (const std::string& name : names)
+        list += (list.empty() ? "one of " : ", ") + name;
+    return list + didYouMean(word, names);
+}
+
 } // namespace smat

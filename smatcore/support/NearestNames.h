@@ -17,4 +17,8 @@ std::vector<std::string> nearestNames(std::string_view word, const std::vector<s
 /// near.
 std::string didYouMean(std::string_view word, const std::vector<std::string>& names);
 
+/// What is expected in place of a word that is none of the names: "one of polar, range, time; did
+/// you mean 'polar'?".
+std::string oneOf(const std::vector<std::string>& names, std::string_view word);
+
 } // namespace smat

@@ -18,6 +18,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         radiativeRow("NoQuantity", {"--range", "5"}, {"--quantity", "found nothing", "scattering"}),
         radiativeRow("UnknownQuantity", {"--quantity", "fog"}, {"--quantity", "fog", "all"}),
+        radiativeRow("MistypedQuantity", {"--quantity", "transmitance"},
+                     {"did you mean 'transmittance'?"}),
         radiativeRow("NoGeometry", slantWith({}), {"transmittance", "a sensor altitude"}),
         radiativeRow("NoRange", slantWith({"--sensor-altitude", "9", "--los-elevation", "5"}),
                      {"transmittance", "with a range"}),

@@ -54,6 +54,7 @@ TEST(NearestNames, AreAtMostThree) {
 TEST(NearestNames, StandAtTheEndOfAMessage) {
     EXPECT_EQ(didYouMean("powar", names), "; did you mean 'polar' or 'power'?");
     EXPECT_EQ(didYouMean("spectrum", names), "");
+    EXPECT_EQ(oneOf({"polar", "range"}, "rang"), "one of polar, range; did you mean 'range'?");
 }
 
 TEST(FormerNames, AreReadAndTheNamesOfTodayWritten) {
