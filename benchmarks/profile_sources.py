@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Which source files take processor time, in per mille of each of some runs, and which of them are compiled lightly.
 
-    benchmarks/profile_sources.py BUILD [--above SHARE]
+    benchmarks/profile_sources.py build/dev [--above SHARE]
 
-BUILD is a build folder whose programs have lines (presets dev and ci). perf samples what README's polar, other
+The programs of the build folder need lines, as preset dev gives them. perf samples what README's polar, other
 sweeps, draws, an image, the self-test and a check of a database do; addr2line says of each sample in which .cpp of
 ours the function stands that was compiled, whatever was inlined into it. Printed are the files whose share is above
 SHARE (0.5 per mille) in any run, those of cmake/LightSources.txt marked. A file of that list that is marked here
