@@ -167,7 +167,7 @@ void measureEngines() {
                 if (shells > 0 && (facets != 1e4 || side_px == 64))
                     continue;
                 const int latitudes = static_cast<int>(std::sqrt(facets / 4.0));
-                reference::Mesh mesh = test::sphereMesh(1.0, latitudes, 2 * latitudes, {1, 1});
+                reference::Triangles mesh = test::sphereMesh(1.0, latitudes, 2 * latitudes, {1, 1});
                 for (int shell = 0; shell < shells; ++shell)
                     mesh = test::joined(mesh, test::sphereMesh(1.1 + 0.1 * shell, 16, 32, {2, 2}));
                 SignatureDatabase database = test::greyDatabase(0.4, 300.0);

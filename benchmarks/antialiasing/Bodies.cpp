@@ -15,8 +15,8 @@ const IrCodes grey{1, 1};
 constexpr double emissivity = 0.9, temperature_K = 320.0;
 constexpr int outlineLines = 4000;
 
-test::Mesh boxAt(const Vec3& centre_m, const Vec3& half_m) {
-    test::Mesh mesh = test::boxMesh(half_m, std::vector<IrCodes>(6, grey));
+test::Triangles boxAt(const Vec3& centre_m, const Vec3& half_m) {
+    test::Triangles mesh = test::boxMesh(half_m, std::vector<IrCodes>(6, grey));
     for (test::Triangle& triangle : mesh)
         for (Vec3& vertex : triangle.vertex)
             vertex = vertex + centre_m;
@@ -24,8 +24,8 @@ test::Mesh boxAt(const Vec3& centre_m, const Vec3& half_m) {
 }
 
 /// 30 m long and wide, of boxes that pierce one another.
-test::Mesh wingedBody() {
-    test::Mesh mesh = boxAt({}, {1.5, 15.0, 1.7});
+test::Triangles wingedBody() {
+    test::Triangles mesh = boxAt({}, {1.5, 15.0, 1.7});
     for (const auto& part :
          {boxAt({0.0, 1.0, 0.5}, {15.0, 2.0, 0.3}), boxAt({0.0, -13.0, 0.8}, {5.0, 1.2, 0.2}),
           boxAt({0.0, -13.0, 3.5}, {0.2, 1.6, 3.0}), boxAt({6.0, 2.5, -0.6}, {0.8, 2.4, 0.8}),
@@ -34,7 +34,7 @@ test::Mesh wingedBody() {
     return mesh;
 }
 
-test::Mesh lShape() {
+test::Triangles lShape() {
     return test::joined(test::plateMesh({-0.7, 0, 0}, {0, 0, 1}, {0.3, 0, 0}, grey),
                         test::plateMesh({0.3, 0, -0.8}, {0, 0, 0.2}, {0.7, 0, 0}, grey));
 }
@@ -79,7 +79,8 @@ double solidAngle_sr(const Body& body, const Viewpoint& camera, const Pose& pose
     return test::convexSolidAngle_sr(body.mesh, from);
 }
 
-double solidAngleByLines_sr(const test::Mesh& mesh, const Viewpoint& camera, const Pose& pose) {
+double solidAngleByLines_sr(const test::Triangles& mesh, const Viewpoint& camera,
+                            const Pose& pose) {
     std::vector<std::array<Point, 3>> triangles;
     double bottom = 1e300, top = -1e300;
     for (const test::Triangle& triangle : mesh) {
@@ -127,7 +128,7 @@ double greyRadiance_W_m2_sr() {
     return emissivity * bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), temperature_K);
 }
 
-Entity greyEntity(const test::Mesh& mesh) {
+Entity greyEntity(const test::Triangles& mesh) {
     return test::entityOf(test::modelOf(mesh), test::greyDatabase(emissivity, temperature_K));
 }
 
@@ -136,7 +137,8 @@ Vec3 phaseShift_m(const Viewpoint& camera, double pixel_m, int step) {
            camera.up * (std::fmod(step * 0.41421356237, 1.0) * pixel_m);
 }
 
-test::Mesh cornerMarks(const Viewpoint& camera, const Vec3& origin_m, int width_px, int height_px) {
+test::Triangles cornerMarks(const Viewpoint& camera, const Vec3& origin_m, int width_px,
+                            int height_px) {
     const double pixel_m = pixel_rad * length(camera.position_m - origin_m);
     const Vec3 right = camera.right * pixel_m, up = camera.up * pixel_m;
     const Vec3 corner = right * (0.5 * width_px - 1.0) + up * (0.5 * height_px - 1.0);

@@ -24,7 +24,7 @@ double part(int step, double ratio) {
 
 /// A cold wall with hot balls and plates before it, all over it.
 struct Scene {
-    test::Mesh mesh;
+    test::Triangles mesh;
     double hot_m2 = 0.0; ///< as seen from the front and from far
 
     explicit Scene(int spots)
@@ -38,9 +38,9 @@ struct Scene {
                                                           {0.5 * diameter_m, 0, -0.02}, hot));
                 hot_m2 += diameter_m * diameter_m + 4.0 * 0.02 * 0.02;
             } else {
-                const test::Mesh ball = test::sphereMesh(0.5 * diameter_m, 8, 16, hot);
+                const test::Triangles ball = test::sphereMesh(0.5 * diameter_m, 8, 16, hot);
                 hot_m2 += test::convexSolidAngle_sr(ball, {0, far_m, 0}) * far_m * far_m;
-                test::Mesh moved = ball;
+                test::Triangles moved = ball;
                 for (test::Triangle& triangle : moved)
                     for (Vec3& vertex : triangle.vertex)
                         vertex = vertex + place;
@@ -165,7 +165,7 @@ void measureNoses(const Options& options) {
     irsg.scene.environment = test::environmentOf(test::ConstantAtmosphere{});
     const double radiance = bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 280.0);
     for (const double thickness_m : {4.0, 1.2, 0.4}) {
-        const test::Mesh mesh =
+        const test::Triangles mesh =
             test::boxMesh({43.0, 30.0, 0.5 * thickness_m}, std::vector<IrCodes>(6, skin));
         SignatureDatabase database;
         database.materials[1] = test::greyMaterial(1.0);

@@ -15,7 +15,7 @@ struct SurfaceTerms {
 };
 
 struct RayScene {
-    Mesh mesh;                          ///< in the world
+    Triangles mesh;                     ///< in the world
     std::vector<SurfaceTerms> surfaces; ///< by temperature code
     Vec3 sunDirection{0, 0, 1};
     double background = 0.0;

@@ -11,13 +11,13 @@
 
 namespace irsg::reference {
 
-Mesh sphereMesh(double radius_m, int latitudes, int longitudes, IrCodes codes, bool smooth) {
+Triangles sphereMesh(double radius_m, int latitudes, int longitudes, IrCodes codes, bool smooth) {
     auto point = [&](int i, int j) {
         const double theta = pi * i / latitudes, phi = 2.0 * pi * (j % longitudes) / longitudes;
         const double s = i == 0 || i == latitudes ? 0.0 : std::sin(theta);
         return Vec3{s * std::cos(phi), s * std::sin(phi), std::cos(theta)};
     };
-    Mesh mesh;
+    Triangles mesh;
     auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
         const Vec3 facet = normalized(cross(b - a, c - a));
         Triangle t{{a * radius_m, b * radius_m, c * radius_m}, {a, b, c}, codes, false};
@@ -38,38 +38,39 @@ Mesh sphereMesh(double radius_m, int latitudes, int longitudes, IrCodes codes, b
     return mesh;
 }
 
-Mesh plateMesh(const Vec3& centre, const Vec3& u, const Vec3& v, IrCodes codes) {
+Triangles plateMesh(const Vec3& centre, const Vec3& u, const Vec3& v, IrCodes codes) {
     const Vec3 n = normalized(cross(u, v));
     const Vec3 a = centre - u - v, b = centre + u - v, c = centre + u + v, d = centre - u + v;
     return {{{a, b, c}, {n, n, n}, codes, false}, {{a, c, d}, {n, n, n}, codes, false}};
 }
 
-Mesh oneSidedPlate(const Vec3& centre, const Vec3& u, const Vec3& v, IrCodes codes) {
-    Mesh mesh = plateMesh(centre, u, v, codes);
+Triangles oneSidedPlate(const Vec3& centre, const Vec3& u, const Vec3& v, IrCodes codes) {
+    Triangles mesh = plateMesh(centre, u, v, codes);
     for (Triangle& triangle : mesh)
         triangle.cullsBackFaces = true;
     return mesh;
 }
 
-Mesh boxMesh(const Vec3& half, const std::vector<IrCodes>& codes) {
+Triangles boxMesh(const Vec3& half, const std::vector<IrCodes>& codes) {
     const Vec3 x{half.x, 0, 0}, y{0, half.y, 0}, z{0, 0, half.z};
     const Vec3 o{0, 0, 0};
-    Mesh mesh = plateMesh(x, y, z, codes.at(0));
-    for (const Mesh& side : {plateMesh(o - x, z, y, codes.at(1)), plateMesh(y, z, x, codes.at(2)),
-                             plateMesh(o - y, x, z, codes.at(3)), plateMesh(z, x, y, codes.at(4)),
-                             plateMesh(o - z, y, x, codes.at(5))}) {
+    Triangles mesh = plateMesh(x, y, z, codes.at(0));
+    for (const Triangles& side :
+         {plateMesh(o - x, z, y, codes.at(1)), plateMesh(y, z, x, codes.at(2)),
+          plateMesh(o - y, x, z, codes.at(3)), plateMesh(z, x, y, codes.at(4)),
+          plateMesh(o - z, y, x, codes.at(5))}) {
         mesh.insert(mesh.end(), side.begin(), side.end());
     }
     return mesh;
 }
 
-Mesh joined(const Mesh& a, const Mesh& b) {
-    Mesh mesh = a;
+Triangles joined(const Triangles& a, const Triangles& b) {
+    Triangles mesh = a;
     mesh.insert(mesh.end(), b.begin(), b.end());
     return mesh;
 }
 
-Mesh glazedMesh() {
+Triangles glazedMesh() {
     return joined(joined(sphereMesh(0.8, 24, 48, {1, 1}),
                          plateMesh({0, 1.2, 0}, {0.3, 0, 0}, {0, 0, 0.3}, {2, 2})),
                   boxMesh({1.5, 1.5, 1.5}, std::vector<IrCodes>(6, IrCodes{3, 3})));
@@ -84,15 +85,15 @@ double solidAngle_sr(const Triangle& triangle, const Vec3& from) {
     return -2.0 * std::atan2(numerator, denominator);
 }
 
-double convexSolidAngle_sr(const Mesh& mesh, const Vec3& from) {
+double convexSolidAngle_sr(const Triangles& mesh, const Vec3& from) {
     double sum = 0.0;
     for (const Triangle& triangle : mesh)
         sum += std::max(0.0, solidAngle_sr(triangle, from));
     return sum;
 }
 
-osg::ref_ptr<osg::Geode> graphOf(const Mesh& mesh) {
-    std::map<std::pair<IrCodes, bool>, Mesh> parts;
+osg::ref_ptr<osg::Geode> graphOf(const Triangles& mesh) {
+    std::map<std::pair<IrCodes, bool>, Triangles> parts;
     for (const Triangle& triangle : mesh)
         parts[{triangle.codes, triangle.cullsBackFaces}].push_back(triangle);
 
@@ -124,7 +125,7 @@ osg::ref_ptr<osg::Geode> graphOf(const Mesh& mesh) {
     return geode;
 }
 
-std::shared_ptr<const Model> modelOf(const Mesh& mesh, const std::string& name) {
+std::shared_ptr<const Model> modelOf(const Triangles& mesh, const std::string& name) {
     return Model::fromGraph(graphOf(mesh).get(), name);
 }
 

@@ -18,30 +18,31 @@ struct Triangle {
     IrCodes codes;
     bool cullsBackFaces = false;
 };
-using Mesh = std::vector<Triangle>;
+using Triangles = std::vector<Triangle>;
 
 /// Latitude-longitude sphere about the origin, outward, with exact or with facet normals.
-Mesh sphereMesh(double radius_m, int latitudes, int longitudes, IrCodes codes, bool smooth = true);
+Triangles sphereMesh(double radius_m, int latitudes, int longitudes, IrCodes codes,
+                     bool smooth = true);
 /// A rectangle centre +- u +- v; the front side is the one that u x v points out of.
-Mesh plateMesh(const Vec3& centre, const Vec3& u, const Vec3& v, IrCodes codes);
+Triangles plateMesh(const Vec3& centre, const Vec3& u, const Vec3& v, IrCodes codes);
 /// The same, seen from its front alone.
-Mesh oneSidedPlate(const Vec3& centre, const Vec3& u, const Vec3& v, IrCodes codes);
+Triangles oneSidedPlate(const Vec3& centre, const Vec3& u, const Vec3& v, IrCodes codes);
 /// Six outward faces; `codes` of +x, -x, +y, -y, +z, -z.
-Mesh boxMesh(const Vec3& half, const std::vector<IrCodes>& codes);
-Mesh joined(const Mesh& a, const Mesh& b);
+Triangles boxMesh(const Vec3& half, const std::vector<IrCodes>& codes);
+Triangles joined(const Triangles& a, const Triangles& b);
 /// A sphere (codes 1, 1) and a plate (2, 2) inside a box (3, 3): three layers one before the other
 /// where the box lets light through.
-Mesh glazedMesh();
+Triangles glazedMesh();
 
 /// Solid angle of a triangle seen from a point (Van Oosterom and Strackee 1983), positive when its
 /// front is seen.
 double solidAngle_sr(const Triangle& triangle, const Vec3& from);
 /// Solid angle of a closed convex mesh: the sum over the triangles whose front is seen.
-double convexSolidAngle_sr(const Mesh& mesh, const Vec3& from);
+double convexSolidAngle_sr(const Triangles& mesh, const Vec3& from);
 
 /// The mesh as a scene graph with ShapeAttributeLists, one geometry for each pair of codes.
-osg::ref_ptr<osg::Geode> graphOf(const Mesh& mesh);
-std::shared_ptr<const Model> modelOf(const Mesh& mesh, const std::string& name = "mesh");
+osg::ref_ptr<osg::Geode> graphOf(const Triangles& mesh);
+std::shared_ptr<const Model> modelOf(const Triangles& mesh, const std::string& name = "mesh");
 
 /// A database with one grey material (index 1) and one temperature (index 1).
 SignatureDatabase greyDatabase(double emissivity, double temperature_K, double nAngleFactor = 0.0,

@@ -64,8 +64,8 @@ SelfTestValue perpendicularSquares(SelfTestBench& bench) {
     database.materials[2] = greyMaterial(0.5);
     // The hot one looks up, the cold one along +y; from far behind the hot one's edge and level
     // with it the cold one alone is seen.
-    const Mesh hot = oneSidedPlate({0, 0.5, 0}, {0.5, 0, 0}, {0, 0.5, 0}, {1, 1});
-    const Mesh cold = oneSidedPlate({0, 0, 0.5}, {-0.5, 0, 0}, {0, 0, 0.5}, {2, 2});
+    const Triangles hot = oneSidedPlate({0, 0.5, 0}, {0.5, 0, 0}, {0, 0.5, 0}, {1, 1});
+    const Triangles cold = oneSidedPlate({0, 0, 0.5}, {-0.5, 0, 0}, {0, 0, 0.5}, {2, 2});
     irsg.scene.entities = {entityOf(modelOf(joined(hot, cold)), database)};
     look(irsg, {.range_m = 5000.0, .fieldOfView_rad = 1e-3});
     const double logs = std::log(4.0 / 3.0) + 2.0 * std::log(3.0 / 4.0);
@@ -91,8 +91,8 @@ SelfTestValue shadow(SelfTestBench& bench) {
     irsg::SignatureDatabase database = greyDatabase(0.8, 20.0);
     database.temperatures[2] = fixedTemperature(20.0);
     database.materials[2] = greyMaterial(1.0);
-    const Mesh floor = oneSidedPlate({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {1, 1});
-    const Mesh roof = plateMesh({0, 0, 1.0}, {0.5, 0, 0}, {0, 0.5, 0}, {2, 2});
+    const Triangles floor = oneSidedPlate({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {1, 1});
+    const Triangles roof = plateMesh({0, 0, 1.0}, {0.5, 0, 0}, {0, 0.5, 0}, {2, 2});
     irsg.scene.entities = {entityOf(modelOf(joined(floor, roof)), database)};
     look(irsg, {.range_m = 5000.0,
                 .azimuth_rad = 0.8 + irsg::pi,

@@ -17,11 +17,11 @@ using irsg::Vec3;
 
 constexpr double pixel_rad = 1e-4;
 
-Mesh fineBall() {
+Triangles fineBall() {
     return sphereMesh(1.0, 48, 96, one);
 }
 /// Two plates of different height side by side, 2 m high.
-Mesh lopsided() {
+Triangles lopsided() {
     return joined(plateMesh({-0.7, 0, 0}, {0, 0, 1}, {0.3, 0, 0}, one),
                   plateMesh({0.3, 0, -0.8}, {0, 0, 0.2}, {0.7, 0, 0}, one));
 }
@@ -34,7 +34,7 @@ struct Way {
 
 /// Root mean square of the relative errors of the intensity of an object 2 m wide that is so many
 /// pixels wide, at 8 x 8 places among them that are irrational to every lattice.
-double rms(SelfTestBench& bench, const Mesh& mesh, double size_px, double roll_rad,
+double rms(SelfTestBench& bench, const Triangles& mesh, double size_px, double roll_rad,
            const Way& way = {}) {
     InteractiveRenderer& irsg = bench.irsg();
     irsg::RenderSettings settings;
@@ -72,7 +72,7 @@ double rms(SelfTestBench& bench, const Mesh& mesh, double size_px, double roll_r
 }
 
 SelfTestCheck rmsCheck(const std::string& name, const std::string& says, double bound,
-                       const Mesh& mesh, double size_px, double roll_deg, const Way& way = {}) {
+                       const Triangles& mesh, double size_px, double roll_deg, const Way& way = {}) {
     return {.name = "sampling." + name,
             .says = says + ": rms over 64 places among the pixels",
             .unit = "",

@@ -16,7 +16,7 @@ using namespace irsg::reference;
 using irsg::InteractiveRenderer;
 using irsg::Vec3;
 
-Mesh ball() {
+Triangles ball() {
     return sphereMesh(1.0, 32, 64, one);
 }
 
@@ -40,7 +40,7 @@ double sumOf(const irsg::RadianceImage& image) {
 
 /// Pixels of three layers, one before the other, against rays in double.
 SelfTestValue againstRays(SelfTestBench& bench) {
-    const Mesh mesh = glazedMesh();
+    const Triangles mesh = glazedMesh();
     irsg::SignatureDatabase database;
     RayScene rays;
     rays.surfaces.resize(1);
@@ -201,8 +201,8 @@ SelfTestValue wideField(SelfTestBench& bench) {
 
 SelfTestValue hidden(SelfTestBench& bench) {
     InteractiveRenderer& irsg = bench.irsg();
-    const Mesh front = plateMesh({0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, one);
-    const auto measured = [&](const Mesh& mesh) {
+    const Triangles front = plateMesh({0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, one);
+    const auto measured = [&](const Triangles& mesh) {
         irsg.scene.entities = {entityOf(modelOf(mesh), greyDatabase(0.9, 320.0))};
         look(irsg, {});
         return irsg.measure().all.intensity_W_sr;
@@ -280,7 +280,7 @@ SelfTestValue shapesOfPictures(SelfTestBench& bench) {
 SelfTestValue degenerateFacets(SelfTestBench& bench) {
     InteractiveRenderer& irsg = withBall(bench);
     const double before = irsg.measure().all.intensity_W_sr;
-    Mesh mesh = ball();
+    Triangles mesh = ball();
     mesh.push_back(
         {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, one, false});
     mesh.push_back({{{0, 0, 0}, {0.1, 0.1, 0.1}, {0.2, 0.2, 0.2}},
@@ -293,7 +293,7 @@ SelfTestValue degenerateFacets(SelfTestBench& bench) {
 }
 
 SelfTestValue layersLeftOver(SelfTestBench& bench) {
-    Mesh mesh;
+    Triangles mesh;
     for (int i = 0; i < 6; ++i)
         mesh = joined(mesh, plateMesh({0, i * 0.1, 0}, {1, 0, 0}, {0, 0, 1}, one));
     InteractiveRenderer& irsg = bench.irsg();

@@ -25,7 +25,7 @@ double black_W_m2_sr(double temperature_K) {
 
 /// A plate through the origin whose front looks along (0, cos, sin) of an angle above the nose,
 /// which the camera stands before.
-Mesh tilted(double angle_rad, irsg::IrCodes codes = {1, 1}) {
+Triangles tilted(double angle_rad, irsg::IrCodes codes = {1, 1}) {
     const double c = std::cos(angle_rad), s = std::sin(angle_rad);
     return plateMesh({0, 0, 0}, {-1, 0, 0}, {0, -s, c}, codes);
 }
@@ -42,7 +42,7 @@ struct Middle {
     Air air = {};
     irsg::SunPosition sun{0.0, irsg::radians(30.0)};
     irsg::RenderSettings settings = {};
-    Mesh mesh = tilted(0.0);
+    Triangles mesh = tilted(0.0);
 
     double radiance(SelfTestBench& bench) const {
         ConstantAtmosphere constant;

@@ -40,7 +40,7 @@ View viewOf(double size_m, double size_px) {
             .fieldOfView_rad = 2.0 * std::atan(0.5 * frame_px * pixel_rad)};
 }
 
-Entity grey(const Mesh& mesh) {
+Entity grey(const Triangles& mesh) {
     return entityOf(modelOf(mesh), greyDatabase(emissivity, temperature_K));
 }
 
@@ -64,8 +64,8 @@ struct Errors {
 
 /// Contrast intensity against the solid angle of the mesh, over 12 x 12 phases that are irrational
 /// to every lattice of samples.
-Errors errorsOverPhases(InteractiveRenderer& irsg, const Mesh& mesh, double size_m, double size_px,
-                        double roll_rad) {
+Errors errorsOverPhases(InteractiveRenderer& irsg, const Triangles& mesh, double size_m,
+                        double size_px, double roll_rad) {
     irsg.scene.entities = {grey(mesh)};
     look(irsg, viewOf(size_m, size_px));
     const Attitude attitude{0, 0, roll_rad};
@@ -90,7 +90,7 @@ Errors errorsOverPhases(InteractiveRenderer& irsg, const Mesh& mesh, double size
 }
 
 /// An L of two plates 2 m high that face the camera.
-Mesh lShape() {
+Triangles lShape() {
     return joined(plateMesh({-0.7, 0, 0}, {0, 0, 1}, {0.3, 0, 0}, one),
                   plateMesh({0.3, 0, -0.8}, {0, 0, 0.2}, {0.7, 0, 0}, one));
 }
@@ -100,7 +100,7 @@ const double sizes_px[] = {100.0, 30.0, 3.0, 1.0, 0.6, 0.1, 0.01};
 } // namespace
 
 TEST(AlignedTiles, KeepsTheIntensityOfASphereAtEveryPhaseFromAHundredPixelsToAHundredth) {
-    const Mesh mesh = sphereMesh(1.0, 48, 96, one);
+    const Triangles mesh = sphereMesh(1.0, 48, 96, one);
     InteractiveRenderer& irsg = generator();
     for (double size_px : sizes_px) {
         const Errors errors = errorsOverPhases(irsg, mesh, 2.0, size_px, 0.0);
@@ -174,7 +174,7 @@ TEST(AlignedTiles, SharesASmallObjectAmongThePixelsItTouches) {
 
 TEST(AlignedTiles, CrossesItsThresholdsWithoutAJump) {
     // The object becomes less than a pixel, and less than a tile: intensity stays.
-    const Mesh mesh = sphereMesh(1.0, 48, 96, one);
+    const Triangles mesh = sphereMesh(1.0, 48, 96, one);
     InteractiveRenderer& irsg = generator();
     irsg.scene.entities = {grey(mesh)};
     for (double threshold_px : {128.0, 85.0, 64.0, 2.0, 1.0, 0.5, 0.25, 0.125}) {
@@ -222,7 +222,7 @@ TEST(AlignedTiles, HidesAndShowsASmallObjectBeforeALargeOne) {
 TEST(AlignedTiles, KeepsTheTargetInABackgroundOfAnyLevel) {
     // The background is the target's own radiance but for 1e-6, and a million times as bright.
     InteractiveRenderer& irsg = generator();
-    const Mesh mesh = sphereMesh(1.0, 48, 96, one);
+    const Triangles mesh = sphereMesh(1.0, 48, 96, one);
     irsg.scene.entities = {grey(mesh)};
     look(irsg, viewOf(2.0, 0.3));
     shift(irsg, 0.37, 0.21);
@@ -266,7 +266,7 @@ TEST(AlignedTiles, DrawsTheSameImageTwiceAndInAnyOrderOfObjects) {
 
 TEST(AlignedTiles, ShowsWhatLeavesTheFrameStraddlesItOrStandsAroundTheCamera) {
     InteractiveRenderer& irsg = generator();
-    const Mesh mesh = sphereMesh(1.0, 48, 96, one);
+    const Triangles mesh = sphereMesh(1.0, 48, 96, one);
     irsg.scene.entities = {grey(mesh)};
     look(irsg, viewOf(2.0, 10.0)); // 21 pixels
     // Half of it beyond the right edge, 10.5 pixels from the middle.

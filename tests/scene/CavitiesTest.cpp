@@ -92,7 +92,7 @@ class Zones {
 constexpr std::array<double, 3> emissivities{0.5, 0.7, 0.9};
 
 /// Intensities on the axis from afar, as parts of that of black walls.
-std::array<double, 3> normalEmissivities(const Mesh& mesh) {
+std::array<double, 3> normalEmissivities(const Triangles& mesh) {
     const std::shared_ptr<const Model> model = modelOf(oneSided(mesh));
     InteractiveRenderer irsg;
     irsg.scene.environment = Environment::vacuum();

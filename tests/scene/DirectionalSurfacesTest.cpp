@@ -237,7 +237,8 @@ namespace {
 
 /// Six walls and a ball inside, of as many models, all of 400 K.
 Entity furnace(bool isBlack, bool ofPublished = false) {
-    Mesh mesh = reversed(boxMesh({2, 1.5, 1}, {{1, 1}, {1, 2}, {1, 3}, {1, 4}, {1, 5}, {1, 6}}));
+    Triangles mesh =
+        reversed(boxMesh({2, 1.5, 1}, {{1, 1}, {1, 2}, {1, 3}, {1, 4}, {1, 5}, {1, 6}}));
     mesh = joined(mesh, sphereMesh(0.5, 6, 10, {1, 7}));
     SignatureDatabase database = greyDatabase(0.9, 400.0);
     database.materials[2] = facets("ggx", 0.3, 0.3);
@@ -341,9 +342,9 @@ namespace {
 
 /// A floor, a wall and a ball of metal, paint and rough facets in bright air.
 Entity polishedCorner() {
-    Mesh mesh = joined(plateMesh({}, {2, 0, 0}, {0, 2, 0}, {1, 1}),
-                       plateMesh({0, 2, 1}, {0, 0, 1}, {2, 0, 0}, {2, 2}));
-    Mesh ball = sphereMesh(0.4, 24, 48, {2, 3});
+    Triangles mesh = joined(plateMesh({}, {2, 0, 0}, {0, 2, 0}, {1, 1}),
+                            plateMesh({0, 2, 1}, {0, 0, 1}, {2, 0, 0}, {2, 2}));
+    Triangles ball = sphereMesh(0.4, 24, 48, {2, 3});
     for (Triangle& t : ball) {
         for (Vec3& v : t.vertex) {
             v = v + Vec3{0.3, -0.2, 0.6};

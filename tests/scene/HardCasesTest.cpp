@@ -205,7 +205,7 @@ TEST(Drawing, DropsAnObjectOfAThousandthOfAPixelWithoutHarm) {
 }
 
 TEST(Drawing, SurvivesDegenerateTrianglesAndMissingNormals) {
-    Mesh mesh = sphereMesh(1.0, 16, 32, one);
+    Triangles mesh = sphereMesh(1.0, 16, 32, one);
     mesh.push_back(
         {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, one, false});
     mesh.push_back(
@@ -256,9 +256,9 @@ TEST(Drawing, LeavesNothingBehindAfterAHundredAnalyses) {
 }
 
 TEST(Layers, BeyondTheLimitAreCountedAndReported) {
-    Mesh mesh;
+    Triangles mesh;
     for (int i = 0; i < 6; ++i) {
-        const Mesh plate = plateMesh({0, i * 0.1, 0}, {1, 0, 0}, {0, 0, 1}, one);
+        const Triangles plate = plateMesh({0, i * 0.1, 0}, {1, 0, 0}, {0, 0, 1}, one);
         mesh.insert(mesh.end(), plate.begin(), plate.end());
     }
     InteractiveRenderer irsg;
@@ -282,9 +282,9 @@ TEST(Layers, BeyondTheLimitAreCountedAndReported) {
 }
 
 TEST(Layers, OfCoplanarGlassDoNotDependOnTheOrderInTheFile) {
-    Mesh forward, backward;
+    Triangles forward, backward;
     for (int i = 0; i < 4; ++i) {
-        const Mesh plate =
+        const Triangles plate =
             plateMesh({0.2 * i, 0.3 * i, 0}, {1, 0, 0}, {0, 0, 1}, {1 + i % 2, 1 + i % 2});
         forward = joined(forward, plate);
         backward = joined(plate, backward);

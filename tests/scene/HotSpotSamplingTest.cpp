@@ -32,7 +32,7 @@ double radiance_W_m2_sr(double temperature_K) {
     return bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), temperature_K);
 }
 
-Entity hotAndCold(const Mesh& mesh) {
+Entity hotAndCold(const Triangles& mesh) {
     SignatureDatabase database;
     database.materials[1] = greyMaterial(1.0);
     database.temperatures[1] = fixedTemperature(skin_K);
@@ -42,12 +42,12 @@ Entity hotAndCold(const Mesh& mesh) {
 
 /// A cold wall with hot balls and plates before it, all over it.
 struct Spots {
-    Mesh mesh = plateMesh({}, {0, 0, 0.5 * wallHeight_m}, {0.5 * wallWidth_m, 0, 0}, skin);
+    Triangles mesh = plateMesh({}, {0, 0, 0.5 * wallHeight_m}, {0.5 * wallWidth_m, 0, 0}, skin);
     double seen_m2 = 0.0; ///< from the front and from far
 
     explicit Spots(int count) {
         constexpr double far_m = 1e5, lean_m = 0.02, half_m = 0.5 * diameter_m;
-        const Mesh ball = sphereMesh(half_m, 8, 16, hot);
+        const Triangles ball = sphereMesh(half_m, 8, 16, hot);
         for (int i = 0; i < count; ++i) {
             const Vec3 place{wallWidth_m * 0.96 * (part(i, 0.7548776662) - 0.5), 0.1,
                              wallHeight_m * 0.96 * (part(i, 0.5698402910) - 0.5)};
@@ -57,7 +57,7 @@ struct Spots {
                 seen_m2 += 4.0 * (half_m * half_m + lean_m * lean_m);
                 continue;
             }
-            Mesh moved = ball;
+            Triangles moved = ball;
             for (Triangle& triangle : moved) {
                 for (Vec3& vertex : triangle.vertex) {
                     vertex = vertex + place;
@@ -247,7 +247,7 @@ TEST(HotSpotSampling, OfSeveralStatesAreDrawnOnceForAll) {
 TEST(HotSpotSampling, ThatAreHiddenCostNothingAndChangeNothing) {
     // From behind, a screen hides them all.
     InteractiveRenderer& irsg = generator();
-    const Mesh screen = plateMesh({0, -0.5, 0}, {0, 0, 7}, {17, 0, 0}, skin);
+    const Triangles screen = plateMesh({0, -0.5, 0}, {0, 0, 7}, {17, 0, 0}, skin);
     irsg.scene.entities = {hotAndCold(joined(Spots(20).mesh, screen))};
     for (const int size : {128, 256}) {
         look(irsg, pi, 0.0, 4e3, 1);
@@ -296,11 +296,12 @@ TEST(HotSpotSampling, AreHiddenWhereAProbeFindsSomethingBeforeAllOfThem) {
 }
 
 TEST(HotSpotSampling, InPiecesWithoutEndShareBoxesThatHoldThemAll) {
-    Mesh mesh;
+    Triangles mesh;
     constexpr int pieces = 1500;
     for (int i = 0; i < pieces; ++i) {
-        const Mesh one = plateMesh({100.0 * part(i, 0.7548776662), 0, 100.0 * part(i, 0.56984029)},
-                                   {0, 0, 0.01}, {0.01, 0, 0}, hot);
+        const Triangles one =
+            plateMesh({100.0 * part(i, 0.7548776662), 0, 100.0 * part(i, 0.56984029)}, {0, 0, 0.01},
+                      {0.01, 0, 0}, hot);
         mesh.insert(mesh.end(), one.begin(), one.end());
     }
     const auto boxes = connectedPieces(collectRenderItems(*modelOf(mesh)), hot);
@@ -322,10 +323,10 @@ TEST(HotSpotSampling, InPiecesWithoutEndShareBoxesThatHoldThemAll) {
 
 TEST(HotAircraft, TurnsWithoutAJump) {
     // A fuselage with wings and four hot pipes, in steps of a degree; the truth has 2048 samples.
-    Mesh mesh = boxMesh({1.5, 14.0, 1.5}, std::vector<IrCodes>(6, skin));
+    Triangles mesh = boxMesh({1.5, 14.0, 1.5}, std::vector<IrCodes>(6, skin));
     mesh = joined(mesh, plateMesh({}, {18.0, 0, 0}, {0, 2.0, 0}, skin));
     for (const double x : {-9.0, -5.0, 5.0, 9.0}) {
-        Mesh pipe = boxMesh({0.15, 0.6, 0.1}, std::vector<IrCodes>(6, hot));
+        Triangles pipe = boxMesh({0.15, 0.6, 0.1}, std::vector<IrCodes>(6, hot));
         for (Triangle& triangle : pipe) {
             for (Vec3& vertex : triangle.vertex) {
                 vertex = vertex + Vec3{x, -2.2, -0.4};
@@ -370,7 +371,8 @@ TEST(LongThinBody, KeepsItsIntensityFromOneAspectToTheNext) {
     // 86 x 4 pixels and slimmer, seen from its edge and ever more from above.
     InteractiveRenderer& irsg = generator();
     for (const auto& [thickness_m, most] : {std::pair{4.0, 3e-4}, {1.2, 6e-4}, {0.4, 1e-3}}) {
-        const Mesh mesh = boxMesh({43.0, 30.0, 0.5 * thickness_m}, std::vector<IrCodes>(6, skin));
+        const Triangles mesh =
+            boxMesh({43.0, 30.0, 0.5 * thickness_m}, std::vector<IrCodes>(6, skin));
         irsg.scene.entities = {hotAndCold(mesh)};
         irsg.scene.settings = settingsOf(256);
         CurveErrors errors;

@@ -22,8 +22,8 @@ constexpr double skin_K = 300.0, lip_K = 900.0;
 constexpr double lipWidth_m = 0.02, lipHeight_m = 1.0;
 
 /// A wall of 30 m by 10 m with two narrow upright lips, a millimetre before it.
-Mesh wallWithLips() {
-    Mesh mesh = plateMesh({}, {0, 0, 5}, {15, 0, 0}, skin);
+Triangles wallWithLips() {
+    Triangles mesh = plateMesh({}, {0, 0, 5}, {15, 0, 0}, skin);
     for (const double x : {-6.3, 4.7}) {
         mesh = joined(mesh, plateMesh({x, 1e-3, 1.1}, {0.04 * lipHeight_m, 0, 0.5 * lipHeight_m},
                                       {0.5 * lipWidth_m, 0, 0}, lip));

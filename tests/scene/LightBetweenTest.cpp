@@ -22,7 +22,8 @@ class LightBetweenTest : public RaysTest {};
 
 /// Six walls and a ball inside, of six materials, grey and spectral, all of 400 K.
 Entity furnace(bool isBlack) {
-    Mesh mesh = reversed(boxMesh({2, 1.5, 1}, {{1, 1}, {1, 2}, {1, 3}, {1, 4}, {1, 5}, {1, 6}}));
+    Triangles mesh =
+        reversed(boxMesh({2, 1.5, 1}, {{1, 1}, {1, 2}, {1, 3}, {1, 4}, {1, 5}, {1, 6}}));
     mesh = joined(mesh, sphereMesh(0.5, 6, 10, {1, 7}));
     SignatureDatabase database = greyDatabase(0.9, 400.0);
     const auto spectral = [](double a, double b, double c) {
@@ -67,10 +68,10 @@ namespace {
 
 /// A sunlit floor with two walls, a step and a ball, in bright air.
 Entity corner(double wallEmissivity = 0.3) {
-    Mesh mesh = joined(plateMesh({}, {2, 0, 0}, {0, 2, 0}, {1, 1}),
-                       plateMesh({0, 2, 1}, {0, 0, 1}, {2, 0, 0}, {2, 2}));
+    Triangles mesh = joined(plateMesh({}, {2, 0, 0}, {0, 2, 0}, {1, 1}),
+                            plateMesh({0, 2, 1}, {0, 0, 1}, {2, 0, 0}, {2, 2}));
     mesh = joined(mesh, plateMesh({-2, 0, 1}, {0, 2, 0}, {0, 0, 1}, {3, 1}));
-    Mesh ball = sphereMesh(0.4, 24, 48, {2, 3});
+    Triangles ball = sphereMesh(0.4, 24, 48, {2, 3});
     for (Triangle& t : ball) {
         for (Vec3& v : t.vertex) {
             v = v + Vec3{0.3, -0.2, 0.6};
@@ -177,7 +178,8 @@ namespace {
 /// A box without its lid, of three materials and a ball of a spectral one in it: light is reflected
 /// many times before it leaves.
 Entity openBox() {
-    Mesh mesh = reversed(boxMesh({2, 1.5, 1}, {{1, 1}, {1, 1}, {2, 2}, {2, 2}, {3, 3}, {3, 3}}));
+    Triangles mesh =
+        reversed(boxMesh({2, 1.5, 1}, {{1, 1}, {1, 1}, {2, 2}, {2, 2}, {3, 3}, {3, 3}}));
     std::erase_if(mesh, [](const Triangle& triangle) {
         return std::ranges::all_of(triangle.vertex, [](const Vec3& v) { return v.z > 0.999; });
     });
@@ -278,8 +280,8 @@ TEST_F(LightBetweenTest, ConvexBodiesAreAsBefore) {
 }
 
 TEST_F(LightBetweenTest, OthersLightAsOwnPartsDo) {
-    const Mesh floor = plateMesh({}, {2, 0, 0}, {0, 2, 0}, {1, 1});
-    Mesh ball = sphereMesh(0.8, 32, 64, {2, 2});
+    const Triangles floor = plateMesh({}, {2, 0, 0}, {0, 2, 0}, {1, 1});
+    Triangles ball = sphereMesh(0.8, 32, 64, {2, 2});
     for (Triangle& t : ball) {
         for (Vec3& v : t.vertex) {
             v = v + Vec3{0, 0, 1.2};

@@ -11,7 +11,7 @@ namespace {
 
 constexpr IrCodes paint{1, 1}, glass{1, 2};
 
-std::vector<ModelEdge> edgesOf(const Mesh& mesh) {
+std::vector<ModelEdge> edgesOf(const Triangles& mesh) {
     const auto model = modelOf(mesh);
     const auto items = collectRenderItems(*model);
     return longEdges(items, boundingSphere(items, model->bounds()).radius_m);
@@ -26,7 +26,7 @@ TEST(LongEdges, OfABoxAreItsTwelveAndNoDiagonals) {
 }
 
 TEST(LongEdges, PartPlanesOnlyWhereTheirCodesDiffer) {
-    const Mesh left = plateMesh({-1, 0, 0}, {1, 0, 0}, {0, 0, 1}, paint);
+    const Triangles left = plateMesh({-1, 0, 0}, {1, 0, 0}, {0, 0, 1}, paint);
     const auto one = joined(left, plateMesh({1, 0, 0}, {1, 0, 0}, {0, 0, 1}, paint));
     const auto two = joined(left, plateMesh({1, 0, 0}, {1, 0, 0}, {0, 0, 1}, glass));
     EXPECT_EQ(edgesOf(one).size(), 6u);
@@ -35,9 +35,9 @@ TEST(LongEdges, PartPlanesOnlyWhereTheirCodesDiffer) {
 
 TEST(LongEdges, AreNoneOnAFineMeshAndFewOnAnyOther) {
     EXPECT_TRUE(edgesOf(sphereMesh(1.0, 32, 64, paint)).empty());
-    Mesh boxes;
+    Triangles boxes;
     for (int i = 0; i < 5; ++i) {
-        Mesh box = boxMesh({1.0, 1.0, 1.0}, std::vector(6, paint));
+        Triangles box = boxMesh({1.0, 1.0, 1.0}, std::vector(6, paint));
         for (Triangle& triangle : box) {
             for (Vec3& vertex : triangle.vertex) {
                 vertex.x += 1.5 * i;

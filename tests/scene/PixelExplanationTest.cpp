@@ -30,12 +30,12 @@ double black_W_m2_sr(double temperature_K) {
     return static_cast<double>(reference::bandRadiance({3.0, 5.0}, temperature_K));
 }
 
-Mesh plate(double y_m, IrCodes codes, double half_m = 1.0) {
+Triangles plate(double y_m, IrCodes codes, double half_m = 1.0) {
     return plateMesh({0, y_m, 0}, {-half_m, 0, 0}, {0, 0, half_m}, codes);
 }
 
 /// A scene with one object, 100 m before a sensor that looks at its middle.
-InteractiveRenderer sceneOf(const Mesh& mesh, const SignatureDatabase& database,
+InteractiveRenderer sceneOf(const Triangles& mesh, const SignatureDatabase& database,
                             const Environment& environment, RenderSettings settings = {}) {
     InteractiveRenderer irsg;
     irsg.scene.settings = settings;

@@ -168,8 +168,8 @@ TEST(PublishedTiles, KeepsTheIntensityOfASphereAndSwingsWithALopsidedBody) {
     EXPECT_LT(sphere.second, 1.02);
 
     // An L in a square of two pixels, as the texture of 2 x 2 texels sees it.
-    const Mesh lopsided = joined(plateMesh({-0.85, 0, 0}, {0, 0, 1}, {0.15, 0, 0}, one),
-                                 plateMesh({0.15, 0, -0.85}, {0, 0, 0.15}, {0.85, 0, 0}, one));
+    const Triangles lopsided = joined(plateMesh({-0.85, 0, 0}, {0, 0, 1}, {0.15, 0, 0}, one),
+                                      plateMesh({0.15, 0, -0.85}, {0, 0, 0.15}, {0.85, 0, 0}, one));
     irsg.scene.entities = {entityOf(modelOf(lopsided), greyDatabase(0.9, 320.0))};
     look(irsg, viewOf(2.0, 1.4));
     const auto published = swing(irsg);

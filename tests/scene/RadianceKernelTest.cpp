@@ -50,11 +50,11 @@ SignatureDatabase bodyInGas() {
 }
 
 /// A plate that fills the field, before it one wall of a gas, and before that one of another.
-Mesh platesBehindEachOther(bool withOther) {
+Triangles platesBehindEachOther(bool withOther) {
     const auto wall = [](double y_m, IrCodes codes) {
         return plateMesh({0, y_m, 0}, {5, 0, 0}, {0, 0, -5}, codes);
     };
-    const Mesh mesh = joined(wall(0.0, body), wall(1.0, gas));
+    const Triangles mesh = joined(wall(0.0, body), wall(1.0, gas));
     return withOther ? joined(mesh, wall(2.0, otherGas)) : mesh;
 }
 
@@ -253,8 +253,8 @@ TEST(PlainShader, AddsUpWhatTheEvaluatorDoes) {
         SignatureDatabase database = bodyInGas();
         database.materials[1] = greyMaterial(0.6, 0.0, 1.7);
         database.materials[2] = greyMaterial(0.5, 0.5);
-        const Mesh opaque = sphereMesh(1.0, 24, 48, body);
-        const auto imageOf = [&](const Mesh& mesh) {
+        const Triangles opaque = sphereMesh(1.0, 24, 48, body);
+        const auto imageOf = [&](const Triangles& mesh) {
             Entity entity = entityOf(modelOf(mesh), database);
             entity.referencePoint_m = Vec3{};
             irsg.scene.entities = {entity};
@@ -315,7 +315,7 @@ TEST(RadianceTerms, TakeAnotherTermFromOneRecord) {
         SignatureDatabase database = greyDatabase(0.25, 300.0);
         database.temperatures[2] = fixedTemperature(300.0);
         database.materials[2] = greyMaterial(0.1, 0.5);
-        Mesh mesh = plateMesh({}, {5, 0, 0}, {0, 5, 0}, codes);
+        Triangles mesh = plateMesh({}, {5, 0, 0}, {0, 5, 0}, codes);
         if (fromFactors) {
             mesh = joined(mesh, plateMesh({4.9, 4.9, 0.01}, {0.01, 0, 0}, {0, 0.01, 0}, {2, 2}));
         }
@@ -357,8 +357,8 @@ TEST(AtmosphereAlongAnObject, IsTakenAtTheRangeOfEverySample) {
     RenderSettings settings = emissionAlone();
     irsg.scene.settings = settings;
     // Two walls, one 3 m behind the other and beside it: each fills half of the field.
-    const Mesh mesh = joined(plateMesh({-5, 1.5, 0}, {5, 0, 0}, {0, 0, -5}, body),
-                             plateMesh({5, -1.5, 0}, {5, 0, 0}, {0, 0, -5}, body));
+    const Triangles mesh = joined(plateMesh({-5, 1.5, 0}, {5, 0, 0}, {0, 0, -5}, body),
+                                  plateMesh({5, -1.5, 0}, {5, 0, 0}, {0, 0, -5}, body));
     Entity entity = entityOf(modelOf(mesh), greyDatabase(1.0, 600.0));
     entity.referencePoint_m = Vec3{};
     irsg.scene.entities = {entity};

@@ -55,7 +55,7 @@ TEST(GreySphere, ShowsItsPlanckRadianceInTheCentrePixel) {
 TEST(GreySphere, HasTheIntensityOfItsMeshOverAllPixelPhases) {
     // 34 pixels across, supersampling 4, 16 x 16 phases that are irrational to the sampling
     // lattice.
-    const Mesh mesh = sphereMesh(1.0, 128, 256, one);
+    const Triangles mesh = sphereMesh(1.0, 128, 256, one);
     const double range_m = 1000.0, pixel_rad = 2.0 / range_m / 34.0;
     InteractiveRenderer& irsg = generator();
     irsg.scene.environment = darkness();

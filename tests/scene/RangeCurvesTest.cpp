@@ -33,7 +33,7 @@ RenderSettings settingsOf(int tileSide_samples) {
     return settings;
 }
 
-Entity grey(const Mesh& mesh) {
+Entity grey(const Triangles& mesh) {
     return entityOf(modelOf(mesh), greyDatabase(emissivity, temperature_K));
 }
 
@@ -183,7 +183,7 @@ TEST(RangeGeometry, WeighFewNodesSoThatParabolasStayWhatTheyAre) {
 TEST(RangeCurve, OfConvexBodiesIsTheirSolidAngle) {
     struct Body {
         const char* name;
-        Mesh mesh;
+        Triangles mesh;
         Aspect aspect;
         double most;
         bool hasCorner = false; ///< of the true curve: a side comes into sight
@@ -285,15 +285,15 @@ TEST(RangeCurve, TakesStrongAirAlongAnObjectAtEveryRange) {
     SignatureDatabase database = greyDatabase(emissivity, temperature_K);
     database.materials[2] = greyMaterial(0.3, 0.6);
     constexpr IrCodes glassCodes{1, 2};
-    Mesh glass = boxMesh({0.8, 0.8, 0.8}, std::vector<IrCodes>(6, glassCodes));
+    Triangles glass = boxMesh({0.8, 0.8, 0.8}, std::vector<IrCodes>(6, glassCodes));
     for (Triangle& triangle : glass) {
         for (Vec3& vertex : triangle.vertex) {
             vertex = vertex + Vec3{0, 2.5, 0};
         }
     }
-    const Mesh mesh = joined(joined(plateMesh({-2, 4, 0}, {0, 0, 2}, {1.5, 0, 0}, one),
-                                    plateMesh({2, -4, 0}, {0, 0, 2}, {1.5, 0, 0}, one)),
-                             glass);
+    const Triangles mesh = joined(joined(plateMesh({-2, 4, 0}, {0, 0, 2}, {1.5, 0, 0}, one),
+                                         plateMesh({2, -4, 0}, {0, 0, 2}, {1.5, 0, 0}, one)),
+                                  glass);
     InteractiveRenderer irsg = generatorOf({entityOf(modelOf(mesh), database)}, 512);
     irsg.scene.environment = environment;
     bool wasSliced = false;
@@ -316,7 +316,7 @@ TEST(RangeCurve, TakesStrongAirAlongAnObjectAtEveryRange) {
 }
 
 TEST(RangeCurve, DrawsWhatIsNearOrCutOffOrOverlapsOrIsNotLookedAt) {
-    const Mesh box = boxMesh({2, 6, 1.5}, std::vector<IrCodes>(6, one));
+    const Triangles box = boxMesh({2, 6, 1.5}, std::vector<IrCodes>(6, one));
     const auto isDrawn = [](InteractiveRenderer& irsg) {
         const ObjectRadiometry drawn = irsg.measure().all, curve = along(irsg).all;
         return drawn.intensity_W_sr == curve.intensity_W_sr &&
@@ -359,7 +359,7 @@ TEST(RangeCurve, DrawsWhatIsNearOrCutOffOrOverlapsOrIsNotLookedAt) {
 }
 
 TEST(RangeCurve, DrawsOtherObjectsBesideTheOneThatIsLookedAt) {
-    const Mesh box = boxMesh({2, 6, 1.5}, std::vector<IrCodes>(6, one));
+    const Triangles box = boxMesh({2, 6, 1.5}, std::vector<IrCodes>(6, one));
     Entity beside = grey(sphereMesh(1.0, 16, 32, one));
     InteractiveRenderer irsg = generatorOf({grey(box), beside});
     irsg.scene.entities[0].pose = {{0, 0, standingAltitude_m}, {}};

@@ -22,14 +22,14 @@ struct Surface {
 
 struct Case {
     const char* name;
-    Mesh mesh;
+    Triangles mesh;
     std::vector<Surface> surfaces; ///< index 1 and up
     View view;
     Attitude attitude{};
     double tolerance = 1e-5;
 };
 
-Mesh withCode(Mesh mesh, int code) {
+Triangles withCode(Triangles mesh, int code) {
     for (Triangle& t : mesh) {
         t.codes = {code, code};
     }
@@ -41,13 +41,13 @@ std::vector<IrCodes> sixCodes() {
 }
 
 /// A cloud of triangles of all sizes and directions, with normals of their own.
-Mesh shards(int count) {
+Triangles shards(int count) {
     unsigned int state = 12345;
     auto random = [&] {
         state = state * 1664525u + 1013904223u;
         return static_cast<double>(state >> 8) / 16777216.0 * 2.0 - 1.0;
     };
-    Mesh mesh;
+    Triangles mesh;
     for (int i = 0; i < count; ++i) {
         const Vec3 centre{random(), random(), random()};
         Triangle t;

@@ -105,7 +105,7 @@ TEST(TilesOfAFrame, TellTheSamplesOfAModeAndThePublishedSquare) {
 }
 
 TEST(TilesOfAFrame, OfHotSpotsFollowTheTileThatLeavesThemOut) {
-    Mesh mesh = plateMesh({}, {0, 0, 0.5}, {1.0, 0, 0}, {1, 1});
+    Triangles mesh = plateMesh({}, {0, 0, 0.5}, {1.0, 0, 0}, {1, 1});
     mesh = joined(mesh, plateMesh({0.4, 1e-3, 0.0}, {0, 0, 0.05}, {0.002, 0, 0}, {2, 1}));
     SignatureDatabase database;
     database.materials[1] = greyMaterial(1.0);

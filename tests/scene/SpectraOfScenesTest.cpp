@@ -100,7 +100,7 @@ double centreRadiance(InteractiveRenderer& irsg) {
 } // namespace
 
 TEST(IntensitySpectrumOfASphere, IsPlancksLawTimesItsArea) {
-    const Mesh mesh = sphereMesh(1.0, 64, 128, one);
+    const Triangles mesh = sphereMesh(1.0, 64, 128, one);
     InteractiveRenderer irsg;
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.entities = {entityOf(modelOf(mesh), greyDatabase(0.9, 450.0))};
@@ -293,8 +293,8 @@ TEST(ProjectedGeometryOfAScene, MultiplySpectrallyWhatAScalarCannot) {
     database.materials[2] = greyMaterial(0.0);
     database.materials[2].transmissivity =
         Spectrum({3.0, 4.0, 4.000001, 5.0}, {1.0, 1.0, 0.0, 0.0});
-    const Mesh mesh = joined(plateMesh({0, 0, 0}, {0.5, 0, 0}, {0, 0, 0.5}, one),
-                             plateMesh({0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {2, 2}));
+    const Triangles mesh = joined(plateMesh({0, 0, 0}, {0.5, 0, 0}, {0, 0, 0.5}, one),
+                                  plateMesh({0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {2, 2}));
     InteractiveRenderer irsg;
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.entities = {entityOf(modelOf(mesh), database)};
@@ -349,7 +349,7 @@ TEST(TruthLayersOfAnImage, AddUpToItsRadianceAndNameTheSurfaces) {
     SignatureDatabase database = greyDatabase(0.6, 320.0);
     database.temperatures[7] = fixedTemperature(350.0);
     database.materials[9] = greyMaterial(0.2, 0.5);
-    const Mesh mesh =
+    const Triangles mesh =
         joined(sphereMesh(1.0, 32, 64, one), plateMesh({0, 2, 0}, {0.5, 0, 0}, {0, 0, 2}, {7, 9}));
     InteractiveRenderer irsg;
     irsg.scene.environment = environmentOf(air);

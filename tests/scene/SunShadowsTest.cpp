@@ -52,8 +52,8 @@ struct SphereAbovePlate {
     double radius_m = 0.5, height_m = 3.0, half_m = 8.0;
 
     Entity entity() const {
-        Mesh mesh = plateMesh({}, {half_m, 0, 0}, {0, half_m, 0}, {1, 1});
-        Mesh sphere = sphereMesh(radius_m, 90, 180, {2, 2});
+        Triangles mesh = plateMesh({}, {half_m, 0, 0}, {0, half_m, 0}, {1, 1});
+        Triangles sphere = sphereMesh(radius_m, 90, 180, {2, 2});
         for (Triangle& triangle : sphere) {
             for (Vec3& vertex : triangle.vertex) {
                 vertex.z += height_m;
@@ -204,8 +204,8 @@ TEST_P(SunShadowsTest, OfADiscHaveThePenumbraOfTwoCircles) {
 
 TEST_P(SunShadowsTest, OfGlassMultiplyItsTransmissivityNodeByNode) {
     // A plate, and a pane above it that does not stand between it and the sensor.
-    Mesh mesh = joined(plateMesh({}, {1, 0, 0}, {0, 1, 0}, {1, 1}),
-                       plateMesh({0, 0, 30}, {60, 0, 0}, {0, 60, 0}, {2, 2}));
+    Triangles mesh = joined(plateMesh({}, {1, 0, 0}, {0, 1, 0}, {1, 1}),
+                            plateMesh({0, 0, 30}, {60, 0, 0}, {0, 60, 0}, {2, 2}));
     for (const int panes : {1, 2}) {
         if (panes == 2) {
             mesh = joined(mesh, plateMesh({0, 0, 31}, {60, 0, 0}, {0, 60, 0}, {2, 2}));

@@ -28,7 +28,7 @@ struct Body {
     std::shared_ptr<const RayMesh> mesh;
     PieceUses uses{0};
 
-    explicit Body(const Mesh& of, int transparent = 0) {
+    explicit Body(const Triangles& of, int transparent = 0) {
         items = inRenderPieces(collectRenderItems(*modelOf(of)));
         std::vector<RayMesh::Piece> pieces;
         uses = PieceUses(items.size());
@@ -95,9 +95,9 @@ Counts against(const Body& body, const Vec3& towards, double radius_rad, std::mt
     return counts;
 }
 
-Mesh randomTriangles(int count, std::mt19937& random) {
+Triangles randomTriangles(int count, std::mt19937& random) {
     std::uniform_real_distribution<double> place(-2.0, 2.0), edge(-0.7, 0.7);
-    Mesh mesh;
+    Triangles mesh;
     for (int i = 0; i < count; ++i) {
         Triangle& triangle = mesh.emplace_back();
         const Vec3 at{place(random), place(random), place(random)};
@@ -115,7 +115,7 @@ Mesh randomTriangles(int count, std::mt19937& random) {
     return mesh;
 }
 
-Mesh moved(Mesh mesh, const Vec3& by) {
+Triangles moved(Triangles mesh, const Vec3& by) {
     for (Triangle& triangle : mesh) {
         for (Vec3& vertex : triangle.vertex) {
             vertex = vertex + by;
@@ -172,8 +172,8 @@ TEST_F(SunlitFacetsTest, KnowsConvexBodies) {
 
 TEST_F(SunlitFacetsTest, LeavesWhatGlassCoversToRays) {
     // A pane over one of two plates, and one that is seen from above alone, from below.
-    const Mesh plates = joined(plateMesh({-2, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1}),
-                               plateMesh({2, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 2}));
+    const Triangles plates = joined(plateMesh({-2, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1}),
+                                    plateMesh({2, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 2}));
     const Body glazed(joined(plates, plateMesh({-2, 0, 1}, {0.2, 0, 0}, {0, 0.2, 0}, {3, 3})), 3);
     const Body backs(joined(plates, oneSidedPlate({-2, 0, 1}, {0, 0.2, 0}, {0.2, 0, 0}, {3, 3})));
     const Vec3 up{0, 0, 1};

@@ -20,8 +20,8 @@ constexpr IrCodes one{1, 1};
 constexpr double pixel_rad = 1e-4, emissivity = 0.9, temperature_K = 320.0;
 
 /// A closed cylinder along y.
-Mesh cylinderMesh(double radius_m, double halfLength_m, int sides) {
-    Mesh mesh;
+Triangles cylinderMesh(double radius_m, double halfLength_m, int sides) {
+    Triangles mesh;
     const auto rim = [&](int i, double y) {
         const double angle = 2.0 * pi * i / sides;
         return Vec3{radius_m * std::cos(angle), y, radius_m * std::sin(angle)};
@@ -58,7 +58,7 @@ struct Errors {
 
 /// Seen from beside in steps of a degree, at phases of the pixels that are irrational to
 /// every lattice; against the solid angle.
-Errors errorsOf(const Mesh& mesh, int tileSide_samples, double pixels, double length_m,
+Errors errorsOf(const Triangles& mesh, int tileSide_samples, double pixels, double length_m,
                 double pitch_deg) {
     InteractiveRenderer irsg;
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
@@ -99,7 +99,7 @@ Errors errorsOf(const Mesh& mesh, int tileSide_samples, double pixels, double le
 TEST(ThinBody, KeepsItsIntensityAtAnyInclinationAndLength) {
     struct Body {
         const char* name;
-        Mesh mesh;
+        Triangles mesh;
         double length_m;
         /// RMS at windows of 128: where it lies level, and at any inclination. A wire is thinner
         /// than a sample where its window is as high as it is wide.

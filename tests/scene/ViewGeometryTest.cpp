@@ -25,7 +25,7 @@ class ViewGeometryTest : public RaysTest {};
 /// View factors between the surfaces of a mesh by the material of their codes.
 class Factors {
   public:
-    Factors(const Mesh& mesh, double error, int transparent = 0) {
+    Factors(const Triangles& mesh, double error, int transparent = 0) {
         const std::shared_ptr<const Model> model = modelOf(mesh);
         items_ = inRenderPieces(collectRenderItems(*model));
         std::vector<RayMesh::Piece> pieces;
@@ -116,7 +116,7 @@ TEST_F(ViewGeometryTest, AreThoseOfTheCatalogue) {
     };
     /// A mesh, the error that its rays are sent for, and what is known of it.
     struct Case {
-        Mesh mesh;
+        Triangles mesh;
         std::vector<Pair> pairs;
         double error = 0.0003;
     };
@@ -124,9 +124,9 @@ TEST_F(ViewGeometryTest, AreThoseOfTheCatalogue) {
     const IrCodes one{1, 1}, two{2, 2}, three{3, 3};
     const double root = std::sqrt(2.0);
     const double ends = coaxialDiscs(1, 1, 2), whole = 1.0 - ends;
-    const Mesh above = moved(sphereOfEqualArea(0.5, 48, one), {0, 0, 1.5});
-    const Mesh inner = sphereMesh(0.5, 24, 48, one);
-    const Mesh outer = revolved(arc(1, 0, 0, pi, 24), 48, two);
+    const Triangles above = moved(sphereOfEqualArea(0.5, 48, one), {0, 0, 1.5});
+    const Triangles inner = sphereMesh(0.5, 24, 48, one);
+    const Triangles outer = revolved(arc(1, 0, 0, pi, 24), 48, two);
     const std::vector<Case> cases = {
         {joined(plateMesh({}, {0.5, 0, 0}, {0, 0.5, 0}, one),
                 plateMesh({0, 0, 1}, {0, 0.5, 0}, {0.5, 0, 0}, two)),
@@ -178,9 +178,9 @@ TEST_F(ViewGeometryTest, AreThoseOfTheCatalogue) {
 }
 
 TEST_F(ViewGeometryTest, AreReciprocal) {
-    const Mesh walls = joined(plateMesh({}, {1, 0, 0}, {0, 1, 0}, {1, 1}),
-                              plateMesh({-1, 0, 0.7}, {0, 1, 0}, {0, 0, 0.7}, {2, 2}));
-    const Mesh ball = moved(sphereMesh(0.3, 48, 96, {3, 3}), {0.2, 0.1, 0.6});
+    const Triangles walls = joined(plateMesh({}, {1, 0, 0}, {0, 1, 0}, {1, 1}),
+                                   plateMesh({-1, 0, 0.7}, {0, 1, 0}, {0, 0, 0.7}, {2, 2}));
+    const Triangles ball = moved(sphereMesh(0.3, 48, 96, {3, 3}), {0.2, 0.1, 0.6});
     const Factors factors(joined(walls, ball), 0.0005);
     for (const auto& [a, b] : {std::pair{1, 2}, std::pair{1, 3}, std::pair{2, 3}}) {
         const double there = factors.between(a, b) * factors.areaOfCode_m2(a);
@@ -194,8 +194,8 @@ TEST_F(ViewGeometryTest, ASmallSenderIsKnownByItsOwnRays) {
     // A disc of 0.02 m over the middle of a plate of 1 m2, at the error that models have: of the
     // plate's rays at most a few meet it. The disc sees of the plate what its
     // middle does: four corners, each of an element before the corner of a rectangle.
-    const Mesh mesh = joined(moved(disc(0.02, 0.0, {1, 1}, false), {0, 0, 0.5}),
-                             plateMesh({}, {0.5, 0, 0}, {0, 0.5, 0}, {2, 2}));
+    const Triangles mesh = joined(moved(disc(0.02, 0.0, {1, 1}, false), {0, 0, 0.5}),
+                                  plateMesh({}, {0.5, 0, 0}, {0, 0.5, 0}, {2, 2}));
     const Factors factors(mesh, 0.005);
     const double side = 1.0 / std::sqrt(2.0);
     const double expected = 4.0 / pi * side * std::atan(side);
@@ -206,8 +206,8 @@ TEST_F(ViewGeometryTest, ASmallSenderIsKnownByItsOwnRays) {
 }
 
 TEST_F(ViewGeometryTest, GasGetsLightAndStandsInNobodysWay) {
-    const Mesh plates = joined(plateMesh({}, {0.5, 0, 0}, {0, 0.5, 0}, {1, 1}),
-                               plateMesh({0, 0, 1}, {0, 0.5, 0}, {0.5, 0, 0}, {2, 2}));
+    const Triangles plates = joined(plateMesh({}, {0.5, 0, 0}, {0, 0.5, 0}, {1, 1}),
+                                    plateMesh({0, 0, 1}, {0, 0.5, 0}, {0.5, 0, 0}, {2, 2}));
     const Factors clear(plates, 0.001);
     const Factors gas(joined(plates, reversed(boxMesh({2, 2, 3}, std::vector<IrCodes>(6, {3, 3})))),
                       0.001, 3);
@@ -220,9 +220,9 @@ TEST_F(ViewGeometryTest, GasGetsLightAndStandsInNobodysWay) {
 TEST_F(ViewGeometryTest, NobodyGetsLightOfWhatLiesInsideOfABody) {
     // The plate in the box looks out through the backs of its sides, which nobody sees; of it, the
     // plate outside sees the side of the box.
-    const Mesh mesh = joined(joined(plateMesh({}, {0, 0.3, 0}, {0, 0, 0.3}, {1, 1}),
-                                    boxMesh({1, 1, 1}, std::vector<IrCodes>(6, {2, 2}))),
-                             plateMesh({2, 0, 0}, {0, 0, 0.3}, {0, 0.3, 0}, {3, 3}));
+    const Triangles mesh = joined(joined(plateMesh({}, {0, 0.3, 0}, {0, 0, 0.3}, {1, 1}),
+                                         boxMesh({1, 1, 1}, std::vector<IrCodes>(6, {2, 2}))),
+                                  plateMesh({2, 0, 0}, {0, 0, 0.3}, {0, 0.3, 0}, {3, 3}));
     const Factors factors(mesh, 0.001);
     EXPECT_GT(factors.between(1, 3), 0.01);
     EXPECT_EQ(factors.between(3, 1), 0.0);
@@ -230,10 +230,10 @@ TEST_F(ViewGeometryTest, NobodyGetsLightOfWhatLiesInsideOfABody) {
 }
 
 TEST_F(ViewGeometryTest, AreFoundOnceWhileAnyRendererHoldsThem) {
-    const Mesh walls = joined(plateMesh({}, {1, 0, 0}, {0, 1, 0}, {1, 1}),
-                              plateMesh({-1, 0, 0.7}, {0, 1, 0}, {0, 0, 0.7}, {2, 2}));
+    const Triangles walls = joined(plateMesh({}, {1, 0, 0}, {0, 1, 0}, {1, 1}),
+                                   plateMesh({-1, 0, 0.7}, {0, 1, 0}, {0, 0, 0.7}, {2, 2}));
     // Each renderer has models, pieces and meshes of its own.
-    const auto lightOf = [](PreparedEntities& prepared, const Mesh& mesh, double error) {
+    const auto lightOf = [](PreparedEntities& prepared, const Triangles& mesh, double error) {
         const Entity entity = entityOf(modelOf(mesh), greyDatabase(0.5, 300.0));
         prepared.keep({entity});
         PreparedModel& model = prepared.of(entity);

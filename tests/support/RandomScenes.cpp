@@ -47,7 +47,7 @@ Entity sample(const std::string& name) {
                                   loadSignatureFile(folder / (name + ".sigdb")).database);
 }
 
-Mesh moved(Mesh mesh, const Vec3& by, const Rotation& turn) {
+Triangles moved(Triangles mesh, const Vec3& by, const Rotation& turn) {
     for (Triangle& triangle : mesh) {
         for (int i = 0; i < 3; ++i) {
             triangle.vertex[i] = turn * triangle.vertex[i] + by;
@@ -60,7 +60,7 @@ Mesh moved(Mesh mesh, const Vec3& by, const Rotation& turn) {
 /// Some bodies that overlap or do not, each of its own temperature.
 Entity bodies(Draw& draw, const Band& band) {
     SignatureDatabase database = painted(band, draw.between(270.0, 330.0));
-    Mesh mesh;
+    Triangles mesh;
     const int count = 1 + draw.below(5);
     for (int i = 0; i < count; ++i) {
         const IrCodes codes{10 + i, 1 + draw.below(2)};
@@ -71,7 +71,7 @@ Entity bodies(Draw& draw, const Band& band) {
                 .rotation();
         const Vec3 place = draw.direction() * draw.between(0.0, 3.0);
         const double size = draw.logarithmic(0.2, 3.0);
-        Mesh body;
+        Triangles body;
         switch (draw.below(4)) {
         case 0:
             body = sphereMesh(size, 24, 48, codes);

@@ -25,8 +25,8 @@ Profile arc(double radius, double z, double from_rad, double to_rad, int steps) 
     return profile;
 }
 
-Mesh revolved(const Profile& profile, int around, IrCodes codes) {
-    Mesh mesh;
+Triangles revolved(const Profile& profile, int around, IrCodes codes) {
+    Triangles mesh;
     const auto at = [&](std::size_t i, int k) {
         const double angle = 2.0 * pi * (k % around) / around;
         return Vec3{profile[i][0] * std::cos(angle), profile[i][0] * std::sin(angle),
@@ -55,7 +55,7 @@ Mesh revolved(const Profile& profile, int around, IrCodes codes) {
     return mesh;
 }
 
-Mesh reversed(Mesh mesh) {
+Triangles reversed(Triangles mesh) {
     for (Triangle& t : mesh) {
         std::swap(t.vertex[1], t.vertex[2]);
         std::swap(t.normal[1], t.normal[2]);
@@ -66,12 +66,12 @@ Mesh reversed(Mesh mesh) {
     return mesh;
 }
 
-Mesh disc(double radius, double z, IrCodes codes, bool up) {
-    const Mesh mesh = revolved(line(0, z, radius, z, 2), 128, codes);
+Triangles disc(double radius, double z, IrCodes codes, bool up) {
+    const Triangles mesh = revolved(line(0, z, radius, z, 2), 128, codes);
     return up ? mesh : reversed(mesh);
 }
 
-double area_m2(const Mesh& mesh) {
+double area_m2(const Triangles& mesh) {
     double sum_m2 = 0.0;
     for (const Triangle& t : mesh) {
         sum_m2 += 0.5 * length(cross(t.vertex[1] - t.vertex[0], t.vertex[2] - t.vertex[0]));
@@ -79,8 +79,8 @@ double area_m2(const Mesh& mesh) {
     return sum_m2;
 }
 
-Mesh sphereOfEqualArea(double radius, int latitudes, IrCodes codes) {
-    Mesh mesh = sphereMesh(radius, latitudes, 2 * latitudes, codes);
+Triangles sphereOfEqualArea(double radius, int latitudes, IrCodes codes) {
+    Triangles mesh = sphereMesh(radius, latitudes, 2 * latitudes, codes);
     const double scale = std::sqrt(4.0 * pi * radius * radius / area_m2(mesh));
     for (Triangle& t : mesh) {
         for (Vec3& v : t.vertex) {
@@ -90,7 +90,7 @@ Mesh sphereOfEqualArea(double radius, int latitudes, IrCodes codes) {
     return mesh;
 }
 
-Mesh moved(Mesh mesh, const Vec3& by) {
+Triangles moved(Triangles mesh, const Vec3& by) {
     for (Triangle& t : mesh) {
         for (Vec3& v : t.vertex) {
             v = v + by;
@@ -99,7 +99,7 @@ Mesh moved(Mesh mesh, const Vec3& by) {
     return mesh;
 }
 
-Mesh oneSided(Mesh mesh) {
+Triangles oneSided(Triangles mesh) {
     for (Triangle& t : mesh) {
         t.cullsBackFaces = true;
     }

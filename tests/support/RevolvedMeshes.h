@@ -17,17 +17,17 @@ Profile arc(double radius, double z, double from_rad, double to_rad, int steps);
 
 /// A surface of revolution about z along a profile, its front to the left of the profile as it is
 /// gone along with the axis on the left: inside for a rising one.
-Mesh revolved(const Profile& profile, int around, IrCodes codes);
+Triangles revolved(const Profile& profile, int around, IrCodes codes);
 /// The same triangles, their fronts on the other side.
-Mesh reversed(Mesh mesh);
-Mesh disc(double radius, double z, IrCodes codes, bool up = true);
+Triangles reversed(Triangles mesh);
+Triangles disc(double radius, double z, IrCodes codes, bool up = true);
 /// A sphere of facets as large as the round one: then its mean shadow, a quarter of its surface
 /// (Cauchy), is that of the round one, too.
-Mesh sphereOfEqualArea(double radius, int latitudes, IrCodes codes);
-Mesh moved(Mesh mesh, const Vec3& by);
+Triangles sphereOfEqualArea(double radius, int latitudes, IrCodes codes);
+Triangles moved(Triangles mesh, const Vec3& by);
 /// With faces that are seen from their fronts alone.
-Mesh oneSided(Mesh mesh);
+Triangles oneSided(Triangles mesh);
 
-double area_m2(const Mesh& mesh);
+double area_m2(const Triangles& mesh);
 
 } // namespace irsg::test
