@@ -15,7 +15,7 @@
 #include <osgDB/WriteFile>
 #include <sys/resource.h>
 
-#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/geometry/reading/sandbox/PluginReading.h"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <QDockWidget>
 
 #include "gui/paint/IndexBox.h"
-#include "irsg/geometry/model/ModelCodes.h"
+#include "irsg/geometry/reading/ModelCodes.h"
 
 class QCheckBox;
 class QComboBox;

@@ -13,9 +13,9 @@
 
 #include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
-#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/conversion/ModelLoader.h"
+#include "irsg/geometry/conversion/TextureCut.h"
 #include "irsg/geometry/model/ModelPlacing.h"
-#include "irsg/geometry/model/TextureCut.h"
 #include "irsg/radiance/SceneRadiometry.h"
 
 namespace smat::gui {

@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
+#include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/geometry/model/FaceMesh.h"
 #include "irsg/geometry/model/Model.h"
-#include "irsg/geometry/model/ModelLoader.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat::gui {

@@ -11,7 +11,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/core/FileStamp.h"
-#include "irsg/geometry/model/ModelCodes.h"
+#include "irsg/geometry/reading/ModelCodes.h"
 #include "irsg/signature/ScalingXml.h"
 #include "irsg/signature/Sha256.h"
 #include "smatcore/analysis/AnalysisDefinition.h"

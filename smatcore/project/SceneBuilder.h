@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "irsg/core/FileStamp.h"
-#include "irsg/geometry/model/ModelCodes.h"
+#include "irsg/geometry/reading/ModelCodes.h"
 #include "smatcore/data/SceneDescription.h"
 #include "smatcore/project/Project.h"
 

@@ -8,9 +8,9 @@
 #include <osg/Geometry>
 #include <osg/MatrixTransform>
 
-#include "irsg/geometry/model/GeometryCollector.h"
-#include "irsg/geometry/model/ModelLoader.h"
-#include "irsg/geometry/model/SurfaceMesh.h"
+#include "irsg/geometry/conversion/GeometryCollector.h"
+#include "irsg/geometry/conversion/ModelLoader.h"
+#include "irsg/geometry/conversion/SurfaceMesh.h"
 #include "tests/support/FlightBytes.h"
 
 using namespace irsg;

@@ -7,10 +7,10 @@
 #include <osg/Material>
 #include <osg/MatrixTransform>
 
-#include "irsg/geometry/model/CodedGraph.h"
+#include "irsg/geometry/conversion/CodedGraph.h"
+#include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/geometry/model/FirstSignature.h"
 #include "irsg/geometry/model/ModelConverter.h"
-#include "irsg/geometry/model/ModelLoader.h"
 #include "tests/support/ModelAccess.h"
 #include "tests/support/TemporaryFolder.h"
 

@@ -14,7 +14,7 @@
 #include <osgSim/ShapeAttribute>
 
 #include "irsg/core/Errors.h"
-#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/geometry/model/ModelSummary.h"
 #include "irsg/geometry/reading/IrCodes.h"
 #include "tests/support/FlightBytes.h"

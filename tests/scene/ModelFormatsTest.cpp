@@ -11,8 +11,8 @@
 #include <osg/Texture2D>
 #include <osgDB/WriteFile>
 
+#include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/geometry/model/Model.h"
-#include "irsg/geometry/model/ModelLoader.h"
 #include "irsg/geometry/reading/MaterialNames.h"
 #include "tests/scene/PlacedPolygons.h"
 #include "tests/support/FlightBytes.h"

@@ -16,7 +16,7 @@
 #include <osgDB/Registry>
 #include <osgDB/WriteFile>
 
-#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/geometry/reading/GuardedReading.h"
 #include "irsg/render/background/Terrain.h"
 #include "irsg/render/background/TextureImage.h"

@@ -7,8 +7,8 @@
 #include <osg/Geometry>
 #include <osg/Material>
 
+#include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/geometry/model/Model.h"
-#include "irsg/geometry/model/ModelLoader.h"
 #include "irsg/geometry/reading/MaterialNames.h"
 #include "tests/support/DecimalCommas.h"
 #include "tests/support/FlightBytes.h"

@@ -9,7 +9,7 @@
 #include <osg/Material>
 #include <osg/MatrixTransform>
 
-#include "irsg/geometry/model/CodedGraph.h"
+#include "irsg/geometry/conversion/CodedGraph.h"
 #include "irsg/geometry/model/Painting.h"
 #include "tests/support/ModelAccess.h"
 

@@ -9,7 +9,7 @@
 #include <osg/Geometry>
 #include <osg/NodeVisitor>
 
-#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/geometry/reading/MaterialNames.h"
 #include "tests/support/ForeignModels.h"
 

@@ -18,8 +18,8 @@
 #include <osgSim/DOFTransform>
 #include <osgSim/MultiSwitch>
 
+#include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/geometry/model/Model.h"
-#include "irsg/geometry/model/ModelLoader.h"
 #include "irsg/geometry/reading/IrCodes.h"
 #include "irsg/geometry/reading/MaterialNames.h"
 #include "irsg/geometry/reading/sandbox/AxesCoding.h"

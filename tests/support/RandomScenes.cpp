@@ -6,7 +6,7 @@
 #include <random>
 
 #include "irsg/atmosphere/AtmosphereIdentity.h"
-#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/SignatureFile.h"
 #include "tests/support/WidebandScenes.h"

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/signature/SignatureFile.h"
 #include "tests/support/SceneFixtures.h"
 

@@ -9,9 +9,9 @@
 #include <osg/Material>
 #include <osg/Matrixd>
 
-#include "irsg/geometry/model/CodedGraph.h"
-#include "irsg/geometry/model/GeometryCollector.h"
-#include "irsg/geometry/model/PaintedGrid.h"
+#include "irsg/geometry/conversion/CodedGraph.h"
+#include "irsg/geometry/conversion/GeometryCollector.h"
+#include "irsg/geometry/conversion/PaintedGrid.h"
 #include "irsg/geometry/reading/PolygonPlace.h"
 
 namespace irsg {

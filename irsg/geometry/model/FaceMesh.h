@@ -8,7 +8,7 @@
 #include <osg/Node>
 #include <osg/Vec3d>
 
-#include "irsg/geometry/model/ModelCodes.h"
+#include "irsg/geometry/reading/ModelCodes.h"
 
 namespace irsg {
 

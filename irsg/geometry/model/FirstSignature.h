@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/geometry/model/ModelNames.h"
+#include "irsg/geometry/conversion/ModelNames.h"
 #include "irsg/signature/SignatureDatabase.h"
 
 namespace irsg {

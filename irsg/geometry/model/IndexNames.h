@@ -3,8 +3,8 @@
 #include <map>
 #include <string>
 
+#include "irsg/geometry/conversion/ModelNames.h"
 #include "irsg/geometry/model/Model.h"
-#include "irsg/geometry/model/ModelNames.h"
 #include "irsg/signature/SignatureDatabase.h"
 
 namespace irsg {

@@ -9,11 +9,11 @@
 #include <osg/Group>
 
 #include "irsg/core/Errors.h"
-#include "irsg/geometry/model/GeometryCollector.h"
-#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/conversion/GeometryCollector.h"
+#include "irsg/geometry/conversion/ModelLoader.h"
+#include "irsg/geometry/conversion/SharedPlanes.h"
+#include "irsg/geometry/conversion/SurfaceMesh.h"
 #include "irsg/geometry/model/ModelPlacing.h"
-#include "irsg/geometry/model/SharedPlanes.h"
-#include "irsg/geometry/model/SurfaceMesh.h"
 
 namespace irsg {
 namespace {

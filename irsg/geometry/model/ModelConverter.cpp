@@ -9,9 +9,9 @@
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReplacement.h"
-#include "irsg/geometry/model/CodeSafeMerge.h"
-#include "irsg/geometry/model/GeometryCollector.h"
-#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/conversion/CodeSafeMerge.h"
+#include "irsg/geometry/conversion/GeometryCollector.h"
+#include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/geometry/reading/IrCodes.h"
 #include "irsg/geometry/reading/OsgNotices.h"
 

@@ -6,8 +6,8 @@
 #include <cstdio>
 
 #include "irsg/core/Errors.h"
-#include "irsg/geometry/model/GeometryCollector.h"
-#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/conversion/GeometryCollector.h"
+#include "irsg/geometry/conversion/ModelLoader.h"
 
 namespace irsg {
 namespace {

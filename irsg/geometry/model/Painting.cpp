@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "irsg/geometry/model/PaintedGrid.h"
+#include "irsg/geometry/conversion/PaintedGrid.h"
 
 namespace irsg {
 namespace {

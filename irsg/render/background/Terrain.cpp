@@ -2,7 +2,7 @@
 
 #include <osg/Node>
 
-#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/geometry/view/CameraFrame.h"
 #include "irsg/render/background/TerrainCollector.h"
 #include "irsg/render/background/TerrainImpl.h"

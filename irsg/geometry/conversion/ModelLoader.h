@@ -4,8 +4,8 @@
 #include <mutex>
 #include <string>
 
-#include "irsg/geometry/model/ModelCodes.h"
 #include "irsg/geometry/reading/LoadedGraph.h"
+#include "irsg/geometry/reading/ModelCodes.h"
 #include "irsg/geometry/reading/ModelValues.h"
 
 namespace irsg {

@@ -1,4 +1,4 @@
-#include "irsg/geometry/model/CodedGraph.h"
+#include "irsg/geometry/conversion/CodedGraph.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -10,8 +10,8 @@
 #include <osg/Transform>
 
 #include "irsg/core/Errors.h"
-#include "irsg/geometry/model/GeometryCollector.h"
-#include "irsg/geometry/model/PaintedGrid.h"
+#include "irsg/geometry/conversion/GeometryCollector.h"
+#include "irsg/geometry/conversion/PaintedGrid.h"
 #include "irsg/geometry/reading/DrawablePolygons.h"
 #include "irsg/geometry/reading/IrCodes.h"
 #include "irsg/geometry/reading/MaterialNames.h"

@@ -1,4 +1,4 @@
-#include "irsg/geometry/model/SurfaceMesh.h"
+#include "irsg/geometry/conversion/SurfaceMesh.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 
 #include <osg/Vec3d>
 
-#include "irsg/geometry/model/ModelCodes.h"
+#include "irsg/geometry/reading/ModelCodes.h"
 
 namespace irsg {
 

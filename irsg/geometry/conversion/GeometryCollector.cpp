@@ -1,4 +1,4 @@
-#include "irsg/geometry/model/GeometryCollector.h"
+#include "irsg/geometry/conversion/GeometryCollector.h"
 
 #include <algorithm>
 #include <cmath>

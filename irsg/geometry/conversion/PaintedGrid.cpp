@@ -1,4 +1,4 @@
-#include "irsg/geometry/model/PaintedGrid.h"
+#include "irsg/geometry/conversion/PaintedGrid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-#include "irsg/geometry/model/ModelNames.h"
+#include "irsg/geometry/conversion/ModelNames.h"
 
-#include "irsg/geometry/model/CodedGraph.h"
-#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/conversion/CodedGraph.h"
+#include "irsg/geometry/conversion/ModelLoader.h"
 
 namespace irsg {
 

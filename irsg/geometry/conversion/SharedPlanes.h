@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "irsg/geometry/model/SurfaceMesh.h"
+#include "irsg/geometry/conversion/SurfaceMesh.h"
 
 namespace irsg {
 

@@ -1,4 +1,4 @@
-#include "irsg/geometry/model/ModelLoader.h"
+#include "irsg/geometry/conversion/ModelLoader.h"
 
 #include <algorithm>
 #include <memory>
@@ -12,8 +12,8 @@
 #include <unistd.h>
 
 #include "irsg/core/Errors.h"
+#include "irsg/geometry/conversion/CodedGraph.h"
 #include "irsg/geometry/flight/FlightScanner.h"
-#include "irsg/geometry/model/CodedGraph.h"
 #include "irsg/geometry/reading/FarOrigin.h"
 #include "irsg/geometry/reading/GuardedReading.h"
 #include "irsg/geometry/reading/IrCodes.h"

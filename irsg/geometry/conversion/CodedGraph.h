@@ -5,7 +5,7 @@
 
 #include <osg/Node>
 
-#include "irsg/geometry/model/ModelNames.h"
+#include "irsg/geometry/conversion/ModelNames.h"
 
 namespace irsg {
 

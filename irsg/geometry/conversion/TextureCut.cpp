@@ -1,4 +1,4 @@
-#include "irsg/geometry/model/TextureCut.h"
+#include "irsg/geometry/conversion/TextureCut.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,8 +10,8 @@
 #include <osg/Matrixd>
 #include <osg/NodeVisitor>
 
-#include "irsg/geometry/model/SurfaceMesh.h"
-#include "irsg/geometry/model/TextureCut.h"
+#include "irsg/geometry/conversion/SurfaceMesh.h"
+#include "irsg/geometry/conversion/TextureCut.h"
 
 namespace irsg {
 

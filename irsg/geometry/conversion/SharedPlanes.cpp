@@ -1,4 +1,4 @@
-#include "irsg/geometry/model/SharedPlanes.h"
+#include "irsg/geometry/conversion/SharedPlanes.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "irsg/geometry/model/ModelCodes.h"
+#include "irsg/geometry/reading/ModelCodes.h"
 
 namespace irsg {
 

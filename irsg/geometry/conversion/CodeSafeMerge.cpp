@@ -1,4 +1,4 @@
-#include "irsg/geometry/model/CodeSafeMerge.h"
+#include "irsg/geometry/conversion/CodeSafeMerge.h"
 
 #include <map>
 #include <set>

@@ -1,4 +1,4 @@
-#include "irsg/geometry/model/ModelCodes.h"
+#include "irsg/geometry/reading/ModelCodes.h"
 
 #include <algorithm>
 #include <sstream>
