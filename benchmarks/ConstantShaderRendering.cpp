@@ -1,13 +1,15 @@
-#include "irsg/render/opengl/GlFunctions.h"
-
 #include "benchmarks/ConstantShaderRendering.h"
 
 #include <cmath>
 
+#include <osg/Geode>
+#include <osg/Geometry>
+#include <osg/GraphicsContext>
 #include <osg/Program>
-#include <osg/RenderInfo>
+#include <osg/State>
 #include <osgUtil/SceneView>
 
+#include "irsg/geometry/conversion/OsgValues.h"
 #include "irsg/geometry/view/CameraFrame.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/render/opengl/FloatTarget.h"
@@ -15,10 +17,34 @@
 
 namespace irsg::bench {
 
+namespace {
+
+osg::ref_ptr<osg::Geode> geodeOf(const Mesh& mesh) {
+    osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+    for (const Mesh::Part& part : mesh.parts) {
+        osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array(osg::Array::BIND_PER_VERTEX);
+        for (const Float3& vertex : part.vertices)
+            vertices->push_back(toOsg(vertex));
+        osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+        geometry->setUseDisplayList(false);
+        geometry->setUseVertexBufferObjects(true);
+        geometry->setVertexArray(vertices);
+        geometry->addPrimitiveSet(
+            new osg::DrawElementsUInt(GL_TRIANGLES, part.triangles.begin(), part.triangles.end()));
+        geometry->getOrCreateStateSet()->setMode(
+            GL_CULL_FACE, part.culled ? osg::StateAttribute::ON : osg::StateAttribute::OFF);
+        geode->addDrawable(geometry);
+    }
+    return geode;
+}
+
+} // namespace
+
 struct ConstantShaderRendering::Impl {
     OffscreenContext& context = OffscreenContext::shared();
     std::shared_ptr<const Model> model;
     Sensor sensor;
+    osg::ref_ptr<osg::State> state; // OpenSceneGraph's own, of the same context
     osg::ref_ptr<osgUtil::SceneView> view;
     std::unique_ptr<FloatTarget> target;
     std::vector<float> samples;
@@ -30,7 +56,10 @@ ConstantShaderRendering::ConstantShaderRendering(std::shared_ptr<const Model> mo
     Impl& p = *impl_;
     p.model = std::move(model);
     p.sensor = sensor;
-    p.context.run([&](osg::RenderInfo& info) {
+    p.context.run([&] {
+        p.state = new osg::State;
+        p.state->setContextID(osg::GraphicsContext::createNewContextID());
+        p.state->initializeExtensionProcs();
         p.target = std::make_unique<FloatTarget>(std::vector<int>{4});
         p.target->reserve(sensor.width_px, sensor.height_px);
 
@@ -48,11 +77,11 @@ ConstantShaderRendering::ConstantShaderRendering(std::shared_ptr<const Model> mo
         const Pose origin;
         p.view = new osgUtil::SceneView;
         p.view->setDefaults();
-        p.view->setState(info.getState());
-        p.view->setSceneData(p.model->graph());
+        p.view->setState(p.state);
+        p.view->setSceneData(geodeOf(*p.model->mesh()));
         p.view->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
         p.view->setViewport(0, 0, sensor.width_px, sensor.height_px);
-        p.view->setViewMatrix(camera.eyeFromModel(origin));
+        p.view->setViewMatrix(toOsg(camera.eyeFromModel(origin)));
         const DepthRange depth = *camera.depthOf(p.model->bounds(), origin);
         p.view->setProjectionMatrixAsPerspective(
             degrees(2.0 * std::atan(0.5 * sensor.height_px * sensor.pixelPitch())),
@@ -66,16 +95,16 @@ ConstantShaderRendering::ConstantShaderRendering(std::shared_ptr<const Model> mo
 }
 
 ConstantShaderRendering::~ConstantShaderRendering() {
-    impl_->context.run([&](osg::RenderInfo& info) {
+    impl_->context.run([&] {
         impl_->view = nullptr;
         impl_->target = nullptr;
-        info.getState()->reset();
+        impl_->state = nullptr;
     });
 }
 
 int ConstantShaderRendering::draw() {
     Impl& p = *impl_;
-    p.context.run([&](osg::RenderInfo&) {
+    p.context.run([&] {
         p.target->bind(p.sensor.width_px, p.sensor.height_px);
         p.view->cull();
         p.view->draw();

@@ -14,8 +14,6 @@
 #include <string>
 #include <vector>
 
-#include "irsg/geometry/model/RenderList.h"
-#include "irsg/geometry/model/RenderPieces.h"
 #include "irsg/radiance/exchange/BodyLight.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/render/rays/RaysBuilt.h"
@@ -129,17 +127,16 @@ void measureLight(const Entity& entity, EngineChoice engine, int aspects) {
 
 /// What the view factors of a model cost that is seen for the first time.
 void measureGeometry(const char* name, const Entity& entity) {
-    const std::vector<RenderItem> items = inRenderPieces(collectRenderItems(*entity.model));
-    std::vector<RayMesh::Piece> pieces;
-    PieceUses uses(items.size());
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        pieces.push_back({items[i].geometry.get(), items[i].modelFromLocal});
-        const Material& material = entity.database->materials.at(items[i].codes.material);
-        uses.set(i, {true, !material.isOpaque(), items[i].cullsBackFaces, items[i].layer});
+    const std::shared_ptr<const Mesh>& shape = entity.model->mesh();
+    PieceUses uses(shape->pieces.size());
+    for (std::size_t i = 0; i < shape->pieces.size(); ++i) {
+        const Mesh::Part& part = shape->partOf(shape->pieces[i]);
+        const Material& material = entity.database->materials.at(part.codes.material);
+        uses.set(i, {true, !material.isOpaque(), part.culled, part.layer});
     }
     for (const double error : {0.02, 0.01, 0.005, 0.002}) {
         const double start_s = now_s();
-        const std::shared_ptr<const RayMesh> mesh = RayMesh::of(pieces);
+        const std::shared_ptr<const RayMesh> mesh = RayMesh::of(shape);
         const LightResolution resolution;
         const BodyLight light(
             std::make_shared<const LightNodes>(

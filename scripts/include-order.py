@@ -28,6 +28,7 @@ ORDER = [
      "irsg/geometry/reading/assimp"],
     ["irsg/geometry/reader"],
     ["irsg/geometry/flight"],
+    ["irsg/geometry/mesh"],
     ["irsg/geometry/conversion"],
     ["irsg/geometry/model"],
     ["irsg/geometry"],

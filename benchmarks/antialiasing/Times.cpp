@@ -6,8 +6,6 @@
 #include <fstream>
 #include <memory>
 
-#include <osg/Group>
-
 #include "benchmarks/antialiasing/Bodies.h"
 #include "benchmarks/antialiasing/Study.h"
 #include "irsg/radiometry/Units.h"
@@ -20,6 +18,21 @@ constexpr int width_px = 640, height_px = 512;
 
 double rangeOf_m(const Body& body, double size_px) {
     return body.size_m / (size_px * pixel_rad);
+}
+
+test::Triangles trianglesOf(const Mesh& mesh) {
+    test::Triangles triangles;
+    for (const Mesh::Part& part : mesh.parts)
+        for (std::size_t i = 0; i < part.triangles.size(); i += 3) {
+            auto& triangle = triangles.emplace_back();
+            triangle.codes = part.codes;
+            triangle.cullsBackFaces = part.culled;
+            for (std::size_t k = 0; k < 3; ++k) {
+                triangle.vertex[k] = toVec3(part.vertices[part.triangles[i + k]]);
+                triangle.normal[k] = toVec3(part.normals[part.triangles[i + k]]);
+            }
+        }
+    return triangles;
 }
 
 void lookFrom(InteractiveRenderer& irsg, double azimuth_rad, double elevation_rad, double range_m) {
@@ -119,12 +132,12 @@ class TimedScene {
 
     /// Has the whole frame drawn from where the generator looks.
     void mark(InteractiveRenderer& irsg) const {
-        osg::ref_ptr<osg::Group> graph = new osg::Group;
-        graph->addChild(entity_.model->graph());
-        graph->addChild(test::graphOf(
-            cornerMarks(irsg.view.viewpoint, entity_.pose.position_m, width_px, height_px)));
         Entity entity = entity_;
-        entity.model = Model::fromGraph(graph.get(), "marked");
+        entity.model =
+            test::modelOf(test::joined(trianglesOf(*entity_.model->mesh()),
+                                       cornerMarks(irsg.view.viewpoint, entity_.pose.position_m,
+                                                   width_px, height_px)),
+                          "marked");
         irsg.scene.entities = {entity};
     }
 

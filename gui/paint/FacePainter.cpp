@@ -12,26 +12,23 @@
 #include "gui/widgets/Theme.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"
+#include "irsg/geometry/conversion/OsgValues.h"
 #include "irsg/geometry/model/Painting.h"
 
 namespace smat::gui {
 namespace {
 
-osg::Vec3d vec(const irsg::Vec3& v) {
-    return {v.x, v.y, v.z};
-}
-
 /// From model axes to the window of the view: see FaceBox.
-osg::Matrixd pictureOf(const ViewProjection& through, const irsg::Pose& pose) {
+irsg::Matrix4 pictureOf(const ViewProjection& through, const irsg::Pose& pose) {
     const irsg::Rotation toWorld = pose.attitude.rotation();
     const irsg::Vec3 right = through.eye.right, up = through.eye.up, ahead = through.eye.forward();
-    const auto row = [&](osg::Matrixd& m, int i, const irsg::Vec3& v) {
+    const auto row = [&](irsg::Matrix4& m, std::size_t i, const irsg::Vec3& v) {
         const double depth = irsg::dot(v, ahead), f = through.focalLength_px;
         m(i, 0) = f * irsg::dot(v, right) + 0.5 * through.window.width() * depth;
         m(i, 1) = -f * irsg::dot(v, up) + 0.5 * through.window.height() * depth;
         m(i, 2) = m(i, 3) = depth;
     };
-    osg::Matrixd m;
+    irsg::Matrix4 m;
     row(m, 0, toWorld * irsg::Vec3{1, 0, 0});
     row(m, 1, toWorld * irsg::Vec3{0, 1, 0});
     row(m, 2, toWorld * irsg::Vec3{0, 0, 1});
@@ -40,10 +37,10 @@ osg::Matrixd pictureOf(const ViewProjection& through, const irsg::Pose& pose) {
 }
 
 /// How much longer a length is in metres than in the unit of the file.
-double unitOf(const osg::Matrixd& m) {
-    const osg::Vec3d x(m(0, 0), m(0, 1), m(0, 2)), y(m(1, 0), m(1, 1), m(1, 2)),
-        z(m(2, 0), m(2, 1), m(2, 2));
-    return std::cbrt(std::abs(x * (y ^ z)));
+double unitOf(const irsg::Matrix4& m) {
+    const irsg::Vec3 x{m(0, 0), m(0, 1), m(0, 2)}, y{m(1, 0), m(1, 1), m(1, 2)},
+        z{m(2, 0), m(2, 1), m(2, 2)};
+    return std::cbrt(std::abs(irsg::dot(x, irsg::cross(y, z))));
 }
 
 irsg::Choosing choosingBy(Qt::KeyboardModifiers modifiers) {
@@ -240,10 +237,12 @@ bool FacePainter::click(const QPointF& point, Qt::KeyboardModifiers modifiers, P
     const irsg::Pose& pose = shown()->pose;
     const irsg::Rotation toModel = pose.attitude.rotation().transposed();
     const ViewProjection through = view_.projection();
-    const osg::Matrixd toFile = osg::Matrixd::inverse(painted->fromFile());
-    const osg::Vec3d eye = vec(toModel * (through.eye.position_m - pose.position_m)) * toFile;
-    const auto face = irsg::faceAlong(
-        *mesh_, eye, osg::Matrixd::transform3x3(vec(toModel * through.ray(point)), toFile));
+    const osg::Matrixd toFile = osg::Matrixd::inverse(irsg::toOsg(painted->fromFile()));
+    const osg::Vec3d eye =
+        irsg::toOsg(toModel * (through.eye.position_m - pose.position_m)) * toFile;
+    const osg::Vec3d along =
+        osg::Matrixd::transform3x3(irsg::toOsg(toModel * through.ray(point)), toFile);
+    const auto face = irsg::faceAlong(*mesh_, irsg::fromOsg(eye), irsg::fromOsg(along));
     const auto how = choosingBy(modifiers);
     if (!face) {
         if (how == irsg::Choosing::anew)
@@ -266,9 +265,9 @@ void FacePainter::takeBox(const QRectF& box, Qt::KeyboardModifiers modifiers) {
     const ViewProjection through = view_.projection();
     irsg::FaceBox wanted;
     wanted.toPicture = painted->fromFile() * pictureOf(through, pose);
-    wanted.eye =
-        vec(pose.attitude.rotation().transposed() * (through.eye.position_m - pose.position_m)) *
-        osg::Matrixd::inverse(painted->fromFile());
+    wanted.eye = irsg::fromOsg(irsg::toOsg(pose.attitude.rotation().transposed() *
+                                           (through.eye.position_m - pose.position_m)) *
+                               osg::Matrixd::inverse(irsg::toOsg(painted->fromFile())));
     wanted.left = box.left();
     wanted.top = box.top();
     wanted.right = box.right();
@@ -401,8 +400,8 @@ void FacePainter::refreshChosen() {
         const auto& face = mesh_->faces()[f];
         area += face.area;
         for (const auto& triangle : mesh_->trianglesOf(face))
-            for (const osg::Vec3d& corner : triangle)
-                corners->push_back(osg::Vec3(corner * painted->fromFile()));
+            for (const irsg::Vec3& corner : triangle)
+                corners->push_back(irsg::toOsg(painted->fromFile().place(corner)));
     }
     const double unit = unitOf(painted->fromFile());
     dock_.setChosen(chosen_.size(), area * unit * unit);

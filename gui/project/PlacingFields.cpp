@@ -211,18 +211,14 @@ void PlacingFields::refresh() {
         try {
             const auto whole = irsg::completed(placing(), shape_->axes, file_.filename().string());
             picture_->show(shape_, whole);
-            osg::Vec3d low(HUGE_VAL, HUGE_VAL, HUGE_VAL), high = -low;
-            for (const osg::Vec3& corner : shape_->corners)
-                for (int axis = 0; axis < 3; ++axis) {
-                    low[axis] = std::min(low[axis], double(corner[axis]));
-                    high[axis] = std::max(high[axis], double(corner[axis]));
-                }
-            const osg::Vec3d size =
-                osg::Matrixd::transform3x3(high - low, irsg::turnAndScale(whole));
+            irsg::BoundingBox box = irsg::BoundingBox::nowhere();
+            for (const irsg::Float3& corner : shape_->corners)
+                box.include(irsg::toVec3(corner));
+            const irsg::Vec3 size = irsg::turnAndScale(whole).place(box.max - box.min);
             said_->setText(tr("%1 m long, %2 m wide, %3 m high%4")
-                               .arg(formattedNumber(std::abs(size.y())),
-                                    formattedNumber(std::abs(size.x())),
-                                    formattedNumber(std::abs(size.z())),
+                               .arg(formattedNumber(std::abs(size.y)),
+                                    formattedNumber(std::abs(size.x)),
+                                    formattedNumber(std::abs(size.z)),
                                     shape_->axes.reason.empty()
                                         ? QString()
                                         : "; " + QString::fromStdString(shape_->axes.reason)));

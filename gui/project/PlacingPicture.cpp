@@ -7,6 +7,8 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include "irsg/geometry/conversion/OsgValues.h"
+
 namespace smat::gui {
 namespace {
 
@@ -118,12 +120,12 @@ void PlacingPicture::paintEvent(QPaintEvent*) {
                          word_);
         return;
     }
-    const osg::Matrixd toModel = irsg::turnAndScale(placing_);
+    const osg::Matrixd toModel = irsg::toOsg(irsg::turnAndScale(placing_));
     osg::Vec3d low(HUGE_VAL, HUGE_VAL, HUGE_VAL), high = -low;
     std::vector<osg::Vec3d> corners;
     corners.reserve(shape_->corners.size());
-    for (const osg::Vec3& corner : shape_->corners) {
-        corners.push_back(osg::Vec3d(corner) * toModel);
+    for (const irsg::Float3& corner : shape_->corners) {
+        corners.push_back(osg::Vec3d(irsg::toOsg(corner)) * toModel);
         for (int axis = 0; axis < 3; ++axis) {
             low[axis] = std::min(low[axis], corners.back()[axis]);
             high[axis] = std::max(high[axis], corners.back()[axis]);

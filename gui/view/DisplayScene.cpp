@@ -14,6 +14,7 @@
 #include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
 #include "irsg/geometry/conversion/ModelLoader.h"
+#include "irsg/geometry/conversion/OsgValues.h"
 #include "irsg/geometry/conversion/TextureCut.h"
 #include "irsg/geometry/model/ModelPlacing.h"
 #include "irsg/radiance/SceneRadiometry.h"
@@ -202,12 +203,12 @@ DisplayScene loadDisplayScene(const Project& project, const Settings& settings,
             QString::fromStdString(given.name.empty() ? given.file.stem().string() : given.name);
         model.pose = poseOf(project, settings, i);
         // As the infrared has it; where it cannot read the model, about the file's own origin.
-        osg::ref_ptr<osg::MatrixTransform> turned = new osg::MatrixTransform(
-            irsg::turnAndScale(irsg::completed(given.options.placing, loaded.axes, key.file)));
+        osg::ref_ptr<osg::MatrixTransform> turned = new osg::MatrixTransform(irsg::toOsg(
+            irsg::turnAndScale(irsg::completed(given.options.placing, loaded.axes, key.file))));
         attempt([&] {
             const auto infrared = builder.model(key.file, key.options);
             scene.loaded[key] = infrared;
-            turned->setMatrix(infrared->fromFile());
+            turned->setMatrix(irsg::toOsg(infrared->fromFile()));
             model.faces = std::make_shared<const ModelFaces>(*infrared);
         });
         turned->addChild(loaded.node);

@@ -4,9 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include <osg/Geode>
-#include <osg/Geometry>
-
 #include "gui/image/ImageView.h"
 #include "gui/view/InfraredDisplay.h"
 #include "gui/widgets/NumberFormat.h"
@@ -21,16 +18,12 @@ constexpr int coarsest = 4;
 /// Longer than this the visible display stands in for a picture that is awaited, s.
 constexpr double patience_s = 0.5;
 /// From so many triangles on, light between surfaces may take seconds where it is not known yet.
-constexpr unsigned largeModel = 5000;
+constexpr std::size_t largeModel = 5000;
 
-unsigned trianglesOf(const LoadedModels& models) {
-    unsigned count = 0;
-    for (const auto& [key, model] : models) {
-        const osg::Geode* geode = model->graph()->asGroup()->getChild(0)->asGeode();
-        for (unsigned i = 0; i < geode->getNumDrawables(); ++i)
-            for (const auto& set : geode->getDrawable(i)->asGeometry()->getPrimitiveSetList())
-                count += set->getNumIndices() / 3;
-    }
+std::size_t trianglesOf(const LoadedModels& models) {
+    std::size_t count = 0;
+    for (const auto& [key, model] : models)
+        count += model->mesh()->facets();
     return count;
 }
 

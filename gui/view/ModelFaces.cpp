@@ -12,7 +12,7 @@
 #include <osgUtil/LineSegmentIntersector>
 
 #include "gui/view/FaceMarks.h"
-#include "irsg/geometry/reading/IrCodes.h"
+#include "irsg/geometry/conversion/OsgValues.h"
 
 namespace smat::gui {
 
@@ -22,37 +22,29 @@ bool FaceSelection::holds(int ofModel, const irsg::IrCodes& codes) const {
            (!material || *material == codes.material);
 }
 
-ModelFaces::ModelFaces(const irsg::Model& model) : geode_(new osg::Geode), bounds_(model.bounds()) {
-    class Copier : public osg::NodeVisitor {
-      public:
-        explicit Copier(ModelFaces& faces)
-            : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN), faces_(faces) {}
-        void apply(osg::Geometry& geometry) override {
-            const auto* state = geometry.getStateSet();
-            const bool culled =
-                state != nullptr && (state->getMode(GL_CULL_FACE) & osg::StateAttribute::ON) != 0;
-            osg::ref_ptr<osg::Geometry> copy = new osg::Geometry;
-            copy->setUseDisplayList(false);
-            copy->setUseVertexBufferObjects(true);
-            copy->setVertexArray(osg::clone(geometry.getVertexArray(), osg::CopyOp::DEEP_COPY_ALL));
-            for (unsigned int i = 0; i < geometry.getNumPrimitiveSets(); ++i)
-                copy->addPrimitiveSet(
-                    osg::clone(geometry.getPrimitiveSet(i), osg::CopyOp::DEEP_COPY_ALL));
-            faces_.geode_->addDrawable(copy);
-            Surface surface{irsg::codesOf(geometry, {}), culled, {}, {}};
-            if (const auto* normals = geometry.getNormalArray())
-                surface.normals = osg::clone(normals, osg::CopyOp::DEEP_COPY_ALL);
-            if (state != nullptr)
-                if (const auto* offset = state->getAttribute(osg::StateAttribute::POLYGONOFFSET))
-                    surface.offset = osg::clone(offset, osg::CopyOp::DEEP_COPY_ALL);
-            faces_.surfaces_.push_back(std::move(surface));
-        }
+namespace {
 
-      private:
-        ModelFaces& faces_;
-    };
-    Copier copier(*this);
-    model.graph()->accept(copier);
+osg::ref_ptr<osg::Vec3Array> arrayOf(const std::vector<irsg::Float3>& values) {
+    osg::ref_ptr<osg::Vec3Array> array = new osg::Vec3Array(osg::Array::BIND_PER_VERTEX);
+    array->reserve(values.size());
+    for (const irsg::Float3& value : values)
+        array->push_back(irsg::toOsg(value));
+    return array;
+}
+
+} // namespace
+
+ModelFaces::ModelFaces(const irsg::Model& model) : geode_(new osg::Geode), bounds_(model.bounds()) {
+    for (const irsg::Mesh::Part& part : model.mesh()->parts) {
+        osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+        geometry->setUseDisplayList(false);
+        geometry->setUseVertexBufferObjects(true);
+        geometry->setVertexArray(arrayOf(part.vertices));
+        geometry->addPrimitiveSet(
+            new osg::DrawElementsUInt(GL_TRIANGLES, part.triangles.begin(), part.triangles.end()));
+        geode_->addDrawable(geometry);
+        surfaces_.push_back({part, arrayOf(part.normals)});
+    }
     osg::ref_ptr<osg::KdTreeBuilder> trees = new osg::KdTreeBuilder;
     geode_->accept(*trees);
 }
@@ -72,11 +64,11 @@ std::vector<ModelFaces::Hit> ModelFaces::along(const irsg::Vec3& eye,
     for (const auto& found : line->getIntersections()) {
         const Surface& surface = surfaces_.at(geode_->getDrawableIndex(found.drawable));
         const osg::Vec3d normal = found.localIntersectionNormal;
-        if (surface.culled &&
+        if (surface.kind.culled &&
             normal.x() * direction.x + normal.y() * direction.y + normal.z() * direction.z > 0.0)
             continue;
         const osg::Vec3d& p = found.localIntersectionPoint;
-        hits.push_back({surface.codes, {p.x(), p.y(), p.z()}, found.ratio * reach_m});
+        hits.push_back({surface.kind.codes, {p.x(), p.y(), p.z()}, found.ratio * reach_m});
     }
     return hits;
 }
@@ -85,7 +77,7 @@ osg::ref_ptr<osg::Group> ModelFaces::marked(int model, const FaceSelection& sele
                                             double devicePixelRatio) const {
     std::vector<const osg::Geometry*> wanted;
     for (std::size_t i = 0; i < surfaces_.size(); ++i)
-        if (selection.holds(model, surfaces_[i].codes))
+        if (selection.holds(model, surfaces_[i].kind.codes))
             wanted.push_back(geometry(i));
     return wanted.empty() ? nullptr : makeFaceMarks(wanted, devicePixelRatio);
 }
@@ -94,22 +86,22 @@ osg::ref_ptr<osg::Group> ModelFaces::colored(const CodeColors& colors) const {
     osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
         const osg::Geometry& face = *geometry(i);
-        const QColor color = colors.of(surfaces_[i].codes);
+        const QColor color = colors.of(surfaces_[i].kind.codes);
         const osg::Vec4 rgba(color.redF(), color.greenF(), color.blueF(), 1.0F);
         osg::ref_ptr<osg::Geometry> copy = new osg::Geometry;
         copy->setUseDisplayList(false);
         copy->setUseVertexBufferObjects(true);
         copy->setVertexArray(const_cast<osg::Array*>(face.getVertexArray()));
-        if (surfaces_[i].normals)
-            copy->setNormalArray(surfaces_[i].normals, osg::Array::BIND_PER_VERTEX);
+        copy->setNormalArray(surfaces_[i].normals);
         copy->setColorArray(new osg::Vec4Array(1, &rgba), osg::Array::BIND_OVERALL);
         for (unsigned int k = 0; k < face.getNumPrimitiveSets(); ++k)
             copy->addPrimitiveSet(const_cast<osg::PrimitiveSet*>(face.getPrimitiveSet(k)));
         auto* state = copy->getOrCreateStateSet();
-        if (surfaces_[i].culled)
+        if (surfaces_[i].kind.culled)
             state->setAttributeAndModes(new osg::CullFace);
-        if (surfaces_[i].offset)
-            state->setAttributeAndModes(surfaces_[i].offset);
+        // What lies over another face in its plane.
+        if (const auto layer = static_cast<float>(surfaces_[i].kind.layer); layer > 0.0F)
+            state->setAttributeAndModes(new osg::PolygonOffset(-layer, -layer));
         geode->addDrawable(copy);
     }
     auto* state = geode->getOrCreateStateSet();

@@ -33,8 +33,7 @@ struct FaceHit {
 };
 
 /// The faces of a model as the infrared renderer sees them, to be found and shown by their codes:
-/// a copy of the geometry of its own, in model axes, so that nothing is shared with the renderer's
-/// thread.
+/// a copy of its mesh as OpenSceneGraph draws it, in model axes.
 class ModelFaces {
   public:
     explicit ModelFaces(const irsg::Model& model);
@@ -60,10 +59,8 @@ class ModelFaces {
 
   private:
     struct Surface {
-        irsg::IrCodes codes;
-        bool culled = false;
+        irsg::Mesh::Kind kind;
         osg::ref_ptr<osg::Array> normals;
-        osg::ref_ptr<osg::StateAttribute> offset; ///< of what is drawn over another face
     };
     const osg::Geometry* geometry(std::size_t surface) const;
 

@@ -115,8 +115,7 @@ std::shared_ptr<const irsg::FaceMesh> ModelStore::mesh(const std::filesystem::pa
     bringUpToDate(*asRead, file, irsg::LoadPurpose::infrared);
     auto rules = irsg::readModelCodes(file).rules;
     if (!asRead->mesh || asRead->rules != rules) {
-        asRead->mesh =
-            std::make_shared<const irsg::FaceMesh>(*asRead->graph->node, rules, file.string());
+        asRead->mesh = std::make_shared<const irsg::FaceMesh>(*asRead->graph, rules, file.string());
         asRead->rules = std::move(rules);
     }
     return asRead->mesh;

@@ -4,9 +4,13 @@
 #include <map>
 
 #include <osg/CullFace>
+#include <osg/Geode>
+#include <osg/Geometry>
 #include <osgSim/ShapeAttribute>
 
 #include "irsg/core/Errors.h"
+#include "irsg/geometry/reading/LoadedGraph.h"
+#include "irsg/geometry/reading/ModelCodes.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg::reference {
@@ -92,6 +96,9 @@ double convexSolidAngle_sr(const Triangles& mesh, const Vec3& from) {
     return sum;
 }
 
+namespace {
+
+/// A scene graph with ShapeAttributeLists, one geometry for each pair of codes.
 osg::ref_ptr<osg::Geode> graphOf(const Triangles& mesh) {
     std::map<std::pair<IrCodes, bool>, Triangles> parts;
     for (const Triangle& triangle : mesh)
@@ -125,8 +132,12 @@ osg::ref_ptr<osg::Geode> graphOf(const Triangles& mesh) {
     return geode;
 }
 
+} // namespace
+
 std::shared_ptr<const Model> modelOf(const Triangles& mesh, const std::string& name) {
-    return Model::fromGraph(graphOf(mesh).get(), name);
+    LoadedGraph graph;
+    graph.node = graphOf(mesh);
+    return Model::ofGraph(graph, {}, name);
 }
 
 TemperatureEntry fixedTemperature(double temperature_K) {

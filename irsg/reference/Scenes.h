@@ -4,9 +4,6 @@
 #include <memory>
 #include <vector>
 
-#include <osg/Geode>
-#include <osg/Geometry>
-
 #include "irsg/scene/InteractiveRenderer.h"
 
 namespace irsg::reference {
@@ -40,8 +37,6 @@ double solidAngle_sr(const Triangle& triangle, const Vec3& from);
 /// Solid angle of a closed convex mesh: the sum over the triangles whose front is seen.
 double convexSolidAngle_sr(const Triangles& mesh, const Vec3& from);
 
-/// The mesh as a scene graph with ShapeAttributeLists, one geometry for each pair of codes.
-osg::ref_ptr<osg::Geode> graphOf(const Triangles& mesh);
 std::shared_ptr<const Model> modelOf(const Triangles& mesh, const std::string& name = "mesh");
 
 /// A database with one grey material (index 1) and one temperature (index 1).

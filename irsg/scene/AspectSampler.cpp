@@ -130,7 +130,6 @@ ViewGeometry AspectSampler::sampleAlone(const Frame& frame, int entity, const Ca
         for (const SampleTile& tile :
              piecesOf(strategy.tiles({*seen}), frame.surfaces.engine.engine.largestSide())) {
             SurfaceScene alone = sampler_.sceneOf(frame.surfaces, camera, tile);
-            alone.occluders.clear();
             alone.terrain = {};
             frame.surfaces.engine.engine.sampleGeometry(
                 {SampleSheet::of(tile), {alone}}, rows.isSliced() || frame.shading().isNeeded(),

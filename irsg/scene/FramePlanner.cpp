@@ -108,9 +108,9 @@ std::optional<ObjectExtent> FramePlanner::placeOf(const SceneSurfaces& surfaces,
                                                   const CameraFrame& camera, int entity) {
     const Entity& own = surfaces.entity(entity);
     const PreparedModel& model = prepared_.of(own);
-    auto seen = objectExtent(entity, camera, own.model->bounds(), model.boundingSphere, own.pose);
+    auto seen = objectExtent(entity, camera, model.mesh(), own.pose);
     if (seen)
-        seen->edges = edgesOf(model.longEdges, own.pose, camera);
+        seen->edges = edgesOf(model.mesh().longEdges, own.pose, camera);
     return seen;
 }
 
@@ -179,20 +179,18 @@ std::vector<ImageRectangle> FramePlanner::detailsOf(const SceneSurfaces& surface
             hot.push_back(keys[row].second);
     PreparedModel& model = prepared_.of(surfaces.entity(entity));
     const std::vector<HotSpot> parts =
-        model.hotSpots.seenBy(camera, surfaces.entity(entity).pose, model.items, hot);
+        model.hotSpots.seenBy(camera, surfaces.entity(entity).pose, model.mesh(), hot);
     std::vector<ImageRectangle> details;
     if (parts.empty())
         return details;
     const SampleTile probe = probeOf(parts, entity);
     SurfaceScene scene = sampler_.sceneOf(surfaces, camera, probe);
     std::erase_if(scene.items, [](const SurfaceItem& item) { return item.transparent; });
-    scene.occluders.clear();
     scene.terrain = {};
     GeometrySamples samples;
     if (areRaysBuilt()) {
         // A few rays are there while a drawing that was begun before goes on.
-        scene.bodies = {{entity, clock_.timed("ray trees", [&] { return model.forRays(); }),
-                         camera.eyeFromModel(surfaces.entity(entity).pose)}};
+        scene.bodies.front().rays = clock_.timed("ray trees", [&] { return model.forRays(); });
         const SheetScene sheet{SampleSheet::of(probe), {std::move(scene)}};
         clock_.timed("hot parts",
                      [&] { RayEngine::traceRuns(sheet, 0, runsAround(parts, probe), samples); });

@@ -54,7 +54,7 @@ void HazeRenderer::warnOfOutside(const Frame& frame, int support_px,
                               static_cast<double>(sensor.height_px)};
     const ImageRectangle near{-reach, -reach, seen.right + reach, seen.bottom + reach};
     for (const Entity& entity : frame.scene().entities) {
-        const BoundingSphere& sphere = prepared_.of(entity).boundingSphere;
+        const BoundingSphere& sphere = entity.model->mesh()->sphere;
         const auto extent = frame.request.camera.extentOfSphere(
             entity.pose.toWorld(sphere.centre_m), sphere.radius_m);
         const auto box = frame.request.camera.extentOf(entity.model->bounds(), entity.pose);

@@ -101,9 +101,8 @@ PixelExplanation PixelExplainer::at(int x, int y) {
         around.entities.push_back(object.entity);
     std::ranges::sort(around.entities);
     SurfaceScene scene = surfaces_.sceneOf(frame.surfaces, frame.request.camera, around);
-    if (frame.scene().terrain && !scene.terrain.mesh)
-        scene.terrain = {-1, terrainRays_.meshOf(frame.scene().terrain),
-                         frame.request.camera.eyeFromModel(frame.scene().terrain->pose())};
+    if (const auto& terrain = frame.scene().terrain; terrain && !scene.terrain.rays)
+        scene.terrain = terrain->bodyFor(frame.request.camera, terrainRays_.meshOf(terrain));
     const TileRays middles(scene, around);
     for (int i = 0; i < 9; ++i)
         compare(middles.facetsAt(i % 3, i / 3));

@@ -5,7 +5,6 @@
 #include <mutex>
 
 #include "irsg/core/Errors.h"
-#include "irsg/geometry/model/RenderPieces.h"
 
 namespace irsg {
 
@@ -68,12 +67,8 @@ KnownBodyLight& knownBodyLight() {
 } // namespace
 
 const std::shared_ptr<const RayMesh>& PreparedModel::forRays() {
-    if (!rayMesh) {
-        std::vector<RayMesh::Piece> pieces;
-        for (const RenderItem& item : items)
-            pieces.push_back({item.geometry.get(), item.modelFromLocal});
-        rayMesh = RayMesh::of(pieces);
-    }
+    if (!rayMesh)
+        rayMesh = RayMesh::of(model->mesh());
     return rayMesh;
 }
 
@@ -91,21 +86,13 @@ std::shared_ptr<const BodyLight> PreparedModel::lightBetween(const PieceUses& us
     LightResolution resolution;
     resolution.edgePerDistance *= std::clamp(std::sqrt(error / usualError), 0.25, 2.0);
     if (isAmongOthers)
-        resolution.longestEdge_m = 2.0 * boundingSphere.radius_m / 16.0;
+        resolution.longestEdge_m = 2.0 * mesh().sphere.radius_m / 16.0;
     auto mesh = std::make_shared<const LightMesh>(forRays(), uses, resolution);
     auto nodes = std::make_shared<const LightNodes>(std::move(mesh), resolution);
     auto made = std::make_shared<const BodyLight>(std::move(nodes), uses, error);
     const KnownLight& added = light.add({uses, error, isAmongOthers, std::move(made)});
     knownBodyLight().add(added);
     return added.light;
-}
-
-std::size_t PreparedModel::facets() const {
-    std::size_t corners = 0;
-    for (const RenderItem& item : items)
-        for (const auto& primitives : item.geometry->getPrimitiveSetList())
-            corners += primitives->getNumIndices();
-    return corners / 3;
 }
 
 void PreparedEntities::keep(const std::vector<Entity>& entities) {
@@ -117,12 +104,7 @@ void PreparedEntities::keep(const std::vector<Entity>& entities) {
             throw LogicError("an entity needs a model and a database");
         if (std::ranges::find(models_, entity.model, &PreparedModel::model) != models_.end())
             continue;
-        PreparedModel& made = models_.emplace_back();
-        made.model = entity.model;
-        made.items = collectRenderItems(*entity.model);
-        made.boundingSphere = boundingSphere(made.items, entity.model->bounds());
-        made.longEdges = longEdges(made.items, made.boundingSphere.radius_m);
-        made.items = inRenderPieces(made.items);
+        models_.push_back({.model = entity.model});
     }
 }
 
@@ -152,7 +134,7 @@ Vec3 PreparedEntities::referencePoint(const Entity& entity) {
 }
 
 double PreparedEntities::reach_m(const Entity& entity) {
-    const BoundingSphere& sphere = of(entity).boundingSphere;
+    const BoundingSphere& sphere = entity.model->mesh()->sphere;
     return sphere.radius_m + length(sphere.centre_m - referencePoint(entity));
 }
 

@@ -7,30 +7,24 @@
 
 #include "irsg/core/RecentlyUsed.h"
 #include "irsg/geometry/Entity.h"
-#include "irsg/geometry/model/LongEdges.h"
-#include "irsg/geometry/model/RenderList.h"
 #include "irsg/radiance/exchange/BodyLight.h"
 #include "irsg/render/rays/RayMesh.h"
 #include "irsg/render/sampling/HotSpots.h"
 
 namespace irsg {
 
-/// What drawing takes of a model, made once.
+/// What sampling makes of a model, once.
 struct PreparedModel {
     std::shared_ptr<const Model> model;
-    std::vector<RenderItem> items;
-    BoundingSphere boundingSphere;
-    std::vector<ModelEdge> longEdges;
-    HotSpots hotSpots;
-    std::shared_ptr<const RayMesh> rayMesh{}; ///< of the items, made when rays are asked for
+    HotSpots hotSpots{};
+    std::shared_ptr<const RayMesh> rayMesh{}; ///< made when rays are asked for
 
+    const Mesh& mesh() const { return *model->mesh(); }
     const std::shared_ptr<const RayMesh>& forRays();
     /// What its surfaces see of each other where its pieces are met so, within an error, alone or
     /// among others whose light varies over large facets; see BodyLight.
     std::shared_ptr<const BodyLight> lightBetween(const PieceUses& uses, double error,
                                                   bool isAmongOthers);
-    std::size_t facets() const;
-
     struct KnownLight {
         PieceUses uses;
         double error;

@@ -154,8 +154,7 @@ Frame Renderer::Impl::frame(const Scene& scene, const SensorView& view, const Ou
     FrameBackgrounds backgrounds =
         evaluator.backgrounds(request, evaluation, engine.terrainPainter);
     SurfaceShading shading = shader.shade(request, evaluation);
-    std::vector<SurfaceItem> items =
-        surfaceItems(scene.entities, evaluation.surfaceRows(), prepared);
+    std::vector<SurfaceItem> items = surfaceItems(scene.entities, evaluation.surfaceRows());
     SceneSurfaces ofScene{scene, std::move(engine), std::move(evaluation), std::move(shading),
                           std::move(items)};
     FramePlan plan = planner.plan(request, ofScene, backgrounds);

@@ -51,15 +51,12 @@ EngineWork SampleEngines::workOf(const Scene& scene, const Sensor& sensor,
     double transparentFacets = 0.0;
     for (std::size_t e = 0; e < scene.entities.size(); ++e) {
         const Entity& entity = scene.entities[e];
-        const PreparedModel& model = prepared_.of(entity);
-        work.facets += static_cast<double>(model.facets());
-        for (const RenderItem& item : model.items) {
-            const Material* material = materialEntry(entity, item.codes.material);
-            if (material == nullptr)
-                continue;
-            if (!material->isOpaque())
-                for (const auto& primitives : item.geometry->getPrimitiveSetList())
-                    transparentFacets += primitives->getNumIndices() / 3.0;
+        const Mesh& mesh = *entity.model->mesh();
+        work.facets += static_cast<double>(mesh.facets());
+        for (const Mesh::Part& part : mesh.parts) {
+            const Material* material = materialEntry(entity, part.codes.material);
+            if (material != nullptr && !material->isOpaque())
+                transparentFacets += static_cast<double>(part.triangles.size()) / 3.0;
         }
         double across_px = std::min(width_px, height_px);
         if (e < geometry.size())

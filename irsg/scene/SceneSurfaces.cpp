@@ -6,18 +6,18 @@
 
 namespace irsg {
 
-std::vector<SurfaceItem> surfaceItems(const std::vector<Entity>& entities, const SurfaceRows& rows,
-                                      PreparedEntities& prepared) {
+std::vector<SurfaceItem> surfaceItems(const std::vector<Entity>& entities,
+                                      const SurfaceRows& rows) {
     std::vector<SurfaceItem> items;
     for (int e = 0; e < static_cast<int>(entities.size()); ++e) {
-        int piece = 0;
-        for (const RenderItem& item : prepared.of(entities[static_cast<std::size_t>(e)]).items) {
-            const auto key = std::ranges::lower_bound(rows.keys(), SurfaceKey{e, item.codes});
-            if (key == rows.keys().end() || *key != SurfaceKey{e, item.codes})
+        const Mesh& mesh = *entities[static_cast<std::size_t>(e)].model->mesh();
+        for (std::size_t i = 0; i < mesh.pieces.size(); ++i) {
+            const SurfaceKey wanted{e, mesh.partOf(mesh.pieces[i]).codes};
+            const auto key = std::ranges::lower_bound(rows.keys(), wanted);
+            if (key == rows.keys().end() || *key != wanted)
                 throw LogicError("a surface was drawn that the model did not announce");
-            const auto drawn = static_cast<int>(key - rows.keys().begin());
-            items.push_back({item.geometry.get(), item.modelFromLocal, e, piece++, drawn,
-                             rows.isTransparent(drawn), item.cullsBackFaces, item.layer});
+            const auto row = static_cast<int>(key - rows.keys().begin());
+            items.push_back({e, i, row, rows.isTransparent(row)});
         }
     }
     return items;

@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "irsg/geometry/Entity.h"
 #include "irsg/render/sampling/SurfaceScene.h"
 #include "irsg/scene/FrameEngine.h"
-#include "irsg/scene/PreparedEntities.h"
 #include "irsg/scene/Scene.h"
 #include "irsg/scene/SceneEvaluation.h"
 #include "irsg/scene/SurfaceShading.h"
@@ -18,14 +18,13 @@ struct SceneSurfaces {
     FrameEngine engine;
     SceneEvaluation evaluation;
     SurfaceShading shading;
-    std::vector<SurfaceItem> items; ///< entity by entity, in model axes
+    std::vector<SurfaceItem> items; ///< entity by entity
 
     const Entity& entity(int e) const { return scene.entities[static_cast<std::size_t>(e)]; }
     const SurfaceRows& rows() const { return evaluation.surfaceRows(); }
 };
 
-/// The pieces of all entities with the row of each, in model axes.
-std::vector<SurfaceItem> surfaceItems(const std::vector<Entity>& entities, const SurfaceRows& rows,
-                                      PreparedEntities& prepared);
+/// The pieces of all entities with the row of each.
+std::vector<SurfaceItem> surfaceItems(const std::vector<Entity>& entities, const SurfaceRows& rows);
 
 } // namespace irsg

@@ -40,26 +40,23 @@ SurfaceScene SurfaceSampler::sceneOf(const SceneSurfaces& surfaces, const Camera
     scene.camera = &camera;
     scene.factors = geometryFactors(surfaces, camera);
     scene.rows = surfaces.evaluation.rows;
-    if (surfaces.scene.terrain && surfaces.scene.settings.terrainHides) {
-        scene.occluders = surfaces.scene.terrain->occluders(camera);
-        if (surfaces.engine.terrainMesh)
-            scene.terrain = {-1, surfaces.engine.terrainMesh,
-                             camera.eyeFromModel(surfaces.scene.terrain->pose())};
-    }
-    std::optional<osg::Matrixd> eyeFromModel;
-    int last = -1; // items of an entity follow one another
-    for (const SurfaceItem& item : surfaces.items)
-        if (stands(item.entity)) {
-            if (std::exchange(last, item.entity) != item.entity || !eyeFromModel) {
-                eyeFromModel = camera.eyeFromModel(surfaces.entity(item.entity).pose);
-                if (!surfaces.engine.meshes.empty())
-                    scene.bodies.push_back(
-                        {item.entity, surfaces.engine.meshes[static_cast<std::size_t>(item.entity)],
-                         *eyeFromModel});
-            }
-            scene.items.push_back(item);
-            scene.items.back().eyeFromLocal = item.eyeFromLocal * *eyeFromModel;
+    if (surfaces.scene.terrain && surfaces.scene.settings.terrainHides)
+        scene.terrain = surfaces.scene.terrain->bodyFor(camera, surfaces.engine.terrainMesh);
+    for (const SurfaceItem& item : surfaces.items) { // those of an entity follow one another
+        if (!stands(item.entity))
+            continue;
+        if (scene.bodies.empty() || scene.bodies.back().entity != item.entity) {
+            const Entity& entity = surfaces.entity(item.entity);
+            SurfaceBody& body = scene.bodies.emplace_back();
+            body.entity = item.entity;
+            body.mesh = entity.model->mesh();
+            if (!surfaces.engine.meshes.empty())
+                body.rays = surfaces.engine.meshes[static_cast<std::size_t>(item.entity)];
+            body.eyeFromModel = camera.eyeFromModel(entity.pose);
         }
+        scene.items.push_back(item);
+        scene.items.back().body = scene.bodies.size() - 1;
+    }
 
     bool isFirst = true;
     for (int e : tile.entities) {

@@ -35,15 +35,15 @@ std::vector<SunShadows::Caster> SurfaceShader::casters(const Scene& scene,
             caster.entity = e;
             caster.mesh = model.forRays();
             caster.pose = entity.pose;
-            caster.uses = PieceUses(model.items.size());
-            for (std::size_t i = 0; i < model.items.size(); ++i) {
-                const RenderItem& item = model.items[i];
-                const auto key = std::ranges::lower_bound(rows.keys(), SurfaceKey{e, item.codes});
+            const Mesh& mesh = model.mesh();
+            caster.uses = PieceUses(mesh.pieces.size());
+            for (std::size_t i = 0; i < mesh.pieces.size(); ++i) {
+                const Mesh::Part& part = mesh.partOf(mesh.pieces[i]);
+                const auto key = std::ranges::lower_bound(rows.keys(), SurfaceKey{e, part.codes});
                 const auto row = static_cast<int>(key - rows.keys().begin());
                 caster.rows.push_back(row);
                 caster.materials.push_back(rows.material(row).second);
-                caster.uses.set(i,
-                                {true, rows.isTransparent(row), item.cullsBackFaces, item.layer});
+                caster.uses.set(i, {true, rows.isTransparent(row), part.culled, part.layer});
             }
         }
         if (scene.terrain && scene.settings.terrainHides) {

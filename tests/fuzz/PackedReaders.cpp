@@ -26,6 +26,7 @@
 #include "irsg/geometry/reading/text/ObjReader.h"
 #include "irsg/scene/scattering/SceneScattering.h"
 #include "tests/fuzz/Readers.h"
+#include "tests/support/MadeGraphs.h"
 #include "tools/atmosphere-tables/lines/LineListFile.h"
 
 // Readers of binary files and messages, and of what other files name.
@@ -107,7 +108,7 @@ void readGraph(File file) {
     std::vector<std::string> remarks;
     try {
         const auto graph = irsg::getGraph(source, "a", remarks);
-        irsg::Model::fromGraph(graph.get(), "a");
+        irsg::test::modelOfGraph(graph.get(), "a");
     } catch (const irsg::DamagedBytes&) {
         // Its own word for a message that is refused.
     }

@@ -94,8 +94,8 @@ class FacePainterTest : public WindowFixture {
         SceneView* view = window->sceneView();
         const auto& shown = view->scene().models.front();
         const auto& model = view->scene().loaded.at(shown.key);
-        const osg::Vec3d at = painter().mesh()->faces().at(face).point * model->fromFile();
-        return view->projection().toWindow(shown.pose.toWorld({at.x(), at.y(), at.z()})).toPoint();
+        const irsg::Vec3 at = model->fromFile().place(painter().mesh()->faces().at(face).point);
+        return view->projection().toWindow(shown.pose.toWorld(at)).toPoint();
     }
     /// A face that is seen where its middle is.
     unsigned int seenFace(unsigned int from) {

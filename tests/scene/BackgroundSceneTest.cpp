@@ -13,6 +13,7 @@
 #include "irsg/radiometry/Units.h"
 #include "irsg/render/background/Skybox.h"
 #include "irsg/render/background/Terrain.h"
+#include "tests/support/MadeGraphs.h"
 #include "tests/support/SceneFixtures.h"
 
 using namespace irsg;
@@ -42,7 +43,7 @@ std::shared_ptr<const Terrain> wall(const Vec3& corner, double width_m, double h
     const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     geode->addDrawable(geometry);
     geode->getOrCreateStateSet()->setTextureAttributeAndModes(0, new osg::Texture2D(image));
-    return Terrain::fromGraph(*geode, "wall");
+    return terrainOfGraph(*geode, "wall");
 }
 
 std::shared_ptr<const Skybox> plainSky(float texel) {

@@ -10,6 +10,7 @@
 
 #include "irsg/geometry/conversion/GeometryCollector.h"
 #include "irsg/geometry/conversion/ModelLoader.h"
+#include "irsg/geometry/conversion/OsgValues.h"
 #include "irsg/geometry/conversion/SurfaceMesh.h"
 #include "tests/support/FlightBytes.h"
 
@@ -28,14 +29,17 @@ struct Shape {
 /// What is drawn of a loaded model that is counted from an origin, in single precision.
 Shape shapeOf(const LoadedGraph& loaded, const osg::Vec3d& origin) {
     SurfaceMesh mesh;
-    GeometryCollector(mesh, osg::Matrixd::translate(-origin), "a", {.forceTwoSided = true})
-        .collect(*loaded.node);
+    Matrix4 toModel;
+    toModel.rows[3] = {-origin.x(), -origin.y(), -origin.z(), 1.0};
+    GeometryCollector(mesh, toModel, "a", {.forceTwoSided = true}).collect(*loaded.node);
     Shape shape;
-    for (const auto& [key, part] : mesh.parts()) {
+    for (const auto& [kind, part] : mesh.parts()) {
         shape.area += part.area_m2;
         for (std::size_t i = 0; i + 2 < part.triangles.size(); i += 3) {
-            const osg::Vec3d a(part.vertices[part.triangles[i]]),
-                b(part.vertices[part.triangles[i + 1]]), c(part.vertices[part.triangles[i + 2]]);
+            const auto corner = [&](std::size_t k) {
+                return osg::Vec3d(toOsg(part.vertices[part.triangles[i + k]]));
+            };
+            const osg::Vec3d a = corner(0), b = corner(1), c = corner(2);
             shape.drawnArea += 0.5 * ((b - a) ^ (c - a)).length();
             for (const auto& each : {a, b, c}) {
                 shape.bounds.expandBy(each);

@@ -304,7 +304,7 @@ TEST(HotSpotSampling, InPiecesWithoutEndShareBoxesThatHoldThemAll) {
                       {0.01, 0, 0}, hot);
         mesh.insert(mesh.end(), one.begin(), one.end());
     }
-    const auto boxes = connectedPieces(collectRenderItems(*modelOf(mesh)), hot);
+    const auto boxes = connectedPieces(*modelOf(mesh)->mesh(), hot);
     EXPECT_LE(boxes.size(), mostPieces);
     EXPECT_GT(boxes.size(), mostPieces / 4);
     double area_m2 = 0.0;

@@ -111,13 +111,13 @@ TEST(HotSpotSearch, AreSurfacesThatShineOutOfTheirObject) {
 
 TEST(HotSpotSearch, AreFoundPieceByPiece) {
     const auto model = modelOf(wallWithLips());
-    const auto pieces = connectedPieces(collectRenderItems(*model), lip);
+    const auto pieces = connectedPieces(*model->mesh(), lip);
     ASSERT_EQ(pieces.size(), 2u);
     EXPECT_NEAR(pieces[0].centre().x, -6.3, 1e-6);
     EXPECT_NEAR(pieces[1].centre().x, 4.7, 1e-6);
     EXPECT_NEAR(pieces[1].max.z - pieces[1].min.z, lipHeight_m, 1e-6);
-    EXPECT_EQ(connectedPieces(collectRenderItems(*model), skin).size(), 1u);
-    EXPECT_TRUE(connectedPieces(collectRenderItems(*model), IrCodes{7, 7}).empty());
+    EXPECT_EQ(connectedPieces(*model->mesh(), skin).size(), 1u);
+    EXPECT_TRUE(connectedPieces(*model->mesh(), IrCodes{7, 7}).empty());
 }
 
 TEST(HotSpotSearch, AreNarrowerThanTheSamplesAndKeepTheirIntensity) {

@@ -1,4 +1,4 @@
-#include "irsg/geometry/model/LongEdges.h"
+#include "irsg/geometry/mesh/LongEdges.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,7 @@ namespace {
 constexpr IrCodes paint{1, 1}, glass{1, 2};
 
 std::vector<ModelEdge> edgesOf(const Triangles& mesh) {
-    const auto model = modelOf(mesh);
-    const auto items = collectRenderItems(*model);
-    return longEdges(items, boundingSphere(items, model->bounds()).radius_m);
+    return modelOf(mesh)->mesh()->longEdges;
 }
 
 TEST(LongEdges, OfABoxAreItsTwelveAndNoDiagonals) {

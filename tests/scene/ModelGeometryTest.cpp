@@ -23,12 +23,12 @@ TEST(Model, IsTurnedSoThatItsNoseIsPlusY) {
                                      {ModelAxis::plusY, osg::Vec3(0, 2, 0)},
                                      {ModelAxis::minusY, osg::Vec3(0, -2, 0)}}) {
         const auto graph = polygon({osg::Vec3(0, 0, 0), nose, osg::Vec3(0, 0, 1)}, {1, 1});
-        const auto model = Model::fromGraph(graph, "arrow", {.placing = {.nose = axis}});
+        const auto model = modelOfGraph(graph, "arrow", {.placing = {.nose = axis}});
         EXPECT_EQ(model->bounds(), (BoundingBox{{0, 0, 0}, {0, 2, 1}}));
     }
     // A turn, not a reflection: starboard of a nose at +x is -y.
     const auto graph = polygon({osg::Vec3(0, 0, 0), osg::Vec3(0, -1, 0), osg::Vec3(0, 0, 1)}, {});
-    EXPECT_EQ(Model::fromGraph(graph, "wing", {.placing = {.nose = ModelAxis::plusX}})->bounds(),
+    EXPECT_EQ(modelOfGraph(graph, "wing", {.placing = {.nose = ModelAxis::plusX}})->bounds(),
               (BoundingBox{{0, 0, 0}, {1, 0, 1}}));
 }
 
@@ -36,10 +36,10 @@ TEST(Model, TurnsMirroredPartsRoundSoThatTheirFrontStaysOutside) {
     const auto mirrored = [](const osg::Matrixd& matrix) {
         osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(matrix);
         transform->addChild(polygon(square, {1, 1}));
-        return Model::fromGraph(transform, "part");
+        return modelOfGraph(transform, "part");
     };
-    EXPECT_GT(faceNormal(drawable(*mirrored(osg::Matrixd::scale(-1, 1, 1)), 0), 0).z(), 0.99f);
-    EXPECT_LT(faceNormal(drawable(*mirrored(osg::Matrixd::scale(1, 1, -1)), 0), 0).z(), -0.99f);
+    EXPECT_GT(faceNormal(partOf(*mirrored(osg::Matrixd::scale(-1, 1, 1)), 0), 0).z(), 0.99f);
+    EXPECT_LT(faceNormal(partOf(*mirrored(osg::Matrixd::scale(1, 1, -1)), 0), 0).z(), -0.99f);
     const auto flat = mirrored(osg::Matrixd::scale(2, 3, 0.5) * osg::Matrixd::translate(0, 0, 7));
     EXPECT_NEAR(flat->codes().at({1, 1}).area_m2, 6.0, single);
     EXPECT_EQ(flat->bounds().min.z, 7.0);
@@ -56,8 +56,8 @@ TEST(Model, TransformsNormalsByTheInverseTransposed) {
     osg::ref_ptr<osg::MatrixTransform> squeeze =
         new osg::MatrixTransform(osg::Matrixd::scale(1, 1, 0.25));
     squeeze->addChild(geode);
-    const auto model = Model::fromGraph(squeeze, "plane");
-    const auto normal = array(drawable(*model, 0).getNormalArray())[0];
+    const auto model = modelOfGraph(squeeze, "plane");
+    const osg::Vec3 normal = toOsg(partOf(*model, 0).normals[0]);
     EXPECT_NEAR(normal.x(), -1 / std::sqrt(17.0), single);
     EXPECT_NEAR(normal.z(), 4 / std::sqrt(17.0), single);
 }
@@ -70,7 +70,7 @@ TEST(Model, MakesNormalsThatAreMissingAndTurnsThoseThatPointAway) {
             geometry->setNormalArray(new osg::Vec3Array(normals.begin(), normals.end()),
                                      osg::Array::BIND_PER_VERTEX);
         }
-        return Model::fromGraph(geode, "square");
+        return modelOfGraph(geode, "square");
     };
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const osg::Vec3 up(0, 0, 1), down(0, 0, -3), none(0, 0, 0), bad(nan, 0, 1);
@@ -81,8 +81,8 @@ TEST(Model, MakesNormalsThatAreMissingAndTurnsThoseThatPointAway) {
                                                                    {bad, up, up, up},
                                                                    {up, up}}) {
         const auto model = load(normals);
-        for (const auto& normal : array(drawable(*model, 0).getNormalArray())) {
-            EXPECT_NEAR((normal - up).length(), 0.0, single);
+        for (const Float3& normal : partOf(*model, 0).normals) {
+            EXPECT_NEAR((toOsg(normal) - up).length(), 0.0, single);
         }
     }
     EXPECT_THAT(load({})->remarks(), Contains(HasSubstr("normals of their own")));
@@ -93,7 +93,7 @@ TEST(Model, ShowsTheHighestDetailOfLevelsAtAnyRange) {
     osg::ref_ptr<osg::LOD> lod = new osg::LOD;
     lod->addChild(polygon(square, {2, 1}), 100, 1e4);
     lod->addChild(polygon(square, {1, 1}), 0, 100);
-    const auto model = Model::fromGraph(lod, "levels");
+    const auto model = modelOfGraph(lod, "levels");
     EXPECT_EQ(model->codes().size(), 1u);
     EXPECT_TRUE(model->codes().contains({1, 1}));
     EXPECT_THAT(model->remarks(), Contains(HasSubstr("highest detail")));
@@ -107,21 +107,21 @@ TEST(Model, ShowsTheHighestDetailOfLevelsAtAnyRange) {
     osg::ref_ptr<osg::Group> group = new osg::Group;
     group->addChild(level({2, 1}, 100, 1e4));
     group->addChild(level({1, 1}, 0, 80));
-    const auto codes = Model::fromGraph(group, "siblings")->codes();
+    const auto codes = modelOfGraph(group, "siblings")->codes();
     EXPECT_TRUE(codes.contains({1, 1}));
     EXPECT_FALSE(codes.contains({2, 1}));
 
     // A part that has one level only is drawn however far its range begins or ends.
     osg::ref_ptr<osg::LOD> alone = new osg::LOD;
     alone->addChild(polygon(square, {3, 1}), 50, 60);
-    EXPECT_TRUE(Model::fromGraph(alone, "alone")->codes().contains({3, 1}));
+    EXPECT_TRUE(modelOfGraph(alone, "alone")->codes().contains({3, 1}));
 }
 
 TEST(Model, ShowsWhatSwitchesShow) {
     osg::ref_ptr<osg::Switch> choice = new osg::Switch;
     choice->addChild(polygon(square, {1, 1}), false);
     choice->addChild(polygon(square, {2, 1}), true);
-    const auto model = Model::fromGraph(choice, "choice");
+    const auto model = modelOfGraph(choice, "choice");
     EXPECT_FALSE(model->codes().contains({1, 1}));
     EXPECT_TRUE(model->codes().contains({2, 1}));
     EXPECT_THAT(model->remarks(), Contains("1 polygons are switched off"));
@@ -161,12 +161,12 @@ TEST(Model, CutsEveryKindOfPrimitiveIntoItsTriangles) {
                            10},
                           {"collinear corner", GL_POLYGON, {a, {0.5, 0, 0}, b, c, d}, 1, 3}}) {
         SCOPED_TRACE(row.name);
-        const auto model = Model::fromGraph(polygon(row.corners, {1, 1}, row.mode), row.name);
+        const auto model = modelOfGraph(polygon(row.corners, {1, 1}, row.mode), row.name);
         EXPECT_NEAR(model->codes().at({1, 1}).area_m2, row.area, single);
-        const auto& geometry = drawable(*model, 0);
-        EXPECT_LE(geometry.getPrimitiveSet(0)->getNumIndices() / 3, row.triangles);
-        for (unsigned int i = 0; i < geometry.getPrimitiveSet(0)->getNumIndices() / 3; ++i) {
-            EXPECT_GT(faceNormal(geometry, i).z(), 0.99f);
+        const Mesh::Part& part = partOf(*model, 0);
+        EXPECT_LE(part.triangles.size() / 3, row.triangles);
+        for (std::size_t i = 0; i < part.triangles.size() / 3; ++i) {
+            EXPECT_GT(faceNormal(part, i).z(), 0.99f);
         }
     }
 }
@@ -176,7 +176,7 @@ TEST(Model, LeavesOutPolygonsWithoutAreaAndSaysSo) {
     group->addChild(polygon(square, {1, 1}));
     group->addChild(polygon({osg::Vec3(0, 0, 0), osg::Vec3(1, 1, 1), osg::Vec3(2, 2, 2)}, {2, 1}));
     group->addChild(polygon({osg::Vec3(0, 0, 0), osg::Vec3(0, 0, 0), osg::Vec3(0, 0, 0)}, {2, 1}));
-    const auto model = Model::fromGraph(group, "thin");
+    const auto model = modelOfGraph(group, "thin");
     EXPECT_EQ(model->codes().size(), 1u);
     EXPECT_THAT(model->remarks(), Contains("2 polygons without area are left out"));
 }
@@ -185,9 +185,9 @@ TEST(Model, SaysWhenItLiesTooFarFromItsOriginForSinglePrecision) {
     osg::ref_ptr<osg::MatrixTransform> far =
         new osg::MatrixTransform(osg::Matrixd::translate(6.4e6, 0, 0));
     far->addChild(polygon(square, {1, 1}));
-    EXPECT_THAT(Model::fromGraph(far, "far", {.placing = {.origin = ModelOrigin{}}})->remarks(),
+    EXPECT_THAT(modelOfGraph(far, "far", {.placing = {.origin = ModelOrigin{}}})->remarks(),
                 Contains(HasSubstr("single precision")));
-    EXPECT_TRUE(Model::fromGraph(polygon(square, {1, 1}), "near")->remarks().size() == 1u)
+    EXPECT_TRUE(modelOfGraph(polygon(square, {1, 1}), "near")->remarks().size() == 1u)
         << "its normals only";
 }
 
@@ -204,7 +204,7 @@ TEST(Model, TakesCodesFromTheDrawableElseFromTheNodesAbove) {
     group->addChild(own);
     group->addChild(bare);
     group->addChild(none);
-    const auto codes = Model::fromGraph(group, "three")->codes();
+    const auto codes = modelOfGraph(group, "three")->codes();
     EXPECT_EQ(codes.size(), 3u);
     EXPECT_TRUE(codes.contains({4, 5}));
     EXPECT_TRUE(codes.contains({0, 9}));
@@ -218,7 +218,7 @@ TEST(Model, BoundsOfTheGeometryThatIsWanted) {
         new osg::MatrixTransform(osg::Matrixd::translate(10, 0, 0));
     far->addChild(polygon(square, {1, 2}));
     group->addChild(far);
-    const auto model = Model::fromGraph(group, "two");
+    const auto model = modelOfGraph(group, "two");
     EXPECT_EQ(model->bounds(), (BoundingBox{{0, 0, 0}, {11, 1, 0}}));
     EXPECT_EQ(model->boundsOf([](const IrCodes& c) { return c.material == 1; }),
               (BoundingBox{{0, 0, 0}, {1, 1, 0}}));

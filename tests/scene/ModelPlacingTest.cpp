@@ -43,7 +43,7 @@ osg::ref_ptr<osg::Group> aircraft() {
 
 /// The same as a file has it whose own axes are those: file's x, y, z along model directions.
 osg::ref_ptr<osg::MatrixTransform> asFile(osg::Node& model, const ModelPlacing& placing) {
-    const osg::Matrixd toModel = turnAndScale(placing);
+    const osg::Matrixd toModel = toOsg(turnAndScale(placing));
     osg::ref_ptr<osg::MatrixTransform> file =
         new osg::MatrixTransform(osg::Matrixd::inverse(toModel));
     file->addChild(&model);
@@ -64,7 +64,7 @@ TEST(ModelPlacing, EveryTurnIsOneAndBringsUpAndNoseHome) {
             }
             const auto placing =
                 whole(static_cast<ModelAxis>(up), static_cast<ModelAxis>(nose), 0.01);
-            const osg::Matrixd m = turnAndScale(placing);
+            const osg::Matrixd m = toOsg(turnAndScale(placing));
             const auto along = [](int axis) {
                 osg::Vec3d v;
                 v[axis / 2] = axis % 2 == 0 ? 100.0 : -100.0;
@@ -95,12 +95,12 @@ TEST(ModelPlacing, WhatIsNotSetIsAsTheFileStatesOrAsItAlwaysWas) {
 }
 
 TEST(ModelPlacing, AnAircraftIsTheSameHoweverItsFileHasIt) {
-    const auto original = Model::fromGraph(aircraft(), "aircraft");
+    const auto original = modelOfGraph(aircraft(), "aircraft");
     for (const auto& placing : {whole(ModelAxis::plusY, ModelAxis::minusZ, 0.01),
                                 whole(ModelAxis::minusX, ModelAxis::plusY, 0.3048),
                                 whole(ModelAxis::plusZ, ModelAxis::minusX, 1000.0)}) {
         const auto model =
-            Model::fromGraph(asFile(*aircraft(), placing), "aircraft", {.placing = placing});
+            modelOfGraph(asFile(*aircraft(), placing), "aircraft", {.placing = placing});
         EXPECT_NEAR(model->codes().at({1, 1}).area_m2, original->codes().at({1, 1}).area_m2, 1e-4);
         EXPECT_LT(length(model->bounds().min - original->bounds().min), 1e-5);
         EXPECT_LT(length(model->bounds().max - original->bounds().max), 1e-5);
@@ -114,8 +114,7 @@ TEST(ModelPlacing, OriginsAreThoseOfTheFileTheCentreTheBaseOrAPoint) {
     addBox(*box, {-1, -2, -3}, {1, 2, 3});
     moved->addChild(box);
     const auto bounds = [&](const ModelOrigin& origin) {
-        return Model::fromGraph(moved, "box", {.placing = {.unit_m = 2.0, .origin = origin}})
-            ->bounds();
+        return modelOfGraph(moved, "box", {.placing = {.unit_m = 2.0, .origin = origin}})->bounds();
     };
     EXPECT_EQ(bounds({}), (BoundingBox{{18, 36, 54}, {22, 44, 66}}));
     EXPECT_EQ(bounds({ModelOrigin::At::centre, {}}), (BoundingBox{{-2, -4, -6}, {2, 4, 6}}));
@@ -131,11 +130,11 @@ TEST(ModelPlacing, AModelFarFromItsOriginKeepsItsShape) {
     osg::ref_ptr<osg::MatrixTransform> far =
         new osg::MatrixTransform(osg::Matrixd::translate(1e6 + 0.3, 5e6 + 0.1, 100.7));
     far->addChild(cube);
-    const auto model = Model::fromGraph(far, "cube");
+    const auto model = modelOfGraph(far, "cube");
     EXPECT_NEAR(model->codes().at({1, 1}).area_m2, 6.0, 6e-5);
     EXPECT_LT(length(model->bounds().centre()), 1e-6);
     EXPECT_THAT(model->remarks(), Contains(HasSubstr("m becomes the origin")));
-    const auto kept = Model::fromGraph(far, "cube", {.placing = {.origin = ModelOrigin{}}});
+    const auto kept = modelOfGraph(far, "cube", {.placing = {.origin = ModelOrigin{}}});
     EXPECT_THAT(kept->remarks(), Contains(HasSubstr("single precision")));
     EXPECT_NEAR(kept->bounds().centre().x, 1e6 + 0.3, 0.1);
 }
@@ -145,7 +144,7 @@ TEST(ModelPlacing, GuessesAnAircraftFromItsShape) {
                                 whole(ModelAxis::plusY, ModelAxis::minusZ, 0.001),
                                 whole(ModelAxis::plusY, ModelAxis::plusX, 0.01),
                                 whole(ModelAxis::plusZ, ModelAxis::minusX, 0.0254)}) {
-        const auto guess = guessPlacing(*asFile(*aircraft(), placing), {}, "aircraft");
+        const auto guess = guessPlacing(loaded(asFile(*aircraft(), placing)), "aircraft");
         EXPECT_EQ(guess.placing.up, placing.up);
         EXPECT_EQ(guess.placing.nose, placing.nose);
         // A length alone does not tell inches from centimetres.
@@ -160,7 +159,7 @@ TEST(ModelPlacing, BelievesTheFileBeforeTheShapeAndSaysSo) {
                           .up = ModelAxis::plusX,
                           .front = ModelAxis::plusY,
                           .reason = "the file's header"};
-    const auto guess = guessPlacing(*aircraft(), stated, "aircraft");
+    const auto guess = guessPlacing(loaded(aircraft(), stated), "aircraft");
     EXPECT_EQ(guess.placing.up, ModelAxis::plusX);
     EXPECT_EQ(guess.placing.nose, ModelAxis::plusY);
     EXPECT_EQ(guess.placing.unit_m, 0.3048);
@@ -174,7 +173,7 @@ TEST(ModelPlacing, AUnitThatMakesAGiantOfAnAircraftIsNotBelieved) {
     const auto placing = whole(ModelAxis::plusY, ModelAxis::plusZ, 0.01);
     const FileAxes stated{
         .unit_m = 1.0, .up = ModelAxis::plusY, .front = ModelAxis::plusZ, .reason = "glTF"};
-    const auto guess = guessPlacing(*asFile(*aircraft(), placing), stated, "aircraft");
+    const auto guess = guessPlacing(loaded(asFile(*aircraft(), placing), stated), "aircraft");
     EXPECT_EQ(guess.placing.unit_m, 0.01);
     EXPECT_EQ(guess.reasons[3],
               "it is in centimetres, not as stated: it would be 1000 m long; so it is 10 m long");
@@ -184,7 +183,7 @@ TEST(ModelPlacing, AUnitThatMakesAGiantOfAnAircraftIsNotBelieved) {
 TEST(ModelPlacing, ASphereSaysThatNothingTells) {
     osg::ref_ptr<osg::Group> cube = new osg::Group;
     addBox(*cube, {-1, -1, -1}, {1, 1, 1});
-    const auto guess = guessPlacing(*cube, {}, "cube");
+    const auto guess = guessPlacing(loaded(cube), "cube");
     EXPECT_THAT(guess.reasons[0], HasSubstr("neither"));
     EXPECT_THAT(guess.reasons[1], HasSubstr("neither"));
     EXPECT_EQ(guess.placing.up, ModelAxis::plusZ);

@@ -1,5 +1,6 @@
 #include "irsg/geometry/model/Model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -7,7 +8,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <osgDB/WriteFile>
-#include <osgSim/ShapeAttribute>
 
 #include "irsg/geometry/flight/FlightScanner.h"
 #include "tests/support/FlightBytes.h"
@@ -36,11 +36,10 @@ TEST(Model, OfTheBoxHasItsAreasBoundsAndCodes) {
     EXPECT_EQ(model->name(), "box");
     EXPECT_TRUE(model->remarks().empty());
     const Vec3 normals[] = {{0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, -1}};
-    ASSERT_EQ(drawables(*model), 6u);
+    ASSERT_EQ(parts(*model), 6u);
     for (unsigned int i = 0; i < 6; ++i) {
-        const auto n = faceNormal(drawable(*model, i), 0);
-        EXPECT_EQ((Vec3{n.x(), n.y(), n.z()}), normals[i]);
-        EXPECT_EQ(codesOf(drawable(*model, i), {}), (IrCodes{static_cast<int>(i) + 1, 1}));
+        EXPECT_EQ(fromOsg(faceNormal(partOf(*model, i), 0)), normals[i]);
+        EXPECT_EQ(partOf(*model, i).codes, (IrCodes{static_cast<int>(i) + 1, 1}));
     }
 }
 
@@ -62,46 +61,43 @@ TEST(Model, OfTheSphereHasTheAreaOfItsZones) {
     EXPECT_LT(area, 4 * std::numbers::pi);
 
     // Normals are those of the sphere, outward, and no facet looks inward.
-    const auto& geometry = drawable(*model, 0);
-    const auto& vertices = array(geometry.getVertexArray());
-    const auto& normals = array(geometry.getNormalArray());
-    for (unsigned int i = 0; i < vertices.size(); ++i) {
-        ASSERT_LT((vertices[i] - normals[i]).length(), single);
+    const Mesh::Part& part = partOf(*model, 0);
+    for (std::size_t i = 0; i < part.vertices.size(); ++i) {
+        ASSERT_LT(length(toVec3(part.vertices[i]) - toVec3(part.normals[i])), single);
     }
-    for (unsigned int i = 0; i < geometry.getPrimitiveSet(0)->getNumIndices() / 3; ++i) {
-        ASSERT_GT(faceNormal(geometry, i) * vertices[geometry.getPrimitiveSet(0)->index(3 * i)],
-                  0.999);
+    for (std::size_t i = 0; i < part.triangles.size() / 3; ++i) {
+        ASSERT_GT(faceNormal(part, i) * toOsg(part.vertices[part.triangles[3 * i]]), 0.999);
     }
 }
 
-TEST(Model, HoldsNothingButIndexedTrianglesCodesAndCulling) {
+TEST(Model, HasAMeshWhosePartsAndPiecesHoldTogether) {
     for (const char* name : {"tricky_1420.flt", "tricky_1540.flt", "tricky_1640.flt"}) {
         SCOPED_TRACE(name);
         const auto model = Model::load(data / name);
-        EXPECT_EQ(model->graph()->getStateSet(), nullptr);
-        for (unsigned int i = 0; i < drawables(*model); ++i) {
-            const auto& geometry = drawable(*model, i);
-            const auto vertices = geometry.getVertexArray()->getNumElements();
-            EXPECT_EQ(geometry.getNormalArray()->getNumElements(), vertices);
-            EXPECT_EQ(geometry.getColorArray()->getNumElements(), vertices);
-            ASSERT_EQ(geometry.getNumPrimitiveSets(), 1u);
-            EXPECT_EQ(geometry.getPrimitiveSet(0)->getMode(), GLenum{GL_TRIANGLES});
-            EXPECT_EQ(geometry.getPrimitiveSet(0)->getType(),
-                      osg::PrimitiveSet::DrawElementsUIntPrimitiveType);
-            EXPECT_TRUE(geometry.getUseVertexBufferObjects());
-            EXPECT_FALSE(geometry.getUseDisplayList());
-            const auto* list =
-                dynamic_cast<const osgSim::ShapeAttributeList*>(geometry.getUserData());
-            ASSERT_NE(list, nullptr);
-            EXPECT_EQ(list->size(), 2u);
-            const auto& state = *geometry.getStateSet();
-            EXPECT_TRUE(state.getTextureAttributeList().empty());
-            for (const auto& [type, attribute] : state.getAttributeList()) {
-                EXPECT_TRUE(type.first == osg::StateAttribute::CULLFACE ||
-                            type.first == osg::StateAttribute::POLYGONOFFSET);
+        const Mesh& mesh = *model->mesh();
+        EXPECT_EQ(mesh.bounds, model->bounds());
+        EXPECT_TRUE(std::ranges::is_sorted(mesh.parts, [](const auto& a, const auto& b) {
+            return static_cast<const Mesh::Kind&>(a) < static_cast<const Mesh::Kind&>(b);
+        }));
+        std::vector<std::size_t> inPieces(mesh.parts.size());
+        for (const Mesh::Piece& piece : mesh.pieces) {
+            EXPECT_EQ(piece.first, inPieces.at(piece.part)) << "pieces follow each other";
+            inPieces[piece.part] += piece.count;
+        }
+        for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
+            const Mesh::Part& part = mesh.parts[i];
+            EXPECT_EQ(part.normals.size(), part.vertices.size());
+            EXPECT_EQ(part.colours.size(), part.vertices.size());
+            EXPECT_TRUE(part.texturePlaces.empty());
+            EXPECT_FALSE(part.triangles.empty());
+            EXPECT_EQ(part.triangles.size() % 3, 0u);
+            EXPECT_EQ(part.triangles.size(), inPieces[i]);
+            EXPECT_LT(*std::ranges::max_element(part.triangles), part.vertices.size());
+            for (const Float3& normal : part.normals) {
+                EXPECT_NEAR(length(toVec3(normal)), 1.0, single);
             }
-            for (const auto& normal : array(geometry.getNormalArray())) {
-                EXPECT_NEAR(normal.length(), 1.0, single);
+            for (const Float3& vertex : part.vertices) {
+                EXPECT_LE(length(toVec3(vertex) - mesh.sphere.centre_m), mesh.sphere.radius_m);
             }
         }
     }
@@ -126,7 +122,7 @@ TEST(Model, HasTheCodesOfTheFileWithTheirFaces) {
         }
         EXPECT_EQ(faces, scanFlight(file).faceCounts());
         EXPECT_TRUE(model->bounds().valid());
-        EXPECT_GT(drawables(*model), 0u);
+        EXPECT_GT(parts(*model), 0u);
     }
 }
 
@@ -156,14 +152,15 @@ TEST(Model, SaysWhatItOverrides) {
 TEST(Model, LoadedTwiceIsEqual) {
     const auto one = Model::load(data / "tricky_1640.flt");
     const auto two = Model::load(data / "tricky_1640.flt");
-    EXPECT_NE(one->graph(), two->graph());
+    EXPECT_NE(one->mesh(), two->mesh());
     EXPECT_EQ(one->codes(), two->codes());
-    ASSERT_EQ(drawables(*one), drawables(*two));
-    for (unsigned int i = 0; i < drawables(*one); ++i) {
-        const auto &a = drawable(*one, i), &b = drawable(*two, i);
-        EXPECT_EQ(codesOf(a, {}), codesOf(b, {}));
-        EXPECT_TRUE(array(a.getVertexArray()).asVector() == array(b.getVertexArray()).asVector());
-        EXPECT_TRUE(array(a.getNormalArray()).asVector() == array(b.getNormalArray()).asVector());
+    ASSERT_EQ(parts(*one), parts(*two));
+    for (std::size_t i = 0; i < parts(*one); ++i) {
+        const Mesh::Part &a = partOf(*one, i), &b = partOf(*two, i);
+        EXPECT_EQ(static_cast<const Mesh::Kind&>(a), static_cast<const Mesh::Kind&>(b));
+        EXPECT_EQ(a.vertices, b.vertices);
+        EXPECT_EQ(a.normals, b.normals);
+        EXPECT_EQ(a.triangles, b.triangles);
     }
 }
 
@@ -185,11 +182,8 @@ TEST(Model, CullsBackFacesOfDrawTypeZeroOnly) {
         file.drawType = drawType;
         file.remake();
         const auto path = folder.write("square.flt", file.bytes());
-        const auto mode = [&](const ModelOptions& options) {
-            return drawable(*Model::load(path, options), 0).getStateSet()->getMode(GL_CULL_FACE);
-        };
-        EXPECT_EQ(mode({}) == osg::StateAttribute::ON, culled) << drawType;
-        EXPECT_EQ(mode({.forceTwoSided = true}), osg::StateAttribute::GLModeValue{0}) << drawType;
+        EXPECT_EQ(partOf(*Model::load(path), 0).culled, culled) << drawType;
+        EXPECT_FALSE(partOf(*Model::load(path, {.forceTwoSided = true}), 0).culled) << drawType;
     }
 }
 
@@ -203,7 +197,7 @@ TEST(Model, KeepsTheNormalsOfUnlitFacesAndMakesThoseOfBareVertices) {
         file.vertices.replace(56 * i + 32, 12, tilted);
     }
     const auto unlit = Model::load(folder.write("unlit.flt", file.bytes()));
-    EXPECT_NEAR(array(drawable(*unlit, 0).getNormalArray())[0].x(), 0.6, single);
+    EXPECT_NEAR(partOf(*unlit, 0).normals[0][0], 0.6, single);
 
     SquareFile bare;
     bare.vertices = "";
@@ -213,7 +207,7 @@ TEST(Model, KeepsTheNormalsOfUnlitFacesAndMakesThoseOfBareVertices) {
     bare.palette = record(flight::vertexPalette, i32(8 + 4 * 40));
     bare.list = record(flight::vertexList, i32(8) + i32(48) + i32(88) + i32(128));
     const auto upright = Model::load(folder.write("bare.flt", bare.bytes()));
-    EXPECT_NEAR(array(drawable(*upright, 0).getNormalArray())[0].y(), -1.0, single);
+    EXPECT_NEAR(partOf(*upright, 0).normals[0][1], -1.0, single);
 }
 
 TEST(Model, RefusesWhatIsNoModelWithASentence) {
@@ -258,13 +252,13 @@ TEST(Model, RefusesWhatIsNoModelWithASentence) {
               "a.ive"},
              {"not a number",
               [&] {
-                  Model::fromGraph(
+                  modelOfGraph(
                       polygon({osg::Vec3(0, 0, 0), osg::Vec3(nan, 0, 0), osg::Vec3(0, 1, 0)}, {}),
                       "nan");
               },
               "vertex 1"},
-             {"index outside", [&] { Model::fromGraph(outside, "outside"); }, "vertex 4"}}) {
+             {"index outside", [&] { modelOfGraph(outside, "outside"); }, "vertex 4"}}) {
         EXPECT_THAT(refusal(row.act), HasSubstr(row.says)) << row.name;
     }
-    EXPECT_THROW(Model::fromGraph(nullptr, "none"), LogicError);
+    EXPECT_THROW(modelOfGraph(nullptr, "none"), LogicError);
 }

@@ -1,4 +1,5 @@
 #include "irsg/geometry/reading/OpenableFiles.h"
+#include "irsg/geometry/model/Model.h"
 
 #include <filesystem>
 #include <fstream>
@@ -17,9 +18,9 @@
 #include <osgDB/WriteFile>
 
 #include "irsg/geometry/conversion/ModelLoader.h"
+#include "irsg/geometry/conversion/TextureImage.h"
 #include "irsg/geometry/reading/GuardedReading.h"
 #include "irsg/render/background/Terrain.h"
-#include "irsg/render/background/TextureImage.h"
 #include "tests/support/FlightBytes.h"
 #include "tests/support/Refusal.h"
 

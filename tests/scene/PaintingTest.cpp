@@ -91,7 +91,7 @@ void call(osg::Node& node, const std::string& material) {
 }
 
 FaceMesh meshOf(osg::Node& graph, const std::vector<CodeRule>& rules = {}) {
-    return {graph, rules, "shape"};
+    return {loaded(&graph), rules, "shape"};
 }
 
 /// Polygons by their codes when a graph is read with what is painted.
@@ -125,7 +125,7 @@ FaceBox pictureFrom(const osg::Vec3d& eye) {
     right.normalize();
     const osg::Vec3d down = ahead ^ right;
     FaceBox box;
-    box.eye = eye;
+    box.eye = fromOsg(eye);
     osg::Matrixd m;
     for (int i = 0; i < 3; ++i) {
         m(i, 0) = 400.0 * right[i] + 200.0 * ahead[i];
@@ -133,7 +133,10 @@ FaceBox pictureFrom(const osg::Vec3d& eye) {
         m(i, 2) = m(i, 3) = ahead[i];
     }
     m(3, 3) = 0.0;
-    box.toPicture = osg::Matrixd::translate(-eye) * m;
+    m = osg::Matrixd::translate(-eye) * m;
+    for (std::size_t i = 0; i < 16; ++i) {
+        box.toPicture(i / 4, i % 4) = m.ptr()[i];
+    }
     box.right = box.bottom = 400.0;
     return box;
 }
@@ -171,7 +174,7 @@ TEST(FaceChoice, PartsMeetAcrossDrawablesAndTransforms) {
     for (const auto& face : mesh.faces()) {
         const auto number = static_cast<std::size_t>(&face - mesh.faces().data());
         const osg::Vec3d centre(number < 12 ? 0.5 : -0.5, 0.5, 0.5);
-        EXPECT_GT(face.normal * (face.point - centre), 0.0) << "fronts look outward";
+        EXPECT_GT(dot(face.normal, face.point - fromOsg(centre)), 0.0) << "fronts look outward";
     }
 }
 
@@ -224,7 +227,7 @@ TEST(FaceChoice, ARayMeetsTheNearestFaceThatIsDrawnFromItsSide) {
     const FaceMesh mesh = meshOf(*graph);
     const auto front = faceAlong(mesh, {0.7, -5, 0.2}, {0, 1, 0});
     ASSERT_TRUE(front);
-    EXPECT_EQ(mesh.faces()[*front].normal, osg::Vec3d(0, -1, 0));
+    EXPECT_EQ(mesh.faces()[*front].normal, (Vec3{0, -1, 0}));
     EXPECT_LT(*front, 12u);
     EXPECT_FALSE(faceAlong(mesh, {0.7, -5, 0.2}, {0, -1, 0}));
     EXPECT_FALSE(faceAlong(mesh, {1.7, -5, 0.2}, {0, 1, 0}));
@@ -258,13 +261,13 @@ TEST(FaceChoice, OfASphereTheCapIsSeenThatLooksAtTheEye) {
     for (unsigned int f = 0; f < mesh.faces().size(); ++f) {
         // From five radii away it ends at y = -1/5.
         const bool isSeen = std::ranges::binary_search(seen, f);
-        const double y = mesh.faces()[f].point.y();
+        const double y = mesh.faces()[f].point.y;
         EXPECT_FALSE(isSeen && y > -0.18) << f << " at " << y;
         EXPECT_FALSE(!isSeen && y < -0.22) << f << " at " << y;
     }
     // From afar, a few pixels large, no face of the back is taken.
     for (const unsigned int f : facesIn(mesh, pictureFrom({0, -50, 0}))) {
-        EXPECT_LT(mesh.faces()[f].point.y(), 0.0);
+        EXPECT_LT(mesh.faces()[f].point.y, 0.0);
     }
 }
 

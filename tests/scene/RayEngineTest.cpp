@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <fstream>
 
+#include <osg/Geode>
+#include <osg/Geometry>
 #include <osg/Texture2D>
 
 #include "irsg/core/Errors.h"
@@ -14,6 +16,7 @@
 #include "irsg/render/background/Terrain.h"
 #include "irsg/render/rays/RayMesh.h"
 #include "irsg/scene/PreparedEntities.h"
+#include "tests/support/MadeGraphs.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/SceneFixtures.h"
 
@@ -74,10 +77,11 @@ std::vector<std::vector<std::pair<int, unsigned>>> facetsOf(const InteractiveRen
     prepared.keep(irsg.scene.entities);
     PreparedModel& model = prepared.of(entity);
     const RayMesh& mesh = *model.forRays();
-    PieceUses uses(model.items.size());
-    for (std::size_t i = 0; i < model.items.size(); ++i) {
-        uses.set(i, {true, !materialEntry(entity, model.items[i].codes.material)->isOpaque(),
-                     model.items[i].cullsBackFaces, model.items[i].layer});
+    PieceUses uses(model.mesh().pieces.size());
+    for (std::size_t i = 0; i < model.mesh().pieces.size(); ++i) {
+        const Mesh::Part& part = model.mesh().partOf(model.mesh().pieces[i]);
+        uses.set(i, {true, !materialEntry(entity, part.codes.material)->isOpaque(), part.culled,
+                     part.layer});
     }
     const Sensor& sensor = irsg.view.sensor;
     const Viewpoint& eye = irsg.view.viewpoint;
@@ -319,7 +323,7 @@ TEST_F(RayEngineTest, SeesTerrainBehindAndBeforeObjects) {
     const osg::ref_ptr<osg::Group> group = new osg::Group;
     group->addChild(texturedSheet({0.3, -2, -9}, {6, 0.5, 0}, {0, 0, 18}));
     group->addChild(texturedSheet({-9, 3, -9}, {18, 0, 0}, {0, 1, 18}));
-    const auto terrain = Terrain::fromGraph(*group, "walls", {0, 0, standingAltitude_m});
+    const auto terrain = terrainOfGraph(*group, "walls", {0, 0, standingAltitude_m});
     Entity entity =
         entityOf(modelOf(plateMesh({}, {2, 0, 0}, {0, 0, 2}, {1, 1})), greyDatabase(0.7, 330.0));
     entity.pose.position_m.z = standingAltitude_m;

@@ -57,8 +57,7 @@ struct Stages {
         SceneEvaluation evaluation = evaluate(request);
         const FrameBackgrounds backgrounds =
             evaluator.backgrounds(request, evaluation, terrainRays);
-        std::vector<SurfaceItem> items =
-            surfaceItems(scene.entities, evaluation.surfaceRows(), prepared);
+        std::vector<SurfaceItem> items = surfaceItems(scene.entities, evaluation.surfaceRows());
         const SceneSurfaces surfaces{scene,
                                      {engine, terrainRays, false, "none", {}, nullptr},
                                      std::move(evaluation),

@@ -19,6 +19,7 @@
 #include <osgSim/MultiSwitch>
 
 #include "irsg/geometry/conversion/ModelLoader.h"
+#include "irsg/geometry/conversion/TextureImage.h"
 #include "irsg/geometry/model/Model.h"
 #include "irsg/geometry/reading/IrCodes.h"
 #include "irsg/geometry/reading/MaterialNames.h"
@@ -28,7 +29,6 @@
 #include "irsg/geometry/reading/sandbox/GraphCoding.h"
 #include "irsg/geometry/reading/sandbox/ReaderMessages.h"
 #include "irsg/geometry/reading/sandbox/StateCoding.h"
-#include "irsg/render/background/TextureImage.h"
 #include "tests/support/FlightBytes.h"
 #include "tests/support/QuietListener.h"
 #include "tests/support/Refusal.h"

@@ -38,7 +38,7 @@ std::shared_ptr<const Model> modelOfTiles(const std::vector<osg::ref_ptr<osg::Ge
     for (const auto& geode : tiles) {
         group->addChild(geode);
     }
-    return Model::fromGraph(group, "tiles");
+    return modelOfGraph(group, "tiles");
 }
 
 double intensity(const std::shared_ptr<const Model>& model, EngineChoice engine,
@@ -149,7 +149,7 @@ TEST(SharedPlanes, AreFoundAmongManyNeighbours) {
             group->addChild(tile(i, k, i + 1, k + 1, {1 + (i + k) % 2, 1}));
         }
     }
-    const auto model = Model::fromGraph(group, "floor");
+    const auto model = modelOfGraph(group, "floor");
     ASSERT_EQ(model->sharedPlanes().size(), 2U);
     for (const SharedPlane& shared : model->sharedPlanes()) {
         EXPECT_EQ(shared.drawn, (IrCodes{3, 1}));

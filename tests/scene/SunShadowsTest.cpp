@@ -5,10 +5,12 @@
 #include <cmath>
 
 #include <osg/Geode>
+#include <osg/Geometry>
 
 #include "irsg/radiometry/Units.h"
 #include "irsg/render/background/Terrain.h"
 #include "irsg/render/rays/SunShadows.h"
+#include "tests/support/MadeGraphs.h"
 #include "tests/support/SceneFixtures.h"
 
 namespace irsg {
@@ -287,7 +289,7 @@ TEST_P(SunShadowsTest, AreCastByOtherEntitiesAndTerrainAlsoFromOutsideTheFrame) 
     geometry->addPrimitiveSet(new osg::DrawArrays(GL_QUADS, 0, 4));
     const osg::ref_ptr<osg::Geode> geode = new osg::Geode;
     geode->addDrawable(geometry);
-    const auto terrain = Terrain::fromGraph(*geode, "wall", plate.pose.position_m);
+    const auto terrain = terrainOfGraph(*geode, "wall", plate.pose.position_m);
 
     const auto sentBy = [&](const std::vector<Entity>& entities, bool withTerrain, double range_m,
                             ReflectionMode reflection = ReflectionMode::smart) {

@@ -6,8 +6,6 @@
 #include <random>
 #include <vector>
 
-#include "irsg/geometry/model/RenderList.h"
-#include "irsg/geometry/model/RenderPieces.h"
 #include "irsg/geometry/view/Pose.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/render/rays/SunShadows.h"
@@ -24,21 +22,22 @@ class SunlitFacetsTest : public RaysTest {};
 
 /// A mesh for rays; surfaces of a material let light through.
 struct Body {
-    std::vector<RenderItem> items;
+    std::shared_ptr<const Mesh> shape;
     std::shared_ptr<const RayMesh> mesh;
     PieceUses uses{0};
 
     explicit Body(const Triangles& of, int transparent = 0) {
-        items = inRenderPieces(collectRenderItems(*modelOf(of)));
-        std::vector<RayMesh::Piece> pieces;
-        uses = PieceUses(items.size());
-        for (std::size_t i = 0; i < items.size(); ++i) {
-            pieces.push_back({items[i].geometry.get(), items[i].modelFromLocal});
-            uses.set(i, {true, items[i].codes.material == transparent, items[i].cullsBackFaces, 0});
+        shape = modelOf(of)->mesh();
+        uses = PieceUses(shape->pieces.size());
+        for (std::size_t i = 0; i < shape->pieces.size(); ++i) {
+            const Mesh::Part& part = shape->partOf(shape->pieces[i]);
+            uses.set(i, {true, part.codes.material == transparent, part.culled, 0});
         }
-        mesh = RayMesh::of(pieces);
+        mesh = RayMesh::of(shape);
     }
-    int codeOf(std::size_t piece) const { return items[piece].codes.material; }
+    int codeOf(std::size_t piece) const {
+        return shape->partOf(shape->pieces[piece]).codes.material;
+    }
 };
 
 /// The place of weights on a side of a facet, as it is met from there.

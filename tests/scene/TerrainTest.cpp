@@ -16,6 +16,7 @@
 #include "irsg/radiometry/Units.h"
 #include "irsg/render/background/SceneBackground.h"
 #include "irsg/render/background/TerrainPass.h"
+#include "tests/support/MadeGraphs.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/SceneFixtures.h"
 #include "tests/support/TemporaryFolder.h"
@@ -66,8 +67,8 @@ osg::ref_ptr<osg::Texture2D> plain(float value) {
 
 /// A wall at y = 100 m that fills x > 0, from far below to far above.
 std::shared_ptr<const Terrain> wall(float value, const Vec3& position = {}) {
-    return Terrain::fromGraph(*sheet({0, 100, -500}, {500, 0, 0}, {0, 0, 1000}, plain(value)),
-                              "wall", position);
+    return terrainOfGraph(*sheet({0, 100, -500}, {500, 0, 0}, {0, 0, 1000}, plain(value)), "wall",
+                          position);
 }
 
 Viewpoint north(const Vec3& eye = {}) {
@@ -179,9 +180,9 @@ TEST(Terrain, HidesSkyboxAndSunWithoutMixingAndIsSharedOnItsEdge) {
 TEST(Terrain, ShowsTheTextureUprightAndAveragesWhatIsFine) {
     // Bright in the upper half of the texture: the wall's z > 0.
     const auto halves =
-        Terrain::fromGraph(*sheet({-100, 100, -50}, {200, 0, 0}, {0, 0, 100},
-                                  textureOf(64, [](int, int y) { return y < 32 ? 1.0f : 3.0f; })),
-                           "halves");
+        terrainOfGraph(*sheet({-100, 100, -50}, {200, 0, 0}, {0, 0, 100},
+                              textureOf(64, [](int, int y) { return y < 32 ? 1.0f : 3.0f; })),
+                       "halves");
     SceneBackground background;
     background.setTerrain(halves);
     BackgroundReport report;
@@ -190,7 +191,7 @@ TEST(Terrain, ShowsTheTextureUprightAndAveragesWhatIsFine) {
     EXPECT_EQ(frame.at(16, 2), 3.0);
     EXPECT_EQ(frame.at(16, 29), 1.0);
 
-    background.setTerrain(Terrain::fromGraph(
+    background.setTerrain(terrainOfGraph(
         *sheet({-100, 100, -100}, {200, 0, 0}, {0, 0, 200},
                textureOf(1024, [](int x, int y) { return (x + y) % 2 ? 1.0f : 0.0f; })),
         "chessboard"));
@@ -218,7 +219,7 @@ TEST(Terrain, OfDeepTransformsAndFarPlacesKeepsItsDigits) {
         new osg::MatrixTransform(osg::Matrixd::translate(6.4e6, 100.0, 0.0));
     moved->addChild(sheet({0, 0, -500}, {500, 0, 0}, {0, 0, 1000}, plain(4.0f)));
     SceneBackground background;
-    background.setTerrain(Terrain::fromGraph(*moved, "far"));
+    background.setTerrain(terrainOfGraph(*moved, "far"));
     BackgroundReport report;
     const auto frame = drawn(background, sensorOf(64, 8, 40.0), north({6.4e6, 0, 0}),
                              onBackground(0.0, {}), report);
@@ -237,8 +238,8 @@ TEST(Terrain, BehindTheCameraIsNotSeenAndAroundItIs) {
         EXPECT_EQ(empty.at(x, 8), 1.0);
     }
     // Ground under the camera that reaches behind it.
-    background.setTerrain(Terrain::fromGraph(
-        *sheet({-1e4, -1e4, -10}, {2e4, 0, 0}, {0, 2e4, 0}, plain(4.0f)), "ground"));
+    background.setTerrain(
+        terrainOfGraph(*sheet({-1e4, -1e4, -10}, {2e4, 0, 0}, {0, 2e4, 0}, plain(4.0f)), "ground"));
     const auto ground = drawn(background, sensor, north(), onBackground(1.0, {}), report);
     EXPECT_EQ(ground.at(8, 15), 5.0);
     EXPECT_EQ(ground.at(8, 0), 1.0);
@@ -246,7 +247,7 @@ TEST(Terrain, BehindTheCameraIsNotSeenAndAroundItIs) {
 
 TEST(Terrain, WithoutATextureHidesAndAddsNothing) {
     const auto bare =
-        Terrain::fromGraph(*sheet({0, 100, -500}, {500, 0, 0}, {0, 0, 1000}, nullptr), "bare");
+        terrainOfGraph(*sheet({0, 100, -500}, {500, 0, 0}, {0, 0, 1000}, nullptr), "bare");
     ASSERT_EQ(bare->remarks().size(), 1u);
     EXPECT_NE(bare->remarks()[0].find("2 triangles without a texture"), std::string::npos);
     SceneBackground background;
@@ -295,10 +296,9 @@ TEST(Terrain, ThatCannotBeUsedIsRefusedByName) {
 
     const auto bad = sheet({0, 0, 0}, {1, 0, 0}, {0, 0, 1}, plain(1.0f));
     bad->getDrawable(0)->asGeometry()->setPrimitiveSet(0, new osg::DrawArrays(GL_QUADS, 2, 4));
-    EXPECT_NE(refusalOf([&] { Terrain::fromGraph(*bad, "bad"); }).find("vertex 5"),
-              std::string::npos);
+    EXPECT_NE(refusalOf([&] { terrainOfGraph(*bad, "bad"); }).find("vertex 5"), std::string::npos);
     const auto infinite =
         sheet({0, 0, std::numeric_limits<double>::infinity()}, {1, 0, 0}, {0, 0, 1}, plain(1.0f));
-    EXPECT_NE(refusalOf([&] { Terrain::fromGraph(*infinite, "far"); }).find("not finite"),
+    EXPECT_NE(refusalOf([&] { terrainOfGraph(*infinite, "far"); }).find("not finite"),
               std::string::npos);
 }

@@ -58,7 +58,7 @@ osg::ref_ptr<osg::Geode> sheet(osg::Image* picture, osg::Texture::WrapMode wrap,
 }
 
 std::shared_ptr<const Model> cutModel(osg::Node* graph) {
-    return Model::fromGraph(graph, "sheet", {.cutsTextureAlpha = true});
+    return modelOfGraph(graph, "sheet", {.cutsTextureAlpha = true});
 }
 
 double areaOf(const Model& model) {
@@ -117,17 +117,16 @@ TEST(TextureCut, FollowsARoundEdge) {
     const double radius_m = 20.0 * 2.0 / 64.0;
     EXPECT_NEAR(areaOf(*model) / (3.14159265358979 * radius_m * radius_m), 1.0, 2e-3);
     // Cuts keep the sides of a face and its normals.
-    for (unsigned int i = 0; i < drawables(*model); ++i) {
-        const unsigned int triangles = drawable(*model, i).getPrimitiveSet(0)->getNumIndices() / 3;
-        for (unsigned int t = 0; t < triangles; ++t) {
-            ASSERT_GT(faceNormal(drawable(*model, i), t).z(), 0.99f) << t;
+    for (const Mesh::Part& part : model->mesh()->parts) {
+        for (std::size_t t = 0; t < part.triangles.size() / 3; ++t) {
+            ASSERT_GT(faceNormal(part, t).z(), 0.99f) << t;
         }
     }
 }
 
 TEST(TextureCut, HappensOnlyWhereItIsAskedFor) {
     const auto graph = sheet(pictureOf(8, 4, threeColumns), osg::Texture::REPEAT);
-    const auto whole = Model::fromGraph(graph, "sheet");
+    const auto whole = modelOfGraph(graph, "sheet");
     EXPECT_EQ(areaOf(*whole), 4.0);
     EXPECT_EQ(whole->codes().at({1, 1}).faces, 1);
     EXPECT_THAT(cutModel(graph)->remarks(), Contains(HasSubstr("cut along the alpha")));
@@ -146,9 +145,9 @@ TEST(TextureCut, HappensOnlyWhereItIsAskedFor) {
     const auto moved = cutModel(graph);
     EXPECT_NEAR(areaOf(*moved) / 4.0, 5.0 / 8, 1e-6);
     // Texels 3 to 8 from the left now begin at 7/8: what is left out is from 4/8 to 7/8.
-    const auto& v = array(drawable(*moved, 0).getVertexArray());
-    EXPECT_TRUE(
-        std::ranges::any_of(v, [](const osg::Vec3& p) { return std::abs(p.x() - 0.75f) < 1e-6f; }));
+    EXPECT_TRUE(std::ranges::any_of(partOf(*moved, 0).vertices, [](const Float3& p) {
+        return std::abs(p[0] - 0.75f) < 1e-6f;
+    }));
 }
 
 TEST(TextureCut, RefusesAFaceOverTooMuchOfATexture) {
@@ -163,8 +162,7 @@ TEST(TextureCut, IsDrawnAlikeByOpenGlAndByRays) {
         return 0.5 + 0.05 * (20.0 - std::hypot(column - 31.5, row - 31.5));
     };
     const auto model = cutModel(sheet(pictureOf(64, 64, disc), osg::Texture::REPEAT));
-    const auto whole =
-        Model::fromGraph(sheet(pictureOf(64, 64, disc), osg::Texture::REPEAT), "whole");
+    const auto whole = modelOfGraph(sheet(pictureOf(64, 64, disc), osg::Texture::REPEAT), "whole");
     const auto intensity = [](const std::shared_ptr<const Model>& drawn, EngineChoice engine) {
         InteractiveRenderer irsg;
         RenderSettings settings;

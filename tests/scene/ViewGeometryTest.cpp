@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "irsg/geometry/model/RenderList.h"
-#include "irsg/geometry/model/RenderPieces.h"
 #include "irsg/radiance/exchange/BodyLight.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/PreparedEntities.h"
@@ -26,26 +24,22 @@ class ViewGeometryTest : public RaysTest {};
 class Factors {
   public:
     Factors(const Triangles& mesh, double error, int transparent = 0) {
-        const std::shared_ptr<const Model> model = modelOf(mesh);
-        items_ = inRenderPieces(collectRenderItems(*model));
-        std::vector<RayMesh::Piece> pieces;
-        PieceUses uses(items_.size());
-        for (std::size_t i = 0; i < items_.size(); ++i) {
-            pieces.push_back({items_[i].geometry.get(), items_[i].modelFromLocal});
-            const bool isTransparent = items_[i].codes.material == transparent;
+        mesh_ = modelOf(mesh)->mesh();
+        PieceUses uses(mesh_->pieces.size());
+        for (std::size_t i = 0; i < mesh_->pieces.size(); ++i) {
+            const bool isTransparent = codeOfPiece(i) == transparent;
             uses.set(i, {true, isTransparent, !isTransparent, 0});
         }
         const LightResolution resolution;
         light_ = std::make_unique<BodyLight>(
             std::make_shared<const LightNodes>(
-                std::make_shared<const LightMesh>(RayMesh::of(pieces), uses, resolution),
+                std::make_shared<const LightMesh>(RayMesh::of(mesh_), uses, resolution),
                 resolution),
             uses, error);
     }
 
     int codeOf(std::uint32_t receiver) const {
-        return items_[static_cast<std::size_t>(light_->nodes().pieceOf(receiver / 2))]
-            .codes.material;
+        return codeOfPiece(static_cast<std::size_t>(light_->nodes().pieceOf(receiver / 2)));
     }
     double areaOf_m2(std::uint32_t receiver) const {
         return light_->nodes().areaOf_m2(receiver / 2);
@@ -80,7 +74,11 @@ class Factors {
     const BodyLight& light() const { return *light_; }
 
   private:
-    std::vector<RenderItem> items_;
+    int codeOfPiece(std::size_t piece) const {
+        return mesh_->partOf(mesh_->pieces[piece]).codes.material;
+    }
+
+    std::shared_ptr<const Mesh> mesh_;
     std::unique_ptr<const BodyLight> light_;
 };
 
@@ -237,8 +235,8 @@ TEST_F(ViewGeometryTest, AreFoundOnceWhileAnyRendererHoldsThem) {
         const Entity entity = entityOf(modelOf(mesh), greyDatabase(0.5, 300.0));
         prepared.keep({entity});
         PreparedModel& model = prepared.of(entity);
-        PieceUses uses(model.items.size());
-        for (std::size_t i = 0; i < model.items.size(); ++i) {
+        PieceUses uses(model.mesh().pieces.size());
+        for (std::size_t i = 0; i < model.mesh().pieces.size(); ++i) {
             uses.set(i, {true, false, true, 0});
         }
         return model.lightBetween(uses, error, false);

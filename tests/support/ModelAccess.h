@@ -8,24 +8,20 @@
 #include <osg/Geometry>
 
 #include "irsg/core/Errors.h"
-#include "irsg/geometry/model/Model.h"
+#include "irsg/geometry/conversion/OsgValues.h"
 #include "irsg/geometry/reading/IrCodes.h"
+#include "tests/support/MadeGraphs.h"
 
 namespace irsg::test {
 
 constexpr double single = 1e-6; ///< what single precision leaves of a number near 1
 
-/// The drawables of a loaded model, in their order.
-inline const osg::Geometry& drawable(const Model& model, unsigned int i) {
-    return *model.graph()->asGroup()->getChild(0)->asGeode()->getDrawable(i)->asGeometry();
+inline const Mesh::Part& partOf(const Model& model, std::size_t i) {
+    return model.mesh()->parts.at(i);
 }
 
-inline unsigned int drawables(const Model& model) {
-    return model.graph()->asGroup()->getChild(0)->asGeode()->getNumDrawables();
-}
-
-inline const osg::Vec3Array& array(const osg::Array* values) {
-    return dynamic_cast<const osg::Vec3Array&>(*values);
+inline std::size_t parts(const Model& model) {
+    return model.mesh()->parts.size();
 }
 
 /// A polygon with ShapeAttributes, as a graph made in memory has it.
@@ -42,12 +38,11 @@ inline osg::ref_ptr<osg::Geode> polygon(const std::vector<osg::Vec3>& corners, I
 
 inline const std::vector<osg::Vec3> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 
-inline osg::Vec3 faceNormal(const osg::Geometry& geometry, unsigned int triangle) {
-    const auto& v = array(geometry.getVertexArray());
-    const auto* set = geometry.getPrimitiveSet(0);
-    const auto a = v[set->index(3 * triangle)], b = v[set->index(3 * triangle + 1)],
-               c = v[set->index(3 * triangle + 2)];
-    auto normal = (b - a) ^ (c - a);
+inline osg::Vec3 faceNormal(const Mesh::Part& part, std::size_t triangle) {
+    const auto corner = [&](std::size_t k) {
+        return toOsg(part.vertices.at(part.triangles.at(3 * triangle + k)));
+    };
+    auto normal = (corner(1) - corner(0)) ^ (corner(2) - corner(0));
     normal.normalize();
     return normal;
 }

@@ -15,6 +15,7 @@
 #include <osg/Transform>
 
 #include "irsg/core/Errors.h"
+#include "irsg/geometry/conversion/OsgValues.h"
 #include "irsg/geometry/reading/IrCodes.h"
 
 namespace irsg {
@@ -83,11 +84,11 @@ bool mirrors(const osg::Matrixd& m) {
     return r0 * (r1 ^ r2) < 0.0;
 }
 
-GeometryCollector::GeometryCollector(SurfaceMesh& mesh, const osg::Matrixd& toModel,
+GeometryCollector::GeometryCollector(SurfaceMesh& mesh, const Matrix4& toModel,
                                      const std::string& name, const ModelOptions& options)
     : osg::NodeVisitor(TRAVERSE_ACTIVE_CHILDREN),
       mesh_(mesh),
-      matrix_(toModel),
+      matrix_(toOsg(toModel)),
       name_(name),
       forceTwoSided_(options.forceTwoSided),
       cuts_(options.cutsTextureAlpha) {
@@ -263,15 +264,15 @@ void GeometryCollector::addPolygon(const osg::Drawable& drawable,
     const bool turned = state_.clockwise != (state_.culling && state_.front);
     if (mirrors(matrix_) != turned)
         std::reverse(corners.begin(), corners.end());
-    const SurfaceMesh::Key key{state_.layer, codes, state_.culling && !forceTwoSided_};
+    const Mesh::Kind kind{state_.layer, codes, state_.culling && !forceTwoSided_};
     if (each_)
-        each_({key, corners, drawable, path, turned, std::exchange(first_, false)});
+        each_({kind, corners, drawable, path, turned, std::exchange(first_, false)});
     else if (const AlphaMask* covering = cuts_ ? mask() : nullptr) {
         ++cutPolygons_;
         cutAway_ += cutOut(*covering, corners, name_,
-                           [&](std::vector<PolygonCorner>& part) { mesh_.add(key, part); }) == 0;
+                           [&](std::vector<PolygonCorner>& part) { mesh_.add(kind, part); }) == 0;
     } else {
-        mesh_.add(key, corners);
+        mesh_.add(kind, corners);
     }
 }
 

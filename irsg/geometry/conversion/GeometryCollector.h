@@ -12,6 +12,7 @@
 
 #include "irsg/geometry/conversion/SurfaceMesh.h"
 #include "irsg/geometry/conversion/TextureCut.h"
+#include "irsg/geometry/view/Matrix4.h"
 
 namespace irsg {
 
@@ -20,7 +21,7 @@ bool mirrors(const osg::Matrixd& matrix);
 
 /// A polygon that is drawn, with what stands over it.
 struct DrawnPolygon {
-    const SurfaceMesh::Key& key;
+    const Mesh::Kind& kind;
     std::vector<PolygonCorner>& corners; ///< in model axes, counter-clockwise from the front
     const osg::Drawable& drawable;
     const std::vector<osg::Node*>& path; ///< ends with the node above the drawable
@@ -36,7 +37,7 @@ class GeometryCollector : public osg::NodeVisitor {
   public:
     /// `toModel` leads from the axes of the file to those of the model. `name` is used in messages.
     /// Of `options` the placing is left alone.
-    GeometryCollector(SurfaceMesh& mesh, const osg::Matrixd& toModel, const std::string& name,
+    GeometryCollector(SurfaceMesh& mesh, const Matrix4& toModel, const std::string& name,
                       const ModelOptions& options);
     using Each = std::function<void(const DrawnPolygon&)>;
     /// Has the polygons go here, not into the mesh; whole, with what a texture cuts out of them.

@@ -9,6 +9,8 @@
 #include <set>
 #include <tuple>
 
+#include "irsg/geometry/conversion/OsgValues.h"
+
 namespace irsg {
 
 std::string toText(const SharedPlane& shared) {
@@ -35,13 +37,13 @@ using PlaneCorners = std::array<osg::Vec3d, 3>;
 
 /// A triangle of a mesh.
 struct Tile {
-    const SurfaceMesh::Key* key;
+    const Mesh::Kind* key;
     const SurfaceMesh::Part* part;
     unsigned int number; ///< in the part
 
     unsigned int polygon() const { return part->polygonOf[number]; }
     osg::Vec3 vertex(std::size_t corner) const {
-        return part->vertices[part->triangles[3 * std::size_t{number} + corner]];
+        return toOsg(part->vertices[part->triangles[3 * std::size_t{number} + corner]]);
     }
     PlaneCorners corners() const { return {vertex(0), vertex(1), vertex(2)}; }
 };
@@ -105,9 +107,8 @@ class PlaneSearch {
         for (const auto& [key, part] : mesh.parts()) {
             for (unsigned int i = 0; i < part.polygonOf.size(); ++i)
                 tiles_.push_back({&key, &part, i});
-            for (const osg::Vec3& vertex : part.vertices)
-                farthest = std::max(
-                    {farthest, std::abs(vertex.x()), std::abs(vertex.y()), std::abs(vertex.z())});
+            for (const auto& [x, y, z] : part.vertices)
+                farthest = std::max({farthest, std::abs(x), std::abs(y), std::abs(z)});
         }
         off_ = roundingOfPlace * static_cast<double>(farthest);
         nodes_.reserve(tiles_.size() / 2 + 16);
@@ -117,8 +118,8 @@ class PlaneSearch {
     }
 
     std::vector<Cover> covers;
-    std::vector<const SurfaceMesh::Key*> keyOf(unsigned int polygons) const {
-        std::vector<const SurfaceMesh::Key*> keys(polygons, nullptr);
+    std::vector<const Mesh::Kind*> keyOf(unsigned int polygons) const {
+        std::vector<const Mesh::Kind*> keys(polygons, nullptr);
         for (const Tile& tile : tiles_)
             keys[tile.polygon()] = tile.key;
         return keys;

@@ -7,21 +7,16 @@
 #include <cstring>
 #include <utility>
 
-#include <osg/CullFace>
-#include <osg/PolygonOffset>
-
-#include "irsg/geometry/reading/IrCodes.h"
+#include "irsg/geometry/conversion/OsgValues.h"
 #include "irsg/geometry/reading/Triangulation.h"
 
 namespace irsg {
 namespace {
 
-Vec3 asVec3(const osg::Vec3& v) {
-    return {v.x(), v.y(), v.z()};
-}
+using Colour = std::array<float, 4>;
 
 /// A zero has one sign, so that equal places are one vertex.
-osg::Vec3 withOneZero(const osg::Vec3d& v) {
+Float3 withOneZero(const osg::Vec3d& v) {
     const osg::Vec3 rounded(v);
     return {rounded.x() + 0.0f, rounded.y() + 0.0f, rounded.z() + 0.0f};
 }
@@ -29,28 +24,21 @@ osg::Vec3 withOneZero(const osg::Vec3d& v) {
 /// Bit by bit: colours may be no numbers.
 template <typename Vector>
 bool areSame(const Vector& a, const Vector& b) {
-    return std::memcmp(a.ptr(), b.ptr(), sizeof a) == 0;
+    return std::memcmp(a.data(), b.data(), sizeof a) == 0;
 }
 
 /// Of all bits of a vertex: each word is multiplied in, and what is above folded down.
-std::size_t hashOf(const osg::Vec3& p, const osg::Vec3& n, const osg::Vec4& c) {
+std::size_t hashOf(const Float3& p, const Float3& n, const Colour& c) {
     std::array<std::uint64_t, 5> words{};
-    std::memcpy(words.data(), p.ptr(), sizeof p);
-    std::memcpy(reinterpret_cast<char*>(words.data()) + sizeof p, n.ptr(), sizeof n);
-    std::memcpy(reinterpret_cast<char*>(words.data()) + sizeof p + sizeof n, c.ptr(), sizeof c);
+    std::memcpy(words.data(), p.data(), sizeof p);
+    std::memcpy(reinterpret_cast<char*>(words.data()) + sizeof p, n.data(), sizeof n);
+    std::memcpy(reinterpret_cast<char*>(words.data()) + sizeof p + sizeof n, c.data(), sizeof c);
     std::uint64_t hash = 0;
     for (const std::uint64_t word : words) {
         hash = (hash ^ word) * 0x9E3779B97F4A7C15u;
         hash ^= hash >> 32;
     }
     return static_cast<std::size_t>(hash);
-}
-
-template <typename Array, typename Values>
-osg::ref_ptr<Array> perVertex(const Values& values) {
-    osg::ref_ptr<Array> array = new Array(values.begin(), values.end());
-    array->setBinding(osg::Array::BIND_PER_VERTEX);
-    return array;
 }
 
 } // namespace
@@ -69,8 +57,8 @@ void SurfaceMesh::VertexTable::grow(const Part& part) {
 unsigned int SurfaceMesh::VertexTable::index(Part& part, const PolygonCorner& corner) {
     if (2 * part.vertices.size() >= slots_.size())
         grow(part);
-    const osg::Vec3 p = withOneZero(corner.position), n = withOneZero(corner.normal);
-    const osg::Vec4& c = corner.colour;
+    const Float3 p = withOneZero(corner.position), n = withOneZero(corner.normal);
+    const Colour c = {corner.colour[0], corner.colour[1], corner.colour[2], corner.colour[3]};
     const std::size_t mask = slots_.size() - 1;
     std::size_t slot = hashOf(p, n, c) & mask;
     for (; slots_[slot] != 0; slot = (slot + 1) & mask) {
@@ -82,12 +70,12 @@ unsigned int SurfaceMesh::VertexTable::index(Part& part, const PolygonCorner& co
     part.vertices.push_back(p);
     part.normals.push_back(n);
     part.colours.push_back(c);
-    part.bounds.include(asVec3(p));
+    part.bounds.include(toVec3(p));
     slots_[slot] = static_cast<unsigned int>(part.vertices.size());
     return slots_[slot] - 1;
 }
 
-void SurfaceMesh::add(const Key& key, std::vector<PolygonCorner>& corners) {
+void SurfaceMesh::add(const Mesh::Kind& kind, std::vector<PolygonCorner>& corners) {
     const auto cut = triangulate(corners);
     if (cut.triangles.empty()) {
         ++degenerate_;
@@ -112,8 +100,8 @@ void SurfaceMesh::add(const Key& key, std::vector<PolygonCorner>& corners) {
             corner.normal = -corner.normal;
     }
 
-    Part& part = parts_[key];
-    VertexTable& table = tables_[key];
+    Part& part = parts_[kind];
+    VertexTable& table = tables_[kind];
     ++part.polygons;
     part.area_m2 += cut.area;
     for (const auto& triangle : cut.triangles) {
@@ -125,13 +113,13 @@ void SurfaceMesh::add(const Key& key, std::vector<PolygonCorner>& corners) {
 }
 
 void SurfaceMesh::setLayers(const std::vector<int>& layers) {
-    const std::map<Key, Part> before = std::exchange(parts_, {});
+    const std::map<Mesh::Kind, Part> before = std::exchange(parts_, {});
     tables_.clear();
-    for (const auto& [key, part] : before) {
+    for (const auto& [kind, part] : before) {
         unsigned int last = polygons_;
         for (std::size_t i = 0; i < part.polygonOf.size(); ++i) {
             const unsigned int polygon = part.polygonOf[i];
-            Key to = key;
+            Mesh::Kind to = kind;
             if (layers[polygon] >= 0)
                 to.layer = layers[polygon];
             Part& into = parts_[to];
@@ -141,9 +129,10 @@ void SurfaceMesh::setLayers(const std::vector<int>& layers) {
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::size_t vertex = part.triangles[3 * i + k];
                 PolygonCorner corner;
-                corner.position = places[k] = part.vertices[vertex];
-                corner.normal = part.normals[vertex];
-                corner.colour = part.colours[vertex];
+                corner.position = places[k] = toOsg(part.vertices[vertex]);
+                corner.normal = toOsg(part.normals[vertex]);
+                const auto& [r, g, b, a] = part.colours[vertex];
+                corner.colour.set(r, g, b, a);
                 into.triangles.push_back(table.index(into, corner));
             }
             into.area_m2 += 0.5 * ((places[1] - places[0]) ^ (places[2] - places[0])).length();
@@ -152,29 +141,15 @@ void SurfaceMesh::setLayers(const std::vector<int>& layers) {
     }
 }
 
-osg::ref_ptr<osg::Geometry> SurfaceMesh::drawable(const Key& key, const Part& part) {
-    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
-    geometry->setDataVariance(osg::Object::STATIC);
-    geometry->setUseDisplayList(false);
-    geometry->setUseVertexBufferObjects(true);
-    geometry->setVertexArray(perVertex<osg::Vec3Array>(part.vertices));
-    geometry->setNormalArray(perVertex<osg::Vec3Array>(part.normals));
-    geometry->setColorArray(perVertex<osg::Vec4Array>(part.colours));
-    geometry->addPrimitiveSet(
-        new osg::DrawElementsUInt(GL_TRIANGLES, part.triangles.begin(), part.triangles.end()));
-
-    auto* state = geometry->getOrCreateStateSet();
-    state->setDataVariance(osg::Object::STATIC);
-    if (key.culled)
-        state->setAttributeAndModes(new osg::CullFace(osg::CullFace::BACK));
-    else
-        state->setMode(GL_CULL_FACE, osg::StateAttribute::OFF);
-    if (key.layer > 0) {
-        const auto layer = static_cast<float>(-key.layer);
-        state->setAttributeAndModes(new osg::PolygonOffset(layer, layer));
+std::vector<Mesh::Part> SurfaceMesh::take() {
+    std::vector<Mesh::Part> parts;
+    for (auto& [kind, part] : parts_) {
+        static_cast<Mesh::Kind&>(part) = kind;
+        parts.push_back(static_cast<Mesh::Part&&>(part));
     }
-    setCodes(*geometry, key.codes);
-    return geometry;
+    parts_.clear();
+    tables_.clear();
+    return parts;
 }
 
 } // namespace irsg

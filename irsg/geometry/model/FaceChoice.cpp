@@ -1,6 +1,7 @@
 #include "irsg/geometry/model/FaceChoice.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -42,7 +43,7 @@ class SeenFaces {
         }
     }
     bool looksHere(const FaceMesh::Face& face) const {
-        return face.normal * (box_.eye - face.point) > 0.0;
+        return dot(face.normal, box_.eye - face.point) > 0.0;
     }
     /// Whether the middle of a face, which lies at (x, y) of the picture, is seen.
     bool isSeen(unsigned int number, double x, double y) const {
@@ -63,7 +64,7 @@ class SeenFaces {
         // By how much the middle lies behind the other one's plane. At the limb of a curved surface
         // neighbours share a pixel without hiding each other.
         const auto& other = mesh_.faces()[before];
-        const double behind = (other.point - face.point) * other.normal;
+        const double behind = dot(other.point - face.point, other.normal);
         const double slack = other.part == face.part ? 2.0 * pixelAt(face.point) : 0.0;
         return (looksHere(other) ? behind : -behind) < behindOfDiagonal * mesh_.diagonal() + slack;
     }
@@ -74,40 +75,38 @@ class SeenFaces {
         return static_cast<int>(std::ceil(std::clamp(length, 1.0, mostAcross)));
     }
     /// What a pixel is wide at a point, in the file's unit.
-    double pixelAt(const osg::Vec3d& point) const {
-        const osg::Matrixd& m = box_.toPicture;
-        const osg::Vec3d across(m(0, 0), m(1, 0), m(2, 0)), ahead(m(0, 3), m(1, 3), m(2, 3));
-        const double ahead2 = ahead.length2();
-        const double perUnit = (across - ahead * (across * ahead / ahead2)).length();
-        return (point * ahead + m(3, 3)) / perUnit;
+    double pixelAt(const Vec3& point) const {
+        const Matrix4& m = box_.toPicture;
+        const Vec3 across{m(0, 0), m(1, 0), m(2, 0)}, ahead{m(0, 3), m(1, 3), m(2, 3)};
+        const double perUnit = length(across - ahead * (dot(across, ahead) / dot(ahead, ahead)));
+        return (dot(point, ahead) + m(3, 3)) / perUnit;
     }
     void draw(const FaceMesh::Triangle& triangle, unsigned int number) {
-        osg::Vec3d at[3]; // x and y in the box, 1 / depth
-        for (int k = 0; k < 3; ++k) {
-            const osg::Vec4d p =
-                osg::Vec4d(triangle[static_cast<std::size_t>(k)], 1.0) * box_.toPicture;
-            if (p.w() <= 0.0)
+        std::array<Vec3, 3> at; // x and y in the box, 1 / depth
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto [px, py, pz, w] = box_.toPicture.homogeneous(triangle[k]);
+            if (w <= 0.0)
                 return;
-            at[k].set(p.x() / p.w() - box_.left, p.y() / p.w() - box_.top, 1.0 / p.w());
+            at[k] = {px / w - box_.left, py / w - box_.top, 1.0 / w};
         }
-        const double area = cross(at[0], at[1], at[2]);
+        const double area = turn(at[0], at[1], at[2]);
         if (area == 0.0)
             return;
-        const auto [lowX, highX] = std::minmax({at[0].x(), at[1].x(), at[2].x()});
-        const auto [lowY, highY] = std::minmax({at[0].y(), at[1].y(), at[2].y()});
+        const auto [lowX, highX] = std::minmax({at[0].x, at[1].x, at[2].x});
+        const auto [lowY, highY] = std::minmax({at[0].y, at[1].y, at[2].y});
         const int firstX = std::max(0, static_cast<int>(std::ceil(std::max(lowX, 0.0) - 0.5))),
                   lastX = static_cast<int>(std::floor(std::min(highX, width_ + 0.0) - 0.5));
         const int firstY = std::max(0, static_cast<int>(std::ceil(std::max(lowY, 0.0) - 0.5))),
                   lastY = static_cast<int>(std::floor(std::min(highY, height_ + 0.0) - 0.5));
         for (int y = firstY; y <= std::min(lastY, height_ - 1); ++y)
             for (int x = firstX; x <= std::min(lastX, width_ - 1); ++x) {
-                const osg::Vec3d p(x + 0.5, y + 0.5, 0.0);
-                const double a = cross(at[1], at[2], p) / area, b = cross(at[2], at[0], p) / area,
+                const Vec3 p{x + 0.5, y + 0.5, 0.0};
+                const double a = turn(at[1], at[2], p) / area, b = turn(at[2], at[0], p) / area,
                              c = 1.0 - a - b;
                 if (a < 0.0 || b < 0.0 || c < 0.0)
                     continue;
                 // 1 / depth is linear in the picture.
-                const auto near = static_cast<float>(a * at[0].z() + b * at[1].z() + c * at[2].z());
+                const auto near = static_cast<float>(a * at[0].z + b * at[1].z + c * at[2].z);
                 const auto pixel = static_cast<std::size_t>(y * width_ + x);
                 if (near > nearest_[pixel]) {
                     nearest_[pixel] = near;
@@ -115,8 +114,8 @@ class SeenFaces {
                 }
             }
     }
-    static double cross(const osg::Vec3d& a, const osg::Vec3d& b, const osg::Vec3d& c) {
-        return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+    static double turn(const Vec3& a, const Vec3& b, const Vec3& c) {
+        return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     }
 
     const FaceMesh& mesh_;
@@ -139,28 +138,28 @@ FaceNumbers chosen(const FaceNumbers& before, const FaceNumbers& more, Choosing 
     return both;
 }
 
-std::optional<unsigned int> faceAlong(const FaceMesh& mesh, const osg::Vec3d& eye,
-                                      const osg::Vec3d& direction) {
+std::optional<unsigned int> faceAlong(const FaceMesh& mesh, const Vec3& eye,
+                                      const Vec3& direction) {
     std::optional<unsigned int> found;
     double nearest = HUGE_VAL;
     bool looksAway = false;
     for (unsigned int f = 0; f < mesh.faces().size(); ++f)
         for (const auto& [a, b, c] : mesh.trianglesOf(mesh.faces()[f])) {
             // Möller and Trumbore: where the ray meets the plane, and where in the triangle.
-            const osg::Vec3d first = b - a, second = c - a;
-            const osg::Vec3d p = direction ^ second;
-            const double turn = first * p;
+            const Vec3 first = b - a, second = c - a;
+            const Vec3 p = cross(direction, second);
+            const double turn = dot(first, p);
             if (turn == 0.0 || (turn < 0.0 && mesh.faces()[f].culled))
                 continue;
-            const osg::Vec3d from = eye - a;
-            const double u = (from * p) / turn;
+            const Vec3 from = eye - a;
+            const double u = dot(from, p) / turn;
             if (u < 0.0 || u > 1.0)
                 continue;
-            const osg::Vec3d q = from ^ first;
-            const double v = (direction * q) / turn;
+            const Vec3 q = cross(from, first);
+            const double v = dot(direction, q) / turn;
             if (v < 0.0 || u + v > 1.0)
                 continue;
-            const double way = (second * q) / turn;
+            const double way = dot(second, q) / turn;
             if (way <= 0.0)
                 continue;
             // Of two that coincide, it is the one that looks here.
@@ -197,7 +196,8 @@ FaceNumbers smoothFrom(const FaceMesh& mesh, unsigned int face, double most_rad)
         const unsigned int from = open.back();
         open.pop_back();
         for (const auto& neighbour : mesh.neighboursOf(from)) {
-            const double cosine = mesh.faces()[from].normal * mesh.faces()[neighbour.face].normal;
+            const double cosine =
+                dot(mesh.faces()[from].normal, mesh.faces()[neighbour.face].normal);
             if (reached[neighbour.face] || (neighbour.opposed ? -cosine : cosine) < least)
                 continue;
             reached[neighbour.face] = true;
@@ -211,10 +211,10 @@ FaceNumbers facesIn(const FaceMesh& mesh, const FaceBox& box) {
     const auto all = [](const FaceMesh::Face&, unsigned int, double, double) { return true; };
     const auto within = [&](const auto& wanted) {
         return those(mesh, [&](const FaceMesh::Face& face, unsigned int f) {
-            const osg::Vec4d p = osg::Vec4d(face.point, 1.0) * box.toPicture;
-            const double x = p.x() / p.w(), y = p.y() / p.w();
-            return p.w() > 0.0 && x >= box.left && x <= box.right && y >= box.top &&
-                   y <= box.bottom && wanted(face, f, x, y);
+            const auto [px, py, pz, w] = box.toPicture.homogeneous(face.point);
+            const double x = px / w, y = py / w;
+            return w > 0.0 && x >= box.left && x <= box.right && y >= box.top && y <= box.bottom &&
+                   wanted(face, f, x, y);
         });
     };
     if (box.hiddenToo)

@@ -3,9 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include <osg/Matrixd>
-
 #include "irsg/geometry/model/FaceMesh.h"
+#include "irsg/geometry/view/Matrix4.h"
 
 namespace irsg {
 
@@ -18,8 +17,7 @@ FaceNumbers chosen(const FaceNumbers& before, const FaceNumbers& more, Choosing 
 
 /// The face that a ray meets first, of those that are drawn on the side it comes from. In the axes
 /// of the file; none where it meets nothing.
-std::optional<unsigned int> faceAlong(const FaceMesh& mesh, const osg::Vec3d& eye,
-                                      const osg::Vec3d& direction);
+std::optional<unsigned int> faceAlong(const FaceMesh& mesh, const Vec3& eye, const Vec3& direction);
 
 /// All that hangs together with a face by its corners.
 FaceNumbers partOf(const FaceMesh& mesh, unsigned int face);
@@ -30,10 +28,10 @@ FaceNumbers smoothFrom(const FaceMesh& mesh, unsigned int face, double most_rad)
 
 /// A rectangle of a picture of a model.
 struct FaceBox {
-    /// From the axes of the file to the picture: p' = p M with x / w and y / w in pixels, w the
-    /// depth before the eye.
-    osg::Matrixd toPicture;
-    osg::Vec3d eye; ///< in the axes of the file
+    /// From the axes of the file to the picture: x / w and y / w in pixels, w the depth before the
+    /// eye.
+    Matrix4 toPicture;
+    Vec3 eye; ///< in the axes of the file
     double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
     bool hiddenToo = false; ///< also what others hide, and what looks away
 };

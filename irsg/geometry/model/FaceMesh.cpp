@@ -6,12 +6,15 @@
 #include <numeric>
 #include <unordered_map>
 
+#include <osg/Drawable>
 #include <osg/Material>
-#include <osg/Matrixd>
+#include <osg/Node>
 
 #include "irsg/geometry/conversion/CodedGraph.h"
 #include "irsg/geometry/conversion/GeometryCollector.h"
+#include "irsg/geometry/conversion/OsgValues.h"
 #include "irsg/geometry/conversion/PaintedGrid.h"
+#include "irsg/geometry/reading/LoadedGraph.h"
 #include "irsg/geometry/reading/PolygonPlace.h"
 
 namespace irsg {
@@ -24,16 +27,16 @@ constexpr std::size_t mostAtAnEdge = 16;
 /// Numbers for places, the same for those that lie within a tolerance.
 class Places {
   public:
-    Places(const osg::Vec3d& low, double tolerance)
+    Places(const Vec3& low, double tolerance)
         : low_(low), tolerance_(tolerance), cell_(4.0 * tolerance) {}
 
-    unsigned int numberOf(const osg::Vec3d& place) {
+    unsigned int numberOf(const Vec3& place) {
         const auto at = cellOf(place);
         if (const int known = knownIn(at, place); known >= 0)
             return static_cast<unsigned int>(known);
         // Beside the border of a cell the others that touch it may have it.
-        const auto lower = cellOf(place - osg::Vec3d(1, 1, 1) * tolerance_),
-                   upper = cellOf(place + osg::Vec3d(1, 1, 1) * tolerance_);
+        const Vec3 around = Vec3{1, 1, 1} * tolerance_;
+        const auto lower = cellOf(place - around), upper = cellOf(place + around);
         if (lower != upper)
             for (auto x = lower[0]; x <= upper[0]; ++x)
                 for (auto y = lower[1]; y <= upper[1]; ++y)
@@ -50,13 +53,13 @@ class Places {
   private:
     using Cell = std::array<long, 3>;
     struct Kept {
-        osg::Vec3d place;
+        Vec3 place;
         int next = -1; ///< in the same cell
     };
-    Cell cellOf(const osg::Vec3d& place) const {
-        const osg::Vec3d from = (place - low_) / cell_;
-        return {std::lround(std::floor(from.x())), std::lround(std::floor(from.y())),
-                std::lround(std::floor(from.z()))};
+    Cell cellOf(const Vec3& place) const {
+        const Vec3 from = place - low_;
+        return {std::lround(std::floor(from.x / cell_)), std::lround(std::floor(from.y / cell_)),
+                std::lround(std::floor(from.z / cell_))};
     }
     /// Cells of one key are told apart by the places in them.
     static std::uint64_t keyOf(const Cell& cell) {
@@ -65,17 +68,17 @@ class Places {
             key = key * 0x9E3779B97F4A7C15ULL + static_cast<std::uint64_t>(part);
         return key ^ (key >> 29);
     }
-    int knownIn(const Cell& cell, const osg::Vec3d& place) const {
+    int knownIn(const Cell& cell, const Vec3& place) const {
         const auto found = cells_.find(keyOf(cell));
         for (int i = found == cells_.end() ? -1 : found->second; i >= 0;
              i = places_[static_cast<std::size_t>(i)].next)
-            if ((places_[static_cast<std::size_t>(i)].place - place).length2() <=
-                tolerance_ * tolerance_)
+            if (const Vec3 off = places_[static_cast<std::size_t>(i)].place - place;
+                dot(off, off) <= tolerance_ * tolerance_)
                 return i;
         return -1;
     }
 
-    osg::Vec3d low_;
+    Vec3 low_;
     double tolerance_, cell_;
     std::vector<Kept> places_;
     std::unordered_map<std::uint64_t, int> cells_; ///< the last place of each
@@ -126,9 +129,10 @@ class Materials {
 
 } // namespace
 
-FaceMesh::FaceMesh(osg::Node& graph, const std::vector<CodeRule>& rules, const std::string& name) {
+FaceMesh::FaceMesh(const LoadedGraph& graph, const std::vector<CodeRule>& rules,
+                   const std::string& name) {
     SurfaceMesh none;
-    GeometryCollector collector(none, osg::Matrixd(), name, {});
+    GeometryCollector collector(none, {}, name, {});
     Materials materials;
     bool isNew = false;
     Face face;
@@ -140,40 +144,38 @@ FaceMesh::FaceMesh(osg::Node& graph, const std::vector<CodeRule>& rules, const s
         // Polygons of a drawable come in a row; one at several places has other names at each.
         if (isNew) {
             isNew = false;
-            face.codes = polygon.key.codes;
+            face.codes = polygon.kind.codes;
             const FaceNames names = namesOver(polygon.drawable, polygon.path);
             for (const CodeRule& rule : rules)
                 if (fits(rule, names))
                     face.codes = rule.codes.over(face.codes);
             face.material = materials.numberOf(names.material, polygon.drawable, polygon.path);
         }
-        face.culled = polygon.key.culled;
+        face.culled = polygon.kind.culled;
         face.turned = polygon.turned;
-        face.point = place.point;
-        face.normal = place.normal;
+        face.point = fromOsg(place.point);
+        face.normal = fromOsg(place.normal);
         face.area = place.area;
         face.first = static_cast<unsigned int>(triangles_.size());
         face.count = static_cast<unsigned int>(place.cut.triangles.size());
         for (const auto& [a, b, c] : place.cut.triangles)
-            triangles_.push_back({polygon.corners[a].position, polygon.corners[b].position,
-                                  polygon.corners[c].position});
+            triangles_.push_back({fromOsg(polygon.corners[a].position),
+                                  fromOsg(polygon.corners[b].position),
+                                  fromOsg(polygon.corners[c].position)});
         faces_.push_back(face);
     });
-    collector.collect(graph);
+    collector.collect(*graph.node);
     join();
 }
 
 void FaceMesh::join() {
-    osg::Vec3d low(HUGE_VAL, HUGE_VAL, HUGE_VAL), high = -low;
+    BoundingBox bounds = BoundingBox::nowhere();
     for (const Triangle& triangle : triangles_)
-        for (const osg::Vec3d& corner : triangle)
-            for (int axis = 0; axis < 3; ++axis) {
-                low[axis] = std::min(low[axis], corner[axis]);
-                high[axis] = std::max(high[axis], corner[axis]);
-            }
+        for (const Vec3& corner : triangle)
+            bounds.include(corner);
     if (!triangles_.empty())
-        diagonal_ = (high - low).length();
-    Places places(low, std::max(sameOfDiagonal * diagonal_, 1e-300));
+        diagonal_ = bounds.diagonal_m();
+    Places places(bounds.min, std::max(sameOfDiagonal * diagonal_, 1e-300));
 
     // An edge of a triangle, from its lower place to its upper one.
     struct Side {
@@ -238,7 +240,9 @@ std::vector<IrCodes> FaceMesh::codes(const std::vector<PaintedSurface>& painted)
     codes.reserve(faces_.size());
     for (const Face& face : faces_) {
         const int surface =
-            grid.empty() ? -1 : grid.find(face.point, face.turned ? -face.normal : face.normal);
+            grid.empty()
+                ? -1
+                : grid.find(toOsg(face.point), toOsg(face.normal) * (face.turned ? -1.0 : 1.0));
         codes.push_back(surface < 0
                             ? face.codes
                             : painted[static_cast<std::size_t>(surface)].codes.over(face.codes));

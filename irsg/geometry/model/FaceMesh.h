@@ -5,12 +5,11 @@
 #include <string>
 #include <vector>
 
-#include <osg/Node>
-#include <osg/Vec3d>
-
 #include "irsg/geometry/reading/ModelCodes.h"
 
 namespace irsg {
+
+struct LoadedGraph;
 
 /// The faces of a model one by one, to be chosen and painted: those that are drawn, in the axes and
 /// the unit of its file, with who is beside whom. Corners within 1e-6 of the diagonal are one, so
@@ -24,10 +23,10 @@ class FaceMesh {
         unsigned int part = 0;             ///< equal for faces that hang together by corners
         bool culled = false;               ///< is not drawn from behind
         bool turned = false;               ///< its painted triangles run the other way round
-        osg::Vec3d point, normal;          ///< inside of it; unit, towards its front
+        Vec3 point, normal;                ///< inside of it; unit, towards its front
         double area = 0.0;                 ///< in squares of the file's unit
     };
-    using Triangle = std::array<osg::Vec3d, 3>; ///< counter-clockwise from the front
+    using Triangle = std::array<Vec3, 3>; ///< counter-clockwise from the front
     /// Another face along a common edge.
     struct Neighbour {
         unsigned int face = 0;
@@ -35,7 +34,7 @@ class FaceMesh {
     };
 
     /// Of a graph as its file has it (loadGraphAsIs). Throws InputError as forEachPolygon does.
-    FaceMesh(osg::Node& graph, const std::vector<CodeRule>& rules, const std::string& name);
+    FaceMesh(const LoadedGraph& graph, const std::vector<CodeRule>& rules, const std::string& name);
 
     const std::vector<Face>& faces() const { return faces_; }
     const std::vector<Triangle>& triangles() const { return triangles_; }

@@ -5,14 +5,12 @@
 #include <cstdio>
 #include <limits>
 
-#include <osg/Geode>
-#include <osg/Group>
-
 #include "irsg/core/Errors.h"
 #include "irsg/geometry/conversion/GeometryCollector.h"
 #include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/geometry/conversion/SharedPlanes.h"
-#include "irsg/geometry/conversion/SurfaceMesh.h"
+#include "irsg/geometry/mesh/LongEdges.h"
+#include "irsg/geometry/mesh/MeshPieces.h"
 #include "irsg/geometry/model/ModelPlacing.h"
 
 namespace irsg {
@@ -39,14 +37,13 @@ std::string shown(const Vec3& p) {
 struct Model::Impl {
     std::string name;
     std::filesystem::path file;
-    osg::ref_ptr<osg::Group> graph;
+    std::shared_ptr<const Mesh> mesh;
     std::map<IrCodes, CodeUse> codes;
-    std::map<IrCodes, BoundingBox> boxes;
     BoundingBox bounds = BoundingBox::nowhere();
     std::vector<std::string> remarks, notes;
     std::vector<SharedPlane> sharedPlanes;
     ModelPlacing placing;
-    osg::Matrixd fromFile;
+    Matrix4 fromFile;
     std::shared_ptr<const ModelCodes> beside = std::make_shared<ModelCodes>();
 
     /// Fills everything from a loaded graph; `faces` are the file's own counts where it has some.
@@ -57,8 +54,8 @@ struct Model::Impl {
         fromFile = turnAndScale(placing);
         const auto origin = placing.origin.value_or(ModelOrigin{});
         if (origin.at == ModelOrigin::At::point)
-            moveTo(osg::Vec3d(origin.point.x, origin.point.y, origin.point.z) * fromFile);
-        SurfaceMesh mesh = collected(loaded, said, options);
+            moveTo(fromFile.place(origin.point));
+        SurfaceMesh surfaces = collected(loaded, said, options);
         bool moves = origin.at == ModelOrigin::At::centre || origin.at == ModelOrigin::At::base;
         if (!placing.origin && stepAt_m(bounds) > leastPrecision * bounds.diagonal_m()) {
             remarks.push_back("the model lies far from its origin: its centre at " +
@@ -72,32 +69,33 @@ struct Model::Impl {
                           origin.at == ModelOrigin::At::base ? bounds.min.z : centre.z};
             if (length(to) <= std::numeric_limits<float>::epsilon() * bounds.diagonal_m())
                 break;
-            moveTo({to.x, to.y, to.z});
-            mesh = collected(loaded, said, options);
+            moveTo(to);
+            surfaces = collected(loaded, said, options);
         }
         remarks.insert(remarks.end(), notes.begin(), notes.end());
-        sharedPlanes = settleSharedPlanes(mesh);
+        sharedPlanes = settleSharedPlanes(surfaces);
         for (const SharedPlane& shared : sharedPlanes)
             remarks.push_back(toText(shared));
 
         for (const auto& [key, count] : faces)
             codes[key].faces = count;
-        graph = new osg::Group;
-        graph->setName(name);
-        osg::ref_ptr<osg::Geode> geode = new osg::Geode;
-        graph->addChild(geode);
-        for (const auto& [key, part] : mesh.parts()) {
-            geode->addDrawable(SurfaceMesh::drawable(key, part));
-            auto& use = codes[key.codes];
+        auto made = std::make_shared<Mesh>(meshOf(surfaces.take()));
+        made->longEdges = longEdges(*made);
+        cutIntoPieces(*made);
+        for (const Mesh::Part& part : made->parts) {
+            auto& use = codes[part.codes];
             use.area_m2 += part.area_m2;
             if (faces.empty())
                 use.faces += static_cast<int>(part.polygons);
-            boxes.try_emplace(key.codes, BoundingBox::nowhere()).first->second.include(part.bounds);
         }
+        mesh = std::move(made);
         remarkPrecision();
     }
 
-    void moveTo(const osg::Vec3d& origin) { fromFile.postMultTranslate(-origin); }
+    void moveTo(const Vec3& origin) {
+        auto& [x, y, z, last] = fromFile.rows[3];
+        x -= origin.x, y -= origin.y, z -= origin.z;
+    }
 
     /// What is there, in model axes as they are now, its bounds and what there is to say of it.
     SurfaceMesh collected(osg::Node& loaded, const std::string& said, const ModelOptions& options) {
@@ -106,7 +104,7 @@ struct Model::Impl {
         collector.collect(loaded);
         notes = collector.remarks();
         bounds = BoundingBox::nowhere();
-        for (const auto& [key, part] : mesh.parts())
+        for (const auto& [kind, part] : mesh.parts())
             bounds.include(part.bounds);
         if (mesh.parts().empty())
             throw InputError({said, "", "a model without any visible face that has an area",
@@ -135,6 +133,8 @@ std::shared_ptr<Model> Model::load(const std::filesystem::path& file, const Mode
 std::shared_ptr<Model> Model::ofGraph(const LoadedGraph& asIs, const ModelCodes& codes,
                                       const std::filesystem::path& file,
                                       const ModelOptions& options) {
+    if (!asIs.node)
+        throw LogicError("a model of no graph");
     LoadedGraph loaded = withCodes(asIs, codes, file);
     auto parts = std::make_unique<Impl>();
     parts->name = file.stem().string();
@@ -145,24 +145,14 @@ std::shared_ptr<Model> Model::ofGraph(const LoadedGraph& asIs, const ModelCodes&
     return std::shared_ptr<Model>(new Model(std::move(parts)));
 }
 
-std::shared_ptr<Model> Model::fromGraph(osg::Node* graph, const std::string& name,
-                                        const ModelOptions& options) {
-    if (!graph)
-        throw LogicError("Model::fromGraph without a graph");
-    auto parts = std::make_unique<Impl>();
-    parts->name = name;
-    parts->fill(*graph, {}, {}, options);
-    return std::shared_ptr<Model>(new Model(std::move(parts)));
-}
-
 const std::string& Model::name() const {
     return impl_->name;
 }
 const std::filesystem::path& Model::file() const {
     return impl_->file;
 }
-osg::Node* Model::graph() const {
-    return impl_->graph.get();
+const std::shared_ptr<const Mesh>& Model::mesh() const {
+    return impl_->mesh;
 }
 const std::map<IrCodes, CodeUse>& Model::codes() const {
     return impl_->codes;
@@ -184,15 +174,15 @@ const std::vector<SharedPlane>& Model::sharedPlanes() const {
 const ModelPlacing& Model::placing() const {
     return impl_->placing;
 }
-const osg::Matrixd& Model::fromFile() const {
+const Matrix4& Model::fromFile() const {
     return impl_->fromFile;
 }
 
 BoundingBox Model::boundsOf(const std::function<bool(const IrCodes&)>& wanted) const {
     auto box = BoundingBox::nowhere();
-    for (const auto& [codes, part] : impl_->boxes)
-        if (wanted(codes))
-            box.include(part);
+    for (const Mesh::Part& part : impl_->mesh->parts)
+        if (wanted(part.codes))
+            box.include(part.bounds);
     return box;
 }
 

@@ -47,10 +47,10 @@ std::string checkedExtension(const fs::path& in, const fs::path& out) {
 
 std::map<IrCodes, double> areas(osg::Node& graph, const std::string& name) {
     SurfaceMesh mesh;
-    GeometryCollector(mesh, osg::Matrixd::identity(), name, {.forceTwoSided = true}).collect(graph);
+    GeometryCollector(mesh, {}, name, {.forceTwoSided = true}).collect(graph);
     std::map<IrCodes, double> areas;
-    for (const auto& [key, part] : mesh.parts())
-        areas[key.codes] += part.area_m2;
+    for (const auto& [kind, part] : mesh.parts())
+        areas[kind.codes] += part.area_m2;
     return areas;
 }
 

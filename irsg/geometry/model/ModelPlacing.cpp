@@ -8,6 +8,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/geometry/conversion/GeometryCollector.h"
 #include "irsg/geometry/conversion/ModelLoader.h"
+#include "irsg/geometry/conversion/OsgValues.h"
 
 namespace irsg {
 namespace {
@@ -54,11 +55,12 @@ class Profile {
                                     to = {box.max.x, box.max.y, box.max.z};
         const double first = from[static_cast<std::size_t>(line)],
                      extent = to[static_cast<std::size_t>(line)] - first;
-        for (const auto& [key, part] : mesh.parts())
+        for (const auto& [kind, part] : mesh.parts())
             for (std::size_t i = 0; i + 2 < part.triangles.size(); i += 3) {
-                const osg::Vec3d a = part.vertices[part.triangles[i]],
-                                 b = part.vertices[part.triangles[i + 1]],
-                                 c = part.vertices[part.triangles[i + 2]];
+                const auto corner = [&](std::size_t k) {
+                    return osg::Vec3d(toOsg(part.vertices[part.triangles[i + k]]));
+                };
+                const osg::Vec3d a = corner(0), b = corner(1), c = corner(2);
                 const double area = ((b - a) ^ (c - a)).length() / 2.0;
                 const double at = ((a + b + c)[line] / 3.0 - first) / std::max(extent, 1e-300);
                 // Between the bins on its both sides, so that what is symmetric stays so.
@@ -97,10 +99,11 @@ std::pair<double, double> heightsOfHalves(const SurfaceMesh& mesh, const Boundin
                                           int noseLine, const osg::Vec3d& up) {
     std::pair<double, double> heights{-HUGE_VAL, -HUGE_VAL};
     const double middle = along(box.centre(), noseLine);
-    for (const auto& [key, part] : mesh.parts())
-        for (const osg::Vec3& vertex : part.vertices) {
-            double& height = vertex[noseLine] > middle ? heights.second : heights.first;
-            height = std::max(height, osg::Vec3d(vertex) * up);
+    for (const auto& [kind, part] : mesh.parts())
+        for (const Float3& vertex : part.vertices) {
+            const osg::Vec3d place(toOsg(vertex));
+            double& height = place[noseLine] > middle ? heights.second : heights.first;
+            height = std::max(height, place * up);
         }
     return heights;
 }
@@ -112,9 +115,15 @@ std::string unitName(double unit_m) {
     return "units of " + shown(unit_m) + " m";
 }
 
+SurfaceMesh asInFile(const LoadedGraph& graph, const std::string& file) {
+    SurfaceMesh mesh;
+    GeometryCollector(mesh, {}, file, {.forceTwoSided = true}).collect(*graph.node);
+    return mesh;
+}
+
 PlacingGuess guessOf(const SurfaceMesh& mesh, const FileAxes& axes, const std::string& file) {
     BoundingBox box = BoundingBox::nowhere();
-    for (const auto& [key, part] : mesh.parts())
+    for (const auto& [kind, part] : mesh.parts())
         box.include(part.bounds);
     if (!box.valid())
         throw InputError({file, "", "a model without any visible face that has an area",
@@ -238,39 +247,35 @@ ModelPlacing completed(const ModelPlacing& placing, const FileAxes& axes, const 
     return whole;
 }
 
-osg::Matrixd turnAndScale(const ModelPlacing& completed) {
+Matrix4 turnAndScale(const ModelPlacing& completed) {
     const osg::Vec3d nose = directionOf(*completed.nose), up = directionOf(*completed.up),
                      starboard = nose ^ up;
     const double unit_m = *completed.unit_m;
-    osg::Matrixd matrix;
+    Matrix4 matrix;
     for (int row = 0; row < 3; ++row) {
-        matrix(row, 0) = starboard[row] * unit_m;
-        matrix(row, 1) = nose[row] * unit_m;
-        matrix(row, 2) = up[row] * unit_m;
+        auto& [x, y, z, last] = matrix.rows[static_cast<std::size_t>(row)];
+        x = starboard[row] * unit_m;
+        y = nose[row] * unit_m;
+        z = up[row] * unit_m;
     }
     return matrix;
 }
 
-PlacingGuess guessPlacing(osg::Node& graph, const FileAxes& axes, const std::string& file) {
-    SurfaceMesh mesh;
-    GeometryCollector(mesh, osg::Matrixd::identity(), file, {.forceTwoSided = true}).collect(graph);
-    return guessOf(mesh, axes, file);
+PlacingGuess guessPlacing(const LoadedGraph& graph, const std::string& file) {
+    return guessOf(asInFile(graph, file), graph.axes, file);
 }
 
 PlacingGuess placingGuess(const std::filesystem::path& file) {
-    const LoadedGraph loaded = loadGraph(file, LoadPurpose::infrared);
-    return guessPlacing(*loaded.node, loaded.axes, file.string());
+    return guessPlacing(loadGraph(file, LoadPurpose::infrared), file.string());
 }
 
 ModelShape shapeOf(const std::filesystem::path& file) {
     const LoadedGraph loaded = loadGraph(file, LoadPurpose::infrared);
-    SurfaceMesh mesh;
-    GeometryCollector(mesh, osg::Matrixd::identity(), file.string(), {.forceTwoSided = true})
-        .collect(*loaded.node);
+    const SurfaceMesh mesh = asInFile(loaded, file.string());
     ModelShape shape;
     shape.axes = loaded.axes;
     shape.guess = guessOf(mesh, loaded.axes, file.string());
-    for (const auto& [key, part] : mesh.parts())
+    for (const auto& [kind, part] : mesh.parts())
         for (const unsigned int index : part.triangles)
             shape.corners.push_back(part.vertices[index]);
     return shape;

@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
-#include <osg/Matrixd>
-#include <osg/Node>
-
+#include "irsg/geometry/mesh/Mesh.h"
 #include "irsg/geometry/model/PlacingGuess.h"
 #include "irsg/geometry/reading/FileAxes.h"
+#include "irsg/geometry/view/Matrix4.h"
 
 namespace irsg {
+
+struct LoadedGraph;
 
 /// A placing with everything set but the origin: what is not set is as the file states it, or else
 /// as ModelPlacing says. Throws InputError, naming `file`, where nose and up lie along one line and
@@ -18,18 +19,17 @@ namespace irsg {
 ModelPlacing completed(const ModelPlacing& placing, const FileAxes& axes, const std::string& file);
 
 /// Leads from the file's axes and unit to those of a model, about the file's origin; of a placing
-/// that is completed. Rows as OpenSceneGraph has them: p' = p M.
-osg::Matrixd turnAndScale(const ModelPlacing& completed);
+/// that is completed.
+Matrix4 turnAndScale(const ModelPlacing& completed);
 
 /// Looks at a graph as it was loaded. The plane of symmetry tells starboard from nose and up, the
 /// longer of the two is the length, the higher half of an aircraft its tail; the unit is the
 /// one that makes it 0.5 to 500 m long. Throws InputError as GeometryCollector does.
-PlacingGuess guessPlacing(osg::Node& graph, const FileAxes& axes, const std::string& file);
+PlacingGuess guessPlacing(const LoadedGraph& graph, const std::string& file);
 
 /// A model as its file has it, to try placings on before it is read for good.
 struct ModelShape {
-    std::vector<osg::Vec3>
-        corners; ///< three of each triangle, in the axes and the unit of the file
+    std::vector<Float3> corners; ///< three of each triangle, in the axes and the unit of the file
     FileAxes axes;
     PlacingGuess guess;
 };

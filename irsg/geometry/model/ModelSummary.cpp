@@ -3,29 +3,12 @@
 #include <cstdio>
 #include <sstream>
 
-#include <osg/Geode>
-#include <osg/Geometry>
-#include <osg/NodeVisitor>
 #include <osgDB/FileNameUtils>
 
 #include "irsg/geometry/flight/FlightScanner.h"
 
 namespace irsg {
 namespace {
-
-class Counter : public osg::NodeVisitor {
-  public:
-    explicit Counter(ModelSummary& summary)
-        : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN), summary_(summary) {}
-    void apply(osg::Geometry& geometry) override {
-        ++summary_.drawables;
-        summary_.vertices += geometry.getVertexArray()->getNumElements();
-        summary_.triangles += geometry.getPrimitiveSet(0)->getNumIndices() / 3;
-    }
-
-  private:
-    ModelSummary& summary_;
-};
 
 std::string number(double value) {
     char text[32];
@@ -64,8 +47,11 @@ ModelSummary summarizeModel(const std::filesystem::path& file, const ModelOption
         summary.faces += use.faces;
         summary.area_m2 += use.area_m2;
     }
-    Counter counter(summary);
-    model->graph()->accept(counter);
+    const Mesh& mesh = *model->mesh();
+    summary.drawables = static_cast<int>(mesh.parts.size());
+    summary.triangles = static_cast<long>(mesh.facets());
+    for (const Mesh::Part& part : mesh.parts)
+        summary.vertices += static_cast<long>(part.vertices.size());
     return summary;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "irsg/geometry/conversion/OsgValues.h"
 #include "irsg/geometry/conversion/PaintedGrid.h"
 
 namespace irsg {
@@ -10,14 +11,15 @@ namespace {
 
 std::array<double, 9> written(const FaceMesh::Triangle& triangle, bool turned) {
     std::array<double, 9> places{};
-    for (std::size_t k = 0; k < 3; ++k)
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            places[3 * (turned ? 2 - k : k) + axis] = triangle[k][static_cast<int>(axis)];
+    for (std::size_t k = 0; k < 3; ++k) {
+        double* place = &places[3 * (turned ? 2 - k : k)];
+        place[0] = triangle[k].x, place[1] = triangle[k].y, place[2] = triangle[k].z;
+    }
     return places;
 }
 
 osg::Vec3d frontOf(const FaceMesh::Face& face) {
-    return face.turned ? -face.normal : face.normal;
+    return toOsg(face.normal) * (face.turned ? -1.0 : 1.0);
 }
 
 void addTo(std::vector<PaintedSurface>& surfaces, const GivenCodes& codes, const FaceMesh& mesh,
@@ -63,9 +65,9 @@ std::vector<PaintedSurface> repainted(const std::vector<PaintedSurface>& before,
     std::vector<int> surfaceOf(mesh.faces().size(), -1);
     for (unsigned int f = 0; f < mesh.faces().size() && !grid.empty(); ++f) {
         const auto& face = mesh.faces()[f];
-        surfaceOf[f] = grid.find(face.point, frontOf(face));
+        surfaceOf[f] = grid.find(toOsg(face.point), frontOf(face));
         if (isChosen[f] && surfaceOf[f] >= 0)
-            for (const unsigned int i : grid.holding(face.point, frontOf(face)))
+            for (const unsigned int i : grid.holding(toOsg(face.point), frontOf(face)))
                 goes[i] = true;
     }
 
@@ -86,7 +88,7 @@ std::vector<PaintedSurface> repainted(const std::vector<PaintedSurface>& before,
                 addTo(after, now, mesh, face);
         } else if (surfaceOf[f] >= 0) {
             // Others that lay on what went keep their codes.
-            const auto held = grid.holding(face.point, frontOf(face));
+            const auto held = grid.holding(toOsg(face.point), frontOf(face));
             if (std::ranges::any_of(held, [&](unsigned int i) { return goes[i]; }))
                 addTo(after, was, mesh, face);
         }

@@ -19,7 +19,7 @@ using nlohmann::json;
 
 constexpr const char* formatName = "smat-codes";
 constexpr int newestVersion = 1;
-constexpr double farthest = 1e9;
+constexpr double farthestCorner = 1e9;
 
 GivenCodes givenIn(const JsonReader& object) {
     const auto indexOf = [&](const char* key) {
@@ -53,7 +53,7 @@ PaintedSurface surfaceOf(const JsonReader& object) {
     surface.codes = givenIn(object);
     for (const JsonReader& triangle : object.at("triangles").list("a list of triangles")) {
         const auto corners =
-            triangle.numbers(9, farthest, "nine numbers: x, y, z of three corners");
+            triangle.numbers(9, farthestCorner, "nine numbers: x, y, z of three corners");
         if (!corners)
             break;
         std::ranges::copy(*corners, surface.triangles.emplace_back().begin());

@@ -33,13 +33,13 @@ Vec3 CameraFrame::toEye(const Vec3& worldDirection) const {
             dot(worldDirection, viewpoint_.backward)};
 }
 
-osg::Matrixd CameraFrame::eyeFromModel(const Pose& pose) const {
+Matrix4 CameraFrame::eyeFromModel(const Pose& pose) const {
     const Rotation r = pose.attitude.rotation();
     const Vec3 x = toEye({r.m[0][0], r.m[1][0], r.m[2][0]});
     const Vec3 y = toEye({r.m[0][1], r.m[1][1], r.m[2][1]});
     const Vec3 z = toEye({r.m[0][2], r.m[1][2], r.m[2][2]});
     const Vec3 t = toEye(pose.position_m - viewpoint_.position_m);
-    return osg::Matrixd(x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, t.x, t.y, t.z, 1);
+    return {{{{x.x, x.y, x.z, 0}, {y.x, y.y, y.z, 0}, {z.x, z.y, z.z, 0}, {t.x, t.y, t.z, 1}}}};
 }
 
 double CameraFrame::column(double rightPerDepth) const {
@@ -50,18 +50,17 @@ double CameraFrame::row(double upPerDepth) const {
     return 0.5 * sensor_.height_px - upPerDepth / sensor_.pixelPitch();
 }
 
-osg::Matrixd CameraFrame::clipFromEye(const ImageRectangle& tile, const DepthRange& depth) const {
+Matrix4 CameraFrame::clipFromEye(const ImageRectangle& tile, const DepthRange& depth) const {
     const double pitch = sensor_.pixelPitch();
     const double left = (tile.left - 0.5 * sensor_.width_px) * pitch;
     const double right = left + tile.width() * pitch;
     const double top = (0.5 * sensor_.height_px - tile.top) * pitch;
     const double bottom = top - tile.height() * pitch;
     const double n = depth.near_m, f = depth.far_m;
-    return osg::Matrixd(2.0 / (right - left), 0, 0, 0,                                    //
-                        0, 2.0 / (top - bottom), 0, 0,                                    //
-                        (right + left) / (right - left), (top + bottom) / (top - bottom), //
-                        n / (f - n), -1,                                                  //
-                        0, 0, n * f / (f - n), 0);
+    return {{{{2.0 / (right - left), 0, 0, 0},
+              {0, 2.0 / (top - bottom), 0, 0},
+              {(right + left) / (right - left), (top + bottom) / (top - bottom), n / (f - n), -1},
+              {0, 0, n * f / (f - n), 0}}}};
 }
 
 std::optional<DepthRange> CameraFrame::depthOf(const BoundingBox& box, const Pose& pose) const {

@@ -3,9 +3,8 @@
 #include <optional>
 #include <utility>
 
-#include <osg/Matrixd>
-
 #include "irsg/geometry/view/ImageRectangle.h"
+#include "irsg/geometry/view/Matrix4.h"
 #include "irsg/geometry/view/Pose.h"
 #include "irsg/geometry/view/Sensor.h"
 
@@ -23,13 +22,13 @@ class CameraFrame {
     CameraFrame(const Sensor& sensor, const Viewpoint& viewpoint);
 
     /// World directions and model coordinates to eye space (x right, y up, z backward).
-    osg::Matrixd eyeFromModel(const Pose& pose) const;
+    Matrix4 eyeFromModel(const Pose& pose) const;
     Vec3 toEye(const Vec3& worldDirection) const;
     /// Eye space to the clip space of a rectangle of the image plane: an off-axis frustum. Depth
     /// runs from 1 at the near to 0 at the far distance (zero-to-one clip control),
     /// where a float has its digits: a camera inside an object still tells surfaces 1e-6 of their
     /// distance apart.
-    osg::Matrixd clipFromEye(const ImageRectangle& tile, const DepthRange& depth) const;
+    Matrix4 clipFromEye(const ImageRectangle& tile, const DepthRange& depth) const;
 
     /// The part of the image plane in which a box standing at `pose` is seen, inside the frame or
     /// not; nothing when the box reaches behind the camera.

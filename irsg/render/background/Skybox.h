@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "irsg/geometry/conversion/TextureImage.h"
 #include "irsg/render/background/FieldRays.h"
-#include "irsg/render/background/TextureImage.h"
 #include "irsg/render/values/TextureScale.h"
 
 namespace irsg {

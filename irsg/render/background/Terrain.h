@@ -5,17 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "irsg/geometry/model/Model.h"
+#include "irsg/geometry/conversion/TexturedMesh.h"
 #include "irsg/geometry/view/Pose.h"
-
-namespace osg {
-class Node;
-}
 
 namespace irsg {
 
 class CameraFrame;
-struct OccluderItem;
+class RayMesh;
+struct SurfaceBody;
 
 /// A textured model that stands fixed in the world (F31): what it shows is the red channel of its
 /// textures as linear numbers. Any format of OpenSceneGraph's; textures are those of unit 0, read
@@ -29,26 +26,26 @@ class Terrain {
     static std::shared_ptr<const Terrain> load(const std::filesystem::path& file,
                                                const Vec3& position_m = {});
     /// Of a graph in memory.
-    static std::shared_ptr<const Terrain> fromGraph(osg::Node& graph, const std::string& name,
-                                                    const Vec3& position_m = {});
-    ~Terrain();
+    static std::shared_ptr<const Terrain> ofGraph(const LoadedGraph& graph, const std::string& name,
+                                                  const Vec3& position_m = {});
 
-    const std::string& name() const;
+    const std::string& name() const { return name_; }
     /// Of the geometry in its own axes, which are at the middle of the model.
-    const Pose& pose() const;
-    const BoundingBox& bounds() const;
-    const std::vector<std::string>& remarks() const;
+    const Pose& pose() const { return pose_; }
+    const BoundingBox& bounds() const { return shown_.mesh->bounds; }
+    const std::vector<std::string>& remarks() const { return shown_.remarks; }
 
-    /// What hides the objects of a frame.
-    std::vector<OccluderItem> occluders(const CameraFrame& camera) const;
-
-    struct Impl;
-    /// Geometry and textures, for drawing.
-    const Impl& parts() const { return *impl_; }
+    /// Geometry and textures.
+    const TexturedMesh& shown() const { return shown_; }
+    /// What hides the objects of a frame; `rays`: of its mesh, or null for OpenGL.
+    SurfaceBody bodyFor(const CameraFrame& camera, std::shared_ptr<const RayMesh> rays) const;
 
   private:
-    explicit Terrain(std::unique_ptr<Impl> parts);
-    std::unique_ptr<Impl> impl_;
+    Terrain(const std::string& name, TexturedMesh shown, const Vec3& position_m);
+
+    std::string name_;
+    TexturedMesh shown_;
+    Pose pose_;
 };
 
 } // namespace irsg

@@ -1,16 +1,10 @@
-#include "irsg/render/opengl/GlFunctions.h"
-
 #include "irsg/render/background/TerrainPass.h"
 
 #include <algorithm>
 
-#include <osg/GLObjects>
-#include <osg/RenderInfo>
-#include <osg/State>
-
 #include "irsg/core/Errors.h"
-#include "irsg/render/background/TerrainImpl.h"
 #include "irsg/render/opengl/FloatTarget.h"
+#include "irsg/render/opengl/MeshBuffers.h"
 #include "irsg/render/opengl/OffscreenContext.h"
 #include "irsg/render/opengl/ReversedDepth.h"
 #include "irsg/render/opengl/ShaderProgram.h"
@@ -22,10 +16,16 @@ namespace {
 /// Pixels a side of one piece of the frame: bounds the memory of the target.
 constexpr int pieceSide_px = 2048 / TerrainPass::samplesPerAxis;
 
+GLint wrapOf(TextureWrap wrap) {
+    return wrap == TextureWrap::repeat   ? GL_REPEAT
+           : wrap == TextureWrap::mirror ? GL_MIRRORED_REPEAT
+                                         : GL_CLAMP_TO_EDGE;
+}
+
 /// Textures of one terrain in GL's memory.
 class UploadedTextures {
   public:
-    explicit UploadedTextures(const std::vector<Terrain::Impl::Texture>& textures)
+    explicit UploadedTextures(const std::vector<TexturedMesh::Texture>& textures)
         : names_(textures.size()) {
         GLint largest = 0;
         glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
@@ -54,8 +54,8 @@ class UploadedTextures {
             };
             set(GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
             set(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-            set(GL_TEXTURE_WRAP_S, static_cast<GLint>(textures[i].wrapS));
-            set(GL_TEXTURE_WRAP_T, static_cast<GLint>(textures[i].wrapT));
+            set(GL_TEXTURE_WRAP_S, wrapOf(textures[i].wrapS));
+            set(GL_TEXTURE_WRAP_T, wrapOf(textures[i].wrapT));
         }
         glBindTexture(GL_TEXTURE_2D, 0);
     }
@@ -78,8 +78,8 @@ struct TerrainPass::Impl {
     std::unique_ptr<UploadedTextures> textures;
     std::vector<float> samples;
 
-    void renderPiece(osg::RenderInfo& info, const CameraFrame& camera, const PixelRegion& piece,
-                     const DepthRange& depth, double offset) {
+    void renderPiece(const CameraFrame& camera, const PixelRegion& piece, const DepthRange& depth,
+                     double offset) {
         const ReversedDepth reversed;
         const int width = piece.width * samplesPerAxis, height = piece.height * samplesPerAxis;
         target.reserve(width, height);
@@ -90,19 +90,22 @@ struct TerrainPass::Impl {
         glDisable(GL_BLEND);
         glDisable(GL_CULL_FACE);
         program.use();
-        const osg::Matrixd clipFromLocal =
-            camera.eyeFromModel(terrain->pose()) * camera.clipFromEye(piece.rectangle(), depth);
-        program.set("clipFromModel", clipFromLocal);
+        program.set("clipFromModel", camera.eyeFromModel(terrain->pose()) *
+                                         camera.clipFromEye(piece.rectangle(), depth));
         program.set("texels", 0);
         glActiveTexture(GL_TEXTURE0);
-        for (const Terrain::Impl::Piece& part : terrain->parts().pieces) {
-            const bool textured = part.texture >= 0;
-            glBindTexture(GL_TEXTURE_2D, textured ? (*textures)[part.texture] : 0);
+        const TexturedMesh& shown = terrain->shown();
+        const MeshBuffers& buffers = MeshBuffers::of(shown.mesh);
+        buffers.bind();
+        for (std::size_t part = 0; part < shown.textureOf.size(); ++part) {
+            const int texture = shown.textureOf[part];
+            const bool textured = texture >= 0;
+            glBindTexture(GL_TEXTURE_2D, textured ? (*textures)[texture] : 0);
             program.set("weightAndOffset", textured ? 1.0f : 0.0f, static_cast<float>(offset),
                         0.0f);
-            part.geometry->draw(info);
+            buffers.draw(part);
         }
-        info.getState()->unbindVertexArrayObject();
+        MeshBuffers::unbind();
         glBindTexture(GL_TEXTURE_2D, 0);
         glFinish();
         target.read(0, width, height, samples);
@@ -137,7 +140,7 @@ struct TerrainPass::Impl {
 TerrainPass::TerrainPass() : impl_(std::make_unique<Impl>()) {}
 TerrainPass::~TerrainPass() = default;
 
-TerrainImage TerrainPass::draw(osg::RenderInfo& info, const std::shared_ptr<const Terrain>& terrain,
+TerrainImage TerrainPass::draw(const std::shared_ptr<const Terrain>& terrain,
                                const CameraFrame& camera, double offset) {
     Impl& p = *impl_;
     const Sensor& sensor = camera.sensor();
@@ -152,13 +155,13 @@ TerrainImage TerrainPass::draw(osg::RenderInfo& info, const std::shared_ptr<cons
     if (p.terrain != terrain) {
         p.textures.reset();
         p.terrain = terrain;
-        p.textures = std::make_unique<UploadedTextures>(terrain->parts().textures);
+        p.textures = std::make_unique<UploadedTextures>(terrain->shown().textures);
     }
     for (int y = 0; y < sensor.height_px; y += pieceSide_px)
         for (int x = 0; x < sensor.width_px; x += pieceSide_px) {
             const PixelRegion piece{x, y, std::min(pieceSide_px, sensor.width_px - x),
                                     std::min(pieceSide_px, sensor.height_px - y)};
-            p.renderPiece(info, camera, piece, *depth, offset);
+            p.renderPiece(camera, piece, *depth, offset);
             p.reduce(piece, sensor.width_px, image);
         }
     return image;
@@ -166,17 +169,17 @@ TerrainImage TerrainPass::draw(osg::RenderInfo& info, const std::shared_ptr<cons
 
 GlTerrain::~GlTerrain() {
     if (pass_)
-        OffscreenContext::shared().run([&](osg::RenderInfo&) { pass_.reset(); });
+        OffscreenContext::shared().run([&] { pass_.reset(); });
 }
 
 TerrainImage GlTerrain::paint(const std::shared_ptr<const Terrain>& terrain,
                               const CameraFrame& camera, double offset) {
     TerrainImage image;
-    OffscreenContext::shared().run([&](osg::RenderInfo& info) {
-        osg::flushAllDeletedGLObjects(info.getContextID());
+    OffscreenContext::shared().run([&] {
+        MeshBuffers::forgetGone();
         if (!pass_)
             pass_ = std::make_unique<TerrainPass>();
-        image = pass_->draw(info, terrain, camera, offset);
+        image = pass_->draw(terrain, camera, offset);
     });
     return image;
 }

@@ -4,10 +4,6 @@
 
 #include "irsg/render/background/TerrainPainter.h"
 
-namespace osg {
-class RenderInfo;
-}
-
 namespace irsg {
 
 /// Draws terrains with OpenGL. Lives on the context's thread.
@@ -18,8 +14,8 @@ class TerrainPass {
     TerrainPass();
     ~TerrainPass();
 
-    TerrainImage draw(osg::RenderInfo& info, const std::shared_ptr<const Terrain>& terrain,
-                      const CameraFrame& camera, double offset);
+    TerrainImage draw(const std::shared_ptr<const Terrain>& terrain, const CameraFrame& camera,
+                      double offset);
 
   private:
     struct Impl;

@@ -7,7 +7,6 @@
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/ParallelFor.h"
-#include "irsg/render/background/TerrainImpl.h"
 #include "irsg/render/background/TexturePyramid.h"
 #include "irsg/render/rays/RayMesh.h"
 
@@ -17,43 +16,24 @@ namespace {
 
 using GroundPlace = std::array<double, 2>;
 
-/// Texture coordinates of the corners of a piece's triangles, as RayMesh numbers them.
-struct PiecePlaces {
-    std::vector<GroundPlace> corners; ///< three for each facet
-};
-
-PiecePlaces placesOf(const osg::Geometry& geometry) {
-    PiecePlaces places;
-    const auto* coordinates = dynamic_cast<const osg::Vec2Array*>(geometry.getTexCoordArray(0));
-    if (!coordinates)
-        return places;
-    for (const auto& primitives : geometry.getPrimitiveSetList())
-        for (unsigned i = 0; i < primitives->getNumIndices(); ++i) {
-            const osg::Vec2& place = (*coordinates)[primitives->index(i)];
-            places.corners.push_back(
-                {static_cast<double>(place.x()), static_cast<double>(place.y())});
-        }
-    return places;
-}
-
 } // namespace
 
 struct TerrainRays::CacheEntry {
     std::shared_ptr<const Terrain> terrain;
     std::shared_ptr<const RayMesh> mesh;
     PieceUses uses{0};
-    std::vector<PiecePlaces> places;      // by piece
     std::vector<TexturePyramid> textures; // of the terrain
 
     /// Where a ray that need not meet a facet meets its plane, in the texture.
     GroundPlace placeAt(const RayHit& hit, const Ray& ray) const {
-        const auto& corners = places[static_cast<std::size_t>(hit.piece)].corners;
+        const Mesh::Part& part = terrain->shown().mesh->parts[static_cast<std::size_t>(hit.piece)];
+        const unsigned* corners = &part.triangles[3 * static_cast<std::size_t>(hit.facet)];
         const RayHit there = mesh->onPlaneOf(hit, ray);
         GroundPlace place{};
         for (std::size_t i = 0; i < 3; ++i)
             for (std::size_t axis = 0; axis < 2; ++axis)
                 place[axis] +=
-                    there.weights[i] * corners[3 * static_cast<std::size_t>(hit.facet) + i][axis];
+                    there.weights[i] * static_cast<double>(part.texturePlaces[corners[i]][axis]);
         return place;
     }
 };
@@ -66,16 +46,11 @@ const TerrainRays::CacheEntry& TerrainRays::keep(const std::shared_ptr<const Ter
         return *cache_;
     auto kept = std::make_unique<CacheEntry>();
     kept->terrain = terrain;
-    std::vector<RayMesh::Piece> pieces;
-    for (const Terrain::Impl::Piece& piece : terrain->parts().pieces) {
-        pieces.push_back({piece.geometry.get(), {}});
-        kept->places.push_back(placesOf(*piece.geometry));
-    }
-    kept->mesh = RayMesh::of(pieces);
-    kept->uses = PieceUses(pieces.size());
-    for (std::size_t i = 0; i < pieces.size(); ++i)
+    kept->mesh = RayMesh::of(terrain->shown().mesh);
+    kept->uses = PieceUses(kept->mesh->pieces());
+    for (std::size_t i = 0; i < kept->mesh->pieces(); ++i)
         kept->uses.set(i, {.isThere = true});
-    for (const Terrain::Impl::Texture& texture : terrain->parts().textures)
+    for (const TexturedMesh::Texture& texture : terrain->shown().textures)
         kept->textures.emplace_back(texture.image, texture.wrapS, texture.wrapT);
     cache_ = std::move(kept);
     return *cache_;
@@ -107,7 +82,7 @@ TerrainImage TerrainRays::paint(const std::shared_ptr<const Terrain>& terrain,
         std::vector<RayHit> none;
         if (!kept.mesh->meet(ray, kept.uses, 0.0, hit, none))
             return std::nullopt;
-        const int texture = terrain->parts().pieces[static_cast<std::size_t>(hit.piece)].texture;
+        const int texture = terrain->shown().textureOf[static_cast<std::size_t>(hit.piece)];
         if (texture < 0)
             return 0.0;
         const GroundPlace here = kept.placeAt(hit, ray);

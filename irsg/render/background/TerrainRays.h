@@ -14,7 +14,7 @@ class TerrainRays : public TerrainPainter {
     TerrainRays();
     ~TerrainRays() override;
 
-    /// The faces of a terrain in the axes of its pose; its pieces are those of Terrain::Impl.
+    /// The faces of a terrain in the axes of its pose; its pieces are the parts of its mesh.
     std::shared_ptr<const RayMesh> meshOf(const std::shared_ptr<const Terrain>& terrain);
     /// On all cores.
     TerrainImage paint(const std::shared_ptr<const Terrain>& terrain, const CameraFrame& camera,

@@ -9,11 +9,11 @@ namespace irsg {
 namespace {
 
 /// The texel that stands at a place of an axis beyond or within its ends.
-int wrapped(int i, int size, osg::Texture::WrapMode mode) {
+int wrapped(int i, int size, TextureWrap mode) {
     switch (mode) {
-    case osg::Texture::REPEAT:
+    case TextureWrap::repeat:
         return ((i % size) + size) % size;
-    case osg::Texture::MIRROR: {
+    case TextureWrap::mirror: {
         const int twice = ((i % (2 * size)) + 2 * size) % (2 * size);
         return twice < size ? twice : 2 * size - 1 - twice;
     }
@@ -39,8 +39,7 @@ Share shareOf(int i, int fine, int coarse) {
 
 } // namespace
 
-TexturePyramid::TexturePyramid(const TextureImage& image, osg::Texture::WrapMode wrapS,
-                               osg::Texture::WrapMode wrapT)
+TexturePyramid::TexturePyramid(const TextureImage& image, TextureWrap wrapS, TextureWrap wrapT)
     : wrapS_(wrapS), wrapT_(wrapT) {
     Level level{image.width_px, image.height_px, {}};
     const auto width = static_cast<std::size_t>(image.width_px);

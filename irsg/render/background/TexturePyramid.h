@@ -2,9 +2,7 @@
 
 #include <vector>
 
-#include <osg/Texture>
-
-#include "irsg/render/background/TextureImage.h"
+#include "irsg/geometry/conversion/TextureImage.h"
 
 namespace irsg {
 
@@ -12,8 +10,7 @@ namespace irsg {
 /// trilinear filter does.
 class TexturePyramid {
   public:
-    TexturePyramid(const TextureImage& image, osg::Texture::WrapMode wrapS,
-                   osg::Texture::WrapMode wrapT);
+    TexturePyramid(const TextureImage& image, TextureWrap wrapS, TextureWrap wrapT);
 
     /// At a place (0 to 1 over the picture, t upwards), averaged over steps of (s, t) from one
     /// sample to the next across and down.
@@ -28,7 +25,7 @@ class TexturePyramid {
     double bilinear(const Level& level, double s, double t) const;
 
     std::vector<Level> levels_;
-    osg::Texture::WrapMode wrapS_, wrapT_;
+    TextureWrap wrapS_, wrapT_;
 };
 
 } // namespace irsg

@@ -1,5 +1,3 @@
-#include "irsg/render/opengl/GlFunctions.h"
-
 #include "irsg/render/opengl/FloatTarget.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <osg/GL>
+#include "irsg/render/opengl/GlFunctions.h"
 
 namespace irsg {
 

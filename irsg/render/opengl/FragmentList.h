@@ -5,7 +5,7 @@
 #include <functional>
 #include <span>
 
-#include <osg/GL>
+#include "irsg/render/opengl/GlFunctions.h"
 
 namespace irsg {
 

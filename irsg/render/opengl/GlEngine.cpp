@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <osg/GLObjects>
-#include <osg/RenderInfo>
-
+#include "irsg/render/opengl/MeshBuffers.h"
 #include "irsg/render/opengl/OffscreenContext.h"
 #include "irsg/render/opengl/SurfacePass.h"
 
@@ -13,21 +11,19 @@ namespace irsg {
 
 struct GlEngine::Impl {
     OffscreenContext& context = OffscreenContext::shared();
-    osg::RenderInfo* info = nullptr;   // of the work under way
     std::unique_ptr<SurfacePass> pass; // made and destroyed on the context's thread
 };
 
 GlEngine::GlEngine() : impl_(std::make_unique<Impl>()) {}
 GlEngine::~GlEngine() {
-    impl_->context.run([&](osg::RenderInfo&) { impl_->pass.reset(); });
+    impl_->context.run([&] { impl_->pass.reset(); });
 }
 
 std::future<void> GlEngine::post(std::function<void()> work) {
-    return impl_->context.post([p = impl_.get(), work = std::move(work)](osg::RenderInfo& info) {
-        osg::flushAllDeletedGLObjects(info.getContextID());
+    return impl_->context.post([p = impl_.get(), work = std::move(work)] {
+        MeshBuffers::forgetGone();
         if (!p->pass)
             p->pass = std::make_unique<SurfacePass>();
-        p->info = &info;
         work();
     });
 }
@@ -40,11 +36,11 @@ int GlEngine::largestSide() const {
 }
 
 void GlEngine::renderRadiance(const SheetScene& sheet, RadianceSamples& samples) {
-    impl_->pass->renderRadiance(*impl_->info, sheet, samples);
+    impl_->pass->renderRadiance(sheet, samples);
 }
 void GlEngine::sampleGeometry(const SheetScene& sheet, bool withDistance,
                               GeometrySamples& samples) {
-    impl_->pass->sampleGeometry(*impl_->info, sheet, withDistance, samples);
+    impl_->pass->sampleGeometry(sheet, withDistance, samples);
 }
 
 double GlEngine::takeRenderSeconds() {

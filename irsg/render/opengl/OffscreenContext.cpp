@@ -1,9 +1,5 @@
 #include "irsg/render/opengl/OffscreenContext.h"
 
-#include <osg/GraphicsContext>
-#include <osg/RenderInfo>
-#include <osg/State>
-
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -14,6 +10,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/TaskThread.h"
 #include "irsg/render/opengl/EglFunctions.h"
+#include "irsg/render/opengl/GlFunctions.h"
 
 namespace irsg {
 
@@ -25,22 +22,10 @@ InputError unavailable(const std::string& step) {
                                  "(Mesa's software renderer is enough)"});
 }
 
-/// OSG's view of an EGL context without a surface.
-class EglContext : public osg::GraphicsContext {
+/// An EGL context without a surface.
+class EglContext {
   public:
-    EglContext() {
-        setState(new osg::State);
-        getState()->setGraphicsContext(this);
-        getState()->setContextID(osg::GraphicsContext::createNewContextID());
-        osg::ref_ptr<Traits> traits = new Traits;
-        traits->pbuffer = true;
-        _traits = traits;
-    }
-
-    bool valid() const override { return context_ != EGL_NO_CONTEXT; }
-    bool isRealizedImplementation() const override { return valid(); }
-
-    bool realizeImplementation() override {
+    bool make() {
         for (EGLDisplay display : candidates()) {
             display_ = display;
             if (egl_.initialize(display_, nullptr, nullptr) && create())
@@ -48,27 +33,16 @@ class EglContext : public osg::GraphicsContext {
         }
         return false;
     }
-
-    void closeImplementation() override {
+    bool makeCurrent() {
+        return egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
+    }
+    void close() {
         if (context_ == EGL_NO_CONTEXT)
             return;
         egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         egl_.destroyContext(display_, context_);
         context_ = EGL_NO_CONTEXT;
     }
-
-    bool makeCurrentImplementation() override {
-        return egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
-    }
-    bool makeContextCurrentImplementation(osg::GraphicsContext*) override {
-        return makeCurrentImplementation();
-    }
-    bool releaseContextImplementation() override {
-        return egl_.makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT) ==
-               EGL_TRUE;
-    }
-    void bindPBufferToTextureImplementation(GLenum) override {}
-    void swapBuffersImplementation() override {}
 
   private:
     /// Displays to try: real devices first, then Mesa without a surface, then whatever is the
@@ -139,22 +113,17 @@ class EglContext : public osg::GraphicsContext {
 } // namespace
 
 struct OffscreenContext::Impl {
-    osg::ref_ptr<EglContext> egl;
-    osg::RenderInfo renderInfo;
+    EglContext egl;
     std::string description;
     int maximumTargetSize = 0;
 
     TaskThread thread;
 
     void open() {
-        egl = new EglContext;
-        if (!egl->realize())
+        if (!egl.make())
             throw unavailable("creating an off-screen context");
-        if (!egl->makeCurrent())
+        if (!egl.makeCurrent())
             throw unavailable("making the off-screen context current");
-        osg::State& state = *egl->getState();
-        state.initializeExtensionProcs();
-        renderInfo.setState(&state);
 
         auto text = [](GLenum name) {
             const GLubyte* value = glGetString(name);
@@ -164,13 +133,6 @@ struct OffscreenContext::Impl {
         GLint size = 0;
         glGetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
         maximumTargetSize = std::min<GLint>(size, 16384);
-    }
-
-    void close() {
-        renderInfo.setState(nullptr);
-        if (egl)
-            egl->close(true);
-        egl = nullptr;
     }
 };
 
@@ -184,22 +146,21 @@ OffscreenContext::OffscreenContext() : impl_(std::make_unique<Impl>()) {
     try {
         impl_->thread.post([this] { impl_->open(); }).get();
     } catch (...) {
-        impl_->thread.post([this] { impl_->close(); }).get();
+        impl_->thread.post([this] { impl_->egl.close(); }).get();
         throw;
     }
 }
 
 OffscreenContext::~OffscreenContext() {
-    impl_->thread.post([this] { impl_->close(); }).get();
+    impl_->thread.post([this] { impl_->egl.close(); }).get();
 }
 
-std::future<void> OffscreenContext::post(std::function<void(osg::RenderInfo&)> work) {
-    return impl_->thread.post(
-        [parts = impl_.get(), work = std::move(work)] { work(parts->renderInfo); });
+std::future<void> OffscreenContext::post(std::function<void()> work) {
+    return impl_->thread.post(std::move(work));
 }
 
-void OffscreenContext::run(const std::function<void(osg::RenderInfo&)>& work) {
-    post([&](osg::RenderInfo& info) { work(info); }).get();
+void OffscreenContext::run(const std::function<void()>& work) {
+    post(work).get();
 }
 
 const std::string& OffscreenContext::rendererDescription() const {

@@ -5,11 +5,6 @@
 #include <memory>
 #include <string>
 
-namespace osg {
-class State;
-class RenderInfo;
-} // namespace osg
-
 namespace irsg {
 
 /// An OpenGL context of IRSG's own, on a thread of its own: EGL on a device where there is one,
@@ -31,9 +26,9 @@ class OffscreenContext {
     OffscreenContext& operator=(const OffscreenContext&) = delete;
 
     /// Runs `work` on the context's thread and waits; what it throws is thrown here.
-    void run(const std::function<void(osg::RenderInfo&)>& work);
+    void run(const std::function<void()>& work);
     /// The same without waiting: work is done in the order in which it comes.
-    std::future<void> post(std::function<void(osg::RenderInfo&)> work);
+    std::future<void> post(std::function<void()> work);
 
     /// "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Compatibility Profile) Mesa 22.3.6".
     const std::string& rendererDescription() const;

@@ -1,5 +1,3 @@
-#include "irsg/render/opengl/GlFunctions.h"
-
 #include "irsg/render/opengl/ShaderProgram.h"
 
 #include "irsg/core/Errors.h"
@@ -89,20 +87,11 @@ void ShaderProgram::set(const char* name, std::span<const float> values) const {
     glUniform1fv(location(name), static_cast<GLsizei>(values.size()), values.data());
 }
 
-void ShaderProgram::set(const char* name, const osg::Matrixd& matrix) const {
-    // OSG's rows acting on row vectors lie in memory as GL's columns acting on column vectors.
+void ShaderProgram::set(const char* name, const Matrix4& matrix) const {
     float values[16];
-    for (int i = 0; i < 16; ++i)
-        values[i] = static_cast<float>(matrix.ptr()[i]);
+    for (std::size_t i = 0; i < 16; ++i)
+        values[i] = static_cast<float>(matrix(i / 4, i % 4));
     glUniformMatrix4fv(location(name), 1, GL_FALSE, values);
-}
-
-void ShaderProgram::setNormalMatrix(const char* name, const osg::Matrixd& matrix) const {
-    float values[9];
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column)
-            values[row * 3 + column] = static_cast<float>(matrix(row, column));
-    glUniformMatrix3fv(location(name), 1, GL_FALSE, values);
 }
 
 } // namespace irsg

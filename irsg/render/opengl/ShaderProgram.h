@@ -5,8 +5,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include <osg/GL>
-#include <osg/Matrixd>
+#include "irsg/geometry/view/Matrix4.h"
+#include "irsg/render/opengl/GlFunctions.h"
 
 namespace irsg {
 
@@ -27,9 +27,7 @@ class ShaderProgram {
     void set(const char* name, const float (&value)[4]) const;
     /// An array of floats.
     void set(const char* name, std::span<const float> values) const;
-    void set(const char* name, const osg::Matrixd& matrix) const;
-    /// The upper left 3 x 3 of a matrix.
-    void setNormalMatrix(const char* name, const osg::Matrixd& matrix) const;
+    void set(const char* name, const Matrix4& matrix) const;
 
   private:
     GLint location(const char* name) const;

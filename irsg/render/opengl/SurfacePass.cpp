@@ -1,5 +1,3 @@
-#include "irsg/render/opengl/GlFunctions.h"
-
 #include "irsg/render/opengl/SurfacePass.h"
 
 #include <algorithm>
@@ -12,13 +10,11 @@
 #include <tuple>
 #include <utility>
 
-#include <osg/RenderInfo>
-#include <osg/State>
-
 #include "irsg/core/Errors.h"
 #include "irsg/core/Stopwatch.h"
 #include "irsg/render/opengl/FloatTarget.h"
 #include "irsg/render/opengl/FragmentList.h"
+#include "irsg/render/opengl/MeshBuffers.h"
 #include "irsg/render/opengl/ReversedDepth.h"
 #include "irsg/render/opengl/ShaderProgram.h"
 #include "irsg/render/sampling/LayerSort.h"
@@ -42,7 +38,7 @@ int angleMode(float nAngleFactor) {
 /// What a tile is of a drawing.
 struct Raster {
     int x, y, width, height;
-    osg::Matrixd clipFromEye;
+    Matrix4 clipFromEye;
 };
 
 Raster rasterOf(const SurfaceScene& scene, const SampleTile& tile) {
@@ -53,14 +49,14 @@ Raster rasterOf(const SurfaceScene& scene, const SampleTile& tile) {
     if (tile.shearRows) {
         // x_clip + a w - b y moves the sample's row r, counted from the top, by r / shearRows.
         const double perClip = 1.0 / (static_cast<double>(tile.shearRows) * raster.width);
-        osg::Matrixd shear;
+        Matrix4 shear;
         shear(1, 0) = -raster.height * perClip;
         shear(3, 0) = (raster.height - 1) * perClip;
         raster.clipFromEye = raster.clipFromEye * shear;
     }
     if (tile.fall) {
         // y_clip + x / height moves the sample in column c down by (c + 1/2) / width - 1/2.
-        osg::Matrixd tilt;
+        Matrix4 tilt;
         tilt(0, 1) = static_cast<double>(tile.fall) / raster.height;
         raster.clipFromEye = raster.clipFromEye * tilt;
     }
@@ -69,18 +65,18 @@ Raster rasterOf(const SurfaceScene& scene, const SampleTile& tile) {
 
 /// True where nothing of a box comes within the sides of a raster: all its corners are beyond one
 /// of them.
-bool isOutside(const osg::BoundingBox& box, const osg::Matrixd& clipFromLocal) {
-    if (!box.valid())
-        return false;
+bool isOutside(const BoundingBox& box, const Matrix4& clipFromModel) {
     constexpr double rounding = 1e-6; // of what is drawn in float
     std::array<int, 4> beyond{};
     for (unsigned i = 0; i < 8; ++i) {
-        const osg::Vec4d corner = osg::Vec4d(osg::Vec3d(box.corner(i)), 1.0) * clipFromLocal;
-        const double w = corner.w() + rounding * std::abs(corner.w());
-        beyond[0] += corner.x() > w;
-        beyond[1] += corner.x() < -w;
-        beyond[2] += corner.y() > w;
-        beyond[3] += corner.y() < -w;
+        const auto [x, y, z, depth] =
+            clipFromModel.homogeneous({(i & 1 ? box.max : box.min).x, (i & 2 ? box.max : box.min).y,
+                                       (i & 4 ? box.max : box.min).z});
+        const double w = depth + rounding * std::abs(depth);
+        beyond[0] += x > w;
+        beyond[1] += x < -w;
+        beyond[2] += y > w;
+        beyond[3] += y < -w;
     }
     return std::ranges::find(beyond, 8) != beyond.end();
 }
@@ -89,7 +85,8 @@ bool isOutside(const osg::BoundingBox& box, const osg::Matrixd& clipFromLocal) {
 std::vector<SurfaceItem> itemsWithin(const SurfaceScene& scene, const Raster& raster) {
     std::vector<SurfaceItem> items;
     for (const SurfaceItem& item : scene.items)
-        if (!isOutside(item.geometry->getBoundingBox(), item.eyeFromLocal * raster.clipFromEye))
+        if (!isOutside(scene.pieceOf(item).bounds,
+                       scene.bodyOf(item).eyeFromModel * raster.clipFromEye))
             items.push_back(item);
     return items;
 }
@@ -152,8 +149,9 @@ struct SurfacePass::Impl {
 
     /// Leaves the depth of what hides surfaces, and no colour. What is nearer than the depth range
     /// is drawn at its near end.
-    void renderOccluders(osg::RenderInfo& info, const SurfaceScene& scene, const Raster& raster) {
-        if (scene.occluders.empty())
+    void renderTerrain(const SurfaceScene& scene, const Raster& raster) {
+        const auto& [entity, mesh, rays, eyeFromModel] = scene.terrain;
+        if (!mesh)
             return;
         if (!occluder)
             occluder.emplace(std::vector<std::string>{"terrain.vert.glsl"},
@@ -162,21 +160,23 @@ struct SurfacePass::Impl {
         glDisable(GL_CULL_FACE);
         glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         occluder->use();
-        for (const OccluderItem& item : scene.occluders) {
-            occluder->set("clipFromModel", item.eyeFromLocal * raster.clipFromEye);
-            item.geometry->draw(info);
-        }
+        occluder->set("clipFromModel", eyeFromModel * raster.clipFromEye);
+        const MeshBuffers& buffers = MeshBuffers::of(mesh);
+        buffers.bind();
+        for (std::size_t piece = 0; piece < mesh->pieces.size(); ++piece)
+            buffers.draw(piece);
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         glDisable(GL_DEPTH_CLAMP);
-        info.getState()->unbindVertexArrayObject();
+        MeshBuffers::unbind();
     }
 
     /// Draws the items of one kind with the surface shader into the bound target.
-    void renderItems(osg::RenderInfo& info, const RasterItems& tile, bool transparent,
-                     Product product, int rasterWidth) {
+    void renderItems(const RasterItems& tile, bool transparent, Product product, int rasterWidth) {
         const auto& [scene, raster, items] = tile;
         const ShaderProgram* current = nullptr;
         int currentAngle = 0;
+        const SurfaceBody* body = nullptr;
+        const MeshBuffers* buffers = nullptr;
         for (const SurfaceItem& item : items) {
             if (item.transparent != transparent)
                 continue;
@@ -192,23 +192,25 @@ struct SurfacePass::Impl {
                 shader.set("radiance", std::span(row.radiance.data(), scene.factors.factorCount));
             shader.set("surface", {row.constant, row.opacity, row.nAngleFactor,
                                    static_cast<float>(item.row + 1)});
-            shader.set("eyeFromModel", item.eyeFromLocal);
-            shader.set("clipFromModel", item.eyeFromLocal * raster.clipFromEye);
-            osg::Matrixd inverse, transposed;
-            inverse.invert(item.eyeFromLocal);
-            transposed.transpose(inverse);
-            shader.setNormalMatrix("eyeNormalFromModel", transposed);
+            if (body != &scene.bodyOf(item)) {
+                body = &scene.bodyOf(item);
+                buffers = &MeshBuffers::of(body->mesh);
+                buffers->bind();
+            }
+            shader.set("eyeFromModel", body->eyeFromModel);
+            shader.set("clipFromModel", body->eyeFromModel * raster.clipFromEye);
             // Both walls of a transparent shell count, whatever its draw type.
-            if (item.cullsBackFaces && !transparent)
+            const Mesh::Part& part = scene.partOf(item);
+            if (part.culled && !transparent)
                 glEnable(GL_CULL_FACE);
             else
                 glDisable(GL_CULL_FACE);
-            offsetLayer(item.layer);
-            item.geometry->draw(info);
+            offsetLayer(part.layer);
+            buffers->draw(item.piece);
         }
         offsetLayer(0);
         glDisable(GL_CULL_FACE);
-        info.getState()->unbindVertexArrayObject();
+        MeshBuffers::unbind();
     }
 
     /// Lifts a subface over the face in whose plane it lies: by as much as depth changes over a
@@ -233,8 +235,7 @@ struct SurfacePass::Impl {
 
     /// Draws the tiles of a sheet: the opaque surfaces into `target`, the transparent ones before
     /// them into the list. Returns the length of the list.
-    std::uint32_t draw(osg::RenderInfo& info, const SheetScene& sheet, Product product,
-                       FloatTarget& target) {
+    std::uint32_t draw(const SheetScene& sheet, Product product, FloatTarget& target) {
         const int width = sheet.sheet.width, height = sheet.sheet.height;
         const std::vector<RasterItems> tiles = rastersOf(sheet);
         const ReversedDepth reversed;
@@ -249,17 +250,17 @@ struct SurfacePass::Impl {
         for (const RasterItems& tile : tiles) {
             goTo(tile.raster);
             if (!tile.items.empty())
-                renderOccluders(info, tile.scene, tile.raster);
-            renderItems(info, tile, false, product, width);
+                renderTerrain(tile.scene, tile.raster);
+            renderItems(tile, false, product, width);
         }
-        const std::uint32_t listed = renderTransparent(info, tiles, width, product);
+        const std::uint32_t listed = renderTransparent(tiles, width, product);
         glDisable(GL_SCISSOR_TEST);
         glFinish();
         return listed;
     }
 
-    std::uint32_t renderTransparent(osg::RenderInfo& info, const std::vector<RasterItems>& tiles,
-                                    int width, Product product) {
+    std::uint32_t renderTransparent(const std::vector<RasterItems>& tiles, int width,
+                                    Product product) {
         const auto isAny = [](const RasterItems& tile) {
             return std::ranges::any_of(tile.items, &SurfaceItem::transparent);
         };
@@ -274,7 +275,7 @@ struct SurfacePass::Impl {
             list.begin(roomInList, vectorsOf(tiles.front().scene.factors));
             for (const RasterItems& tile : tiles) {
                 goTo(tile.raster);
-                renderItems(info, tile, true, product, width);
+                renderItems(tile, true, product, width);
             }
             listed = list.count();
             if (listed <= roomInList)
@@ -290,14 +291,13 @@ struct SurfacePass::Impl {
 SurfacePass::SurfacePass() : impl_(std::make_unique<Impl>()) {}
 SurfacePass::~SurfacePass() = default;
 
-void SurfacePass::renderRadiance(osg::RenderInfo& info, const SheetScene& sheet,
-                                 RadianceSamples& samples) {
+void SurfacePass::renderRadiance(const SheetScene& sheet, RadianceSamples& samples) {
     Impl& p = *impl_;
     if (std::ranges::any_of(sheet.scenes, &SurfaceScene::hasTransparent))
         throw LogicError("radiance alone was drawn of what lies behind a transparent surface");
     {
         Stopwatch watch(p.renderSeconds);
-        p.draw(info, sheet, radianceProduct, p.radiance);
+        p.draw(sheet, radianceProduct, p.radiance);
     }
     samples.width = sheet.sheet.width;
     samples.height = sheet.sheet.height;
@@ -306,7 +306,7 @@ void SurfacePass::renderRadiance(osg::RenderInfo& info, const SheetScene& sheet,
     p.radiance.read(0, samples.width, samples.height, samples.planes);
 }
 
-void SurfacePass::sampleGeometry(osg::RenderInfo& info, const SheetScene& sheet, bool withDistance,
+void SurfacePass::sampleGeometry(const SheetScene& sheet, bool withDistance,
                                  GeometrySamples& samples) {
     Impl& p = *impl_;
     const int width = sheet.sheet.width, height = sheet.sheet.height;
@@ -316,8 +316,7 @@ void SurfacePass::sampleGeometry(osg::RenderInfo& info, const SheetScene& sheet,
     std::uint32_t listed = 0;
     {
         Stopwatch watch(p.renderSeconds);
-        listed =
-            p.draw(info, sheet, withDistance ? factorProductWithDistance : factorProduct, target);
+        listed = p.draw(sheet, withDistance ? factorProductWithDistance : factorProduct, target);
     }
     samples.width = width;
     samples.height = height;

@@ -5,10 +5,6 @@
 
 #include "irsg/render/sampling/SurfaceScene.h"
 
-namespace osg {
-class RenderInfo;
-}
-
 namespace irsg {
 
 /// Draws surfaces into float targets. Opaque ones by depth; transparent ones into a list of
@@ -20,10 +16,9 @@ class SurfacePass {
     ~SurfacePass();
 
     /// Radiances of rows; LogicError where an item is transparent.
-    void renderRadiance(osg::RenderInfo& info, const SheetScene& sheet, RadianceSamples& samples);
+    void renderRadiance(const SheetScene& sheet, RadianceSamples& samples);
     /// Factors of all layers, the transparent ones not sorted yet.
-    void sampleGeometry(osg::RenderInfo& info, const SheetScene& sheet, bool withDistance,
-                        GeometrySamples& samples);
+    void sampleGeometry(const SheetScene& sheet, bool withDistance, GeometrySamples& samples);
 
     /// Memory of the targets and the list, which every drawing shares.
     std::size_t bytes() const;

@@ -6,8 +6,6 @@
 #include <string>
 #include <utility>
 
-#include <osg/TriangleIndexFunctor>
-
 #include "irsg/core/Errors.h"
 #include "irsg/render/rays/RayVectors.h"
 
@@ -22,32 +20,6 @@ RTCDevice device() {
     if (!one)
         throw InputError({"rays", "Embree", "no device", "a processor with SSE 2"});
     return one;
-}
-
-struct RayTriangles {
-    std::vector<unsigned> corners;
-    void operator()(unsigned a, unsigned b, unsigned c) {
-        corners.insert(corners.end(), {a, b, c});
-    }
-};
-
-void append(std::vector<float>& numbers, const osg::Vec3d& v) {
-    for (int i = 0; i < 3; ++i)
-        numbers.push_back(static_cast<float>(v[i]));
-}
-
-Corners cornersOf(const osg::Vec3Array& vertices, const osg::Vec3Array* normals,
-                  const osg::Matrixd& meshFromLocal) {
-    Corners corners;
-    const osg::Matrixd localFromMesh = osg::Matrixd::inverse(meshFromLocal);
-    for (const osg::Vec3& v : vertices)
-        append(corners.vertices, osg::Vec3d(v) * meshFromLocal);
-    corners.vertices.resize(corners.vertices.size() + 1);
-    for (std::size_t i = 0; normals && i < vertices.size(); ++i) {
-        const osg::Vec3& normal = (*normals)[std::min(i, normals->size() - 1)];
-        append(corners.normals, osg::Matrixd::transform3x3(localFromMesh, osg::Vec3d(normal)));
-    }
-    return corners;
 }
 
 } // namespace
@@ -67,31 +39,23 @@ RayMesh::Impl::~Impl() {
         rtcReleaseScene(scene);
 }
 
-void RayMesh::Impl::add(const Piece& piece) {
-    TracedPiece& traced = pieces.emplace_back();
-    const auto* vertices = dynamic_cast<const osg::Vec3Array*>(piece.geometry->getVertexArray());
-    if (!vertices || vertices->empty())
-        return;
-    const auto [known, isNew] = corners.try_emplace({vertices, piece.meshFromLocal});
-    if (isNew)
-        known->second = cornersOf(
-            *vertices, dynamic_cast<const osg::Vec3Array*>(piece.geometry->getNormalArray()),
-            piece.meshFromLocal);
-    traced.corners = &known->second;
-    osg::TriangleIndexFunctor<RayTriangles> found;
-    piece.geometry->accept(found);
-    traced.triangles = std::move(found.corners);
-    facets += traced.triangles.size() / 3;
+RayMesh::Impl::Impl(std::shared_ptr<const Mesh> of) : mesh(std::move(of)), facets(mesh->facets()) {
+    for (const Mesh::Part& part : mesh->parts) {
+        vertices.push_back(part.vertices);
+        vertices.back().emplace_back();
+    }
+    for (const Mesh::Piece& piece : mesh->pieces)
+        pieces.push_back({&mesh->partOf(piece), mesh->trianglesOf(piece)});
 }
 
 void RayMesh::Impl::attach(std::size_t number) {
     const TracedPiece& piece = pieces[number];
     if (piece.triangles.empty())
         return;
+    const std::vector<Float3>& places = vertices[mesh->pieces[number].part];
     RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                               piece.corners->vertices.data(), 0, 3 * sizeof(float),
-                               piece.corners->vertices.size() / 3);
+                               places.data(), 0, sizeof(Float3), places.size() - 1);
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                piece.triangles.data(), 0, 3 * sizeof(unsigned),
                                piece.triangles.size() / 3);
@@ -115,13 +79,13 @@ void RayMesh::Impl::commit() {
         return;
     RTCBounds box;
     rtcGetSceneBounds(scene, &box);
-    low.set(box.lower_x, box.lower_y, box.lower_z);
-    high.set(box.upper_x, box.upper_y, box.upper_z);
+    const Vec3 least = toVec3({box.lower_x, box.lower_y, box.lower_z}),
+               most = toVec3({box.upper_x, box.upper_y, box.upper_z});
     constexpr double digits = 4e-7;
-    rounding_m = digits * std::max({low.length(), high.length(), (high - low).length()});
-    const osg::Vec3d margin(rounding_m, rounding_m, rounding_m);
-    low -= margin;
-    high += margin;
+    rounding_m =
+        digits * std::max({plainLength(least), plainLength(most), plainLength(most - least)});
+    low = {least.x - rounding_m, least.y - rounding_m, least.z - rounding_m};
+    high = {most.x + rounding_m, most.y + rounding_m, most.z + rounding_m};
 }
 
 bool RayMesh::Impl::clip(const Ray& ray, double& from_m, double& to_m) const {
@@ -129,14 +93,13 @@ bool RayMesh::Impl::clip(const Ray& ray, double& from_m, double& to_m) const {
     const std::array<double, 3> along{ray.direction.x, ray.direction.y, ray.direction.z};
     from_m = ray.from_m;
     to_m = ray.to_m;
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<std::size_t>(axis);
+    for (std::size_t i = 0; i < 3; ++i) {
         const double per = 1.0 / along[i];
-        double enter = (low[axis] - origin[i]) * per, leave = (high[axis] - origin[i]) * per;
+        double enter = (low[i] - origin[i]) * per, leave = (high[i] - origin[i]) * per;
         if (enter > leave)
             std::swap(enter, leave);
         if (along[i] == 0.0) {
-            if (origin[i] < low[axis] || origin[i] > high[axis])
+            if (origin[i] < low[i] || origin[i] > high[i])
                 return false;
             continue;
         }
@@ -149,9 +112,9 @@ bool RayMesh::Impl::clip(const Ray& ray, double& from_m, double& to_m) const {
 RayHit RayMesh::Impl::refined(const Ray& ray, const Candidate& candidate) const {
     const TracedPiece& piece = pieces[candidate.piece];
     const unsigned* corner = &piece.triangles[3 * static_cast<std::size_t>(candidate.facet)];
-    const Vec3 a = piece.corners->vertex(corner[0]);
-    const Vec3 ab = piece.corners->vertex(corner[1]) - a;
-    const Vec3 ac = piece.corners->vertex(corner[2]) - a;
+    const Vec3 a = piece.vertex(corner[0]);
+    const Vec3 ab = piece.vertex(corner[1]) - a;
+    const Vec3 ac = piece.vertex(corner[2]) - a;
     const Vec3 p = crossed(ray.direction, ac);
     const double determinant = product(ab, p);
     RayHit hit;
@@ -189,10 +152,8 @@ RTCRay RayMesh::Impl::rayFrom(const Ray& ray, double from_m, double to_m) const 
 RayMesh::RayMesh(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 RayMesh::~RayMesh() = default;
 
-std::shared_ptr<const RayMesh> RayMesh::of(const std::vector<Piece>& pieces) {
-    auto impl = std::make_unique<Impl>();
-    for (const Piece& piece : pieces)
-        impl->add(piece);
+std::shared_ptr<const RayMesh> RayMesh::of(std::shared_ptr<const Mesh> mesh) {
+    auto impl = std::make_unique<Impl>(std::move(mesh));
     impl->commit();
     return std::shared_ptr<const RayMesh>(new RayMesh(std::move(impl)));
 }
@@ -212,10 +173,10 @@ std::size_t RayMesh::facetsOf(std::size_t piece) const {
 RayMesh::Facet RayMesh::facet(std::size_t piece, unsigned number) const {
     const TracedPiece& traced = impl_->pieces[piece];
     Facet found;
-    found.arrays = traced.corners;
+    found.arrays = traced.part;
     for (std::size_t i = 0; i < 3; ++i) {
         found.vertices[i] = traced.triangles[3 * static_cast<std::size_t>(number) + i];
-        found.corners_m[i] = traced.corners->vertex(found.vertices[i]);
+        found.corners_m[i] = traced.vertex(found.vertices[i]);
     }
     return found;
 }
@@ -230,10 +191,9 @@ Vec3 RayMesh::lifted(const RayHit& hit, const Ray& ray) const {
     const double side = hit.isFront ? 1.0 : -1.0;
     const Vec3 place = ray.origin_m + ray.direction * hit.distance_m;
     Vec3 start = place + planeNormal(hit) * (side * 2.0 * impl_->rounding_m);
-    for (std::size_t i = 0; i < 3 && !piece.corners->normals.empty(); ++i) {
-        const Vec3 normal = piece.corners->normal(corner[i]) * side;
-        const double below_m =
-            std::min(product(place - piece.corners->vertex(corner[i]), normal), 0.0);
+    for (std::size_t i = 0; i < 3 && !piece.part->normals.empty(); ++i) {
+        const Vec3 normal = piece.normal(corner[i]) * side;
+        const double below_m = std::min(product(place - piece.vertex(corner[i]), normal), 0.0);
         start = start - normal * (std::clamp(hit.weights[i], 0.0, 1.0) * below_m);
     }
     return start;
@@ -253,19 +213,18 @@ double RayMesh::rounding_m() const {
 
 double RayMesh::bulge_m(std::size_t piece, unsigned number, bool isFront) const {
     const TracedPiece& traced = impl_->pieces[piece];
-    if (traced.corners->normals.empty())
+    if (traced.part->normals.empty())
         return 0.0;
     const unsigned* corner = &traced.triangles[3 * static_cast<std::size_t>(number)];
     const double side = isFront ? 1.0 : -1.0;
     const Vec3 plane = planeNormal({.piece = static_cast<int>(piece), .facet = number}) * side;
     double most_m = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3 normal = traced.corners->normal(corner[i]) * side;
+        const Vec3 normal = traced.normal(corner[i]) * side;
         double below_m = 0.0;
         for (std::size_t k = 0; k < 3; ++k)
-            below_m = std::max(
-                below_m,
-                dot(traced.corners->vertex(corner[i]) - traced.corners->vertex(corner[k]), normal));
+            below_m =
+                std::max(below_m, dot(traced.vertex(corner[i]) - traced.vertex(corner[k]), normal));
         if (below_m > 0.0 && dot(normal, plane) < 0.0)
             return -1.0;
         most_m = std::max(most_m, below_m * length(normal));
@@ -275,21 +234,20 @@ double RayMesh::bulge_m(std::size_t piece, unsigned number, bool isFront) const 
 
 Vec3 RayMesh::normal(const RayHit& hit) const {
     const TracedPiece& piece = impl_->pieces[static_cast<std::size_t>(hit.piece)];
-    if (piece.corners->normals.empty())
+    if (piece.part->normals.empty())
         return planeNormal(hit);
     const unsigned* corner = &piece.triangles[3 * static_cast<std::size_t>(hit.facet)];
     Vec3 sum;
     for (std::size_t i = 0; i < 3; ++i)
-        sum = sum + piece.corners->normal(corner[i]) * hit.weights[i];
+        sum = sum + piece.normal(corner[i]) * hit.weights[i];
     return sum == Vec3{} ? planeNormal(hit) : normalized(sum);
 }
 
 Vec3 RayMesh::planeNormal(const RayHit& hit) const {
     const TracedPiece& piece = impl_->pieces[static_cast<std::size_t>(hit.piece)];
     const unsigned* corner = &piece.triangles[3 * static_cast<std::size_t>(hit.facet)];
-    const Vec3 a = piece.corners->vertex(corner[0]);
-    const Vec3 normal =
-        crossed(piece.corners->vertex(corner[1]) - a, piece.corners->vertex(corner[2]) - a);
+    const Vec3 a = piece.vertex(corner[0]);
+    const Vec3 normal = crossed(piece.vertex(corner[1]) - a, piece.vertex(corner[2]) - a);
     const double size = plainLength(normal);
     return size > 0.0 ? normal * (1.0 / size) : Vec3{0, 0, 1};
 }

@@ -9,10 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include <osg/Geometry>
-#include <osg/Matrixd>
-
-#include "irsg/geometry/view/Vec3.h"
+#include "irsg/geometry/mesh/Mesh.h"
 #include "irsg/render/rays/RaysBuilt.h"
 
 namespace irsg {
@@ -83,17 +80,13 @@ class PieceUses {
     bool isPlain_ = true;
 };
 
-/// Triangles that rays are sent at. Which facets a ray meets is found in float about the mesh;
-/// where it meets them is computed in double from the facets' own corners. Equal input gives equal
-/// answers, whatever the number of threads.
+/// The triangles of a mesh as rays meet them, piece by piece. Which facets a ray meets is found in
+/// float about the mesh; where it meets them is computed in double from the facets' own corners.
+/// Equal input gives equal answers, whatever the number of threads.
 class RayMesh {
   public:
-    struct Piece {
-        const osg::Geometry* geometry = nullptr;
-        osg::Matrixd meshFromLocal;
-    };
-    /// Piece by piece; geometries are read and not kept. InputError without rays in this build.
-    static std::shared_ptr<const RayMesh> of(const std::vector<Piece>& pieces);
+    /// Shares the mesh. InputError without rays in this build.
+    static std::shared_ptr<const RayMesh> of(std::shared_ptr<const Mesh> mesh);
     ~RayMesh();
 
     std::size_t facets() const;

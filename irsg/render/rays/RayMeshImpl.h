@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
-#include <utility>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include <embree3/rtcore.h>
@@ -11,23 +11,12 @@
 
 namespace irsg {
 
-/// Corners in the axes of the mesh, three numbers each. Embree reads four.
-struct Corners {
-    std::vector<float> vertices, normals;
-
-    Vec3 vertex(unsigned i) const { return at(vertices, i); }
-    Vec3 normal(unsigned i) const { return at(normals, i); }
-
-  private:
-    static Vec3 at(const std::vector<float>& numbers, unsigned i) {
-        const float* v = &numbers[3 * static_cast<std::size_t>(i)];
-        return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-    }
-};
-
 struct TracedPiece {
-    const Corners* corners = nullptr;
-    std::vector<unsigned> triangles;
+    const Mesh::Part* part = nullptr;
+    std::span<const unsigned> triangles;
+
+    Vec3 vertex(unsigned i) const { return toVec3(part->vertices[i]); }
+    Vec3 normal(unsigned i) const { return toVec3(part->normals[i]); }
 };
 
 /// A facet that the search in float has come by.
@@ -35,17 +24,17 @@ struct Candidate {
     unsigned piece, facet;
 };
 
-/// What a mesh is made of.
 struct RayMesh::Impl {
-    std::map<std::pair<const osg::Array*, osg::Matrixd>, Corners> corners;
+    std::shared_ptr<const Mesh> mesh;
     std::vector<TracedPiece> pieces;
+    std::vector<std::vector<Float3>> vertices; ///< of each part, and one more: Embree reads beyond
     RTCScene scene = nullptr;
-    osg::Vec3d low{1, 1, 1}, high{-1, -1, -1}; ///< of the box, widened by rounding
-    double rounding_m = 0.0;                   ///< of places on the mesh in float
+    std::array<double, 3> low{1, 1, 1}, high{-1, -1, -1}; ///< of the box, widened by rounding
+    double rounding_m = 0.0;                              ///< of places on the mesh in float
     std::size_t facets = 0;
 
+    explicit Impl(std::shared_ptr<const Mesh> of);
     ~Impl();
-    void add(const Piece& piece);
     void attach(std::size_t number);
     void commit();
 

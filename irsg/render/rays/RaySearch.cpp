@@ -52,7 +52,7 @@ struct LightSearch {
 
     /// The facet itself, or one that continues it smoothly.
     bool isOwn(unsigned piece, unsigned facet) const {
-        if (!own || pieces[piece].corners != own->corners)
+        if (!own || pieces[piece].part != own->part)
             return false;
         const unsigned* others = &pieces[piece].triangles[3 * static_cast<std::size_t>(facet)];
         return std::any_of(corners, corners + 3, [&](unsigned corner) {

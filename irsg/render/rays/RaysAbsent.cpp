@@ -21,7 +21,7 @@ std::string whyNoRays() {
 RayMesh::RayMesh(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 RayMesh::~RayMesh() = default;
 
-std::shared_ptr<const RayMesh> RayMesh::of(const std::vector<Piece>&) {
+std::shared_ptr<const RayMesh> RayMesh::of(std::shared_ptr<const Mesh>) {
     throw InputError(
         {"settings", "render.engine", whyNoRays(), "opengl, or a build with Embree 3"});
 }

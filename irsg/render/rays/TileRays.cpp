@@ -11,7 +11,7 @@ namespace irsg {
 
 namespace {
 
-Vec3 axisOf(const osg::Matrixd& matrix, int row) {
+Vec3 axisOf(const Matrix4& matrix, std::size_t row) {
     return {matrix(row, 0), matrix(row, 1), matrix(row, 2)};
 }
 
@@ -35,7 +35,7 @@ Vec3 TileRays::Body::toEye(const Vec3& meshDirection) const {
 TileRays::Body TileRays::bodyOf(const SurfaceBody& body, PieceUses uses, std::vector<int> rows) {
     // Row vectors times matrix: its rows are the axes of the model in eye space.
     Body own{body.entity,
-             body.mesh.get(),
+             body.rays.get(),
              axisOf(body.eyeFromModel, 0),
              axisOf(body.eyeFromModel, 1),
              axisOf(body.eyeFromModel, 2),
@@ -52,18 +52,18 @@ TileRays::TileRays(const SurfaceScene& scene, const SampleTile& tile)
       directions_(scene.camera->sensor(), tile),
       sampleWidth_(sampleWidthOf(scene.camera->sensor(), tile)) {
     for (const SurfaceBody& body : scene.bodies) {
-        PieceUses uses(body.mesh->pieces());
-        std::vector<int> rows(body.mesh->pieces(), -1);
+        PieceUses uses(body.rays->pieces());
+        std::vector<int> rows(body.rays->pieces(), -1);
         for (const SurfaceItem& item : scene.items)
-            if (item.entity == body.entity) {
-                const auto piece = static_cast<std::size_t>(item.piece);
-                uses.set(piece, {true, item.transparent, item.cullsBackFaces, item.layer});
-                rows[piece] = item.row;
+            if (&scene.bodyOf(item) == &body) {
+                const Mesh::Part& part = scene.partOf(item);
+                uses.set(item.piece, {true, item.transparent, part.culled, part.layer});
+                rows[item.piece] = item.row;
             }
         bodies_.push_back(bodyOf(body, std::move(uses), std::move(rows)));
     }
-    if (scene.terrain.mesh)
-        occluders_.push_back(bodyOf(scene.terrain, opaqueUses(scene.terrain.mesh->pieces()), {}));
+    if (scene.terrain.rays)
+        occluders_.push_back(bodyOf(scene.terrain, opaqueUses(scene.terrain.rays->pieces()), {}));
 }
 
 Ray TileRays::rayTo(const Body& body, const Vec3& eyeDirection, double from_m) {

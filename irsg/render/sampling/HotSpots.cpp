@@ -7,8 +7,6 @@
 #include <span>
 #include <tuple>
 
-#include <osg/TriangleIndexFunctor>
-
 #include "irsg/render/sampling/EntityGroups.h"
 #include "irsg/render/sampling/Uniting.h"
 
@@ -33,11 +31,6 @@ class UnionFind {
 
   private:
     std::vector<std::size_t> parent_;
-};
-
-struct TriangleCollector {
-    std::vector<std::array<unsigned, 3>> corners;
-    void operator()(unsigned a, unsigned b, unsigned c) { corners.push_back({a, b, c}); }
 };
 
 struct ByPlace {
@@ -93,27 +86,22 @@ double distance_m(const Vec3& place, const BoundingBox& box) {
 
 } // namespace
 
-std::vector<BoundingBox> connectedPieces(const std::vector<RenderItem>& items,
-                                         const IrCodes& codes) {
+std::vector<BoundingBox> connectedPieces(const Mesh& mesh, const IrCodes& codes) {
     UnionFind sets;
     std::map<Vec3, std::size_t, ByPlace> vertexAt;
-    for (const RenderItem& item : items) {
-        const auto* vertices = dynamic_cast<const osg::Vec3Array*>(item.geometry->getVertexArray());
-        if (item.codes != codes || !vertices)
+    for (const Mesh::Part& part : mesh.parts) {
+        if (part.codes != codes)
             continue;
-        osg::TriangleIndexFunctor<TriangleCollector> triangles;
-        item.geometry->accept(triangles);
         const auto vertex = [&](unsigned index) {
-            const osg::Vec3d p = osg::Vec3d((*vertices)[index]) * item.modelFromLocal;
-            const auto [place, isNew] = vertexAt.try_emplace(Vec3{p.x(), p.y(), p.z()}, 0);
+            const auto [place, isNew] = vertexAt.try_emplace(toVec3(part.vertices[index]), 0);
             if (isNew)
                 place->second = sets.add();
             return place->second;
         };
-        for (const auto& [a, b, c] : triangles.corners) {
-            const std::size_t first = vertex(a);
-            sets.unite(vertex(b), first);
-            sets.unite(vertex(c), first);
+        for (std::size_t i = 0; i < part.triangles.size(); i += 3) {
+            const std::size_t first = vertex(part.triangles[i]);
+            sets.unite(vertex(part.triangles[i + 1]), first);
+            sets.unite(vertex(part.triangles[i + 2]), first);
         }
     }
 
@@ -176,8 +164,7 @@ bool isHidden(const HotSpot& part, const SampleTile& probe, const GeometrySample
     return true;
 }
 
-std::vector<HotSpot> HotSpots::seenBy(const CameraFrame& camera, const Pose& pose,
-                                      const std::vector<RenderItem>& items,
+std::vector<HotSpot> HotSpots::seenBy(const CameraFrame& camera, const Pose& pose, const Mesh& mesh,
                                       const std::vector<IrCodes>& hot) {
     std::vector<HotSpot> parts;
     const Sensor& sensor = camera.sensor();
@@ -188,7 +175,7 @@ std::vector<HotSpot> HotSpots::seenBy(const CameraFrame& camera, const Pose& pos
     for (const IrCodes& codes : hot) {
         auto found = pieces_.find(codes);
         if (found == pieces_.end())
-            found = pieces_.emplace(codes, connectedPieces(items, codes)).first;
+            found = pieces_.emplace(codes, connectedPieces(mesh, codes)).first;
         for (const BoundingBox& piece : found->second)
             if (const auto extent = camera.extentOf(piece, pose))
                 if (const ImageRectangle seen = extent->intersectedWith(field); !seen.empty())

@@ -3,7 +3,7 @@
 #include <map>
 #include <vector>
 
-#include "irsg/geometry/model/RenderList.h"
+#include "irsg/geometry/mesh/Mesh.h"
 #include "irsg/geometry/view/CameraFrame.h"
 #include "irsg/render/sampling/SampleTile.h"
 #include "irsg/render/sampling/Samples.h"
@@ -13,8 +13,7 @@ namespace irsg {
 /// Boxes, in model axes, around the connected pieces of what carries a pair of codes: triangles
 /// with a common place of a vertex are connected, and pieces whose boxes meet are one. At most
 /// `mostPieces`; of more, neighbours share a box.
-std::vector<BoundingBox> connectedPieces(const std::vector<RenderItem>& items,
-                                         const IrCodes& codes);
+std::vector<BoundingBox> connectedPieces(const Mesh& mesh, const IrCodes& codes);
 inline constexpr std::size_t mostPieces = 256;
 
 /// A hot piece of an object as a camera sees it.
@@ -40,8 +39,7 @@ bool isHidden(const HotSpot& part, const SampleTile& probe, const GeometrySample
 class HotSpots {
   public:
     /// The hot pieces of an object that stands at `pose`.
-    std::vector<HotSpot> seenBy(const CameraFrame& camera, const Pose& pose,
-                                const std::vector<RenderItem>& items,
+    std::vector<HotSpot> seenBy(const CameraFrame& camera, const Pose& pose, const Mesh& mesh,
                                 const std::vector<IrCodes>& hot);
 
   private:

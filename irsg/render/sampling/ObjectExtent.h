@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "irsg/geometry/model/RenderList.h"
+#include "irsg/geometry/mesh/Mesh.h"
 #include "irsg/geometry/view/CameraFrame.h"
 #include "irsg/render/sampling/SampleLattice.h"
 
@@ -26,8 +26,7 @@ struct ObjectExtent {
 /// The extent of a model at `pose` is the intersection of those of its box and its sphere. Nothing
 /// where it lies behind the camera or outside the frame; the whole frame where it reaches behind
 /// the camera.
-std::optional<ObjectExtent> objectExtent(int entity, const CameraFrame& camera,
-                                         const BoundingBox& box, const BoundingSphere& sphere,
+std::optional<ObjectExtent> objectExtent(int entity, const CameraFrame& camera, const Mesh& mesh,
                                          const Pose& pose);
 
 } // namespace irsg

@@ -8,9 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <osg/Geometry>
-#include <osg/Matrixd>
-
+#include "irsg/geometry/mesh/Mesh.h"
 #include "irsg/geometry/view/CameraFrame.h"
 #include "irsg/render/sampling/SampleGeometry.h"
 #include "irsg/render/sampling/SampleSheet.h"
@@ -28,29 +26,21 @@ struct SurfaceRow {
     float nAngleFactor = 0.0f;
 };
 
-/// One piece of the scene as it is drawn.
-struct SurfaceItem {
-    osg::Geometry* geometry = nullptr;
-    osg::Matrixd eyeFromLocal;
-    int entity = 0;
-    int piece = 0; ///< its number in the entity's model
-    int row = 0;   ///< index into the rows
-    bool transparent = false;
-    bool cullsBackFaces = false;
-    int layer = 0; ///< of a subface, which lies in the plane of the layer below
-};
-
-/// What hides surfaces and is not drawn itself: terrain, whose picture belongs to the background.
-struct OccluderItem {
-    osg::Geometry* geometry = nullptr;
-    osg::Matrixd eyeFromLocal;
-};
-
-/// An entity as rays meet it.
+/// An entity, or the terrain, as it stands before the camera.
 struct SurfaceBody {
+    int entity = -1; ///< -1 for the terrain
+    std::shared_ptr<const Mesh> mesh;
+    std::shared_ptr<const RayMesh> rays; ///< the same as rays meet it; null for OpenGL
+    Matrix4 eyeFromModel;
+};
+
+/// One piece of the scene as it is sampled.
+struct SurfaceItem {
     int entity = 0;
-    std::shared_ptr<const RayMesh> mesh; ///< its pieces are those of the items; null for OpenGL
-    osg::Matrixd eyeFromModel;
+    std::size_t piece = 0; ///< of the entity's mesh
+    int row = 0;           ///< index into the rows
+    bool transparent = false;
+    std::size_t body = 0; ///< of the frame, index into its bodies
 };
 
 /// How factors are made of a sample's geometry: on the graphics card and on the CPU.
@@ -70,10 +60,19 @@ struct SurfaceScene {
     DepthRange depth;
     GeometryFactors factors;
     std::vector<SurfaceItem> items;
-    std::vector<SurfaceBody> bodies;     ///< that the items belong to
-    std::vector<OccluderItem> occluders; ///< at any depth: the range need not hold them
-    SurfaceBody terrain;                 ///< the occluders as rays meet them
+    std::vector<SurfaceBody> bodies; ///< that the items belong to
+    /// Hides surfaces and is not sampled itself, because its picture belongs to the background; at
+    /// any depth, the range need not hold it. Without a mesh there is none.
+    SurfaceBody terrain;
     std::vector<SurfaceRow> rows;
+
+    const SurfaceBody& bodyOf(const SurfaceItem& item) const { return bodies[item.body]; }
+    const Mesh::Piece& pieceOf(const SurfaceItem& item) const {
+        return bodyOf(item).mesh->pieces[item.piece];
+    }
+    const Mesh::Part& partOf(const SurfaceItem& item) const {
+        return bodyOf(item).mesh->partOf(pieceOf(item));
+    }
 
     bool hasTransparent() const { return std::ranges::any_of(items, &SurfaceItem::transparent); }
 };

@@ -1,4 +1,4 @@
-#include "irsg/geometry/model/RenderPieces.h"
+#include "irsg/geometry/mesh/MeshPieces.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-
-#include <osg/TriangleIndexFunctor>
 
 #include "irsg/radiometry/Units.h"
 #include "tests/support/SceneFixtures.h"
@@ -17,30 +15,21 @@ using namespace irsg::test;
 
 namespace {
 
-struct Corners {
-    std::vector<std::array<unsigned, 3>> all;
-    void operator()(unsigned a, unsigned b, unsigned c) { all.push_back({a, b, c}); }
-};
+using Face = std::pair<IrCodes, std::array<Float3, 3>>;
 
-using Place = std::array<float, 3>;
-using Face = std::pair<IrCodes, std::array<Place, 3>>;
-
-/// Every triangle with its codes, beginning at its least corner.
-std::map<Face, int> facesOf(const std::vector<RenderItem>& items) {
+/// Every triangle of the pieces with its codes, beginning at its least corner.
+std::map<Face, int> facesOf(const Mesh& mesh) {
     std::map<Face, int> faces;
-    for (const RenderItem& item : items) {
-        const auto& vertices =
-            dynamic_cast<const osg::Vec3Array&>(*item.geometry->getVertexArray());
-        osg::TriangleIndexFunctor<Corners> corners;
-        item.geometry->accept(corners);
-        for (const auto& triangle : corners.all) {
-            std::array<Place, 3> places;
-            for (std::size_t i = 0; i < 3; ++i) {
-                const osg::Vec3& v = vertices[triangle[i]];
-                places[i] = {v.x(), v.y(), v.z()};
+    for (const Mesh::Piece& piece : mesh.pieces) {
+        const Mesh::Part& part = mesh.partOf(piece);
+        const auto triangles = mesh.trianglesOf(piece);
+        for (std::size_t i = 0; i < triangles.size(); i += 3) {
+            std::array<Float3, 3> places;
+            for (std::size_t k = 0; k < 3; ++k) {
+                places[k] = part.vertices[triangles[i + k]];
             }
             std::ranges::rotate(places, std::ranges::min_element(places));
-            ++faces[{item.codes, places}];
+            ++faces[{part.codes, places}];
         }
     }
     return faces;
@@ -48,29 +37,29 @@ std::map<Face, int> facesOf(const std::vector<RenderItem>& items) {
 
 } // namespace
 
-TEST(RenderPieces, HoldEveryTriangleOnceWithItsCodes) {
+TEST(MeshPieces, HoldEveryTriangleOnceWithItsCodes) {
     const auto model = modelOf(joined(sphereMesh(1.0, 60, 120, {1, 1}),
                                       boxMesh({3, 2, 1}, std::vector<IrCodes>(6, {2, 2}))));
-    const std::vector<RenderItem> items = collectRenderItems(*model);
-    const std::vector<RenderItem> pieces = inRenderPieces(items);
-    EXPECT_GT(pieces.size(), items.size());
-    EXPECT_EQ(facesOf(pieces), facesOf(items));
-    std::size_t all = 0;
-    for (const RenderItem& item : items) {
-        osg::TriangleIndexFunctor<Corners> corners;
-        item.geometry->accept(corners);
-        all += corners.all.size();
-    }
-    for (const RenderItem& piece : pieces) {
-        osg::TriangleIndexFunctor<Corners> corners;
-        piece.geometry->accept(corners);
-        EXPECT_LE(corners.all.size(), std::max(mostTriangles, all / 100 + 1));
-        EXPECT_FALSE(corners.all.empty());
+    const Mesh whole = meshOf(model->mesh()->parts);
+    Mesh cut = whole;
+    cutIntoPieces(cut);
+    EXPECT_EQ(whole.pieces.size(), whole.parts.size());
+    EXPECT_GT(cut.pieces.size(), whole.pieces.size());
+    EXPECT_EQ(model->mesh()->pieces.size(), cut.pieces.size());
+    EXPECT_EQ(facesOf(cut), facesOf(whole));
+    for (const Mesh::Piece& piece : cut.pieces) {
+        EXPECT_LE(piece.count / 3, std::max(mostTriangles, whole.facets() / 100 + 1));
+        EXPECT_GT(piece.count, 0u);
+        for (const unsigned corner : cut.trianglesOf(piece)) {
+            BoundingBox with = piece.bounds;
+            with.include(toVec3(cut.partOf(piece).vertices[corner]));
+            EXPECT_EQ(with, piece.bounds);
+        }
     }
 }
 
 // A window that shows a part of a model leaves out the pieces beside it, and shows the same.
-TEST(RenderPieces, ThatATileCannotShowAreNotMissed) {
+TEST(MeshPieces, ThatATileCannotShowAreNotMissed) {
     InteractiveRenderer irsg;
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     RenderSettings settings;

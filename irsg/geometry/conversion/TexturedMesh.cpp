@@ -1,15 +1,20 @@
-#include "irsg/render/background/TerrainCollector.h"
+#include "irsg/geometry/conversion/TexturedMesh.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
+#include <osg/Geometry>
+#include <osg/NodeVisitor>
 #include <osg/Texture2D>
 #include <osg/Transform>
 #include <osg/TriangleIndexFunctor>
 
 #include "irsg/core/Errors.h"
+#include "irsg/geometry/conversion/OsgTexture.h"
+#include "irsg/geometry/reading/LoadedGraph.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
 
 namespace irsg {
@@ -46,12 +51,11 @@ std::vector<osg::Vec2> placesOf(const osg::Array* array) {
     return result;
 }
 
-/// A border has no radiance of its own: what would fade into it ends with the edge.
-osg::Texture::WrapMode wrapOf(const osg::Texture& texture, osg::Texture::WrapParameter axis) {
+TextureWrap wrapOf(const osg::Texture& texture, osg::Texture::WrapParameter axis) {
     const osg::Texture::WrapMode mode = texture.getWrap(axis);
-    return mode == osg::Texture::REPEAT || mode == osg::Texture::MIRROR
-               ? mode
-               : osg::Texture::CLAMP_TO_EDGE;
+    return mode == osg::Texture::REPEAT   ? TextureWrap::repeat
+           : mode == osg::Texture::MIRROR ? TextureWrap::mirror
+                                          : TextureWrap::edge;
 }
 
 void include(BoundingBox& box, const osg::Vec3d& v) {
@@ -59,12 +63,35 @@ void include(BoundingBox& box, const osg::Vec3d& v) {
     box.max = {std::max(box.max.x, v.x()), std::max(box.max.y, v.y()), std::max(box.max.z, v.z())};
 }
 
-} // namespace
+/// Gathers triangles by texture.
+class Collector : public osg::NodeVisitor {
+  public:
+    struct Batch {
+        std::vector<osg::Vec3d> vertices; ///< axes of the file, m
+        std::vector<osg::Vec2> places;    ///< texture coordinates
+        std::vector<unsigned int> triangles;
+    };
 
-TerrainCollector::TerrainCollector(const std::filesystem::path& folder, const std::string& name)
-    : osg::NodeVisitor(TRAVERSE_ACTIVE_CHILDREN), folder_(folder), name_(name) {}
+    explicit Collector(const std::string& name)
+        : osg::NodeVisitor(TRAVERSE_ACTIVE_CHILDREN), name_(name) {}
 
-const osg::Texture* TerrainCollector::textureOf(const osg::StateSet* state) const {
+    void apply(osg::Node& node) override;
+    void apply(osg::Transform& transform) override;
+    void apply(osg::Drawable& drawable) override;
+
+    std::map<const osg::Texture*, Batch> batches; ///< null: without a texture
+    std::vector<const osg::Texture*> order;       ///< as they are met
+
+  private:
+    const osg::Texture* textureOf(const osg::StateSet* state) const;
+    void addTriangles(osg::Geometry& geometry, Batch& batch);
+
+    const std::string& name_;
+    osg::Matrixd matrix_;
+    const osg::Texture* texture_ = nullptr;
+};
+
+const osg::Texture* Collector::textureOf(const osg::StateSet* state) const {
     if (!state)
         return texture_;
     const auto* own = dynamic_cast<const osg::Texture*>(
@@ -72,32 +99,32 @@ const osg::Texture* TerrainCollector::textureOf(const osg::StateSet* state) cons
     return own && own->getImage(0) ? own : texture_;
 }
 
-void TerrainCollector::apply(osg::Node& node) {
+void Collector::apply(osg::Node& node) {
     const osg::Texture* outer = std::exchange(texture_, textureOf(node.getStateSet()));
     traverse(node);
     texture_ = outer;
 }
 
-void TerrainCollector::apply(osg::Transform& transform) {
+void Collector::apply(osg::Transform& transform) {
     const osg::Matrixd outer = matrix_;
     transform.computeLocalToWorldMatrix(matrix_, this);
     apply(static_cast<osg::Node&>(transform));
     matrix_ = outer;
 }
 
-void TerrainCollector::apply(osg::Drawable& drawable) {
+void Collector::apply(osg::Drawable& drawable) {
     osg::Geometry* geometry = drawable.asGeometry();
     if (!geometry)
         return;
     const osg::Texture* texture = textureOf(geometry->getStateSet());
     if (placesOf(geometry->getTexCoordArray(0)).empty())
         texture = nullptr;
-    if (!batches_.contains(texture))
-        order_.push_back(texture);
-    addTriangles(*geometry, batches_[texture]);
+    if (!batches.contains(texture))
+        order.push_back(texture);
+    addTriangles(*geometry, batches[texture]);
 }
 
-void TerrainCollector::addTriangles(osg::Geometry& geometry, Batch& batch) {
+void Collector::addTriangles(osg::Geometry& geometry, Batch& batch) {
     const std::vector<osg::Vec3d> positions = positionsOf(geometry.getVertexArray());
     std::vector<osg::Vec2> places = placesOf(geometry.getTexCoordArray(0));
     std::vector<unsigned int> triangles;
@@ -128,63 +155,68 @@ void TerrainCollector::addTriangles(osg::Geometry& geometry, Batch& batch) {
         batch.triangles.push_back(first + index);
 }
 
-TextureImage TerrainCollector::read(const osg::Texture& texture) const {
+TextureImage read(const osg::Texture& texture, const std::filesystem::path& folder,
+                  const std::string& name) {
     // From the file itself where there is one: plug-ins may apply a gamma.
     const osg::Image& image = *texture.getImage(0);
     if (!image.getFileName().empty()) {
         const std::filesystem::path named(image.getFileName());
-        for (const auto& file : {named, folder_ / named, folder_ / named.filename()}) {
+        for (const auto& file : {named, folder / named, folder / named.filename()}) {
             std::error_code ignored;
             if (!refusalOf(file.string(), FileKind::picture) &&
                 std::filesystem::is_regular_file(file, ignored))
                 return readTexture(file);
         }
     }
-    return irsg::textureOf(image, name_ + ", texture '" + image.getFileName() + "'");
+    return textureOf(image, name + ", texture '" + image.getFileName() + "'");
 }
 
-void TerrainCollector::collect(osg::Node& graph, const Vec3& position_m, Terrain::Impl& parts) {
-    graph.accept(*this);
+} // namespace
+
+TexturedMesh texturedMesh(const LoadedGraph& graph, const std::filesystem::path& folder,
+                          const std::string& name) {
+    Collector collector(name);
+    graph.node->accept(collector);
     constexpr double huge = std::numeric_limits<double>::max();
     BoundingBox box{{huge, huge, huge}, {-huge, -huge, -huge}};
-    for (const auto& [texture, batch] : batches_)
+    for (const auto& [texture, batch] : collector.batches)
         for (const unsigned int index : batch.triangles)
             include(box, batch.vertices[index]);
     if (!box.valid())
-        throw InputError({name_, "", "a model without faces", "a terrain of triangles"});
+        throw InputError({name, "", "a model without faces", "a terrain of triangles"});
 
     // Floats keep their digits about the middle.
-    const Vec3 middle = box.centre();
-    parts.pose.position_m = position_m + middle;
-    parts.bounds = {box.min - middle, box.max - middle};
-    for (const osg::Texture* texture : order_) {
-        const Batch& batch = batches_.at(texture);
+    TexturedMesh made;
+    const Vec3 middle = made.middle_m = box.centre();
+    std::vector<Mesh::Part> parts;
+    for (const osg::Texture* texture : collector.order) {
+        const Collector::Batch& batch = collector.batches.at(texture);
         if (batch.triangles.empty())
             continue;
-        const osg::ref_ptr<osg::Vec3Array> vertices =
-            new osg::Vec3Array(osg::Array::BIND_PER_VERTEX);
-        for (const osg::Vec3d& v : batch.vertices)
-            vertices->push_back(osg::Vec3(v - osg::Vec3d(middle.x, middle.y, middle.z)));
-        const osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
-        geometry->setUseDisplayList(false);
-        geometry->setUseVertexBufferObjects(true);
-        geometry->setUseVertexArrayObject(true);
-        geometry->setVertexArray(vertices);
-        geometry->setTexCoordArray(0, new osg::Vec2Array(batch.places.begin(), batch.places.end()),
-                                   osg::Array::BIND_PER_VERTEX);
-        geometry->addPrimitiveSet(new osg::DrawElementsUInt(GL_TRIANGLES, batch.triangles.begin(),
-                                                            batch.triangles.end()));
-        int index = -1;
-        if (texture) {
-            index = static_cast<int>(parts.textures.size());
-            parts.textures.push_back({read(*texture), wrapOf(*texture, osg::Texture::WRAP_S),
-                                      wrapOf(*texture, osg::Texture::WRAP_T)});
-        } else {
-            parts.remarks.push_back(std::to_string(batch.triangles.size() / 3) +
-                                    " triangles without a texture add no radiance");
+        Mesh::Part& part = parts.emplace_back();
+        for (const osg::Vec3d& v : batch.vertices) {
+            const osg::Vec3 place(v - osg::Vec3d(middle.x, middle.y, middle.z));
+            part.vertices.push_back({place.x(), place.y(), place.z()});
+            part.bounds.include(toVec3(part.vertices.back()));
         }
-        parts.pieces.push_back({geometry, index});
+        for (const osg::Vec2& place : batch.places)
+            part.texturePlaces.push_back({place.x(), place.y()});
+        part.triangles = batch.triangles;
+        if (texture) {
+            made.textureOf.push_back(static_cast<int>(made.textures.size()));
+            made.textures.push_back({read(*texture, folder, name),
+                                     wrapOf(*texture, osg::Texture::WRAP_S),
+                                     wrapOf(*texture, osg::Texture::WRAP_T)});
+        } else {
+            made.textureOf.push_back(-1);
+            made.remarks.push_back(std::to_string(batch.triangles.size() / 3) +
+                                   " triangles without a texture add no radiance");
+        }
     }
+    auto mesh = std::make_shared<Mesh>(meshOf(std::move(parts)));
+    mesh->bounds = {box.min - middle, box.max - middle};
+    made.mesh = std::move(mesh);
+    return made;
 }
 
 } // namespace irsg

@@ -1,4 +1,4 @@
-#include "irsg/render/background/TextureImage.h"
+#include "irsg/geometry/conversion/TextureImage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 #include <limits>
 #include <string>
 
-#include <osg/Image>
 #include <osgDB/FileNameUtils>
 
 #include "irsg/core/Errors.h"
+#include "irsg/geometry/conversion/OsgTexture.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
 #include "irsg/geometry/reading/sandbox/SandboxedPictures.h"
 #include "irsg/image/ExrFile.h"
