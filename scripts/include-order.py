@@ -2,9 +2,9 @@
 """Includes that go up: include-order.py [--counts] [TREE]
 
 Every folder of the product stands in the list below, lowest first, and includes what stands in its own line or in lines
-before it. Prints each include that goes up, and each of OpenSceneGraph, OpenGL or Qt where a floor does without it, and
-ends with 1 where there is one, or where a folder with sources is missing in the list. --counts prints the files of each
-line, too.
+before it. Prints each include that goes up, each of OpenSceneGraph, OpenGL or Qt where a floor does without it, and each
+header of irsg from which includes lead to OpenSceneGraph, where it does not read or convert its graphs. Ends with 1 where
+there is one, or where a folder with sources is missing in the list. --counts prints the files of each line, too.
 """
 import argparse
 import os
@@ -53,13 +53,17 @@ ORDER = [
     ["apps", "tools"],
 ]
 # Headers, and the folders whose sources, with those in folders below them, must not name them.
-OSG = r"osg[A-Za-z]*/|GL/|EGL/"
+OSG = r"osg[A-Za-z]*/"
+GL = r"GL/|EGL/"
 QT = r"Q[A-Z]|qwt"
 WITHOUT = [
-    (OSG, ["irsg/core", "irsg/radiometry", "irsg/karma", "irsg/atmosphere", "irsg/signature", "irsg/image",
-           "irsg/scattering", "irsg/radiance", "irsg/thermal", "irsg/sensor", "smatcore"]),
+    (OSG, ["irsg/render", "irsg/scene", "irsg/geometry/view", "irsg/geometry/mesh"]),
+    (OSG + "|" + GL, ["irsg/core", "irsg/radiometry", "irsg/karma", "irsg/atmosphere", "irsg/signature", "irsg/image",
+                      "irsg/scattering", "irsg/radiance", "irsg/thermal", "irsg/sensor", "smatcore"]),
     (QT, ["irsg", "smatcore"]),
 ]
+# Folders of irsg whose headers may lead to OpenSceneGraph, or name its types.
+OF_GRAPHS = ("irsg/geometry/reading/", "irsg/geometry/conversion/")
 
 parser = argparse.ArgumentParser()
 parser.add_argument("--counts", action="store_true")
@@ -67,6 +71,7 @@ parser.add_argument("tree", nargs="?", default=os.path.dirname(os.path.dirname(o
 asked = parser.parse_args()
 level = {folder: number for number, line in enumerate(ORDER) for folder in line}
 complaints, counts = [], [0] * len(ORDER)
+included, of_osg = {}, set()  # headers that a header of irsg includes; those that name OpenSceneGraph
 
 
 def level_of(folder):
@@ -87,7 +92,10 @@ for top in ("irsg", "smatcore", "gui", "apps", "tools"):
             counts[own] += 1
             with open(os.path.join(asked.tree, path), encoding="utf-8") as source:
                 for number, line in enumerate(source, 1):
+                    if path.endswith(".h") and re.search(rf"#\s*include\s+<{OSG}|\bosg\w*::|\bnamespace osg", line):
+                        of_osg.add(path)
                     if match := re.match(r'\s*#\s*include\s+"([^"]+/[^"]+)"', line):
+                        included.setdefault(path, []).append(match[1])
                         other = level_of(os.path.dirname(match[1]))
                         if other is not None and other > own:
                             complaints.append(f"{path}:{number}: {match[1]} lies above {folder}")
@@ -96,6 +104,18 @@ for top in ("irsg", "smatcore", "gui", "apps", "tools"):
                             for floor in floors:
                                 if (folder + "/").startswith(floor + "/") and re.match(headers, match[1]):
                                     complaints.append(f"{path}:{number}: {floor} does without <{match[1]}>")
+
+def way_to_osg(path, passed=()):
+    """The headers by which one leads to OpenSceneGraph, itself first; none where it does not."""
+    if path in of_osg:
+        return [path]
+    ways = (way_to_osg(to, (*passed, path)) for to in included.get(path, []) if to not in (*passed, path))
+    return next(([path, *way] for way in ways if way), [])
+
+
+for path in sorted({*included, *of_osg}):
+    if path.startswith("irsg/") and path.endswith(".h") and not path.startswith(OF_GRAPHS) and (way := way_to_osg(path)):
+        complaints.append(f"{path}: a header that leads to OpenSceneGraph: {', '.join(way)}")
 
 for complaint in complaints:
     print(complaint)
