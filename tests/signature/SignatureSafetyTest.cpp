@@ -342,7 +342,7 @@ TEST(SignatureSafety, WhatOthersKeepInTheFileStaysAndWhoHadTheOldOneOpenCannotWr
     EXPECT_THROW(tool.exec("INSERT INTO theirs VALUES (8)"), SQLite::Exception);
     SQLite::Database again(file.string(), SQLite::OPEN_READONLY);
     EXPECT_EQ(again.execAndGet("SELECT sum(x) FROM theirs").getInt(), 7);
-    EXPECT_THAT(namesAtRest(folder.path()), ElementsAre("open.sigdb"));
+    EXPECT_THAT(namesIn(folder.path()), ElementsAre("open.sigdb"));
 }
 
 TEST(SignatureSafety, ANewFileIsNeverPutInThePlaceOfAnother) {
