@@ -72,7 +72,8 @@ double rms(SelfTestBench& bench, const Triangles& mesh, double size_px, double r
 }
 
 SelfTestCheck rmsCheck(const std::string& name, const std::string& says, double bound,
-                       const Triangles& mesh, double size_px, double roll_deg, const Way& way = {}) {
+                       const Triangles& mesh, double size_px, double roll_deg,
+                       const Way& way = {}) {
     return {.name = "sampling." + name,
             .says = says + ": rms over 64 places among the pixels",
             .unit = "",

@@ -239,7 +239,9 @@ std::vector<SelfTestCheck> surfaceChecks() {
                   .angles_deg = {0.0, 25.0, 70.0, -50.0},
                   .middle = {.database = cold(),
                              .air = {.sky = 50.0},
-                             .settings = {.fluxWeights = irsg::FluxWeights::report}},
+                             .settings = {.fluxWeights = irsg::FluxWeights::report,
+                                          .skybox = {},
+                                          .terrain = {}}},
                   .expected =
                       [](double angle) {
                           const double zenith = 0.5 * irsg::pi - angle;
@@ -253,7 +255,9 @@ std::vector<SelfTestCheck> surfaceChecks() {
                   .middle = {.database = cold(),
                              .air = {.sun = 100.0, .sky = 50.0, .ground = 30.0},
                              .settings = {.sun = irsg::ReflectionMode::approx,
-                                          .ambientReflection = irsg::ReflectionMode::approx}},
+                                          .ambientReflection = irsg::ReflectionMode::approx,
+                                          .skybox = {},
+                                          .terrain = {}}},
                   .expected = [](double) { return reflected_per_W_m2 * (25.0 + 25.0 + 15.0); }},
             Tilts{.name = "surface.glass-before-sky",
                   .says =
