@@ -159,16 +159,18 @@ TEST_F(MonteCarloTest, NumericalErrorIsWhatIsStatedOfTheDrawingOrWhatItsPhasesSh
     data.options.samples = 64;
     const std::vector<double> ofPhases = run().numericalError;
     const irsg::ErrorParts large{.sampling = 0.3, .air = 0.4}, small{.sampling = 1e-9};
-    source.stated = {.contrastIntensity_W_sr = large};
+    source.stated = irsg::RadiometryErrors();
+    source.stated->contrastIntensity_W_sr = large;
     run();
     ASSERT_EQ(data.numericalError.size(), ofPhases.size());
     for (std::size_t k = 0; k < ofPhases.size(); ++k) {
         EXPECT_DOUBLE_EQ(data.numericalError[k], 0.5);
         EXPECT_DOUBLE_EQ(data.nominalErrors[k].sum(), 0.5);
     }
-    source.stated = {.contrastIntensity_W_sr = small};
+    source.stated->contrastIntensity_W_sr = small;
     EXPECT_EQ(run().numericalError, ofPhases);
-    source.stated = {.intensity_W_sr = large};
+    source.stated = irsg::RadiometryErrors();
+    source.stated->intensity_W_sr = large;
     EXPECT_EQ(run().numericalError, ofPhases) << "of another quantity";
 }
 

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "irsg/atmosphere/TabulatedAtmosphere.h"
-#include "irsg/geometry/model/ModelCodes.h"
+#include "irsg/geometry/reading/ModelCodes.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/simulate/ScenarioFile.h"

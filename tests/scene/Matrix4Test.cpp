@@ -6,7 +6,7 @@ using namespace irsg;
 
 namespace {
 
-const Matrix4 turn{{{{0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}};  // x to y
+const Matrix4 turn{{{{0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}}; // x to y
 const Matrix4 shift{{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {10, 20, 30, 1}}}};
 const Matrix4 project{{{{2, 0, 0, 0}, {0, 2, 0, 0}, {0, 0, 1, -1}, {0, 0, 1, 0}}}}; // w = -z
 
@@ -20,7 +20,6 @@ TEST(Matrix4, OfAProductDoesTheFirstOneFirst) {
 }
 
 TEST(Matrix4, GivesTheFourthCoordinateThatOthersAreDividedBy) {
-    EXPECT_EQ((shift * project).homogeneous({1, 2, -40}),
-              (std::array<double, 4>{22, 44, -9, 10}));
+    EXPECT_EQ((shift * project).homogeneous({1, 2, -40}), (std::array<double, 4>{22, 44, -9, 10}));
     EXPECT_EQ((turn * shift).homogeneous({1, 2, 3})[3], 1.0);
 }
