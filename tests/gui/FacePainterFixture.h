@@ -100,10 +100,8 @@ class FacePainterTest : public WindowFixture {
     /// A face that is seen where its middle is.
     unsigned int seenFace(unsigned int from) {
         SceneView* view = window->sceneView();
-        const osg::Vec3d up(0, 0, 1);
         for (unsigned int f = from; f < painter().mesh()->faces().size(); ++f) {
-            if (painter().mesh()->faces()[f].normal * up > 0.9 &&
-                view->rect().contains(placeOf(f))) {
+            if (painter().mesh()->faces()[f].normal.z > 0.9 && view->rect().contains(placeOf(f))) {
                 return f;
             }
         }
