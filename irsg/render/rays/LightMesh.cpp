@@ -189,10 +189,11 @@ void LightMesh::probe(std::size_t number, const PieceUses& uses, Probe& probe) {
                                                              : fewRays;
         for (std::uint32_t i = 0; i < rays; ++i) {
             const LightPoint point = points.at(i);
-            const double root = std::sqrt(point[1]);
-            const double u = root * (1.0 - point[2]), v = root * point[2];
+            // A facet has no parts to choose from: its place takes the first two coordinates.
+            const double root = std::sqrt(point[0]);
+            const double u = root * (1.0 - point[1]), v = root * point[1];
             const Vec3 at = c[0] * (1.0 - u - v) + c[1] * u + c[2] * v;
-            const Ray ray{at + up * (1e-6 * extent_m_), cosineDirection(up, point[3], point[4])};
+            const Ray ray{at + up * (1e-6 * extent_m_), cosineDirection(up, point[2], point[3])};
             if (!mesh_->meet(ray, uses, 0.0, hit, through))
                 continue;
             sum_per_m2 += std::pow(std::max(hit.distance_m, nearest * probe.longest_m), -2.0);
