@@ -15,7 +15,6 @@
 #include "apps/smat-batch/StopSignal.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
-#include "irsg/core/FileReading.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/simulate/ScenarioFile.h"

@@ -46,7 +46,8 @@ WrittenFrame smallCopy(const SensorFrame& frame, std::size_t number) {
 SimulationFrames runSimulation(const SimulationJob& job, JobRunner& runner,
                                const JobControl& control) {
     SimulationFrames made{.order = job};
-    const PlannedSimulation planned = runner.plan(job);
+    PlannedSimulation planned = runner.plan(job);
+    planned.keepsStrips = true;
     made.notes = planned.files().makeFolders(planned.plan.sensors);
     SimulationOutcome outcome =
         runner.run(planned, control, [&](SensorFrame& frame, std::size_t number) {

@@ -58,7 +58,8 @@ struct JobOutcome {
 /// What became of a simulation.
 struct SimulationOutcome : JobOutcome {
     SimulationResult result;
-    std::vector<FilmStrip> strips; ///< its frames, where they were written with their values
+    /// Its frames, where a film or strips were asked for and they were written with their values.
+    std::vector<FilmStrip> strips;
 };
 
 /// Runs jobs one after the other, of window, command line and MPI, with one renderer and the models

@@ -86,7 +86,9 @@ JobOutcome JobRunner::run(MonteCarloJob& job, const JobControl& control) {
         const StageTimer::Scope scope(control.timer, "load");
         job.data.options.check();
         scene = scenes_.build(project, MonteCarlo::settingsOf(job.data.analysis));
-        std::vector<std::string> remarks; // said by the run itself
+        // Refused before anything is drawn, and read before inputHashes() is asked; the run says
+        // what it remarks.
+        std::vector<std::string> remarks;
         sceneScalings(project, scene, remarks);
     }
     MonteCarlo monteCarlo(door(), [&](const Project&, const Settings&) { return scene; });

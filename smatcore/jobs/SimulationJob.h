@@ -19,6 +19,7 @@ struct SimulationJob {
     std::filesystem::path folder = {};
     std::vector<std::string> extensions{".exr"};
     std::filesystem::path film = {}; ///< .mp4, .gif, .png; empty: none
+    bool keepsStrips = false;        ///< for films that are made afterwards
     std::string commandLine = {};    ///< for the provenance; empty where none does the same
     CaseShare share = {};
     /// The steps stand in files beside the tables until these are written; a team always runs so.

@@ -103,7 +103,8 @@ SimulationOutcome JobRunner::run(const PlannedSimulation& job, const JobControl&
     for (const std::unique_ptr<CaseFile>& file : steps)
         parts.stores.push_back(file.get());
     FilmRecorder recorder(job.loaded, files);
-    const bool isFilmed = hasValues(job) && control.team == nullptr && !job.isInParts;
+    const bool isFilmed = (job.keepsStrips || !job.film.empty()) && hasValues(job) &&
+                          control.team == nullptr && !job.isInParts;
     writeSimulation(
         job.loaded, job.plan, files, door(), outcome.result, control.progress, control.stop,
         control.timer,
