@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
+#include <utility>
 
 #include "irsg/core/ParallelFor.h"
 
@@ -31,19 +33,36 @@ void sortByDigits(Entry* list, std::size_t count, KeyOf keyOf) {
     for (std::size_t i = 1; i < count; ++i)
         differing |= keyOf(list[i]) ^ keyOf(list[0]);
     std::vector<Entry> room(differing != 0 ? count : 0);
+    Entry *from = list, *to = room.data();
     for (unsigned shift = 0; shift < 64; shift += bits) {
         const auto digitOf = [&](const Entry& entry) { return (keyOf(entry) >> shift) % digits; };
         if ((differing >> shift) % digits == 0)
             continue;
         std::array<std::size_t, digits + 1> next{};
         for (std::size_t i = 0; i < count; ++i)
-            ++next[digitOf(list[i]) + 1];
+            ++next[digitOf(from[i]) + 1];
         for (std::size_t digit = 0; digit < digits; ++digit)
             next[digit + 1] += next[digit];
         for (std::size_t i = 0; i < count; ++i)
-            room[next[digitOf(list[i])]++] = list[i];
-        std::copy_n(room.data(), count, list);
+            to[next[digitOf(from[i])]++] = from[i];
+        std::swap(from, to);
     }
+    if (from != list)
+        std::copy_n(from, count, list);
+}
+
+/// Of `Columns` columns, whose sums stay at hand until the last pair: to store them after each
+/// takes longer than to add.
+template <std::size_t Columns>
+void gatherColumns(std::span<const LightPair> pairs, const float* sent, std::size_t width,
+                   float* arrives) {
+    std::array<float, Columns> sums{};
+    for (const LightPair& pair : pairs) {
+        const float* from = sent + pair.sender * width;
+        for (std::size_t c = 0; c < Columns; ++c)
+            sums[c] += pair.factor * from[c];
+    }
+    std::ranges::copy(sums, arrives);
 }
 
 } // namespace
@@ -95,6 +114,19 @@ double LightPairs::sumOf(std::size_t receiver) const {
     for (const LightPair* pair = first; pair != last; ++pair)
         sum += static_cast<double>(pair->factor);
     return sum;
+}
+
+void LightPairs::gather(std::size_t receiver, std::span<const float> sent, std::size_t width,
+                        float* arrives) const {
+    const auto [first, last] = of(receiver);
+    const std::span<const LightPair> pairs(first, last);
+    std::size_t c = 0;
+    for (; c + 16 <= width; c += 16)
+        gatherColumns<16>(pairs, sent.data() + c, width, arrives + c);
+    for (; c + 4 <= width; c += 4)
+        gatherColumns<4>(pairs, sent.data() + c, width, arrives + c);
+    for (; c < width; ++c)
+        gatherColumns<1>(pairs, sent.data() + c, width, arrives + c);
 }
 
 } // namespace irsg

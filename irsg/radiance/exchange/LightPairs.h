@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,10 @@ class LightPairs {
     std::pair<const LightPair*, const LightPair*> of(std::size_t receiver) const {
         return {pairs_.data() + first_[receiver], pairs_.data() + first_[receiver + 1]};
     }
+    /// What arrives at a receiver of what senders send, `width` columns by receiver; of each column
+    /// the pairs are added in their order.
+    void gather(std::size_t receiver, std::span<const float> sent, std::size_t width,
+                float* arrives) const;
     /// Of all factors of a receiver: the part of its hemisphere in which others stand.
     double sumOf(std::size_t receiver) const;
     /// Puts `factorOf(receiver, pair)` in the place of each factor.

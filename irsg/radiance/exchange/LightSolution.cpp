@@ -81,28 +81,25 @@ std::vector<float> LightSolution::arriving(const LightExchange& exchange,
     for (int n = 1; n <= mostIterations; ++n) {
         std::array<float, receiverParts> changes{}, largest{};
         parallelFor(receiverParts, [&](std::size_t part) {
+            float change = 0.0f, most = 0.0f;
             for (std::size_t p = beginOfPart(part, receiverParts, receiver_.size());
                  p < beginOfPart(part + 1, receiverParts, receiver_.size()); ++p) {
                 const std::size_t r = receiver_[p];
                 float* own = &arrives[p * width];
-                std::fill_n(own, width, 0.0f);
-                const auto [first, last] = exchange.pairs().of(r);
-                for (const LightPair* pair = first; pair != last; ++pair) {
-                    const float* from = &leaving[pair->sender * width];
-                    for (std::size_t c = 0; c < width; ++c)
-                        own[c] += pair->factor * from[c];
-                }
+                exchange.pairs().gather(r, leaving, width, own);
                 if (!exchange.isSender(r))
                     continue;
                 const auto rho =
                     static_cast<float>(reflectivities[static_cast<std::size_t>(exchange.rowOf(r))]);
                 for (std::size_t c = 0; c < width; ++c) {
                     const float now = sent[r * width + c] + rho * own[c];
-                    changes[part] = std::max(changes[part], std::abs(now - leaving[r * width + c]));
-                    largest[part] = std::max(largest[part], now);
+                    change = std::max(change, std::abs(now - leaving[r * width + c]));
+                    most = std::max(most, now);
                     next[r * width + c] = now;
                 }
             }
+            changes[part] = change;
+            largest[part] = most;
         });
         if (n == bounces)
             break;
