@@ -28,7 +28,8 @@ inline long double exponentialLessOne(long double x) {
 /// W m-2 sr-1 um-1.
 inline long double planck(long double wavelength_um, long double temperature_K) {
     const long double x = c2 / (wavelength_um * temperature_K);
-    return c1 / std::pow(wavelength_um, 5.0L) / exponentialLessOne(x);
+    const long double squared = wavelength_um * wavelength_um;
+    return c1 / (squared * squared * wavelength_um) / exponentialLessOne(x);
 }
 
 /// Integral of L_bb over a range by Simpson's rule on a fine even grid in ln lambda. What lies more
