@@ -1,0 +1,110 @@
+// Inter-reflection of hard surfaces against the path tracer of tests/support, on bodies that are
+// turned, scaled, cut and taken apart at random. bench_exchange prints all of them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <string>
+
+#include "tests/support/ExchangeCase.h"
+#include "tests/support/RaysTest.h"
+
+using namespace irsg;
+using namespace irsg::test;
+
+namespace {
+
+class LightTruthTest : public RaysTest {};
+
+std::string titleOf(const ExchangeCase& one) {
+    return one.name + ", " + one.variant;
+}
+
+/// How far the total may be off, as a part of the truth, of the cases that the library is right on.
+const std::map<std::string, double> tolerances{
+    {"tube, L/D 1, emissivity 0.3", 5e-3},
+    {"cone, of 20°, emissivity 0.3", 5e-3},
+    {"cone, of 20°, emissivity 0.7", 1.5e-3},
+    {"box, 600 K over a plate, low", 3e-3},
+};
+
+double measured(const ExchangeCase& one) {
+    const Scene scene = sceneOf(one);
+    const SensorView view = viewOf(one);
+    Renderer renderer;
+    if (!one.place_m) {
+        return renderer.render(scene, view, Outputs::reports()).reports.front().all.intensity_W_sr;
+    }
+    const RadianceImage image = renderer.render(scene, view, Outputs::image()).image;
+    double sum = 0.0;
+    for (const float pixel : image.find("L")->values) {
+        sum += static_cast<double>(pixel);
+    }
+    return sum / static_cast<double>(image.find("L")->values.size());
+}
+
+/// What a number of a varied body is divided by.
+double unitOf(const VariedCase& other) {
+    return other.body.place_m ? 1.0 : other.scale * other.scale;
+}
+
+} // namespace
+
+TEST_F(LightTruthTest, HardSurfacesAreThoseOfThePathTracer) {
+    std::size_t checked = 0;
+    for (const NamedCases& named : hardSurfaces()) {
+        for (const ExchangeCase& one : named.make()) {
+            const auto tolerance = tolerances.find(titleOf(one));
+            if (tolerance == tolerances.end()) {
+                continue;
+            }
+            ++checked;
+            const TracedLight truth = truthOf(one, {.relativeError = 1e-3});
+            for (unsigned seed = 0; seed < 3; ++seed) {
+                const VariedCase other =
+                    seed == 0 ? VariedCase{one, 1.0, "as it is"} : varied(one, seed);
+                const double found = measured(other.body) / unitOf(other);
+                std::printf("  %s, %s: %.6g, truth %.6g: %+.3f %%\n", titleOf(one).c_str(),
+                            other.how.c_str(), found, truth.total.value,
+                            100.0 * (found / truth.total.value - 1.0));
+                EXPECT_NEAR(found, truth.total.value,
+                            tolerance->second * truth.total.value + 2.0 * truth.total.error)
+                    << titleOf(one) << ", " << other.how;
+            }
+        }
+    }
+    EXPECT_EQ(checked, tolerances.size());
+}
+
+TEST_F(LightTruthTest, TheTruthTurnsWithTheBody) {
+    for (const NamedCases& named : hardSurfaces()) {
+        for (const ExchangeCase& one : named.make()) {
+            const TracedLight truth = truthOf(one, {.relativeError = 1e-3});
+            const VariedCase other = varied(one, 7);
+            const TracedLight there = truthOf(other.body, {.relativeError = 1e-3});
+            // The viewer is not as far away in terms of the body.
+            EXPECT_NEAR(there.total.value / unitOf(other), truth.total.value,
+                        4.0 * std::hypot(truth.total.error, there.total.error / unitOf(other)) +
+                            1e-3 * truth.total.value)
+                << titleOf(one) << ", " << other.how;
+        }
+    }
+}
+
+TEST_F(LightTruthTest, TheTruthIsThatOfClosedForms) {
+    int known = 0;
+    for (const NamedCases& named : hardSurfaces()) {
+        for (const ExchangeCase& one : named.make()) {
+            if (!one.closedForm) {
+                continue;
+            }
+            ++known;
+            const TracedLight truth = truthOf(one, {.relativeError = 3e-4});
+            EXPECT_NEAR(truth.total.value, *one.closedForm,
+                        4.0 * truth.total.error + 5e-4 * *one.closedForm)
+                << titleOf(one);
+        }
+    }
+    EXPECT_GE(known, 8);
+}
