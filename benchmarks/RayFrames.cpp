@@ -137,10 +137,10 @@ void measureGeometry(const char* name, const Entity& entity) {
     for (const double error : {0.02, 0.01, 0.005, 0.002}) {
         const double start_s = now_s();
         const std::shared_ptr<const RayMesh> mesh = RayMesh::of(shape);
-        const LightResolution resolution;
+        const ExchangeResolution resolution;
         const BodyLight light(
-            std::make_shared<const LightNodes>(
-                std::make_shared<const LightMesh>(mesh, uses, resolution), resolution),
+            std::make_shared<const ExchangeNodes>(
+                std::make_shared<const ExchangeMesh>(mesh, uses, resolution), resolution),
             uses, error);
         std::printf("%-12s %8.3f %9.2f %9.4f %9zu %9zu %9.1f %9zu\n", name, error,
                     now_s() - start_s, light.error(), mesh->facets(), light.nodes().nodes(),

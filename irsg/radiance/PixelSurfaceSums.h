@@ -41,7 +41,7 @@ class PixelSurfaceSums {
         addTo({stack, between.row}, 1.0 - next, factors);
         if (next > 0.0)
             addTo({stack, between.row + 1}, next, factors);
-        if (!layer.place || layer.place->triangle == GeometrySamples::Place::none)
+        if (!layer.place || layer.place->cell == GeometrySamples::Place::none)
             return;
         addReceivers({stack, between.row}, 1.0 - next, *layer.place);
         if (next > 0.0)
@@ -54,7 +54,7 @@ class PixelSurfaceSums {
         const auto coverage = static_cast<double>(layer.coverage);
         const auto addTo = [&](int row, double weight) {
             this->addTo({stack, row}, weight, layer.factors.data(), coverage);
-            if (layer.place && layer.place->triangle != GeometrySamples::Place::none)
+            if (layer.place && layer.place->cell != GeometrySamples::Place::none)
                 addReceivers({stack, row}, weight * coverage, *layer.place);
         };
         addTo(between.row, 1.0 - next);
@@ -86,12 +86,11 @@ class PixelSurfaceSums {
         return static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height);
     }
     void addReceivers(const SurfaceStackId& kind, double weight, const GeometrySamples::Place& at) {
-        exchange_->forEachReceiver(
-            at.triangle, at.u, at.v, [&](std::uint32_t receiver, float part) {
-                const int number = receivers_.numberOf(kind.row, exchange_->localOf(receiver));
-                *light_.at(cell_, light_.kindOf({kind.stack, number})) +=
-                    weight * part_ * static_cast<double>(part);
-            });
+        exchange_->forEachReceiver(at.cell, at.u, at.v, [&](std::uint32_t receiver, float part) {
+            const int number = receivers_.numberOf(kind.row, exchange_->localOf(receiver));
+            *light_.at(cell_, light_.kindOf({kind.stack, number})) +=
+                weight * part_ * static_cast<double>(part);
+        });
     }
     void addTo(const SurfaceStackId& kind, double weight, const float* factors,
                double coverage = 1.0) {

@@ -63,7 +63,7 @@ class ViewSurfaceSums {
                                     const GeometrySamples::Layer& layer) {
         const std::size_t place = placeOf(stack, between.row);
         const float* factors = layer.factors.data();
-        if (layer.place && layer.place->triangle != GeometrySamples::Place::none) {
+        if (layer.place && layer.place->cell != GeometrySamples::Place::none) {
             addReceivers(place, between.row, 1.0 - static_cast<double>(between.next), *layer.place);
             if (between.next > 0.0f)
                 addReceivers(place + 1, between.row, static_cast<double>(between.next),
@@ -87,7 +87,7 @@ class ViewSurfaceSums {
                 sums.plain[1 + f] += weight * omega_sr_ * factor;
                 sums.cosine[1 + f] += weight * projected_sr_ * factor;
             }
-            if (layer.place && layer.place->triangle != GeometrySamples::Place::none)
+            if (layer.place && layer.place->cell != GeometrySamples::Place::none)
                 addReceivers(to, between.row, weight * coverage, *layer.place);
         };
         addTo(place, 1.0 - static_cast<double>(between.next));
@@ -312,7 +312,7 @@ class ViewSurfaceSums {
 
     /// Samples that follow each other in one triangle, by the weights of its corners.
     struct Run {
-        std::uint32_t triangle = GeometrySamples::Place::none;
+        std::uint32_t cell = GeometrySamples::Place::none;
         std::array<double, 3> plain{}, cosine{};
     };
     void addReceivers(std::size_t place, int row, double weight, const GeometrySamples::Place& at) {
@@ -322,14 +322,14 @@ class ViewSurfaceSums {
             runs_.resize(sums_.size());
         }
         Run& run = runs_[slot];
-        if (run.triangle != at.triangle) {
+        if (run.cell != at.cell) {
             std::vector<double>& sums = receivers_[slot];
             if (sums.empty())
                 sums.resize(
                     2 * exchange_->ofRow(surfaces_.surfaceOf(surfaces_.renderedOf(row))).size());
             addRun(run, sums);
             run = {};
-            run.triangle = at.triangle;
+            run.cell = at.cell;
         }
         const auto u = static_cast<double>(at.u), v = static_cast<double>(at.v);
         const std::array<double, 3> parts{1.0 - u - v, u, v};
@@ -339,10 +339,10 @@ class ViewSurfaceSums {
         }
     }
     void addRun(const Run& run, std::vector<double>& sums) const {
-        if (run.triangle == GeometrySamples::Place::none)
+        if (run.cell == GeometrySamples::Place::none)
             return;
         exchange_->forEachReceiver(
-            run.triangle, [&](std::uint32_t receiver, std::size_t corner, float part) {
+            run.cell, [&](std::uint32_t receiver, std::size_t corner, float part) {
                 const std::size_t own = 2 * static_cast<std::size_t>(exchange_->localOf(receiver));
                 sums[own] += run.plain[corner] * static_cast<double>(part);
                 sums[own + 1] += run.cosine[corner] * static_cast<double>(part);

@@ -40,7 +40,7 @@ bool InterReflection::isAskedFor(const RenderSettings& settings) {
 }
 
 std::shared_ptr<const LightExchange>
-InterReflection::exchangeOf(const Scene& scene, const SurfaceRows& rows,
+InterReflection::exchangeOf(const Scene& scene, const SceneEvaluation& evaluation,
                             const std::vector<SunShadows::Caster>& casters) {
     const RenderSettings& settings = scene.settings;
     Known key;
@@ -57,10 +57,13 @@ InterReflection::exchangeOf(const Scene& scene, const SurfaceRows& rows,
                                         other.pose.toWorld(others.centre()),
                                         0.5 * others.diagonal_m(), settings.lightError));
         }
-        bodies.push_back(
-            {static_cast<int>(e),
-             prepared_.of(entity).lightBetween(casters[e].uses, settings.lightError, isAmongOthers),
-             entity.model->bounds()});
+        bodies.push_back({static_cast<int>(e),
+                          prepared_.of(entity).lightBetween(casters[e].uses, settings.lightError,
+                                                            isAmongOthers ? BodyPlace::amongOthers
+                                                            : evaluation.geometry[e].nearest_m > 0.0
+                                                                ? BodyPlace::seenFromOutside
+                                                                : BodyPlace::seenFromWithin),
+                          entity.model->bounds()});
         key.bodies.push_back(bodies.back().light);
         appendTo(key.numbers, entity.pose.attitude);
         // One alone is lit alike wherever it stands.
@@ -75,7 +78,7 @@ InterReflection::exchangeOf(const Scene& scene, const SurfaceRows& rows,
                         settings.terrainHides ? 1.0 : 0.0,
                         static_cast<double>(settings.fluxWeights)});
     key.terrain = scene.terrain;
-    key.keys = rows.keys();
+    key.keys = evaluation.surfaceRows().keys();
     const auto isAsked = [&](const Known& one) {
         return one.numbers == key.numbers && one.bodies == key.bodies &&
                one.terrain == key.terrain && one.keys == key.keys;
@@ -90,9 +93,8 @@ InterReflection::exchangeOf(const Scene& scene, const SurfaceRows& rows,
 InterReflected InterReflection::of(const Scene& scene, const SceneEvaluation& evaluation,
                                    const std::vector<SunShadows::Caster>& casters) {
     InterReflected found;
-    found.exchange = clock_.timed("light between surfaces", [&] {
-        return exchangeOf(scene, evaluation.surfaceRows(), casters);
-    });
+    found.exchange = clock_.timed("light between surfaces",
+                                  [&] { return exchangeOf(scene, evaluation, casters); });
     if (found.exchange->changesNothing())
         found.exchange = nullptr;
     EvaluatedScene& evaluated = *evaluation.evaluated;

@@ -43,7 +43,8 @@ class InterReflection {
         std::vector<SurfaceKey> keys;
         std::shared_ptr<const LightExchange> exchange;
     };
-    std::shared_ptr<const LightExchange> exchangeOf(const Scene& scene, const SurfaceRows& rows,
+    std::shared_ptr<const LightExchange> exchangeOf(const Scene& scene,
+                                                    const SceneEvaluation& evaluation,
                                                     const std::vector<SunShadows::Caster>& casters);
 
     PreparedEntities& prepared_;

@@ -32,11 +32,11 @@ bool haveEqualFacets(const RayMesh& one, const RayMesh& other) {
 class KnownBodyLight {
   public:
     std::shared_ptr<const BodyLight> find(const RayMesh& mesh, const PieceUses& uses, double error,
-                                          bool isAmongOthers) {
+                                          BodyPlace place) {
         const std::scoped_lock lock(mutex_);
         std::erase_if(known_, [](const Entry& one) { return one.light.expired(); });
         for (const Entry& one : known_) {
-            if (one.error != error || one.isAmongOthers != isAmongOthers || one.uses != uses)
+            if (one.error != error || one.place != place || one.uses != uses)
                 continue;
             if (auto light = one.light.lock(); light && haveEqualFacets(light->mesh().rays(), mesh))
                 return light;
@@ -45,14 +45,14 @@ class KnownBodyLight {
     }
     void add(const PreparedModel::KnownLight& known) {
         const std::scoped_lock lock(mutex_);
-        known_.push_back({known.uses, known.error, known.isAmongOthers, known.light});
+        known_.push_back({known.uses, known.error, known.place, known.light});
     }
 
   private:
     struct Entry {
         PieceUses uses;
         double error;
-        bool isAmongOthers;
+        BodyPlace place;
         std::weak_ptr<const BodyLight> light;
     };
     std::mutex mutex_;
@@ -73,24 +73,25 @@ const std::shared_ptr<const RayMesh>& PreparedModel::forRays() {
 }
 
 std::shared_ptr<const BodyLight> PreparedModel::lightBetween(const PieceUses& uses, double error,
-                                                             bool isAmongOthers) {
+                                                             BodyPlace place) {
     const KnownLight* const known = light.find([&](const KnownLight& one) {
-        return one.error == error && one.isAmongOthers == isAmongOthers && one.uses == uses;
+        return one.error == error && one.place == place && one.uses == uses;
     });
     if (known != nullptr)
         return known->light;
-    if (auto held = knownBodyLight().find(*forRays(), uses, error, isAmongOthers))
-        return light.add({uses, error, isAmongOthers, std::move(held)}).light;
+    if (auto held = knownBodyLight().find(*forRays(), uses, error, place))
+        return light.add({uses, error, place, std::move(held)}).light;
     // What is between nodes is off by the square of their distance.
     constexpr double usualError = 0.005;
-    LightResolution resolution;
+    ExchangeResolution resolution;
     resolution.edgePerDistance *= std::clamp(std::sqrt(error / usualError), 0.25, 2.0);
-    if (isAmongOthers)
+    resolution.hasInsides = place == BodyPlace::seenFromOutside;
+    if (place == BodyPlace::amongOthers)
         resolution.longestEdge_m = 2.0 * mesh().sphere.radius_m / 16.0;
-    auto mesh = std::make_shared<const LightMesh>(forRays(), uses, resolution);
-    auto nodes = std::make_shared<const LightNodes>(std::move(mesh), resolution);
+    auto mesh = std::make_shared<const ExchangeMesh>(forRays(), uses, resolution);
+    auto nodes = std::make_shared<const ExchangeNodes>(std::move(mesh), resolution);
     auto made = std::make_shared<const BodyLight>(std::move(nodes), uses, error);
-    const KnownLight& added = light.add({uses, error, isAmongOthers, std::move(made)});
+    const KnownLight& added = light.add({uses, error, place, std::move(made)});
     knownBodyLight().add(added);
     return added.light;
 }

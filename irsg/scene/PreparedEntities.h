@@ -13,6 +13,10 @@
 
 namespace irsg {
 
+/// Where a body is: alone, with the viewer outside of it or within its extent; or among others,
+/// whose light varies over large facets.
+enum class BodyPlace { seenFromOutside, seenFromWithin, amongOthers };
+
 /// What sampling makes of a model, once.
 struct PreparedModel {
     std::shared_ptr<const Model> model;
@@ -21,14 +25,14 @@ struct PreparedModel {
 
     const Mesh& mesh() const { return *model->mesh(); }
     const std::shared_ptr<const RayMesh>& forRays();
-    /// What its surfaces see of each other where its pieces are met so, within an error, alone or
-    /// among others whose light varies over large facets; see BodyLight.
+    /// What its surfaces see of each other where its pieces are met so, within an error; see
+    /// BodyLight.
     std::shared_ptr<const BodyLight> lightBetween(const PieceUses& uses, double error,
-                                                  bool isAmongOthers);
+                                                  BodyPlace place);
     struct KnownLight {
         PieceUses uses;
         double error;
-        bool isAmongOthers;
+        BodyPlace place;
         std::shared_ptr<const BodyLight> light;
     };
     RecentlyUsed<KnownLight> light{2};

@@ -12,7 +12,7 @@ SunShadows::LightPlaces placesOf(const InterReflected& between, const SurfaceRow
     SunShadows::LightPlaces places;
     for (std::size_t b = 0; b < between.exchange->bodies().size(); ++b) {
         places.meshes.push_back(between.exchange->bodies()[b].light->nodes().shared());
-        places.firstTriangle.push_back(between.exchange->firstTriangle(b));
+        places.firstCell.push_back(between.exchange->firstCell(b));
     }
     for (int drawn = 0; drawn < static_cast<int>(rows.keys().size()); ++drawn)
         places.matters.push_back(between.light->matters(drawn));

@@ -10,8 +10,8 @@ void appendReceivers(const SurfaceShading& shading, double lightError,
         return;
     numbers.push_back(lightError);
     for (const LightExchange::Body& body : shading.between.exchange->bodies()) {
-        numbers.push_back(static_cast<double>(body.light->nodes().receivers()));
-        numbers.push_back(static_cast<double>(body.light->mesh().triangles()));
+        numbers.push_back(static_cast<double>(body.light->nodes().nodes()));
+        numbers.push_back(static_cast<double>(body.light->mesh().cells()));
     }
 }
 

@@ -29,8 +29,9 @@ using Factors = std::map<std::pair<std::uint32_t, std::uint32_t>, float>;
 /// Of equal pairs the sums, in the order in which they come.
 Factors sumsOf(const std::vector<LightPart>& parts) {
     Factors sums;
-    for (const LightPart& part : parts)
+    for (const LightPart& part : parts) {
         sums[{part.receiver, part.sender}] += part.factor;
+    }
     return sums;
 }
 
@@ -76,16 +77,19 @@ TEST(LightPairs, WhatArrivesIsTheSumOverSendersInEachOfAnyNumberOfColumns) {
     const LightPairs pairs(receivers, {manyParts(receivers, 600)});
     for (std::size_t width = 0; width <= 39; ++width) {
         std::vector<float> sent(receivers * width);
-        for (std::size_t i = 0; i < sent.size(); ++i)
+        for (std::size_t i = 0; i < sent.size(); ++i) {
             sent[i] = 1.0f / static_cast<float>(1 + i % 17);
+        }
         for (std::uint32_t r = 0; r < receivers; ++r) {
             constexpr float untouched = -1.0f;
             std::vector<float> arrives(width + 1, untouched), expected(width + 1);
             expected.back() = untouched;
             const auto [first, last] = pairs.of(r);
-            for (const LightPair* pair = first; pair != last; ++pair)
-                for (std::size_t c = 0; c < width; ++c)
+            for (const LightPair* pair = first; pair != last; ++pair) {
+                for (std::size_t c = 0; c < width; ++c) {
                     expected[c] += pair->factor * sent[pair->sender * width + c];
+                }
+            }
             pairs.gather(r, sent, width, arrives.data());
             EXPECT_EQ(arrives, expected) << "receiver " << r << " of " << width << " columns";
         }

@@ -30,24 +30,22 @@ class Factors {
             const bool isTransparent = codeOfPiece(i) == transparent;
             uses.set(i, {true, isTransparent, !isTransparent, 0});
         }
-        const LightResolution resolution;
+        const ExchangeResolution resolution;
         light_ = std::make_unique<BodyLight>(
-            std::make_shared<const LightNodes>(
-                std::make_shared<const LightMesh>(RayMesh::of(mesh_), uses, resolution),
+            std::make_shared<const ExchangeNodes>(
+                std::make_shared<const ExchangeMesh>(RayMesh::of(mesh_), uses, resolution),
                 resolution),
             uses, error);
     }
 
     int codeOf(std::uint32_t receiver) const {
-        return codeOfPiece(static_cast<std::size_t>(light_->nodes().pieceOf(receiver / 2)));
+        return codeOfPiece(static_cast<std::size_t>(light_->nodes().pieceOf(receiver)));
     }
-    double areaOf_m2(std::uint32_t receiver) const {
-        return light_->nodes().areaOf_m2(receiver / 2);
-    }
+    double areaOf_m2(std::uint32_t receiver) const { return light_->nodes().areaOf_m2(receiver); }
     /// From the fronts of one to the fronts of another.
     double between(int from, int to) const {
         double sum_m2 = 0.0, area_m2 = 0.0;
-        for (std::uint32_t r = 0; r < light_->nodes().receivers(); r += 2) {
+        for (std::uint32_t r = 0; r < light_->nodes().nodes(); ++r) {
             if (codeOf(r) != from) {
                 continue;
             }
@@ -64,7 +62,7 @@ class Factors {
     }
     double areaOfCode_m2(int code) const {
         double area_m2 = 0.0;
-        for (std::uint32_t r = 0; r < light_->nodes().receivers(); r += 2) {
+        for (std::uint32_t r = 0; r < light_->nodes().nodes(); ++r) {
             if (codeOf(r) == code) {
                 area_m2 += areaOf_m2(r);
             }
@@ -239,7 +237,7 @@ TEST_F(ViewGeometryTest, AreFoundOnceWhileAnyRendererHoldsThem) {
         for (std::size_t i = 0; i < model.mesh().pieces.size(); ++i) {
             uses.set(i, {true, false, true, 0});
         }
-        return model.lightBetween(uses, error, false);
+        return model.lightBetween(uses, error, BodyPlace::seenFromOutside);
     };
     PreparedEntities one, other;
     const auto first = lightOf(one, walls, 0.02);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <map>
 
@@ -16,7 +17,7 @@ struct BodyLight::Uses {
     PieceUses withBacks = own.withBacks();
 };
 
-/// What a side of a patch has sent.
+/// What a patch has sent.
 struct BodyLight::Sending {
     /// How many rays meet the body, their directions, and how many meet each of some halves of its
     /// pieces, of which any two are told apart: in a cavity all rays meet something.
@@ -58,7 +59,7 @@ struct BodyLight::Sending {
 
 /// What the mean of some rays is off by, as a part of what single ones are: by what the halves of
 /// all patches that have sent as many differ by. The halves of one may be equal by chance, and the
-/// rays that such a patch did not send would be missed, always on the same side.
+/// rays that such a patch did not send would be missed, always on the same patch.
 class BodyLight::Errors {
   public:
     void add(const Sending& sending) {
@@ -81,101 +82,132 @@ class BodyLight::Errors {
     std::map<std::uint32_t, Pool> pools_; // by rays sent
 };
 
-BodyLight::Rays::Rays(const LightNodes& nodes, std::uint32_t side)
-    : nodes_(nodes), side_(side), points_(side) {}
+BodyLight::Rays::Rays(const ExchangeNodes& nodes, std::uint32_t patch)
+    : nodes_(nodes), patch_(patch), points_(patch) {}
 
 BodyLight::LightStart BodyLight::Rays::at(std::uint32_t index) const {
     const LightPoint point = points_.at(index);
-    LightStart start{nodes_.start(side_, point[0], point[1], point[2]), {}};
+    LightStart start{nodes_.start(patch_, point[0], point[1], point[2]), {}};
     start.ray = {start.from.at_m, cosineDirection(start.from.normal, point[3], point[4])};
     return start;
 }
 
-BodyLight::BodyLight(std::shared_ptr<const LightNodes> nodes, const PieceUses& uses, double error)
+BodyLight::BodyLight(std::shared_ptr<const ExchangeNodes> nodes, const PieceUses& uses,
+                     double error)
     : nodes_(std::move(nodes)) {
-    std::vector<Sending> sendings(nodes_->receivers());
-    refine(sendings, Uses{uses}, error);
+    std::vector<Sending> sendings(nodes_->nodes());
+    // Small nodes need fewer rays each: what a view sums is off by less than any of them.
+    refine(sendings, Uses{uses}, error / std::sqrt(std::sqrt(nodes_->fineness())));
     gather(sendings);
 }
 
 void BodyLight::refine(std::vector<Sending>& sendings, const Uses& uses, double error) {
     std::vector<std::uint32_t> active;
+    for (std::uint32_t patch = 0; patch < sendings.size(); ++patch)
+        if (nodes_->patchArea_m2(patch) > 0.0 && nodes_->seesAnything(patch))
+            active.push_back(patch);
+    // Spaces inside are left with the first few rays: their light is hardly ever seen.
+    std::vector<std::uint32_t> all;
     double area_m2 = 0.0;
-    for (std::uint32_t side = 0; side < sendings.size(); ++side) {
-        const PieceUse& use = uses.own[static_cast<std::size_t>(nodes_->pieceOf(side / 2))];
-        const bool isSeen =
-            use.isThere && (side % 2 == 0 || use.transparent || !use.cullsBackFaces);
-        if (isSeen && nodes_->patchArea_m2(side / 2) > 0.0 && nodes_->seesAnything(side)) {
-            active.push_back(side);
-            area_m2 += nodes_->patchArea_m2(side / 2);
+    for (const std::uint32_t patch : active)
+        if (!nodes_->isInside(patch)) {
+            all.push_back(patch);
+            area_m2 += nodes_->patchArea_m2(patch);
         }
-    }
-    const std::vector<std::uint32_t> all = active;
+    const std::vector<std::uint32_t> fewest = fewestOf(active);
     // A node has the mean of the patches near it, whose errors know nothing of each other.
     Errors errors;
-    const auto partsOfError_m2 = [&](std::uint32_t side) {
+    const auto partsOfError_m2 = [&](std::uint32_t patch) {
         double sum_m2 = 0.0;
-        for (const LightNodes::Near& near : nodes_->near(side / 2))
+        for (const ExchangeNodes::Near& near : nodes_->near(patch))
             sum_m2 +=
                 std::pow(static_cast<double>(near.area_m2), 2.0) / nodes_->areaOf_m2(near.node);
-        return sum_m2 * errors.squareOf(sendings[side]);
+        return sum_m2 * errors.squareOf(sendings[patch]);
     };
     while (!active.empty()) {
         parallelForSmall(active.size(), [&](std::uint32_t i) {
             Sending& sending = sendings[active[i]];
-            send(sending, active[i], uses, std::max(fewestRays, 2 * sending.sent));
+            send(sending, active[i], uses, std::max(fewest[active[i]], 2 * sending.sent));
         });
         errors = {};
-        for (const std::uint32_t side : all)
-            errors.add(sendings[side]);
+        for (const std::uint32_t patch : all)
+            errors.add(sendings[patch]);
         double squares_m2 = 0.0;
         allSent_ = 0;
-        for (const std::uint32_t side : all) {
-            squares_m2 += partsOfError_m2(side);
-            allSent_ += sendings[side].sent;
+        for (const std::uint32_t patch : all) {
+            squares_m2 += partsOfError_m2(patch);
+            allSent_ += sendings[patch].sent;
         }
-        error_ = std::sqrt(squares_m2 / area_m2);
+        error_ = area_m2 > 0.0 ? std::sqrt(squares_m2 / area_m2) : 0.0;
         if (error_ <= error)
             return;
-        std::erase_if(active, [&](std::uint32_t side) {
-            return sendings[side].sent >= mostRays ||
-                   partsOfError_m2(side) <= error * error * nodes_->patchArea_m2(side / 2);
+        std::erase_if(active, [&](std::uint32_t patch) {
+            return sendings[patch].sent >= mostRays || nodes_->isInside(patch) ||
+                   partsOfError_m2(patch) <= error * error * nodes_->patchArea_m2(patch);
         });
         // Where there is no room for all, those come first that matter most.
         std::ranges::stable_sort(active, std::greater<>(), partsOfError_m2);
         std::size_t next = allSent_;
-        std::erase_if(active, [&](std::uint32_t side) {
-            const bool fits = next + sendings[side].sent <= mostSent;
-            next += fits ? sendings[side].sent : 0;
+        std::erase_if(active, [&](std::uint32_t patch) {
+            const bool fits = next + sendings[patch].sent <= mostSent;
+            next += fits ? sendings[patch].sent : 0;
             return !fits;
         });
         isLimited_ = active.empty();
     }
 }
 
-void BodyLight::send(Sending& sending, std::uint32_t side, const Uses& uses,
+/// Small pieces are seldom met by the rays of others, and may be the hottest: their own rays have
+/// to tell.
+std::vector<std::uint32_t> BodyLight::fewestOf(const std::vector<std::uint32_t>& active) const {
+    constexpr double smallPiece = 0.01; // of all that sees anything
+    constexpr std::size_t raysOfSmall = 500'000, mostOfSmall = 2048;
+    std::vector<double> ofPiece_m2(mesh().rays().pieces());
+    double all_m2 = 0.0;
+    for (const std::uint32_t patch : active) {
+        ofPiece_m2[static_cast<std::size_t>(nodes_->pieceOf(patch))] += nodes_->patchArea_m2(patch);
+        all_m2 += nodes_->patchArea_m2(patch);
+    }
+    const auto isSmall = [&](std::uint32_t patch) {
+        return !nodes_->isInside(patch) &&
+               ofPiece_m2[static_cast<std::size_t>(nodes_->pieceOf(patch))] < smallPiece * all_m2;
+    };
+    const auto small = static_cast<std::size_t>(std::ranges::count_if(active, isSmall));
+    std::vector<std::uint32_t> fewest(nodes_->nodes(), fewestRays);
+    for (const std::uint32_t patch : active)
+        if (nodes_->isInside(patch))
+            fewest[patch] = fewestInside;
+        else if (isSmall(patch))
+            fewest[patch] = static_cast<std::uint32_t>(std::bit_floor(
+                std::clamp<std::size_t>(raysOfSmall / small, fewestRays, mostOfSmall)));
+    return fewest;
+}
+
+void BodyLight::send(Sending& sending, std::uint32_t patch, const Uses& uses,
                      std::uint32_t wanted) const {
-    const Rays rays(*nodes_, side);
+    const Rays rays(*nodes_, patch);
     const bool isTransparent =
-        uses.own[static_cast<std::size_t>(nodes_->pieceOf(side / 2))].transparent;
+        uses.own[static_cast<std::size_t>(nodes_->pieceOf(patch))].transparent;
     RayHit hit;
     std::vector<RayHit> through;
-    sending.weights.resize(nodes_->near(side / 2).size());
+    sending.weights.resize(nodes_->near(patch).size());
     const auto sendUpTo = [&](std::uint32_t end) {
         for (; sending.sent < end; ++sending.sent) {
             const LightStart start = rays.at(sending.sent);
-            for (const LightNodes::Share& own : LightNodes::OfPlace(*nodes_, start.from.place))
-                sending.weights[nodes_->placeNear(side / 2, own.node)] +=
+            for (const ExchangeNodes::Share& own :
+                 ExchangeNodes::OfPlace(*nodes_, start.from.place))
+                sending.weights[nodes_->placeNear(patch, own.node)] +=
                     static_cast<double>(own.part);
             bool isMet = mesh().rays().meet(start.ray, uses.withBacks, 0.0, hit, through);
             const bool isCulled = isMet && uses.own.isCulled(hit);
             if (isCulled)
                 isMet = mesh().rays().meet(start.ray, uses.own, 0.0, hit, through);
-            if (!isMet)
+            const ExchangeMesh::Place place = isMet ? mesh().placeOf(hit) : ExchangeMesh::Place{};
+            if (place.cell == ExchangeMesh::none)
                 continue;
             sending.hits.push_back({static_cast<std::uint16_t>(sending.sent),
                                     isCulled || isTransparent, static_cast<float>(hit.distance_m),
-                                    mesh().placeOf(hit)});
+                                    place});
             sending.moments[0] += 1.0;
             sending.moments[1] += start.ray.direction.x;
             sending.moments[2] += start.ray.direction.y;
@@ -192,16 +224,16 @@ void BodyLight::send(Sending& sending, std::uint32_t side, const Uses& uses,
 void BodyLight::gather(std::vector<Sending>& sendings) {
     // The surface that a receiver's numbers come from: nodes that no ray has begun near are not
     // known there.
-    std::vector<double> known_m2(nodes_->receivers(), 0.0);
-    raysFrom_.assign(nodes_->receivers(), 0.0);
-    for (std::uint32_t side = 0; side < sendings.size(); ++side) {
-        const auto near = nodes_->near(side / 2);
+    std::vector<double> known_m2(nodes_->nodes(), 0.0);
+    raysFrom_.assign(nodes_->nodes(), 0.0);
+    for (std::uint32_t patch = 0; patch < sendings.size(); ++patch) {
+        const auto near = nodes_->near(patch);
         for (std::size_t i = 0; i < near.size(); ++i) {
-            const std::uint32_t receiver = 2 * near[i].node + side % 2;
-            if (sendings[side].sent == 0 || sendings[side].weights[i] > 0.0)
+            const std::uint32_t receiver = near[i].node;
+            if (sendings[patch].sent == 0 || sendings[patch].weights[i] > 0.0)
                 known_m2[receiver] += static_cast<double>(near[i].area_m2);
-            if (sendings[side].sent > 0)
-                raysFrom_[receiver] += sendings[side].weights[i];
+            if (sendings[patch].sent > 0)
+                raysFrom_[receiver] += sendings[patch].weights[i];
         }
     }
     first_.push_back(0);
@@ -210,42 +242,40 @@ void BodyLight::gather(std::vector<Sending>& sendings) {
     for (const Sending& sending : sendings)
         hits += sending.hits.size();
     rays_.reserve(hits);
-    for (std::uint32_t side = 0; side < sendings.size(); ++side) {
-        const Sending sending = std::move(sendings[side]);
+    for (std::uint32_t patch = 0; patch < sendings.size(); ++patch) {
+        const Sending sending = std::move(sendings[patch]);
         sent_.push_back(sending.sent);
         rays_.insert(rays_.end(), sending.hits.begin(), sending.hits.end());
         first_.push_back(rays_.size());
-        const auto near = nodes_->near(side / 2);
+        const auto near = nodes_->near(patch);
         for (std::size_t i = 0; i < near.size() && sending.sent > 0; ++i) {
-            const double whole_m2 = sending.weights[i] * known_m2[2 * near[i].node + side % 2];
+            const double whole_m2 = sending.weights[i] * known_m2[near[i].node];
             scales_.push_back(whole_m2 > 0.0 ? near[i].area_m2 / static_cast<float>(whole_m2)
                                              : 0.0f);
         }
         firstScale_.push_back(scales_.size());
     }
     std::vector<std::vector<LightPart>> parts(sendings.size()), oneWay(sendings.size());
-    parallelForSmall(sendings.size(), [&](std::uint32_t side) {
-        const Rays rays(*nodes_, side);
-        for (const LightRay& ray : raysOf(side)) {
-            const LightNodes::OfPlace senders(*nodes_, ray.place);
-            for (const LightNodes::Share& own :
-                 LightNodes::OfPlace(*nodes_, rays.at(ray.index).from.place)) {
-                const float scale =
-                    own.part * scalesOf(side)[nodes_->placeNear(side / 2, own.node)];
-                for (const LightNodes::Share& sender : senders)
-                    (ray.isOneWay ? oneWay : parts)[side].push_back(
-                        {2 * own.node + side % 2, 2 * sender.node + ray.place.triangle % 2,
-                         scale * sender.part});
+    parallelForSmall(sendings.size(), [&](std::uint32_t patch) {
+        const Rays rays(*nodes_, patch);
+        for (const LightRay& ray : raysOf(patch)) {
+            const ExchangeNodes::OfPlace senders(*nodes_, ray.place);
+            for (const ExchangeNodes::Share& own :
+                 ExchangeNodes::OfPlace(*nodes_, rays.at(ray.index).from.place)) {
+                const float scale = own.part * scalesOf(patch)[nodes_->placeNear(patch, own.node)];
+                for (const ExchangeNodes::Share& sender : senders)
+                    (ray.isOneWay ? oneWay : parts)[patch].push_back(
+                        {own.node, sender.node, scale * sender.part});
             }
         }
-        mergeParts(parts[side]);
-        mergeParts(oneWay[side]);
+        mergeParts(parts[patch]);
+        mergeParts(oneWay[patch]);
     });
     std::vector<ReceiverRays> receivers;
-    for (std::uint32_t r = 0; r < nodes_->receivers(); ++r)
-        receivers.push_back({nodes_->areaOf_m2(r / 2), raysFrom_[r]});
-    pairs_ = balanced(LightPairs(nodes_->receivers(), std::move(parts)),
-                      LightPairs(nodes_->receivers(), std::move(oneWay)), receivers);
+    for (std::uint32_t r = 0; r < nodes_->nodes(); ++r)
+        receivers.push_back({nodes_->areaOf_m2(r), raysFrom_[r]});
+    pairs_ = balanced(LightPairs(nodes_->nodes(), std::move(parts)),
+                      LightPairs(nodes_->nodes(), std::move(oneWay)), receivers);
 }
 
 } // namespace irsg

@@ -6,13 +6,13 @@
 #include <span>
 #include <vector>
 
-#include "irsg/radiance/exchange/LightNodes.h"
+#include "irsg/radiance/exchange/ExchangeNodes.h"
 #include "irsg/radiance/exchange/LightPairs.h"
 #include "irsg/render/rays/LightDirections.h"
 
 namespace irsg {
 
-/// What the surfaces of one model see of it: rays from points spread evenly over each side of a
+/// What the surfaces of one model see of it: rays from points spread evenly over each
 /// patch, along the cosine-weighted hemisphere of the facet there. What they meet counts for the
 /// nodes that have a part of the place where they begin. As many rays as are needed until their
 /// halves agree. Facets are met as a sensor would meet them; what is transparent is not there.
@@ -26,47 +26,47 @@ class BodyLight {
         /// is seen from its front, or began on what is transparent.
         bool isOneWay;
         float distance_m; ///< where it meets the place
-        LightMesh::Place place;
+        ExchangeMesh::Place place;
     };
     /// Where a ray begins, and where it goes.
     struct LightStart {
-        LightNodes::Start from;
+        ExchangeNodes::Start from;
         Ray ray;
     };
-    static constexpr std::uint32_t fewestRays = 64, mostRays = mostLightPoints;
+    static constexpr std::uint32_t fewestInside = 32, fewestRays = 256, mostRays = mostLightPoints;
     /// Of all patches together: where it does not do, each gets fewer.
     static constexpr std::size_t mostSent = std::size_t{1} << 22;
 
     /// `error`: of the part of its hemisphere that a node sees of the body, root mean square over
     /// the surface that sees anything.
-    BodyLight(std::shared_ptr<const LightNodes> nodes, const PieceUses& uses, double error);
+    BodyLight(std::shared_ptr<const ExchangeNodes> nodes, const PieceUses& uses, double error);
 
-    const LightNodes& nodes() const { return *nodes_; }
-    const LightMesh& mesh() const { return nodes_->mesh(); }
+    const ExchangeNodes& nodes() const { return *nodes_; }
+    const ExchangeMesh& mesh() const { return nodes_->mesh(); }
     const LightPairs& pairs() const { return pairs_; }
 
-    /// Ray `index` of a patch's side, in the axes of the mesh; `mostRays` of them.
+    /// Ray `index` of a patch's patch, in the axes of the mesh; `mostRays` of them.
     class Rays {
       public:
-        Rays(const LightNodes& nodes, std::uint32_t side);
+        Rays(const ExchangeNodes& nodes, std::uint32_t patch);
         LightStart at(std::uint32_t index) const;
 
       private:
-        const LightNodes& nodes_;
-        std::uint32_t side_;
+        const ExchangeNodes& nodes_;
+        std::uint32_t patch_;
         LightPoints points_;
     };
-    /// How many rays a side has sent: none where it sees nothing of the body.
-    std::uint32_t sent(std::uint32_t side) const { return sent_[side]; }
+    /// How many rays a patch has sent: none where it sees nothing of the body.
+    std::uint32_t sent(std::uint32_t patch) const { return sent_[patch]; }
     /// Of these the ones that meet the body.
-    std::span<const LightRay> raysOf(std::uint32_t side) const {
-        return std::span(rays_).subspan(first_[side], first_[side + 1] - first_[side]);
+    std::span<const LightRay> raysOf(std::uint32_t patch) const {
+        return std::span(rays_).subspan(first_[patch], first_[patch + 1] - first_[patch]);
     }
     /// By node that is near the patch: what a ray that meets something counts there, times the
     /// node's part of the place where it begins.
-    std::span<const float> scalesOf(std::uint32_t side) const {
-        return std::span(scales_).subspan(firstScale_[side],
-                                          firstScale_[side + 1] - firstScale_[side]);
+    std::span<const float> scalesOf(std::uint32_t patch) const {
+        return std::span(scales_).subspan(firstScale_[patch],
+                                          firstScale_[patch + 1] - firstScale_[patch]);
     }
 
     /// Rays that began on a receiver.
@@ -83,15 +83,17 @@ class BodyLight {
     struct Sending;
     class Errors;
     struct Uses;
-    void send(Sending& sending, std::uint32_t side, const Uses& uses, std::uint32_t wanted) const;
+    void send(Sending& sending, std::uint32_t patch, const Uses& uses, std::uint32_t wanted) const;
+    /// By patch: rays that it sends at least.
+    std::vector<std::uint32_t> fewestOf(const std::vector<std::uint32_t>& active) const;
     void refine(std::vector<Sending>& sendings, const Uses& uses, double error);
     void gather(std::vector<Sending>& sendings);
 
-    std::shared_ptr<const LightNodes> nodes_;
-    std::vector<std::uint32_t> sent_; // by side
-    std::vector<std::size_t> first_;  // rays by side
+    std::shared_ptr<const ExchangeNodes> nodes_;
+    std::vector<std::uint32_t> sent_; // by patch
+    std::vector<std::size_t> first_;  // rays by patch
     std::vector<LightRay> rays_;
-    std::vector<std::size_t> firstScale_; // by side
+    std::vector<std::size_t> firstScale_; // by patch
     std::vector<float> scales_;
     std::vector<double> raysFrom_; // by receiver
     LightPairs pairs_;

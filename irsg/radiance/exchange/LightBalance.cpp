@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "irsg/core/ParallelFor.h"
-#include "irsg/radiance/exchange/LightNodes.h"
+#include "irsg/radiance/exchange/ExchangeNodes.h"
 
 namespace irsg {
 
@@ -38,30 +38,38 @@ LightPairs exchanged(const LightPairs& pairs, const std::vector<ReceiverRays>& r
     return LightPairs(pairs.receivers(), std::move(parts));
 }
 
-/// What a receiver sees of others, as an area: the mean of what its own rays say and of what the
-/// rays of both ends do.
-double wantedSum_m2(const LightPairs& pairs, const LightPairs& exchange, double oneWay,
+/// What a receiver sees of others, as an area: what its own rays say, how much of it that counts
+/// beside what the rays of both ends say, and the most that it may be.
+struct WantedSum {
+    double own_m2 = 0.0, trust = 0.0, most_m2 = 0.0;
+
+    /// Of a sum that the others' scales have brought about.
+    double of(double sum_m2) const { return std::min(sum_m2 + trust * (own_m2 - sum_m2), most_m2); }
+};
+
+WantedSum wantedSum(const LightPairs& pairs, const LightPairs& exchange, double oneWay,
                     std::uint32_t receiver, const std::vector<ReceiverRays>& receivers) {
     const ReceiverRays& own = receivers[receiver];
+    WantedSum wanted;
     if (!(own.area_m2 > 0.0))
-        return 0.0;
-    const double most_m2 = own.area_m2 * std::max(1.0 - oneWay, 0.0);
-    double sum_m2 = 0.0, variance_m4 = 0.0;
-    const auto [first, last] = exchange.of(receiver);
-    for (const LightPair* pair = first; pair != last; ++pair) {
-        const auto exchanged_m2 = static_cast<double>(pair->factor);
-        sum_m2 += exchanged_m2;
-        variance_m4 += exchanged_m2 / (densityOf(own) + densityOf(receivers[pair->sender]));
-    }
+        return wanted;
+    wanted.most_m2 = own.area_m2 * std::max(1.0 - oneWay, 0.0);
     if (!(own.rays > 0.0))
-        return std::min(sum_m2, most_m2);
-    const double seen = pairs.sumOf(receiver);
-    // None of so many rays may be one of the next.
-    const double variance = (seen + 1.0 / own.rays) * std::max(1.0 - seen - oneWay, 0.0) / own.rays;
+        return wanted;
+    double variance_m4 = 0.0;
+    const auto [first, last] = exchange.of(receiver);
+    for (const LightPair* pair = first; pair != last; ++pair)
+        variance_m4 += static_cast<double>(pair->factor) /
+                       (densityOf(own) + densityOf(receivers[pair->sender]));
+    const double seen = pairs.sumOf(receiver), open = std::max(1.0 - seen - oneWay, 0.0);
+    // Where many rays are met and many are not, they are spread better than by chance. None of so
+    // many rays may be one of the next.
+    const double spread = std::pow(1.0 + own.rays * seen * open, -1.0 / 3.0);
+    const double variance = (seen + 1.0 / own.rays) * open / own.rays * spread;
     const double area2_m4 = own.area_m2 * own.area_m2;
-    const double trust =
-        variance_m4 > 0.0 ? variance_m4 / (variance_m4 + variance * area2_m4) : 1.0;
-    return std::min(sum_m2 + trust * (seen * own.area_m2 - sum_m2), most_m2);
+    wanted.own_m2 = seen * own.area_m2;
+    wanted.trust = variance_m4 > 0.0 ? variance_m4 / (variance_m4 + variance * area2_m4) : 1.0;
+    return wanted;
 }
 
 LightPairs joined(const LightPairs& some, const LightPairs& others) {
@@ -82,10 +90,10 @@ LightPairs balanced(const LightPairs& pairs, const LightPairs& oneWay,
     if (pairs.size() == 0)
         return oneWay;
     LightPairs exchange = exchanged(pairs, receivers);
-    std::vector<double> wanted_m2(receivers.size()), scale(receivers.size(), 1.0),
-        next(receivers.size()), off(receivers.size());
+    std::vector<WantedSum> wanted(receivers.size());
+    std::vector<double> scale(receivers.size(), 1.0), next(receivers.size()), off(receivers.size());
     parallelForSmall(receivers.size(), [&](std::uint32_t r) {
-        wanted_m2[r] = wantedSum_m2(pairs, exchange, oneWay.sumOf(r), r, receivers);
+        wanted[r] = wantedSum(pairs, exchange, oneWay.sumOf(r), r, receivers);
     });
     const auto sum_m2 = [&](std::uint32_t r) {
         double sum = 0.0;
@@ -96,9 +104,10 @@ LightPairs balanced(const LightPairs& pairs, const LightPairs& oneWay,
     };
     for (int step = 0; step < mostSteps; ++step) {
         parallelForSmall(receivers.size(), [&](std::uint32_t r) {
-            const double sum = scale[r] * sum_m2(r);
-            off[r] = sum > 0.0 ? std::abs(wanted_m2[r] / sum - 1.0) : 0.0;
-            next[r] = sum > 0.0 ? scale[r] * std::sqrt(wanted_m2[r] / sum) : scale[r];
+            const double sum = sum_m2(r);
+            const double ratio = sum > 0.0 ? wanted[r].of(sum) / (scale[r] * sum) : 1.0;
+            off[r] = std::abs(ratio - 1.0);
+            next[r] = scale[r] * std::sqrt(ratio);
         });
         scale.swap(next);
         if (std::ranges::max(off) < wellBalanced)
@@ -107,7 +116,7 @@ LightPairs balanced(const LightPairs& pairs, const LightPairs& oneWay,
     // What is left of it, each receiver takes on itself.
     parallelForSmall(receivers.size(), [&](std::uint32_t r) {
         const double sum = sum_m2(r);
-        next[r] = sum > 0.0 ? wanted_m2[r] / (sum * receivers[r].area_m2) : 0.0;
+        next[r] = sum > 0.0 ? wanted[r].of(sum) / (sum * receivers[r].area_m2) : 0.0;
     });
     exchange.scale([&](std::uint32_t receiver, const LightPair& pair) {
         return static_cast<float>(next[receiver] * scale[pair.sender] *

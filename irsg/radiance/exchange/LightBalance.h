@@ -17,11 +17,11 @@ struct ReceiverRays {
 /// is seldom met by the rays of a wing, and well by its own of the wing.
 ///
 /// Where hits are rare their number is Poisson's, and the best that is to be had of A F is all hits
-/// of both ends over all rays per area of both. Sums over the senders of a receiver are brought to
-/// the mean of the sum so found and that of its own rays, each by its certainty: in a closed room
-/// every ray hits something, and the sum stays 1 to the last digit. What that takes is spread so
-/// that pairs stay reciprocal (van Leersum, Int. J. Heat and Fluid Flow 10, 83, 1989, has the same
-/// aim).
+/// of both ends over all rays per area of both. Scales of both ends then bring the sum over the
+/// senders of a receiver to what its own rays say, as far as these are the more certain: in a
+/// closed room every ray hits something, and the sum stays 1 to the last digit; a wing whose few
+/// rays tell little of a small nozzle follows the nozzle. Pairs stay reciprocal (van Leersum, Int.
+/// J. Heat and Fluid Flow 10, 83, 1989, has the same aim).
 ///
 /// `oneWay`: what is seen through the backs of facets that have none, from the inside of a body,
 /// from where the receiver is not seen; it stays as it is.

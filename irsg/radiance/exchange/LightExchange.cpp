@@ -37,7 +37,7 @@ struct Sphere {
 
 /// What is at hand while an exchange is made.
 struct LightExchange::Making {
-    /// What a side of a patch tells a node near it: what is lost of sky and ground and, as areas in
+    /// What a patch tells a node near it: what is lost of sky and ground and, as areas in
     /// m2, how much of it sees the sky, with published weights or without, and the sun.
     struct Told {
         double sky = 0.0, ground = 0.0;
@@ -54,8 +54,8 @@ struct LightExchange::Making {
     std::size_t terrainNumber = 0;
     std::uint32_t raysToOthers = 0;
     std::vector<PieceUses> withBacks{};                    ///< by caster, see PieceUses
-    std::vector<std::vector<LightPart>> parts{}, oneWay{}; ///< by side of a patch
-    std::vector<std::vector<Told>> told{};                 ///< by side of a patch and near node
+    std::vector<std::vector<LightPart>> parts{}, oneWay{}; ///< by patch
+    std::vector<std::vector<Told>> told{};                 ///< by patch and near node
 
     /// Height of the highest place of the terrain, m.
     double terrainTop_m() const {
@@ -67,13 +67,9 @@ struct LightExchange::Making {
         return top_m;
     }
     bool isAlone(std::size_t body) const { return near[body].empty() && !meetsTerrain[body]; }
-    /// Whether light falls on a side at all.
-    bool isSeen(const Body& body, std::size_t number, std::uint32_t side) const {
-        const LightNodes& nodes = body.light->nodes();
-        const PieceUse& use =
-            casters[number].uses[static_cast<std::size_t>(nodes.pieceOf(side / 2))];
-        return use.isThere && (side % 2 == 0 || use.transparent || !use.cullsBackFaces) &&
-               nodes.patchArea_m2(side / 2) > 0.0;
+    /// Whether light falls on a patch at all.
+    static bool isSeen(const Body& body, std::uint32_t patch) {
+        return body.light->nodes().patchArea_m2(patch) > 0.0;
     }
 };
 
@@ -127,21 +123,21 @@ void LightExchange::number(const std::vector<SunShadows::Caster>& casters) {
     std::uint32_t allNodes = 0, vertices = 0;
     firstShare_.push_back(0);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        const LightNodes& nodes = bodies_[b].light->nodes();
-        const LightMesh& mesh = nodes.mesh();
-        firstTriangle_.push_back(static_cast<std::uint32_t>(corners_.size()));
-        firstReceiver_.push_back(2 * allNodes);
-        for (std::uint32_t t = 0; t < mesh.triangles(); ++t) {
+        const ExchangeNodes& nodes = bodies_[b].light->nodes();
+        const ExchangeMesh& mesh = nodes.mesh();
+        firstCell_.push_back(static_cast<std::uint32_t>(corners_.size()));
+        firstReceiver_.push_back(allNodes);
+        for (std::uint32_t t = 0; t < mesh.cells(); ++t) {
             const auto& own = mesh.corners(t);
             corners_.push_back({own[0] + vertices, own[1] + vertices, own[2] + vertices});
         }
         for (std::uint32_t v = 0; v < mesh.vertices().size(); ++v) {
-            for (const LightNodes::Share& share : nodes.sharesOf(v))
+            for (const ExchangeNodes::Share& share : nodes.sharesOf(v))
                 shares_.push_back({share.node + allNodes, share.part});
             firstShare_.push_back(static_cast<std::uint32_t>(shares_.size()));
         }
-        for (std::uint32_t r = 0; r < nodes.receivers(); ++r) {
-            const int row = casters[b].rows[static_cast<std::size_t>(nodes.pieceOf(r / 2))];
+        for (std::uint32_t r = 0; r < nodes.nodes(); ++r) {
+            const int row = casters[b].rows[static_cast<std::size_t>(nodes.pieceOf(r))];
             rows_.push_back(row);
             if (static_cast<std::size_t>(row) >= ofRow_.size())
                 ofRow_.resize(static_cast<std::size_t>(row) + 1);
@@ -152,13 +148,13 @@ void LightExchange::number(const std::vector<SunShadows::Caster>& casters) {
         allNodes += static_cast<std::uint32_t>(nodes.nodes());
         vertices += static_cast<std::uint32_t>(mesh.vertices().size());
     }
-    firstReceiver_.push_back(2 * allNodes);
+    firstReceiver_.push_back(allNodes);
 }
 
-std::array<float, 3> LightExchange::openAt(std::uint32_t triangle) const {
+std::array<float, 3> LightExchange::openAt(std::uint32_t cell) const {
     std::array<float, 3> open{};
     for (std::size_t c = 0; c < 3; ++c)
-        forEachReceiver(triangle, c == 1 ? 1.0f : 0.0f, c == 2 ? 1.0f : 0.0f,
+        forEachReceiver(cell, c == 1 ? 1.0f : 0.0f, c == 2 ? 1.0f : 0.0f,
                         [&](std::uint32_t receiver, float part) {
                             open[c] += part * static_cast<float>(1.0 - seen(receiver));
                         });
@@ -172,29 +168,29 @@ void LightExchange::takePairs(Making& making) {
     making.told.resize(rows_.size());
     std::vector<ReceiverRays> known;
     for (const Body& body : bodies_)
-        for (std::uint32_t r = 0; r < body.light->nodes().receivers(); ++r)
-            known.push_back({body.light->nodes().areaOf_m2(r / 2), body.light->raysFrom(r)});
+        for (std::uint32_t r = 0; r < body.light->nodes().nodes(); ++r)
+            known.push_back({body.light->nodes().areaOf_m2(r), body.light->raysFrom(r)});
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        const LightNodes& nodes = bodies_[b].light->nodes();
-        parallelForSmall(nodes.receivers(), [&](std::uint32_t side) {
-            making.told[firstReceiver_[b] + side].resize(nodes.near(side / 2).size());
-            if (!making.isSeen(bodies_[b], b, side))
+        const ExchangeNodes& nodes = bodies_[b].light->nodes();
+        parallelForSmall(nodes.nodes(), [&](std::uint32_t patch) {
+            making.told[firstReceiver_[b] + patch].resize(nodes.near(patch).size());
+            if (!making.isSeen(bodies_[b], patch))
                 return;
             if (making.isAlone(b))
-                takeOwn(making, b, side);
+                takeOwn(making, b, patch);
             else
-                takeWithOthers(making, b, side);
+                takeWithOthers(making, b, patch);
         });
         if (bodies_.size() > 1 && making.isAlone(b))
             copyPairs(making, b);
-        for (std::uint32_t side = 0; side < nodes.receivers(); ++side) {
-            const auto near = nodes.near(side / 2);
+        for (std::uint32_t patch = 0; patch < nodes.nodes(); ++patch) {
+            const auto near = nodes.near(patch);
             for (std::size_t i = 0; i < near.size(); ++i) {
-                const Making::Told& told = making.told[firstReceiver_[b] + side][i];
-                Loss& loss = losses_[firstReceiver_[b] + 2 * near[i].node + side % 2];
+                const Making::Told& told = making.told[firstReceiver_[b] + patch][i];
+                Loss& loss = losses_[firstReceiver_[b] + near[i].node];
                 loss.sky += told.sky;
                 loss.ground += told.ground;
-                known[firstReceiver_[b] + 2 * near[i].node + side % 2].rays += told.rays;
+                known[firstReceiver_[b] + near[i].node].rays += told.rays;
             }
         }
     }
@@ -215,19 +211,19 @@ void LightExchange::takePairs(Making& making) {
     }
 }
 
-void LightExchange::takeOwn(Making& making, std::size_t body, std::uint32_t side) const {
+void LightExchange::takeOwn(Making& making, std::size_t body, std::uint32_t patch) const {
     const BodyLight& light = *bodies_[body].light;
-    const LightNodes& nodes = light.nodes();
+    const ExchangeNodes& nodes = light.nodes();
     const std::uint32_t first = firstReceiver_[body];
-    const BodyLight::Rays rays(nodes, side);
-    for (const BodyLight::LightRay& ray : light.raysOf(side)) {
+    const BodyLight::Rays rays(nodes, patch);
+    for (const BodyLight::LightRay& ray : light.raysOf(patch)) {
         const BodyLight::LightStart start = rays.at(ray.index);
         const bool isUp = (making.toWorld[body] * start.ray.direction).z > 0.0;
-        for (const LightNodes::Share& own : LightNodes::OfPlace(nodes, start.from.place)) {
-            const std::size_t near = nodes.placeNear(side / 2, own.node);
-            Making::Told& told = making.told[first + side][near];
+        for (const ExchangeNodes::Share& own : ExchangeNodes::OfPlace(nodes, start.from.place)) {
+            const std::size_t near = nodes.placeNear(patch, own.node);
+            Making::Told& told = making.told[first + patch][near];
             (isUp ? told.sky : told.ground) +=
-                static_cast<double>(own.part * light.scalesOf(side)[near]);
+                static_cast<double>(own.part * light.scalesOf(patch)[near]);
         }
     }
 }
@@ -252,20 +248,21 @@ bool LightExchange::leavesThroughBack(const Making& making, std::size_t body, Ra
            caster.uses.isCulled(hit);
 }
 
-void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32_t side) const {
+void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32_t patch) const {
     const BodyLight& light = *bodies_[body].light;
-    const LightNodes& nodes = light.nodes();
+    const ExchangeNodes& nodes = light.nodes();
     const SunShadows::Caster& caster = making.casters[body];
-    const std::uint32_t number = firstReceiver_[body] + side;
-    const auto near = nodes.near(side / 2);
-    const std::uint32_t count = light.sent(side) > 0 ? light.sent(side) : making.raysToOthers;
-    const BodyLight::Rays rays(nodes, side);
-    std::vector<float> scales(light.scalesOf(side).begin(), light.scalesOf(side).end());
+    const std::uint32_t number = firstReceiver_[body] + patch;
+    const auto near = nodes.near(patch);
+    const std::uint32_t count = light.sent(patch) > 0 ? light.sent(patch) : making.raysToOthers;
+    const BodyLight::Rays rays(nodes, patch);
+    std::vector<float> scales(light.scalesOf(patch).begin(), light.scalesOf(patch).end());
     if (scales.empty()) {
         std::vector<double> weights(near.size());
         for (std::uint32_t i = 0; i < count; ++i)
-            for (const LightNodes::Share& own : LightNodes::OfPlace(nodes, rays.at(i).from.place))
-                weights[nodes.placeNear(side / 2, own.node)] += static_cast<double>(own.part);
+            for (const ExchangeNodes::Share& own :
+                 ExchangeNodes::OfPlace(nodes, rays.at(i).from.place))
+                weights[nodes.placeNear(patch, own.node)] += static_cast<double>(own.part);
         for (std::size_t i = 0; i < near.size(); ++i) {
             making.told[number][i].rays = weights[i];
             scales.push_back(static_cast<float>(
@@ -275,18 +272,18 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
         }
     }
     const bool isTransparent =
-        caster.uses[static_cast<std::size_t>(nodes.pieceOf(side / 2))].transparent;
+        caster.uses[static_cast<std::size_t>(nodes.pieceOf(patch))].transparent;
     RayHit hit;
     std::vector<RayHit> through;
-    auto met = light.raysOf(side).begin();
-    const auto lastMet = light.raysOf(side).end();
+    auto met = light.raysOf(patch).begin();
+    const auto lastMet = light.raysOf(patch).end();
     for (std::uint32_t i = 0; i < count; ++i) {
         const BodyLight::LightStart start = rays.at(i);
         const Vec3 from_m = caster.pose.toWorld(start.ray.origin_m);
         const Vec3 along = making.toWorld[body] * start.ray.direction;
         double nearest_m = std::numeric_limits<double>::infinity();
         double nearestBack_m = std::numeric_limits<double>::infinity();
-        LightMesh::Place place;
+        ExchangeMesh::Place place;
         std::size_t metBody = body;
         bool isOneWay = false;
         if (met != lastMet && met->index == i) {
@@ -313,10 +310,10 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
                 place = bodies_[other].light->mesh().placeOf(hit);
                 metBody = other;
             }
-        const LightNodes::OfPlace own(nodes, start.from.place);
+        const ExchangeNodes::OfPlace own(nodes, start.from.place);
         const auto tell = [&](auto add) {
-            for (const LightNodes::Share& share : own) {
-                const std::size_t n = nodes.placeNear(side / 2, share.node);
+            for (const ExchangeNodes::Share& share : own) {
+                const std::size_t n = nodes.placeNear(patch, share.node);
                 add(share.node, making.told[number][n], share.part * scales[n]);
             }
         };
@@ -328,18 +325,17 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
             });
             continue;
         }
-        if (place.triangle == LightMesh::none)
+        if (place.cell == ExchangeMesh::none)
             continue;
         if (metBody != body)
             isOneWay = isTransparent || leavesThroughBack(making, body, start.ray, nearest_m);
         isOneWay = isOneWay || nearestBack_m < nearest_m;
         std::vector<LightPart>& parts = (isOneWay ? making.oneWay : making.parts)[number];
-        const LightNodes::OfPlace senders(bodies_[metBody].light->nodes(), place);
+        const ExchangeNodes::OfPlace senders(bodies_[metBody].light->nodes(), place);
         tell([&](std::uint32_t node, Making::Told& told, float part) {
             (along.z > 0.0 ? told.sky : told.ground) += static_cast<double>(part);
-            for (const LightNodes::Share& sender : senders)
-                parts.push_back({firstReceiver_[body] + 2 * node + side % 2,
-                                 firstReceiver_[metBody] + 2 * sender.node + place.triangle % 2,
+            for (const ExchangeNodes::Share& sender : senders)
+                parts.push_back({firstReceiver_[body] + node, firstReceiver_[metBody] + sender.node,
                                  part * sender.part});
         });
     }
@@ -354,16 +350,16 @@ void LightExchange::takeLight(Making& making) {
     sun_.assign(rows_.size(), 0.0);
     std::vector<Making::Told> sums(rows_.size());
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        const LightNodes& nodes = bodies_[b].light->nodes();
-        parallelForSmall(nodes.receivers(), [&](std::uint32_t side) {
-            if (making.isSeen(bodies_[b], b, side))
-                lightSide(making, b, side);
+        const ExchangeNodes& nodes = bodies_[b].light->nodes();
+        parallelForSmall(nodes.nodes(), [&](std::uint32_t patch) {
+            if (making.isSeen(bodies_[b], patch))
+                lightSide(making, b, patch);
         });
-        for (std::uint32_t side = 0; side < nodes.receivers(); ++side) {
-            const auto near = nodes.near(side / 2);
+        for (std::uint32_t patch = 0; patch < nodes.nodes(); ++patch) {
+            const auto near = nodes.near(patch);
             for (std::size_t i = 0; i < near.size(); ++i) {
-                const Making::Told& told = making.told[firstReceiver_[b] + side][i];
-                Making::Told& sum = sums[firstReceiver_[b] + 2 * near[i].node + side % 2];
+                const Making::Told& told = making.told[firstReceiver_[b] + patch][i];
+                Making::Told& sum = sums[firstReceiver_[b] + near[i].node];
                 sum.open_m2 += told.open_m2;
                 sum.weighted_m2 += told.weighted_m2;
                 sum.sun_m2 += told.sun_m2;
@@ -373,7 +369,7 @@ void LightExchange::takeLight(Making& making) {
     }
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         for (std::uint32_t r = firstReceiver_[b]; r < firstReceiver_[b + 1]; ++r) {
-            const double area_m2 = bodies_[b].light->nodes().areaOf_m2((r - firstReceiver_[b]) / 2);
+            const double area_m2 = bodies_[b].light->nodes().areaOf_m2(r - firstReceiver_[b]);
             if (!(area_m2 > 0.0))
                 continue;
             const double open = sums[r].open_m2 / area_m2;
@@ -400,41 +396,40 @@ void LightExchange::takeLight(Making& making) {
         }
 }
 
-void LightExchange::lightSide(Making& making, std::size_t body, std::uint32_t side) const {
-    const LightNodes& nodes = bodies_[body].light->nodes();
+void LightExchange::lightSide(Making& making, std::size_t body, std::uint32_t patch) const {
+    const ExchangeNodes& nodes = bodies_[body].light->nodes();
     const LightSources& sources = making.sources;
     const SunShadows::Caster& caster = making.casters[body];
     const Rotation& toWorld = making.toWorld[body];
-    const auto near = nodes.near(side / 2);
-    std::vector<Making::Told>& told = making.told[firstReceiver_[body] + side];
+    const auto near = nodes.near(patch);
+    std::vector<Making::Told>& told = making.told[firstReceiver_[body] + patch];
     bool isSender = false, isOfMatter = false;
-    for (const LightNodes::Near& one : near) {
-        const std::uint32_t receiver = firstReceiver_[body] + 2 * one.node + side % 2;
+    for (const ExchangeNodes::Near& one : near) {
+        const std::uint32_t receiver = firstReceiver_[body] + one.node;
         isSender = isSender || isSender_[receiver];
         isOfMatter = isOfMatter || isSender || !pairs_->isEmpty(receiver) ||
                      losses_[receiver].sky != 0.0 || losses_[receiver].ground != 0.0;
     }
     if (!isOfMatter)
         return;
-    for (const std::uint32_t triangle : nodes.trianglesOf(side / 2)) {
-        const double up =
-            (side % 2 == 0 ? 1.0 : -1.0) * (toWorld * nodes.mesh().normal(triangle)).z;
-        const double open_m2 = nodes.mesh().area_m2(triangle) / 3.0 * 0.5 * (1.0 + up);
-        const double weighted_m2 = nodes.mesh().area_m2(triangle) / 3.0 * sources.skyOf(up);
-        for (const std::uint32_t corner : nodes.mesh().corners(triangle))
-            for (const LightNodes::Share& share : nodes.sharesOf(corner)) {
-                Making::Told& own = told[nodes.placeNear(side / 2, share.node)];
+    for (const std::uint32_t cell : nodes.cellsOf(patch)) {
+        const double up = (toWorld * nodes.mesh().normal(cell)).z;
+        const double open_m2 = nodes.mesh().area_m2(cell) / 3.0 * 0.5 * (1.0 + up);
+        const double weighted_m2 = nodes.mesh().area_m2(cell) / 3.0 * sources.skyOf(up);
+        for (const std::uint32_t corner : nodes.mesh().corners(cell))
+            for (const ExchangeNodes::Share& share : nodes.sharesOf(corner)) {
+                Making::Told& own = told[nodes.placeNear(patch, share.node)];
                 own.open_m2 += static_cast<double>(share.part) * open_m2;
                 own.weighted_m2 += static_cast<double>(share.part) * weighted_m2;
             }
     }
     if (!isSender || !sources.isSunOn || sources.sunAlways >= 0.0)
         return;
-    const BodyLight::Rays rays(nodes, side);
+    const BodyLight::Rays rays(nodes, patch);
     std::vector<double> lit(near.size()), all(near.size());
     std::vector<int> through;
     for (std::uint32_t i = 0; i < raysToSun; ++i) {
-        const LightNodes::Start start = rays.at(i).from;
+        const ExchangeNodes::Start start = rays.at(i).from;
         double light = std::max(dot(toWorld * start.normal, sources.towardsSun), 0.0);
         const Vec3 from_m = caster.pose.toWorld(start.at_m);
         for (std::size_t c = 0; sources.isSunShadowed && light > 0.0 && c < making.casters.size();
@@ -446,8 +441,8 @@ void LightExchange::lightSide(Making& making, std::size_t body, std::uint32_t si
                     other.uses, nullptr, through))
                 light = 0.0;
         }
-        for (const LightNodes::Share& own : LightNodes::OfPlace(nodes, start.place)) {
-            const std::size_t n = nodes.placeNear(side / 2, own.node);
+        for (const ExchangeNodes::Share& own : ExchangeNodes::OfPlace(nodes, start.place)) {
+            const std::size_t n = nodes.placeNear(patch, own.node);
             lit[n] += static_cast<double>(own.part) * light;
             all[n] += static_cast<double>(own.part);
         }

@@ -67,29 +67,29 @@ class LightExchange {
     /// Part of the hemisphere of a receiver in which others stand.
     double seen(std::size_t receiver) const { return pairs_->sumOf(receiver); }
 
-    /// Triangles of a body's mesh begin at this number.
-    std::uint32_t firstTriangle(std::size_t body) const { return firstTriangle_[body]; }
+    /// Cells of a body's mesh begin at this number.
+    std::uint32_t firstCell(std::size_t body) const { return firstCell_[body]; }
     const std::vector<Body>& bodies() const { return bodies_; }
-    /// Calls visit(receiver, part) for the receivers of a place as samples name it: twice the
-    /// triangle, + 1 for the back, and the weights of its second and third corner. Parts add up
-    /// to 1; a receiver may come more than once.
+    /// Calls visit(receiver, part) for the receivers of a place as samples name it: the cell
+    /// and the weights of its second and third corner. Parts add up to 1; a receiver may come more
+    /// than once.
     template <typename Visit>
-    void forEachReceiver(std::uint32_t triangle, float u, float v, Visit visit) const {
+    void forEachReceiver(std::uint32_t cell, float u, float v, Visit visit) const {
         const std::array<float, 3> parts{1.0f - u - v, u, v};
-        forEachReceiver(triangle, [&](std::uint32_t receiver, std::size_t corner, float part) {
+        forEachReceiver(cell, [&](std::uint32_t receiver, std::size_t corner, float part) {
             visit(receiver, parts[corner] * part);
         });
     }
     /// Calls visit(receiver, corner, part) for those of its corners, whose parts add up to 1 each.
     template <typename Visit>
-    void forEachReceiver(std::uint32_t triangle, Visit visit) const {
-        const std::array<std::uint32_t, 3>& corners = corners_[triangle / 2];
+    void forEachReceiver(std::uint32_t cell, Visit visit) const {
+        const std::array<std::uint32_t, 3>& corners = corners_[cell];
         for (std::size_t c = 0; c < 3; ++c)
             for (std::uint32_t i = firstShare_[corners[c]]; i < firstShare_[corners[c] + 1]; ++i)
-                visit(2 * shares_[i].node + triangle % 2, c, shares_[i].part);
+                visit(shares_[i].node, c, shares_[i].part);
     }
     /// Parts of the hemispheres over the corners of a place in which nothing stands.
-    std::array<float, 3> openAt(std::uint32_t triangle) const;
+    std::array<float, 3> openAt(std::uint32_t cell) const;
 
     /// Whether a body is so near that light between it and another counts; boxes in the world by
     /// their balls.
@@ -100,20 +100,20 @@ class LightExchange {
     struct Making;
     void number(const std::vector<SunShadows::Caster>& casters);
     void takePairs(Making& making);
-    void takeOwn(Making& making, std::size_t body, std::uint32_t side) const;
+    void takeOwn(Making& making, std::size_t body, std::uint32_t patch) const;
     void copyPairs(Making& making, std::size_t body) const;
-    void takeWithOthers(Making& making, std::size_t body, std::uint32_t side) const;
+    void takeWithOthers(Making& making, std::size_t body, std::uint32_t patch) const;
     /// Whether a ray from a body, in its axes, meets one of its backs that are not there.
     static bool leavesThroughBack(const Making& making, std::size_t body, Ray ray, double upTo_m);
     void takeLight(Making& making);
-    /// Light that falls on the nodes near a patch's side.
-    void lightSide(Making& making, std::size_t body, std::uint32_t side) const;
+    /// Light that falls on the nodes near a patch's patch.
+    void lightSide(Making& making, std::size_t body, std::uint32_t patch) const;
 
     std::vector<Body> bodies_;
-    std::vector<std::uint32_t> firstTriangle_, firstReceiver_;
-    std::vector<std::array<std::uint32_t, 3>> corners_; // vertices of the scene, by triangle
+    std::vector<std::uint32_t> firstCell_, firstReceiver_;
+    std::vector<std::array<std::uint32_t, 3>> corners_; // vertices of the scene, by cell
     std::vector<std::uint32_t> firstShare_;             // by vertex, and behind the last
-    std::vector<LightNodes::Share> shares_;             // of nodes of the scene
+    std::vector<ExchangeNodes::Share> shares_;          // of nodes of the scene
     std::vector<int> rows_;
     std::vector<std::uint32_t> local_;
     std::vector<std::vector<std::uint32_t>> ofRow_;

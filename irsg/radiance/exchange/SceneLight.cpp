@@ -356,14 +356,13 @@ SceneLight::AtReceiver lightAt(const LightExchange& exchange,
                                const std::vector<SceneLight::AtReceiver>& atReceivers,
                                const GeometrySamples::Place& place) {
     SceneLight::AtReceiver all{};
-    if (place.triangle == GeometrySamples::Place::none)
+    if (place.cell == GeometrySamples::Place::none)
         return all;
-    exchange.forEachReceiver(
-        place.triangle, place.u, place.v, [&](std::uint32_t receiver, float part) {
-            const SceneLight::AtReceiver& at = atReceivers[exchange.localOf(receiver)];
-            for (std::size_t k = 0; k < all.size(); ++k)
-                all[k] += static_cast<double>(part) * at[k];
-        });
+    exchange.forEachReceiver(place.cell, place.u, place.v, [&](std::uint32_t receiver, float part) {
+        const SceneLight::AtReceiver& at = atReceivers[exchange.localOf(receiver)];
+        for (std::size_t k = 0; k < all.size(); ++k)
+            all[k] += static_cast<double>(part) * at[k];
+    });
     return all;
 }
 

@@ -287,10 +287,14 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility,
                 if (place->isFound) {
                     GeometrySamples::Place& told =
                         fragment ? samples.fragmentPlaces[*fragment] : samples.opaquePlaces[sample];
-                    const LightMesh::Place on = places_.meshes[place->caster]->placeOf(place->hit);
-                    told = {2 * places_.firstTriangle[place->caster] + on.triangle, on.u, on.v};
-                    if (withVisibility && own == 0) {
-                        const std::array<float, 3> open = places_.openAt(told.triangle);
+                    const ExchangeMesh::Place on =
+                        places_.meshes[place->caster]->placeOf(place->hit);
+                    told = on.cell == ExchangeMesh::none
+                               ? GeometrySamples::Place{}
+                               : GeometrySamples::Place{places_.firstCell[place->caster] + on.cell,
+                                                        on.u, on.v};
+                    if (withVisibility && own == 0 && on.cell != ExchangeMesh::none) {
+                        const std::array<float, 3> open = places_.openAt(told.cell);
                         samples.skyVisibility[sample] =
                             (1.0f - on.u - on.v) * open[0] + on.u * open[1] + on.v * open[2];
                     }

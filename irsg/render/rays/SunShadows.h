@@ -9,7 +9,7 @@
 
 #include "irsg/geometry/view/Pose.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/render/rays/LightMesh.h"
+#include "irsg/render/rays/ExchangeMesh.h"
 #include "irsg/render/rays/RayMesh.h"
 #include "irsg/render/rays/SunlitFacets.h"
 #include "irsg/render/sampling/SurfaceScene.h"
@@ -34,9 +34,9 @@ class SunShadows {
     };
     /// For the light that surfaces send each other: the triangles that samples lie in.
     struct LightPlaces {
-        std::vector<std::shared_ptr<const LightMesh>> meshes; ///< by caster that has rows
-        std::vector<std::uint32_t> firstTriangle;             ///< of a mesh among all
-        std::vector<bool> matters;                            ///< by row of the drawing
+        std::vector<std::shared_ptr<const ExchangeMesh>> meshes; ///< by caster that has rows
+        std::vector<std::uint32_t> firstCell;                    ///< of a mesh among all
+        std::vector<bool> matters;                               ///< by row of the drawing
         /// By twice the triangle, + 1 for the back: what its corners' receivers see of the sky and
         /// the ground.
         std::function<std::array<float, 3>(std::uint32_t)> openAt;

@@ -88,7 +88,7 @@ struct GeometrySamples {
     /// LightExchange names it, and the weights of the second and third corner there.
     struct Place {
         static constexpr std::uint32_t none = 0xffffffffu;
-        std::uint32_t triangle = none;
+        std::uint32_t cell = none;
         float u = 0.0f, v = 0.0f;
     };
     std::vector<Place> opaquePlaces;   ///< by sample, or empty

@@ -1,0 +1,390 @@
+#include "irsg/radiance/exchange/ExchangeNodes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "irsg/core/ParallelFor.h"
+
+namespace irsg {
+
+namespace {
+
+constexpr std::size_t mostShares = 3;
+/// Cosines between normals of vertices that a node stands for, and of those it has a part in.
+constexpr double alike = 0.7, notUnlike = 0.5;
+/// How far a node's part reaches, as a multiple of how far apart nodes are.
+constexpr double reach = 1.5;
+/// How much longer the way along the edges of cells may be than the straight line: one around a
+/// wall is longer.
+constexpr double mostRoundabout = 2.5;
+/// The same of ways that are looked for at all, of the longest straight line.
+constexpr double detour = 1.5;
+/// Area of a surface that is no more than a detail, of the square of how far nodes are apart.
+constexpr double smallSurface = 0.5;
+
+} // namespace
+
+/// Finds vertices by where they are.
+class Neighbourhood {
+  public:
+    /// Places among the vertices of a list; of those no farther away than `width_m`.
+    Neighbourhood(const std::vector<std::uint32_t>& vertices, const ExchangeMesh& mesh,
+                  double width_m)
+        : width_m_(width_m) {
+        for (std::size_t i = 0; i < vertices.size(); ++i)
+            boxes_[boxOf(mesh.vertices()[vertices[i]].at_m)].push_back(i);
+    }
+    /// Calls visit(place) for all of them, and some that are farther away.
+    template <typename Visit>
+    void forEachAbout(const Vec3& at_m, Visit visit) const {
+        const Box middle = boxOf(at_m);
+        for (long x = middle[0] - 1; x <= middle[0] + 1; ++x)
+            for (long y = middle[1] - 1; y <= middle[1] + 1; ++y)
+                for (long z = middle[2] - 1; z <= middle[2] + 1; ++z)
+                    if (const auto found = boxes_.find({x, y, z}); found != boxes_.end())
+                        for (const std::size_t place : found->second)
+                            visit(place);
+    }
+
+  private:
+    using Box = std::array<long, 3>;
+    Box boxOf(const Vec3& at_m) const {
+        return {std::lround(at_m.x / width_m_), std::lround(at_m.y / width_m_),
+                std::lround(at_m.z / width_m_)};
+    }
+    double width_m_;
+    std::map<Box, std::vector<std::size_t>> boxes_;
+};
+
+/// By vertex: the area of the surface that is connected with it.
+std::vector<double> surfacesOf_m2(const ExchangeMesh& mesh) {
+    constexpr auto nobody = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> surfaceOf(mesh.vertices().size(), nobody);
+    std::vector<std::uint32_t> open;
+    std::size_t count = 0;
+    for (std::uint32_t first = 0; first < surfaceOf.size(); ++first) {
+        if (surfaceOf[first] != nobody)
+            continue;
+        open.assign(1, first);
+        surfaceOf[first] = count;
+        while (!open.empty()) {
+            const std::uint32_t at = open.back();
+            open.pop_back();
+            for (const std::uint32_t next : mesh.beside(at))
+                if (surfaceOf[next] == nobody) {
+                    surfaceOf[next] = count;
+                    open.push_back(next);
+                }
+        }
+        ++count;
+    }
+    std::vector<double> areas_m2(count), byVertex_m2;
+    for (std::uint32_t cell = 0; cell < mesh.cells(); ++cell)
+        areas_m2[surfaceOf[mesh.corners(cell)[0]]] += mesh.area_m2(cell);
+    for (const std::size_t surface : surfaceOf)
+        byVertex_m2.push_back(areas_m2[surface]);
+    return byVertex_m2;
+}
+
+/// Nodes of one piece: a node never stands for two, which may be of different materials.
+struct ExchangeNodes::OfPiece {
+    std::vector<std::uint32_t> vertices;
+    std::vector<double> apart_m;            ///< by vertex: how far nodes may be
+    std::vector<std::size_t> nodes;         ///< places among the vertices
+    std::size_t outside = 0;                ///< how many of them turn to no space inside
+    std::vector<double> surface_m2;         ///< by vertex: of all that one can go to
+    std::vector<std::size_t> coveredBy;     ///< by vertex: among the nodes
+    std::vector<std::vector<Share>> shares; ///< by vertex
+
+    /// Calls visit(place, distance_m) for the vertices that are nearer to one of them than `most_m`
+    /// along a straight line, and along the surface not much farther.
+    template <typename Visit>
+    void forEachAbout(std::size_t place, double most_m, const ExchangeMesh& mesh, Visit visit);
+
+  private:
+    std::vector<double> way_m_;        // by vertex, where it was visited in this turn
+    std::vector<std::uint32_t> turns_; // by vertex: the last one in which it was visited
+    std::uint32_t turn_ = 0;
+    std::vector<std::pair<double, std::size_t>> open_;
+};
+
+template <typename Visit>
+void ExchangeNodes::OfPiece::forEachAbout(std::size_t place, double most_m,
+                                          const ExchangeMesh& mesh, Visit visit) {
+    way_m_.resize(vertices.size());
+    turns_.resize(vertices.size());
+    ++turn_;
+    const Vec3& from_m = mesh.vertices()[vertices[place]].at_m;
+    open_.assign(1, {0.0, place});
+    way_m_[place] = 0.0;
+    turns_[place] = turn_;
+    while (!open_.empty()) {
+        std::ranges::pop_heap(open_, std::greater<>());
+        const auto [way_m, at] = open_.back();
+        open_.pop_back();
+        if (way_m > way_m_[at])
+            continue;
+        const Vec3& at_m = mesh.vertices()[vertices[at]].at_m;
+        const double apart_m = length(at_m - from_m);
+        if (apart_m < most_m && way_m <= mostRoundabout * apart_m)
+            visit(at, apart_m);
+        for (const std::uint32_t vertex : mesh.beside(vertices[at])) {
+            // Those of a piece are ascending.
+            const auto next = static_cast<std::size_t>(std::ranges::lower_bound(vertices, vertex) -
+                                                       vertices.begin());
+            const double there_m = way_m + length(mesh.vertices()[vertex].at_m - at_m);
+            if (there_m > detour * most_m || (turns_[next] == turn_ && there_m >= way_m_[next]))
+                continue;
+            turns_[next] = turn_;
+            way_m_[next] = there_m;
+            open_.emplace_back(there_m, next);
+            std::ranges::push_heap(open_, std::greater<>());
+        }
+    }
+}
+
+ExchangeNodes::ExchangeNodes(std::shared_ptr<const ExchangeMesh> mesh,
+                             const ExchangeResolution& resolution)
+    : mesh_(std::move(mesh)) {
+    placeNodes(resolution);
+    gatherPatches();
+}
+
+void ExchangeNodes::placeNodes(const ExchangeResolution& resolution) {
+    const std::vector<ExchangeMesh::Vertex>& vertices = mesh_->vertices();
+    std::vector<OfPiece> pieces;
+    for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+        if (vertices[v].piece >= pieces.size())
+            pieces.resize(vertices[v].piece + 1);
+        pieces[vertices[v].piece].vertices.push_back(v);
+    }
+    const std::vector<double> surfaces_m2 = surfacesOf_m2(*mesh_);
+    for (OfPiece& piece : pieces)
+        for (const std::uint32_t vertex : piece.vertices)
+            piece.surface_m2.push_back(surfaces_m2[vertex]);
+    double area_m2 = 0.0;
+    for (std::uint32_t cell = 0; cell < mesh_->cells(); ++cell)
+        area_m2 += mesh_->area_m2(cell);
+    const auto nodesWith = [&](double fineness, double least_m) {
+        NodeSpacing spacing{fineness * resolution.edgePerDistance, least_m,
+                            fineness * resolution.longestOfExtent * mesh_->extent_m()};
+        if (resolution.longestEdge_m > 0.0)
+            spacing.longest_m = std::min(spacing.longest_m, resolution.longestEdge_m);
+        spacing.longest_m = std::max(spacing.longest_m, least_m);
+        parallelFor(pieces.size(), [&](std::size_t p) { place(pieces[p], *mesh_, spacing); });
+        std::size_t nodes = 0;
+        for (const OfPiece& piece : pieces)
+            nodes += piece.outside;
+        return nodes;
+    };
+    // Simple models have finer ones. Small ones are left out first where there would be too many:
+    // what is small matters less. However far apart, each piece and each way that it looks has one.
+    double least_m = 0.25 * std::sqrt(area_m2 / static_cast<double>(resolution.mostNodes));
+    fineness_ = mesh_->fineness();
+    while (fineness_ < 0.99 && nodesWith(fineness_, least_m) > resolution.fewNodes)
+        fineness_ = fineness_ * std::sqrt(2.0);
+    while (fineness_ >= 0.99 && nodesWith(1.0, least_m) > resolution.mostNodes &&
+           least_m < mesh_->extent_m())
+        least_m *= 1.3;
+    parallelFor(pieces.size(), [&](std::size_t p) { share(pieces[p], *mesh_); });
+
+    std::vector<std::pair<const std::vector<Share>*, std::uint32_t>> ofVertex(vertices.size());
+    for (std::uint32_t p = 0; p < pieces.size(); ++p) {
+        const auto before = static_cast<std::uint32_t>(nodes());
+        pieceOf_.insert(pieceOf_.end(), pieces[p].nodes.size(), p);
+        for (std::size_t i = 0; i < pieces[p].vertices.size(); ++i)
+            ofVertex[pieces[p].vertices[i]] = {&pieces[p].shares[i], before};
+    }
+    firstShare_.push_back(0);
+    for (const auto& [shares, before] : ofVertex) {
+        for (const Share& one : *shares)
+            shares_.push_back({one.node + before, one.part});
+        firstShare_.push_back(static_cast<std::uint32_t>(shares_.size()));
+    }
+}
+
+void ExchangeNodes::place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSpacing& spacing) {
+    const auto vertexAt = [&](std::size_t i) -> const ExchangeMesh::Vertex& {
+        return mesh.vertices()[piece.vertices[i]];
+    };
+    piece.apart_m.clear();
+    for (std::size_t i = 0; i < piece.vertices.size(); ++i)
+        piece.apart_m.push_back(std::clamp(
+            spacing.edgePerDistance / std::sqrt(std::max(vertexAt(i).nearness_per_m2, 1e-30)),
+            spacing.least_m, spacing.longest_m));
+    piece.nodes.clear();
+    constexpr auto nobody = std::numeric_limits<std::size_t>::max();
+    piece.coveredBy.assign(piece.vertices.size(), nobody);
+    piece.outside = 0;
+    std::map<std::uint32_t, std::vector<std::size_t>> inside; // by space
+    for (std::size_t i = 0; i < piece.vertices.size(); ++i)
+        if (vertexAt(i).space != 0)
+            inside[vertexAt(i).space].push_back(i);
+    const Neighbourhood neighbourhood(piece.vertices, mesh, spacing.least_m);
+    for (std::size_t i = 0; i < piece.vertices.size(); ++i) {
+        if (piece.coveredBy[i] != nobody)
+            continue;
+        const std::size_t node = piece.nodes.size();
+        piece.nodes.push_back(i);
+        if (vertexAt(i).space != 0) {
+            // What turns to a space inside is hardly ever seen: one node does.
+            for (const std::size_t at : inside.at(vertexAt(i).space))
+                piece.coveredBy[at] = node;
+            continue;
+        }
+        ++piece.outside;
+        const auto cover = [&](std::size_t at, double most_m, double distance_m) {
+            if (piece.coveredBy[at] == nobody && distance_m < most_m &&
+                dot(vertexAt(i).normal, vertexAt(at).normal) > alike)
+                piece.coveredBy[at] = node;
+        };
+        piece.forEachAbout(i, piece.apart_m[i], mesh, [&](std::size_t at, double distance_m) {
+            cover(at, piece.apart_m[at], distance_m);
+        });
+        // Surfaces smaller than what is between nodes are put together across gaps.
+        const double small_m2 = smallSurface * spacing.least_m * spacing.least_m;
+        if (piece.surface_m2[i] < small_m2)
+            neighbourhood.forEachAbout(vertexAt(i).at_m, [&](std::size_t at) {
+                if (vertexAt(at).space == 0 && piece.surface_m2[at] < small_m2)
+                    cover(at, spacing.least_m, length(vertexAt(at).at_m - vertexAt(i).at_m));
+            });
+    }
+}
+
+void ExchangeNodes::share(OfPiece& piece, const ExchangeMesh& mesh) {
+    std::vector<std::vector<std::pair<double, std::uint32_t>>> found(piece.vertices.size());
+    for (std::uint32_t n = 0; n < piece.nodes.size(); ++n) {
+        const std::size_t at = piece.nodes[n];
+        const Vec3& normal = mesh.vertices()[piece.vertices[at]].normal;
+        piece.forEachAbout(
+            at, reach * piece.apart_m[at], mesh, [&](std::size_t i, double distance_m) {
+                const double most_m = reach * std::min(piece.apart_m[i], piece.apart_m[at]);
+                const double far = 1.0 - distance_m * distance_m / (most_m * most_m);
+                const double turned =
+                    dot(normal, mesh.vertices()[piece.vertices[i]].normal) - notUnlike;
+                if (i == at)
+                    found[i].emplace_back(1.0 - notUnlike, n);
+                else if (far > 0.0 && turned > 0.0)
+                    found[i].emplace_back(far * far * turned, n);
+            });
+    }
+    piece.shares.assign(piece.vertices.size(), {});
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        std::ranges::stable_sort(found[i], std::greater<>(),
+                                 &std::pair<double, std::uint32_t>::first);
+        found[i].resize(std::min(found[i].size(), mostShares));
+        if (found[i].empty())
+            found[i].emplace_back(1.0, static_cast<std::uint32_t>(piece.coveredBy[i]));
+        double sum = 0.0;
+        for (const auto& [weight, node] : found[i])
+            sum += weight;
+        for (const auto& [weight, node] : found[i])
+            piece.shares[i].push_back({node, static_cast<float>(weight / sum)});
+    }
+}
+
+void ExchangeNodes::gatherPatches() {
+    const std::size_t cells = mesh_->cells();
+    std::vector<std::uint32_t> patchOf(cells);
+    parallelFor(16, [&](std::size_t part) {
+        std::vector<Share> sums;
+        for (std::size_t t = beginOfPart(part, 16, cells); t < beginOfPart(part + 1, 16, cells);
+             ++t) {
+            sums.clear();
+            for (const std::uint32_t corner : mesh_->corners(static_cast<std::uint32_t>(t)))
+                for (const Share& one : sharesOf(corner)) {
+                    const auto known = std::ranges::find(sums, one.node, &Share::node);
+                    if (known != sums.end())
+                        known->part += one.part;
+                    else
+                        sums.push_back(one);
+                }
+            patchOf[t] = std::ranges::max_element(sums, {}, &Share::part)->node;
+        }
+    });
+    first_.assign(nodes() + 1, 0);
+    for (const std::uint32_t patch : patchOf)
+        ++first_[patch + 1];
+    for (std::size_t p = 0; p < nodes(); ++p)
+        first_[p + 1] += first_[p];
+    cells_.resize(cells);
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (std::uint32_t t = 0; t < cells; ++t)
+        cells_[next[patchOf[t]]++] = t;
+
+    area_m2_.assign(nodes(), 0.0);
+    areaUpTo_m2_.resize(cells);
+    firstNear_.push_back(0);
+    std::vector<std::pair<std::uint32_t, double>> areas;
+    for (std::uint32_t patch = 0; patch < nodes(); ++patch) {
+        areas.clear();
+        double sum_m2 = 0.0;
+        for (std::uint32_t i = first_[patch]; i < first_[patch + 1]; ++i) {
+            const double area_m2 = mesh_->area_m2(cells_[i]);
+            areaUpTo_m2_[i] = sum_m2 += area_m2;
+            for (const std::uint32_t corner : mesh_->corners(cells_[i]))
+                for (const Share& one : sharesOf(corner))
+                    areas.emplace_back(one.node, static_cast<double>(one.part) * area_m2 / 3.0);
+        }
+        std::ranges::stable_sort(areas, {}, &std::pair<std::uint32_t, double>::first);
+        for (std::size_t i = 0; i < areas.size();) {
+            const std::uint32_t node = areas[i].first;
+            double own_m2 = 0.0;
+            for (; i < areas.size() && areas[i].first == node; ++i)
+                own_m2 += areas[i].second;
+            area_m2_[node] += own_m2;
+            near_.push_back({node, static_cast<float>(own_m2)});
+        }
+        firstNear_.push_back(static_cast<std::uint32_t>(near_.size()));
+    }
+}
+
+ExchangeNodes::OfPlace::OfPlace(const ExchangeNodes& nodes, const ExchangeMesh::Place& place) {
+    static_assert(3 * mostShares == std::tuple_size_v<decltype(shares_)>);
+    const auto& corners = nodes.mesh().corners(place.cell);
+    const std::array<float, 3> parts{1.0f - place.u - place.v, place.u, place.v};
+    for (std::size_t c = 0; c < 3; ++c)
+        for (const Share& share : nodes.sharesOf(corners[c])) {
+            const auto end = shares_.begin() + static_cast<std::ptrdiff_t>(count_);
+            const auto known = std::find_if(
+                shares_.begin(), end, [&](const Share& one) { return one.node == share.node; });
+            if (known != end)
+                known->part += parts[c] * share.part;
+            else
+                shares_[count_++] = {share.node, parts[c] * share.part};
+        }
+}
+
+std::size_t ExchangeNodes::placeNear(std::uint32_t patch, std::uint32_t node) const {
+    const std::span<const Near> all = near(patch);
+    return static_cast<std::size_t>(std::ranges::lower_bound(all, node, {}, &Near::node) -
+                                    all.begin());
+}
+
+bool ExchangeNodes::seesAnything(std::uint32_t patch) const {
+    return std::ranges::any_of(cellsOf(patch),
+                               [&](std::uint32_t cell) { return mesh_->seesAnything(cell); });
+}
+
+ExchangeNodes::Start ExchangeNodes::start(std::uint32_t patch, double which, double a,
+                                          double b) const {
+    const auto begin = areaUpTo_m2_.begin() + first_[patch];
+    const auto end = areaUpTo_m2_.begin() + first_[patch + 1] - 1;
+    const auto found = std::upper_bound(begin, end, which * patchArea_m2(patch));
+    const std::uint32_t cell = cells_[static_cast<std::size_t>(found - areaUpTo_m2_.begin())];
+    const double root = std::sqrt(a);
+    const double u = root * (1.0 - b), v = root * b;
+    const std::array<Vec3, 3> c = mesh_->cornersAt_m(cell);
+    Start start;
+    start.place = {cell, static_cast<float>(u), static_cast<float>(v)};
+    start.normal = mesh_->normal(cell);
+    start.at_m = c[0] * (1.0 - u - v) + c[1] * u + c[2] * v + start.normal * mesh_->lift_m();
+    return start;
+}
+
+} // namespace irsg

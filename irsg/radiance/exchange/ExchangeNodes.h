@@ -1,0 +1,110 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "irsg/render/rays/ExchangeMesh.h"
+
+namespace irsg {
+
+/// The unknowns of inter-reflection on a model. A node stands for the surface around it, on one
+/// side, as wide as what is seen from there is far away; what a vertex has is a mean of up to three
+/// nodes near it that look the same way and that one can go to along the surface, so that all that
+/// is smooth stays smooth in a picture while hundreds of nodes do for tens of thousands of facets.
+/// A patch is the cells that are mostly one node's, with its number: each cell belongs to one. In
+/// the axes of the mesh.
+class ExchangeNodes {
+  public:
+    /// A node's part of what a vertex has. Those of a vertex add up to 1.
+    struct Share {
+        std::uint32_t node;
+        float part;
+    };
+    /// A node of a patch: its area there, m2.
+    struct Near {
+        std::uint32_t node;
+        float area_m2;
+    };
+    /// A place on a patch, to its side.
+    struct Start {
+        ExchangeMesh::Place place;
+        Vec3 at_m, normal;
+    };
+
+    ExchangeNodes(std::shared_ptr<const ExchangeMesh> mesh, const ExchangeResolution& resolution);
+
+    const ExchangeMesh& mesh() const { return *mesh_; }
+    const std::shared_ptr<const ExchangeMesh>& shared() const { return mesh_; }
+    std::size_t nodes() const { return pieceOf_.size(); }
+    /// Of the lengths of the resolution: what nodes are apart in units of what they may be.
+    double fineness() const { return fineness_; }
+    int pieceOf(std::uint32_t node) const { return static_cast<int>(pieceOf_[node]); }
+    std::span<const Share> sharesOf(std::uint32_t vertex) const {
+        return std::span(shares_).subspan(firstShare_[vertex],
+                                          firstShare_[vertex + 1] - firstShare_[vertex]);
+    }
+    /// The nodes of a place, each once; their parts add up to 1.
+    class OfPlace {
+      public:
+        OfPlace(const ExchangeNodes& nodes, const ExchangeMesh::Place& place);
+        const Share* begin() const { return shares_.data(); }
+        const Share* end() const { return shares_.data() + count_; }
+
+      private:
+        std::array<Share, 9> shares_;
+        std::size_t count_ = 0;
+    };
+
+    /// The surface that a node stands for.
+    double areaOf_m2(std::uint32_t node) const { return area_m2_[node]; }
+    double patchArea_m2(std::uint32_t patch) const {
+        return first_[patch] == first_[patch + 1] ? 0.0 : areaUpTo_m2_[first_[patch + 1] - 1];
+    }
+    std::span<const std::uint32_t> cellsOf(std::uint32_t patch) const {
+        return std::span(cells_).subspan(first_[patch], first_[patch + 1] - first_[patch]);
+    }
+    /// Whether anything opaque stands before a patch.
+    bool seesAnything(std::uint32_t patch) const;
+    /// Whether a patch turns to a space inside of the model; see ExchangeMesh.
+    bool isInside(std::uint32_t patch) const {
+        return first_[patch] != first_[patch + 1] && mesh_->isInside(cells_[first_[patch]]);
+    }
+    /// Nodes that have some of a patch, ascending.
+    std::span<const Near> near(std::uint32_t patch) const {
+        return std::span(near_).subspan(firstNear_[patch],
+                                        firstNear_[patch + 1] - firstNear_[patch]);
+    }
+    /// The place of a node among these.
+    std::size_t placeNear(std::uint32_t patch, std::uint32_t node) const;
+    /// A place of a patch from three numbers that are even in (0, 1).
+    Start start(std::uint32_t patch, double which, double a, double b) const;
+
+  private:
+    struct OfPiece;
+    /// How far apart nodes are: as what they see is far away, within bounds.
+    struct NodeSpacing {
+        double edgePerDistance = 0.0, least_m = 0.0, longest_m = 0.0;
+    };
+    void placeNodes(const ExchangeResolution& resolution);
+    static void place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSpacing& spacing);
+    static void share(OfPiece& piece, const ExchangeMesh& mesh);
+    void gatherPatches();
+
+    std::shared_ptr<const ExchangeMesh> mesh_;
+    double fineness_ = 1.0;
+    std::vector<std::uint32_t> pieceOf_;    // by node
+    std::vector<double> area_m2_;           // by node
+    std::vector<std::uint32_t> firstShare_; // by vertex, and behind the last
+    std::vector<Share> shares_;
+    std::vector<std::uint32_t> first_, cells_; // by patch
+    std::vector<double> areaUpTo_m2_;          // of a patch's cells, as they lie there
+    std::vector<std::uint32_t> firstNear_;     // by patch
+    std::vector<Near> near_;
+};
+
+} // namespace irsg

@@ -1,0 +1,242 @@
+// The division of surfaces where others stand on them, and which places are one surface.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "irsg/radiance/exchange/ExchangeNodes.h"
+#include "irsg/radiometry/Units.h"
+#include "tests/support/RaysTest.h"
+#include "tests/support/RevolvedMeshes.h"
+
+using namespace irsg;
+using namespace irsg::test;
+
+namespace {
+
+using Line = FacetDivision::Line;
+
+double areaOf(const FacetDivision::Triangle& t) {
+    const FacetPlace b = t[1] - t[0], c = t[2] - t[0];
+    return 0.5 * (b.u * c.v - b.v * c.u);
+}
+
+FacetPlace placeIn(const FacetDivision::Triangle& t, double a, double b) {
+    const double root = std::sqrt(a);
+    return t[0] + (t[1] - t[0]) * (root * (1.0 - b)) + (t[2] - t[0]) * (root * b);
+}
+
+constexpr FacetDivision::Triangle whole{{{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}};
+
+class ExchangeMeshTest : public RaysTest {};
+
+std::unique_ptr<const ExchangeMesh> meshOf(const Triangles& triangles, bool isTwoSided = true) {
+    const std::shared_ptr<const Mesh> mesh = modelOf(triangles)->mesh();
+    PieceUses uses(mesh->pieces.size());
+    for (std::size_t i = 0; i < mesh->pieces.size(); ++i) {
+        uses.set(i, {true, false, !isTwoSided, 0});
+    }
+    return std::make_unique<ExchangeMesh>(RayMesh::of(mesh), uses, ExchangeResolution{});
+}
+
+/// The cell that is met from `from_m` downwards.
+ExchangeMesh::Place below(const ExchangeMesh& mesh, const Vec3& from_m) {
+    PieceUses uses(mesh.rays().pieces());
+    for (std::size_t i = 0; i < mesh.rays().pieces(); ++i) {
+        uses.set(i, {true, false, false, 0});
+    }
+    RayHit hit;
+    std::vector<RayHit> through;
+    EXPECT_TRUE(mesh.rays().meet({from_m, {0, 0, -1}}, uses, 0.0, hit, through));
+    return mesh.placeOf(hit);
+}
+
+/// Vertices that one can go to from a cell, along the surface on its side.
+std::vector<bool> reachedFrom(const ExchangeMesh& mesh, std::uint32_t cell) {
+    std::vector<bool> reached(mesh.vertices().size());
+    std::vector<std::uint32_t> open(mesh.corners(cell).begin(), mesh.corners(cell).end());
+    while (!open.empty()) {
+        const std::uint32_t at = open.back();
+        open.pop_back();
+        if (reached[at]) {
+            continue;
+        }
+        reached[at] = true;
+        open.insert(open.end(), mesh.beside(at).begin(), mesh.beside(at).end());
+    }
+    return reached;
+}
+
+bool isReached(const ExchangeMesh& mesh, const Vec3& from_m, const Vec3& to_m) {
+    return reachedFrom(mesh, below(mesh, from_m).cell)[mesh.corners(below(mesh, to_m).cell)[0]];
+}
+
+Triangles groundOf(double half_m) {
+    return plateMesh({0, 0, 0}, {half_m, 0, 0}, {0, half_m, 0}, {1, 1});
+}
+
+/// The side walls of a box that is open above and below.
+Triangles fence(double half_m, double height_m) {
+    const double up_m = 0.5 * height_m;
+    Triangles all;
+    for (const auto& [x, y] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+        all = joined(all, plateMesh({x * half_m, y * half_m, up_m}, {-y * half_m, x * half_m, 0},
+                                    {0, 0, up_m}, {1, 1}));
+    }
+    return all;
+}
+
+} // namespace
+
+TEST(FacetDivisionTest, CellsTileTheFacetAndNoWallGoesThroughThem) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> even(-0.2, 1.2), inside(0.0, 1.0);
+    constexpr double tolerance = 1e-6;
+    for (int trial = 0; trial < 200; ++trial) {
+        std::vector<Line> walls;
+        for (int i = 0; i < trial % 9; ++i) {
+            Line wall{{even(random), even(random)}, {even(random), even(random)}};
+            if (FacetDivision::clip(wall, whole, 0.0)) {
+                walls.push_back(wall);
+            }
+        }
+        FacetDivision division(walls, tolerance);
+        division.refine(
+            [&](std::uint32_t, const FacetDivision::Triangle& t) { return areaOf(t) > 0.04; },
+            [](const FacetPlace& a, const FacetPlace& b) {
+                return std::hypot(b.u - a.u, b.v - a.v);
+            });
+        double area = 0.0;
+        for (std::uint32_t i = 0; i < division.cells().size(); ++i) {
+            const FacetDivision::Triangle& corners = division.cells()[i].corners;
+            ASSERT_GT(areaOf(corners), 0.0);
+            area += areaOf(corners);
+            for (int n = 0; n < 5; ++n) {
+                const FacetPlace place = placeIn(corners, inside(random), inside(random));
+                ASSERT_EQ(division.cellOf(place), i) << "trial " << trial;
+            }
+            for (Line wall : walls) {
+                const bool goesThrough =
+                    FacetDivision::clip(wall, corners, -tolerance) &&
+                    std::hypot(wall.to.u - wall.from.u, wall.to.v - wall.from.v) > 2.0 * tolerance;
+                ASSERT_FALSE(goesThrough) << "trial " << trial << ", cell " << i;
+            }
+        }
+        EXPECT_NEAR(area, 0.5, 1e-12);
+    }
+}
+
+TEST(FacetDivisionTest, AWallIsBetweenPlacesOnItsTwoSidesAndNotBeyondItsEnd) {
+    const FacetDivision division({{{0.2, 0.0}, {0.2, 0.4}}}, 1e-6);
+    const FacetPlace left{0.199, 0.2}, right{0.201, 0.2}, leftBeyond{0.199, 0.6},
+        rightBeyond{0.201, 0.6};
+    EXPECT_NE(division.cellOf(left), division.cellOf(right));
+    EXPECT_TRUE(division.isBetween(division.cellOf(left), left, right));
+    EXPECT_TRUE(division.isBetween(division.cellOf(right), left, right));
+    EXPECT_FALSE(division.isBetween(division.cellOf(leftBeyond), leftBeyond, rightBeyond));
+}
+
+TEST_F(ExchangeMeshTest, TheGroundInsideAFenceIsASurfaceOfItsOwn) {
+    for (const double half_m : {0.5, 0.503}) {
+        const auto mesh = meshOf(joined(groundOf(2.0), fence(half_m, 0.3)));
+        const Vec3 in{0.1, 0.07, 0.2}, alsoIn{-0.4, -0.41, 0.2}, out{0.9, 0.07, 0.2},
+            alsoOut{-1.2, -1.3, 0.2};
+        EXPECT_TRUE(isReached(*mesh, in, alsoIn));
+        EXPECT_TRUE(isReached(*mesh, out, alsoOut));
+        EXPECT_FALSE(isReached(*mesh, in, out));
+        // Cells fit: none lies on both sides.
+        for (std::uint32_t cell = 0; cell < mesh->cells(); ++cell) {
+            if (mesh->normal(cell).z < 0.9) {
+                continue;
+            }
+            int within = 0, outside = 0;
+            for (const Vec3& corner : mesh->cornersAt_m(cell)) {
+                const double far = std::max(std::abs(corner.x), std::abs(corner.y));
+                within += far < half_m - 1e-4 ? 1 : 0;
+                outside += far > half_m + 1e-4 ? 1 : 0;
+            }
+            EXPECT_FALSE(within > 0 && outside > 0) << "cell " << cell;
+        }
+    }
+}
+
+TEST_F(ExchangeMeshTest, TheOtherSideOfTheGroundKnowsNothingOfTheFence) {
+    const auto mesh = meshOf(joined(groundOf(2.0), fence(0.5, 0.3)));
+    std::vector<bool> reached;
+    for (std::uint32_t cell = 0; cell < mesh->cells(); ++cell) {
+        if (mesh->normal(cell).z < -0.9) {
+            if (reached.empty()) {
+                reached = reachedFrom(*mesh, cell);
+            }
+            EXPECT_TRUE(reached[mesh->corners(cell)[0]]);
+        }
+    }
+    EXPECT_FALSE(reached.empty());
+}
+
+TEST_F(ExchangeMeshTest, AWallWithFreeEndsIsGoneAround) {
+    const Triangles wall = plateMesh({0, 0.1, 0.2}, {0.5, 0, 0}, {0, 0, 0.2}, {1, 1});
+    const auto mesh = meshOf(joined(groundOf(2.0), wall));
+    const Vec3 before{0.03, 0.05, 0.6}, behind{0.03, 0.15, 0.6};
+    EXPECT_TRUE(isReached(*mesh, before, behind));
+    // But no node has a part on both sides of its middle.
+    ExchangeResolution resolution;
+    const ExchangeNodes nodes(
+        std::shared_ptr<const ExchangeMesh>(meshOf(joined(groundOf(2.0), wall))), resolution);
+    for (const ExchangeNodes::Share& a :
+         ExchangeNodes::OfPlace(nodes, below(nodes.mesh(), before))) {
+        for (const ExchangeNodes::Share& b :
+             ExchangeNodes::OfPlace(nodes, below(nodes.mesh(), behind))) {
+            EXPECT_FALSE(a.node == b.node && a.part > 0.01f && b.part > 0.01f);
+        }
+    }
+}
+
+TEST_F(ExchangeMeshTest, WhatABodyHidesOfAnotherIsASurfaceOfItsOwn) {
+    // A bar through a ball, both read with two sides: its middle is inside.
+    const Triangles ball = sphereMesh(1.0, 16, 32, {1, 1});
+    const Triangles bar = boxMesh({3.0, 0.2, 0.1}, std::vector<IrCodes>(6, {2, 2}));
+    const auto mesh = meshOf(joined(ball, bar));
+    std::vector<bool> inside;
+    for (std::uint32_t cell = 0; cell < mesh->cells(); ++cell) {
+        const std::array<Vec3, 3> c = mesh->cornersAt_m(cell);
+        const Vec3 middle = (c[0] + c[1] + c[2]) * (1.0 / 3.0);
+        if (mesh->normal(cell).z < 0.9 || std::abs(middle.z - 0.1) > 1e-3) {
+            continue;
+        }
+        if (inside.empty() && length(middle) < 0.5) {
+            inside = reachedFrom(*mesh, cell);
+        }
+    }
+    ASSERT_FALSE(inside.empty());
+    int within = 0, outside = 0;
+    for (std::uint32_t v = 0; v < inside.size(); ++v) {
+        const Vec3& at_m = mesh->vertices()[v].at_m;
+        if (mesh->vertices()[v].normal.z > 0.9 && std::abs(at_m.z - 0.1) < 1e-3) {
+            if (length(at_m) < 0.97) {
+                ++within;
+                EXPECT_TRUE(inside[v]);
+            } else if (length(at_m) > 1.03) {
+                ++outside;
+                EXPECT_FALSE(inside[v]);
+            }
+        }
+    }
+    EXPECT_GT(within, 0);
+    EXPECT_GT(outside, 0);
+}
+
+TEST_F(ExchangeMeshTest, ConvexBodiesSeeNothingAndCornersDo) {
+    const auto ball = meshOf(oneSided(sphereMesh(1.0, 16, 32, {1, 1})), false);
+    for (std::uint32_t cell = 0; cell < ball->cells(); ++cell) {
+        EXPECT_FALSE(ball->seesAnything(cell));
+    }
+    const auto room = meshOf(boxMesh({1, 2, 3}, std::vector<IrCodes>(6, {1, 1})));
+    for (std::uint32_t cell = 0; cell < room->cells(); ++cell) {
+        const std::array<Vec3, 3> c = room->cornersAt_m(cell);
+        EXPECT_EQ(room->seesAnything(cell), dot(room->normal(cell), c[0]) < 0.0);
+    }
+}
