@@ -57,13 +57,15 @@ InterReflection::exchangeOf(const Scene& scene, const SceneEvaluation& evaluatio
                                         other.pose.toWorld(others.centre()),
                                         0.5 * others.diagonal_m(), settings.lightError));
         }
-        bodies.push_back({static_cast<int>(e),
-                          prepared_.of(entity).lightBetween(casters[e].uses, settings.lightError,
-                                                            isAmongOthers ? BodyPlace::amongOthers
-                                                            : evaluation.geometry[e].nearest_m > 0.0
-                                                                ? BodyPlace::seenFromOutside
-                                                                : BodyPlace::seenFromWithin),
-                          entity.model->bounds()});
+        bodies.push_back(
+            {static_cast<int>(e),
+             prepared_.of(entity).lightBetween(casters[e].uses, settings.lightError,
+                                               isAmongOthers ? BodyPlace::amongOthers
+                                               : !(evaluation.geometry[e].nearest_m > 0.0)
+                                                   ? BodyPlace::seenFromWithin
+                                               : scene.terrain ? BodyPlace::overTerrain
+                                                               : BodyPlace::alone),
+             entity.model->bounds()});
         key.bodies.push_back(bodies.back().light);
         appendTo(key.numbers, entity.pose.attitude);
         // One alone is lit alike wherever it stands.

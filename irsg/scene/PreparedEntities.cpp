@@ -85,7 +85,8 @@ std::shared_ptr<const BodyLight> PreparedModel::lightBetween(const PieceUses& us
     constexpr double usualError = 0.005;
     ExchangeResolution resolution;
     resolution.edgePerDistance *= std::clamp(std::sqrt(error / usualError), 0.25, 2.0);
-    resolution.hasInsides = place == BodyPlace::seenFromOutside;
+    resolution.isAlone = place == BodyPlace::alone;
+    resolution.hasInsides = resolution.isAlone || place == BodyPlace::overTerrain;
     if (place == BodyPlace::amongOthers)
         resolution.longestEdge_m = 2.0 * mesh().sphere.radius_m / 16.0;
     auto mesh = std::make_shared<const ExchangeMesh>(forRays(), uses, resolution);

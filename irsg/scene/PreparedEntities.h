@@ -13,9 +13,9 @@
 
 namespace irsg {
 
-/// Where a body is: alone, with the viewer outside of it or within its extent; or among others,
-/// whose light varies over large facets.
-enum class BodyPlace { seenFromOutside, seenFromWithin, amongOthers };
+/// Where a body is: alone, or with terrain, with the viewer outside of it; with the viewer within
+/// its extent; or among others, whose light varies over large facets.
+enum class BodyPlace { alone, overTerrain, seenFromWithin, amongOthers };
 
 /// What sampling makes of a model, once.
 struct PreparedModel {

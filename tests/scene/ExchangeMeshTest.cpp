@@ -33,13 +33,14 @@ constexpr FacetDivision::Triangle whole{{{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}};
 
 class ExchangeMeshTest : public RaysTest {};
 
-std::unique_ptr<const ExchangeMesh> meshOf(const Triangles& triangles, bool isTwoSided = true) {
+std::unique_ptr<const ExchangeMesh> meshOf(const Triangles& triangles, bool isTwoSided = true,
+                                           const ExchangeResolution& resolution = {}) {
     const std::shared_ptr<const Mesh> mesh = modelOf(triangles)->mesh();
     PieceUses uses(mesh->pieces.size());
     for (std::size_t i = 0; i < mesh->pieces.size(); ++i) {
         uses.set(i, {true, false, !isTwoSided, 0});
     }
-    return std::make_unique<ExchangeMesh>(RayMesh::of(mesh), uses, ExchangeResolution{});
+    return std::make_unique<ExchangeMesh>(RayMesh::of(mesh), uses, resolution);
 }
 
 /// The cell that is met from `from_m` downwards.
@@ -239,4 +240,49 @@ TEST_F(ExchangeMeshTest, ConvexBodiesSeeNothingAndCornersDo) {
         const std::array<Vec3, 3> c = room->cornersAt_m(cell);
         EXPECT_EQ(room->seesAnything(cell), dot(room->normal(cell), c[0]) < 0.0);
     }
+}
+
+TEST_F(ExchangeMeshTest, AConvexBodyThatStandsAloneHasNoCells) {
+    ExchangeResolution alone;
+    alone.hasInsides = alone.isAlone = true;
+    const Triangles ball = sphereMesh(1.0, 16, 32, {1, 1});
+    const Triangles box = boxMesh({1, 2, 3}, std::vector<IrCodes>(6, {1, 1}));
+    for (const bool isTwoSided : {true, false}) {
+        EXPECT_EQ(meshOf(ball, isTwoSided, alone)->cells(), 0u);
+        EXPECT_EQ(meshOf(box, isTwoSided, alone)->cells(), 0u);
+        EXPECT_GT(meshOf(ball, isTwoSided)->cells(), 0u);
+        // Two of them, one with an opening, one turned inside out, and one with a dent are not.
+        EXPECT_GT(meshOf(joined(ball, moved(ball, {5, 0, 0})), isTwoSided, alone)->cells(), 0u);
+        EXPECT_GT(meshOf(Triangles(box.begin(), box.end() - 1), isTwoSided, alone)->cells(), 0u);
+        EXPECT_GT(meshOf(reversed(box), isTwoSided, alone)->cells(), 0u);
+        Triangles dented = box;
+        for (Triangle& triangle : dented) {
+            for (Vec3& vertex : triangle.vertex) {
+                if (vertex == Vec3{1, 2, 3}) {
+                    vertex = {0, 0, 0};
+                }
+            }
+        }
+        EXPECT_GT(meshOf(dented, isTwoSided, alone)->cells(), 0u);
+    }
+}
+
+TEST_F(ExchangeMeshTest, SpacesInsideAreToldApartUnlessTheyAreOpen) {
+    ExchangeResolution resolution;
+    resolution.hasInsides = true;
+    const auto insideOf = [&](const Triangles& triangles) {
+        const auto mesh = meshOf(triangles, true, resolution);
+        std::size_t inside = 0;
+        for (std::uint32_t cell = 0; cell < mesh->cells(); ++cell) {
+            inside += mesh->isInside(cell) ? 1 : 0;
+        }
+        return static_cast<double>(inside) / static_cast<double>(mesh->cells());
+    };
+    const Triangles box = boxMesh({1, 2, 3}, std::vector<IrCodes>(6, {1, 1}));
+    const Triangles two = joined(box, moved(box, {5, 0, 0}));
+    EXPECT_GT(insideOf(two), 0.3);
+    EXPECT_LT(insideOf(two), 0.9);
+    EXPECT_EQ(insideOf(joined(Triangles(box.begin(), box.end() - 2),
+                              moved(Triangles(box.begin(), box.end() - 2), {5, 0, 0}))),
+              0.0);
 }

@@ -237,7 +237,7 @@ TEST_F(ViewGeometryTest, AreFoundOnceWhileAnyRendererHoldsThem) {
         for (std::size_t i = 0; i < model.mesh().pieces.size(); ++i) {
             uses.set(i, {true, false, true, 0});
         }
-        return model.lightBetween(uses, error, BodyPlace::seenFromOutside);
+        return model.lightBetween(uses, error, BodyPlace::alone);
     };
     PreparedEntities one, other;
     const auto first = lightOf(one, walls, 0.02);

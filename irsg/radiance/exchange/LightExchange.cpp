@@ -127,6 +127,8 @@ void LightExchange::number(const std::vector<SunShadows::Caster>& casters) {
         const ExchangeMesh& mesh = nodes.mesh();
         firstCell_.push_back(static_cast<std::uint32_t>(corners_.size()));
         firstReceiver_.push_back(allNodes);
+        for (const int row : casters[b].rows)
+            ofRow_.resize(std::max(ofRow_.size(), static_cast<std::size_t>(std::max(row, -1) + 1)));
         for (std::uint32_t t = 0; t < mesh.cells(); ++t) {
             const auto& own = mesh.corners(t);
             corners_.push_back({own[0] + vertices, own[1] + vertices, own[2] + vertices});

@@ -24,6 +24,10 @@ constexpr std::size_t mostProbed = 200'000;
 constexpr std::uint32_t fewRays = 16, someRays = 32, manyRays = 256;
 constexpr std::size_t manyParts = 20'000;
 constexpr double nearest = 0.02; ///< that counts, of the longest edge
+/// Corners that are nearer are at one place, of the extent of the model: what rounding leaves.
+constexpr double samePlace = 2e-7;
+/// Facets that are looked at until one is found that a side may see.
+constexpr std::size_t mostLooks = 256;
 /// Cosine of the normals of sides that continue each other smoothly.
 constexpr double alike = 0.5;
 /// The same, either way, of facets that are one surface seen from afar.
@@ -107,7 +111,8 @@ struct ExchangeMesh::Making {
     struct Passage {
         std::uint32_t side = none;
         std::uint32_t edge = 0;
-        bool isSmooth = false; ///< one surface goes on
+        bool isSmooth = false;    ///< one surface goes on
+        bool isOneOfMany = false; ///< more than two facets meet there
     };
 
     /// What cells are cut down to.
@@ -137,7 +142,8 @@ struct ExchangeMesh::Making {
         const Vec3& normal = facets[side / 2].normal;
         return side % 2 == 0 ? normal : normal * -1.0;
     }
-    void numberPlaces();
+    /// Corners are at one place that are, in steps of a length, in all three coordinates.
+    void numberPlaces(double step_m);
     std::vector<FacetDivision::Line> wallsOn(std::uint32_t side, const FacetTree& tree,
                                              double lift_m) const;
     bool seesAny(std::uint32_t side, const FacetTree& tree, double extent_m) const;
@@ -149,6 +155,7 @@ struct ExchangeMesh::Making {
     std::size_t allCells(const CellSize& size) const;
     CellSize chosenSize(double extent_m) const;
     void findPassages();
+    bool isConvex(double extent_m) const;
     Passage passageFrom(std::uint32_t side, std::uint32_t edge,
                         std::span<const std::pair<std::uint32_t, std::uint32_t>> about) const;
     /// The cell beyond an edge of one of the side's own, on its side or another; none where a wall
@@ -180,6 +187,13 @@ ExchangeMesh::ExchangeMesh(std::shared_ptr<const RayMesh> mesh, const PieceUses&
         }
     }
     extent_m_ = all.valid() ? all.diagonal_m() : 0.0;
+    making.numberPlaces(samePlace * extent_m_);
+    making.findPassages();
+    if (resolution.isAlone && resolution.hasInsides && making.isConvex(extent_m_)) {
+        sides_.resize(2 * making.facets.size());
+        firstBeside_.push_back(0);
+        return;
+    }
     divide(making);
     addCells(making);
     joinVertices(making);
@@ -291,7 +305,11 @@ bool ExchangeMesh::Making::seesAny(std::uint32_t side, const FacetTree& tree,
     const Facet& own = facets[side / 2];
     const Vec3 up = normalOf(side);
     const double offset_m = product(up, own.corners_m[0]) + flat * extent_m;
+    std::size_t looks = 0;
     return tree.isAnyBeyond(up, offset_m, [&](std::uint32_t number) {
+        // Of a fine mesh many boxes reach beyond the plane, and no facet: rays tell sooner.
+        if (++looks > mostLooks)
+            return true;
         const Facet& other = facets[number];
         if (std::ranges::none_of(other.corners_m, [&](const Vec3& corner) {
                 return product(up, corner) > offset_m;
@@ -306,11 +324,46 @@ bool ExchangeMesh::Making::seesAny(std::uint32_t side, const FacetTree& tree,
     });
 }
 
-void ExchangeMesh::Making::numberPlaces() {
-    std::vector<std::pair<Vec3, std::uint32_t>> places; // and 3 facet + corner
+/// Whether all that is there is one closed opaque surface that is convex at every edge: then it is
+/// convex (van Heijenoort, Comm. Pure Appl. Math. 5, 223, 1952).
+bool ExchangeMesh::Making::isConvex(double extent_m) const {
+    JoinedNumbers joined(facets.size());
+    std::uint32_t first = none;
+    for (std::uint32_t f = 0; f < facets.size(); ++f) {
+        const Facet& own = facets[f];
+        if (!uses[own.piece].isThere || !(own.area_m2 > 0.0))
+            continue;
+        first = std::min(first, f);
+        for (std::size_t edge = 0; edge < 3; ++edge) {
+            // Beyond each edge of the front lies the front of one neighbour, which falls away.
+            const Passage& passage = passages[2 * f][edge];
+            if (!own.isOpaque || passage.side == none || passage.side % 2 != 0 ||
+                passage.isOneOfMany)
+                return false;
+            const Facet& other = facets[passage.side / 2];
+            const Vec3& third = other.corners_m[(passage.edge + 2) % 3];
+            if (product(own.normal, third - own.corners_m[0]) > flat * extent_m)
+                return false;
+            joined.join(f, passage.side / 2);
+        }
+    }
+    for (std::uint32_t f = 0; f < facets.size(); ++f)
+        if (uses[facets[f].piece].isThere && facets[f].area_m2 > 0.0 && joined.of(f) != first)
+            return false;
+    return true;
+}
+
+void ExchangeMesh::Making::numberPlaces(double step_m) {
+    std::vector<std::pair<Vec3, std::uint32_t>> places; // in steps, and 3 facet + corner
+    places.reserve(3 * facets.size());
+    const double per_m = step_m > 0.0 ? 1.0 / step_m : 0.0;
+    const auto inSteps = [&](const Vec3& at_m) {
+        return Vec3{std::round(at_m.x * per_m), std::round(at_m.y * per_m),
+                    std::round(at_m.z * per_m)};
+    };
     for (std::uint32_t f = 0; f < facets.size(); ++f)
         for (std::uint32_t i = 0; i < 3; ++i)
-            places.emplace_back(facets[f].corners_m[i], 3 * f + i);
+            places.emplace_back(inSteps(facets[f].corners_m[i]), 3 * f + i);
     std::ranges::sort(places, [](const auto& a, const auto& b) {
         return std::tuple(a.first.x, a.first.y, a.first.z, a.second) <
                std::tuple(b.first.x, b.first.y, b.first.z, b.second);
@@ -324,8 +377,6 @@ void ExchangeMesh::Making::numberPlaces() {
 }
 
 void ExchangeMesh::divide(Making& making) {
-    making.numberPlaces();
-    making.findPassages();
     std::vector<BoundingBox> boxes(making.facets.size(), BoundingBox::nowhere());
     for (std::size_t f = 0; f < boxes.size(); ++f)
         if (making.facets[f].isOpaque && making.facets[f].area_m2 > 0.0)
@@ -338,9 +389,10 @@ void ExchangeMesh::divide(Making& making) {
     parallelForSmall(sides, [&](std::uint32_t side) {
         if (!making.isThere(side))
             return;
-        making.divisions[side].emplace(making.wallsOn(side, tree, lift_m()),
-                                       making.facets[side / 2].toleranceOf(lift_m()));
         sees[side] = making.seesAny(side, tree, extent_m_);
+        making.divisions[side].emplace(sees[side] ? making.wallsOn(side, tree, lift_m())
+                                                  : std::vector<FacetDivision::Line>(),
+                                       making.facets[side / 2].toleranceOf(lift_m()));
     });
     making.sees.assign(sees.begin(), sees.end());
     making.firstPart.push_back(0);
@@ -589,6 +641,7 @@ ExchangeMesh::Making::Passage ExchangeMesh::Making::passageFrom(
         const Vec3 ahead = up * std::cos(angle) - right * std::sin(angle);
         next = {2 * facet + (product(other.normal, ahead) < 0.0 ? 0u : 1u), ofEdge};
         next.isSmooth = other.piece == own.piece && product(normalOf(next.side), up) > alike;
+        next.isOneOfMany = about.size() > 2;
     }
     return next.side != none && isThere(next.side) ? next : Passage{};
 }

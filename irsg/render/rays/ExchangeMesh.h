@@ -30,6 +30,8 @@ struct ExchangeResolution {
     std::size_t fewCells = 6'000, fewNodes = 1'200;
     /// Whether spaces inside are told apart, which nobody looks at from within.
     bool hasInsides = false;
+    /// Whether there is nothing else near: then a convex body has no cells, which nobody lights.
+    bool isAlone = false;
 };
 
 /// The surface of a model as inter-reflection is computed on it: the sides of its facets, divided

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -52,18 +53,19 @@ class FacetTree {
     /// Until stopsAt(number) holds for a box of those that matter.
     template <typename Matters, typename StopsAt>
     bool search(Matters matters, StopsAt stopsAt) const {
-        std::vector<std::uint32_t> open;
+        // Boxes are halved by their number: no way to the leaves is longer.
+        std::array<std::uint32_t, 64> open;
+        std::size_t count = 0;
         if (!nodes_.empty())
-            open.push_back(0);
-        while (!open.empty()) {
-            const std::uint32_t at = open.back();
-            open.pop_back();
+            open[count++] = 0;
+        while (count > 0) {
+            const std::uint32_t at = open[--count];
             const Node& node = nodes_[at];
             if (!matters(node.box))
                 continue;
             if (node.count == 0) {
-                open.push_back(node.second);
-                open.push_back(at + 1);
+                open[count++] = node.second;
+                open[count++] = at + 1;
             }
             for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
                 if (matters(boxes_[numbers_[i]]) && stopsAt(numbers_[i]))
