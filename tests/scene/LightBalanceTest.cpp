@@ -51,6 +51,15 @@ TEST(LightBalance, NothingIsMadeOfNothing) {
     EXPECT_EQ(dark.size(), 0u);
 }
 
+TEST(LightBalance, WhoSeesOneThingAloneOneWayGetsNothingOfOthersWhateverTheyMeet) {
+    const std::vector<ReceiverRays> receivers{{1.0, 64.0}, {2.0, 64.0}, {3.0, 64.0}};
+    const LightPairs pairs =
+        balanced(pairsOf(3, {{1, 0, 0.5f}}), pairsOf(3, {{0, 2, 1.0f}}), receivers);
+    EXPECT_EQ(factor(pairs, 0, 1), 0.0);
+    EXPECT_EQ(factor(pairs, 0, 2), 1.0);
+    EXPECT_TRUE(std::isfinite(factor(pairs, 1, 0)));
+}
+
 TEST(LightBalance, WhatIsSeenOneWayStaysAsItIs) {
     const std::vector<ReceiverRays> receivers{{1.0, 64.0}, {2.0, 64.0}, {3.0, 64.0}};
     const LightPairs alone =

@@ -104,8 +104,8 @@ LightPairs balanced(const LightPairs& pairs, const LightPairs& oneWay,
     };
     for (int step = 0; step < mostSteps; ++step) {
         parallelForSmall(receivers.size(), [&](std::uint32_t r) {
-            const double sum = sum_m2(r);
-            const double ratio = sum > 0.0 ? wanted[r].of(sum) / (scale[r] * sum) : 1.0;
+            const double sum = sum_m2(r), now = scale[r] * sum;
+            const double ratio = now > 0.0 ? wanted[r].of(sum) / now : 1.0;
             off[r] = std::abs(ratio - 1.0);
             next[r] = scale[r] * std::sqrt(ratio);
         });
@@ -116,7 +116,8 @@ LightPairs balanced(const LightPairs& pairs, const LightPairs& oneWay,
     // What is left of it, each receiver takes on itself.
     parallelForSmall(receivers.size(), [&](std::uint32_t r) {
         const double sum = sum_m2(r);
-        next[r] = sum > 0.0 ? wanted[r].of(sum) / (sum * receivers[r].area_m2) : 0.0;
+        const double all_m2 = sum * receivers[r].area_m2;
+        next[r] = all_m2 > 0.0 ? wanted[r].of(sum) / all_m2 : 0.0;
     });
     exchange.scale([&](std::uint32_t receiver, const LightPair& pair) {
         return static_cast<float>(next[receiver] * scale[pair.sender] *
