@@ -59,7 +59,7 @@ struct BodyLight::Sending {
 
 /// What the mean of some rays is off by, as a part of what single ones are: by what the halves of
 /// all patches that have sent as many differ by. The halves of one may be equal by chance, and the
-/// rays that such a patch did not send would be missed, always on the same patch.
+/// rays that such a patch did not send would be missed, always on the same side.
 class BodyLight::Errors {
   public:
     void add(const Sending& sending) {

@@ -45,7 +45,7 @@ class BodyLight {
     const ExchangeMesh& mesh() const { return nodes_->mesh(); }
     const LightPairs& pairs() const { return pairs_; }
 
-    /// Ray `index` of a patch's patch, in the axes of the mesh; `mostRays` of them.
+    /// Ray `index` of a patch, in the axes of the mesh; `mostRays` of them.
     class Rays {
       public:
         Rays(const ExchangeNodes& nodes, std::uint32_t patch);

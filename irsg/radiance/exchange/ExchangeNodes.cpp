@@ -27,8 +27,6 @@ constexpr double detour = 1.5;
 /// Area of a surface that is no more than a detail, of the square of how far nodes are apart.
 constexpr double smallSurface = 0.5;
 
-} // namespace
-
 /// Finds vertices by where they are.
 class Neighbourhood {
   public:
@@ -90,6 +88,8 @@ std::vector<double> surfacesOf_m2(const ExchangeMesh& mesh) {
         byVertex_m2.push_back(areas_m2[surface]);
     return byVertex_m2;
 }
+
+} // namespace
 
 /// Nodes of one piece: a node never stands for two, which may be of different materials.
 struct ExchangeNodes::OfPiece {

@@ -106,7 +106,7 @@ class LightExchange {
     /// Whether a ray from a body, in its axes, meets one of its backs that are not there.
     static bool leavesThroughBack(const Making& making, std::size_t body, Ray ray, double upTo_m);
     void takeLight(Making& making);
-    /// Light that falls on the nodes near a patch's patch.
+    /// Light that falls on the nodes near a patch.
     void lightSide(Making& making, std::size_t body, std::uint32_t patch) const;
 
     std::vector<Body> bodies_;
