@@ -203,17 +203,12 @@ ExchangeMesh::Place ExchangeMesh::placeOf(const RayHit& hit) const {
     const std::size_t side =
         2 * static_cast<std::size_t>(firstFacet_[static_cast<std::size_t>(hit.piece)] + hit.facet) +
         (hit.isFront ? 0 : 1);
-    std::int32_t at = sides_[side].root;
-    if (at == nowhere)
+    if (sides_[side].root == nowhere)
         return {};
     const double u = std::clamp(hit.weights[1], 0.0, 1.0);
     const double v = std::clamp(hit.weights[2], 0.0, 1.0 - u);
-    while (at >= 0) {
-        const Split& one = splits_[static_cast<std::size_t>(at)];
-        at = one.branches[one.a * u + one.b * v + one.c >= 0.0 ? 0 : 1];
-    }
     Place place;
-    place.cell = static_cast<std::uint32_t>(-1 - at);
+    place.cell = FacetDivision::cellOf({u, v}, sides_[side].root, splits_);
     const auto& c = onFacet_[place.cell];
     const double u0 = static_cast<double>(c[0][0]), v0 = static_cast<double>(c[0][1]);
     const double u1 = static_cast<double>(c[1][0]) - u0, v1 = static_cast<double>(c[1][1]) - v0;
@@ -257,7 +252,6 @@ ExchangeMesh::Making::wallsOn(std::uint32_t side, const FacetTree& tree, double 
         box.include(corner + margin);
         box.include(corner + up * (mostHeight * own.longest_m));
     }
-    const FacetDivision::Triangle whole{{{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}};
     std::vector<FacetDivision::Line> walls;
     std::vector<std::uint32_t> found;
     tree.forEachTouching(box, [&](std::uint32_t number) { found.push_back(number); });
@@ -276,7 +270,7 @@ ExchangeMesh::Making::wallsOn(std::uint32_t side, const FacetTree& tree, double 
             FacetDivision::Line wall{placeOf(from_m), placeOf(to_m)};
             const FacetPlace along = wall.to - wall.from;
             if (std::hypot(along.u, along.v) > tolerance &&
-                FacetDivision::clip(wall, whole, 2.0 * tolerance))
+                FacetDivision::clip(wall, FacetDivision::whole, 2.0 * tolerance))
                 walls.push_back(wall);
         };
         if (std::ranges::min(above_m) > 0.0 &&

@@ -23,7 +23,6 @@ double leftOf(const FacetDivision::Line& line, const FacetPlace& place) {
 
 FacetDivision::FacetDivision(const std::vector<Line>& walls, double tolerance)
     : tolerance_(tolerance) {
-    const Triangle whole{{{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}};
     cells_.push_back({whole, 0});
     slots_.emplace_back(-1, 0);
     for (const Line& wall : walls)
@@ -62,11 +61,11 @@ bool FacetDivision::clip(Line& line, const Triangle& triangle, double margin) {
     return true;
 }
 
-bool FacetDivision::cut(std::uint32_t cell, const Line& wall) {
+void FacetDivision::cut(std::uint32_t cell, const Line& wall) {
     const Triangle corners = cells_[cell].corners;
     Line inside = wall;
     if (!clip(inside, corners, -tolerance_) || lengthOf(inside.to - inside.from) < tolerance_)
-        return false;
+        return;
     std::array<double, 3> left{};
     std::size_t lone = 3, on = 3;
     int ahead = 0, behind = 0;
@@ -78,7 +77,7 @@ bool FacetDivision::cut(std::uint32_t cell, const Line& wall) {
             ++(left[i] > 0.0 ? ahead : behind);
     }
     if (ahead == 0 || behind == 0)
-        return false;
+        return;
     const auto between = [&](std::size_t i, std::size_t k) {
         return corners[i] + (corners[k] - corners[i]) * (left[i] / (left[i] - left[k]));
     };
@@ -87,7 +86,7 @@ bool FacetDivision::cut(std::uint32_t cell, const Line& wall) {
         const FacetPlace place = between(next, last);
         split(cell, {corners[on], place}, {corners[on], place, corners[last]},
               {corners[on], corners[next], place});
-        return true;
+        return;
     }
     for (std::size_t i = 0; i < 3; ++i)
         if ((left[i] > 0.0) == (ahead == 1))
@@ -99,7 +98,6 @@ bool FacetDivision::cut(std::uint32_t cell, const Line& wall) {
     const auto rest = static_cast<std::uint32_t>(cells_.size() - 1);
     split(rest, {toLast, corners[next]}, {toLast, corners[next], corners[last]},
           {toNext, corners[next], toLast});
-    return true;
 }
 
 void FacetDivision::split(std::uint32_t cell, const Line& along, const Triangle& first,
@@ -119,15 +117,6 @@ void FacetDivision::split(std::uint32_t cell, const Line& along, const Triangle&
     slots_.emplace_back(number, 1);
     cells_.push_back({second, cells_[cell].part});
     cells_[cell].corners = first;
-}
-
-std::uint32_t FacetDivision::cellOf(const FacetPlace& place) const {
-    std::int32_t at = root_;
-    while (at >= 0) {
-        const Split& one = splits_[static_cast<std::size_t>(at)];
-        at = one.branches[one.a * place.u + one.b * place.v + one.c >= 0.0 ? 0 : 1];
-    }
-    return static_cast<std::uint32_t>(-1 - at);
 }
 
 bool FacetDivision::isBetween(std::uint32_t cell, const FacetPlace& from,

@@ -27,6 +27,8 @@ class FacetDivision {
     struct Line {
         FacetPlace from, to;
     };
+    /// The facet itself.
+    static constexpr Triangle whole{{{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}};
     /// A triangle between walls, of which all cells are parts.
     struct Part {
         Triangle corners;
@@ -70,7 +72,17 @@ class FacetDivision {
     /// The first split, or -1 - the number of the only cell.
     std::int32_t root() const { return root_; }
     const std::vector<Split>& splits() const { return splits_; }
-    std::uint32_t cellOf(const FacetPlace& place) const;
+    std::uint32_t cellOf(const FacetPlace& place) const { return cellOf(place, root_, splits_); }
+    /// The same of splits that are kept elsewhere, from the first of a side on.
+    static std::uint32_t cellOf(const FacetPlace& place, std::int32_t root,
+                                const std::vector<Split>& splits) {
+        std::int32_t at = root;
+        while (at >= 0) {
+            const Split& one = splits[static_cast<std::size_t>(at)];
+            at = one.branches[one.a * place.u + one.b * place.v + one.c >= 0.0 ? 0 : 1];
+        }
+        return static_cast<std::uint32_t>(-1 - at);
+    }
     double tolerance() const { return tolerance_; }
     /// Whether a wall of a cell's part crosses the way between two places.
     bool isBetween(std::uint32_t cell, const FacetPlace& from, const FacetPlace& to) const;
@@ -103,7 +115,7 @@ class FacetDivision {
         return {{{opposite, middle, to}, {opposite, from, middle}}};
     }
     /// Cuts a cell along the line of a wall, if the wall goes through it.
-    bool cut(std::uint32_t cell, const Line& wall);
+    void cut(std::uint32_t cell, const Line& wall);
     /// Makes one of a cell's branch and another cell, which gets the number of the last.
     void split(std::uint32_t cell, const Line& along, const Triangle& first,
                const Triangle& second);
