@@ -184,11 +184,38 @@ std::vector<ExchangeCase> hotBox() {
                      10.0)};
 }
 
+/// A sheet close before a wider one, as propeller discs are drawn, each of two copies of one plate
+/// that turn to either side: from before them they are convex, and nothing is reflected.
+std::vector<ExchangeCase> sheets() {
+    const IrCodes code{1, 1};
+    const auto sheet = [&](const Vec3& centre, double half_m) {
+        return joined(oneSidedPlate(centre, {half_m, 0, 0}, {0, half_m, 0}, code),
+                      oneSidedPlate(centre, {0, half_m, 0}, {half_m, 0, 0}, code));
+    };
+    constexpr double emissivity = 0.3;
+    std::vector<ExchangeCase> cases;
+    // The second gap is wider than what distances from the viewer are rounded by, and than would
+    // let the sheets count as one plane.
+    for (const double gap_m : {5e-5, 1e-3}) {
+        char text[64];
+        std::snprintf(text, sizeof text, "%g m apart", gap_m);
+        cases.push_back(
+            seenFrom("sheets", text,
+                     {entityOfTriangles(joined(sheet({}, 1.0), sheet({0.2, 0.1, gap_m}, 0.5)),
+                                        greyDatabase(emissivity, 330.0))},
+                     0.0, 90.0));
+        if (gap_m < 1e-4)
+            cases.back().closedForm = emissivity * bandRadiance_W_m2_sr(band(), 330.0) * 4.0;
+    }
+    return cases;
+}
+
 } // namespace
 
 std::vector<NamedCases> hardSurfaces() {
     return {{"cover", coverLeak},   {"corner", corner}, {"walls", wallsOnFloor}, {"edge", edge},
-            {"cavities", cavities}, {"lip", lip},       {"box", hotBox}};
+            {"cavities", cavities}, {"lip", lip},       {"box", hotBox},
+            {"sheets", sheets}};
 }
 
 } // namespace irsg::test

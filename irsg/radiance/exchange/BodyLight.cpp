@@ -120,8 +120,9 @@ void BodyLight::refine(std::vector<Sending>& sendings, const Uses& uses, double 
     const auto partsOfError_m2 = [&](std::uint32_t patch) {
         double sum_m2 = 0.0;
         for (const ExchangeNodes::Near& near : nodes_->near(patch))
-            sum_m2 +=
-                std::pow(static_cast<double>(near.area_m2), 2.0) / nodes_->areaOf_m2(near.node);
+            if (near.area_m2 > 0.0f) // cells may have none
+                sum_m2 +=
+                    std::pow(static_cast<double>(near.area_m2), 2.0) / nodes_->areaOf_m2(near.node);
         return sum_m2 * errors.squareOf(sendings[patch]);
     };
     while (!active.empty()) {
@@ -199,9 +200,13 @@ void BodyLight::send(Sending& sending, std::uint32_t patch, const Uses& uses,
                 sending.weights[nodes_->placeNear(patch, own.node)] +=
                     static_cast<double>(own.part);
             bool isMet = mesh().rays().meet(start.ray, uses.withBacks, 0.0, hit, through);
-            const bool isCulled = isMet && uses.own.isCulled(hit);
-            if (isCulled)
+            bool isCulled = isMet && uses.own.isCulled(hit);
+            if (isCulled) {
+                // A wall of two facets, one for each side, has no back to go out through.
+                const double back_m = hit.distance_m;
                 isMet = mesh().rays().meet(start.ray, uses.own, 0.0, hit, through);
+                isCulled = !isMet || hit.distance_m > back_m + mesh().lift_m();
+            }
             const ExchangeMesh::Place place = isMet ? mesh().placeOf(hit) : ExchangeMesh::Place{};
             if (place.cell == ExchangeMesh::none)
                 continue;

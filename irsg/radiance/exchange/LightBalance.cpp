@@ -15,6 +15,9 @@ namespace {
 /// Until sums are right: of what is left each step takes half and more.
 constexpr int mostSteps = 40;
 constexpr double wellBalanced = 1e-5;
+/// The most that a receiver's hits are scaled by, either way: more would follow from hits that
+/// contradict each other.
+constexpr double mostScale = 16.0;
 
 /// Rays per area.
 double densityOf(const ReceiverRays& receiver) {
@@ -107,7 +110,7 @@ LightPairs balanced(const LightPairs& pairs, const LightPairs& oneWay,
             const double sum = sum_m2(r), now = scale[r] * sum;
             const double ratio = now > 0.0 ? wanted[r].of(sum) / now : 1.0;
             off[r] = std::abs(ratio - 1.0);
-            next[r] = scale[r] * std::sqrt(ratio);
+            next[r] = std::clamp(scale[r] * std::sqrt(ratio), 1.0 / mostScale, mostScale);
         });
         scale.swap(next);
         if (std::ranges::max(off) < wellBalanced)

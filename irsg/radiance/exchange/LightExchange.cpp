@@ -243,7 +243,7 @@ void LightExchange::copyPairs(Making& making, std::size_t body) const {
 bool LightExchange::leavesThroughBack(const Making& making, std::size_t body, Ray ray,
                                       double upTo_m) {
     const SunShadows::Caster& caster = making.casters[body];
-    ray.to_m = upTo_m;
+    ray.to_m = upTo_m - caster.mesh->rounding_m();
     RayHit hit;
     std::vector<RayHit> through;
     return caster.mesh->meet(ray, making.withBacks[body], 0.0, hit, through) &&
@@ -301,7 +301,7 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
                             nearest_m};
             bool isMet = other.mesh->meet(there, making.withBacks[c], 0.0, hit, through);
             if (isMet && other.uses.isCulled(hit)) {
-                nearestBack_m = std::min(nearestBack_m, hit.distance_m);
+                nearestBack_m = std::min(nearestBack_m, hit.distance_m + other.mesh->rounding_m());
                 isMet = other.mesh->meet(there, other.uses, 0.0, hit, through);
             }
             return isMet && hit.distance_m < nearest_m;

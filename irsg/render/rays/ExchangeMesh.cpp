@@ -155,6 +155,8 @@ struct ExchangeMesh::Making {
     std::size_t allCells(const CellSize& size) const;
     CellSize chosenSize(double extent_m) const;
     void findPassages();
+    bool continues(std::uint32_t facet, std::uint32_t edge, std::uint32_t other,
+                   std::uint32_t edgeOfOther) const;
     bool isConvex(double extent_m) const;
     Passage passageFrom(std::uint32_t side, std::uint32_t edge,
                         std::span<const std::pair<std::uint32_t, std::uint32_t>> about) const;
@@ -594,14 +596,28 @@ void ExchangeMesh::Making::findPassages() {
             continue;
         for (const auto& [facet, edge] : about)
             facets[facet].isOutline[edge] = std::ranges::none_of(about, [&](const auto& other) {
-                return other.first != facet &&
-                       std::abs(product(facets[other.first].normal, facets[facet].normal)) > flush;
+                return continues(facet, edge, other.first, other.second);
             });
         for (const auto& [facet, edge] : about)
             for (std::uint32_t side = 2 * facet; side < 2 * facet + 2; ++side)
                 if (isThere(side))
                     passages[side][edge] = passageFrom(side, edge, about);
     }
+}
+
+/// Whether another facet lies beyond an edge, almost in the plane of this one: not its own copy
+/// that turns the other way.
+bool ExchangeMesh::Making::continues(std::uint32_t facet, std::uint32_t edge, std::uint32_t other,
+                                     std::uint32_t edgeOfOther) const {
+    const Facet &own = facets[facet], &there = facets[other];
+    const Vec3& from = own.corners_m[edge];
+    const Vec3 along = own.corners_m[(edge + 1) % 3] - from;
+    const auto isLeft = [&](const Facet& one, std::uint32_t edgeOfOne) {
+        const Vec3 third = one.corners_m[(edgeOfOne + 2) % 3] - from;
+        return product(crossed(along, third), own.normal) > 0.0;
+    };
+    return other != facet && std::abs(product(there.normal, own.normal)) > flush &&
+           isLeft(there, edgeOfOther) != isLeft(own, edge);
 }
 
 /// About an edge, from a side, the next facet is where one gets: the one that turns its own side

@@ -117,9 +117,20 @@ class RayMesh {
     /// Where another ray meets the plane of the facet that one has met, inside its corners or not.
     RayHit onPlaneOf(const RayHit& hit, const Ray& ray) const;
 
-    /// The facet of those pieces that a ray meets nearest to a distance, at most `off_m` away.
-    std::optional<RayHit> nearestTo(const Ray& ray, double distance_m, double off_m,
-                                    const std::function<bool(int piece)>& isWanted) const;
+    /// How well the distance along a ray is known: but for rounding by `rounding_m`, at worst by
+    /// `off_m`.
+    struct Distance {
+        double m = 0.0, rounding_m = 0.0, off_m = 0.0;
+    };
+    /// The facet of those pieces that is seen at a distance along a ray. Of sheets that rounding
+    /// does not tell apart it is the first one, of subfaces the highest; else the nearest.
+    std::optional<RayHit> seenAt(const Ray& ray, const Distance& distance, const PieceUses& uses,
+                                 const std::function<bool(int piece)>& isWanted) const;
+    /// Finds facets that have others so near that a distance may not tell them apart.
+    void findCloseSheets() const;
+    /// Whether a facet has none nearer than `apart_m`, at most as far as was looked: then `again`
+    /// tells. After findCloseSheets.
+    bool standsAlone(int piece, unsigned facet, double apart_m) const;
     /// A facet that was found nearby is it again: false, with any hit, where a ray does not meet
     /// it, or farther than `off_m` from a distance, or on a back that is not there.
     bool again(const Ray& ray, int piece, unsigned facet, const PieceUse& use, double distance_m,

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -32,11 +34,17 @@ struct RayMesh::Impl {
     std::array<double, 3> low{1, 1, 1}, high{-1, -1, -1}; ///< of the box, widened by rounding
     double rounding_m = 0.0;                              ///< of places on the mesh in float
     std::size_t facets = 0;
+    std::once_flag closeSheetsFound;
+    std::vector<std::vector<std::uint8_t>> hasCloseSheet; ///< by piece and facet
 
     explicit Impl(std::shared_ptr<const Mesh> of);
     ~Impl();
     void attach(std::size_t number);
     void commit();
+
+    /// How far apart facets are that are no close sheets, m.
+    double closeSheets_m() const;
+    void findCloseSheets();
 
     /// What of a ray lies in the box; false for nothing.
     bool clip(const Ray& ray, double& from_m, double& to_m) const;

@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <tuple>
 
+#include "irsg/core/ParallelFor.h"
 #include "irsg/render/rays/RayMeshImpl.h"
 
 // What rays meet: the searches that Embree does for a mesh, and their filters.
@@ -88,6 +91,22 @@ std::optional<Candidate> searchIn(const RayMesh::Impl& impl, const Ray& ray, dou
     return Candidate{found.hit.geomID, found.hit.primID};
 }
 
+/// All facets that a ray meets between two distances along it, in any order.
+void allBetween(const RayMesh::Impl& impl, const Ray& ray, double from_m, double to_m,
+                std::vector<Candidate>& all) {
+    thread_local std::vector<PieceUse> any;
+    if (any.size() < impl.pieces.size())
+        any.resize(impl.pieces.size(), {.isThere = true});
+    all.clear();
+    Search search;
+    rtcInitIntersectContext(&search.context);
+    search.context.filter = filterHits;
+    search.uses = any.data();
+    search.passed = &all;
+    search.takesAll = true;
+    searchIn(impl, ray, from_m, to_m, search);
+}
+
 /// Of the angle between a facet and a ray, for how far a subface is lifted.
 constexpr double leastCosine = 0.05;
 
@@ -164,36 +183,91 @@ bool RayMesh::meet(const Ray& ray, const PieceUses& uses, double sampleWidth, Ra
     return isMet;
 }
 
-std::optional<RayHit> RayMesh::nearestTo(const Ray& ray, double distance_m, double off_m,
-                                         const std::function<bool(int)>& isWanted) const {
+std::optional<RayHit> RayMesh::seenAt(const Ray& ray, const Distance& distance,
+                                      const PieceUses& uses,
+                                      const std::function<bool(int)>& isWanted) const {
     Ray part = ray;
-    part.from_m = std::max(distance_m - off_m - impl_->rounding_m, 0.0);
-    part.to_m = distance_m + off_m + impl_->rounding_m;
+    part.from_m = std::max(distance.m - distance.off_m - impl_->rounding_m, 0.0);
+    part.to_m = distance.m + distance.off_m + impl_->rounding_m;
     double from_m = 0.0, to_m = 0.0;
     if (impl_->facets == 0 || !impl_->clip(part, from_m, to_m))
         return std::nullopt;
     thread_local std::vector<Candidate> passed;
-    passed.clear();
-    thread_local std::vector<PieceUse> any;
-    if (any.size() < impl_->pieces.size())
-        any.resize(impl_->pieces.size(), {.isThere = true});
-    Search search;
-    rtcInitIntersectContext(&search.context);
-    search.context.filter = filterHits;
-    search.uses = any.data();
-    search.passed = &passed;
-    search.takesAll = true;
-    searchIn(*impl_, part, from_m, to_m, search);
-    std::optional<RayHit> nearest;
+    allBetween(*impl_, part, from_m, to_m, passed);
+    // Lower is better: of what rounding does not tell apart by layers and how far, then others.
+    const auto rankOf = [&](const RayHit& hit) {
+        const double off_m = std::abs(hit.distance_m - distance.m);
+        return off_m <= distance.rounding_m
+                   ? std::tuple(0, -uses[static_cast<std::size_t>(hit.piece)].layer, hit.distance_m)
+                   : std::tuple(1, 0, off_m);
+    };
+    std::optional<RayHit> best;
     for (const Candidate& candidate : passed) {
         if (!isWanted(static_cast<int>(candidate.piece)))
             continue;
         const RayHit hit = impl_->refined(ray, candidate);
-        if (!nearest ||
-            std::abs(hit.distance_m - distance_m) < std::abs(nearest->distance_m - distance_m))
-            nearest = hit;
+        if (!uses.isCulled(hit) && (!best || rankOf(hit) < rankOf(*best)))
+            best = hit;
     }
-    return nearest;
+    return best;
+}
+
+double RayMesh::Impl::closeSheets_m() const {
+    constexpr double ofSize = 1e-3;
+    return ofSize * plainLength({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+}
+
+void RayMesh::Impl::findCloseSheets() {
+    std::vector<Candidate> all;
+    for (unsigned p = 0; p < pieces.size(); ++p) {
+        hasCloseSheet.emplace_back(pieces[p].triangles.size() / 3);
+        for (unsigned f = 0; f < hasCloseSheet[p].size(); ++f)
+            all.push_back({p, f});
+    }
+    const double reach_m = closeSheets_m();
+    constexpr std::size_t parts = 64;
+    std::vector<std::vector<Candidate>> close(parts);
+    parallelFor(parts, [&](std::size_t part) {
+        std::vector<Candidate> passed;
+        for (std::size_t i = beginOfPart(part, parts, all.size());
+             i < beginOfPart(part + 1, parts, all.size()); ++i) {
+            const TracedPiece& piece = pieces[all[i].piece];
+            const unsigned* corner = &piece.triangles[3 * static_cast<std::size_t>(all[i].facet)];
+            const Vec3 a = piece.vertex(corner[0]), b = piece.vertex(corner[1]),
+                       c = piece.vertex(corner[2]);
+            const Vec3 across = crossed(b - a, c - a);
+            const double size = plainLength(across);
+            if (!(size > 0.0))
+                continue;
+            const Vec3 normal = across * (1.0 / size);
+            const Ray through{(a + b + c) * (1.0 / 3.0) - normal * reach_m, normal, 0.0,
+                              2.0 * reach_m};
+            double from_m = 0.0, to_m = 0.0;
+            if (!clip(through, from_m, to_m))
+                continue;
+            allBetween(*this, through, from_m, to_m, passed);
+            const auto isOther = [&](const Candidate& one) {
+                return one.piece != all[i].piece || one.facet != all[i].facet;
+            };
+            if (std::ranges::none_of(passed, isOther))
+                continue;
+            // The other may be wider, and not meet one through its own middle.
+            close[part].push_back(all[i]);
+            std::ranges::copy_if(passed, std::back_inserter(close[part]), isOther);
+        }
+    });
+    for (const std::vector<Candidate>& some : close)
+        for (const Candidate& one : some)
+            hasCloseSheet[one.piece][one.facet] = 1;
+}
+
+void RayMesh::findCloseSheets() const {
+    std::call_once(impl_->closeSheetsFound, [&] { impl_->findCloseSheets(); });
+}
+
+bool RayMesh::standsAlone(int piece, unsigned facet, double apart_m) const {
+    return apart_m <= impl_->closeSheets_m() &&
+           impl_->hasCloseSheet[static_cast<std::size_t>(piece)][facet] == 0;
 }
 
 bool RayMesh::letsPass(const Ray& ray, const PieceUses& uses, const RayHit* own,

@@ -50,9 +50,13 @@ double RayMesh::bulge_m(std::size_t, unsigned, bool) const {
 RayHit RayMesh::onPlaneOf(const RayHit& hit, const Ray&) const {
     return hit;
 }
-std::optional<RayHit> RayMesh::nearestTo(const Ray&, double, double,
-                                         const std::function<bool(int)>&) const {
+std::optional<RayHit> RayMesh::seenAt(const Ray&, const Distance&, const PieceUses&,
+                                      const std::function<bool(int)>&) const {
     return std::nullopt;
+}
+void RayMesh::findCloseSheets() const {}
+bool RayMesh::standsAlone(int, unsigned, double) const {
+    return true;
 }
 bool RayMesh::again(const Ray&, int, unsigned, const PieceUse&, double, double, RayHit&) const {
     return false;

@@ -91,6 +91,8 @@ SunShadows::SunShadows(std::vector<Caster> casters, std::vector<bool> reflects, 
     for (const Caster& caster : casters_) {
         toWorld_.push_back(caster.pose.attitude.rotation());
         toMesh_.push_back(toWorld_.back().transposed());
+        if (caster.entity >= 0)
+            caster.mesh->findCloseSheets();
     }
 }
 
@@ -156,7 +158,8 @@ SunShadows::Place SunShadows::placeOf(const Source& source, const Vec3& eyeDirec
     const double off_m = distance_m * (4e-6 + 2.0 * source.sampleWidth);
     const double near_m = distance_m * (4e-7 + snap * source.sampleWidth);
     const auto again = [&](const Neighbours::Known& nearby) {
-        if (nearby.row != row)
+        if (nearby.row != row ||
+            !caster.mesh->standsAlone(nearby.piece, nearby.facet, 2.0 * near_m))
             return false;
         const PieceUse& use = caster.uses[static_cast<std::size_t>(nearby.piece)];
         place.isFound = caster.mesh->again(place.ray, nearby.piece, nearby.facet, use, distance_m,
@@ -173,7 +176,8 @@ SunShadows::Place SunShadows::placeOf(const Source& source, const Vec3& eyeDirec
         const auto isOfRow = [&](int piece) {
             return caster.rows[static_cast<std::size_t>(piece)] == row;
         };
-        if (const auto hit = caster.mesh->nearestTo(place.ray, distance_m, off_m, isOfRow)) {
+        if (const auto hit = caster.mesh->seenAt(place.ray, {distance_m, near_m, off_m},
+                                                 caster.uses, isOfRow)) {
             place.hit = *hit;
             place.isFound = true;
         }
