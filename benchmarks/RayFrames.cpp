@@ -145,7 +145,7 @@ void measureGeometry(const char* name, const Entity& entity) {
         std::printf("%-12s %8.3f %9.2f %9.4f %9zu %9zu %9.1f %9zu\n", name, error,
                     now_s() - start_s, light.error(), mesh->facets(), light.nodes().nodes(),
                     static_cast<double>(light.raysSent()) / static_cast<double>(mesh->facets()),
-                    light.pairs().size());
+                    light.balance().pairs->size());
         std::fflush(stdout);
     }
 }

@@ -1,6 +1,7 @@
 // View factors between surfaces against closed forms.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -41,6 +42,11 @@ class Factors {
     int codeOf(std::uint32_t receiver) const {
         return codeOfPiece(static_cast<std::size_t>(light_->nodes().pieceOf(receiver)));
     }
+    int codeOfSender(std::uint32_t sender) const {
+        const std::vector<std::uint32_t>& senders = light_->nodes().senderOfAll();
+        return codeOf(
+            static_cast<std::uint32_t>(std::ranges::find(senders, sender) - senders.begin()));
+    }
     double areaOf_m2(std::uint32_t receiver) const { return light_->nodes().areaOf_m2(receiver); }
     /// From the fronts of one to the fronts of another.
     double between(int from, int to) const {
@@ -51,9 +57,9 @@ class Factors {
             }
             const double own_m2 = areaOf_m2(r);
             area_m2 += own_m2;
-            const auto [pair, end] = light_->pairs().of(r);
+            const auto [pair, end] = light_->balance().pairs->of(r);
             for (const LightPair* p = pair; p != end; ++p) {
-                if (codeOf(p->sender) == to) {
+                if (codeOfSender(p->sender) == to) {
                     sum_m2 += own_m2 * static_cast<double>(p->factor);
                 }
             }

@@ -7,7 +7,6 @@
 #include <map>
 
 #include "irsg/core/ParallelFor.h"
-#include "irsg/radiance/exchange/LightBalance.h"
 
 namespace irsg {
 
@@ -97,7 +96,7 @@ BodyLight::BodyLight(std::shared_ptr<const ExchangeNodes> nodes, const PieceUses
     : nodes_(std::move(nodes)) {
     std::vector<Sending> sendings(nodes_->nodes());
     // Small nodes need fewer rays each: what a view sums is off by less than any of them.
-    refine(sendings, Uses{uses}, error / std::sqrt(std::sqrt(nodes_->fineness())));
+    refine(sendings, Uses{uses}, error / std::sqrt(std::sqrt(0.5 * nodes_->fineness())));
     gather(sendings);
 }
 
@@ -158,11 +157,11 @@ void BodyLight::refine(std::vector<Sending>& sendings, const Uses& uses, double 
     }
 }
 
-/// Small pieces are seldom met by the rays of others, and may be the hottest: their own rays have
-/// to tell.
+/// Where patches are few each sends more. Small pieces are seldom met by the rays of others, and
+/// may be the hottest: their own rays have to tell.
 std::vector<std::uint32_t> BodyLight::fewestOf(const std::vector<std::uint32_t>& active) const {
     constexpr double smallPiece = 0.01; // of all that sees anything
-    constexpr std::size_t raysOfSmall = 500'000, mostOfSmall = 2048;
+    constexpr std::size_t raysOfFew = 500'000, mostOfFew = 1024;
     std::vector<double> ofPiece_m2(mesh().rays().pieces());
     double all_m2 = 0.0;
     for (const std::uint32_t patch : active) {
@@ -174,13 +173,16 @@ std::vector<std::uint32_t> BodyLight::fewestOf(const std::vector<std::uint32_t>&
                ofPiece_m2[static_cast<std::size_t>(nodes_->pieceOf(patch))] < smallPiece * all_m2;
     };
     const auto small = static_cast<std::size_t>(std::ranges::count_if(active, isSmall));
-    std::vector<std::uint32_t> fewest(nodes_->nodes(), fewestRays);
+    const auto shareOf = [&](std::size_t rays, std::size_t patches) {
+        return static_cast<std::uint32_t>(std::bit_floor(std::clamp<std::size_t>(
+            rays / std::max<std::size_t>(patches, 1), fewestRays, mostOfFew)));
+    };
+    std::vector<std::uint32_t> fewest(nodes_->nodes(), shareOf(raysOfFew, active.size()));
     for (const std::uint32_t patch : active)
         if (nodes_->isInside(patch))
             fewest[patch] = fewestInside;
         else if (isSmall(patch))
-            fewest[patch] = static_cast<std::uint32_t>(std::bit_floor(
-                std::clamp<std::size_t>(raysOfSmall / small, fewestRays, mostOfSmall)));
+            fewest[patch] = std::max(fewest[patch], shareOf(raysOfFew, small));
     return fewest;
 }
 
@@ -264,7 +266,7 @@ void BodyLight::gather(std::vector<Sending>& sendings) {
     parallelForSmall(sendings.size(), [&](std::uint32_t patch) {
         const Rays rays(*nodes_, patch);
         for (const LightRay& ray : raysOf(patch)) {
-            const ExchangeNodes::OfPlace senders(*nodes_, ray.place);
+            const auto senders = ExchangeNodes::OfPlace(*nodes_, ray.place).ofSenders(*nodes_);
             for (const ExchangeNodes::Share& own :
                  ExchangeNodes::OfPlace(*nodes_, rays.at(ray.index).from.place)) {
                 const float scale = own.part * scalesOf(patch)[nodes_->placeNear(patch, own.node)];
@@ -279,8 +281,9 @@ void BodyLight::gather(std::vector<Sending>& sendings) {
     std::vector<ReceiverRays> receivers;
     for (std::uint32_t r = 0; r < nodes_->nodes(); ++r)
         receivers.push_back({nodes_->areaOf_m2(r), raysFrom_[r]});
-    pairs_ = balanced(LightPairs(nodes_->nodes(), std::move(parts)),
-                      LightPairs(nodes_->nodes(), std::move(oneWay)), receivers);
+    balance_ = balancedOfSenders(LightPairs(nodes_->nodes(), std::move(parts)),
+                                 LightPairs(nodes_->nodes(), std::move(oneWay)), receivers,
+                                 nodes_->senderOfAll(), nodes_->senders());
 }
 
 } // namespace irsg

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "irsg/radiance/exchange/ExchangeNodes.h"
-#include "irsg/radiance/exchange/LightPairs.h"
+#include "irsg/radiance/exchange/LightBalance.h"
 #include "irsg/render/rays/LightDirections.h"
 
 namespace irsg {
@@ -33,7 +33,7 @@ class BodyLight {
         ExchangeNodes::Start from;
         Ray ray;
     };
-    static constexpr std::uint32_t fewestInside = 32, fewestRays = 256, mostRays = mostLightPoints;
+    static constexpr std::uint32_t fewestInside = 32, fewestRays = 128, mostRays = mostLightPoints;
     /// Of all patches together: where it does not do, each gets fewer.
     static constexpr std::size_t mostSent = std::size_t{1} << 22;
 
@@ -43,7 +43,8 @@ class BodyLight {
 
     const ExchangeNodes& nodes() const { return *nodes_; }
     const ExchangeMesh& mesh() const { return nodes_->mesh(); }
-    const LightPairs& pairs() const { return pairs_; }
+    /// By node and by sender.
+    const LightBalance& balance() const { return balance_; }
 
     /// Ray `index` of a patch, in the axes of the mesh; `mostRays` of them.
     class Rays {
@@ -96,7 +97,7 @@ class BodyLight {
     std::vector<std::size_t> firstScale_; // by patch
     std::vector<float> scales_;
     std::vector<double> raysFrom_; // by receiver
-    LightPairs pairs_;
+    LightBalance balance_;
     std::size_t allSent_ = 0;
     double error_ = 0.0;
     bool isLimited_ = false;

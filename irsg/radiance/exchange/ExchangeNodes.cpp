@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <tuple>
 
 #include "irsg/core/ParallelFor.h"
@@ -96,6 +97,7 @@ struct ExchangeNodes::OfPiece {
     std::vector<std::uint32_t> vertices;
     std::vector<double> apart_m;            ///< by vertex: how far nodes may be
     std::vector<std::size_t> nodes;         ///< places among the vertices
+    std::uint32_t firstNode = 0;            ///< number of the first of them
     std::size_t outside = 0;                ///< how many of them turn to no space inside
     std::vector<double> surface_m2;         ///< by vertex: of all that one can go to
     std::vector<std::size_t> coveredBy;     ///< by vertex: among the nodes
@@ -170,17 +172,16 @@ void ExchangeNodes::placeNodes(const ExchangeResolution& resolution) {
     double area_m2 = 0.0;
     for (std::uint32_t cell = 0; cell < mesh_->cells(); ++cell)
         area_m2 += mesh_->area_m2(cell);
-    const auto nodesWith = [&](double fineness, double least_m) {
+    const auto spacingWith = [&](double fineness, double least_m) {
         NodeSpacing spacing{fineness * resolution.edgePerDistance, least_m,
                             fineness * resolution.longestOfExtent * mesh_->extent_m()};
         if (resolution.longestEdge_m > 0.0)
             spacing.longest_m = std::min(spacing.longest_m, resolution.longestEdge_m);
         spacing.longest_m = std::max(spacing.longest_m, least_m);
-        parallelFor(pieces.size(), [&](std::size_t p) { place(pieces[p], *mesh_, spacing); });
-        std::size_t nodes = 0;
-        for (const OfPiece& piece : pieces)
-            nodes += piece.outside;
-        return nodes;
+        return spacing;
+    };
+    const auto nodesWith = [&](double fineness, double least_m) {
+        return placeAll(pieces, *mesh_, spacingWith(fineness, least_m));
     };
     // Simple models have finer ones. Small ones are left out first where there would be too many:
     // what is small matters less. However far apart, each piece and each way that it looks has one.
@@ -197,6 +198,7 @@ void ExchangeNodes::placeNodes(const ExchangeResolution& resolution) {
     for (std::uint32_t p = 0; p < pieces.size(); ++p) {
         const auto before = static_cast<std::uint32_t>(nodes());
         pieceOf_.insert(pieceOf_.end(), pieces[p].nodes.size(), p);
+        pieces[p].firstNode = before;
         for (std::size_t i = 0; i < pieces[p].vertices.size(); ++i)
             ofVertex[pieces[p].vertices[i]] = {&pieces[p].shares[i], before};
     }
@@ -205,6 +207,49 @@ void ExchangeNodes::placeNodes(const ExchangeResolution& resolution) {
         for (const Share& one : *shares)
             shares_.push_back({one.node + before, one.part});
         firstShare_.push_back(static_cast<std::uint32_t>(shares_.size()));
+    }
+    placeSenders(pieces, spacingWith(fineness_, least_m), resolution);
+}
+
+std::size_t ExchangeNodes::placeAll(std::vector<OfPiece>& pieces, const ExchangeMesh& mesh,
+                                    const NodeSpacing& spacing) {
+    parallelFor(pieces.size(), [&](std::size_t p) { place(pieces[p], mesh, spacing); });
+    std::size_t nodes = 0;
+    for (const OfPiece& piece : pieces)
+        nodes += piece.outside;
+    return nodes;
+}
+
+/// Nodes send as one that would be one where nodes are farther apart.
+void ExchangeNodes::placeSenders(std::vector<OfPiece>& pieces, NodeSpacing spacing,
+                                 const ExchangeResolution& resolution) {
+    constexpr double wider = 2.0;
+    senderOf_.resize(nodes());
+    std::iota(senderOf_.begin(), senderOf_.end(), 0u);
+    senders_ = nodes();
+    if (nodes() <= resolution.fewSenders)
+        return;
+    std::vector<std::vector<std::size_t>> nodesOf; // by piece
+    for (const OfPiece& piece : pieces)
+        nodesOf.push_back(piece.nodes);
+    const auto widen = [&](double factor) {
+        spacing.edgePerDistance *= factor;
+        spacing.least_m *= factor;
+        spacing.longest_m *= factor;
+    };
+    widen(wider);
+    while (placeAll(pieces, *mesh_, spacing) > resolution.mostSenders &&
+           spacing.least_m < mesh_->extent_m())
+        widen(1.3);
+    senders_ = 0;
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        std::vector<std::uint32_t> number(pieces[p].nodes.size(), ExchangeMesh::none);
+        for (std::uint32_t n = 0; n < nodesOf[p].size(); ++n) {
+            std::uint32_t& sender = number[pieces[p].coveredBy[nodesOf[p][n]]];
+            if (sender == ExchangeMesh::none)
+                sender = static_cast<std::uint32_t>(senders_++);
+            senderOf_[pieces[p].firstNode + n] = sender;
+        }
     }
 }
 
@@ -349,15 +394,25 @@ ExchangeNodes::OfPlace::OfPlace(const ExchangeNodes& nodes, const ExchangeMesh::
     const auto& corners = nodes.mesh().corners(place.cell);
     const std::array<float, 3> parts{1.0f - place.u - place.v, place.u, place.v};
     for (std::size_t c = 0; c < 3; ++c)
-        for (const Share& share : nodes.sharesOf(corners[c])) {
-            const auto end = shares_.begin() + static_cast<std::ptrdiff_t>(count_);
-            const auto known = std::find_if(
-                shares_.begin(), end, [&](const Share& one) { return one.node == share.node; });
-            if (known != end)
-                known->part += parts[c] * share.part;
-            else
-                shares_[count_++] = {share.node, parts[c] * share.part};
-        }
+        for (const Share& share : nodes.sharesOf(corners[c]))
+            add(share.node, parts[c] * share.part);
+}
+
+ExchangeNodes::OfPlace ExchangeNodes::OfPlace::ofSenders(const ExchangeNodes& nodes) const {
+    OfPlace senders;
+    for (const Share& share : *this)
+        senders.add(nodes.senderOf(share.node), share.part);
+    return senders;
+}
+
+void ExchangeNodes::OfPlace::add(std::uint32_t number, float part) {
+    const auto end = shares_.begin() + static_cast<std::ptrdiff_t>(count_);
+    const auto known =
+        std::find_if(shares_.begin(), end, [&](const Share& one) { return one.node == number; });
+    if (known != end)
+        known->part += part;
+    else
+        shares_[count_++] = {number, part};
 }
 
 std::size_t ExchangeNodes::placeNear(std::uint32_t patch, std::uint32_t node) const {

@@ -15,7 +15,8 @@ namespace irsg {
 /// The unknowns of inter-reflection on a model. A node stands for the surface around it, on one
 /// side, as wide as what is seen from there is far away; what a vertex has is a mean of up to three
 /// nodes near it that look the same way and that one can go to along the surface, so that all that
-/// is smooth stays smooth in a picture while hundreds of nodes do for tens of thousands of facets.
+/// is smooth stays smooth in a picture while thousands of nodes do for many more facets. What nodes
+/// receive changes over a shorter way than it matters where light was sent from: some send as one.
 /// A patch is the cells that are mostly one node's, with its number: each cell belongs to one. In
 /// the axes of the mesh.
 class ExchangeNodes {
@@ -52,13 +53,21 @@ class ExchangeNodes {
     class OfPlace {
       public:
         OfPlace(const ExchangeNodes& nodes, const ExchangeMesh::Place& place);
+        /// The same of what sends as one, by the number of the sender.
+        OfPlace ofSenders(const ExchangeNodes& nodes) const;
         const Share* begin() const { return shares_.data(); }
         const Share* end() const { return shares_.data() + count_; }
 
       private:
+        OfPlace() = default;
+        void add(std::uint32_t number, float part);
         std::array<Share, 9> shares_;
         std::size_t count_ = 0;
     };
+
+    std::size_t senders() const { return senders_; }
+    std::uint32_t senderOf(std::uint32_t node) const { return senderOf_[node]; }
+    const std::vector<std::uint32_t>& senderOfAll() const { return senderOf_; }
 
     /// The surface that a node stands for.
     double areaOf_m2(std::uint32_t node) const { return area_m2_[node]; }
@@ -91,13 +100,20 @@ class ExchangeNodes {
         double edgePerDistance = 0.0, least_m = 0.0, longest_m = 0.0;
     };
     void placeNodes(const ExchangeResolution& resolution);
+    /// How many nodes of all pieces turn to no space inside.
+    static std::size_t placeAll(std::vector<OfPiece>& pieces, const ExchangeMesh& mesh,
+                                const NodeSpacing& spacing);
     static void place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSpacing& spacing);
     static void share(OfPiece& piece, const ExchangeMesh& mesh);
+    void placeSenders(std::vector<OfPiece>& pieces, NodeSpacing spacing,
+                      const ExchangeResolution& resolution);
     void gatherPatches();
 
     std::shared_ptr<const ExchangeMesh> mesh_;
     double fineness_ = 1.0;
-    std::vector<std::uint32_t> pieceOf_;    // by node
+    std::vector<std::uint32_t> pieceOf_;  // by node
+    std::vector<std::uint32_t> senderOf_; // by node
+    std::size_t senders_ = 0;
     std::vector<double> area_m2_;           // by node
     std::vector<std::uint32_t> firstShare_; // by vertex, and behind the last
     std::vector<Share> shares_;

@@ -50,21 +50,15 @@ struct WantedSum {
     double of(double sum_m2) const { return std::min(sum_m2 + trust * (own_m2 - sum_m2), most_m2); }
 };
 
-WantedSum wantedSum(const LightPairs& pairs, const LightPairs& exchange, double oneWay,
-                    std::uint32_t receiver, const std::vector<ReceiverRays>& receivers) {
-    const ReceiverRays& own = receivers[receiver];
+/// `seen`: by its own rays; `variance_m4`: of what the rays of both ends say.
+WantedSum wantedSum(const ReceiverRays& own, double seen, double oneWay, double variance_m4) {
     WantedSum wanted;
     if (!(own.area_m2 > 0.0))
         return wanted;
     wanted.most_m2 = own.area_m2 * std::max(1.0 - oneWay, 0.0);
     if (!(own.rays > 0.0))
         return wanted;
-    double variance_m4 = 0.0;
-    const auto [first, last] = exchange.of(receiver);
-    for (const LightPair* pair = first; pair != last; ++pair)
-        variance_m4 += static_cast<double>(pair->factor) /
-                       (densityOf(own) + densityOf(receivers[pair->sender]));
-    const double seen = pairs.sumOf(receiver), open = std::max(1.0 - seen - oneWay, 0.0);
+    const double open = std::max(1.0 - seen - oneWay, 0.0);
     // Where many rays are met and many are not, they are spread better than by chance. None of so
     // many rays may be one of the next.
     const double spread = std::pow(1.0 + own.rays * seen * open, -1.0 / 3.0);
@@ -86,17 +80,19 @@ LightPairs joined(const LightPairs& some, const LightPairs& others) {
     return LightPairs(some.receivers(), std::move(parts));
 }
 
-} // namespace
-
-LightPairs balanced(const LightPairs& pairs, const LightPairs& oneWay,
-                    const std::vector<ReceiverRays>& receivers) {
-    if (pairs.size() == 0)
-        return oneWay;
+/// What `balanced` finds, without what is seen one way.
+LightPairs balancedExchange(const LightPairs& pairs, const LightPairs& oneWay,
+                            const std::vector<ReceiverRays>& receivers) {
     LightPairs exchange = exchanged(pairs, receivers);
     std::vector<WantedSum> wanted(receivers.size());
     std::vector<double> scale(receivers.size(), 1.0), next(receivers.size()), off(receivers.size());
     parallelForSmall(receivers.size(), [&](std::uint32_t r) {
-        wanted[r] = wantedSum(pairs, exchange, oneWay.sumOf(r), r, receivers);
+        double variance_m4 = 0.0;
+        const auto [first, last] = exchange.of(r);
+        for (const LightPair* pair = first; pair != last; ++pair)
+            variance_m4 += static_cast<double>(pair->factor) /
+                           (densityOf(receivers[r]) + densityOf(receivers[pair->sender]));
+        wanted[r] = wantedSum(receivers[r], pairs.sumOf(r), oneWay.sumOf(r), variance_m4);
     });
     const auto sum_m2 = [&](std::uint32_t r) {
         double sum = 0.0;
@@ -126,7 +122,101 @@ LightPairs balanced(const LightPairs& pairs, const LightPairs& oneWay,
         return static_cast<float>(next[receiver] * scale[pair.sender] *
                                   static_cast<double>(pair.factor));
     });
+    return exchange;
+}
+
+/// Of senders: means over the areas of those who receive for them.
+LightPairs meansOf(const LightPairs& pairs, const std::vector<ReceiverRays>& receivers,
+                   std::span<const std::uint32_t> senderOf,
+                   const std::vector<ReceiverRays>& senders) {
+    std::vector<std::vector<LightPart>> parts(receivers.size());
+    parallelForSmall(receivers.size(), [&](std::uint32_t r) {
+        const std::uint32_t own = senderOf[r];
+        if (!(senders[own].area_m2 > 0.0))
+            return;
+        const double part = receivers[r].area_m2 / senders[own].area_m2;
+        const auto [first, last] = pairs.of(r);
+        for (const LightPair* pair = first; pair != last; ++pair)
+            parts[r].push_back(
+                {own, pair->sender, static_cast<float>(part * static_cast<double>(pair->factor))});
+    });
+    return LightPairs(senders.size(), std::move(parts));
+}
+
+/// What a receiver gets of each after its sender was balanced, before its own sum is looked at: as
+/// its own rays have it beside those of the sender's others, or, where they are few, as all of
+/// these have it.
+std::vector<LightPart> scaledOf(std::uint32_t receiver, double rays, const LightPairs& pairs,
+                                std::uint32_t sender, const LightPairs& raw,
+                                const LightPairs& exchange) {
+    constexpr double few = 2.0;
+    std::vector<LightPart> scaled;
+    auto [own, ownEnd] = pairs.of(receiver);
+    auto [before, beforeEnd] = raw.of(sender);
+    const auto [first, last] = exchange.of(sender);
+    const auto factorIn = [](const LightPair*& at, const LightPair* end, std::uint32_t of) {
+        while (at != end && at->sender < of)
+            ++at;
+        return at != end && at->sender == of ? static_cast<double>(at->factor) : 0.0;
+    };
+    for (const LightPair* pair = first; pair != last; ++pair) {
+        const double met = rays * factorIn(own, ownEnd, pair->sender);
+        const double mean = rays * factorIn(before, beforeEnd, pair->sender);
+        scaled.push_back(
+            {receiver, pair->sender,
+             static_cast<float>(static_cast<double>(pair->factor) * (met + few) / (mean + few))});
+    }
+    return scaled;
+}
+
+} // namespace
+
+LightPairs balanced(const LightPairs& pairs, const LightPairs& oneWay,
+                    const std::vector<ReceiverRays>& receivers) {
+    if (pairs.size() == 0)
+        return oneWay;
+    LightPairs exchange = balancedExchange(pairs, oneWay, receivers);
     return oneWay.size() == 0 ? exchange : joined(exchange, oneWay);
+}
+
+LightBalance balancedOfSenders(LightPairs pairs, LightPairs oneWay,
+                               const std::vector<ReceiverRays>& receivers,
+                               std::span<const std::uint32_t> senderOf, std::size_t senders) {
+    if (senders == receivers.size()) {
+        const auto all = std::make_shared<const LightPairs>(balanced(pairs, oneWay, receivers));
+        return {all, all};
+    }
+    std::vector<ReceiverRays> ofSenders(senders);
+    for (std::size_t r = 0; r < receivers.size(); ++r) {
+        ofSenders[senderOf[r]].area_m2 += receivers[r].area_m2;
+        ofSenders[senderOf[r]].rays += receivers[r].rays;
+    }
+    const LightPairs raw = meansOf(pairs, receivers, senderOf, ofSenders);
+    const LightPairs rawOneWay = meansOf(oneWay, receivers, senderOf, ofSenders);
+    const LightPairs exchange = raw.size() == 0 ? raw : balancedExchange(raw, rawOneWay, ofSenders);
+    std::vector<std::vector<LightPart>> parts(receivers.size());
+    parallelForSmall(receivers.size(), [&](std::uint32_t r) {
+        parts[r] = scaledOf(r, receivers[r].rays, pairs, senderOf[r], raw, exchange);
+        double sum_m2 = 0.0, variance_m4 = 0.0;
+        for (const LightPart& part : parts[r]) {
+            const double own_m2 = receivers[r].area_m2 * static_cast<double>(part.factor);
+            sum_m2 += own_m2;
+            variance_m4 += own_m2 / (densityOf(receivers[r]) + densityOf(ofSenders[part.sender]));
+        }
+        const WantedSum wanted =
+            wantedSum(receivers[r], pairs.sumOf(r), oneWay.sumOf(r), variance_m4);
+        const double scale = sum_m2 > 0.0 ? wanted.of(sum_m2) / sum_m2 : 0.0;
+        for (LightPart& part : parts[r])
+            part.factor = static_cast<float>(scale * static_cast<double>(part.factor));
+        const auto [first, last] = oneWay.of(r);
+        for (const LightPair* pair = first; pair != last; ++pair)
+            parts[r].push_back({r, pair->sender, pair->factor});
+    });
+    LightBalance balance;
+    balance.pairs = std::make_shared<const LightPairs>(receivers.size(), std::move(parts));
+    balance.between = std::make_shared<const LightPairs>(
+        rawOneWay.size() == 0 ? exchange : joined(exchange, rawOneWay));
+    return balance;
 }
 
 } // namespace irsg

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "irsg/radiance/exchange/LightPairs.h"
@@ -10,6 +13,12 @@ namespace irsg {
 struct ReceiverRays {
     double area_m2 = 0.0;
     double rays = 0.0; ///< that began on it; 0 where it sent none
+};
+
+/// Who gets what of whom.
+struct LightBalance {
+    std::shared_ptr<const LightPairs> pairs;   ///< of receivers
+    std::shared_ptr<const LightPairs> between; ///< of senders, whose surfaces receive
 };
 
 /// The pairs of receivers after each has learnt what the others' rays found. Light goes either way
@@ -27,5 +36,12 @@ struct ReceiverRays {
 /// from where the receiver is not seen; it stays as it is.
 LightPairs balanced(const LightPairs& pairs, const LightPairs& oneWay,
                     const std::vector<ReceiverRays>& receivers);
+
+/// The same where some receivers send as one: `senderOf` each, of so many senders, whose numbers
+/// pairs have. Senders are balanced, and what that changes between two of them it changes for each
+/// receiver of the first alike; each sum follows what the receiver's own rays say as above.
+LightBalance balancedOfSenders(LightPairs pairs, LightPairs oneWay,
+                               const std::vector<ReceiverRays>& receivers,
+                               std::span<const std::uint32_t> senderOf, std::size_t senders);
 
 } // namespace irsg

@@ -6,16 +6,15 @@
 #include <utility>
 
 #include "irsg/core/ParallelFor.h"
-#include "irsg/radiance/exchange/LightBalance.h"
 
 namespace irsg {
 
 namespace {
 
 /// Rays of a patch that sees nothing of its own body, but of others, at the usual error.
-constexpr double raysToOthers = 256.0, usualError = 0.005;
-/// Rays to the sun from a patch.
-constexpr std::uint32_t raysToSun = 16;
+constexpr double raysToOthers = 128.0, usualError = 0.005;
+/// Cells of which each is divided in four to see how much of it the sun lights.
+constexpr std::size_t fewCells = 60'000;
 /// Of the error that is asked for: bodies that fill less of a hemisphere are left out.
 constexpr double negligibleSize = 0.02;
 
@@ -38,11 +37,11 @@ struct Sphere {
 /// What is at hand while an exchange is made.
 struct LightExchange::Making {
     /// What a patch tells a node near it: what is lost of sky and ground and, as areas in
-    /// m2, how much of it sees the sky, with published weights or without, and the sun.
+    /// m2, how much of it sees the sky, with published weights or without.
     struct Told {
         double sky = 0.0, ground = 0.0;
         double rays = 0.0; ///< that began there, of patches that see nothing of their own body
-        double open_m2 = 0.0, weighted_m2 = 0.0, sun_m2 = 0.0, sunKnown_m2 = 0.0;
+        double open_m2 = 0.0, weighted_m2 = 0.0;
     };
     const std::vector<SunShadows::Caster>& casters;
     const LightSources& sources;
@@ -56,6 +55,8 @@ struct LightExchange::Making {
     std::vector<PieceUses> withBacks{};                    ///< by caster, see PieceUses
     std::vector<std::vector<LightPart>> parts{}, oneWay{}; ///< by patch
     std::vector<std::vector<Told>> told{};                 ///< by patch and near node
+    std::vector<float> sunOnCells{};                ///< as factors; none: it lights all alike
+    std::vector<std::vector<LightPart>> sunParts{}; ///< by patch, of receivers and rows
 
     /// Height of the highest place of the terrain, m.
     double terrainTop_m() const {
@@ -108,6 +109,7 @@ LightExchange::LightExchange(std::vector<Body> bodies,
         making.meetsTerrain.push_back(making.terrain &&
                                       top_m > sphere.centre_m.z - sphere.radius_m);
     number(casters);
+    takeSun(making);
     takePairs(making);
     takeLight(making);
 }
@@ -127,6 +129,8 @@ void LightExchange::number(const std::vector<SunShadows::Caster>& casters) {
         const ExchangeMesh& mesh = nodes.mesh();
         firstCell_.push_back(static_cast<std::uint32_t>(corners_.size()));
         firstReceiver_.push_back(allNodes);
+        firstSender_.push_back(static_cast<std::uint32_t>(rowOfSender_.size()));
+        rowOfSender_.resize(rowOfSender_.size() + nodes.senders());
         for (const int row : casters[b].rows)
             ofRow_.resize(std::max(ofRow_.size(), static_cast<std::size_t>(std::max(row, -1) + 1)));
         for (std::uint32_t t = 0; t < mesh.cells(); ++t) {
@@ -141,6 +145,8 @@ void LightExchange::number(const std::vector<SunShadows::Caster>& casters) {
         for (std::uint32_t r = 0; r < nodes.nodes(); ++r) {
             const int row = casters[b].rows[static_cast<std::size_t>(nodes.pieceOf(r))];
             rows_.push_back(row);
+            senderOf_.push_back(firstSender_[b] + nodes.senderOf(r));
+            rowOfSender_[senderOf_.back()] = row;
             if (static_cast<std::size_t>(row) >= ofRow_.size())
                 ofRow_.resize(static_cast<std::size_t>(row) + 1);
             std::vector<std::uint32_t>& ofRow = ofRow_[static_cast<std::size_t>(row)];
@@ -168,6 +174,7 @@ void LightExchange::takePairs(Making& making) {
     making.parts.resize(rows_.size());
     making.oneWay.resize(rows_.size());
     making.told.resize(rows_.size());
+    making.sunParts.resize(making.sunOnCells.empty() ? 0 : rows_.size());
     std::vector<ReceiverRays> known;
     for (const Body& body : bodies_)
         for (std::uint32_t r = 0; r < body.light->nodes().nodes(); ++r)
@@ -197,19 +204,20 @@ void LightExchange::takePairs(Making& making) {
         }
     }
     if (bodies_.size() == 1 && making.isAlone(0))
-        pairs_ = {bodies_.front().light, &bodies_.front().light->pairs()};
+        balance_ = bodies_.front().light->balance();
     else
-        pairs_ = std::make_shared<const LightPairs>(
-            balanced(LightPairs(rows_.size(), std::move(making.parts)),
-                     LightPairs(rows_.size(), std::move(making.oneWay)), known));
+        balance_ = balancedOfSenders(LightPairs(rows_.size(), std::move(making.parts)),
+                                     LightPairs(rows_.size(), std::move(making.oneWay)), known,
+                                     senderOf_, rowOfSender_.size());
+    sunBesideMean_ = LightPairs(rows_.size(), std::move(making.sunParts));
     sees_.assign(ofRow_.size(), false);
-    isSender_.assign(rows_.size(), false);
+    isSeen_.assign(rowOfSender_.size(), false);
     for (std::size_t r = 0; r < rows_.size(); ++r) {
-        const auto [first, last] = pairs_->of(r);
+        const auto [first, last] = pairs().of(r);
         if (first != last || losses_[r].sky != 0.0)
             sees_[static_cast<std::size_t>(rows_[r])] = true;
         for (const LightPair* pair = first; pair != last; ++pair)
-            isSender_[pair->sender] = true;
+            isSeen_[pair->sender] = true;
     }
 }
 
@@ -227,16 +235,109 @@ void LightExchange::takeOwn(Making& making, std::size_t body, std::uint32_t patc
             (isUp ? told.sky : told.ground) +=
                 static_cast<double>(own.part * light.scalesOf(patch)[near]);
         }
+        tellOfSun(making, first + patch, body, ray.place, [&](auto add) {
+            for (const ExchangeNodes::Share& own : ExchangeNodes::OfPlace(nodes, start.from.place))
+                add(first + own.node,
+                    own.part * light.scalesOf(patch)[nodes.placeNear(patch, own.node)]);
+        });
     }
+    if (!making.sunParts.empty())
+        mergeParts(making.sunParts[first + patch]);
+}
+
+template <typename ForEachOwn>
+void LightExchange::tellOfSun(Making& making, std::uint32_t number, std::size_t metBody,
+                              const ExchangeMesh::Place& met, ForEachOwn forEachOwn) const {
+    if (making.sunParts.empty())
+        return;
+    const ExchangeNodes& nodes = bodies_[metBody].light->nodes();
+    float beside = making.sunOnCells[firstCell_[metBody] + met.cell];
+    std::uint32_t sender = 0;
+    for (const ExchangeNodes::Share& share : ExchangeNodes::OfPlace(nodes, met).ofSenders(nodes)) {
+        sender = firstSender_[metBody] + share.node;
+        beside -= share.part * static_cast<float>(sun_[sender]);
+    }
+    const auto row = static_cast<std::uint32_t>(rowOfSender_[sender]);
+    if (beside != 0.0f)
+        forEachOwn([&](std::uint32_t receiver, float part) {
+            making.sunParts[number].push_back({receiver, row, part * beside});
+        });
+}
+
+/// What falls on cells, and its means over senders.
+void LightExchange::takeSun(Making& making) {
+    const LightSources& sources = making.sources;
+    sun_.assign(senders(), sources.isSunOn ? std::max(sources.sunAlways, 0.0) : 0.0);
+    if (!sources.isSunOn || sources.sunAlways >= 0.0)
+        return;
+    making.sunOnCells.resize(corners_.size());
+    std::vector<double> area_m2(senders());
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const ExchangeNodes& nodes = bodies_[b].light->nodes();
+        const ExchangeMesh& mesh = nodes.mesh();
+        parallelForSmall(mesh.cells(), [&](std::uint32_t cell) {
+            if (mesh.seesAnything(cell))
+                making.sunOnCells[firstCell_[b] + cell] =
+                    static_cast<float>(sunOn(making, b, cell));
+        });
+        for (std::uint32_t cell = 0; cell < mesh.cells(); ++cell) {
+            if (!mesh.seesAnything(cell)) // nor does anything see it
+                continue;
+            const float sun = making.sunOnCells[firstCell_[b] + cell];
+            for (const std::uint32_t corner : mesh.corners(cell))
+                for (const ExchangeNodes::Share& share : nodes.sharesOf(corner)) {
+                    const std::uint32_t sender = senderOf_[firstReceiver_[b] + share.node];
+                    const double own_m2 =
+                        static_cast<double>(share.part) * mesh.area_m2(cell) / 3.0;
+                    area_m2[sender] += own_m2;
+                    sun_[sender] += own_m2 * static_cast<double>(sun);
+                }
+        }
+    }
+    for (std::size_t s = 0; s < senders(); ++s)
+        sun_[s] = area_m2[s] > 0.0 ? sun_[s] / area_m2[s] : 0.0;
+}
+
+double LightExchange::sunOn(const Making& making, std::size_t body, std::uint32_t cell) const {
+    const ExchangeMesh& mesh = bodies_[body].light->nodes().mesh();
+    const Vec3& towardsSun = making.sources.towardsSun;
+    const double cosine = dot(making.toWorld[body] * mesh.normal(cell), towardsSun);
+    if (!(cosine > 0.0) || !making.sources.isSunShadowed)
+        return std::max(cosine, 0.0);
+    const std::array<Vec3, 3> c = mesh.cornersAt_m(cell);
+    const Vec3 middle = (c[0] + c[1] + c[2]) * (1.0 / 3.0);
+    thread_local std::vector<int> through;
+    const auto isLit = [&](const Vec3& place) {
+        const Vec3 from_m =
+            making.casters[body].pose.toWorld(place + mesh.normal(cell) * mesh.lift_m());
+        for (std::size_t i = 0; i < making.casters.size(); ++i) {
+            const SunShadows::Caster& other = making.casters[i];
+            through.clear();
+            if (!other.mesh->letsPass({making.toMesh[i] * (from_m - other.pose.position_m),
+                                       making.toMesh[i] * towardsSun},
+                                      other.uses, nullptr, through))
+                return false;
+        }
+        return true;
+    };
+    double lit = isLit(middle) ? 1.0 : 0.0;
+    if (corners_.size() <= fewCells) {
+        // The middles of the four triangles between corners and middles of edges.
+        for (std::size_t i = 0; i < 3; ++i)
+            lit += isLit(middle * 0.5 + c[i] * 0.5) ? 1.0 : 0.0;
+        lit *= 0.25;
+    }
+    return cosine * lit;
 }
 
 void LightExchange::copyPairs(Making& making, std::size_t body) const {
-    const LightPairs& pairs = bodies_[body].light->pairs();
-    const std::uint32_t before = firstReceiver_[body];
+    const LightPairs& pairs = *bodies_[body].light->balance().pairs;
+    const std::uint32_t before = firstReceiver_[body], sendersBefore = firstSender_[body];
     for (std::uint32_t r = 0; r < pairs.receivers(); ++r) {
         const auto [first, last] = pairs.of(r);
         for (const LightPair* pair = first; pair != last; ++pair)
-            making.oneWay[before + r].push_back({before + r, before + pair->sender, pair->factor});
+            making.oneWay[before + r].push_back(
+                {before + r, sendersBefore + pair->sender, pair->factor});
     }
 }
 
@@ -333,23 +434,28 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
             isOneWay = isTransparent || leavesThroughBack(making, body, start.ray, nearest_m);
         isOneWay = isOneWay || nearestBack_m < nearest_m;
         std::vector<LightPart>& parts = (isOneWay ? making.oneWay : making.parts)[number];
-        const ExchangeNodes::OfPlace senders(bodies_[metBody].light->nodes(), place);
+        tellOfSun(making, number, metBody, place, [&](auto add) {
+            tell([&](std::uint32_t node, Making::Told&, float part) {
+                add(firstReceiver_[body] + node, part);
+            });
+        });
+        const ExchangeNodes& nodesThere = bodies_[metBody].light->nodes();
+        const auto senders = ExchangeNodes::OfPlace(nodesThere, place).ofSenders(nodesThere);
         tell([&](std::uint32_t node, Making::Told& told, float part) {
             (along.z > 0.0 ? told.sky : told.ground) += static_cast<double>(part);
             for (const ExchangeNodes::Share& sender : senders)
-                parts.push_back({firstReceiver_[body] + node, firstReceiver_[metBody] + sender.node,
+                parts.push_back({firstReceiver_[body] + node, firstSender_[metBody] + sender.node,
                                  part * sender.part});
         });
     }
     mergeParts(making.parts[number]);
     mergeParts(making.oneWay[number]);
+    if (!making.sunParts.empty())
+        mergeParts(making.sunParts[number]);
 }
 
 void LightExchange::takeLight(Making& making) {
     const LightSources& sources = making.sources;
-    sky_.assign(rows_.size(), 0.0);
-    ground_.assign(rows_.size(), 0.0);
-    sun_.assign(rows_.size(), 0.0);
     std::vector<Making::Told> sums(rows_.size());
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const ExchangeNodes& nodes = bodies_[b].light->nodes();
@@ -364,18 +470,19 @@ void LightExchange::takeLight(Making& making) {
                 Making::Told& sum = sums[firstReceiver_[b] + near[i].node];
                 sum.open_m2 += told.open_m2;
                 sum.weighted_m2 += told.weighted_m2;
-                sum.sun_m2 += told.sun_m2;
-                sum.sunKnown_m2 += told.sunKnown_m2;
             }
         }
     }
+    sky_.assign(senders(), 0.0);
+    ground_.assign(senders(), 0.0);
+    std::vector<double> area_m2(senders());
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         for (std::uint32_t r = firstReceiver_[b]; r < firstReceiver_[b + 1]; ++r) {
-            const double area_m2 = bodies_[b].light->nodes().areaOf_m2(r - firstReceiver_[b]);
-            if (!(area_m2 > 0.0))
+            const double own_m2 = bodies_[b].light->nodes().areaOf_m2(r - firstReceiver_[b]);
+            if (!(own_m2 > 0.0))
                 continue;
-            const double open = sums[r].open_m2 / area_m2;
-            const double weighted = sums[r].weighted_m2 / area_m2;
+            const double open = sums[r].open_m2 / own_m2;
+            const double weighted = sums[r].weighted_m2 / own_m2;
             // Published weights are those of what is seen, in the same ratio for what is not.
             Loss& loss = losses_[r];
             // Its own rays tell where others stand, those of all how much of it they fill.
@@ -385,34 +492,29 @@ void LightExchange::takeLight(Making& making) {
             loss.ground += (1.0 - up) * more;
             loss.sky *= open > 0.0 ? weighted / open : 0.0;
             loss.ground *= open < 1.0 ? (1.0 - weighted) / (1.0 - open) : 0.0;
-            if (!isSender_[r])
-                continue;
-            if (sources.isSkyOn) {
-                sky_[r] = weighted - loss.sky;
-                ground_[r] = 1.0 - weighted - loss.ground;
-            }
-            if (sources.isSunOn && sources.sunAlways >= 0.0)
-                sun_[r] = sources.sunAlways;
-            else if (sources.isSunOn && sums[r].sunKnown_m2 > 0.0)
-                sun_[r] = sums[r].sun_m2 / sums[r].sunKnown_m2;
+            const std::uint32_t sender = senderOf_[r];
+            area_m2[sender] += own_m2;
+            sky_[sender] += own_m2 * (weighted - loss.sky);
+            ground_[sender] += own_m2 * (1.0 - weighted - loss.ground);
         }
+    for (std::size_t s = 0; s < senders(); ++s) {
+        const bool isLit = sources.isSkyOn && isSeen(s) && area_m2[s] > 0.0;
+        sky_[s] = isLit ? sky_[s] / area_m2[s] : 0.0;
+        ground_[s] = isLit ? ground_[s] / area_m2[s] : 0.0;
+    }
 }
 
 void LightExchange::lightSide(Making& making, std::size_t body, std::uint32_t patch) const {
     const ExchangeNodes& nodes = bodies_[body].light->nodes();
     const LightSources& sources = making.sources;
-    const SunShadows::Caster& caster = making.casters[body];
     const Rotation& toWorld = making.toWorld[body];
-    const auto near = nodes.near(patch);
     std::vector<Making::Told>& told = making.told[firstReceiver_[body] + patch];
-    bool isSender = false, isOfMatter = false;
-    for (const ExchangeNodes::Near& one : near) {
-        const std::uint32_t receiver = firstReceiver_[body] + one.node;
-        isSender = isSender || isSender_[receiver];
-        isOfMatter = isOfMatter || isSender || !pairs_->isEmpty(receiver) ||
-                     losses_[receiver].sky != 0.0 || losses_[receiver].ground != 0.0;
-    }
-    if (!isOfMatter)
+    const auto isOfMatter = [&](const ExchangeNodes::Near& near) {
+        const std::uint32_t receiver = firstReceiver_[body] + near.node;
+        return isSeen(senderOf_[receiver]) || !pairs().isEmpty(receiver) ||
+               losses_[receiver].sky != 0.0 || losses_[receiver].ground != 0.0;
+    };
+    if (std::ranges::none_of(nodes.near(patch), isOfMatter))
         return;
     for (const std::uint32_t cell : nodes.cellsOf(patch)) {
         const double up = (toWorld * nodes.mesh().normal(cell)).z;
@@ -425,35 +527,6 @@ void LightExchange::lightSide(Making& making, std::size_t body, std::uint32_t pa
                 own.weighted_m2 += static_cast<double>(share.part) * weighted_m2;
             }
     }
-    if (!isSender || !sources.isSunOn || sources.sunAlways >= 0.0)
-        return;
-    const BodyLight::Rays rays(nodes, patch);
-    std::vector<double> lit(near.size()), all(near.size());
-    std::vector<int> through;
-    for (std::uint32_t i = 0; i < raysToSun; ++i) {
-        const ExchangeNodes::Start start = rays.at(i).from;
-        double light = std::max(dot(toWorld * start.normal, sources.towardsSun), 0.0);
-        const Vec3 from_m = caster.pose.toWorld(start.at_m);
-        for (std::size_t c = 0; sources.isSunShadowed && light > 0.0 && c < making.casters.size();
-             ++c) {
-            const SunShadows::Caster& other = making.casters[c];
-            const Rotation& toMesh = making.toMesh[c];
-            if (!other.mesh->letsPass(
-                    {toMesh * (from_m - other.pose.position_m), toMesh * sources.towardsSun},
-                    other.uses, nullptr, through))
-                light = 0.0;
-        }
-        for (const ExchangeNodes::Share& own : ExchangeNodes::OfPlace(nodes, start.place)) {
-            const std::size_t n = nodes.placeNear(patch, own.node);
-            lit[n] += static_cast<double>(own.part) * light;
-            all[n] += static_cast<double>(own.part);
-        }
-    }
-    for (std::size_t i = 0; i < near.size(); ++i)
-        if (all[i] > 0.0) {
-            told[i].sun_m2 += static_cast<double>(near[i].area_m2) * lit[i] / all[i];
-            told[i].sunKnown_m2 += static_cast<double>(near[i].area_m2);
-        }
 }
 
 } // namespace irsg

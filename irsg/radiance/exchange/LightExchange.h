@@ -42,8 +42,13 @@ class LightExchange {
     LightExchange(std::vector<Body> bodies, const std::vector<SunShadows::Caster>& casters,
                   const LightSources& sources, double error);
 
-    const LightPairs& pairs() const { return *pairs_; }
+    /// Of receivers, by sender.
+    const LightPairs& pairs() const { return *balance_.pairs; }
+    /// Of senders, by sender.
+    const LightPairs& between() const { return *balance_.between; }
     std::size_t receivers() const { return rows_.size(); }
+    std::size_t senders() const { return rowOfSender_.size(); }
+    int rowOfSender(std::size_t sender) const { return rowOfSender_[sender]; }
     /// The drawn row of a receiver, and its number among those of the row.
     int rowOf(std::size_t receiver) const { return rows_[receiver]; }
     std::uint32_t localOf(std::size_t receiver) const { return local_[receiver]; }
@@ -60,12 +65,16 @@ class LightExchange {
 
     const Loss& loss(std::size_t receiver) const { return losses_[receiver]; }
     /// Sky, ground and sun that falls on a sender, as factors.
-    double sky(std::size_t receiver) const { return sky_[receiver]; }
-    double ground(std::size_t receiver) const { return ground_[receiver]; }
-    double sun(std::size_t receiver) const { return sun_[receiver]; }
-    bool isSender(std::size_t receiver) const { return isSender_[receiver]; }
+    double sky(std::size_t sender) const { return sky_[sender]; }
+    double ground(std::size_t sender) const { return ground_[sender]; }
+    double sun(std::size_t sender) const { return sun_[sender]; }
+    /// What a receiver gets of the sun on others beside the means over senders, by their drawn row
+    /// in place of a sender: shadows have edges, and rays meet places.
+    const LightPairs& sunBesideMean() const { return sunBesideMean_; }
+    /// Whether anybody sees it.
+    bool isSeen(std::size_t sender) const { return isSeen_[sender]; }
     /// Part of the hemisphere of a receiver in which others stand.
-    double seen(std::size_t receiver) const { return pairs_->sumOf(receiver); }
+    double seen(std::size_t receiver) const { return pairs().sumOf(receiver); }
 
     /// Cells of a body's mesh begin at this number.
     std::uint32_t firstCell(std::size_t body) const { return firstCell_[body]; }
@@ -105,20 +114,30 @@ class LightExchange {
     void takeWithOthers(Making& making, std::size_t body, std::uint32_t patch) const;
     /// Whether a ray from a body, in its axes, meets one of its backs that are not there.
     static bool leavesThroughBack(const Making& making, std::size_t body, Ray ray, double upTo_m);
+    /// Tells those who get what a ray brings, by `forEachOwn(add(receiver, part))`, what the sun
+    /// gives where it ends beside the mean of the senders there.
+    template <typename ForEachOwn>
+    void tellOfSun(Making& making, std::uint32_t number, std::size_t metBody,
+                   const ExchangeMesh::Place& met, ForEachOwn forEachOwn) const;
+    void takeSun(Making& making);
+    /// On a cell, as a factor: cosine times how much of it is lit.
+    double sunOn(const Making& making, std::size_t body, std::uint32_t cell) const;
     void takeLight(Making& making);
     /// Light that falls on the nodes near a patch.
     void lightSide(Making& making, std::size_t body, std::uint32_t patch) const;
 
     std::vector<Body> bodies_;
-    std::vector<std::uint32_t> firstCell_, firstReceiver_;
+    std::vector<std::uint32_t> firstCell_, firstReceiver_, firstSender_;
     std::vector<std::array<std::uint32_t, 3>> corners_; // vertices of the scene, by cell
     std::vector<std::uint32_t> firstShare_;             // by vertex, and behind the last
     std::vector<ExchangeNodes::Share> shares_;          // of nodes of the scene
-    std::vector<int> rows_;
+    std::vector<int> rows_, rowOfSender_;
+    std::vector<std::uint32_t> senderOf_; // by receiver
     std::vector<std::uint32_t> local_;
     std::vector<std::vector<std::uint32_t>> ofRow_;
-    std::vector<bool> sees_, isSender_;
-    std::shared_ptr<const LightPairs> pairs_;
+    std::vector<bool> sees_, isSeen_;
+    LightBalance balance_;
+    LightPairs sunBesideMean_;
     std::vector<Loss> losses_;
     std::vector<double> sky_, ground_, sun_;
 };

@@ -57,19 +57,20 @@ LightResponse::LightResponse(const SceneLight& light, const SceneRadiometry& rad
             if (subBands_.of[i] == band)
                 own.push_back(nodes.first + i);
         const std::vector<double> sources = light.summedSources(own);
-        std::vector<float> sent(exchange.receivers() * width, 0.0f), largest_W_m2(width, 0.0f);
+        std::vector<float> sent(exchange.senders() * width, 0.0f), largest_W_m2(width, 0.0f);
         for (std::size_t g = 0; g < width; ++g)
-            for (const int row : reflectors_[g])
-                for (const std::uint32_t receiver : exchange.ofRow(row)) {
-                    if (!exchange.isSender(receiver))
-                        continue;
-                    const std::span<const float> gathered = light.solution().of(receiver);
-                    double falls_W_m2 = 0.0;
-                    for (std::size_t k = 0; k < gathered.size(); ++k)
-                        falls_W_m2 += static_cast<double>(gathered[k]) * sources[k];
-                    sent[receiver * width + g] = static_cast<float>(falls_W_m2);
-                    largest_W_m2[g] = std::max(largest_W_m2[g], sent[receiver * width + g]);
-                }
+            for (std::size_t s = 0; s < exchange.senders(); ++s) {
+                if (!exchange.isSeen(s) ||
+                    std::ranges::find(reflectors_[g], exchange.rowOfSender(s)) ==
+                        reflectors_[g].end())
+                    continue;
+                const std::span<const float> gathered = light.solution().ofSender(s);
+                double falls_W_m2 = 0.0;
+                for (std::size_t k = 0; k < gathered.size(); ++k)
+                    falls_W_m2 += static_cast<double>(gathered[k]) * sources[k];
+                sent[s * width + g] = static_cast<float>(falls_W_m2);
+                largest_W_m2[g] = std::max(largest_W_m2[g], sent[s * width + g]);
+            }
         for (std::size_t i = 0; i < sent.size(); ++i)
             if (largest_W_m2[i % width] > 0.0f)
                 sent[i] /= largest_W_m2[i % width];

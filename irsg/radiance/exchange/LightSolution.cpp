@@ -14,18 +14,28 @@ namespace {
 constexpr std::size_t receiverParts = 16;
 constexpr int mostIterations = 20'000;
 
-double patternOf(const LightExchange& exchange, std::size_t receiver, LightPattern pattern) {
+double patternOf(const LightExchange& exchange, std::size_t sender, LightPattern pattern) {
     switch (pattern) {
     case LightPattern::emission:
         return 1.0;
     case LightPattern::sun:
-        return exchange.sun(receiver);
+        return exchange.sun(sender);
     case LightPattern::sky:
-        return exchange.sky(receiver);
+        return exchange.sky(sender);
     case LightPattern::ground:
-        return exchange.ground(receiver);
+        return exchange.ground(sender);
     }
     return 0.0;
+}
+
+/// Calls work(i) for numbers below a count, on all cores.
+template <typename Work>
+void forEachInParts(std::size_t count, Work work) {
+    parallelFor(receiverParts, [&](std::size_t part) {
+        for (std::size_t i = beginOfPart(part, receiverParts, count);
+             i < beginOfPart(part + 1, receiverParts, count); ++i)
+            work(i, part);
+    });
 }
 
 } // namespace
@@ -34,28 +44,43 @@ LightSolution::LightSolution(const LightExchange& exchange, const std::vector<Li
                              const std::vector<std::vector<double>>& knots, int bounces,
                              double error)
     : columns_(columns.size()), knots_(knots.size()), places_(exchange.receivers(), none) {
-    const std::size_t receivers = exchange.receivers();
-    for (std::size_t r = 0; r < receivers; ++r)
+    for (std::size_t r = 0; r < exchange.receivers(); ++r)
         if (!exchange.pairs().isEmpty(r)) {
             places_[r] = receiver_.size();
             receiver_.push_back(r);
         }
+    const std::size_t senders = exchange.senders();
     gathered_.resize(receiver_.size() * columns_ * knots_);
-    std::vector<float> sent(receivers * columns_);
-    for (std::size_t r = 0; r < receivers; ++r)
+    ofSenders_.resize(senders * columns_ * knots_);
+    std::vector<float> sent(senders * columns_);
+    for (std::size_t s = 0; s < senders; ++s)
         for (std::size_t c = 0; c < columns_; ++c)
-            if (exchange.isSender(r) && columns[c].row == exchange.rowOf(r))
-                sent[r * columns_ + c] =
-                    static_cast<float>(patternOf(exchange, r, columns[c].pattern));
+            if (exchange.isSeen(s) && columns[c].row == exchange.rowOfSender(s))
+                sent[s * columns_ + c] =
+                    static_cast<float>(patternOf(exchange, s, columns[c].pattern));
     // Each knot begins with what the last one ended with: reflectivities differ little.
     std::vector<float> leaving;
     for (std::size_t knot = 0; knot < knots_; ++knot) {
         if (bounces > 0)
             leaving.clear();
-        const std::vector<float> all =
-            arriving(exchange, knots[knot], sent, columns_, bounces, error, leaving);
-        for (std::size_t p = 0; p < receiver_.size(); ++p)
-            std::copy_n(&all[p * columns_], columns_, &gathered_[(p * knots_ + knot) * columns_]);
+        iterate(exchange, knots[knot], sent, columns_, bounces, error, leaving);
+        const std::vector<float> all = arriving(exchange, leaving, columns_);
+        for (std::size_t p = 0; p < receiver_.size(); ++p) {
+            float* const own = &gathered_[(p * knots_ + knot) * columns_];
+            std::copy_n(&all[p * columns_], columns_, own);
+            if (exchange.sunBesideMean().size() == 0)
+                continue;
+            const auto [first, last] = exchange.sunBesideMean().of(receiver_[p]);
+            for (const LightPair* pair = first; pair != last; ++pair)
+                for (std::size_t c = 0; c < columns_; ++c)
+                    if (columns[c].pattern == LightPattern::sun &&
+                        columns[c].row == static_cast<int>(pair->sender))
+                        own[c] += pair->factor;
+        }
+        forEachInParts(senders, [&](std::size_t s, std::size_t) {
+            exchange.between().gather(s, leaving, columns_,
+                                      &ofSenders_[(s * knots_ + knot) * columns_]);
+        });
     }
 }
 
@@ -64,45 +89,51 @@ std::vector<float> LightSolution::arriving(const LightExchange& exchange,
                                            const std::vector<float>& sent, std::size_t width,
                                            int bounces, double error) const {
     std::vector<float> leaving;
-    return arriving(exchange, reflectivities, sent, width, bounces, error, leaving);
+    iterate(exchange, reflectivities, sent, width, bounces, error, leaving);
+    return arriving(exchange, leaving, width);
 }
 
 std::vector<float> LightSolution::arriving(const LightExchange& exchange,
-                                           const std::vector<double>& reflectivities,
-                                           const std::vector<float>& sent, std::size_t width,
-                                           int bounces, double error,
-                                           std::vector<float>& leaving) const {
+                                           const std::vector<float>& leaving,
+                                           std::size_t width) const {
+    std::vector<float> arrives(receiver_.size() * width);
+    forEachInParts(receiver_.size(), [&](std::size_t p, std::size_t) {
+        exchange.pairs().gather(receiver_[p], leaving, width, &arrives[p * width]);
+    });
+    return arrives;
+}
+
+void LightSolution::iterate(const LightExchange& exchange,
+                            const std::vector<double>& reflectivities,
+                            const std::vector<float>& sent, std::size_t width, int bounces,
+                            double error, std::vector<float>& leaving) {
     // A change from the last knot's is that of a first iteration, too.
     const int fewest = leaving.empty() ? 3 : 2;
     if (leaving.empty())
         leaving = sent;
-    std::vector<float> next = leaving, arrives(receiver_.size() * width);
+    std::vector<float> next = leaving;
+    std::vector<std::size_t> reflecting;
+    for (std::size_t s = 0; s < exchange.senders(); ++s)
+        if (exchange.isSeen(s) && !exchange.between().isEmpty(s))
+            reflecting.push_back(s);
+    std::vector<std::vector<float>> rooms(receiverParts, std::vector<float>(width));
     double before = 0.0;
-    for (int n = 1; n <= mostIterations; ++n) {
+    // What arrives after one bounce is what was sent: one step less.
+    for (int n = 1; n <= mostIterations && n != bounces; ++n) {
         std::array<float, receiverParts> changes{}, largest{};
-        parallelFor(receiverParts, [&](std::size_t part) {
-            float change = 0.0f, most = 0.0f;
-            for (std::size_t p = beginOfPart(part, receiverParts, receiver_.size());
-                 p < beginOfPart(part + 1, receiverParts, receiver_.size()); ++p) {
-                const std::size_t r = receiver_[p];
-                float* own = &arrives[p * width];
-                exchange.pairs().gather(r, leaving, width, own);
-                if (!exchange.isSender(r))
-                    continue;
-                const auto rho =
-                    static_cast<float>(reflectivities[static_cast<std::size_t>(exchange.rowOf(r))]);
-                for (std::size_t c = 0; c < width; ++c) {
-                    const float now = sent[r * width + c] + rho * own[c];
-                    change = std::max(change, std::abs(now - leaving[r * width + c]));
-                    most = std::max(most, now);
-                    next[r * width + c] = now;
-                }
+        forEachInParts(reflecting.size(), [&](std::size_t i, std::size_t part) {
+            const std::size_t s = reflecting[i];
+            float* own = rooms[part].data();
+            exchange.between().gather(s, leaving, width, own);
+            const auto rho = static_cast<float>(
+                reflectivities[static_cast<std::size_t>(exchange.rowOfSender(s))]);
+            for (std::size_t c = 0; c < width; ++c) {
+                const float now = sent[s * width + c] + rho * own[c];
+                changes[part] = std::max(changes[part], std::abs(now - leaving[s * width + c]));
+                largest[part] = std::max(largest[part], now);
+                next[s * width + c] = now;
             }
-            changes[part] = change;
-            largest[part] = most;
         });
-        if (n == bounces)
-            break;
         std::swap(leaving, next);
         const auto change = static_cast<double>(*std::ranges::max_element(changes));
         const double scale = std::max(static_cast<double>(*std::ranges::max_element(largest)), 1.0);
@@ -112,7 +143,6 @@ std::vector<float> LightSolution::arriving(const LightExchange& exchange,
             break;
         before = change;
     }
-    return arrives;
 }
 
 std::shared_ptr<const LightSolution>

@@ -45,25 +45,29 @@ class LightSolution {
         return at == none ? std::span<const float>()
                           : std::span(gathered_).subspan(at * columns_ * knots_, columns_ * knots_);
     }
+    /// The same of what a sender's surface receives as a whole.
+    std::span<const float> ofSender(std::size_t sender) const {
+        return std::span(ofSenders_).subspan(sender * columns_ * knots_, columns_ * knots_);
+    }
     /// What arrives at the places, after `bounces` or after all, of columns that senders send, by
-    /// receiver; by place, columns first.
+    /// sender; by place, columns first.
     std::vector<float> arriving(const LightExchange& exchange,
                                 const std::vector<double>& reflectivities,
                                 const std::vector<float>& sent, std::size_t width, int bounces,
                                 double error) const;
 
   private:
-    /// The same, beginning with what leaves senders, unless it is empty; `leaving` is then what
-    /// leaves them in the end.
-    std::vector<float> arriving(const LightExchange& exchange,
-                                const std::vector<double>& reflectivities,
-                                const std::vector<float>& sent, std::size_t width, int bounces,
-                                double error, std::vector<float>& leaving) const;
+    std::vector<float> arriving(const LightExchange& exchange, const std::vector<float>& leaving,
+                                std::size_t width) const;
+    /// What leaves senders in the end, beginning with `leaving` unless it is empty.
+    static void iterate(const LightExchange& exchange, const std::vector<double>& reflectivities,
+                        const std::vector<float>& sent, std::size_t width, int bounces,
+                        double error, std::vector<float>& leaving);
 
     std::size_t columns_, knots_;
     std::vector<std::size_t> places_;   // by receiver
     std::vector<std::size_t> receiver_; // by place
-    std::vector<float> gathered_;
+    std::vector<float> gathered_, ofSenders_;
 };
 
 /// Solutions that were asked for lately. They know neither bands nor temperatures: steps of time

@@ -119,12 +119,14 @@ bool SceneLight::matters(int drawn) const {
 
 void SceneLight::findColumns() {
     const std::vector<RadianceTerm>& terms = radiometry_.terms().terms;
+    std::vector<bool> sending(exchange_->rows());
+    for (std::size_t s = 0; s < exchange_->senders(); ++s)
+        if (exchange_->isSeen(s))
+            sending[static_cast<std::size_t>(exchange_->rowOfSender(s))] = true;
     for (int row = 0; row < static_cast<int>(exchange_->rows()); ++row) {
         if (exchange_->ofRow(row).empty())
             continue;
-        const bool sends = std::ranges::any_of(exchange_->ofRow(row), [&](std::uint32_t receiver) {
-            return exchange_->isSender(receiver);
-        });
+        const bool sends = sending[static_cast<std::size_t>(row)];
         const SurfaceSpectra& surface = radiometry_.surfaces()[static_cast<std::size_t>(row)];
         const AtmosphereSamples& air = radiometry_.air(radiometry_.rows().first(row));
         for (std::size_t t = 0; t < terms.size(); ++t) {
@@ -155,15 +157,16 @@ void SceneLight::findKnots(const RenderSettings& settings) {
     }
     // Rows that light is reflected at on its way, and how much of what they send comes back at
     // most.
+    std::vector<double> most(exchange_->rows());
+    for (std::size_t s = 0; s < exchange_->senders(); ++s)
+        if (exchange_->isSeen(s)) {
+            double& own = most[static_cast<std::size_t>(exchange_->rowOfSender(s))];
+            own = std::max(own, exchange_->between().sumOf(s));
+        }
     std::vector<std::pair<std::size_t, double>> rows;
-    for (int row = 0; row < static_cast<int>(exchange_->rows()); ++row) {
-        double most = 0.0;
-        for (const std::uint32_t receiver : exchange_->ofRow(row))
-            if (exchange_->isSender(receiver))
-                most = std::max(most, exchange_->seen(receiver));
-        if (most > 0.0)
-            rows.emplace_back(static_cast<std::size_t>(row), std::min(most, 1.0));
-    }
+    for (std::size_t row = 0; row < most.size(); ++row)
+        if (most[row] > 0.0)
+            rows.emplace_back(row, std::min(most[row], 1.0));
     const auto reflectivity = [&](std::size_t row, std::size_t node) {
         return pi * radiometry_.surfaces()[row].reflectance[node];
     };

@@ -17,17 +17,18 @@ namespace irsg {
 /// How finely the surfaces of a model are resolved where they exchange radiation.
 struct ExchangeResolution {
     /// Lengths on a surface times the root mean square of 1 / distance of what it sees.
-    double edgePerDistance = 0.5;
+    double edgePerDistance = 0.25;
     /// Longest edge of any, m; 0 for no matter. For what others light, which the body knows not.
     double longestEdge_m = 0.0;
     /// The shortest edge that a facet is divided down to, as a part of its longest.
     double shortestEdge = 1.0 / 64.0;
     /// Longest edge of what sees anything, of the extent of the model.
-    double longestOfExtent = 0.1;
-    /// What is small is divided less and has fewer nodes where there would be more.
-    std::size_t mostCells = 100'000, mostNodes = 4'000;
-    /// Lengths are down to a quarter of these where so many are enough.
-    std::size_t fewCells = 6'000, fewNodes = 1'200;
+    double longestOfExtent = 0.05;
+    /// What is small is divided less and has fewer nodes where there would be more. Of more than a
+    /// few, those near each other send as one.
+    std::size_t mostCells = 150'000, mostNodes = 16'000, mostSenders = 4'000;
+    /// Lengths are down to a quarter of these where so many are enough; so few senders send alone.
+    std::size_t fewCells = 16'000, fewNodes = 4'000, fewSenders = 1'000;
     /// Whether spaces inside are told apart, which nobody looks at from within.
     bool hasInsides = false;
     /// Whether there is nothing else near: then a convex body has no cells, which nobody lights.
