@@ -196,6 +196,81 @@ TEST_F(ExchangeMeshTest, AWallWithFreeEndsIsGoneAround) {
     }
 }
 
+TEST_F(ExchangeMeshTest, ASheetOfTwoCopiesCutsWhatLiesCloseBelowIt) {
+    // As propeller discs are drawn: each copy turns to one side, and both have the same edges.
+    const auto sheet = [](const Vec3& centre, double half_m) {
+        return joined(oneSidedPlate(centre, {half_m, 0, 0}, {0, half_m, 0}, {1, 1}),
+                      oneSidedPlate(centre, {0, half_m, 0}, {half_m, 0, 0}, {1, 1}));
+    };
+    const auto mesh = meshOf(joined(sheet({}, 1.0), sheet({0.2, 0.1, 1e-3}, 0.5)), false);
+    const auto isBelow = [](const Vec3& at_m, double off_m) {
+        return std::max(std::abs(at_m.x - 0.2), std::abs(at_m.y - 0.1)) < 0.5 + off_m;
+    };
+    int below = 0, beside = 0;
+    for (std::uint32_t cell = 0; cell < mesh->cells(); ++cell) {
+        const std::array<Vec3, 3> c = mesh->cornersAt_m(cell);
+        if (mesh->normal(cell).z < 0.9 || c[0].z > 5e-4) {
+            continue;
+        }
+        const bool isMiddleBelow = isBelow((c[0] + c[1] + c[2]) * (1.0 / 3.0), 0.0);
+        ++(isMiddleBelow ? below : beside);
+        for (const Vec3& corner : c) {
+            EXPECT_TRUE(isMiddleBelow ? isBelow(corner, 1e-4) : !isBelow(corner, -1e-4));
+        }
+    }
+    EXPECT_GT(below, 10);
+    EXPECT_GT(beside, 10);
+    EXPECT_FALSE(isReached(*mesh, {0.2, 0.1, 5e-4}, {-0.8, 0.1, 5e-4}));
+}
+
+TEST_F(ExchangeMeshTest, NodesOfManySendTogetherWithTheirOwnSide) {
+    const Triangles cabin = moved(boxMesh({1, 2, 3}, std::vector<IrCodes>(6, {1, 1})), {0.1, 0, 0});
+    ExchangeResolution resolution;
+    resolution.fewSenders = 100;
+    const ExchangeNodes nodes(std::shared_ptr<const ExchangeMesh>(meshOf(cabin)), resolution);
+    EXPECT_LT(nodes.senders(), nodes.nodes() / 2);
+    // Of each sender: where its surface is; its walls are a plane each.
+    std::vector<Vec3> sums(nodes.senders());
+    std::vector<int> counts(nodes.senders());
+    for (std::uint32_t cell = 0; cell < nodes.mesh().cells(); ++cell) {
+        for (const std::uint32_t corner : nodes.mesh().corners(cell)) {
+            for (const ExchangeNodes::Share& share : nodes.sharesOf(corner)) {
+                const std::uint32_t sender = nodes.senderOf(share.node);
+                sums[sender] = sums[sender] + nodes.mesh().normal(cell);
+                ++counts[sender];
+            }
+        }
+    }
+    for (std::size_t s = 0; s < sums.size(); ++s) {
+        ASSERT_GT(counts[s], 0);
+        EXPECT_NEAR(length(sums[s]) / counts[s], 1.0, 1e-9);
+    }
+    // Alone where they are few.
+    const ExchangeNodes few(std::shared_ptr<const ExchangeMesh>(meshOf(cabin)),
+                            {.fewSenders = 100'000});
+    EXPECT_EQ(few.senders(), few.nodes());
+}
+
+TEST_F(ExchangeMeshTest, SmoothingKeepsWhatIsTheSameEverywhereAndSumsOverSurfaces) {
+    const Triangles room = joined(boxMesh({1, 2, 3}, std::vector<IrCodes>(6, {1, 1})),
+                                  sphereMesh(0.5, 12, 24, {2, 2}));
+    const ExchangeNodes nodes(std::shared_ptr<const ExchangeMesh>(meshOf(room)), {});
+    std::vector<double> received_m2(nodes.nodes());
+    for (std::uint32_t n = 0; n < nodes.nodes(); ++n) {
+        if (nodes.areaOf_m2(n) == 0.0) {
+            continue;
+        }
+        EXPECT_NEAR(nodes.smoothing().sumOf(n), 1.0, 1e-5);
+        const auto [first, last] = nodes.smoothing().of(n);
+        for (const LightPair* pair = first; pair != last; ++pair) {
+            received_m2[pair->sender] += nodes.areaOf_m2(n) * static_cast<double>(pair->factor);
+        }
+    }
+    for (std::uint32_t n = 0; n < nodes.nodes(); ++n) {
+        EXPECT_NEAR(received_m2[n], nodes.areaOf_m2(n), 1e-5 * nodes.areaOf_m2(n) + 1e-9);
+    }
+}
+
 TEST_F(ExchangeMeshTest, WhatABodyHidesOfAnotherIsASurfaceOfItsOwn) {
     // A bar through a ball, both read with two sides: its middle is inside.
     const Triangles ball = sphereMesh(1.0, 16, 32, {1, 1});

@@ -117,3 +117,70 @@ TEST(LightBalance, AClosedRoomStaysClosedAndLightGoesEitherWay) {
     EXPECT_LT(std::sqrt(after / before), 0.3);
     EXPECT_GT(before, 0.0);
 }
+
+TEST(LightBalance, HitsThatContradictEachOtherDoNotRunAway) {
+    // What the second sees of the first, the first's own rays say is seen one way: no scales of
+    // both ends agree, and a third that was met once must not pay for it.
+    const std::vector<ReceiverRays> receivers{{1.0, 256.0}, {1.0, 256.0}, {0.1, 256.0}};
+    const LightPairs pairs = balanced(pairsOf(3, {{1, 0, 0.996f}, {1, 2, 0.004f}}),
+                                      pairsOf(3, {{0, 1, 1.0f}}), receivers);
+    EXPECT_LT(factor(pairs, 2, 1), 1.0);
+    for (std::uint32_t r = 0; r < 3; ++r) {
+        EXPECT_LE(pairs.sumOf(r), 1.0 + 1e-6) << r;
+    }
+}
+
+TEST(LightBalance, WhoSendsAloneIsBalancedAlone) {
+    const std::vector<ReceiverRays> receivers{{1.0, 64.0}, {2.0, 64.0}, {3.0, 64.0}};
+    const std::vector<std::uint32_t> itself{0, 1, 2};
+    const std::vector<LightPart> parts{{0, 1, 0.5f}, {1, 0, 0.2f}, {1, 2, 0.3f}, {2, 0, 0.1f}};
+    const LightPairs alone = balanced(pairsOf(3, parts), pairsOf(3, {}), receivers);
+    const LightBalance both =
+        balancedOfSenders(pairsOf(3, parts), pairsOf(3, {}), receivers, itself, 3);
+    EXPECT_EQ(both.pairs, both.between);
+    for (std::uint32_t r = 0; r < 3; ++r) {
+        for (std::uint32_t s = 0; s < 3; ++s) {
+            EXPECT_EQ(factor(*both.pairs, r, s), factor(alone, r, s));
+        }
+    }
+}
+
+TEST(LightBalance, ReceiversOfASenderKeepWhatTellsThemApart) {
+    // Two halves of a floor send as one; a wall of their size is met by 80 of 200 rays of the first
+    // and by 20 of the second's.
+    const std::vector<ReceiverRays> receivers{{0.5, 200.0}, {0.5, 200.0}, {1.0, 400.0}};
+    const std::vector<std::uint32_t> senderOf{0, 0, 1};
+    const LightBalance both =
+        balancedOfSenders(pairsOf(3, {{0, 1, 0.4f}, {1, 1, 0.1f}, {2, 0, 0.25f}}), pairsOf(3, {}),
+                          receivers, senderOf, 2);
+    EXPECT_NEAR(factor(*both.between, 0, 1), 0.25, 1e-6);
+    EXPECT_NEAR(factor(*both.between, 1, 0), 0.25, 1e-6);
+    EXPECT_NEAR(factor(*both.pairs, 0, 1), 0.4, 0.02);
+    EXPECT_NEAR(factor(*both.pairs, 1, 1), 0.1, 0.02);
+    EXPECT_NEAR(factor(*both.pairs, 2, 0), 0.25, 1e-6);
+}
+
+TEST(LightBalance, AClosedRoomStaysClosedForEachReceiver) {
+    // Six walls of four receivers each, which see the walls by 64 rays at random.
+    constexpr std::uint32_t walls = 6, parts = 4, rays = 64;
+    std::vector<ReceiverRays> receivers;
+    std::vector<std::uint32_t> senderOf;
+    std::vector<LightPart> met;
+    std::uint64_t draw = 0;
+    for (std::uint32_t r = 0; r < walls * parts; ++r) {
+        receivers.push_back({0.1 * (1 + r % 3), rays});
+        senderOf.push_back(r / parts);
+        for (std::uint32_t i = 0; i < rays; ++i) {
+            met.push_back(
+                {r, static_cast<std::uint32_t>(unitOf(5, {}, draw++) * walls), 1.0f / rays});
+        }
+    }
+    const LightBalance both = balancedOfSenders(
+        pairsOf(walls * parts, met), pairsOf(walls * parts, {}), receivers, senderOf, walls);
+    for (std::uint32_t r = 0; r < walls * parts; ++r) {
+        EXPECT_NEAR(both.pairs->sumOf(r), 1.0, 1e-6) << r;
+    }
+    for (std::uint32_t s = 0; s < walls; ++s) {
+        EXPECT_NEAR(both.between->sumOf(s), 1.0, 1e-5) << s;
+    }
+}

@@ -204,8 +204,9 @@ std::vector<ExchangeCase> sheets() {
                      {entityOfTriangles(joined(sheet({}, 1.0), sheet({0.2, 0.1, gap_m}, 0.5)),
                                         greyDatabase(emissivity, 330.0))},
                      0.0, 90.0));
-        if (gap_m < 1e-4)
+        if (gap_m < 1e-4) {
             cases.back().closedForm = emissivity * bandRadiance_W_m2_sr(band(), 330.0) * 4.0;
+        }
     }
     return cases;
 }
@@ -213,9 +214,9 @@ std::vector<ExchangeCase> sheets() {
 } // namespace
 
 std::vector<NamedCases> hardSurfaces() {
-    return {{"cover", coverLeak},   {"corner", corner}, {"walls", wallsOnFloor}, {"edge", edge},
-            {"cavities", cavities}, {"lip", lip},       {"box", hotBox},
-            {"sheets", sheets}};
+    return {{"cover", coverLeak}, {"corner", corner},     {"walls", wallsOnFloor},
+            {"edge", edge},       {"cavities", cavities}, {"lip", lip},
+            {"box", hotBox},      {"sheets", sheets}};
 }
 
 } // namespace irsg::test

@@ -155,6 +155,23 @@ ExchangeNodes::ExchangeNodes(std::shared_ptr<const ExchangeMesh> mesh,
     : mesh_(std::move(mesh)) {
     placeNodes(resolution);
     gatherPatches();
+    findSmoothing();
+}
+
+void ExchangeNodes::findSmoothing() {
+    std::vector<double> around_m2(mesh_->vertices().size());
+    for (std::uint32_t cell = 0; cell < mesh_->cells(); ++cell)
+        for (const std::uint32_t corner : mesh_->corners(cell))
+            around_m2[corner] += mesh_->area_m2(cell) / 3.0;
+    std::vector<LightPart> parts;
+    for (std::uint32_t v = 0; v < around_m2.size(); ++v)
+        for (const Share& one : sharesOf(v))
+            for (const Share& other : sharesOf(v))
+                if (area_m2_[one.node] > 0.0)
+                    parts.push_back({one.node, other.node,
+                                     one.part * other.part *
+                                         static_cast<float>(around_m2[v] / area_m2_[one.node])});
+    smoothing_ = LightPairs(nodes(), {std::move(parts)});
 }
 
 void ExchangeNodes::placeNodes(const ExchangeResolution& resolution) {

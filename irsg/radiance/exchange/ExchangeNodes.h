@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "irsg/radiance/exchange/LightPairs.h"
 #include "irsg/render/rays/ExchangeMesh.h"
 
 namespace irsg {
@@ -90,6 +91,9 @@ class ExchangeNodes {
     }
     /// The place of a node among these.
     std::size_t placeNear(std::uint32_t patch, std::uint32_t node) const;
+    /// What a node's mean over the places that it has a part of is made of: by node, the means of
+    /// what is between nodes there. Row sums are 1.
+    const LightPairs& smoothing() const { return smoothing_; }
     /// A place of a patch from three numbers that are even in (0, 1).
     Start start(std::uint32_t patch, double which, double a, double b) const;
 
@@ -108,6 +112,7 @@ class ExchangeNodes {
     void placeSenders(std::vector<OfPiece>& pieces, NodeSpacing spacing,
                       const ExchangeResolution& resolution);
     void gatherPatches();
+    void findSmoothing();
 
     std::shared_ptr<const ExchangeMesh> mesh_;
     double fineness_ = 1.0;
@@ -121,6 +126,7 @@ class ExchangeNodes {
     std::vector<double> areaUpTo_m2_;          // of a patch's cells, as they lie there
     std::vector<std::uint32_t> firstNear_;     // by patch
     std::vector<Near> near_;
+    LightPairs smoothing_;
 };
 
 } // namespace irsg

@@ -169,6 +169,23 @@ std::array<float, 3> LightExchange::openAt(std::uint32_t cell) const {
     return open;
 }
 
+void LightExchange::sharpen(std::vector<float>& values, std::size_t width) const {
+    const std::vector<float> before = values;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const LightPairs& smoothing = bodies_[b].light->nodes().smoothing();
+        const std::size_t first = firstReceiver_[b];
+        parallelForSmall(smoothing.receivers(), [&](std::uint32_t r) {
+            if (smoothing.isEmpty(r))
+                return;
+            std::vector<float> mean(width);
+            smoothing.gather(r, std::span(before).subspan(first * width), width, mean.data());
+            float* const own = &values[(first + r) * width];
+            for (std::size_t c = 0; c < width; ++c)
+                own[c] = 2.0f * own[c] - mean[c];
+        });
+    }
+}
+
 void LightExchange::takePairs(Making& making) {
     losses_.resize(rows_.size());
     making.parts.resize(rows_.size());
@@ -497,6 +514,15 @@ void LightExchange::takeLight(Making& making) {
             sky_[sender] += own_m2 * (weighted - loss.sky);
             ground_[sender] += own_m2 * (1.0 - weighted - loss.ground);
         }
+    std::vector<float> lost(2 * losses_.size());
+    for (std::size_t r = 0; r < losses_.size(); ++r) {
+        lost[2 * r] = static_cast<float>(losses_[r].sky);
+        lost[2 * r + 1] = static_cast<float>(losses_[r].ground);
+    }
+    sharpen(lost, 2);
+    for (std::size_t r = 0; r < losses_.size(); ++r)
+        if (!pairs().isEmpty(r)) // else it gets nothing in their place
+            losses_[r] = {static_cast<double>(lost[2 * r]), static_cast<double>(lost[2 * r + 1])};
     for (std::size_t s = 0; s < senders(); ++s) {
         const bool isLit = sources.isSkyOn && isSeen(s) && area_m2[s] > 0.0;
         sky_[s] = isLit ? sky_[s] / area_m2[s] : 0.0;

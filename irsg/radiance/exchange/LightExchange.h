@@ -71,6 +71,10 @@ class LightExchange {
     /// What a receiver gets of the sun on others beside the means over senders, by their drawn row
     /// in place of a sender: shadows have edges, and rays meet places.
     const LightPairs& sunBesideMean() const { return sunBesideMean_; }
+    /// Adds to what receivers have, `width` numbers by receiver, what two means took of it: that of
+    /// the places that a node has a part of, and that of the nodes that a place has a part of.
+    /// One step of van Cittert's; sums over surfaces stay.
+    void sharpen(std::vector<float>& values, std::size_t width) const;
     /// Whether anybody sees it.
     bool isSeen(std::size_t sender) const { return isSeen_[sender]; }
     /// Part of the hemisphere of a receiver in which others stand.

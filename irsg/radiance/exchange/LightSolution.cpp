@@ -96,10 +96,14 @@ std::vector<float> LightSolution::arriving(const LightExchange& exchange,
 std::vector<float> LightSolution::arriving(const LightExchange& exchange,
                                            const std::vector<float>& leaving,
                                            std::size_t width) const {
-    std::vector<float> arrives(receiver_.size() * width);
+    std::vector<float> all(exchange.receivers() * width);
     forEachInParts(receiver_.size(), [&](std::size_t p, std::size_t) {
-        exchange.pairs().gather(receiver_[p], leaving, width, &arrives[p * width]);
+        exchange.pairs().gather(receiver_[p], leaving, width, &all[receiver_[p] * width]);
     });
+    exchange.sharpen(all, width);
+    std::vector<float> arrives(receiver_.size() * width);
+    for (std::size_t p = 0; p < receiver_.size(); ++p)
+        std::copy_n(&all[receiver_[p] * width], width, &arrives[p * width]);
     return arrives;
 }
 

@@ -176,8 +176,8 @@ SunShadows::Place SunShadows::placeOf(const Source& source, const Vec3& eyeDirec
         const auto isOfRow = [&](int piece) {
             return caster.rows[static_cast<std::size_t>(piece)] == row;
         };
-        if (const auto hit = caster.mesh->seenAt(place.ray, {distance_m, near_m, off_m},
-                                                 caster.uses, isOfRow)) {
+        if (const auto hit =
+                caster.mesh->seenAt(place.ray, {distance_m, near_m, off_m}, caster.uses, isOfRow)) {
             place.hit = *hit;
             place.isFound = true;
         }
