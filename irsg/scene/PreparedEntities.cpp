@@ -81,10 +81,8 @@ std::shared_ptr<const BodyLight> PreparedModel::lightBetween(const PieceUses& us
         return known->light;
     if (auto held = knownBodyLight().find(*forRays(), uses, error, place))
         return light.add({uses, error, place, std::move(held)}).light;
-    // What is between nodes is off by the square of their distance.
-    constexpr double usualError = 0.005;
     ExchangeResolution resolution;
-    resolution.edgePerDistance *= std::clamp(std::sqrt(error / usualError), 0.25, 2.0);
+    resolution.edgePerDistance *= ExchangeResolution::spacingFor(error);
     resolution.isAlone = place == BodyPlace::alone;
     resolution.hasInsides = resolution.isAlone || place == BodyPlace::overTerrain;
     if (place == BodyPlace::amongOthers)

@@ -9,6 +9,7 @@
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/core/Errors.h"
 #include "irsg/render/background/FieldRays.h"
+#include "irsg/render/rays/ExchangeMesh.h"
 
 namespace irsg {
 
@@ -23,6 +24,9 @@ constexpr double errorPerDifference = 1.25;
 constexpr double errorPerDifferenceOfLobes = 2.5;
 /// Of the difference to bins that are the next narrower: those have an error, too.
 constexpr double ofNarrower = 1.5;
+/// Of what inter-reflection changes, at the usual RenderSettings::lightError: two standard
+/// deviations on models of others, see docs/errors.md.
+constexpr double ofExchange = 0.08;
 /// Standard deviations that an error is.
 constexpr double deviations = 2.0;
 
@@ -150,6 +154,34 @@ std::vector<double> ofBackground(const Frame& frame, std::size_t entity, const S
     return mean;
 }
 
+/// Of inter-reflection: a part of what it changes, the larger the farther nodes are apart.
+void addOfExchange(const Frame& frame, const ViewGeometry& factors, EvaluatedScene& evaluated,
+                   const SceneLight* light, const std::vector<int>& varying,
+                   const std::vector<ObjectSums>& sums, ErrorsByOutput& errors) {
+    if (light == nullptr)
+        return;
+    const std::vector<ObjectSums> without =
+        objectSums(factors, evaluated.radiances, nullptr, evaluated.radiometry.rows(),
+                   frame.evaluation().ranges_m(), varying);
+    double coarseness = 1.0;
+    for (const LightExchange::Body& body : light->exchange().bodies())
+        coarseness = std::max(coarseness, body.light->nodes().coarseness());
+    const double part =
+        ofExchange * coarseness * ExchangeResolution::spacingFor(frame.settings().lightError);
+    for (std::size_t o = 0; o < errors.size(); ++o)
+        for (std::size_t e = 0; e < errors[o].size(); ++e) {
+            const bool isAll = e + 1 == errors[o].size();
+            const ObjectRadiometry& with = isAll ? sums[o].all : sums[o].objects[e];
+            const ObjectRadiometry& alone = isAll ? without[o].all : without[o].objects[e];
+            const auto of = [&](double a, double b) { return part * std::abs(a - b); };
+            RadiometryErrors& own = errors[o][e];
+            own.intensity_W_sr.exchange = of(with.intensity_W_sr, alone.intensity_W_sr);
+            own.contrastIntensity_W_sr.exchange =
+                of(with.contrastIntensity_W_sr, alone.contrastIntensity_W_sr);
+            own.irradiance_W_m2.exchange = of(with.irradiance_W_m2, alone.irradiance_W_m2);
+        }
+}
+
 bool knowsBackground(const Scene& scene) {
     const RenderSettings& settings = scene.settings;
     const bool isGrid = settings.backgroundRows * settings.backgroundColumns != 1;
@@ -170,6 +202,8 @@ ErrorsByOutput RenderErrorEstimator::ofBands(const Frame& frame, const ViewGeome
                                       : other_.of(own, frame.request.bands.front()));
     addOfAtmosphere(frame, factors, sums, errors);
     addOfBackground(frame, sums, errors);
+    addOfExchange(frame, factors, *frame.evaluation().evaluated, frame.light(),
+                  frame.backgrounds.numbersOfVarying(), sums, errors);
     return errors;
 }
 
@@ -342,6 +376,7 @@ ErrorsByOutput RenderErrorEstimator::ofSpectrum(const Frame& frame, const ViewGe
     const std::vector<double> ranges_m = frame.evaluation().ranges_m();
     const std::vector<int> uniform(sums.size(), -1);
     ErrorsByOutput errors = ofSamples(frame, factors, *evaluated.scene, light, uniform);
+    addOfExchange(frame, factors, *evaluated.scene, light, uniform, sums, errors);
 
     // Sums along other paths and as they are, both without light between surfaces.
     const auto sumsAlong = [&](const std::vector<ObjectGeometry>& geometry) {

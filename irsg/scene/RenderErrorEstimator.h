@@ -15,8 +15,9 @@ namespace irsg {
 /// By output the errors of each entity, then those of all together.
 using ErrorsByOutput = std::vector<std::vector<RadiometryErrors>>;
 
-/// Says how wrong the sums of a view may be, for their samples, their atmosphere and what is behind
-/// the objects. Keeps the same atmospheres in other spectral bins, and scenes in them.
+/// Says how wrong the sums of a view may be, for their samples, their atmosphere, what is behind
+/// the objects and the light between them. Keeps the same atmospheres in other spectral bins, and
+/// scenes in them.
 class RenderErrorEstimator {
   public:
     /// All must live as long; `occluderStacks` may grow.

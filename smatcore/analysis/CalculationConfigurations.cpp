@@ -138,7 +138,8 @@ StatedErrors ProbedViews::stated(const Reports& numbers,
             largest.sampling = std::max(largest.sampling, partOf(error.sampling, number));
             largest.air = std::max(largest.air, partOf(error.air, number));
             largest.background = std::max(largest.background, partOf(error.background, number));
-            largest.sum = std::max(largest.sum, partOf(error.sum(), number));
+            // What inter-reflection is off by, no choice of samples, air or background changes.
+            largest.sum = std::max(largest.sum, partOf(error.withoutExchange(), number));
         };
         take(all.errors->intensity_W_sr, all.intensity_W_sr);
         take(all.errors->contrastIntensity_W_sr,

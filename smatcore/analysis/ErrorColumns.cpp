@@ -25,12 +25,12 @@ std::vector<const char*> errorPrefixes(ErrorColumns columns) {
     case ErrorColumns::causes:
         break;
     }
-    return {"error_", "error_sampling_", "error_air_", "error_background_"};
+    return {"error_", "error_sampling_", "error_air_", "error_background_", "error_exchange_"};
 }
 
 irsg::ErrorParts unknownError() {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    return {unknown, unknown, unknown};
+    return {unknown, unknown, unknown, unknown};
 }
 
 void appendError(std::vector<double>& row, const irsg::ErrorParts& error, ErrorColumns columns) {
@@ -38,7 +38,7 @@ void appendError(std::vector<double>& row, const irsg::ErrorParts& error, ErrorC
         return;
     row.push_back(error.sum());
     if (columns == ErrorColumns::causes)
-        row.insert(row.end(), {error.sampling, error.air, error.background});
+        row.insert(row.end(), {error.sampling, error.air, error.background, error.exchange});
 }
 
 void appendErrors(std::vector<double>& row, const std::optional<irsg::RadiometryErrors>& errors,
@@ -61,6 +61,7 @@ void describeErrors(const irsg::RadiometryErrors& errors, irsg::RadianceImage& i
         set("error_sampling_", error.sampling);
         set("error_air_", error.air);
         set("error_background_", error.background);
+        set("error_exchange_", error.exchange);
     };
     add(errors.intensity_W_sr, irsg::Quantity::intensity, "W_sr");
     add(errors.contrastIntensity_W_sr, irsg::Quantity::contrastIntensity, "W_sr");

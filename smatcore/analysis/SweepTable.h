@@ -14,8 +14,8 @@ namespace smat {
 /// those of each object where there are several: `intensity`, or `intensity@3-5um` of one of
 /// several bands, and `NAME.range`, `NAME.intensity@3-5um`, ... of an object at its own range.
 /// Behind the numbers of a band, where they are asked for, their errors, `error_intensity@3-5um`,
-/// and those by cause, `error_sampling_intensity@3-5um`, `error_air_...`, `error_background_...`;
-/// not a number where a source does not know them.
+/// and those by cause, `error_sampling_intensity@3-5um`, `error_air_...`, `error_background_...`,
+/// `error_exchange_...`; not a number where a source does not know them.
 /// Names of objects are made distinct as distinctLabels does.
 class SweepTable {
   public:

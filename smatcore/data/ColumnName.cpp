@@ -13,8 +13,9 @@ namespace smat {
 
 namespace {
 
-constexpr std::array prefixes{"error_sampling_", "error_air_",  "error_background_",
-                              "error_",          "difference_", "relative_difference_"};
+constexpr std::array prefixes{"error_sampling_",     "error_air_", "error_background_",
+                              "error_exchange_",     "error_",     "difference_",
+                              "relative_difference_"};
 
 bool isQuantity(std::string_view key) {
     for (int i = 0; i < static_cast<int>(irsg::Quantity::dimensionless); ++i)

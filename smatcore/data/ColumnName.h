@@ -14,8 +14,8 @@ class ResultTable;
 /// column is the sum of all), the band in tables of several bands. What stands before a point is an
 /// object only where a known quantity follows.
 struct ColumnName {
-    /// "error_", of one cause "error_sampling_", "error_air_" or "error_background_",
-    /// "difference_", "relative_difference_" or "".
+    /// "error_", of one cause "error_sampling_", "error_air_", "error_background_" or
+    /// "error_exchange_", "difference_", "relative_difference_" or "".
     std::string prefix;
     std::string object;   ///< "near", or ""
     std::string quantity; ///< "contrast_intensity"

@@ -37,6 +37,7 @@ std::string ResultColumn::axisTitle() const {
         {"error_sampling_", "Error by sampling of "},
         {"error_air_", "Error by air of "},
         {"error_background_", "Error by background of "},
+        {"error_exchange_", "Error by inter-reflection of "},
         {"relative_difference_", "Relative difference of "},
         {"difference_", "Difference of "}};
     const ColumnName parts = ColumnName::of(key);

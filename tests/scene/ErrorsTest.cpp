@@ -10,6 +10,7 @@
 #include "irsg/radiance/ViewGeometry.h"
 #include "irsg/radiometry/Units.h"
 #include "tests/support/RandomScenes.h"
+#include "tests/support/RaysTest.h"
 #include "tests/support/SampleAircraft.h"
 #include "tests/support/SceneFixtures.h"
 #include "tests/support/WidebandScenes.h"
@@ -78,6 +79,8 @@ RenderReport measured(InteractiveRenderer& irsg, bool errors, bool alongRange = 
         .get()
         .reports.front();
 }
+
+class ErrorsOfExchange : public RaysTest {};
 
 } // namespace
 
@@ -266,4 +269,33 @@ TEST(ErrorsOfScenes, OfTheBackgroundAreThoseOfAHorizonBehindTheObject) {
     EXPECT_GE(rough.errors->contrastIntensity_W_sr.sum(), wrong);
     EXPECT_LT(fine.errors->contrastIntensity_W_sr.background,
               0.5 * rough.errors->contrastIntensity_W_sr.background);
+}
+
+TEST_F(ErrorsOfExchange, ArePartOfWhatItChanges) {
+    InteractiveRenderer irsg;
+    const Triangles corner = joined(plateMesh({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1}),
+                                    plateMesh({0, 1, 1}, {1, 0, 0}, {0, 0, -1}, {1, 1}));
+    irsg.scene.entities = {entityOf(modelOf(corner), greyDatabase(0.5, 400.0))};
+    irsg.scene.settings.ambientReflection = ReflectionMode::off;
+    look(irsg, {.range_m = 300.0, .fieldOfView_rad = 0.03});
+    const ObjectRadiometry with = measured(irsg, true).all;
+    irsg.scene.settings.bounces = 0;
+    const ObjectRadiometry without = measured(irsg, true).all;
+    const double changed = with.intensity_W_sr - without.intensity_W_sr;
+    EXPECT_GT(changed, 0.01 * without.intensity_W_sr);
+    EXPECT_EQ(without.errors->intensity_W_sr.exchange, 0.0);
+    EXPECT_GT(with.errors->intensity_W_sr.exchange, 0.0);
+    EXPECT_LT(with.errors->intensity_W_sr.exchange, 0.2 * changed);
+    EXPECT_NEAR(with.errors->irradiance_W_m2.exchange,
+                with.errors->intensity_W_sr.exchange / (300.0 * 300.0),
+                1e-2 * with.errors->irradiance_W_m2.exchange);
+    // Less of it where less is asked for.
+    irsg.scene.settings.bounces = RenderSettings{}.bounces;
+    irsg.scene.settings.lightError = 0.1 * RenderSettings{}.lightError;
+    const ObjectRadiometry finer = measured(irsg, true).all;
+    EXPECT_LT(finer.errors->intensity_W_sr.exchange, 0.5 * with.errors->intensity_W_sr.exchange);
+    // Of a single convex body there is nothing.
+    irsg.scene.entities = {
+        entityOf(modelOf(sphereMesh(1.0, 24, 48, {1, 1})), greyDatabase(0.5, 400.0))};
+    EXPECT_EQ(measured(irsg, true).all.errors->intensity_W_sr.exchange, 0.0);
 }

@@ -96,7 +96,11 @@ BodyLight::BodyLight(std::shared_ptr<const ExchangeNodes> nodes, const PieceUses
     : nodes_(std::move(nodes)) {
     std::vector<Sending> sendings(nodes_->nodes());
     // Small nodes need fewer rays each: what a view sums is off by less than any of them.
-    refine(sendings, Uses{uses}, error / std::sqrt(std::sqrt(0.5 * nodes_->fineness())));
+    const double perSender = static_cast<double>(nodes_->nodes()) /
+                             static_cast<double>(std::max<std::size_t>(nodes_->senders(), 1));
+    refine(sendings, Uses{uses},
+           error * std::max(std::sqrt(perSender),
+                            1.0 / std::sqrt(std::sqrt(0.5 * nodes_->fineness()))));
     gather(sendings);
 }
 

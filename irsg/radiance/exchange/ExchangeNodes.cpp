@@ -189,12 +189,14 @@ void ExchangeNodes::placeNodes(const ExchangeResolution& resolution) {
     double area_m2 = 0.0;
     for (std::uint32_t cell = 0; cell < mesh_->cells(); ++cell)
         area_m2 += mesh_->area_m2(cell);
+    bool isLimited = false;
     const auto spacingWith = [&](double fineness, double least_m) {
         NodeSpacing spacing{fineness * resolution.edgePerDistance, least_m,
                             fineness * resolution.longestOfExtent * mesh_->extent_m()};
         if (resolution.longestEdge_m > 0.0)
             spacing.longest_m = std::min(spacing.longest_m, resolution.longestEdge_m);
         spacing.longest_m = std::max(spacing.longest_m, least_m);
+        spacing.spareDark = isLimited;
         return spacing;
     };
     const auto nodesWith = [&](double fineness, double least_m) {
@@ -207,8 +209,11 @@ void ExchangeNodes::placeNodes(const ExchangeResolution& resolution) {
     while (fineness_ < 0.99 && nodesWith(fineness_, least_m) > resolution.fewNodes)
         fineness_ = fineness_ * std::sqrt(2.0);
     while (fineness_ >= 0.99 && nodesWith(1.0, least_m) > resolution.mostNodes &&
-           least_m < mesh_->extent_m())
-        least_m *= 1.3;
+           least_m < mesh_->extent_m()) {
+        isLimited = true;
+        least_m *= 1.2;
+    }
+    coarseness_ = 4.0 * least_m / std::sqrt(area_m2 / static_cast<double>(resolution.mostNodes));
     parallelFor(pieces.size(), [&](std::size_t p) { share(pieces[p], *mesh_); });
 
     std::vector<std::pair<const std::vector<Share>*, std::uint32_t>> ofVertex(vertices.size());
@@ -275,10 +280,14 @@ void ExchangeNodes::place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSp
         return mesh.vertices()[piece.vertices[i]];
     };
     piece.apart_m.clear();
-    for (std::size_t i = 0; i < piece.vertices.size(); ++i)
+    for (std::size_t i = 0; i < piece.vertices.size(); ++i) {
+        const double darkness =
+            spacing.spareDark ? 1.0 / std::max(static_cast<double>(vertexAt(i).open), 0.25) : 1.0;
+        const double least_m = std::min(darkness * spacing.least_m, spacing.longest_m);
         piece.apart_m.push_back(std::clamp(
             spacing.edgePerDistance / std::sqrt(std::max(vertexAt(i).nearness_per_m2, 1e-30)),
-            spacing.least_m, spacing.longest_m));
+            least_m, spacing.longest_m));
+    }
     piece.nodes.clear();
     constexpr auto nobody = std::numeric_limits<std::size_t>::max();
     piece.coveredBy.assign(piece.vertices.size(), nobody);

@@ -45,6 +45,8 @@ class ExchangeNodes {
     std::size_t nodes() const { return pieceOf_.size(); }
     /// Of the lengths of the resolution: what nodes are apart in units of what they may be.
     double fineness() const { return fineness_; }
+    /// How much farther nodes are apart at least than is wanted, since they would be too many.
+    double coarseness() const { return coarseness_; }
     int pieceOf(std::uint32_t node) const { return static_cast<int>(pieceOf_[node]); }
     std::span<const Share> sharesOf(std::uint32_t vertex) const {
         return std::span(shares_).subspan(firstShare_[vertex],
@@ -102,6 +104,8 @@ class ExchangeNodes {
     /// How far apart nodes are: as what they see is far away, within bounds.
     struct NodeSpacing {
         double edgePerDistance = 0.0, least_m = 0.0, longest_m = 0.0;
+        /// The least is more where little can be seen from outside.
+        bool spareDark = false;
     };
     void placeNodes(const ExchangeResolution& resolution);
     /// How many nodes of all pieces turn to no space inside.
@@ -115,7 +119,7 @@ class ExchangeNodes {
     void findSmoothing();
 
     std::shared_ptr<const ExchangeMesh> mesh_;
-    double fineness_ = 1.0;
+    double fineness_ = 1.0, coarseness_ = 1.0;
     std::vector<std::uint32_t> pieceOf_;  // by node
     std::vector<std::uint32_t> senderOf_; // by node
     std::size_t senders_ = 0;

@@ -98,6 +98,9 @@ struct ExchangeMesh::Making {
         std::uint32_t rays = 1;
         std::vector<Vec3> seen_m;
 
+        float open() const {
+            return 1.0f - static_cast<float>(seen_m.size()) / static_cast<float>(rays);
+        }
         double nearnessAt_per_m2(const Vec3& place_m) const {
             double sum_per_m2 = 0.0;
             for (const Vec3& seen : seen_m) {
@@ -744,12 +747,14 @@ void ExchangeMesh::joinVertices(Making& making) {
                                      c[i],
                                      {},
                                      0.0,
+                                     0.0f,
                                      making.spaces[making.firstPart[side] + part]});
             }
             Vertex& vertex = vertices_[corners_[cell][i] = number];
             vertex.normal = vertex.normal + sides_[side].normal * area_m2;
             vertex.nearness_per_m2 =
                 std::max(vertex.nearness_per_m2, probe.nearnessAt_per_m2(c[i]));
+            vertex.open = std::max(vertex.open, probe.open());
         }
     }
     for (Vertex& vertex : vertices_)

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -33,6 +35,13 @@ struct ExchangeResolution {
     bool hasInsides = false;
     /// Whether there is nothing else near: then a convex body has no cells, which nobody lights.
     bool isAlone = false;
+
+    /// Of lengths where view factors are wanted with an error: what is between nodes is off by the
+    /// square of their distance.
+    static double spacingFor(double error) {
+        constexpr double usualError = 0.005;
+        return std::clamp(std::sqrt(error / usualError), 0.25, 2.0);
+    }
 };
 
 /// The surface of a model as inter-reflection is computed on it: the sides of its facets, divided
@@ -53,6 +62,8 @@ class ExchangeMesh {
         Vec3 at_m, normal; ///< to the side; the mean of those of the cells, as areas count
         /// Mean square of 1 / distance of what is seen from there.
         double nearness_per_m2 = 0.0;
+        /// Part of the rays about it that leave the model.
+        float open = 1.0f;
         /// 0, or the number of the space inside that the side turns to: one from which no ray was
         /// found to leave the model.
         std::uint32_t space = 0;

@@ -11,10 +11,12 @@ struct ErrorParts {
     double sampling = 0.0;   ///< samples of pixels, windows and distances
     double air = 0.0;        ///< spectral grid or quadrature points, and slices of range
     double background = 0.0; ///< lines of sight of the background
+    double exchange = 0.0;   ///< nodes and rays of inter-reflection
 
-    double sum() const { return std::hypot(sampling, air, background); }
+    double sum() const { return std::hypot(withoutExchange(), exchange); }
+    double withoutExchange() const { return std::hypot(sampling, air, background); }
     ErrorParts times(double factor) const {
-        return {factor * sampling, factor * air, factor * background};
+        return {factor * sampling, factor * air, factor * background, factor * exchange};
     }
 };
 
