@@ -4,6 +4,7 @@
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/Output.h"
 #include "apps/smat-batch/PlacingOptions.h"
+#include "irsg/geometry/mesh/MeshSurfaces.h"
 #include "irsg/geometry/model/Model.h"
 #include "irsg/geometry/model/PlacingGuess.h"
 #include "smatcore/project/JsonWriting.h"
@@ -23,6 +24,45 @@ nlohmann::ordered_json guessJson(const irsg::PlacingGuess& guess) {
     json["reasons"] = guess.reasons;
     return json;
 }
+
+/// What all surfaces of a model have together.
+struct Surfaces {
+    std::size_t all = 0, closed = 0;
+    std::size_t facets = 0, twoSided = 0, twoSidedOfClosed = 0;
+    std::size_t openEdges = 0, flippedEdges = 0;
+
+    explicit Surfaces(const irsg::Mesh& mesh) {
+        for (const irsg::MeshSurface& one : irsg::surfacesOf(mesh)) {
+            ++all;
+            closed += one.isClosed() ? 1 : 0;
+            facets += one.facets;
+            twoSided += one.twoSidedFacets;
+            twoSidedOfClosed += one.isClosed() ? one.twoSidedFacets : 0;
+            openEdges += one.openEdges;
+            flippedEdges += one.flippedEdges;
+        }
+    }
+    nlohmann::ordered_json json() const {
+        return {{"count", all},
+                {"closed", closed},
+                {"triangles", facets},
+                {"two_sided_triangles", twoSided},
+                {"two_sided_triangles_of_closed", twoSidedOfClosed},
+                {"open_edges", openEdges},
+                {"flipped_edges", flippedEdges}};
+    }
+    void print() const {
+        fmt::print("  surfaces: {}, of which {} closed; {} open edges\n", all, closed, openEdges);
+        if (twoSided > 0)
+            fmt::print(
+                "    {} of {} triangles are seen from both sides, {} of them on closed surfaces, "
+                "whose inside keeps its light\n",
+                twoSided, facets, twoSidedOfClosed);
+        if (flippedEdges > 0)
+            fmt::print("    at {} edges two triangles turn their fronts to different sides\n",
+                       flippedEdges);
+    }
+};
 
 int modelInfo(const std::string& file, const irsg::ModelOptions& options, Context& context) {
     std::shared_ptr<irsg::Model> model;
@@ -46,6 +86,7 @@ int modelInfo(const std::string& file, const irsg::ModelOptions& options, Contex
                                                    {"min_m", {box.min.x, box.min.y, box.min.z}},
                                                    {"max_m", {box.max.x, box.max.y, box.max.z}},
                                                    {"codes", codes},
+                                                   {"surfaces", Surfaces(*model->mesh()).json()},
                                                    {"placing", placingJson(model->placing())},
                                                    {"guess", guessJson(guess)},
                                                    {"remarks", model->remarks()}}));
@@ -66,6 +107,7 @@ int modelInfo(const std::string& file, const irsg::ModelOptions& options, Contex
         area_m2 += use.area_m2;
     }
     fmt::print("  {:>25} {:>8} {:>14.6g}\n", "all", faces, area_m2);
+    Surfaces(*model->mesh()).print();
     const auto& axes = irsg::modelAxisNames();
     const auto placed = [&](const irsg::ModelPlacing& as) {
         return fmt::format("up {}, nose {}, unit {} m", axes[static_cast<std::size_t>(*as.up)],
@@ -85,7 +127,8 @@ int modelInfo(const std::string& file, const irsg::ModelOptions& options, Contex
 void addModelCommand(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("model", "Looks into a model");
     command->require_subcommand(1);
-    CLI::App* infoCommand = command->add_subcommand("info", "Size, codes, faces and areas");
+    CLI::App* infoCommand =
+        command->add_subcommand("info", "Size, codes, faces, areas and surfaces");
     auto file = std::make_shared<std::string>();
     infoCommand->add_option("FILE", *file, "Model")->required()->type_name("");
     auto placing = std::make_shared<PlacingOptions>(*infoCommand);

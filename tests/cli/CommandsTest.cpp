@@ -68,6 +68,24 @@ TEST(SmatBatch, ModelInfoCountsFacesByCode) {
     EXPECT_EQ(faces, 862);
 }
 
+TEST(SmatBatch, ModelInfoTellsWhatIsClosedAndSeenFromBothSides) {
+    const std::string file = sample("turboprop4/turboprop4.flt");
+    const auto surfaces =
+        nlohmann::json::parse(smatBatch({"model", "info", file, "--json"}).out)["surfaces"];
+    EXPECT_GT(surfaces["count"].get<int>(), 1);
+    EXPECT_LE(surfaces["closed"].get<int>(), surfaces["count"].get<int>());
+    EXPECT_NE(smatBatch({"model", "info", file})
+                  .out.find("  surfaces: " + surfaces["count"].dump() + ", of which"),
+              std::string::npos);
+    // The same as STL, which knows no sides: all are seen from both.
+    const TemporaryFolder folder;
+    ASSERT_EQ(smatBatch({"convert", file, folder / "a.stl"}).exitCode, 0);
+    const auto stl = nlohmann::json::parse(
+        smatBatch({"model", "info", folder / "a.stl", "--json"}).out)["surfaces"];
+    EXPECT_EQ(stl["two_sided_triangles"], stl["triangles"]);
+    EXPECT_EQ(surfaces["two_sided_triangles_of_closed"], 0);
+}
+
 TEST(SmatBatch, ConvertKeepsCodesThroughEveryFormat) {
     const TemporaryFolder folder;
     const auto codesOf = [](const std::filesystem::path& file) {

@@ -273,10 +273,12 @@ TEST(ErrorsOfScenes, OfTheBackgroundAreThoseOfAHorizonBehindTheObject) {
 
 TEST_F(ErrorsOfExchange, ArePartOfWhatItChanges) {
     InteractiveRenderer irsg;
-    const Triangles corner = joined(plateMesh({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1}),
-                                    plateMesh({0, 1, 1}, {1, 0, 0}, {0, 0, -1}, {1, 1}));
-    irsg.scene.entities = {entityOf(modelOf(corner), greyDatabase(0.5, 400.0))};
+    // Whoever looks, plates that cross are seen with others before them.
+    const Triangles cross = joined(plateMesh({}, {1, 0, 0}, {0, 0.7, 0.7}, {1, 1}),
+                                   plateMesh({}, {1, 0, 0}, {0, 0.7, -0.7}, {1, 1}));
+    irsg.scene.entities = {entityOf(modelOf(cross), greyDatabase(0.5, 400.0))};
     irsg.scene.settings.ambientReflection = ReflectionMode::off;
+    irsg.scene.settings.bounces = convergedBounces;
     look(irsg, {.range_m = 300.0, .fieldOfView_rad = 0.03});
     const ObjectRadiometry with = measured(irsg, true).all;
     irsg.scene.settings.bounces = 0;
@@ -290,7 +292,7 @@ TEST_F(ErrorsOfExchange, ArePartOfWhatItChanges) {
                 with.errors->intensity_W_sr.exchange / (300.0 * 300.0),
                 1e-2 * with.errors->irradiance_W_m2.exchange);
     // Less of it where less is asked for.
-    irsg.scene.settings.bounces = RenderSettings{}.bounces;
+    irsg.scene.settings.bounces = convergedBounces;
     irsg.scene.settings.lightError = 0.1 * RenderSettings{}.lightError;
     const ObjectRadiometry finer = measured(irsg, true).all;
     EXPECT_LT(finer.errors->intensity_W_sr.exchange, 0.5 * with.errors->intensity_W_sr.exchange);

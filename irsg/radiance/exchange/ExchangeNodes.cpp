@@ -9,6 +9,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "irsg/core/JoinedNumbers.h"
 #include "irsg/core/ParallelFor.h"
 
 namespace irsg {
@@ -62,31 +63,16 @@ class Neighbourhood {
 
 /// By vertex: the area of the surface that is connected with it.
 std::vector<double> surfacesOf_m2(const ExchangeMesh& mesh) {
-    constexpr auto nobody = std::numeric_limits<std::size_t>::max();
-    std::vector<std::size_t> surfaceOf(mesh.vertices().size(), nobody);
-    std::vector<std::uint32_t> open;
-    std::size_t count = 0;
-    for (std::uint32_t first = 0; first < surfaceOf.size(); ++first) {
-        if (surfaceOf[first] != nobody)
-            continue;
-        open.assign(1, first);
-        surfaceOf[first] = count;
-        while (!open.empty()) {
-            const std::uint32_t at = open.back();
-            open.pop_back();
-            for (const std::uint32_t next : mesh.beside(at))
-                if (surfaceOf[next] == nobody) {
-                    surfaceOf[next] = count;
-                    open.push_back(next);
-                }
-        }
-        ++count;
-    }
-    std::vector<double> areas_m2(count), byVertex_m2;
+    const auto vertices = static_cast<std::uint32_t>(mesh.vertices().size());
+    JoinedNumbers surfaces(vertices);
+    for (std::uint32_t v = 0; v < vertices; ++v)
+        for (const std::uint32_t next : mesh.beside(v))
+            surfaces.join(v, next);
+    std::vector<double> areas_m2(vertices), byVertex_m2;
     for (std::uint32_t cell = 0; cell < mesh.cells(); ++cell)
-        areas_m2[surfaceOf[mesh.corners(cell)[0]]] += mesh.area_m2(cell);
-    for (const std::size_t surface : surfaceOf)
-        byVertex_m2.push_back(areas_m2[surface]);
+        areas_m2[surfaces.of(mesh.corners(cell)[0])] += mesh.area_m2(cell);
+    for (std::uint32_t v = 0; v < vertices; ++v)
+        byVertex_m2.push_back(areas_m2[surfaces.of(v)]);
     return byVertex_m2;
 }
 

@@ -7,7 +7,9 @@
 #include <tuple>
 #include <utility>
 
+#include "irsg/core/JoinedNumbers.h"
 #include "irsg/core/ParallelFor.h"
+#include "irsg/geometry/mesh/MeshSurfaces.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/render/rays/FacetTree.h"
 #include "irsg/render/rays/LightDirections.h"
@@ -24,8 +26,6 @@ constexpr std::size_t mostProbed = 200'000;
 constexpr std::uint32_t fewRays = 16, someRays = 32, manyRays = 256;
 constexpr std::size_t manyParts = 20'000;
 constexpr double nearest = 0.02; ///< that counts, of the longest edge
-/// Corners that are nearer are at one place, of the extent of the model: what rounding leaves.
-constexpr double samePlace = 2e-7;
 /// Facets that are looked at until one is found that a side may see.
 constexpr std::size_t mostLooks = 256;
 /// Cosine of the normals of sides that continue each other smoothly.
@@ -41,27 +41,6 @@ constexpr double mostHeight = 0.05;
 constexpr double flat = 1e-5;
 
 using Triangle3 = std::array<Vec3, 3>;
-
-/// Numbers that are put together: each set goes by its lowest.
-class JoinedNumbers {
-  public:
-    explicit JoinedNumbers(std::size_t count) : lower_(count) {
-        std::iota(lower_.begin(), lower_.end(), 0u);
-    }
-    std::uint32_t of(std::uint32_t number) {
-        while (lower_[number] != number)
-            number = lower_[number] = lower_[lower_[number]];
-        return number;
-    }
-    void join(std::uint32_t a, std::uint32_t b) {
-        a = of(a);
-        b = of(b);
-        lower_[std::max(a, b)] = std::min(a, b);
-    }
-
-  private:
-    std::vector<std::uint32_t> lower_;
-};
 
 double longestEdgeOf(const Triangle3& c) {
     return std::max({plainLength(c[1] - c[0]), plainLength(c[2] - c[1]), plainLength(c[0] - c[2])});
@@ -192,7 +171,7 @@ ExchangeMesh::ExchangeMesh(std::shared_ptr<const RayMesh> mesh, const PieceUses&
         }
     }
     extent_m_ = all.valid() ? all.diagonal_m() : 0.0;
-    making.numberPlaces(samePlace * extent_m_);
+    making.numberPlaces(samePlaceOfSize * extent_m_);
     making.findPassages();
     if (resolution.isAlone && resolution.hasInsides && making.isConvex(extent_m_)) {
         sides_.resize(2 * making.facets.size());
@@ -353,26 +332,12 @@ bool ExchangeMesh::Making::isConvex(double extent_m) const {
 }
 
 void ExchangeMesh::Making::numberPlaces(double step_m) {
-    std::vector<std::pair<Vec3, std::uint32_t>> places; // in steps, and 3 facet + corner
-    places.reserve(3 * facets.size());
-    const double per_m = step_m > 0.0 ? 1.0 / step_m : 0.0;
-    const auto inSteps = [&](const Vec3& at_m) {
-        return Vec3{std::round(at_m.x * per_m), std::round(at_m.y * per_m),
-                    std::round(at_m.z * per_m)};
-    };
-    for (std::uint32_t f = 0; f < facets.size(); ++f)
-        for (std::uint32_t i = 0; i < 3; ++i)
-            places.emplace_back(inSteps(facets[f].corners_m[i]), 3 * f + i);
-    std::ranges::sort(places, [](const auto& a, const auto& b) {
-        return std::tuple(a.first.x, a.first.y, a.first.z, a.second) <
-               std::tuple(b.first.x, b.first.y, b.first.z, b.second);
-    });
-    std::uint32_t number = 0;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if (i > 0 && places[i].first != places[i - 1].first)
-            ++number;
-        facets[places[i].second / 3].places[places[i].second % 3] = number;
-    }
+    std::vector<Vec3> corners_m;
+    for (const Facet& facet : facets)
+        corners_m.insert(corners_m.end(), facet.corners_m.begin(), facet.corners_m.end());
+    const std::vector<std::uint32_t> numbers = numbersOfPlaces(corners_m, step_m);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        facets[i / 3].places[i % 3] = numbers[i];
 }
 
 void ExchangeMesh::divide(Making& making) {
