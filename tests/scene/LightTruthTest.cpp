@@ -33,6 +33,8 @@ const std::map<std::string, double> tolerances{
     {"lip, 1 cm2, 1500 K", 1e-2},
     {"box, 600 K over a plate", 3e-3},
     {"box, 600 K over a plate, low", 3e-3},
+    {"ball, sun, one entity", 3e-3},
+    {"ball, sun, two entities", 3e-3},
     {"sheets, 5e-05 m apart", 1e-3},
     {"sheets, 0.001 m apart", 1e-3},
 };

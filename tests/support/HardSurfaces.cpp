@@ -184,6 +184,20 @@ std::vector<ExchangeCase> hotBox() {
                      10.0)};
 }
 
+/// A bright ball over a plate in the sun, as one entity and as two: the ball sees nothing of
+/// itself.
+std::vector<ExchangeCase> ballOverPlate() {
+    const Triangles plate = plateMesh({}, {1.5, 0, 0}, {0, 1.5, 0}, {1, 1});
+    const Triangles ball = moved(sphereMesh(0.5, 32, 64, {1, 1}, false), {0.2, 0.1, 0.7});
+    const SignatureDatabase database = greyDatabase(0.2, cold_K);
+    const auto seen = [&](const char* variant, std::vector<Entity> entities) {
+        return inTheSun(seenFrom("ball", variant, std::move(entities), 150.0, 35.0), 65.0, 40.0);
+    };
+    return {seen("sun, one entity", {entityOfTriangles(joined(plate, ball), database)}),
+            seen("sun, two entities",
+                 {entityOfTriangles(plate, database), entityOfTriangles(ball, database)})};
+}
+
 /// A sheet close before a wider one, as propeller discs are drawn, each of two copies of one plate
 /// that turn to either side: from before them they are convex, and nothing is reflected.
 std::vector<ExchangeCase> sheets() {
@@ -214,9 +228,9 @@ std::vector<ExchangeCase> sheets() {
 } // namespace
 
 std::vector<NamedCases> hardSurfaces() {
-    return {{"cover", coverLeak}, {"corner", corner},     {"walls", wallsOnFloor},
-            {"edge", edge},       {"cavities", cavities}, {"lip", lip},
-            {"box", hotBox},      {"sheets", sheets}};
+    return {{"cover", coverLeak}, {"corner", corner},      {"walls", wallsOnFloor},
+            {"edge", edge},       {"cavities", cavities},  {"lip", lip},
+            {"box", hotBox},      {"ball", ballOverPlate}, {"sheets", sheets}};
 }
 
 } // namespace irsg::test

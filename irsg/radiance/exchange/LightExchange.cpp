@@ -292,13 +292,17 @@ void LightExchange::takeSun(Making& making) {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const ExchangeNodes& nodes = bodies_[b].light->nodes();
         const ExchangeMesh& mesh = nodes.mesh();
+        // What sees nothing of its own body, nothing of that sees; others may.
+        const auto isSeenByAny = [&](std::uint32_t cell) {
+            return mesh.seesAnything(cell) || !making.isAlone(b);
+        };
         parallelForSmall(mesh.cells(), [&](std::uint32_t cell) {
-            if (mesh.seesAnything(cell))
+            if (isSeenByAny(cell))
                 making.sunOnCells[firstCell_[b] + cell] =
                     static_cast<float>(sunOn(making, b, cell));
         });
         for (std::uint32_t cell = 0; cell < mesh.cells(); ++cell) {
-            if (!mesh.seesAnything(cell)) // nor does anything see it
+            if (!isSeenByAny(cell))
                 continue;
             const float sun = making.sunOnCells[firstCell_[b] + cell];
             for (const std::uint32_t corner : mesh.corners(cell))
