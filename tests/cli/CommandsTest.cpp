@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <fstream>
+#include <string>
+
 #include "tests/cli/Program.h"
 #include "tests/support/TemporaryFolder.h"
 
@@ -77,13 +80,33 @@ TEST(SmatBatch, ModelInfoTellsWhatIsClosedAndSeenFromBothSides) {
     EXPECT_NE(smatBatch({"model", "info", file})
                   .out.find("  surfaces: " + surfaces["count"].dump() + ", of which"),
               std::string::npos);
-    // The same as STL, which knows no sides: all are seen from both.
-    const TemporaryFolder folder;
-    ASSERT_EQ(smatBatch({"convert", file, folder / "a.stl"}).exitCode, 0);
-    const auto stl = nlohmann::json::parse(
-        smatBatch({"model", "info", folder / "a.stl", "--json"}).out)["surfaces"];
-    EXPECT_EQ(stl["two_sided_triangles"], stl["triangles"]);
     EXPECT_EQ(surfaces["two_sided_triangles_of_closed"], 0);
+
+    // STL knows no sides: all are seen from both. A tetrahedron is closed, without a face it is
+    // not.
+    const TemporaryFolder folder;
+    const auto stl = [&](int faces) {
+        const char* const corners[4] = {"0 0 0", "1 0 0", "0 1 0", "0 0 1"};
+        const int triangles[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+        std::string text = "solid t\n";
+        for (int f = 0; f < faces; ++f) {
+            text += "facet normal 0 0 0\nouter loop\n";
+            for (const int corner : triangles[f]) {
+                text += std::string("vertex ") + corners[corner] + "\n";
+            }
+            text += "endloop\nendfacet\n";
+        }
+        std::ofstream(folder / "t.stl") << text << "endsolid t\n";
+        return nlohmann::json::parse(
+            smatBatch({"model", "info", folder / "t.stl", "--json"}).out)["surfaces"];
+    };
+    const auto whole = stl(4), open = stl(3);
+    EXPECT_EQ(whole["closed"], 1);
+    EXPECT_EQ(whole["two_sided_triangles_of_closed"], 4);
+    EXPECT_EQ(whole["open_edges"], 0);
+    EXPECT_EQ(open["closed"], 0);
+    EXPECT_EQ(open["two_sided_triangles"], 3);
+    EXPECT_EQ(open["open_edges"], 3);
 }
 
 TEST(SmatBatch, ConvertKeepsCodesThroughEveryFormat) {
