@@ -81,9 +81,10 @@ std::vector<double> surfacesOf_m2(const ExchangeMesh& mesh) {
 /// Nodes of one piece: a node never stands for two, which may be of different materials.
 struct ExchangeNodes::OfPiece {
     std::vector<std::uint32_t> vertices;
-    std::vector<double> apart_m;            ///< by vertex: how far nodes may be
-    std::vector<std::size_t> nodes;         ///< places among the vertices
-    std::uint32_t firstNode = 0;            ///< number of the first of them
+    const std::vector<std::uint32_t>* placeOf = nullptr; ///< by vertex of the mesh: among these
+    std::vector<double> apart_m;                         ///< by vertex: how far nodes may be
+    std::vector<std::size_t> nodes;                      ///< places among the vertices
+    std::uint32_t firstNode = 0;                         ///< number of the first of them
     std::size_t outside = 0;                ///< how many of them turn to no space inside
     std::vector<double> surface_m2;         ///< by vertex: of all that one can go to
     std::vector<std::size_t> coveredBy;     ///< by vertex: among the nodes
@@ -122,9 +123,7 @@ void ExchangeNodes::OfPiece::forEachAbout(std::size_t place, double most_m,
         if (apart_m < most_m && way_m <= mostRoundabout * apart_m)
             visit(at, apart_m);
         for (const std::uint32_t vertex : mesh.beside(vertices[at])) {
-            // Those of a piece are ascending.
-            const auto next = static_cast<std::size_t>(std::ranges::lower_bound(vertices, vertex) -
-                                                       vertices.begin());
+            const std::size_t next = (*placeOf)[vertex];
             const double there_m = way_m + length(mesh.vertices()[vertex].at_m - at_m);
             if (there_m > detour * most_m || (turns_[next] == turn_ && there_m >= way_m_[next]))
                 continue;
@@ -163,11 +162,16 @@ void ExchangeNodes::findSmoothing() {
 void ExchangeNodes::placeNodes(const ExchangeResolution& resolution) {
     const std::vector<ExchangeMesh::Vertex>& vertices = mesh_->vertices();
     std::vector<OfPiece> pieces;
+    std::vector<std::uint32_t> placeOf(vertices.size());
     for (std::uint32_t v = 0; v < vertices.size(); ++v) {
         if (vertices[v].piece >= pieces.size())
             pieces.resize(vertices[v].piece + 1);
-        pieces[vertices[v].piece].vertices.push_back(v);
+        std::vector<std::uint32_t>& own = pieces[vertices[v].piece].vertices;
+        placeOf[v] = static_cast<std::uint32_t>(own.size());
+        own.push_back(v);
     }
+    for (OfPiece& piece : pieces)
+        piece.placeOf = &placeOf;
     const std::vector<double> surfaces_m2 = surfacesOf_m2(*mesh_);
     for (OfPiece& piece : pieces)
         for (const std::uint32_t vertex : piece.vertices)

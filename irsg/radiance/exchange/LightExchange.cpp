@@ -372,6 +372,24 @@ bool LightExchange::leavesThroughBack(const Making& making, std::size_t body, Ra
            caster.uses.isCulled(hit);
 }
 
+bool LightExchange::hasOthersAbove(const Making& making, std::size_t body,
+                                   std::uint32_t patch) const {
+    const ExchangeMesh& mesh = bodies_[body].light->nodes().mesh();
+    const SunShadows::Caster& caster = making.casters[body];
+    for (const std::uint32_t cell : bodies_[body].light->nodes().cellsOf(patch)) {
+        const Vec3 up = making.toWorld[body] * mesh.normal(cell);
+        for (const Vec3& corner : mesh.cornersAt_m(cell)) {
+            const Vec3 from_m = caster.pose.toWorld(corner);
+            for (const std::size_t other : making.near[body]) {
+                const Sphere& sphere = making.spheres[other];
+                if (dot(up, sphere.centre_m - from_m) > -1.001 * sphere.radius_m)
+                    return true;
+            }
+        }
+    }
+    return false;
+}
+
 void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32_t patch) const {
     const BodyLight& light = *bodies_[body].light;
     const ExchangeNodes& nodes = light.nodes();
@@ -401,7 +419,12 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
     std::vector<RayHit> through;
     auto met = light.raysOf(patch).begin();
     const auto lastMet = light.raysOf(patch).end();
+    const bool isMetByOthers = making.meetsTerrain[body] || hasOthersAbove(making, body, patch);
     for (std::uint32_t i = 0; i < count; ++i) {
+        if (!isMetByOthers && met == lastMet)
+            break;
+        if (!isMetByOthers)
+            i = met->index; // other rays meet nothing
         const BodyLight::LightStart start = rays.at(i);
         const Vec3 from_m = caster.pose.toWorld(start.ray.origin_m);
         const Vec3 along = making.toWorld[body] * start.ray.direction;
@@ -434,9 +457,9 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
                 place = bodies_[other].light->mesh().placeOf(hit);
                 metBody = other;
             }
-        const ExchangeNodes::OfPlace own(nodes, start.from.place);
         const auto tell = [&](auto add) {
-            for (const ExchangeNodes::Share& share : own) {
+            for (const ExchangeNodes::Share& share :
+                 ExchangeNodes::OfPlace(nodes, start.from.place)) {
                 const std::size_t n = nodes.placeNear(patch, share.node);
                 add(share.node, making.told[number][n], share.part * scales[n]);
             }

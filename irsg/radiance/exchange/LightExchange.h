@@ -116,6 +116,8 @@ class LightExchange {
     void takeOwn(Making& making, std::size_t body, std::uint32_t patch) const;
     void copyPairs(Making& making, std::size_t body) const;
     void takeWithOthers(Making& making, std::size_t body, std::uint32_t patch) const;
+    /// Whether rays from a patch may meet other bodies: their spheres are not below its horizon.
+    bool hasOthersAbove(const Making& making, std::size_t body, std::uint32_t patch) const;
     /// Whether a ray from a body, in its axes, meets one of its backs that are not there.
     static bool leavesThroughBack(const Making& making, std::size_t body, Ray ray, double upTo_m);
     /// Tells those who get what a ray brings, by `forEachOwn(add(receiver, part))`, what the sun
