@@ -68,6 +68,14 @@ struct LightExchange::Making {
         return top_m;
     }
     bool isAlone(std::size_t body) const { return near[body].empty() && !meetsTerrain[body]; }
+    /// Whether what a body sees of itself is what it sees of itself alone: others are outside of
+    /// its sphere.
+    bool isApart(std::size_t body) const {
+        return !meetsTerrain[body] && std::ranges::none_of(near[body], [&](std::size_t other) {
+            return length(spheres[other].centre_m - spheres[body].centre_m) <=
+                   spheres[other].radius_m + spheres[body].radius_m;
+        });
+    }
     /// Whether light falls on a patch at all.
     static bool isSeen(const Body& body, std::uint32_t patch) {
         return body.light->nodes().patchArea_m2(patch) > 0.0;
@@ -207,7 +215,7 @@ void LightExchange::takePairs(Making& making) {
             else
                 takeWithOthers(making, b, patch);
         });
-        if (bodies_.size() > 1 && making.isAlone(b))
+        if (bodies_.size() > 1 && making.isApart(b))
             copyPairs(making, b);
         for (std::uint32_t patch = 0; patch < nodes.nodes(); ++patch) {
             const auto near = nodes.near(patch);
@@ -419,6 +427,7 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
     std::vector<RayHit> through;
     auto met = light.raysOf(patch).begin();
     const auto lastMet = light.raysOf(patch).end();
+    const bool isApart = making.isApart(body);
     const bool isMetByOthers = making.meetsTerrain[body] || hasOthersAbove(making, body, patch);
     for (std::uint32_t i = 0; i < count; ++i) {
         if (!isMetByOthers && met == lastMet)
@@ -483,6 +492,12 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
                 add(firstReceiver_[body] + node, part);
             });
         });
+        if (metBody == body && isApart) { // its pairs are known
+            tell([&](std::uint32_t, Making::Told& told, float part) {
+                (along.z > 0.0 ? told.sky : told.ground) += static_cast<double>(part);
+            });
+            continue;
+        }
         const ExchangeNodes& nodesThere = bodies_[metBody].light->nodes();
         const auto senders = ExchangeNodes::OfPlace(nodesThere, place).ofSenders(nodesThere);
         tell([&](std::uint32_t node, Making::Told& told, float part) {
