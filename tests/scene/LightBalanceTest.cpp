@@ -162,12 +162,12 @@ TEST(LightBalance, ReceiversOfASenderKeepWhatTellsThemApart) {
 
 TEST(LightBalance, AClosedRoomStaysClosedForEachReceiver) {
     // Six walls of four receivers each, which see the walls by 64 rays at random.
-    constexpr std::uint32_t walls = 6, parts = 4, rays = 64;
+    constexpr std::uint32_t walls = 6, parts = 4, all = walls * parts, rays = 64;
     std::vector<ReceiverRays> receivers;
     std::vector<std::uint32_t> senderOf;
     std::vector<LightPart> met;
     std::uint64_t draw = 0;
-    for (std::uint32_t r = 0; r < walls * parts; ++r) {
+    for (std::uint32_t r = 0; r < all; ++r) {
         receivers.push_back({0.1 * (1 + r % 3), rays});
         senderOf.push_back(r / parts);
         for (std::uint32_t i = 0; i < rays; ++i) {
@@ -175,9 +175,9 @@ TEST(LightBalance, AClosedRoomStaysClosedForEachReceiver) {
                 {r, static_cast<std::uint32_t>(unitOf(5, {}, draw++) * walls), 1.0f / rays});
         }
     }
-    const LightBalance both = balancedOfSenders(
-        pairsOf(walls * parts, met), pairsOf(walls * parts, {}), receivers, senderOf, walls);
-    for (std::uint32_t r = 0; r < walls * parts; ++r) {
+    const LightBalance both =
+        balancedOfSenders(pairsOf(all, met), pairsOf(all, {}), receivers, senderOf, walls);
+    for (std::uint32_t r = 0; r < all; ++r) {
         EXPECT_NEAR(both.pairs->sumOf(r), 1.0, 1e-6) << r;
     }
     for (std::uint32_t s = 0; s < walls; ++s) {

@@ -81,10 +81,10 @@ std::vector<MeshSurface> surfacesOf(const Mesh& mesh) {
         else if (edges[first].goesUp == edges[first + 1].goesUp)
             ++own.flippedEdges;
     }
-    for (std::uint32_t f = 0; f < isTwoSided.size(); ++f) {
+    for (std::size_t f = 0; f < isTwoSided.size(); ++f) {
         if (!isThere(f))
             continue;
-        MeshSurface& own = byFacet[joined.of(f)];
+        MeshSurface& own = byFacet[joined.of(static_cast<std::uint32_t>(f))];
         const Vec3& a = corners_m[3 * f];
         own.area_m2 += 0.5 * length(cross(corners_m[3 * f + 1] - a, corners_m[3 * f + 2] - a));
         ++own.facets;

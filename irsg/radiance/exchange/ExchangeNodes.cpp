@@ -242,6 +242,7 @@ void ExchangeNodes::placeSenders(std::vector<OfPiece>& pieces, NodeSpacing spaci
     if (nodes() <= resolution.fewSenders)
         return;
     std::vector<std::vector<std::size_t>> nodesOf; // by piece
+    nodesOf.reserve(pieces.size());
     for (const OfPiece& piece : pieces)
         nodesOf.push_back(piece.nodes);
     const auto widen = [&](double factor) {
