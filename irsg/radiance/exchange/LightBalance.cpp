@@ -179,7 +179,7 @@ LightPairs balanced(const LightPairs& pairs, const LightPairs& oneWay,
     return oneWay.size() == 0 ? exchange : joined(exchange, oneWay);
 }
 
-LightBalance balancedOfSenders(LightPairs pairs, LightPairs oneWay,
+LightBalance balancedOfSenders(const LightPairs& pairs, const LightPairs& oneWay,
                                const std::vector<ReceiverRays>& receivers,
                                std::span<const std::uint32_t> senderOf, std::size_t senders) {
     if (senders == receivers.size()) {

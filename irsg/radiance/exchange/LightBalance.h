@@ -40,7 +40,7 @@ LightPairs balanced(const LightPairs& pairs, const LightPairs& oneWay,
 /// The same where some receivers send as one: `senderOf` each, of so many senders, whose numbers
 /// pairs have. Senders are balanced, and what that changes between two of them it changes for each
 /// receiver of the first alike; each sum follows what the receiver's own rays say as above.
-LightBalance balancedOfSenders(LightPairs pairs, LightPairs oneWay,
+LightBalance balancedOfSenders(const LightPairs& pairs, const LightPairs& oneWay,
                                const std::vector<ReceiverRays>& receivers,
                                std::span<const std::uint32_t> senderOf, std::size_t senders);
 

@@ -28,7 +28,7 @@ double patternOf(const LightExchange& exchange, std::size_t sender, LightPattern
     return 0.0;
 }
 
-/// Calls work(i) for numbers below a count, on all cores.
+/// Calls work(i, part) for numbers i below a count, on all cores; a part is one at a time.
 template <typename Work>
 void forEachInParts(std::size_t count, Work work) {
     parallelFor(receiverParts, [&](std::size_t part) {
