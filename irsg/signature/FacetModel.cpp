@@ -1,8 +1,12 @@
 #include "irsg/signature/FacetModel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
+#include <string>
 
+#include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/FacetAlbedos.h"
 #include "irsg/signature/Fresnel.h"
@@ -32,7 +36,7 @@ FacetModel::FacetModel(const Material& material)
 
 FacetModel::FacetModel(FacetDistribution distribution, double roughness, bool usesIndex)
     : SurfaceModel(
-          Microfacets(distribution, roughness), usesIndex ? 3 : 2, usesIndex ? 4 : 3,
+          Microfacets(distribution, roughness), lobesOf(usesIndex), lobesOf(usesIndex) + 1,
           {distribution == FacetDistribution::ggx ? 1.0 : 2.0, roughness, usesIndex ? 1.0 : 0.0}),
       usesIndex_(usesIndex) {
     fillAlbedos();
@@ -49,8 +53,8 @@ void FacetModel::fillAlbedos() {
                        for (std::size_t k = 0; k < lobes(); ++k)
                            sums[k] += facetWeight(k, to, facet) * weight;
                    });
-        // White: amounts of 1, 1 and the raised dip. Sums over facets may pass 1 by rounding.
-        const double white = sums[0] + sums[1] + FresnelShapes::raisedDip * sums[2];
+        // White: amounts of 1. Sums over facets may pass 1 by rounding.
+        const double white = std::accumulate(sums.begin(), sums.end(), 0.0);
         for (std::size_t k = 0; k < lobes(); ++k)
             albedos[k].push_back(sums[k] / std::max(white, 1.0));
         albedos[lobes()].push_back(std::max(1.0 - white, 0.0));
@@ -71,9 +75,10 @@ SurfaceModel::Amounts FacetModel::facetWeights(const SurfaceDirection& to,
     const SurfaceDirection from = mirrored(to, facet);
     if (!(cosine > 0.0) || !(from.z > 0.0) || !(to.z > 0.0))
         return all;
-    const double seen = microfacets().visible(to.z, from.z);
+    all = shapesAt(cosine);
+    const double seen = microfacets().visible(to.z, from.z) * cosine / (to.z * facet.z);
     for (std::size_t k = 0; k < lobes(); ++k)
-        all[k] = FresnelShapes::part(k, cosine, usesIndex_) * seen * cosine / (to.z * facet.z);
+        all[k] *= seen;
     return all;
 }
 
@@ -86,20 +91,34 @@ double FacetModel::brdf_per_sr(std::size_t k, const SurfaceDirection& to,
         return lost > 0.0 ? albedo(k, to.z) * albedo(k, from.z) / (pi * lost) : 0.0;
     }
     const SurfaceDirection facet = halfway(to, from);
-    return FresnelShapes::part(k, dot(to, facet), usesIndex_) *
-           microfacets().density_per_sr(facet, spread) * microfacets().visible(to.z, from.z) /
-           (4.0 * to.z * from.z);
+    return shapesAt(dot(to, facet))[k] * microfacets().density_per_sr(facet, spread) *
+           microfacets().visible(to.z, from.z) / (4.0 * to.z * from.z);
 }
 
-SurfaceModel::Amounts FacetModel::amounts(double normal, double limit, double dip) const {
-    const double white = 1.0 - meanAlbedo(lobes());
-    const double mean =
-        normal + (limit - normal) * FresnelShapes::meanSchlick + dip * FresnelShapes::meanDip;
+SurfaceModel::Amounts FacetModel::shapesAt(double cosine) const {
     Amounts all{};
-    all[0] = normal;
-    all[1] = limit;
-    if (usesIndex_)
-        all[2] = std::max(FresnelShapes::raisedDip * normal + dip, 0.0);
+    if (usesIndex_) {
+        std::ranges::copy(FresnelShapes::at(cosine), all.begin());
+        return all;
+    }
+    all[1] = FresnelShapes::schlick(cosine);
+    all[0] = 1.0 - all[1];
+    return all;
+}
+
+SurfaceModel::Amounts FacetModel::amounts(std::span<const double> reflectivities) const {
+    if (reflectivities.size() != lobes())
+        throw LogicError("reflectivities of " + std::to_string(reflectivities.size()) +
+                         " shapes where there are " + std::to_string(lobes()));
+    const double white = 1.0 - meanAlbedo(lobes());
+    double mean = 0.0;
+    Amounts all{};
+    for (std::size_t k = 0; k < lobes(); ++k) {
+        all[k] = reflectivities[k];
+        mean += all[k] * (usesIndex_ ? FresnelShapes::means()[k]
+                          : k == 0   ? 1.0 - FresnelShapes::meanSchlick
+                                     : FresnelShapes::meanSchlick);
+    }
     all[lobes()] = reflectedOnTheWay(std::clamp(mean, 0.0, 1.0), white);
     return all;
 }
@@ -112,12 +131,17 @@ std::vector<const Spectrum*> FacetModel::inputs(const Material& material) const 
 }
 
 SurfaceModel::Amounts FacetModel::amounts(std::span<const double> inputs, double scale) const {
-    // A scale multiplies emissivity at every angle, and so the dip of Fresnel's curve.
+    // A scale multiplies emissivity at every angle.
     const double limit = 1.0 - inputs[1];
-    const double along =
-        usesIndex_ ? std::max(limit - normalReflectivity(inputs[2], inputs[3]), 0.0) : inputs[0];
-    const double dip = usesIndex_ ? FresnelShapes::dipOf(inputs[2], inputs[3]) : 0.0;
-    return amounts(limit - std::clamp(scale * along, 0.0, limit), limit, scale * dip);
+    const auto scaled = [&](double emissivity) {
+        return limit - std::clamp(scale * emissivity, 0.0, limit);
+    };
+    if (!usesIndex_)
+        return amounts(std::array{scaled(inputs[0]), limit});
+    FresnelShapes::Values values = FresnelShapes::amountsOf(inputs[2], inputs[3]);
+    for (double& value : values)
+        value = scaled(std::max(limit - value, 0.0));
+    return amounts(values);
 }
 
 } // namespace irsg

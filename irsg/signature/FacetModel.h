@@ -1,14 +1,16 @@
 #pragma once
 
+#include "irsg/signature/Fresnel.h"
 #include "irsg/signature/SurfaceModel.h"
 
 namespace irsg {
 
-/// Facets (GGX or Beckmann) that reflect as Fresnel says of them: F0 (1 - p) + F90 p + a q, three
-/// components (two where only the reflectivity at normal incidence is known), and what is reflected
-/// among them more than once as one more, (1 - E)(1 - E') / (pi (1 - mean E)) with E the albedo of
-/// white facets (Kulla and Conty 2017), so that no light is lost. Reciprocal; at amounts of a white
-/// surface, which reflects all there is, albedos add up to 1 at every angle.
+/// Facets (GGX or Beckmann) that reflect as Fresnel says of them, in FresnelShapes (after Schlick
+/// in two shapes, 1 - p and p, where only the reflectivity at normal incidence is known), and what
+/// is reflected among them more than once as one more component, (1 - E)(1 - E') / (pi (1 - mean
+/// E)) with E the albedo of white facets (Kulla and Conty 2017), so that no light is lost.
+/// Reciprocal; at amounts of a white surface, which reflects all there is, albedos add up to 1 at
+/// every angle.
 class FacetModel final : public SurfaceModel {
   public:
     explicit FacetModel(const Material& material);
@@ -24,14 +26,15 @@ class FacetModel final : public SurfaceModel {
     /// Emissivity along the normal and transmissivity, and n and k where they count.
     std::vector<const Spectrum*> inputs(const Material& material) const override;
     Amounts amounts(std::span<const double> inputs, double scale) const override;
-    /// Of the reflectivity at normal incidence F0, what is not transmitted, F90 = 1 - t, and the
-    /// dip a of Fresnel's curve.
-    Amounts amounts(double normal, double limit, double dip) const;
+    /// Of the amounts of shapes, as many as there are lobes: 1 of each is white.
+    Amounts amounts(std::span<const double> reflectivities) const;
     bool usesIndex() const { return usesIndex_; }
 
   private:
     void fillAlbedos();
-    std::size_t lobes() const { return usesIndex_ ? 3 : 2; }
+    static std::size_t lobesOf(bool usesIndex) { return usesIndex ? FresnelShapes::count : 2; }
+    std::size_t lobes() const { return lobesOf(usesIndex_); }
+    Amounts shapesAt(double cosine) const;
 
     bool usesIndex_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
@@ -28,14 +29,13 @@ ShellTarget::ShellTarget(const Material& material)
     for (std::size_t node = 0; node <= albedoIntervals; ++node) {
         const double root = static_cast<double>(node) / albedoIntervals;
         const double cosine = std::max(root * root, 1e-5);
-        std::array<double, 3> sums{};
+        FresnelShapes::Values sums{};
         overFacets(microfacets(), cosine,
                    [&](const SurfaceDirection& to, const SurfaceDirection& facet, double weight) {
                        for (std::size_t k = 0; k < sums.size(); ++k)
                            sums[k] += facetWeight(k, to, facet) * weight;
                    });
-        const double white =
-            std::max(sums[normal] + sums[limit] + FresnelShapes::raisedDip * sums[dip], 1.0);
+        const double white = std::max(std::accumulate(sums.begin(), sums.end(), 0.0), 1.0);
         for (std::size_t k = 0; k < sums.size(); ++k)
             albedos[k].push_back(sums[k] / white);
         excess.push_back(white);
@@ -63,7 +63,7 @@ double ShellTarget::brdf_per_sr(std::size_t k, const SurfaceDirection& to,
         return 2.0 / (pi * (to.z + from.z));
     const SurfaceDirection facet = halfway(to, from);
     const double cosine = dot(to, facet);
-    return FresnelShapes::part(k, cosine, true) * microfacets().density_per_sr(facet, spread) *
+    return FresnelShapes::at(cosine)[k] * microfacets().density_per_sr(facet, spread) *
            shadowing(cosine, facet.z) / (4.0 * to.z * from.z);
 }
 
@@ -74,12 +74,9 @@ std::vector<const Spectrum*> ShellTarget::inputs(const Material& material) const
 
 SurfaceModel::Amounts ShellTarget::amounts(std::span<const double> inputs, double scale) const {
     const double rest = 1.0 - inputs[0];
-    const double along = normalReflectivity(inputs[1], inputs[2]);
     Amounts all{};
-    all[normal] = std::min(along, rest);
-    all[limit] = rest;
-    all[dip] = std::max(
-        FresnelShapes::raisedDip * all[normal] + FresnelShapes::dipOf(inputs[1], inputs[2]), 0.0);
+    std::ranges::transform(FresnelShapes::amountsOf(inputs[1], inputs[2]), all.begin(),
+                           [&](double value) { return std::min(value, rest); });
     all[diffuse] = inputs[3];
     all[volume] = inputs[4];
     return scaledReflection(all, rest, scale);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "irsg/signature/Fresnel.h"
 #include "irsg/signature/SurfaceModel.h"
 
 namespace irsg {
@@ -32,7 +33,7 @@ class ShellTarget final : public SurfaceModel {
 
   private:
     /// Shapes of Fresnel's curve, diffuse, volume.
-    enum Component : std::size_t { normal, limit, dip, diffuse, volume, count };
+    enum Component : std::size_t { diffuse = FresnelShapes::count, volume, count };
 
     double shadowTau_rad_ = 1.0, shadowOmega_rad_ = 1.0;
 };

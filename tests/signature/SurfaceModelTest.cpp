@@ -2,7 +2,12 @@
 
 #include "irsg/signature/SurfaceModels.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <numeric>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -100,30 +105,78 @@ TEST(Fresnel, AgreesWithPublishedReflectivities) {
                 1e-12);
 }
 
-TEST(Fresnel, HasThreeShapesOverAngle) {
-    struct Body {
-        double n, k;
-    };
-    // Glass, germanium, aluminium in the visible and at 4 um, titanium, a metal of small n.
-    for (const Body& body : {Body{1.5, 0.0}, Body{4.0, 0.0}, Body{1.49, 7.82}, Body{6.4, 39.0},
-                             Body{2.7, 3.8}, Body{0.1, 3.0}}) {
-        const double normal = normalReflectivity(body.n, body.k);
-        const double dip = FresnelShapes::dipOf(body.n, body.k);
-        double within80 = 0.0, worst = 0.0, hemispherical = 0.0;
-        for (int i = 0; i < 1000; ++i) {
-            const double cosine = (i + 0.5) / 1000.0, p = FresnelShapes::schlick(cosine);
-            const double off = normal * (1.0 - p) + p + dip * FresnelShapes::dip(cosine) -
-                               fresnelReflectivity(body.n, body.k, cosine);
-            worst = std::max(worst, std::abs(off));
-            if (cosine > std::cos(radians(80.0))) {
-                within80 = std::max(within80, std::abs(off));
-            }
-            hemispherical += 2.0 * cosine * off / 1000.0;
+TEST(Fresnel, HasShapesOverAngleThatAddUpToOne) {
+    FresnelShapes::Values sums{};
+    for (int i = 0; i < 1000; ++i) {
+        const double cosine = (i + 0.5) / 1000.0;
+        double all = 0.0;
+        for (std::size_t k = 0; k < FresnelShapes::count; ++k) {
+            const double shape = FresnelShapes::at(cosine)[k];
+            EXPECT_GE(shape, 0.0) << cosine;
+            all += shape;
+            sums[k] += 2.0 * cosine * shape / 1000.0;
         }
-        // docs/physics.md names these.
-        EXPECT_LE(within80, 0.045) << body.n << " " << body.k;
-        EXPECT_LE(worst, 0.12) << body.n << " " << body.k;
-        EXPECT_LE(std::abs(hemispherical), 0.009) << body.n << " " << body.k;
+        EXPECT_NEAR(all, 1.0, 1e-14) << cosine;
+    }
+    EXPECT_EQ(FresnelShapes::at(1.0).front(), 1.0);
+    EXPECT_EQ(FresnelShapes::at(0.0).back(), 1.0);
+    double all = 0.0;
+    for (std::size_t k = 0; k < FresnelShapes::count; ++k) {
+        EXPECT_NEAR(FresnelShapes::means()[k], sums[k], 1e-5);
+        all += FresnelShapes::means()[k];
+    }
+    EXPECT_NEAR(all, 1.0, 1e-6);
+}
+
+TEST(Fresnel, IsMadeOfItsShapesToOnePercent) {
+    std::vector<std::array<double, 2>> bodies;
+    for (const double n : {1.2, 1.33, 1.45, 1.5, 1.7, 2.0, 2.4, 3.4, 4.0, 5.0}) {
+        for (const double k : {0.0, 0.02, 0.3, 1.0, 3.0, 8.0}) {
+            bodies.push_back({n, k});
+        }
+    }
+    // Aluminium in the visible, at 4 and at 10 um, titanium, gold at 10 um, a metal of small n.
+    for (const std::array<double, 2>& metal : std::initializer_list<std::array<double, 2>>{
+             {1.49, 7.82}, {6.4, 39.0}, {26.0, 92.0}, {2.7, 3.8}, {11.5, 67.5}, {0.1, 3.0}}) {
+        bodies.push_back(metal);
+    }
+    double worstOfAll = 0.0, worstBeyond = 0.0;
+    for (const auto& [n, k] : bodies) {
+        const FresnelShapes::Values amounts = FresnelShapes::amountsOf(n, k);
+        for (const double amount : amounts) {
+            EXPECT_GE(amount, 0.0);
+            EXPECT_LE(amount, 1.0);
+        }
+        double worst = 0.0, hemispherical = 0.0;
+        for (int i = 0; i < 900; ++i) {
+            const double angle_deg = 0.1 * (i + 0.5), cosine = std::cos(radians(angle_deg));
+            const double exact = fresnelReflectivity(n, k, cosine);
+            const FresnelShapes::Values shapes = FresnelShapes::at(cosine);
+            const double off =
+                std::inner_product(shapes.begin(), shapes.end(), amounts.begin(), 0.0) - exact;
+            if (angle_deg <= 80.0) {
+                worst = std::max(worst, std::abs(off) / exact);
+            } else {
+                worstBeyond = std::max(worstBeyond, std::abs(off));
+            }
+            hemispherical += 2.0 * cosine * std::sin(radians(angle_deg)) * off * radians(0.1);
+        }
+        worstOfAll = std::max(worstOfAll, worst);
+        EXPECT_LE(worst, 0.01) << n << " " << k; // docs/physics.md
+        EXPECT_LE(std::abs(hemispherical), 0.002) << n << " " << k;
+    }
+    EXPECT_LE(worstBeyond, 0.21); // aluminium at 10 um, whose dip lies at 89.4 degrees
+    std::printf("  %.4f of the reflectivity up to 80 degrees, %.4f beyond\n", worstOfAll,
+                worstBeyond);
+    // A coat of n 1.5 lit and seen at 45 degrees, and at 20 and 30 to either side: a fit to
+    // Schlick's shape and a dip was weak by 16.5 and 19 %.
+    for (const double angle_deg : {45.0, 25.0}) {
+        const double cosine = std::cos(radians(angle_deg));
+        const FresnelShapes::Values shapes = FresnelShapes::at(cosine),
+                                    amounts = FresnelShapes::amountsOf(1.5, 0.0);
+        EXPECT_NEAR(std::inner_product(shapes.begin(), shapes.end(), amounts.begin(), 0.0) /
+                        fresnelReflectivity(1.5, 0.0, cosine),
+                    1.0, 0.01);
     }
 }
 
@@ -132,7 +185,8 @@ TEST(SurfaceModel, ReflectsAllLightOfAWhiteSurfaceAtEveryAngle) {
         for (const double roughness : {0.02, 0.2, 0.6, 1.0}) {
             for (const double n : {0.0, 2.0}) {
                 const auto model = facetsOf(rough(name, roughness, 0.0, n));
-                const SurfaceModel::Amounts white = model->amounts(1.0, 1.0, 0.0);
+                const SurfaceModel::Amounts white =
+                    model->amounts(std::vector<double>(n > 0.0 ? FresnelShapes::count : 2, 1.0));
                 double worst = 0.0;
                 for (const double cosine : {0.02, 0.1, 0.25, 0.5, 0.8, 1.0}) {
                     const SurfaceDirection to{std::sqrt(1.0 - cosine * cosine), 0.0, cosine};
@@ -155,7 +209,7 @@ TEST(SurfaceModel, IsReciprocalOverTenThousandPairs) {
         for (const double roughness : {0.05, 0.4, 1.0}) {
             const auto model = facetsOf(rough(name, roughness, 0.3, 1.5, 5.0));
             const SurfaceModel::Amounts amounts =
-                model->amounts(normalReflectivity(1.5, 5.0), 1.0, FresnelShapes::dipOf(1.5, 5.0));
+                model->amounts(FresnelShapes::amountsOf(1.5, 5.0));
             for (int i = 0; i < 10000; ++i) {
                 const SurfaceDirection a = numbers.direction(), b = numbers.direction();
                 const double there = whole(*model, amounts, a, b);
@@ -172,7 +226,7 @@ TEST(SurfaceModel, SendsWhatItsAlbedosSay) {
     for (const char* name : {"ggx", "beckmann"}) {
         for (const double roughness : {0.05, 0.35}) {
             const auto model = facetsOf(rough(name, roughness, 0.3));
-            const SurfaceModel::Amounts amounts = model->amounts(0.7, 1.0, 0.0);
+            const SurfaceModel::Amounts amounts = model->amounts(std::array{0.7, 1.0});
             for (const double cosine : {0.1, 0.4, 0.9}) {
                 const SurfaceDirection to{std::sqrt(1.0 - cosine * cosine), 0.0, cosine};
                 double albedo = 0.0;
@@ -200,7 +254,7 @@ TEST(SurfaceModel, IsAMirrorWhereItIsSmooth) {
     const Material mirror = rough("ggx", 0.001, 0.2, 1.5, 5.0);
     for (const double angle : {0.0, 30.0, 60.0, 80.0}) {
         EXPECT_NEAR(reflectanceOverAngle(mirror, std::cos(radians(angle)), 4.0),
-                    fresnelReflectivity(1.5, 5.0, std::cos(radians(angle))), 0.02);
+                    fresnelReflectivity(1.5, 5.0, std::cos(radians(angle))), 0.008);
     }
     EXPECT_NEAR(reflectanceOverAngle(mirror, 1.0, 4.0), normalReflectivity(1.5, 5.0), 1e-3);
 }
