@@ -120,6 +120,13 @@ SurfaceSpectra specularSpectra(const SurfaceSpectra& whole, SharedValues amount,
     return lobe;
 }
 
+SurfaceSpectra surfacesReflection(SurfaceSpectra component) {
+    component.reflectsSurfacesAlone = true;
+    component.emission.clear();
+    component.emitsAlways.clear();
+    return component;
+}
+
 std::vector<SharedValues> lobeAmounts(const DirectionalSpectra& directional) {
     std::vector<SharedValues> amounts;
     for (std::size_t k = 0; directional.model && k < directional.model->components(); ++k) {
@@ -186,7 +193,7 @@ SurfaceSpectra surfaceSpectra(const SurfaceInput& surface,
 bool SurfaceSpectra::isWithout(SurfaceQuantity quantity) const {
     switch (quantity) {
     case SurfaceQuantity::reflectance:
-        return reflectance.empty();
+        return reflectance.empty() || reflectsSurfacesAlone;
     case SurfaceQuantity::opacity:
         return opacity.empty();
     case SurfaceQuantity::specular:

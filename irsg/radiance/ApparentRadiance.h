@@ -58,6 +58,8 @@ struct SurfaceSpectra {
     /// The radiance of the air that a lobe reflects, W m-2 sr-1 um-1, and how much of it: one for
     /// all places of the air. Null for others.
     SharedValues lobeLight, lobeAmount;
+    /// Reflectance counts for what other surfaces send alone, and no term has it.
+    bool reflectsSurfacesAlone = false;
     bool emissionPassesAtmosphere = true; ///< false: measured from farther away, with all its air
     std::vector<double> reflectance, opacity; ///< empty: 0
     std::vector<double> transmissivity;
@@ -116,6 +118,9 @@ SurfaceSpectra lobeSpectra(const SurfaceSpectra& whole, const DirectionalSpectra
 /// says.
 SurfaceSpectra specularSpectra(const SurfaceSpectra& whole, SharedValues amount,
                                SharedValues light);
+/// The same component as it reflects what other surfaces send along its lobe: no term has it, and
+/// how it scales is what the component itself says.
+SurfaceSpectra surfacesReflection(SurfaceSpectra component);
 /// By component.
 std::vector<SharedValues> lobeAmounts(const DirectionalSpectra& directional);
 

@@ -47,12 +47,14 @@ class LayerWalk {
     template <typename Visit, typename VisitSpecular>
     void forEachPlace(const GeometrySamples& samples, std::size_t sample, const Visit& visit,
                       const VisitSpecular& visitSpecular) {
-        if (samples.through.empty() && samples.lobes.empty() && samples.speculars.empty())
+        if (samples.through.empty() && samples.lobes.empty() && samples.speculars.empty() &&
+            samples.reflected.empty())
             return forEachLayerAlone(samples, sample, visit);
         int stack = 0;
         OfLayers<GeometrySamples::Through> light(samples.through, sample, lightFrom_);
         OfLayers<GeometrySamples::Lobe> lobes(samples.lobes, sample, lobesFrom_);
         OfLayers<GeometrySamples::Specular> mirrors(samples.speculars, sample, specularsFrom_);
+        OfLayers<GeometrySamples::Reflected> reflected(samples.reflected, sample, reflectedFrom_);
         samples.forEachLayer(sample, [&](const GeometrySamples::Layer& layer) {
             const SurfaceRows::Between between = rows_.at(layer.row, layer.distance_m);
             visit(stack, between, layer);
@@ -73,9 +75,19 @@ class LayerWalk {
             });
             mirrors.ofThisLayer(
                 [&](const GeometrySamples::Specular& one) { visitSpecular(stack, layer, one); });
+            reflected.ofThisLayer([&](const GeometrySamples::Reflected& one) {
+                visit(stack, rows_.at(one.row, layer.distance_m),
+                      GeometrySamples::Layer{one.row,
+                                             layer.distance_m,
+                                             {noFactors.data(), layer.factors.size()},
+                                             one.weight,
+                                             &one.from,
+                                             true});
+            });
             light.goOn();
             lobes.goOn();
             mirrors.goOn();
+            reflected.goOn();
             if (rows_.isTransparent(layer.row))
                 stack = behind(stack, layer.row);
         });
@@ -200,7 +212,7 @@ class LayerWalk {
                 layer.distance_m,
                 {lobe_.data(), layer.factors.size()},
                 lobe.flux,
-                rows_.lobe(lobe.row).light < 0 ? layer.place : nullptr,
+                rows_.lobe(lobe.row).isOfAtmosphere() ? nullptr : layer.place,
                 true};
     }
     int behindSet(int stack, const std::vector<OccluderMaterial>& set) {
@@ -225,7 +237,7 @@ class LayerWalk {
     OccluderStacks occluderStacks_;
     std::vector<int> next_; // by front and drawn row
     std::array<float, mostFactors> light_{}, lobe_{};
-    std::size_t lightFrom_ = 0, lobesFrom_ = 0, specularsFrom_ = 0;
+    std::size_t lightFrom_ = 0, lobesFrom_ = 0, specularsFrom_ = 0, reflectedFrom_ = 0;
 };
 
 } // namespace irsg

@@ -53,12 +53,14 @@ Vec3 levelOf(const Vec3& direction, const Vec3& zenith) {
 
 } // namespace
 
+/// Of a drawing.
 struct LobeQuadrature::Tile {
     const SurfaceScene* scene = nullptr;
     const SampleTile* tile = nullptr;
     EyeDirections directions;
     Vec3 zenith, sun, towards; ///< the last the level part of the sun's, a unit vector
     std::optional<SunShadows::OpenPaths> open;
+    const LightExchange* exchange = nullptr; ///< there where `open` is
 
     /// The normal of the opaque surface of a sample, and its row + 1; 0 for none.
     static std::pair<float, Vec3> opaqueAt(const GeometrySamples& samples, std::size_t sample,
@@ -94,9 +96,80 @@ struct LobeQuadrature::Tile {
 /// Of a piece of the samples.
 struct LobeQuadrature::Found {
     std::vector<GeometrySamples::Lobe> lobes;
+    std::vector<GeometrySamples::Reflected> reflected;
     std::vector<GeometrySamples::Specular> speculars; // nodes as keys, `table` as drawn row
     std::vector<LobeQuadratureTable::ViewCell> cells; // of each of those
     std::vector<float> scales;
+};
+
+/// The places of a grid about a direction in eye space, and their parts.
+std::array<std::pair<std::size_t, double>, 4>
+LobeQuadrature::placesAbout(const Tile& own, const SpecularEnvironmentGrid& grid,
+                            const Vec3& direction) {
+    const double up = std::clamp(product(direction, own.zenith), -1.0, 1.0);
+    double fromSun = 0.0;
+    if (grid.isByAzimuth()) {
+        const Vec3 flat = direction - own.zenith * up;
+        const double size = plainLength(flat);
+        if (size > 1e-9)
+            fromSun = std::acos(std::clamp(product(flat, own.towards) / size, -1.0, 1.0));
+    }
+    return grid.about(std::asin(up), fromSun);
+}
+
+/// A layer of a directional surface.
+struct LobeQuadrature::DirectionalLayer {
+    const GeometrySamples::Layer& layer;
+    const SurfaceModel& model;
+    const SpecularEnvironmentGrid& grid;
+    Vec3 along; ///< from the eye
+    Axes axes;
+    SurfaceDirection to;
+    std::uint32_t sample = 0, number = 0; ///< number among those of the sample
+    int firstLobe = 0;                    ///< row
+
+    std::size_t lobes() const {
+        std::size_t count = 0;
+        while (count < model.components() && model.hasLobe(count))
+            ++count;
+        return count;
+    }
+    int rowOf(std::size_t component) const { return firstLobe + static_cast<int>(component); }
+    int rowOfAtmosphere(std::size_t component, std::size_t place) const {
+        return rowOf(model.components() + component * grid.places().size() + place);
+    }
+    int rowOfSurfaces(std::size_t component) const {
+        return rowOf(model.components() + lobes() * grid.places().size() + component);
+    }
+};
+
+/// What the lobes of a layer meet: by component, in parts of its albedo.
+struct LobeQuadrature::Mirrored {
+    bool isOpen = false; ///< all meet the atmosphere; no more is told
+    SurfaceModel::Amounts elsewhere{};
+    std::vector<double> atmosphere; ///< by component and place of the grid
+    /// What leaves surfaces, by number (LightExchange::forEachReflected).
+    std::vector<std::pair<std::uint32_t, SurfaceModel::Amounts>> surfaces;
+
+    void clear(std::size_t places) {
+        isOpen = false;
+        elsewhere = {};
+        atmosphere.assign(SurfaceModel::mostComponents * places, 0.0);
+        surfaces.clear();
+    }
+    void join() {
+        std::ranges::sort(surfaces, {}, [](const auto& one) { return one.first; });
+        std::size_t last = 0;
+        for (std::size_t i = 1; i < surfaces.size(); ++i) {
+            if (surfaces[i].first != surfaces[last].first) {
+                surfaces[++last] = surfaces[i];
+                continue;
+            }
+            for (std::size_t k = 0; k < SurfaceModel::mostComponents; ++k)
+                surfaces[last].second[k] += surfaces[i].second[k];
+        }
+        surfaces.resize(std::min(surfaces.size(), last + 1));
+    }
 };
 
 LobeQuadrature::LobeQuadrature(const SurfaceRows& rows, Making making)
@@ -107,6 +180,145 @@ LobeQuadrature::LobeQuadrature(const SurfaceRows& rows, Making making)
                                  : 0);
 }
 
+SlopeSpread LobeQuadrature::spreadOf(const Tile& own, int row, int column,
+                                     const GeometrySamples& samples,
+                                     const DirectionalLayer& layer) const {
+    SlopeSpread spread = SlopeSpread::of(layer.model.roughness());
+    spread.xx += discSpread;
+    spread.yy += discSpread;
+    if (!samples.isOpaque(layer.sample) ||
+        static_cast<int>(samples.opaque[4 * std::size_t{layer.sample}]) - 1 != layer.layer.row)
+        return spread;
+    for (const bool isDown : {false, true}) {
+        const SurfaceDirection bend = layer.axes.of(
+            own.change(samples, layer.sample, column, row, isDown, making_.roles.size()));
+        spread.xx += 2.0 * bend.x * bend.x;
+        spread.xy += 2.0 * bend.x * bend.y;
+        spread.yy += 2.0 * bend.y * bend.y;
+    }
+    return spread;
+}
+
+void LobeQuadrature::follow(const Tile& own, const DirectionalLayer& layer,
+                            SunShadows::Neighbours& neighbours, int column,
+                            Mirrored& mirrored) const {
+    const std::size_t places = layer.grid.places().size(), lobes = layer.lobes();
+    mirrored.clear(places);
+    const SurfaceDirection mirror{-layer.to.x, -layer.to.y, layer.to.z};
+    std::optional<SunShadows::Place> from;
+    if (own.open) {
+        from = own.open->placeOf(layer.along, layer.layer.row,
+                                 static_cast<double>(layer.layer.distance_m), column, neighbours);
+        const GeometrySamples::Place* const at = layer.layer.place;
+        const bool isKnown = at != nullptr && at->cell != GeometrySamples::Place::none;
+        const std::array<float, 3> open =
+            isKnown ? own.exchange->openAt(at->cell) : std::array<float, 3>{1.0f, 1.0f, 1.0f};
+        constexpr float rounding = 1e-6f;
+        mirrored.isOpen = *std::ranges::min_element(open) > 1.0f - rounding &&
+                          own.open->isOpen(*from, layer.axes.to(mirror));
+    } else {
+        mirrored.isOpen = true;
+    }
+    // Where nothing is known of the atmosphere by direction, it counts on the whole; where surfaces
+    // are followed, there is none.
+    if (mirrored.isOpen && places == 0) {
+        mirrored.isOpen = false;
+        mirrored.elsewhere.fill(own.open ? 0.0 : 1.0);
+        return;
+    }
+    if (mirrored.isOpen && layer.model.facets().size() > 1 &&
+        LobeQuadratureTable::serves(layer.model))
+        return;
+
+    const bool isFree = mirrored.isOpen;
+    mirrored.isOpen = false;
+    // Samples turn facets differently, so that few rays of each do for all (Roberts' sequence).
+    const auto partOf = [&](double step) {
+        const double turned = step * static_cast<double>(layer.sample % 65536u);
+        return isFree ? 0.0 : turned - std::floor(turned);
+    };
+    const double share = isFree ? 0.5 : partOf(0.7548776662466927);
+    const double turn = partOf(0.5698402909980532);
+    SurfaceModel::Amounts sums{};
+    GeometrySamples::Place at;
+    for (std::size_t i = 0; i < layer.model.facets().size(); ++i) {
+        const SurfaceDirection facet = layer.model.facet(i, share, turn);
+        const SurfaceModel::Amounts sent = layer.model.facetWeights(layer.to, facet);
+        if (std::ranges::all_of(sent, [](double weight) { return weight == 0.0; }))
+            continue;
+        const Vec3 direction = layer.axes.to(irsg::mirrored(layer.to, facet));
+        const SunShadows::Met met =
+            isFree ? SunShadows::Met::nothing : own.open->met(*from, direction, at);
+        for (std::size_t k = 0; k < lobes; ++k) {
+            sums[k] += sent[k];
+            if (met == SunShadows::Met::other)
+                mirrored.elsewhere[k] += sent[k];
+        }
+        if (met == SunShadows::Met::surface)
+            own.exchange->forEachReflected(
+                at.cell, at.u, at.v, [&](std::uint32_t number, float part) {
+                    auto& [to, weights] = mirrored.surfaces.emplace_back(number, sent);
+                    for (double& weight : weights)
+                        weight *= static_cast<double>(part);
+                });
+        if (met == SunShadows::Met::nothing && places > 0)
+            for (const auto& [place, part] : placesAbout(own, layer.grid, direction))
+                for (std::size_t k = 0; k < lobes; ++k)
+                    mirrored.atmosphere[k * places + place] += sent[k] * part;
+    }
+    mirrored.join();
+    for (std::size_t k = 0; k < lobes; ++k) {
+        if (sums[k] == 0.0) { // no facet that stands for others faces the eye
+            mirrored.elsewhere[k] = 1.0;
+            continue;
+        }
+        mirrored.elsewhere[k] /= sums[k];
+        for (std::size_t place = 0; place < places; ++place)
+            mirrored.atmosphere[k * places + place] /= sums[k];
+        for (auto& [number, weights] : mirrored.surfaces)
+            weights[k] /= sums[k];
+    }
+}
+
+void LobeQuadrature::addByTable(const Tile& own, const DirectionalLayer& layer,
+                                Found& found) const {
+    const auto drawn = static_cast<std::size_t>(layer.layer.row);
+    const Vec3 view = layer.along * -1.0;
+    const Vec3 x = layer.grid.isByAzimuth() ? own.towards : levelOf(view, own.zenith);
+    const Vec3 y = crossed(own.zenith, x);
+    const auto inTable = [&](const Vec3& v) {
+        return Vec3{product(v, x), product(v, y), product(v, own.zenith)};
+    };
+    const LobeQuadratureTable::About about = LobeQuadratureTable::about(
+        inTable(layer.axes.to({-layer.to.x, -layer.to.y, layer.to.z})), divisions_[drawn]);
+    found.speculars.push_back({layer.sample, layer.number, layer.rowOf(layer.model.components()),
+                               static_cast<std::uint32_t>(drawn),
+                               static_cast<std::uint32_t>(found.scales.size()), about.keys,
+                               about.weights});
+    found.cells.push_back(LobeQuadratureTable::cellOf(inTable(view), layer.grid.isByAzimuth()));
+    for (std::size_t k = 0; k < layer.lobes(); ++k)
+        found.scales.push_back(static_cast<float>(layer.model.albedo(k, layer.to.z)));
+}
+
+void LobeQuadrature::addByFacets(const DirectionalLayer& layer, const Mirrored& mirrored,
+                                 Found& found) const {
+    const std::size_t places = layer.grid.places().size();
+    for (std::size_t k = 0; k < layer.lobes(); ++k) {
+        const double albedo = layer.model.albedo(k, layer.to.z);
+        for (std::size_t place = 0; place < places; ++place)
+            if (const double part = mirrored.atmosphere[k * places + place]; part != 0.0)
+                found.lobes.push_back({layer.sample, layer.number, layer.rowOfAtmosphere(k, place),
+                                       0.0f, static_cast<float>(part * albedo), 0.0f});
+        for (const auto& [number, parts] : mirrored.surfaces)
+            if (parts[k] != 0.0)
+                found.reflected.push_back({layer.sample,
+                                           layer.number,
+                                           layer.rowOfSurfaces(k),
+                                           static_cast<float>(parts[k] * albedo),
+                                           {number, 0.0f, 0.0f}});
+    }
+}
+
 void LobeQuadrature::addLobes(const Tile& own, int row, int column, const GeometrySamples& samples,
                               SunShadows::Neighbours& neighbours, Found& found) const {
     const std::size_t sample = indexOf(*own.tile, column, row);
@@ -115,123 +327,52 @@ void LobeQuadrature::addLobes(const Tile& own, int row, int column, const Geomet
     const std::size_t first = making_.roles.size();
     const Vec3 along = own.directions.at(column, row);
     std::uint32_t number = 0;
-    samples.forEachLayer(sample, [&](const GeometrySamples::Layer& layer) {
+    thread_local Mirrored mirrored;
+    samples.forEachLayer(sample, [&](const GeometrySamples::Layer& drawn) {
         const std::uint32_t ofSample = number++;
-        const auto drawn = static_cast<std::size_t>(layer.row);
-        const SurfaceModel* model = making_.models[drawn].get();
+        const SurfaceModel* const model = making_.models[static_cast<std::size_t>(drawn.row)].get();
         if (model == nullptr)
             return;
-        const float* n = layer.factors.data() + first;
+        const float* n = drawn.factors.data() + first;
         const Vec3 normal = normalized(
             {static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2])});
-        const Vec3 view = along * -1.0;
-        const Axes axes(normal, view);
-        SurfaceDirection to = axes.of(view);
-        to.z = std::max(to.z, 1e-4); // interpolated normals may look away
+        const auto entity = static_cast<std::size_t>(rows_.keyOf(drawn.row).first);
+        DirectionalLayer layer{drawn,
+                               *model,
+                               making_.grids[entity],
+                               along,
+                               Axes(normal, along * -1.0),
+                               {},
+                               static_cast<std::uint32_t>(sample),
+                               ofSample,
+                               rows_.firstLobe(drawn.row)};
+        layer.to = layer.axes.of(along * -1.0);
+        layer.to.z = std::max(layer.to.z, 1e-4); // interpolated normals may look away
 
-        // The spread of slopes, with that of the sample and of the sun's disc.
-        const SurfaceDirection sun = axes.of(own.sun);
+        const SurfaceDirection sun = layer.axes.of(own.sun);
         const bool isLit = making_.isSunSmart && sun.z > 0.0;
-        SlopeSpread spread = SlopeSpread::of(model->roughness());
-        spread.xx += discSpread;
-        spread.yy += discSpread;
-        const bool isOpaque = samples.isOpaque(sample) &&
-                              static_cast<int>(samples.opaque[4 * sample]) - 1 == layer.row;
-        for (const bool isDown : {false, true}) {
-            if (!isOpaque || !isLit)
-                break;
-            const SurfaceDirection bend =
-                axes.of(own.change(samples, sample, column, row, isDown, first));
-            spread.xx += 2.0 * bend.x * bend.x;
-            spread.xy += 2.0 * bend.x * bend.y;
-            spread.yy += 2.0 * bend.y * bend.y;
-        }
-
-        const std::size_t components = model->components();
-        const auto entity = static_cast<std::size_t>(rows_.keyOf(layer.row).first);
-        const SpecularEnvironmentGrid& grid = making_.grids[entity];
-        const std::size_t places = grid.places().size();
-        double open = 0.0;
-        if (places > 0) {
-            const SurfaceDirection mirror{-to.x, -to.y, to.z};
-            open = !own.open ||
-                           own.open->isOpen(along, layer.row, static_cast<double>(layer.distance_m),
-                                            axes.to(mirror), column, neighbours)
-                       ? 1.0
-                       : 0.0;
-        }
-        const auto firstLobe = static_cast<std::size_t>(rows_.firstLobe(layer.row));
-        const auto add = [&](std::size_t lobe, double emission, double flux, double ofSun) {
-            found.lobes.push_back({static_cast<std::uint32_t>(sample), ofSample,
-                                   static_cast<int>(firstLobe + lobe), static_cast<float>(emission),
-                                   static_cast<float>(flux), static_cast<float>(ofSun)});
-        };
-        for (std::size_t k = 0; k < components; ++k) {
-            const double albedo = model->albedo(k, to.z), mean = model->meanAlbedo(k);
-            const double hidden = model->hasLobe(k) ? 1.0 - open : 1.0;
-            const double glint = isLit                ? pi * model->brdf_per_sr(k, to, sun, spread)
+        // The spread of slopes, with that of the sample and of the sun's disc.
+        const SlopeSpread spread =
+            isLit ? spreadOf(own, row, column, samples, layer) : SlopeSpread{};
+        follow(own, layer, neighbours, column, mirrored);
+        for (std::size_t k = 0; k < model->components(); ++k) {
+            const double albedo = model->albedo(k, layer.to.z), mean = model->meanAlbedo(k);
+            const double elsewhere = !model->hasLobe(k) ? 1.0
+                                     : mirrored.isOpen  ? 0.0
+                                                        : mirrored.elsewhere[k];
+            const double glint = isLit ? pi * model->brdf_per_sr(k, layer.to, sun, spread)
                                  : making_.isSunSmart ? 0.0
                                                       : albedo;
-            add(k, albedo - mean, hidden * albedo - mean, glint - mean);
+            found.lobes.push_back(
+                {layer.sample, ofSample, layer.rowOf(k), static_cast<float>(albedo - mean),
+                 static_cast<float>(elsewhere * albedo - mean), static_cast<float>(glint - mean)});
         }
-        if (open == 0.0 || components == 0 || !model->hasLobe(0))
-            return; // hidden, or no component lies in a lobe
-
-        // Where the lobe lies in the world.
-        if (const std::uint32_t divisions = divisions_[drawn]; divisions > 0) {
-            const Vec3 x = grid.isByAzimuth() ? own.towards : levelOf(view, own.zenith);
-            const Vec3 y = crossed(own.zenith, x);
-            const auto inTable = [&](const Vec3& v) {
-                return Vec3{product(v, x), product(v, y), product(v, own.zenith)};
-            };
-            const LobeQuadratureTable::About about =
-                LobeQuadratureTable::about(inTable(axes.to({-to.x, -to.y, to.z})), divisions);
-            found.speculars.push_back(
-                {static_cast<std::uint32_t>(sample), ofSample,
-                 static_cast<int>(firstLobe + components), static_cast<std::uint32_t>(drawn),
-                 static_cast<std::uint32_t>(found.scales.size()), about.keys, about.weights});
-            found.cells.push_back(LobeQuadratureTable::cellOf(inTable(view), grid.isByAzimuth()));
-            for (std::size_t k = 0; k < components && model->hasLobe(k); ++k)
-                found.scales.push_back(static_cast<float>(open * model->albedo(k, to.z)));
+        if (layer.lobes() == 0)
             return;
-        }
-        thread_local std::vector<double> weights;
-        const Vec3& towards = own.towards;
-        weights.assign(SurfaceModel::mostComponents * places, 0.0);
-        std::array<double, SurfaceModel::mostComponents> sums{};
-        for (const SurfaceDirection& facet : model->facets()) {
-            const Vec3 from = axes.to(mirrored(to, facet));
-            const double up = std::clamp(product(from, own.zenith), -1.0, 1.0);
-            double fromSun = 0.0;
-            if (grid.isByAzimuth()) {
-                const Vec3 flat = from - own.zenith * up;
-                const double size = plainLength(flat);
-                if (size > 1e-9)
-                    fromSun = std::acos(std::clamp(product(flat, towards) / size, -1.0, 1.0));
-            }
-            std::optional<std::array<std::pair<std::size_t, double>, 4>> about;
-            const SurfaceModel::Amounts sent = model->facetWeights(to, facet);
-            for (std::size_t k = 0; k < components && model->hasLobe(k); ++k) {
-                const double weight = sent[k];
-                if (weight == 0.0)
-                    continue;
-                if (!about)
-                    about = grid.about(std::asin(up), fromSun);
-                sums[k] += weight;
-                for (const auto& [place, part] : *about)
-                    weights[k * places + place] += weight * part;
-            }
-        }
-        for (std::size_t k = 0; k < components && model->hasLobe(k); ++k) {
-            if (sums[k] == 0.0) { // no facet that stands for others faces the eye
-                add(k, 0.0, open * model->albedo(k, to.z), 0.0);
-                continue;
-            }
-            const double scale = open * model->albedo(k, to.z) / sums[k];
-            for (std::size_t place = 0; place < places; ++place)
-                if (const double weight = weights[k * places + place]; weight != 0.0)
-                    add(components + k * places + place, 0.0, scale * weight, 0.0);
-        }
+        if (mirrored.isOpen)
+            addByTable(own, layer, found);
+        else
+            addByFacets(layer, mirrored, found);
     });
 }
 
@@ -267,8 +408,9 @@ class LobeQuadrature::TableUse {
 };
 
 void LobeQuadrature::apply(const SheetScene& sheet, const SunShadows* shadows,
-                           GeometrySamples& samples) const {
+                           const LightExchange* exchange, GeometrySamples& samples) const {
     samples.lobes.clear();
+    samples.reflected.clear();
     samples.speculars.clear();
     samples.specularScales.clear();
     samples.specularTables.clear();
@@ -285,13 +427,15 @@ void LobeQuadrature::apply(const SheetScene& sheet, const SunShadows* shadows,
         if (making_.sun >= 0)
             own.sun = directions[static_cast<std::size_t>(making_.sun)].second;
         own.towards = levelOf(own.sun, own.zenith);
-        if (shadows != nullptr)
+        own.exchange = exchange;
+        if (shadows != nullptr && exchange != nullptr)
             own.open = shadows->openPaths(*own.scene, *own.tile);
     }
     const std::vector<TileRows> pieces = rowsOf(sheet.sheet);
     std::vector<Found> found(pieces.size());
     struct Line { // of a tile: its lobes stand by sample and layer already
         std::size_t piece = 0, begin = 0, end = 0, firstSpecular = 0, lastSpecular = 0;
+        std::size_t firstReflected = 0, lastReflected = 0;
     };
     std::vector<std::vector<Line>> linesOf(pieces.size());
     parallelFor(pieces.size(), [&](std::size_t i) {
@@ -300,11 +444,13 @@ void LobeQuadrature::apply(const SheetScene& sheet, const SunShadows* shadows,
         Found& piece = found[i];
         for (int row = pieces[i].first; row < pieces[i].last; ++row) {
             const std::size_t begin = piece.lobes.size(), firstSpecular = piece.speculars.size();
+            const std::size_t firstReflected = piece.reflected.size();
             for (int column = 0; column < own.tile->width(); ++column)
                 addLobes(own, row, column, samples, neighbours, piece);
             if (piece.lobes.size() > begin)
-                linesOf[i].push_back(
-                    {i, begin, piece.lobes.size(), firstSpecular, piece.speculars.size()});
+                linesOf[i].push_back({i, begin, piece.lobes.size(), firstSpecular,
+                                      piece.speculars.size(), firstReflected,
+                                      piece.reflected.size()});
         }
     });
     std::vector<Line> lines;
@@ -324,6 +470,11 @@ void LobeQuadrature::apply(const SheetScene& sheet, const SunShadows* shadows,
         Found& piece = found[line.piece];
         samples.lobes.insert(samples.lobes.end(), piece.lobes.data() + line.begin,
                              piece.lobes.data() + line.end);
+        for (std::size_t i = line.firstReflected; i < line.lastReflected; ++i) {
+            GeometrySamples::Reflected& one = piece.reflected[i];
+            one.from.cell = exchange->cellOfReflected(one.from.cell);
+            samples.reflected.push_back(one);
+        }
         for (std::size_t i = line.firstSpecular; i < line.lastSpecular; ++i) {
             GeometrySamples::Specular mirror = piece.speculars[i];
             if (static_cast<std::size_t>(mirror.row) >= rows_.renderedCount())

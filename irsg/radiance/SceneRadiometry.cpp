@@ -77,10 +77,12 @@ SceneRadiometry::SceneRadiometry(const RadianceTerms& terms, const std::vector<E
         };
         // Components first, by which `scaling` finds them.
         for (std::size_t k = 0; model && k < model->components(); ++k)
-            add(k, -1);
+            add(k, LobeQuadratureRow::none);
         for (std::size_t k = 0; model && k < model->components() && model->hasLobe(k); ++k)
             for (std::size_t light = 0; light < lights; ++light)
                 add(k, static_cast<int>(light));
+        for (std::size_t k = 0; model && k < model->components() && model->hasLobe(k); ++k)
+            add(k, LobeQuadratureRow::surfaces);
     }
     rows_ =
         SurfaceRows(std::move(keys), std::move(transparent), std::move(slices), std::move(lobes));
@@ -175,10 +177,13 @@ void SceneRadiometry::fillLobes(int drawn, const DirectionalSpectra& directional
         if (row.surface != drawn)
             break;
         const auto component = static_cast<std::size_t>(row.component);
-        surfaces_[lobe] =
-            row.light < 0 ? lobeSpectra(whole, directional, component, wavelengths_um_)
-                          : specularSpectra(whole, amounts[component],
-                                            specular_[entity][static_cast<std::size_t>(row.light)]);
+        if (row.isOfAtmosphere())
+            surfaces_[lobe] = specularSpectra(
+                whole, amounts[component], specular_[entity][static_cast<std::size_t>(row.light)]);
+        else
+            surfaces_[lobe] = lobeSpectra(whole, directional, component, wavelengths_um_);
+        if (row.isOfSurfaces())
+            surfaces_[lobe] = surfacesReflection(std::move(surfaces_[lobe]));
     }
 }
 
@@ -245,7 +250,7 @@ const AtmosphereSamples& SceneRadiometry::air(int row) const {
 }
 
 const SurfaceSpectra& SceneRadiometry::scaling(int drawn) const {
-    if (rows_.isLobe(drawn) && rows_.lobe(drawn).light >= 0) {
+    if (rows_.isLobe(drawn) && rows_.lobe(drawn).light != LobeQuadratureRow::none) {
         const LobeQuadratureRow& row = rows_.lobe(drawn);
         drawn = rows_.firstLobe(row.surface) + row.component;
     }

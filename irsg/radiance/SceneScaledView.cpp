@@ -25,8 +25,9 @@ SceneScaledView::SceneScaledView(const ViewGeometry& view, const SceneRadiometry
     for (std::size_t drawn = 0; drawn < radiometry.rows().renderedCount(); ++drawn) {
         const auto& [entity, codes] = radiometry.rows().keyOf(static_cast<int>(drawn));
         Surface surface = surfaceOf(radiometry, static_cast<int>(drawn));
-        // Lobes that reflect the air do not emit.
-        const bool emits = radiometry.surfaces()[drawn].lobeLight == nullptr;
+        // Lobes that reflect the atmosphere or other surfaces do not emit.
+        const SurfaceSpectra& spectra = radiometry.surfaces()[drawn];
+        const bool emits = spectra.lobeLight == nullptr && !spectra.reflectsSurfacesAlone;
         for (std::size_t i = 0; i < inputs.size(); ++i) {
             if (inputs[i].entity != entity)
                 continue;
@@ -135,8 +136,8 @@ void SceneScaledView::gather(const ViewGeometry& view, const SceneRadiometry& ra
             const RadianceTerm& term = terms[k];
             const bool isEmission = term.surface == SurfaceQuantity::emission;
             const bool isMirror = term.surface == SurfaceQuantity::specular;
-            if (term.surface == SurfaceQuantity::opacity || (term.light && !air.light[k]) ||
-                isMirror != (spectra.lobeLight != nullptr))
+            if (term.surface == SurfaceQuantity::opacity || spectra.reflectsSurfacesAlone ||
+                (term.light && !air.light[k]) || isMirror != (spectra.lobeLight != nullptr))
                 continue;
             // Coverage, a factor, or what is left of the coverage beside it.
             const auto sumOf = [&](std::size_t coverage) {

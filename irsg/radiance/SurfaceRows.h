@@ -26,11 +26,15 @@ struct SliceBetween {
 SliceBetween sliceBetween(int node, int step, int last);
 
 /// What a directional surface sends beside a Lambertian one: of a component of its model, or of
-/// what that reflects in a lobe of the air's radiance at a place of a SpecularEnvironmentGrid.
+/// what that reflects in a lobe of the atmosphere's radiance at a place of a
+/// SpecularEnvironmentGrid, or of other surfaces.
 struct LobeQuadratureRow {
+    static constexpr int none = -1, surfaces = -2;
     int surface = 0; ///< drawn row
     int component = 0;
-    int light = -1; ///< place of the grid; none
+    int light = none; ///< place of the grid, or of these
+    bool isOfAtmosphere() const { return light >= 0; }
+    bool isOfSurfaces() const { return light == surfaces; }
     bool operator==(const LobeQuadratureRow&) const = default;
 };
 
@@ -53,6 +57,8 @@ class SurfaceRows {
     }
     /// The first of the lobes of a surface; -1 for none.
     int firstLobe(int drawn) const { return rendered_[static_cast<std::size_t>(drawn)].firstLobe; }
+    /// Whether it is what lobes reflect of other surfaces.
+    bool isOfSurfaces(int drawn) const { return isLobe(drawn) && lobe(drawn).isOfSurfaces(); }
     /// The surface that a row or a lobe is of.
     int surfaceOf(int drawn) const { return isLobe(drawn) ? lobe(drawn).surface : drawn; }
     const SurfaceKey& keyOf(int drawn) const {

@@ -325,8 +325,7 @@ class ViewSurfaceSums {
         if (run.cell != at.cell) {
             std::vector<double>& sums = receivers_[slot];
             if (sums.empty())
-                sums.resize(
-                    2 * exchange_->ofRow(surfaces_.surfaceOf(surfaces_.renderedOf(row))).size());
+                sums.resize(2 * receiversOf(row, surfaces_, *exchange_).size());
             addRun(run, sums);
             run = {};
             run.cell = at.cell;

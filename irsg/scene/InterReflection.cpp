@@ -79,16 +79,17 @@ InterReflection::exchangeOf(const Scene& scene, const SceneEvaluation& evaluatio
                         sources.isSunOn ? 1.0 : 0.0, sources.isSunShadowed ? 1.0 : 0.0,
                         settings.terrainHides ? 1.0 : 0.0,
                         static_cast<double>(settings.fluxWeights)});
+    key.hasLobes = !evaluation.surfaceRows().lobes().empty();
     key.terrain = scene.terrain;
     key.keys = evaluation.surfaceRows().keys();
     const auto isAsked = [&](const Known& one) {
         return one.numbers == key.numbers && one.bodies == key.bodies &&
-               one.terrain == key.terrain && one.keys == key.keys;
+               one.terrain == key.terrain && one.keys == key.keys && one.hasLobes == key.hasLobes;
     };
     if (const Known* known = exchanges_.find(isAsked))
         return known->exchange;
     key.exchange = std::make_shared<const LightExchange>(std::move(bodies), casters, sources,
-                                                         settings.lightError);
+                                                         settings.lightError, key.hasLobes);
     return exchanges_.add(std::move(key)).exchange;
 }
 

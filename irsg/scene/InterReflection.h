@@ -41,6 +41,7 @@ class InterReflection {
         std::vector<std::shared_ptr<const BodyLight>> bodies;
         std::shared_ptr<const Terrain> terrain;
         std::vector<SurfaceKey> keys;
+        bool hasLobes = false;
         std::shared_ptr<const LightExchange> exchange;
     };
     std::shared_ptr<const LightExchange> exchangeOf(const Scene& scene,

@@ -9,7 +9,8 @@ void SurfaceShading::apply(const SheetScene& sheet, const RenderSettings& settin
     if (shadows)
         shadows->apply(sheet, settings.truthLayers, samples);
     if (lobes)
-        lobes->apply(sheet, between.exchange ? shadows.get() : nullptr, samples);
+        lobes->apply(sheet, between.exchange ? shadows.get() : nullptr, between.exchange.get(),
+                     samples);
 }
 
 void SurfaceShading::sortAndApply(const SheetScene& sheet, const RenderSettings& settings,

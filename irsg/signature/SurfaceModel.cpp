@@ -18,13 +18,18 @@ constexpr double smooth = 0.02;
 SurfaceModel::SurfaceModel(Microfacets facets, std::size_t lobes, std::size_t components,
                            std::vector<double> key)
     : facets_(facets), lobes_(lobes), components_(components), key_(std::move(key)) {
-    const int count = roughness() < smooth ? 1 : samplesOfLobe;
+    samples_.resize(roughness() < smooth ? 1 : samplesOfLobe);
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+        samples_[i] = facet(i, 0.5, 0.0);
+}
+
+SurfaceDirection SurfaceModel::facet(std::size_t number, double share, double turn) const {
     const double golden = pi * (3.0 - std::sqrt(5.0));
-    for (int i = 0; i < count; ++i) {
-        const double cosine = count == 1 ? 1.0 : facets_.cosineOfShare((i + 0.5) / count);
-        const double sine = std::sqrt(1.0 - cosine * cosine);
-        samples_.push_back({sine * std::cos(golden * i), sine * std::sin(golden * i), cosine});
-    }
+    const auto count = static_cast<double>(samples_.size()), i = static_cast<double>(number);
+    const double cosine = samples_.size() == 1 ? 1.0 : facets_.cosineOfShare((i + share) / count);
+    const double sine = std::sqrt(1.0 - cosine * cosine);
+    const double azimuth = golden * i + 2.0 * pi * turn;
+    return {sine * std::cos(azimuth), sine * std::sin(azimuth), cosine};
 }
 
 void SurfaceModel::setAlbedos(std::size_t k, std::vector<double> albedos) {

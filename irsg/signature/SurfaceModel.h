@@ -48,6 +48,9 @@ class SurfaceModel {
 
     /// Facets that stand for all of them, in equal shares of their projected area.
     const std::vector<SurfaceDirection>& facets() const { return samples_; }
+    /// One of as many, by its number: within its share of the area, and turned about the normal.
+    /// `share` and `turn` from 0 to below 1; a smooth surface has one facet.
+    SurfaceDirection facet(std::size_t number, double share, double turn) const;
     /// What one of them sends towards `to` of component k, in parts of the albedo times their
     /// number.
     virtual double facetWeight(std::size_t k, const SurfaceDirection& to,

@@ -84,8 +84,8 @@ struct LightExchange::Making {
 
 LightExchange::LightExchange(std::vector<Body> bodies,
                              const std::vector<SunShadows::Caster>& casters,
-                             const LightSources& sources, double error)
-    : bodies_(std::move(bodies)) {
+                             const LightSources& sources, double error, bool hasLobes)
+    : bodies_(std::move(bodies)), hasLobes_(hasLobes) {
     Making making{casters, sources};
     // What rays of a sequence are off by falls as their number to the power of 2/3.
     making.raysToOthers =
@@ -120,6 +120,25 @@ LightExchange::LightExchange(std::vector<Body> bodies,
     takeSun(making);
     takePairs(making);
     takeLight(making);
+    if (hasLobes_) {
+        sunOnCells_ = std::move(making.sunOnCells);
+        addReflected();
+    }
+}
+
+void LightExchange::addReflected() {
+    firstReflected_ = static_cast<std::uint32_t>(corners_.size());
+    const std::size_t count = senders() + rows();
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const auto number = static_cast<std::uint32_t>(receivers() + i);
+        const auto vertex = static_cast<std::uint32_t>(firstShare_.size() - 1);
+        corners_.push_back({vertex, vertex, vertex});
+        shares_.push_back({number, 1.0f});
+        firstShare_.push_back(static_cast<std::uint32_t>(shares_.size()));
+        local_.push_back(i);
+        reflected_.push_back(number);
+    }
+    losses_.resize(receivers() + count);
 }
 
 bool LightExchange::areNear(const Vec3& centre_m, double radius_m, const Vec3& otherCentre_m,
@@ -236,7 +255,7 @@ void LightExchange::takePairs(Making& making) {
                                      senderOf_, rowOfSender_.size());
     sunBesideMean_ = LightPairs(rows_.size(), std::move(making.sunParts));
     sees_.assign(ofRow_.size(), false);
-    isSeen_.assign(rowOfSender_.size(), false);
+    isSeen_.assign(rowOfSender_.size(), hasLobes_);
     for (std::size_t r = 0; r < rows_.size(); ++r) {
         const auto [first, last] = pairs().of(r);
         if (first != last || losses_[r].sky != 0.0)

@@ -39,8 +39,9 @@ class LightExchange {
 
     /// `casters`: as SunShadows has them, of the bodies in their order, and of the terrain behind
     /// them. `error`: of view factors; what is farther away than that is seen is left out.
+    /// `hasLobes`: surfaces reflect others along lobes, so that all senders may be seen.
     LightExchange(std::vector<Body> bodies, const std::vector<SunShadows::Caster>& casters,
-                  const LightSources& sources, double error);
+                  const LightSources& sources, double error, bool hasLobes = false);
 
     /// Of receivers, by sender.
     const LightPairs& pairs() const { return *balance_.pairs; }
@@ -79,6 +80,28 @@ class LightExchange {
     bool isSeen(std::size_t sender) const { return isSeen_[sender]; }
     /// Part of the hemisphere of a receiver in which others stand.
     double seen(std::size_t receiver) const { return pairs().sumOf(receiver); }
+
+    /// What lobes reflect of a place is what leaves the senders there. These have numbers behind
+    /// those of receivers, and behind them one for each drawn row: the sun on it at a radiance of
+    /// 1. None without lobes. Cells that stand for them are named as places of samples are.
+    const std::vector<std::uint32_t>& reflected() const { return reflected_; }
+    std::uint32_t cellOfReflected(std::size_t number) const {
+        return firstReflected_ + static_cast<std::uint32_t>(number);
+    }
+    /// Calls visit(number of a reflected one, weight) for what leaves a place.
+    template <typename Visit>
+    void forEachReflected(std::uint32_t cell, float u, float v, Visit visit) const {
+        float beside = sunOnCells_.empty() ? 0.0f : sunOnCells_[cell];
+        std::size_t row = 0;
+        forEachReceiver(cell, u, v, [&](std::uint32_t receiver, float part) {
+            const std::uint32_t sender = senderOf_[receiver];
+            visit(sender, part);
+            beside -= part * static_cast<float>(sun_[sender]);
+            row = static_cast<std::size_t>(rowOfSender_[sender]);
+        });
+        if (beside != 0.0f && !sunOnCells_.empty())
+            visit(static_cast<std::uint32_t>(senders() + row), beside);
+    }
 
     /// Cells of a body's mesh begin at this number.
     std::uint32_t firstCell(std::size_t body) const { return firstCell_[body]; }
@@ -129,6 +152,7 @@ class LightExchange {
     /// On a cell, as a factor: cosine times how much of it is lit.
     double sunOn(const Making& making, std::size_t body, std::uint32_t cell) const;
     void takeLight(Making& making);
+    void addReflected();
     /// Light that falls on the nodes near a patch.
     void lightSide(Making& making, std::size_t body, std::uint32_t patch) const;
 
@@ -142,6 +166,10 @@ class LightExchange {
     std::vector<std::uint32_t> local_;
     std::vector<std::vector<std::uint32_t>> ofRow_;
     std::vector<bool> sees_, isSeen_;
+    bool hasLobes_;
+    std::uint32_t firstReflected_ = 0;     // cell
+    std::vector<std::uint32_t> reflected_; // as receivers
+    std::vector<float> sunOnCells_;        // as factors, where lobes may meet them
     LightBalance balance_;
     LightPairs sunBesideMean_;
     std::vector<Loss> losses_;

@@ -97,7 +97,7 @@ std::vector<std::vector<double>> LightResponse::of(int row, std::span<const doub
     const std::size_t width = reflectors_.size();
     std::vector<std::vector<double>> inSubBands(subBands_.count, std::vector<double>(width, 0.0));
     const std::vector<std::uint32_t>& receivers =
-        light_.exchange().ofRow(radiometry_.rows().surfaceOf(radiometry_.rows().renderedOf(row)));
+        receiversOf(row, radiometry_.rows(), light_.exchange());
     for (std::size_t n = 0; n < receivers.size(); ++n) {
         const double weight = sums[2 * n + (withCosine ? 1 : 0)];
         const std::size_t place = light_.solution().placeOf(receivers[n]);

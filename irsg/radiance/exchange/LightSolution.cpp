@@ -43,14 +43,18 @@ void forEachInParts(std::size_t count, Work work) {
 LightSolution::LightSolution(const LightExchange& exchange, const std::vector<LightColumn>& columns,
                              const std::vector<std::vector<double>>& knots, int bounces,
                              double error)
-    : columns_(columns.size()), knots_(knots.size()), places_(exchange.receivers(), none) {
+    : columns_(columns.size()),
+      knots_(knots.size()),
+      places_(exchange.receivers() + exchange.reflected().size(), none) {
     for (std::size_t r = 0; r < exchange.receivers(); ++r)
         if (!exchange.pairs().isEmpty(r)) {
             places_[r] = receiver_.size();
             receiver_.push_back(r);
         }
+    for (const std::uint32_t number : exchange.reflected())
+        places_[number] = receiver_.size() + reflected_++;
     const std::size_t senders = exchange.senders();
-    gathered_.resize(receiver_.size() * columns_ * knots_);
+    gathered_.resize(places() * columns_ * knots_);
     ofSenders_.resize(senders * columns_ * knots_);
     std::vector<float> sent(senders * columns_);
     for (std::size_t s = 0; s < senders; ++s)
@@ -77,6 +81,15 @@ LightSolution::LightSolution(const LightExchange& exchange, const std::vector<Li
                         columns[c].row == static_cast<int>(pair->sender))
                         own[c] += pair->factor;
         }
+        for (std::size_t i = 0; i < reflected_; ++i) {
+            float* const own = &gathered_[((receiver_.size() + i) * knots_ + knot) * columns_];
+            for (std::size_t c = 0; c < columns_; ++c)
+                own[c] = i < senders ? leaving[i * columns_ + c]
+                         : columns[c].pattern == LightPattern::sun &&
+                                 columns[c].row == static_cast<int>(i - senders)
+                             ? 1.0f
+                             : 0.0f;
+        }
         forEachInParts(senders, [&](std::size_t s, std::size_t) {
             exchange.between().gather(s, leaving, columns_,
                                       &ofSenders_[(s * knots_ + knot) * columns_]);
@@ -101,9 +114,11 @@ std::vector<float> LightSolution::arriving(const LightExchange& exchange,
         exchange.pairs().gather(receiver_[p], leaving, width, &all[receiver_[p] * width]);
     });
     exchange.sharpen(all, width);
-    std::vector<float> arrives(receiver_.size() * width);
+    std::vector<float> arrives(places() * width);
     for (std::size_t p = 0; p < receiver_.size(); ++p)
         std::copy_n(&all[receiver_[p] * width], width, &arrives[p * width]);
+    if (reflected_ > 0) // what leaves a sender is what a lobe reflects of it
+        std::ranges::copy(leaving, &arrives[receiver_.size() * width]);
     return arrives;
 }
 

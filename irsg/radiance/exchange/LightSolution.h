@@ -36,7 +36,7 @@ class LightSolution {
     /// The number of a receiver among those that get anything; `none` for one that gets nothing.
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
     std::size_t placeOf(std::size_t receiver) const { return places_[receiver]; }
-    std::size_t places() const { return receiver_.size(); }
+    std::size_t places() const { return receiver_.size() + reflected_; }
     std::size_t columns() const { return columns_; }
     std::size_t knots() const { return knots_; }
     /// Of a receiver, columns of the first knot first; empty where it gets nothing.
@@ -66,7 +66,8 @@ class LightSolution {
 
     std::size_t columns_, knots_;
     std::vector<std::size_t> places_;   // by receiver
-    std::vector<std::size_t> receiver_; // by place
+    std::vector<std::size_t> receiver_; // by place; those that lobes reflect follow
+    std::size_t reflected_ = 0;
     std::vector<float> gathered_, ofSenders_;
 };
 

@@ -93,6 +93,16 @@ class CurveDivision {
 
 } // namespace
 
+const std::vector<std::uint32_t>& receiversOf(int row, const SurfaceRows& rows,
+                                              const LightExchange& exchange) {
+    static const std::vector<std::uint32_t> none;
+    const int rendered = rows.renderedOf(row);
+    if (rows.isOfSurfaces(rendered))
+        return exchange.reflected();
+    const auto drawn = static_cast<std::size_t>(rows.surfaceOf(rendered));
+    return drawn < exchange.rows() ? exchange.ofRow(static_cast<int>(drawn)) : none;
+}
+
 SceneLight::SceneLight(std::shared_ptr<const LightExchange> exchange,
                        const SceneRadiometry& radiometry, const OccluderStacks& occluderStacks,
                        const RenderSettings& settings, LightSolutions& solutions)
@@ -111,7 +121,7 @@ SceneLight::SceneLight(std::shared_ptr<const LightExchange> exchange,
 bool SceneLight::matters(int drawn) const {
     const SurfaceRows& rows = radiometry_.rows();
     if (rows.isLobe(drawn))
-        return rows.lobe(drawn).light < 0 && matters(rows.surfaceOf(drawn));
+        return !rows.lobe(drawn).isOfAtmosphere() && matters(rows.surfaceOf(drawn));
     return static_cast<std::size_t>(drawn) < exchange_->rows() && exchange_->seesAnything(drawn) &&
            std::ranges::any_of(radiometry_.surfaces()[static_cast<std::size_t>(drawn)].reflectance,
                                [](double value) { return value > leastReflectance_per_sr; });
@@ -206,11 +216,6 @@ void SceneLight::findKnots(const RenderSettings& settings) {
         knotsOfNodes_.between[node] = {knotOf[low], knotOf[high]};
         knotsOfNodes_.parts[node] = division.partOf(divided[low], divided[high], places[node]);
     }
-}
-
-const std::vector<std::uint32_t>& SceneLight::receiversOf(int row) const {
-    const SurfaceRows& rows = radiometry_.rows();
-    return exchange_->ofRow(rows.surfaceOf(rows.renderedOf(row)));
 }
 
 const std::vector<double>& SceneLight::lightOn(int drawn, int term) const {
@@ -331,9 +336,7 @@ const std::vector<SceneLight::AtReceiver>& SceneLight::atReceivers(const Surface
 ReceiverRows::ReceiverRows(const SurfaceRows& rows, const LightExchange& exchange) {
     first_.push_back(0);
     for (int row = 0; row < rows.size(); ++row) {
-        const int drawn = rows.surfaceOf(rows.renderedOf(row));
-        const std::size_t own =
-            static_cast<std::size_t>(drawn) < exchange.rows() ? exchange.ofRow(drawn).size() : 0;
+        const std::size_t own = receiversOf(row, rows, exchange).size();
         first_.push_back(first_.back() + static_cast<int>(own));
     }
 }

@@ -24,6 +24,11 @@ namespace irsg {
 /// neither wavelengths nor reflectivities.
 using LightSums = std::map<std::pair<int, int>, std::vector<double>>; // by front and row
 
+/// The receivers that a row has: those of its surface, or for what lobes reflect of others those
+/// that stand for what leaves these.
+const std::vector<std::uint32_t>& receiversOf(int row, const SurfaceRows& rows,
+                                              const LightExchange& exchange);
+
 /// What inter-reflection changes of the radiance of surfaces: what they lose of sky and ground to
 /// what stands before them, and what that sends in its place. At a receiver, in terms of the light
 /// of its own row r and the columns c of sources of others (LightSolution), node by node,
@@ -99,8 +104,9 @@ class SceneLight {
                 sources_W_m2_um_, skyTerm_,        groundTerm_};
     }
     std::size_t width() const { return integrator().width(); }
-    /// Of the surface that a row is of.
-    const std::vector<std::uint32_t>& receiversOf(int row) const;
+    const std::vector<std::uint32_t>& receiversOf(int row) const {
+        return irsg::receiversOf(row, radiometry_.rows(), *exchange_);
+    }
     /// By node.
     const std::vector<double>& lightOn(int drawn, int term) const;
     /// What a node has of a contracted column.

@@ -181,6 +181,14 @@ RayMesh::Facet RayMesh::facet(std::size_t piece, unsigned number) const {
     return found;
 }
 
+bool RayMesh::touch(const RayHit& hit, const RayHit& other) const {
+    const Facet one = facet(static_cast<std::size_t>(hit.piece), hit.facet);
+    const Facet two = facet(static_cast<std::size_t>(other.piece), other.facet);
+    return one.arrays == two.arrays && std::ranges::any_of(one.vertices, [&](unsigned vertex) {
+               return std::ranges::find(two.vertices, vertex) != two.vertices.end();
+           });
+}
+
 RayHit RayMesh::onPlaneOf(const RayHit& hit, const Ray& ray) const {
     return impl_->refined(ray, {static_cast<unsigned>(hit.piece), hit.facet});
 }

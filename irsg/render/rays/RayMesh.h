@@ -101,6 +101,8 @@ class RayMesh {
     };
     std::size_t facetsOf(std::size_t piece) const;
     Facet facet(std::size_t piece, unsigned number) const;
+    /// Whether the facets of two hits are one, or continue each other smoothly.
+    bool touch(const RayHit& hit, const RayHit& other) const;
 
     /// The nearest opaque facet, if any, and every transparent one before it, in any order, in
     /// place of what `through` held. Subfaces that lie in one plane are met as their layers stand;

@@ -38,6 +38,9 @@ std::size_t RayMesh::facetsOf(std::size_t) const {
 RayMesh::Facet RayMesh::facet(std::size_t, unsigned) const {
     return {};
 }
+bool RayMesh::touch(const RayHit&, const RayHit&) const {
+    return false;
+}
 bool RayMesh::meet(const Ray&, const PieceUses&, double, RayHit&, std::vector<RayHit>&) const {
     return false;
 }

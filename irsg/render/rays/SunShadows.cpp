@@ -132,15 +132,56 @@ SunShadows::OpenPaths SunShadows::openPaths(const SurfaceScene& scene,
     return paths;
 }
 
-bool SunShadows::OpenPaths::isOpen(const Vec3& eyeDirection, int row, double distance_m,
-                                   const Vec3& towardsEye, int column,
-                                   Neighbours& neighbours) const {
+SunShadows::Place SunShadows::OpenPaths::placeOf(const Vec3& eyeDirection, int row,
+                                                 double distance_m, int column,
+                                                 Neighbours& neighbours) const {
+    Place place = shadows_->placeOf(*source_, eyeDirection, row, distance_m, column, neighbours);
+    place.start_m = shadows_->startOf_m(place);
+    return place;
+}
+
+bool SunShadows::OpenPaths::isOpen(const Place& from, const Vec3& towardsEye) const {
     thread_local std::vector<std::pair<int, int>> through;
     through.clear();
-    const Place place =
-        shadows_->placeOf(*source_, eyeDirection, row, distance_m, column, neighbours);
-    return shadows_->reaches(place, shadows_->startOf_m(place), source_->worldOf(towardsEye), false,
-                             through);
+    return shadows_->reaches(from, from.start_m, source_->worldOf(towardsEye), false, through);
+}
+
+SunShadows::Met SunShadows::OpenPaths::met(const Place& from, const Vec3& towardsEye,
+                                           GeometrySamples::Place& at) const {
+    return shadows_->met(from, source_->worldOf(towardsEye), at);
+}
+
+SunShadows::Met SunShadows::met(const Place& from, const Vec3& towards,
+                                GeometrySamples::Place& at) const {
+    thread_local std::vector<RayHit> through;
+    std::size_t nearest = casters_.size();
+    RayHit hit, found;
+    double nearest_m = std::numeric_limits<double>::infinity();
+    for (std::size_t c = 0; c < casters_.size(); ++c) {
+        const Caster& caster = casters_[c];
+        Ray ray{turned(toMesh_[c], from.start_m - caster.pose.position_m),
+                turned(toMesh_[c], towards), 0.0, nearest_m};
+        bool isMet = caster.mesh->meet(ray, caster.uses, 0.0, hit, through);
+        // The smooth surface that it is on is not in its way.
+        while (isMet && from.isFound && c == from.caster && caster.mesh->touch(hit, from.hit)) {
+            ray.from_m = hit.distance_m + caster.mesh->rounding_m();
+            isMet = caster.mesh->meet(ray, caster.uses, 0.0, hit, through);
+        }
+        if (!isMet)
+            continue;
+        nearest = c;
+        nearest_m = hit.distance_m;
+        found = hit;
+    }
+    if (nearest == casters_.size())
+        return Met::nothing;
+    if (nearest >= places_.meshes.size())
+        return Met::other;
+    const ExchangeMesh::Place on = places_.meshes[nearest]->placeOf(found);
+    if (on.cell == ExchangeMesh::none)
+        return Met::other;
+    at = {places_.firstCell[nearest] + on.cell, on.u, on.v};
+    return Met::surface;
 }
 
 SunShadows::Place SunShadows::placeOf(const Source& source, const Vec3& eyeDirection, int row,

@@ -12,6 +12,7 @@
 #include "irsg/render/rays/ExchangeMesh.h"
 #include "irsg/render/rays/RayMesh.h"
 #include "irsg/render/rays/SunlitFacets.h"
+#include "irsg/render/sampling/Samples.h"
 #include "irsg/render/sampling/SurfaceScene.h"
 
 namespace irsg {
@@ -80,13 +81,30 @@ class SunShadows {
         std::vector<Known> last_;  // by row of the drawing
     };
 
+    /// A place on a surface, and the ray that it was found by, in the axes of its mesh.
+    struct Place {
+        std::size_t caster = 0;
+        Ray ray;
+        double distance_m = 0.0;
+        RayHit hit;
+        bool isFound = false;
+        Vec3 start_m; ///< in the world, where rays from there begin
+    };
+    /// What a ray from a place meets first of what is opaque.
+    enum class Met { nothing, surface, other };
+
     /// What is seen from the samples of a tile, which must live as long as this.
     class OpenPaths {
       public:
-        /// Whether nothing opaque is met on the way from the surface of a row that a ray from the
-        /// eye meets at a distance. Directions in eye space.
-        bool isOpen(const Vec3& eyeDirection, int row, double distance_m, const Vec3& towardsEye,
-                    int column, Neighbours& neighbours) const;
+        /// The surface of a row that a ray from the eye meets at a distance. Directions in eye
+        /// space.
+        Place placeOf(const Vec3& eyeDirection, int row, double distance_m, int column,
+                      Neighbours& neighbours) const;
+        /// Whether nothing opaque is met on the way from there.
+        bool isOpen(const Place& from, const Vec3& towardsEye) const;
+        /// What is met: a surface with places that samples may have (`at`), or something else, such
+        /// as terrain.
+        Met met(const Place& from, const Vec3& towardsEye, GeometrySamples::Place& at) const;
 
       private:
         friend class SunShadows;
@@ -102,20 +120,12 @@ class SunShadows {
 
   private:
     struct Shaded;
-    /// A place on a surface, and the ray that it was found by, in the axes of its mesh.
-    struct Place {
-        std::size_t caster = 0;
-        Ray ray;
-        double distance_m = 0.0;
-        RayHit hit;
-        bool isFound = false;
-    };
     Source sourceOf(const SurfaceScene& scene, const SampleTile& tile) const;
     Place placeOf(const Source& source, const Vec3& eyeDirection, int row, double distance_m,
                   int column, Neighbours& neighbours) const;
     bool isAllLit(const Place& place, const Sunlit* known) const;
-    /// In the world, where rays from there begin.
     Vec3 startOf_m(const Place& place) const;
+    Met met(const Place& from, const Vec3& towards, GeometrySamples::Place& at) const;
     /// Parts of the light that arrive: through nothing, and through sets of materials.
     Shaded lightAt(const Place& place, const Vec3& towardsSun, bool isLit, std::size_t turn) const;
     /// `isLit`: nothing of the mesh of the place itself is in the way.

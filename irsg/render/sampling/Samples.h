@@ -122,11 +122,23 @@ struct GeometrySamples {
     std::vector<float> specularScales;
     std::vector<std::shared_ptr<const SpecularEnvironmentTable>> specularTables;
 
+    /// What lobes of a layer reflect of another surface: the place where they meet it, as
+    /// LightExchange names it, with a weight, in a row of SurfaceRows that is drawn nowhere.
+    struct Reflected {
+        std::uint32_t sample = 0;
+        std::uint32_t layer = 0; ///< number among those of the sample, front to back
+        int row = 0;
+        float weight = 0.0f;
+        Place from;
+    };
+    std::vector<Reflected> reflected; ///< by sample and layer, ascending
+
     /// Nothing is known of shadows, of light between surfaces and of lobes.
     void forgetLight() {
         through.clear();
         lobes.clear();
         speculars.clear();
+        reflected.clear();
         specularScales.clear();
         specularTables.clear();
         sunVisibility.clear();
