@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "irsg/core/Errors.h"
+#include "irsg/radiometry/Units.h"
 #include "irsg/scene/KeyNumbers.h"
 
 namespace irsg {
@@ -33,7 +35,45 @@ LightSources sourcesOf(const Scene& scene) {
     return sources;
 }
 
+/// The mean of what opaque surfaces emit, by output, W m-2 sr-1, with their areas by row.
+std::vector<double> emissionOf(const std::map<int, double>& areas_m2, double whole_m2,
+                               const SceneRadiometry& radiometry) {
+    std::vector<double> means(radiometry.outputs().size());
+    for (const auto& [row, area_m2] : areas_m2) {
+        const SurfaceSpectra& surface = radiometry.surfaces()[static_cast<std::size_t>(row)];
+        for (const SurfaceSpectra::Emission& part : surface.emission)
+            for (std::size_t output = 0; output < means.size(); ++output)
+                for (std::size_t i = radiometry.outputs()[output].first;
+                     i < radiometry.outputs()[output].second; ++i)
+                    means[output] += area_m2 / whole_m2 * part.factor * part.radiance[i] *
+                                     radiometry.weights_um()[i];
+    }
+    return means;
+}
+
 } // namespace
+
+LightExchange::Extent InterReflection::extentOf(const Entity& entity,
+                                                const SunShadows::Caster& caster,
+                                                const SceneRadiometry& radiometry, bool isAlone) {
+    const BoundingBox& box = entity.model->bounds();
+    LightExchange::Extent extent{
+        entity.pose.toWorld(box.centre()), 0.5 * box.diagonal_m(), 0.0, {}};
+    if (isAlone)
+        return extent;
+    std::map<int, double> areas_m2;
+    double whole_m2 = 0.0;
+    const std::vector<double>& ofPieces_m2 = prepared_.of(entity).areasOfPieces_m2();
+    for (std::size_t piece = 0; piece < ofPieces_m2.size(); ++piece)
+        if (!caster.uses[piece].transparent && ofPieces_m2[piece] > 0.0) {
+            areas_m2[caster.rows[piece]] += ofPieces_m2[piece];
+            whole_m2 += ofPieces_m2[piece];
+        }
+    // Whatever a body hides, it does not hide more than half of its surface.
+    extent.crossSection_m2 = std::min(pi * extent.radius_m * extent.radius_m, 0.5 * whole_m2);
+    extent.emits = emissionOf(areas_m2, whole_m2, radiometry);
+    return extent;
+}
 
 bool InterReflection::isAskedFor(const RenderSettings& settings) {
     return settings.bounces != 0 && settings.ambientReflection != ReflectionMode::approx;
@@ -44,18 +84,26 @@ InterReflection::exchangeOf(const Scene& scene, const SceneEvaluation& evaluatio
                             const std::vector<SunShadows::Caster>& casters) {
     const RenderSettings& settings = scene.settings;
     Known key;
+    const LightSources sources = sourcesOf(scene);
+    std::vector<LightExchange::Extent> extents;
+    for (std::size_t e = 0; e < scene.entities.size(); ++e)
+        extents.push_back(extentOf(scene.entities[e], casters[e], evaluation.evaluated->radiometry,
+                                   scene.entities.size() == 1));
     std::vector<LightExchange::Body> bodies;
+    bool isPlaceOfMatter = scene.terrain != nullptr;
     for (std::size_t e = 0; e < scene.entities.size(); ++e) {
         const Entity& entity = scene.entities[e];
         bool isAmongOthers = false;
-        for (const Entity& other : scene.entities) {
-            const BoundingBox &box = entity.model->bounds(), &others = other.model->bounds();
-            isAmongOthers =
-                isAmongOthers ||
-                (&other != &entity &&
-                 LightExchange::areNear(entity.pose.toWorld(box.centre()), 0.5 * box.diagonal_m(),
-                                        other.pose.toWorld(others.centre()),
-                                        0.5 * others.diagonal_m(), settings.lightError));
+        for (std::size_t o = 0; o < extents.size(); ++o) {
+            if (o == e)
+                continue;
+            const bool areNear =
+                LightExchange::isNear(extents[e], extents[o], settings.lightError) ||
+                LightExchange::isNear(extents[o], extents[e], settings.lightError);
+            key.numbers.push_back(areNear ? 1.0 : 0.0);
+            isAmongOthers = isAmongOthers || areNear;
+            isPlaceOfMatter = isPlaceOfMatter || isAmongOthers ||
+                              LightExchange::mayShade(extents[e], extents[o], sources.towardsSun);
         }
         bodies.push_back(
             {static_cast<int>(e),
@@ -65,14 +113,14 @@ InterReflection::exchangeOf(const Scene& scene, const SceneEvaluation& evaluatio
                                                    ? BodyPlace::seenFromWithin
                                                : scene.terrain ? BodyPlace::overTerrain
                                                                : BodyPlace::alone),
-             entity.model->bounds()});
+             extents[e]});
         key.bodies.push_back(bodies.back().light);
         appendTo(key.numbers, entity.pose.attitude);
-        // One alone is lit alike wherever it stands.
-        if (scene.entities.size() > 1 || scene.terrain)
-            appendTo(key.numbers, entity.pose.position_m);
     }
-    const LightSources sources = sourcesOf(scene);
+    // Those that are far from each other are lit alike wherever they stand.
+    for (const Entity& entity : scene.entities)
+        if (isPlaceOfMatter)
+            appendTo(key.numbers, entity.pose.position_m);
     appendTo(key.numbers, sources.towardsSun);
     key.numbers.insert(key.numbers.end(),
                        {settings.lightError, sources.sunAlways, sources.isSkyOn ? 1.0 : 0.0,

@@ -44,6 +44,8 @@ class InterReflection {
         bool hasLobes = false;
         std::shared_ptr<const LightExchange> exchange;
     };
+    LightExchange::Extent extentOf(const Entity& entity, const SunShadows::Caster& caster,
+                                   const SceneRadiometry& radiometry, bool isAlone);
     std::shared_ptr<const LightExchange> exchangeOf(const Scene& scene,
                                                     const SceneEvaluation& evaluation,
                                                     const std::vector<SunShadows::Caster>& casters);

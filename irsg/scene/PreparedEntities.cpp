@@ -72,6 +72,20 @@ const std::shared_ptr<const RayMesh>& PreparedModel::forRays() {
     return rayMesh;
 }
 
+const std::vector<double>& PreparedModel::areasOfPieces_m2() {
+    if (!areas_m2.empty())
+        return areas_m2;
+    const RayMesh& rays = *forRays();
+    for (std::size_t piece = 0; piece < rays.pieces(); ++piece) {
+        double& sum = areas_m2.emplace_back();
+        for (unsigned f = 0; f < rays.facetsOf(piece); ++f) {
+            const std::array<Vec3, 3> c = rays.facet(piece, f).corners_m;
+            sum += 0.5 * length(cross(c[1] - c[0], c[2] - c[0]));
+        }
+    }
+    return areas_m2;
+}
+
 std::shared_ptr<const BodyLight> PreparedModel::lightBetween(const PieceUses& uses, double error,
                                                              BodyPlace place) {
     const KnownLight* const known = light.find([&](const KnownLight& one) {

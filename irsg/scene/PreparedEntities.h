@@ -25,6 +25,9 @@ struct PreparedModel {
 
     const Mesh& mesh() const { return *model->mesh(); }
     const std::shared_ptr<const RayMesh>& forRays();
+    /// Of facets, one side each; found when first asked for.
+    const std::vector<double>& areasOfPieces_m2();
+    std::vector<double> areas_m2{};
     /// What its surfaces see of each other where its pieces are met so, within an error; see
     /// BodyLight.
     std::shared_ptr<const BodyLight> lightBetween(const PieceUses& uses, double error,

@@ -312,3 +312,32 @@ TEST_F(LightBetweenTest, OthersLightAsOwnPartsDo) {
     EXPECT_NEAR(intensity[1] / intensity[0], 1.0, 3e-3);
     EXPECT_GT(std::abs(intensity[2] / intensity[0] - 1.0), 0.01);
 }
+
+TEST_F(LightBetweenTest, FarBodiesCountWhereTheyAreBrightAlone) {
+    const Triangles corner = joined(plateMesh({}, {0.5, 0, 0}, {0, 0.5, 0}, {1, 1}),
+                                    plateMesh({0.5, 0, 0.5}, {0, 0.5, 0}, {0, 0, 0.5}, {1, 1}));
+    const auto bodyAt = [&](double x_m, double temperature_K) {
+        Entity entity = entityOf(modelOf(corner), greyDatabase(0.3, temperature_K));
+        entity.pose.position_m = {x_m, 0, standingAltitude_m};
+        entity.referencePoint_m = Vec3{};
+        return entity;
+    };
+    const auto intensityOfFirst_W_sr = [&](const std::vector<Entity>& entities,
+                                           int bounces = convergedBounces) {
+        InteractiveRenderer irsg =
+            rendererOf(entities, brightSettings(EngineChoice::rays, bounces), brightAtmosphere());
+        look(irsg, {.azimuth_rad = -0.3, .elevation_rad = 0.6, .fieldOfView_rad = 0.4});
+        return irsg.measure().objects[0].intensity_W_sr;
+    };
+    const double alone = intensityOfFirst_W_sr({bodyAt(0.0, 300.0)});
+    // As bright as each other they are lit as each alone; samples lie elsewhere in another frame.
+    const std::vector<Entity> two{bodyAt(0.0, 300.0), bodyAt(-20.5, 300.0)};
+    const double sampled = intensityOfFirst_W_sr(two, 0) / intensityOfFirst_W_sr({two[0]}, 0);
+    EXPECT_NEAR(intensityOfFirst_W_sr(two) / alone, sampled, 3e-5); // to which reflections converge
+    // A view factor of 1e-4 counts where it is of what is thousands of times brighter.
+    EXPECT_GT(intensityOfFirst_W_sr({bodyAt(0.0, 300.0), bodyAt(-60.0, 2500.0)}) / alone, 1.005);
+    // Near ones count as they are.
+    EXPECT_GT(
+        std::abs(intensityOfFirst_W_sr({bodyAt(0.0, 300.0), bodyAt(-1.2, 300.0)}) / alone - 1.0),
+        1e-4);
+}

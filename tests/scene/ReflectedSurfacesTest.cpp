@@ -1,5 +1,5 @@
-// What directional surfaces reflect of other surfaces along their lobes: plane mirrors in closed form, rough plates
-// by an own quadrature, and the sun on what is reflected.
+// What directional surfaces reflect of other surfaces along their lobes: plane mirrors in closed
+// form, rough plates by an own quadrature, and the sun on what is reflected.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -39,10 +39,11 @@ struct PlateAndWall {
 
     Triangles mesh() const {
         Triangles all = plateMesh({}, {0.5, 0, 0}, {0, 0.5, 0}, {1, 1});
-        for (int i = 0; i < divisions; ++i)
-            all = joined(all, plateMesh({0.5, (i + 0.5) / divisions - 0.5, 0.5 * wallHeight_m},
-                                        {0, 0, 0.5 * wallHeight_m}, {0, 0.5 / divisions, 0},
-                                        {2, 2}));
+        for (int i = 0; i < divisions; ++i) {
+            all =
+                joined(all, plateMesh({0.5, (i + 0.5) / divisions - 0.5, 0.5 * wallHeight_m},
+                                      {0, 0, 0.5 * wallHeight_m}, {0, 0.5 / divisions, 0}, {2, 2}));
+        }
         return all;
     }
     Entity entity() const {
@@ -66,23 +67,27 @@ double intensity_W_sr(InteractiveRenderer& irsg, double elevation_rad) {
     return irsg.measure().all.intensity_W_sr;
 }
 
-/// The part of a level plate of 1 m from which a direction, in its axes with x away from the wall, meets the wall.
+/// The part of a level plate of 1 m from which a direction, in its axes with x away from the wall,
+/// meets the wall.
 double partThatMeetsWall(const SurfaceDirection& from) {
     constexpr int places = 30;
-    if (!(from.z > 0.0) || !(from.x < 0.0))
+    if (!(from.z > 0.0) || !(from.x < 0.0)) {
         return 0.0;
+    }
     int met = 0;
-    for (int p = 0; p < places; ++p)
+    for (int p = 0; p < places; ++p) {
         for (int q = 0; q < places; ++q) {
             const double x = (p + 0.5) / places - 0.5, y = (q + 0.5) / places - 0.5;
             const double step = (0.5 - x) / -from.x;
             met += step * from.z < wallHeight_m && std::abs(y - step * from.y) < 0.5 ? 1 : 0;
         }
+    }
     return static_cast<double>(met) / (places * places);
 }
 
-/// What the plate sends of a wall of radiance 1, m2: facets by Trowbridge and Reitz, or Gaussian, and whether the
-/// direction from which each reflects meets the wall; what is reflected among facets more than once by its BRDF.
+/// What the plate sends of a wall of radiance 1, m2: facets by Trowbridge and Reitz, or Gaussian,
+/// and whether the direction from which each reflects meets the wall; what is reflected among
+/// facets more than once by its BRDF.
 double plateShows_m2(const Material& material, double elevation_rad) {
     const auto model = surfaceModelOf(material);
     const SurfaceModel::Amounts amounts = model->amountsAt(material, wavelength_um);
@@ -101,13 +106,16 @@ double plateShows_m2(const Material& material, double elevation_rad) {
             double sent = 0.0, diffuse = 0.0;
             const double level = std::sqrt(share), up = std::sqrt(1.0 - share);
             const SurfaceDirection spread{level * std::cos(around), level * std::sin(around), up};
-            for (std::size_t k = 0; k < model->components(); ++k)
-                if (model->hasLobe(k))
+            for (std::size_t k = 0; k < model->components(); ++k) {
+                if (model->hasLobe(k)) {
                     sent += amounts[k] * model->facetWeight(k, to, facet);
-                else
+                } else {
                     diffuse += amounts[k] * pi * model->brdf_per_sr(k, to, spread);
-            if (sent > 0.0)
+                }
+            }
+            if (sent > 0.0) {
                 sum += sent * partThatMeetsWall(mirrored(to, facet));
+            }
             sum += diffuse * partThatMeetsWall(spread);
         }
     }
@@ -121,7 +129,8 @@ double black_W_m2_sr(double temperature_K) {
 } // namespace
 
 TEST_F(ReflectedSurfaces, APlaneMirrorShowsAHotWall) {
-    // The mirror image of the wall: places whose mirror direction meets it lie within height / tan of its foot.
+    // The mirror image of the wall: places whose mirror direction meets it lie within height / tan
+    // of its foot.
     for (const EngineChoice engine : {EngineChoice::opengl, EngineChoice::rays}) {
         for (const double elevation_deg : {25.0, 40.0, 60.0}) {
             const double elevation_rad = radians(elevation_deg), sine = std::sin(elevation_rad);
@@ -131,12 +140,11 @@ TEST_F(ReflectedSurfaces, APlaneMirrorShowsAHotWall) {
             InteractiveRenderer irsg = rendererOf({scene.entity()}, settings);
             const double found = intensity_W_sr(irsg, elevation_rad);
             const double direct = wallHeight_m * std::cos(elevation_rad);
-            const double shown =
-                sine * std::min(wallHeight_m / std::tan(elevation_rad), 1.0) *
-                (0.9 + 0.1 * std::pow(1.0 - sine, 5));
+            const double shown = sine * std::min(wallHeight_m / std::tan(elevation_rad), 1.0) *
+                                 (0.9 + 0.1 * std::pow(1.0 - sine, 5));
             const double expected = black_W_m2_sr(600.0) * (direct + shown);
-            std::printf("  %g deg: %.5f of the closed form; without what is mirrored %.3f\n", elevation_deg,
-                        found / expected, direct / (direct + shown));
+            std::printf("  %g deg: %.5f of the closed form; without what is mirrored %.3f\n",
+                        elevation_deg, found / expected, direct / (direct + shown));
             EXPECT_NEAR(found / expected, 1.0, 0.003) << elevation_deg;
         }
     }
@@ -154,8 +162,8 @@ TEST_F(ReflectedSurfaces, RoughPlatesShowAHotWall) {
                 const double shown = plateShows_m2(scene.plate, elevation_rad);
                 const double expected = black_W_m2_sr(600.0) * (direct + shown);
                 const double found = intensity_W_sr(irsg, elevation_rad);
-                std::printf("  %s %g, %g deg: %.5f of the quadrature; mirrored part %.3f\n", model, roughness,
-                            elevation_deg, found / expected, shown / (direct + shown));
+                std::printf("  %s %g, %g deg: %.5f of the quadrature; mirrored part %.3f\n", model,
+                            roughness, elevation_deg, found / expected, shown / (direct + shown));
                 EXPECT_NEAR(found / expected, 1.0, 0.005) << model << " " << roughness;
             }
         }
@@ -166,7 +174,8 @@ TEST_F(ReflectedSurfaces, APlaneMirrorShowsTheSunOnAWall) {
     ConstantAtmosphere air;
     air.sunValue = 100.0;
     const double elevation_rad = radians(40.0);
-    // The sun on the side that the wall faces, so that its cosine to the wall is that of 30 degrees.
+    // The sun on the side that the wall faces, so that its cosine to the wall is that of 30
+    // degrees.
     const Environment environment = environmentOf(air, {-0.5 * pi, radians(30.0)});
     RenderSettings settings = lightSettings(convergedBounces);
     settings.sun = ReflectionMode::smart;
@@ -174,17 +183,18 @@ TEST_F(ReflectedSurfaces, APlaneMirrorShowsTheSunOnAWall) {
     PlateAndWall scene{polished("ggx", 0.002), 0.4, 2.0, 3};
     InteractiveRenderer irsg = rendererOf({scene.entity()}, settings, environment);
     const double found = intensity_W_sr(irsg, elevation_rad);
-    // The wall reflects the sun, and the sun's glint from the plate, which reaches it from below: a mirror of
-    // roughness 0 sends all of it there, and lights it up to where its rays leave the plate.
+    // The wall reflects the sun, and the sun's glint from the plate, which reaches it from below: a
+    // mirror of roughness 0 sends all of it there, and lights it up to where its rays leave the
+    // plate.
     const double radiance = 0.6 / pi * 200.0 * std::cos(radians(30.0));
     const double direct = wallHeight_m * std::cos(elevation_rad);
     const double sine = std::sin(elevation_rad);
-    const double shown = sine * wallHeight_m / std::tan(elevation_rad) *
-                         (0.9 + 0.1 * std::pow(1.0 - sine, 5));
+    const double shown =
+        sine * wallHeight_m / std::tan(elevation_rad) * (0.9 + 0.1 * std::pow(1.0 - sine, 5));
     std::printf("  %.5f of sun on the wall, direct and mirrored\n",
                 found / (radiance * (direct + shown)));
-    // What the plate irradiates the wall with is not by direction: it is at most its reflectivity times the wall's
-    // view of it.
+    // What the plate irradiates the wall with is not by direction: it is at most its reflectivity
+    // times the wall's view of it.
     EXPECT_GT(found, 0.997 * radiance * (direct + shown));
     EXPECT_LT(found, 1.5 * radiance * (direct + shown));
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -189,20 +190,27 @@ void ExchangeNodes::placeNodes(const ExchangeResolution& resolution) {
         spacing.spareDark = isLimited;
         return spacing;
     };
-    const auto nodesWith = [&](double fineness, double least_m) {
-        return placeAll(pieces, *mesh_, spacingWith(fineness, least_m));
+    const auto fits = [&](double fineness, double least_m, std::size_t most) {
+        return placeAll(pieces, *mesh_, spacingWith(fineness, least_m), most);
     };
-    // Simple models have finer ones. Small ones are left out first where there would be too many:
-    // what is small matters less. However far apart, each piece and each way that it looks has one.
+    // Simple models have finer ones: the finest that does, from the coarsest on, which takes the
+    // least time to find out about.
     double least_m = 0.25 * std::sqrt(area_m2 / static_cast<double>(resolution.mostNodes));
-    fineness_ = mesh_->fineness();
-    while (fineness_ < 0.99 && nodesWith(fineness_, least_m) > resolution.fewNodes)
-        fineness_ = fineness_ * std::sqrt(2.0);
-    while (fineness_ >= 0.99 && nodesWith(1.0, least_m) > resolution.mostNodes &&
-           least_m < mesh_->extent_m()) {
+    std::vector<double> finer{mesh_->fineness()};
+    while (finer.back() < 0.99)
+        finer.push_back(finer.back() * std::sqrt(2.0));
+    while (finer.size() > 1 && fits(finer[finer.size() - 2], least_m, resolution.fewNodes))
+        finer.pop_back();
+    fineness_ = finer.back();
+    // Small ones are left out first where there would be too many: what is small matters less.
+    // However far apart, each piece and each way that it looks has one.
+    const bool isFine = fineness_ < 0.99;
+    while (!isFine && !fits(1.0, least_m, resolution.mostNodes) && least_m < mesh_->extent_m()) {
         isLimited = true;
         least_m *= 1.2;
     }
+    if (isFine || least_m >= mesh_->extent_m())
+        placeAll(pieces, *mesh_, spacingWith(isFine ? fineness_ : 1.0, least_m), allNodes);
     coarseness_ = 4.0 * least_m / std::sqrt(area_m2 / static_cast<double>(resolution.mostNodes));
     parallelFor(pieces.size(), [&](std::size_t p) { share(pieces[p], *mesh_); });
 
@@ -223,13 +231,15 @@ void ExchangeNodes::placeNodes(const ExchangeResolution& resolution) {
     placeSenders(pieces, spacingWith(fineness_, least_m), resolution);
 }
 
-std::size_t ExchangeNodes::placeAll(std::vector<OfPiece>& pieces, const ExchangeMesh& mesh,
-                                    const NodeSpacing& spacing) {
-    parallelFor(pieces.size(), [&](std::size_t p) { place(pieces[p], mesh, spacing); });
-    std::size_t nodes = 0;
-    for (const OfPiece& piece : pieces)
-        nodes += piece.outside;
-    return nodes;
+bool ExchangeNodes::placeAll(std::vector<OfPiece>& pieces, const ExchangeMesh& mesh,
+                             const NodeSpacing& spacing, std::size_t most) {
+    std::atomic<std::size_t> outside = 0;
+    parallelFor(pieces.size(), [&](std::size_t p) {
+        if (outside <= most)
+            place(pieces[p], mesh, spacing, most);
+        outside += pieces[p].outside;
+    });
+    return outside <= most;
 }
 
 /// Nodes send as one that would be one where nodes are farther apart.
@@ -251,8 +261,8 @@ void ExchangeNodes::placeSenders(std::vector<OfPiece>& pieces, NodeSpacing spaci
         spacing.longest_m *= factor;
     };
     widen(wider);
-    while (placeAll(pieces, *mesh_, spacing) > resolution.mostSenders &&
-           spacing.least_m < mesh_->extent_m())
+    while (!placeAll(pieces, *mesh_, spacing,
+                     spacing.least_m < mesh_->extent_m() ? resolution.mostSenders : allNodes))
         widen(1.3);
     senders_ = 0;
     for (std::size_t p = 0; p < pieces.size(); ++p) {
@@ -266,7 +276,8 @@ void ExchangeNodes::placeSenders(std::vector<OfPiece>& pieces, NodeSpacing spaci
     }
 }
 
-void ExchangeNodes::place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSpacing& spacing) {
+void ExchangeNodes::place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSpacing& spacing,
+                          std::size_t most) {
     const auto vertexAt = [&](std::size_t i) -> const ExchangeMesh::Vertex& {
         return mesh.vertices()[piece.vertices[i]];
     };
@@ -299,7 +310,8 @@ void ExchangeNodes::place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSp
                 piece.coveredBy[at] = node;
             continue;
         }
-        ++piece.outside;
+        if (++piece.outside > most)
+            return;
         const auto cover = [&](std::size_t at, double most_m, double distance_m) {
             if (piece.coveredBy[at] == nobody && distance_m < most_m &&
                 dot(vertexAt(i).normal, vertexAt(at).normal) > alike)

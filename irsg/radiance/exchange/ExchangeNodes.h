@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <utility>
@@ -108,10 +109,13 @@ class ExchangeNodes {
         bool spareDark = false;
     };
     void placeNodes(const ExchangeResolution& resolution);
-    /// How many nodes of all pieces turn to no space inside.
-    static std::size_t placeAll(std::vector<OfPiece>& pieces, const ExchangeMesh& mesh,
-                                const NodeSpacing& spacing);
-    static void place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSpacing& spacing);
+    static constexpr std::size_t allNodes = std::numeric_limits<std::size_t>::max();
+    /// Whether no more than `most` nodes of all pieces turn to no space inside; else they are not
+    /// all placed.
+    static bool placeAll(std::vector<OfPiece>& pieces, const ExchangeMesh& mesh,
+                         const NodeSpacing& spacing, std::size_t most);
+    static void place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSpacing& spacing,
+                      std::size_t most);
     static void share(OfPiece& piece, const ExchangeMesh& mesh);
     void placeSenders(std::vector<OfPiece>& pieces, NodeSpacing spacing,
                       const ExchangeResolution& resolution);

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "irsg/core/ParallelFor.h"
+#include "irsg/radiometry/Units.h"
 
 namespace irsg {
 
@@ -15,8 +17,10 @@ namespace {
 constexpr double raysToOthers = 128.0, usualError = 0.005;
 /// Cells of which each is divided in four to see how much of it the sun lights.
 constexpr std::size_t fewCells = 60'000;
-/// Of the error that is asked for: bodies that fill less of a hemisphere are left out.
-constexpr double negligibleSize = 0.02;
+/// Of the error that is asked for: bodies that fill less of a hemisphere, as bright as they are
+/// beside the other, are left out. At the usual error that is 0.001 of what a place that faces them
+/// receives, and less than a tenth of what is stated for inter-reflection.
+constexpr double negligiblePart = 0.2;
 
 /// A bounding sphere in the world.
 struct Sphere {
@@ -45,10 +49,11 @@ struct LightExchange::Making {
     };
     const std::vector<SunShadows::Caster>& casters;
     const LightSources& sources;
-    std::vector<Rotation> toWorld{}, toMesh{};    ///< by caster
-    std::vector<Sphere> spheres{};                ///< by body
-    std::vector<std::vector<std::size_t>> near{}; ///< bodies that a body may see
-    std::vector<bool> meetsTerrain{};             ///< by body
+    std::vector<Rotation> toWorld{}, toMesh{};       ///< by caster
+    std::vector<Sphere> spheres{};                   ///< by body
+    std::vector<std::vector<std::size_t>> near{};    ///< bodies that a body may see
+    std::vector<std::vector<std::size_t>> shading{}; ///< casters that may shade a body
+    std::vector<bool> meetsTerrain{};                ///< by body
     const SunShadows::Caster* terrain = nullptr;
     std::size_t terrainNumber = 0;
     std::uint32_t raysToOthers = 0;
@@ -100,17 +105,21 @@ LightExchange::LightExchange(std::vector<Body> bodies,
             making.terrainNumber = making.toWorld.size() - 1;
         }
     }
-    for (std::size_t b = 0; b < bodies_.size(); ++b)
-        making.spheres.push_back(
-            {casters[b].pose.toWorld(bodies_[b].box.centre()), 0.5 * bodies_[b].box.diagonal_m()});
+    for (const Body& body : bodies_)
+        making.spheres.push_back({body.extent.centre_m, body.extent.radius_m});
     for (std::size_t a = 0; a < bodies_.size(); ++a) {
         std::vector<std::size_t>& near = making.near.emplace_back();
+        std::vector<std::size_t>& shading = making.shading.emplace_back();
         for (std::size_t b = 0; b < bodies_.size(); ++b) {
-            const Sphere &own = making.spheres[a], &other = making.spheres[b];
-            if (a != b &&
-                areNear(own.centre_m, own.radius_m, other.centre_m, other.radius_m, error))
+            const Extent &own = bodies_[a].extent, &other = bodies_[b].extent;
+            // Both or none: pairs have two ends.
+            if (a != b && (isNear(own, other, error) || isNear(other, own, error)))
                 near.push_back(b);
+            if (a == b || mayShade(own, other, sources.towardsSun))
+                shading.push_back(b);
         }
+        if (making.terrain)
+            shading.push_back(making.terrainNumber);
     }
     const double top_m = making.terrain ? making.terrainTop_m() : 0.0;
     for (const Sphere& sphere : making.spheres)
@@ -141,11 +150,23 @@ void LightExchange::addReflected() {
     losses_.resize(receivers() + count);
 }
 
-bool LightExchange::areNear(const Vec3& centre_m, double radius_m, const Vec3& otherCentre_m,
-                            double otherRadius_m, double error) {
-    const double apart_m = length(otherCentre_m - centre_m) - radius_m;
-    return apart_m <= otherRadius_m ||
-           otherRadius_m * otherRadius_m > negligibleSize * error * apart_m * apart_m;
+bool LightExchange::isNear(const Extent& body, const Extent& other, double error) {
+    const double apart_m = length(other.centre_m - body.centre_m) - body.radius_m;
+    if (apart_m <= other.radius_m)
+        return true;
+    double brighter = 1.0;
+    for (std::size_t i = 0; i < other.emits.size(); ++i)
+        if (other.emits[i] > brighter * body.emits[i])
+            brighter = body.emits[i] > 0.0 ? other.emits[i] / body.emits[i]
+                                           : std::numeric_limits<double>::infinity();
+    return other.crossSection_m2 * brighter > negligiblePart * error * pi * apart_m * apart_m;
+}
+
+bool LightExchange::mayShade(const Extent& body, const Extent& other, const Vec3& towardsSun) {
+    const Vec3 to_m = other.centre_m - body.centre_m;
+    const double along_m = dot(to_m, towardsSun), both_m = body.radius_m + other.radius_m;
+    return dot(to_m, to_m) <= both_m * both_m ||
+           (along_m > 0.0 && dot(to_m, to_m) - along_m * along_m <= both_m * both_m);
 }
 
 void LightExchange::number(const std::vector<SunShadows::Caster>& casters) {
@@ -270,19 +291,19 @@ void LightExchange::takeOwn(Making& making, std::size_t body, std::uint32_t patc
     const ExchangeNodes& nodes = light.nodes();
     const std::uint32_t first = firstReceiver_[body];
     const BodyLight::Rays rays(nodes, patch);
+    const std::span<const float> scales = light.scalesOf(patch);
     for (const BodyLight::LightRay& ray : light.raysOf(patch)) {
         const BodyLight::LightStart start = rays.at(ray.index);
         const bool isUp = (making.toWorld[body] * start.ray.direction).z > 0.0;
-        for (const ExchangeNodes::Share& own : ExchangeNodes::OfPlace(nodes, start.from.place)) {
+        const ExchangeNodes::OfPlace from(nodes, start.from.place);
+        for (const ExchangeNodes::Share& own : from) {
             const std::size_t near = nodes.placeNear(patch, own.node);
             Making::Told& told = making.told[first + patch][near];
-            (isUp ? told.sky : told.ground) +=
-                static_cast<double>(own.part * light.scalesOf(patch)[near]);
+            (isUp ? told.sky : told.ground) += static_cast<double>(own.part * scales[near]);
         }
         tellOfSun(making, first + patch, body, ray.place, [&](auto add) {
-            for (const ExchangeNodes::Share& own : ExchangeNodes::OfPlace(nodes, start.from.place))
-                add(first + own.node,
-                    own.part * light.scalesOf(patch)[nodes.placeNear(patch, own.node)]);
+            for (const ExchangeNodes::Share& own : from)
+                add(first + own.node, own.part * scales[nodes.placeNear(patch, own.node)]);
         });
     }
     if (!making.sunParts.empty())
@@ -358,7 +379,7 @@ double LightExchange::sunOn(const Making& making, std::size_t body, std::uint32_
     const auto isLit = [&](const Vec3& place) {
         const Vec3 from_m =
             making.casters[body].pose.toWorld(place + mesh.normal(cell) * mesh.lift_m());
-        for (std::size_t i = 0; i < making.casters.size(); ++i) {
+        for (const std::size_t i : making.shading[body]) {
             const SunShadows::Caster& other = making.casters[i];
             through.clear();
             if (!other.mesh->letsPass({making.toMesh[i] * (from_m - other.pose.position_m),

@@ -27,10 +27,18 @@ struct LightSources {
 /// that know no wavelength. Receivers of all entities follow each other.
 class LightExchange {
   public:
+    /// How much others may see of a body.
+    struct Extent {
+        Vec3 centre_m; ///< of a sphere around it, in the world
+        double radius_m = 0.0;
+        double crossSection_m2 = 0.0; ///< from any side at most
+        /// What it emits, as a mean over its area: by output, in any unit that all bodies share.
+        std::vector<double> emits;
+    };
     struct Body {
         int entity = 0;
         std::shared_ptr<const BodyLight> light;
-        BoundingBox box; ///< model axes
+        Extent extent;
     };
     /// What a receiver loses of sky and ground to what stands before it.
     struct Loss {
@@ -127,10 +135,10 @@ class LightExchange {
     /// Parts of the hemispheres over the corners of a place in which nothing stands.
     std::array<float, 3> openAt(std::uint32_t cell) const;
 
-    /// Whether a body is so near that light between it and another counts; boxes in the world by
-    /// their balls.
-    static bool areNear(const Vec3& centre_m, double radius_m, const Vec3& otherCentre_m,
-                        double otherRadius_m, double error);
+    /// Whether another body is so near, so large or so much brighter that what it sends counts.
+    static bool isNear(const Extent& body, const Extent& other, double error);
+    /// Whether one may stand in the light of the sun on a body.
+    static bool mayShade(const Extent& body, const Extent& other, const Vec3& towardsSun);
 
   private:
     struct Making;
