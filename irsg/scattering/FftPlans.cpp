@@ -1,15 +1,11 @@
 #include "irsg/scattering/FftPlans.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <cstdlib>
 #include <new>
 
 #include <fftw3.h>
 
 #include "irsg/core/Errors.h"
-#include "irsg/core/FileReading.h"
-#include "irsg/core/FileReplacement.h"
 #include "irsg/core/ParallelFor.h"
 
 namespace irsg {
@@ -22,7 +18,6 @@ constexpr int pieces = 4;
 /// Sizes are taken from as many in each octave, so that objects that move are not planned for anew
 /// at every step.
 constexpr int stepsOfOctave = 8;
-constexpr std::uint64_t largestWisdom_B = 16 << 20;
 
 fftwf_complex* raw(std::complex<float>* values) {
     return reinterpret_cast<fftwf_complex*>(values);
@@ -80,9 +75,9 @@ struct FftPlans::Pair {
         const long points = static_cast<long>(width) * height;
         fftwf_plan_with_nthreads(points >= threadedFrom ? pieces : 1);
         forward =
-            fftwf_plan_dft_r2c_2d(height, width, reals.get(), raw(spectrum.get()), FFTW_MEASURE);
+            fftwf_plan_dft_r2c_2d(height, width, reals.get(), raw(spectrum.get()), FFTW_ESTIMATE);
         backward =
-            fftwf_plan_dft_c2r_2d(height, width, raw(spectrum.get()), reals.get(), FFTW_MEASURE);
+            fftwf_plan_dft_c2r_2d(height, width, raw(spectrum.get()), reals.get(), FFTW_ESTIMATE);
         if (!forward || !backward)
             throw LogicError("FFTW has no plan for a transform");
     }
@@ -98,18 +93,6 @@ FftPlans::FftPlans() {
     if (fftwf_init_threads() == 0)
         throw LogicError("FFTW has no threads");
     fftwf_threads_set_callback(runPieces, nullptr);
-    const std::filesystem::path file = wisdomFile();
-    std::error_code none;
-    if (!std::filesystem::exists(file, none))
-        return;
-    try {
-        const std::string wisdom = readFile(file, largestWisdom_B);
-        // What another version of FFTW left is no use and no error.
-        fftwf_import_wisdom_from_string(wisdom.c_str());
-        allowChange(file);
-    } catch (const InputError&) {
-        // It is a cache, and something else stands in its place.
-    }
 }
 
 FftPlans::~FftPlans() = default;
@@ -120,32 +103,6 @@ FftPlans& FftPlans::shared() {
     return *plans;
 }
 
-std::filesystem::path FftPlans::wisdomFile() {
-    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache)
-        return std::filesystem::path(cache) / "smat" / "fftw-wisdom";
-    if (const char* home = std::getenv("HOME"); home && *home)
-        return std::filesystem::path(home) / ".cache" / "smat" / "fftw-wisdom";
-    return {};
-}
-
-void FftPlans::keepWisdom() const {
-    const std::filesystem::path file = wisdomFile();
-    char* wisdom = fftwf_export_wisdom_to_string();
-    if (!wisdom)
-        return;
-    const std::string text = wisdom;
-    std::free(wisdom);
-    if (file.empty())
-        return;
-    try {
-        std::error_code ignored;
-        std::filesystem::create_directories(file.parent_path(), ignored);
-        writeFileDurably(file, text);
-    } catch (const InputError&) {
-        // It is a cache: the next program plans again.
-    }
-}
-
 const FftPlans::Pair& FftPlans::of(int width, int height) {
     const std::lock_guard lock(mutex_);
     const auto known = std::ranges::find_if(pairs_, [&](const std::unique_ptr<Pair>& pair) {
@@ -154,7 +111,6 @@ const FftPlans::Pair& FftPlans::of(int width, int height) {
     if (known != pairs_.end())
         return **known;
     pairs_.push_back(std::make_unique<Pair>(width, height));
-    keepWisdom();
     return *pairs_.back();
 }
 

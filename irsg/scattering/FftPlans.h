@@ -2,7 +2,6 @@
 
 #include <complex>
 #include <cstddef>
-#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -21,11 +20,11 @@ FftBuffer<std::complex<float>> fftComplex(std::size_t count);
 /// The next size from `atLeast` on whose factors are 2, 3, 5 and 7, of a few in each octave.
 int fastFftSize(int atLeast);
 
-/// Two-dimensional real transforms of a size, forward and back, planned once (FFTW_MEASURE) and
-/// kept. Rows are contiguous; a spectrum has width / 2 + 1 columns; neither direction divides by
-/// the number of points. What planning found out (FFTW's wisdom) is kept in
-/// $XDG_CACHE_HOME/smat/fftw-wisdom, or ~/.cache/smat; a folder that cannot be written costs a
-/// second planning and nothing else. Large transforms use the threads of parallelFor.
+/// Two-dimensional real transforms of a size, forward and back, planned once and kept. Rows are
+/// contiguous; a spectrum has width / 2 + 1 columns; neither direction divides by the number of
+/// points. Plans follow from the size alone (FFTW_ESTIMATE, no wisdom): measured ones depend on a
+/// clock, and with them the last bits of each result. Large transforms use the threads of
+/// parallelFor.
 class FftPlans {
   public:
     /// One for the process, as FFTW's planner is.
@@ -39,15 +38,11 @@ class FftPlans {
     /// Sizes that were planned since the program began.
     std::size_t planned() const;
 
-    /// Where wisdom is kept; empty where there is no home.
-    static std::filesystem::path wisdomFile();
-
   private:
     struct Pair;
     FftPlans();
     ~FftPlans();
     const Pair& of(int width, int height);
-    void keepWisdom() const;
 
     mutable std::mutex mutex_;
     std::vector<std::unique_ptr<Pair>> pairs_;
