@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "irsg/core/WrittenPath.h"
 #include "irsg/karma/KarmaXml.h"
 
 namespace irsg {
@@ -41,8 +42,9 @@ fs::path resolveKarmaPath(const std::string& path, const fs::path& file,
     std::error_code ignored;
     std::string searched;
     for (const fs::path& place : places) {
-        if (fs::is_regular_file(place, ignored))
-            return place;
+        if (const fs::path found = findWritten({}, place.string()).file;
+            fs::is_regular_file(found, ignored))
+            return found;
         const std::string shown = place.lexically_normal().string();
         if (searched.find(shown) == std::string::npos)
             searched += (searched.empty() ? "" : ", ") + shown;

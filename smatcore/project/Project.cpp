@@ -3,13 +3,12 @@
 #include <algorithm>
 
 #include "irsg/core/Errors.h"
+#include "smatcore/project/NamedPaths.h"
 
 namespace smat {
 
 std::filesystem::path Project::resolve(const std::filesystem::path& path) const {
-    if (path.empty() || path.is_absolute() || file.empty())
-        return path;
-    return (file.parent_path() / path).lexically_normal();
+    return namedPath(file, path).file;
 }
 
 const NamedAnalysis* Project::find(std::string_view analysis) const {

@@ -9,6 +9,7 @@
 #include "irsg/render/background/Skybox.h"
 #include "irsg/render/background/Terrain.h"
 #include "irsg/signature/SignatureFile.h"
+#include "smatcore/project/NamedPaths.h"
 #include "smatcore/project/SceneScalings.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/Log.h"
@@ -44,6 +45,7 @@ SceneDescription SceneBuilder::build(const Project& project, const Settings& set
                                      const irsg::Environment* environment) {
     SceneDescription scene;
     std::vector<irsg::Diagnostic> diagnostics;
+    scene.remarks = remarksOnNames(project, settings);
     collect(diagnostics, [&] {
         scene.environment = environment ? *environment : environmentOf(project, settings);
     });

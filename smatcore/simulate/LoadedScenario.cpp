@@ -9,6 +9,7 @@
 #include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
 #include "irsg/signature/ScalingXml.h"
+#include "smatcore/project/NamedPaths.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
 #include "smatcore/support/Log.h"
 
@@ -80,6 +81,13 @@ class Loader {
                             .scene = {},
                             .path = Trajectory(irsg::Pose()),
                             .warnings = {}};
+        // Names of the project's files are remarked by their scene.
+        std::vector<std::filesystem::path> named{sensor.trajectory, sensor.imagingSensor};
+        for (const ScenarioEntity& entity : scenario_.entities)
+            named.push_back(entity.trajectory);
+        for (const std::filesystem::path& path : named)
+            if (std::string remark = namedPath(scenario_.file, path).remark; !remark.empty())
+                loaded.warnings.push_back(std::move(remark));
         if (sensor.mount == MountKind::trajectory)
             loaded.path = read(sensor.trajectory);
         named_.reset();
@@ -111,7 +119,7 @@ class Loader {
     void readImagingSensorOf(const ScenarioSensor& sensor, LoadedSensor& loaded) {
         const ImagingSensorFile read = readImagingSensor(scenario_.resolve(sensor.imagingSensor));
         loaded.settings = loaded.settings.with(read.set.settings);
-        loaded.warnings = read.remarks;
+        loaded.warnings.insert(loaded.warnings.end(), read.remarks.begin(), read.remarks.end());
         named_ = read;
     }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "smatcore/project/NamedPaths.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat {
@@ -20,9 +21,7 @@ std::optional<std::size_t> indexOf(const std::vector<Named>& list, const std::st
 } // namespace
 
 std::filesystem::path Scenario::resolve(const std::filesystem::path& path) const {
-    if (path.empty() || path.is_absolute() || file.empty())
-        return path;
-    return (file.parent_path() / path).lexically_normal();
+    return namedPath(file, path).file;
 }
 
 std::string Scenario::displayName() const {

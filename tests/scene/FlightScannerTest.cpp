@@ -170,6 +170,17 @@ TEST(FlightScanner, FollowsReferencesOnceEachWithEitherSlash) {
     EXPECT_EQ(scan.faceCounts().at({501, 601}), 1);
 }
 
+TEST(FlightScanner, FollowsReferencesInOtherUpperAndLowerCaseAndSaysSo) {
+    const TemporaryFolder folder;
+    folder.write("part.flt", SquareFile().bytes());
+    SquareFile file;
+    file.group = record(flight::externalReference, "PART.FLT" + zeros(192 + 12)) + file.group;
+    const auto scan = scanFlight(folder.write("a.flt", file.bytes()));
+    ASSERT_EQ(scan.files.size(), 2u);
+    EXPECT_EQ(scan.files[1].path.filename(), "part.flt");
+    EXPECT_THAT(scan.files[0].remarks, testing::Contains("the name PART.FLT is read as part.flt"));
+}
+
 TEST(FlightScanner, RefusesAReferenceThatLeadsNowhereNamingBothFiles) {
     const TemporaryFolder folder;
     SquareFile file;

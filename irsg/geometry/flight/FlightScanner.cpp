@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "irsg/core/FileReading.h"
+#include "irsg/core/WrittenPath.h"
 #include "irsg/geometry/flight/FlightLevels.h"
 #include "irsg/geometry/flight/FlightValidator.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
@@ -15,18 +16,15 @@ namespace fs = std::filesystem;
 constexpr int highest = 1024;
 constexpr std::size_t longestChain = 32;
 
-/// The file a reference means: beside the referring file, with either kind of slash; a path of
-/// another machine is looked for by its name alone. Empty when there is none.
-fs::path resolve(const std::string& written, const fs::path& referring) {
-    std::string name = written.substr(0, written.find('<'));
-    std::replace(name.begin(), name.end(), '\\', '/');
-    const auto folder = referring.parent_path();
-    const fs::path path(name);
+/// The file a reference means, beside the referring file; empty when there is none.
+WrittenPath resolve(const std::string& written, const fs::path& referring) {
+    WrittenPath found =
+        findWrittenOrBeside(referring.parent_path(), written.substr(0, written.find('<')));
     std::error_code ignored;
-    for (const auto& candidate : {folder / path, folder / path.filename()})
-        if (!name.empty() && fs::is_regular_file(candidate, ignored))
-            return candidate.lexically_normal();
-    return {};
+    if (!fs::is_regular_file(found.file, ignored))
+        return {};
+    found.file = found.file.lexically_normal();
+    return found;
 }
 
 class Follower {
@@ -70,7 +68,10 @@ class Follower {
         const auto path = scan_.files[index].path;
         auto external = scan_.files[index].externals[which];
         const auto position = "byte " + std::to_string(external.offset);
-        external.file = resolve(external.written, path);
+        WrittenPath found = resolve(external.written, path);
+        external.file = std::move(found.file);
+        if (!found.remark.empty())
+            scan_.files[index].remarks.push_back(found.remark);
         if (external.file.empty())
             throw InputError({path.string(), position,
                               "a reference to \"" + external.written + "\", which is missing",

@@ -19,6 +19,7 @@
 #include <osgDB/Registry>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/WrittenPath.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
 #include "irsg/geometry/reading/sandbox/PluginReading.h"
 #include "irsg/geometry/reading/sandbox/ReaderService.h"
@@ -183,8 +184,21 @@ class LibraryGuard : public osgDB::FindFileCallback {
 
     std::string findDataFile(const std::string& name, const osgDB::Options* options,
                              osgDB::CaseSensitivity sensitivity) override {
-        return next_ ? next_->findDataFile(name, options, sensitivity)
-                     : FindFileCallback::findDataFile(name, options, sensitivity);
+        const std::string found = next_
+                                      ? next_->findDataFile(name, options, sensitivity)
+                                      : FindFileCallback::findDataFile(name, options, sensitivity);
+        if (!found.empty() || !reading || options == nullptr)
+            return found;
+        // Plug-ins of every format look for what their files name here.
+        for (const std::string& folder : options->getDatabasePathList()) {
+            const WrittenPath written = findWrittenOrBeside(folder, name);
+            if (written.file.empty())
+                continue;
+            if (!written.remark.empty())
+                noteRefusal(written.remark);
+            return written.file.string();
+        }
+        return found;
     }
     std::string findLibraryFile(const std::string& name, const osgDB::Options* options,
                                 osgDB::CaseSensitivity sensitivity) override {

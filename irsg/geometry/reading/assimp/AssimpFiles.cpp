@@ -55,17 +55,17 @@ class Bytes : public Assimp::IOStream {
 
 } // namespace
 
-fs::path AssimpFiles::find(const std::string& name) const {
+WrittenPath AssimpFiles::find(const std::string& name) const {
     std::error_code ignored;
     for (const std::string& written : {name, decodedUri(name)})
-        if (fs::is_regular_file(written, ignored))
-            return written;
+        if (WrittenPath found = findWritten({}, written); fs::is_regular_file(found.file, ignored))
+            return found;
     return {};
 }
 
 bool AssimpFiles::Exists(const char* name) const {
     return name == file_.string() ||
-           (!refusalOf(decodedUri(name), FileKind::buffers) && !find(name).empty());
+           (!refusalOf(decodedUri(name), FileKind::buffers) && !find(name).file.empty());
 }
 
 Assimp::IOStream* AssimpFiles::Open(const char* name, const char* mode) {
@@ -79,7 +79,9 @@ Assimp::IOStream* AssimpFiles::Open(const char* name, const char* mode) {
                                        *refusal + ", expected " + expectationOf(FileKind::buffers));
             return nullptr;
         }
-        const fs::path found = find(name);
+        const auto [found, remark] = find(name);
+        if (!remark.empty())
+            appendUnique(remarks_, remark);
         if (found.empty()) {
             appendUnique(remarks_, "refers to " + std::string(name) + ", which is missing");
             return nullptr;

@@ -6,6 +6,8 @@
 
 #include <assimp/IOSystem.hpp>
 
+#include "irsg/core/WrittenPath.h"
+
 namespace irsg {
 
 /// What Assimp may open: the model itself, and beside it what OpenableFiles lists as buffers.
@@ -25,7 +27,7 @@ class AssimpFiles : public Assimp::IOSystem {
     const std::vector<std::string>& remarks() const { return remarks_; }
 
   private:
-    std::filesystem::path find(const std::string& name) const;
+    WrittenPath find(const std::string& name) const;
 
     std::filesystem::path place_, file_;
     std::vector<std::string> remarks_;

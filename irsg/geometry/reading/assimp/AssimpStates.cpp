@@ -16,6 +16,7 @@
 
 #include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/WrittenPath.h"
 #include "irsg/geometry/reading/GuardedReading.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
 #include "irsg/geometry/reading/sandbox/GltfFile.h"
@@ -194,27 +195,25 @@ osg::ref_ptr<osg::Image> AssimpStates::embedded(const aiTexture& texture, const 
 }
 
 osg::ref_ptr<osg::Image> AssimpStates::beside(const std::string& name) {
-    std::string written = decodedUri(name);
+    const std::string written = decodedUri(name);
     if (const auto refusal = refusalOf(written, FileKind::picture)) {
         appendUnique(remarks_, "refers to " + written + ", which is not opened: " + *refusal +
                                    ", expected " + expectationOf(FileKind::picture));
         return nullptr;
     }
-    // Many files name pictures by where they lay on the machine that wrote them.
-    std::ranges::replace(written, '\\', '/');
+    const WrittenPath found = findWrittenOrBeside(file_.parent_path(), written);
     std::error_code failure;
-    const fs::path folder = file_.parent_path();
-    for (const fs::path& path : {folder / written, folder / fs::path(written).filename()}) {
-        if (!fs::is_regular_file(path, failure))
-            continue;
-        if (const auto size = fs::file_size(path, failure); !failure)
-            allowMore(size);
-        const auto image = readPictureHere(path);
-        image->setFileName(path.string());
-        return image;
+    if (!fs::is_regular_file(found.file, failure)) {
+        appendUnique(remarks_, "refers to " + written + ", which is missing");
+        return nullptr;
     }
-    appendUnique(remarks_, "refers to " + written + ", which is missing");
-    return nullptr;
+    if (!found.remark.empty())
+        appendUnique(remarks_, found.remark);
+    if (const auto size = fs::file_size(found.file, failure); !failure)
+        allowMore(size);
+    const auto image = readPictureHere(found.file);
+    image->setFileName(found.file.string());
+    return image;
 }
 
 } // namespace irsg

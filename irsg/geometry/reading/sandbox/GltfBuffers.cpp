@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "irsg/core/WrittenPath.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
 #include "irsg/geometry/reading/sandbox/GltfFile.h"
 
@@ -52,7 +53,7 @@ std::size_t GltfBuffers::sizeOfUri(const std::string& uri, const std::string& pa
         json_.refuse(path, *refusal, expectationOf(FileKind::buffers));
     std::error_code failure;
     for (const std::string& written : {uri, name}) {
-        const std::filesystem::path beside = json_.file().parent_path() / written;
+        const auto beside = findWritten(json_.file().parent_path(), written).file;
         if (std::filesystem::is_regular_file(beside, failure))
             return static_cast<std::size_t>(std::filesystem::file_size(beside, failure));
     }

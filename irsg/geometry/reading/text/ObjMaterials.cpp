@@ -10,6 +10,7 @@
 #include "irsg/core/AppendUnique.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/FileReading.h"
+#include "irsg/core/WrittenPath.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
 #include "irsg/geometry/reading/text/TextWords.h"
 
@@ -19,10 +20,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A name as it stands in a file that may come from a system with other slashes.
-fs::path pathOf(const fs::path& folder, std::string name) {
-    std::ranges::replace(name, '\\', '/');
-    return folder / name;
+/// The file that a name means; empty, with a remark, where there is none.
+fs::path found(const fs::path& folder, const std::string& name, std::vector<std::string>& remarks) {
+    const WrittenPath path = findWrittenOrBeside(folder, name);
+    std::error_code ignored;
+    if (!fs::is_regular_file(path.file, ignored)) {
+        appendUnique(remarks, "refers to " + name + ", which is missing");
+        return {};
+    }
+    if (!path.remark.empty())
+        appendUnique(remarks, path.remark);
+    return path.file;
 }
 
 /// Options of a picture stand before its name and have so many values at most.
@@ -65,12 +73,9 @@ void ObjMaterials::read(const std::string& name, std::vector<std::string>& remar
                                   ", expected " + expectationOf(FileKind::materials));
         return;
     }
-    const fs::path file = pathOf(folder_, name);
-    std::error_code ignored;
-    if (!fs::is_regular_file(file, ignored)) {
-        appendUnique(remarks, "refers to " + name + ", which is missing");
+    const fs::path file = found(folder_, name, remarks);
+    if (file.empty())
         return;
-    }
     try {
         readText(readFile(file), file.string(), remarks);
     } catch (const InputError& error) {
@@ -135,12 +140,9 @@ osg::ref_ptr<osg::Image> ObjMaterials::image(const std::string& name,
                                   ", expected " + expectationOf(FileKind::picture));
         return nullptr;
     }
-    const fs::path file = pathOf(folder_, name);
-    std::error_code ignored;
-    if (!fs::is_regular_file(file, ignored)) {
-        appendUnique(remarks, "refers to " + name + ", which is missing");
+    const fs::path file = found(folder_, name, remarks);
+    if (file.empty())
         return nullptr;
-    }
     if (picture_) {
         try {
             place->second = picture_(file);
