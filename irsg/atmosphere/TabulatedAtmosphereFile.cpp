@@ -146,7 +146,7 @@ std::vector<SpectralRun> readRuns(const std::filesystem::path& file) {
     if (firstCharacter(text) == '{') {
         return TabulatedAtmosphere::isTable(text) || file.extension() == ".smatatm"
                    ? TabulatedAtmosphere::fromText(text, file.string()).runs()
-                   : parseModtranJson(text, file.string());
+                   : readModtranJson(file);
     }
     return parseTape7(TextLines::parse(text, file.string()));
 }

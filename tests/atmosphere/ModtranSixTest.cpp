@@ -207,6 +207,17 @@ TEST(ModtranJson, ResultsAloneAreOfTheInputThatNamesThem) {
         SpectralRun expected = parseModtranJson(document, "slant.json").front();
         EXPECT_EQ(run, expected) << named;
     }
+    // As the commands and the window import it.
+    const std::filesystem::path one[] = {file};
+    EXPECT_EQ(TabulatedAtmosphere::import(one).runs().size(), 1u);
+    // Documents of other runs, damaged ones and folders beside it are in nobody's way.
+    writtenFile(folder / "a.json", R"({"MODTRAN": [{"MODTRANINPUT": {"RTOPTIONS": 1}}]})");
+    std::filesystem::create_directory(folder / "b.json");
+    EXPECT_EQ(TabulatedAtmosphere::import(one).runs().size(), 1u);
+    // Where none names it, a damaged one may be the one.
+    writtenFile(folder / "run.json", "{}");
+    EXPECT_THAT(refusalOf([&] { readModtranJson(file); }), HasSubstr("a.json"));
+    std::filesystem::remove(folder / "a.json");
     // Two cases, the second of two lines of sight.
     writtenFile(folder / "run.json", "{\"MODTRAN\": [{" + input + "}, {" + twoSights + "}]}");
     EXPECT_THAT(refusalOf([&] { readModtranJson(file); }), HasSubstr("found 1 cases, expected 2"));

@@ -11,7 +11,9 @@
 
 #include "irsg/atmosphere/import/Tape7.h"
 #include "irsg/atmosphere/path/Earth.h"
+#include "irsg/core/Collect.h"
 #include "irsg/core/JsonText.h"
+#include "irsg/core/WrittenPath.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
@@ -456,19 +458,29 @@ std::vector<ModtranCase> modtranCasesBeside(const std::filesystem::path& file,
     const std::filesystem::path twin = std::filesystem::path(file).replace_extension(".json");
     std::error_code problem;
     for (const auto& entry : std::filesystem::directory_iterator(folder, problem))
-        if (entry.path().extension() == ".json" && entry.path().filename() != file.filename())
+        if (entry.is_regular_file(problem) && entry.path().extension() == ".json" &&
+            entry.path().filename() != file.filename())
             documents.push_back(entry.path());
     std::ranges::sort(documents, {}, [&](const std::filesystem::path& one) {
         return std::pair(one.filename() != twin.filename(), one);
     });
+    std::vector<Diagnostic> wrong;
     for (const std::filesystem::path& document : documents) {
         const std::string text = readTextFile(document);
         if (!isModtranJson(text) || text.find(inputKey) == std::string::npos)
             continue;
-        std::vector<ModtranCase> cases = parseModtranCases(text, document.string());
+        std::vector<ModtranCase> cases;
+        std::vector<Diagnostic> ofThis;
+        collect(ofThis, [&] { cases = parseModtranCases(text, document.string()); });
+        if (!ofThis.empty()) {
+            // It may be of other results; it is told where none names these.
+            if (wrong.empty())
+                wrong = std::move(ofThis);
+            continue;
+        }
         const auto isOther = [&](const ModtranCase& one) {
-            const auto named = std::filesystem::path(one.*name).filename();
-            return named != file.filename() && named.string() + ".json" != file.filename();
+            const std::string named = writtenFileName(one.*name), own = file.filename().string();
+            return !isSameName(named, own) && !isSameName(named + ".json", own);
         };
         if (document.filename() == twin.filename() && std::ranges::all_of(cases, isOther))
             return cases;
@@ -476,6 +488,8 @@ std::vector<ModtranCase> modtranCasesBeside(const std::filesystem::path& file,
         if (!cases.empty())
             return cases;
     }
+    if (!wrong.empty())
+        throw InputError(std::move(wrong));
     return {};
 }
 
