@@ -11,6 +11,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/core/FileReplacement.h"
+#include "irsg/core/ScratchFolder.h"
 #include "irsg/signature/EntryFields.h"
 #include "irsg/signature/EntryJson.h"
 #include "irsg/signature/LintErrors.h"
@@ -148,8 +149,9 @@ bool wasInterrupted(const fs::path& file) {
     return fs::exists(file.string() + "-journal");
 }
 
-LoadedSignature load(const fs::path& file, OutsideChanges outside, LintErrors errors, int mode) {
-    SQLite::Database database(file.string(), mode, busyTimeout_ms);
+/// `file` is what messages call it.
+LoadedSignature load(SQLite::Database& database, const fs::path& file, OutsideChanges outside,
+                     LintErrors errors) {
     const SQLite::Transaction oneState(database);
     LoadedSignature loaded{readContent(database, file), {}};
     if (errors == LintErrors::refuse)
@@ -164,6 +166,56 @@ LoadedSignature load(const fs::path& file, OutsideChanges outside, LintErrors er
         throw InputError(std::move(diagnostics));
     }
     return loaded;
+}
+
+LoadedSignature load(const fs::path& file, OutsideChanges outside, LintErrors errors, int mode) {
+    SQLite::Database database(file.string(), mode, busyTimeout_ms);
+    return load(database, file, outside, errors);
+}
+
+fs::path besides(const fs::path& file, const char* ending) {
+    return file.string() + ending;
+}
+
+bool hasContent(const fs::path& file) {
+    std::error_code absent;
+    const std::uintmax_t size_B = fs::file_size(file, absent);
+    return !absent && size_B > 0;
+}
+
+/// Versions of the file format to write and to read, in its header: 1 with a journal, 2 with a
+/// write-ahead log.
+constexpr std::size_t formatVersions = 18;
+constexpr char withLog = 2, withJournal = 1;
+
+bool hasLog(const fs::path& file) {
+    const std::string head = readFileBeginning(file, formatVersions + 2);
+    return head.size() == formatVersions + 2 && head.back() == withLog;
+}
+
+/// A database with a write-ahead log. SQLite would leave files beside it that it makes for reading:
+/// it is read from memory, or, where a program that was killed left its log, from a copy.
+LoadedSignature loadWithLog(const fs::path& file, OutsideChanges outside, LintErrors errors) {
+    if (hasContent(besides(file, "-shm"))) // another program has it open
+        return load(file, outside, errors, SQLite::OPEN_READONLY);
+    if (hasContent(besides(file, "-wal"))) {
+        const ScratchFolder folder("a copy of " + file.filename().string());
+        const fs::path copy = folder / "copy.sigdb";
+        writeFileDurably(copy, readFile(file));
+        writeFileDurably(besides(copy, "-wal"), readFile(besides(file, "-wal")));
+        SQLite::Database database(copy.string(), SQLite::OPEN_READWRITE, busyTimeout_ms);
+        return load(database, file, outside, errors);
+    }
+    std::string bytes = readFile(file);
+    bytes.at(formatVersions) = bytes.at(formatVersions + 1) = withJournal;
+    SQLite::Database database(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    const auto size = static_cast<sqlite3_int64>(bytes.size());
+    const int failure = sqlite3_deserialize(database.getHandle(), "main",
+                                            reinterpret_cast<unsigned char*>(bytes.data()), size,
+                                            size, SQLITE_DESERIALIZE_READONLY);
+    if (failure != SQLITE_OK)
+        throw SQLite::Exception(database.getHandle(), failure);
+    return load(database, file, outside, errors);
 }
 
 /// The bytes of a database as it stands in a connection.
@@ -311,6 +363,8 @@ LoadedSignature loadSignatureFile(const fs::path& file, OutsideChanges outside, 
         break;
     }
     try {
+        if (hasLog(file))
+            return loadWithLog(file, outside, errors);
         // Only a save that was cut off leaves a journal; undoing it needs leave to write.
         if (!wasInterrupted(file)) {
             try {

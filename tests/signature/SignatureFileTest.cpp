@@ -1,6 +1,8 @@
 #include "irsg/signature/SignatureFile.h"
 
+#include <algorithm>
 #include <cstring>
+#include <fstream>
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
@@ -22,6 +24,63 @@ TEST(SignatureFile, BringsACompleteDatabaseBackUnchanged) {
     const LoadedSignature loaded = loadSignatureFile(file);
     EXPECT_TRUE(loaded.database == completeDatabase());
     EXPECT_THAT(loaded.changedOutside, IsEmpty());
+}
+
+/// The names of the files in a folder, in order.
+std::vector<std::string> namesIn(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        names.push_back(entry.path().filename().string());
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
+TEST(SignatureFile, WithAWriteAheadLogIsReadAndLeavesNothingBesideIt) {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "a.sigdb";
+    saveSignatureFile(completeDatabase(), file);
+    SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec("PRAGMA journal_mode = WAL");
+    const std::string bytes = readBytes(file);
+    ASSERT_EQ(bytes.at(18), 2) << "a log";
+    EXPECT_TRUE(loadSignatureFile(file).database == completeDatabase());
+    EXPECT_THAT(namesIn(folder / "."), ElementsAre("a.sigdb"));
+    EXPECT_EQ(readBytes(file), bytes);
+
+    // What a program that was killed wrote into the log counts.
+    const fs::path killed = folder / "killed";
+    fs::create_directory(killed);
+    {
+        SQLite::Database other(file.string(), SQLite::OPEN_READWRITE);
+        other.exec("CREATE TABLE others (x); UPDATE written_by SET program = 'smat 99.0.0'");
+        fs::copy(file, killed / "b.sigdb");
+        fs::copy(folder / "a.sigdb-wal", killed / "b.sigdb-wal");
+        // While the other program works on it, too.
+        EXPECT_TRUE(loadSignatureFile(file).database == completeDatabase());
+        EXPECT_TRUE(other.tableExists("others"));
+    }
+    EXPECT_TRUE(loadSignatureFile(killed / "b.sigdb").database == completeDatabase());
+    EXPECT_THAT(namesIn(killed), ElementsAre("b.sigdb", "b.sigdb-wal"));
+    fs::resize_file(killed / "b.sigdb-wal", 0);
+    EXPECT_TRUE(loadSignatureFile(killed / "b.sigdb").database == completeDatabase());
+    EXPECT_THAT(namesIn(killed), ElementsAre("b.sigdb", "b.sigdb-wal"));
+
+    // A save makes it one without.
+    saveSignatureFile(completeDatabase(), file);
+    EXPECT_THAT(namesIn(folder / "."), ElementsAre("a.sigdb", "killed"));
+    EXPECT_EQ(readBytes(file).at(18), 1);
+}
+
+TEST(SignatureFile, WithADamagedLogIsReadAsItWasBeforeOrRefused) {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "a.sigdb";
+    saveSignatureFile(completeDatabase(), file);
+    SQLite::Database(file.string(), SQLite::OPEN_READWRITE).exec("PRAGMA journal_mode = WAL");
+    std::ofstream(folder / "a.sigdb-wal") << "no log at all";
+    EXPECT_TRUE(loadSignatureFile(file).database == completeDatabase());
+    EXPECT_THAT(namesIn(folder / "."), ElementsAre("a.sigdb", "a.sigdb-wal"));
+    fs::resize_file(file, 700);
+    EXPECT_THROW(loadSignatureFile(file), InputError);
 }
 
 TEST(SignatureFile, NamesTheVersionThatWroteItWhichNobodyNeeds) {
