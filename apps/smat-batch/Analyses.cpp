@@ -1,5 +1,6 @@
 #include "apps/smat-batch/Analyses.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include "apps/smat-batch/Output.h"
 #include "apps/smat-batch/RunControl.h"
 #include "apps/smat-batch/StopSignal.h"
+#include "irsg/core/Collect.h"
 #include "smatcore/jobs/CaseTeam.h"
 
 namespace smat::batch {
@@ -30,15 +32,30 @@ int runJobs(const std::vector<Job>& jobs, Context& context) {
         if (stopWasAsked())
             break;
     }
-    const int end = endOfRun();
+    const bool isComplete =
+        outcomes.size() == planned.size() && std::ranges::all_of(outcomes, [](const Outcome& one) {
+            return one.data->state == AnalysisState::complete;
+        });
+    const int end = endOfRun(isComplete);
     if (context.team == nullptr || context.team->isLeader())
         fmt::print("{}", context.json ? summaryJson(outcomes) : summaryText(outcomes));
     return end;
 }
 
 int describeJobs(const std::vector<Job>& jobs, const Context& context) {
+    std::vector<PlannedJob> planned = planJobs(jobs, context.team != nullptr);
+    if (context.team != nullptr && !context.team->isLeader())
+        return done;
+    JobRunner runner;
+    std::vector<irsg::Diagnostic> diagnostics;
+    for (PlannedJob& job : planned)
+        irsg::collectOnce(diagnostics, [&] { runner.rehearse(job); });
+    if (!diagnostics.empty())
+        throw irsg::InputError(diagnostics);
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const PlannedJob& job : planJobs(jobs, context.team != nullptr)) {
+    for (const PlannedJob& job : planned) {
+        for (const std::string& warning : job.data.warnings)
+            warn(job.data.name + ": " + warning);
         if (context.json) {
             list.push_back({{"name", job.data.name},
                             {"kind", name(job.plan.kind)},

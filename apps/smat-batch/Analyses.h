@@ -11,7 +11,8 @@ namespace smat::batch {
 /// error, too. Ctrl-C ends the job that runs, keeps and marks what it has, and leaves the others
 /// out. All plans are checked before the first drawing.
 int runJobs(const std::vector<Job>& jobs, Context& context);
-/// Prints what would be drawn.
+/// Rehearses the jobs and prints what would be drawn. Throws InputError with all that runJobs would
+/// refuse before it draws.
 int describeJobs(const std::vector<Job>& jobs, const Context& context);
 
 } // namespace smat::batch

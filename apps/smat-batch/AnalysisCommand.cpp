@@ -22,7 +22,7 @@ class AnalysisCommand {
             ->take_all();
         command.add_option("--analysis", analysis_, "Start from this analysis of the project")
             ->type_name("NAME");
-        command.add_flag("--dry-run", dryRun_, "Say what would be drawn, and stop");
+        addDryRun(command, dryRun_);
         if (kind->form == AnalysisForm::sweep)
             parts_.emplace(command, "the sweep");
         if (kind->form == AnalysisForm::image) {

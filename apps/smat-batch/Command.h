@@ -50,6 +50,13 @@ inline irsg::InputError wordRefusal(const char* option, const std::string& value
     return refusal(option, value, irsg::alternatives(words) + didYouMean(value, words));
 }
 
+/// The option of every command that can be rehearsed.
+inline void addDryRun(CLI::App& command, bool& isGiven) {
+    command.add_flag("--dry-run", isGiven,
+                     "Check all that the run would check before it draws, say what would be drawn, "
+                     "and stop");
+}
+
 /// Adds the command `name` of `parent`, whose options and work are those of a Work(command,
 /// arguments...): it lives as long as the parser.
 template <typename Work, typename... Arguments>

@@ -30,8 +30,7 @@ class CostAccuracyCommand {
                         "all, or likely: each choice alone, then those that may be on the front by "
                         "what these showed and a model of costs")
             ->type_name("WHICH");
-        command.add_flag("--dry-run", countsOnly_,
-                         "Tells how many configurations there are and stops");
+        addDryRun(command, countsOnly_);
         numbers_.add(repeatsOption, "N", "Each time is the least of so many cases, 2 by default");
         command.footer(
             "Columns: the true error of each configuration, the least time of those with "
@@ -40,7 +39,7 @@ class CostAccuracyCommand {
     }
 
     int run(Context& context) const {
-        if (!countsOnly_)
+        if (!countsOnly_ || files_.isGiven())
             files_.check("cost-accuracy.csv");
         numbers_.check();
         if (configurations_ != "all" && configurations_ != "likely")
@@ -69,10 +68,15 @@ class CostAccuracyCommand {
                       size.all, size.alone, size.least_s, size.most_s)
                 : fmt::format("{} configurations: about {:.0f} s", size.all, size.most_s);
         if (countsOnly_) {
+            JobRunner().rehearse(data, options);
+            files_.checkWritable();
+            for (const std::string& warning : data.warnings)
+                warn(warning);
             fmt::print("cost-accuracy: {}, where drawing is done in software\n", words);
             return done;
         }
         logInfo("cost-accuracy: " + words);
+        files_.checkWritable();
         catchStopSignal();
         {
             const StageTimer::Scope scope(&context.timer, "measure");
@@ -81,12 +85,13 @@ class CostAccuracyCommand {
         for (const std::string& warning : data.warnings)
             warn(warning);
         const StageTimer::Scope scope(&context.timer, "save");
-        files_.write(data.name, data.table, data.summary, {}, context.json);
+        const bool isComplete = data.state == AnalysisState::complete;
+        files_.write(data.name, data.table, data.summary, {}, context.json, isComplete);
         for (const std::string& sentence : data.providedBy)
             if (!context.json &&
                 (sentence.starts_with("configurations: ") || sentence.starts_with("target error")))
                 fmt::print("{}\n", sentence);
-        return stopWasAsked() ? warned : done;
+        return endOfRun(isComplete);
     }
 
   private:

@@ -132,8 +132,9 @@ class MonteCarloCommand {
         for (const std::string& warning : analysis.warnings)
             warn(analysis.name + ": " + warning);
         report({{&analysis, outcome.files}}, context);
-        const int end = endOfRun();
-        return analysis.state == AnalysisState::complete || job.isInParts ? end : warned;
+        const bool isComplete = analysis.state == AnalysisState::complete;
+        const int end = endOfRun(isComplete);
+        return isComplete || job.isInParts ? end : warned;
     }
 
   private:
@@ -187,8 +188,9 @@ class MonteCarloCommand {
             outcomes.push_back({&part.data.analysis, {}});
         outcomes.back().files = outcome.files;
         report(outcomes, context);
-        const int end = endOfRun();
-        return run.state == AnalysisState::complete ? end : warned;
+        const bool isComplete = run.state == AnalysisState::complete;
+        const int end = endOfRun(isComplete);
+        return isComplete ? end : warned;
     }
 
     void checkFiles() const {

@@ -10,6 +10,8 @@
 
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
+#include "smatcore/jobs/AnalysisJobs.h"
+#include "smatcore/support/PartialFile.h"
 
 namespace smat::batch {
 
@@ -63,18 +65,25 @@ void TableFiles::check(const std::string& example) const {
         checkResultFile(AnalysisKind::other, file);
 }
 
+void TableFiles::checkWritable() const {
+    checkOutputs({files_.begin(), files_.end()});
+}
+
 void TableFiles::write(const std::string& kind, const ResultTable& table,
                        const std::vector<SummaryItem>& summary,
-                       const std::vector<std::string>& warnings, bool json) const {
+                       const std::vector<std::string>& warnings, bool json, bool isComplete) const {
+    std::vector<std::string> files;
     for (const std::string& file : files_)
-        table.save(file);
+        files.push_back(savedResult(file, isComplete, [&](const std::filesystem::path& place) {
+                            table.save(place);
+                        }).string());
     if (json) {
         using Json = nlohmann::ordered_json;
         Json items = Json::array();
         for (const SummaryItem& item : summary)
             items.push_back({{"label", item.label}, {"value", item.value}, {"unit", item.unit}});
         fmt::print("{}\n", jsonText(Json{{"kind", kind},
-                                         {"files", files_},
+                                         {"files", files},
                                          {"warnings", warnings},
                                          {"summary", items},
                                          {"table", Json::parse(table.toJson())}}));
@@ -88,7 +97,7 @@ void TableFiles::write(const std::string& kind, const ResultTable& table,
         fmt::print("  {:<{}} {:>12.6g} {}\n", item.label, widest, item.value, item.unit);
     for (const std::string& warning : warnings)
         fmt::print("  note: {}\n", warning);
-    for (const std::string& file : files_)
+    for (const std::string& file : files)
         fmt::print("  -> {}\n", file);
 }
 

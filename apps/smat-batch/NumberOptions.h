@@ -46,10 +46,14 @@ class TableFiles {
 
     /// Throws InputError for no file and for an extension that is none of a table.
     void check(const std::string& example) const;
-    /// Saves, then prints a summary for people, or all numbers as JSON. `kind` is the command.
+    bool isGiven() const { return !files_.empty(); }
+    /// Throws InputError with all files that could not be written.
+    void checkWritable() const;
+    /// Saves, what is not complete beside a result that is (placeOfPartial), then prints a summary
+    /// for people, or all numbers as JSON. `kind` is the command.
     void write(const std::string& kind, const ResultTable& table,
                const std::vector<SummaryItem>& summary, const std::vector<std::string>& warnings,
-               bool json) const;
+               bool json, bool isComplete = true) const;
 
   private:
     std::vector<std::string> files_;

@@ -21,7 +21,7 @@ class RunCommand {
             ->take_all();
         command.add_option("--out", folder_, "Folder for the results; made where it is missing")
             ->type_name("DIR");
-        command.add_flag("--dry-run", dryRun_, "Say what would be drawn, and stop");
+        addDryRun(command, dryRun_);
     }
 
     int run(Context& context) const {
@@ -35,8 +35,15 @@ class RunCommand {
             settings_.place(project);
             jobs = jobsOf(project, given, context);
         }
-        if (dryRun_)
+        if (dryRun_) {
+            if (!folder_.empty())
+                checkFolder(folder_, "the results");
+            // Of a folder that is still to be made no file is in the way.
+            if (!std::filesystem::exists(folder_))
+                for (Job& job : jobs)
+                    job.files.clear();
             return describeJobs(jobs, context);
+        }
         makeFolder(folder_, "the results");
         return runJobs(jobs, context);
     }

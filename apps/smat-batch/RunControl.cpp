@@ -21,8 +21,8 @@ void warnOf(const JobOutcome& outcome) {
         warn(remark);
 }
 
-int endOfRun() {
-    if (!stopWasAsked())
+int endOfRun(bool isComplete) {
+    if (isComplete || !stopWasAsked())
         return done;
     warn("stopped; what was done so far is kept");
     return warned;

@@ -23,7 +23,8 @@ class RunControl {
 
 /// Warns of what the outcome of a job remarks.
 void warnOf(const JobOutcome& outcome);
-/// Says of a run that was stopped that it was. Gives the exit code of the command.
-int endOfRun();
+/// Says of a run that was stopped that it was, unless it came to its end all the same. Gives the
+/// exit code of the command.
+int endOfRun(bool isComplete);
 
 } // namespace smat::batch

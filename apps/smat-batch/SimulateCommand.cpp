@@ -13,6 +13,7 @@
 #include "apps/smat-batch/SettingOptions.h"
 #include "apps/smat-batch/StopSignal.h"
 #include "irsg/core/Errors.h"
+#include "smatcore/jobs/CaseTeam.h"
 #include "smatcore/simulate/ScenarioFile.h"
 
 namespace smat::batch {
@@ -60,7 +61,7 @@ class SimulateCommand {
                         "is on PATH, or .png for numbered pictures; one for each sensor and band, "
                         "FILE-SENSOR where there are several")
             ->type_name("FILE");
-        command.add_flag("--dry-run", dryRun_, "Say what would be drawn, and stop");
+        addDryRun(command, dryRun_);
     }
 
     int run(Context& context) const {
@@ -91,6 +92,7 @@ class SimulateCommand {
             for (const std::string& warning : job.loaded.sensors[sensor].warnings)
                 warn(job.scenario.sensors[sensor].name + ": " + warning);
         if (dryRun_) {
+            runner.rehearse(job);
             if (context.team == nullptr || context.team->isLeader())
                 describe(job, context);
             return done;
@@ -104,9 +106,8 @@ class SimulateCommand {
             return done;
         warnOf(outcome);
         splitTimes(runner.door(), context);
-        fmt::print("{}", context.json ? jsonOf(outcome.result, job.loaded, job.files())
-                                      : textOf(outcome, job));
-        return endOfRun();
+        fmt::print("{}", context.json ? jsonOf(outcome.result, job.loaded) : textOf(outcome, job));
+        return endOfRun(outcome.result.state == AnalysisState::complete);
     }
 
   private:
@@ -175,11 +176,13 @@ class SimulateCommand {
                  i < sensor.warnings.size(); ++i) {
                 text += "  note: " + sensor.warnings[i] + "\n";
             }
-            text += "  -> " + files.frameFile(sensor.sensor, 0, "").parent_path().string() + "\n";
-            const std::filesystem::path table = files.tableFile(sensor.sensor);
-            text += "  -> " +
-                    (job.share.isAll() ? table : CaseFile::besides(table, job.share)).string() +
-                    "\n";
+            text += "  -> " + sensor.folder.string() + "\n";
+            text +=
+                "  -> " +
+                (job.share.isAll() ? sensor.tableFile
+                                   : CaseFile::besides(files.tableFile(sensor.sensor), job.share))
+                    .string() +
+                "\n";
         }
         text += fmt::format("{:.2f} s\n", result.elapsed_s);
         for (const std::filesystem::path& film : outcome.files)
@@ -187,8 +190,7 @@ class SimulateCommand {
         return text;
     }
 
-    static std::string jsonOf(const SimulationResult& result, const LoadedScenario& loaded,
-                              const FrameFiles& files) {
+    static std::string jsonOf(const SimulationResult& result, const LoadedScenario& loaded) {
         Json list = Json::array();
         for (const SensorResult& sensor : result.sensors) {
             Json settings = Json::object();
@@ -198,15 +200,14 @@ class SimulateCommand {
                         loaded.sensors[sensor.sensor].settings.text(setting.key);
                 }
             }
-            list.push_back(
-                {{"name", sensor.name},
-                 {"frames", sensor.frames},
-                 {"frames_missing", sensor.framesMissing},
-                 {"folder", files.frameFile(sensor.sensor, 0, "").parent_path().string()},
-                 {"answered_by", sensor.providedBy},
-                 {"warnings", sensor.warnings},
-                 {"settings", settings},
-                 {"table", Json::parse(sensor.table.toJson())}});
+            list.push_back({{"name", sensor.name},
+                            {"frames", sensor.frames},
+                            {"frames_missing", sensor.framesMissing},
+                            {"folder", sensor.folder.string()},
+                            {"answered_by", sensor.providedBy},
+                            {"warnings", sensor.warnings},
+                            {"settings", settings},
+                            {"table", Json::parse(sensor.table.toJson())}});
         }
         const char* state = result.state == AnalysisState::complete ? "complete" : "partial";
         return jsonText(Json{{"scenario", loaded.scenario.displayName()},

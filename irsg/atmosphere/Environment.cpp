@@ -110,6 +110,14 @@ Provided<std::vector<double>> Environment::provide(const AtmosphericQuery& query
     return {air.provide(query, sampling), providersFor(air, query)};
 }
 
+void Environment::checkProvided(AtmosphereProperty quantity, const SpectralRange& range,
+                                bool isWideband) const {
+    if (isWideband)
+        requireWideband(range, quantity);
+    else if (!isByDefault(range, quantity))
+        require(range, quantity);
+}
+
 Provided<Spectrum> Environment::spectrum(const AtmosphericQuery& query,
                                          const SpectralRange& range) const {
     if (isByDefault(range, query.quantity))

@@ -54,7 +54,10 @@ class Environment {
     /// answers.
     Provided<std::vector<double>> provide(const AtmosphericQuery& query,
                                           const SpectralSampling& sampling) const;
-    /// The same on the nodes of the answering atmosphere; see Atmosphere::spectrum.
+    /// Throws the InputError of provide() where nothing here provides a quantity over a range.
+    void checkProvided(AtmosphereProperty quantity, const SpectralRange& range,
+                       bool isWideband) const;
+    /// provide() on the nodes of the answering atmosphere; see Atmosphere::spectrum.
     Provided<Spectrum> spectrum(const AtmosphericQuery& query, const SpectralRange& range) const;
     /// What `spectrum` and `answer` depend on, for as long as the atmospheres and defaults stay.
     AtmosphericQueryKey keyOf(const AtmosphericQuery& query, const SpectralRange& range) const;

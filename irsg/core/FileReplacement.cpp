@@ -128,20 +128,35 @@ int renameToNew(const fs::path& part, const fs::path& target) {
     return 0;
 }
 
+/// The file that a name leads to.
+fs::path behindLink(const fs::path& named) {
+    std::error_code failure;
+    return fs::is_symlink(named, failure) ? fs::weakly_canonical(named, failure) : named;
+}
+
+/// Throws InputError where no regular file can stand.
+void checkPlace(const fs::path& named, const fs::path& target) {
+    std::error_code failure;
+    if (fs::is_directory(target, failure))
+        refuseToWrite(named, "a folder", "the name of a file to write");
+    if (fs::exists(target, failure) && !fs::is_regular_file(target, failure))
+        refuseToWrite(named, "no regular file", "the name of a file to write");
+    if (!fs::is_directory(folderOf(target), failure))
+        refuseToWrite(named, ENOENT);
+}
+
+/// True for a device or a pipe, which is written as it stands.
+bool isWrittenInPlace(const fs::path& file) {
+    std::error_code failure;
+    const fs::file_status status = fs::status(file, failure);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
 } // namespace
 
 FileReplacement::FileReplacement(const fs::path& target, Input input)
-    : named_(target), target_(target) {
-    std::error_code failure;
-    if (fs::is_symlink(target, failure))
-        target_ = fs::weakly_canonical(target, failure);
-    if (fs::is_directory(target_, failure))
-        refuseToWrite(named_, "a folder", "the name of a file to write");
-    if (fs::exists(target_, failure) && !fs::is_regular_file(target_, failure))
-        refuseToWrite(named_, "no regular file", "the name of a file to write");
-    const fs::path folder = folderOf(target_);
-    if (!fs::is_directory(folder, failure))
-        refuseToWrite(named_, ENOENT);
+    : named_(target), target_(behindLink(target)) {
+    checkPlace(named_, target_);
     if (input == Input::refuse)
         refuseInputAsOutput(named_);
     descriptor_ = openPart(target_, part_);
@@ -197,9 +212,7 @@ void FileReplacement::commit(Existing existing) {
 }
 
 void writeFileDurably(const fs::path& file, std::string_view bytes) {
-    std::error_code failure;
-    const fs::file_status status = fs::status(file, failure);
-    if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
+    if (isWrittenInPlace(file)) {
         const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC);
         if (descriptor < 0)
             refuseToWrite(file, errno);
@@ -215,6 +228,24 @@ void writeFileDurably(const fs::path& file, std::string_view bytes) {
     FileReplacement replacement(file);
     replacement.write(bytes);
     replacement.commit();
+}
+
+void checkWritable(const fs::path& file) {
+    if (isWrittenInPlace(file)) {
+        if (access(file.c_str(), W_OK) != 0)
+            refuseToWrite(file, errno);
+        return;
+    }
+    const FileReplacement begun(file); // and given up
+}
+
+void checkFolderWritable(const fs::path& folder, const fs::path& named) {
+    fs::path part;
+    const int descriptor = openPart(folder / "folder", part);
+    if (descriptor < 0)
+        refuseToWrite(named, errno);
+    unlink(part.c_str());
+    close(descriptor);
 }
 
 } // namespace irsg

@@ -46,4 +46,10 @@ class FileReplacement {
 /// a pipe) is written as it stands.
 void writeFileDurably(const std::filesystem::path& file, std::string_view bytes);
 
+/// Throws the InputError that writeFileDurably(file) would end with, as far as it can be foreseen:
+/// for who works long before writing. Leaves everything as it was.
+void checkWritable(const std::filesystem::path& file);
+/// The same of a new file in a folder that exists; `named` is what messages call it.
+void checkFolderWritable(const std::filesystem::path& folder, const std::filesystem::path& named);
+
 } // namespace irsg

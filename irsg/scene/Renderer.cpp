@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <utility>
 
+#include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/ParallelFor.h"
+#include "irsg/radiance/SceneAtmosphere.h"
 #include "irsg/radiance/SceneScaledView.h"
 #include "irsg/scene/RendererImpl.h"
 #include "irsg/scene/SceneCheck.h"
@@ -184,10 +187,22 @@ std::function<PixelExplanation(int x, int y)> Renderer::explainer(const Scene& s
 }
 
 void Renderer::check(const Scene& scene, const SensorView& view, const Outputs& outputs) {
-    checkScene(scene.entities, impl_->planner.geometry(scene, view.viewpoint), scene.environment,
-               view.sensor,
-               outputs.bands().empty() ? std::vector<Band>{view.sensor.band} : outputs.bands(),
+    const FrameRequest request(scene, view, outputs);
+    const std::vector<ObjectGeometry> geometry = impl_->planner.geometry(scene, view.viewpoint);
+    checkScene(scene.entities, geometry, scene.environment, view.sensor, request.bands,
                scene.settings);
+    std::vector<Diagnostic> diagnostics;
+    std::set<AtmosphereProperty> quantities;
+    for (const AtmosphericQueryKey& query : atmosphereQueries(
+             scene.environment, impl_->terms, geometry, scene.settings, request.centre))
+        quantities.insert(query.quantity);
+    const bool isWideband = scene.settings.mode == CalculationMode::wideband;
+    for (const AtmosphereProperty quantity : quantities)
+        for (const Band& band : request.bands)
+            collect(diagnostics,
+                    [&] { scene.environment.checkProvided(quantity, band.range(), isWideband); });
+    if (!diagnostics.empty())
+        throw InputError(diagnostics);
 }
 
 Vec3 Renderer::referencePoint(const Entity& entity) {

@@ -48,8 +48,8 @@ class Renderer {
                                                             const SensorView& view);
 
     /// Checks the whole scene: every code has an entry, spectra cover the bands, sensor and targets
-    /// are above the ground, an atmosphere has the calculation mode. Throws InputError with every
-    /// diagnostic.
+    /// are above the ground, an atmosphere has the calculation mode, and each quantity that will be
+    /// asked for is provided over the bands. Throws InputError with every diagnostic.
     void check(const Scene& scene, const SensorView& view,
                const Outputs& outputs = Outputs::image());
 

@@ -127,6 +127,19 @@ void addPlaced(AnalysisKind kind, const std::string& place, const PlacedCase& pl
         warnings.add(sentence);
 }
 
+/// Asks the renderer whether it would calculate each case.
+void checkCases(const AnalysisData& data, const CasePlacer& placer, const SceneDescription& scene,
+                const AnalysisPlan& plan, const RenderDoor& door) {
+    const Outputs outputs = data.kind->form == AnalysisForm::image ? Outputs::image()
+                            : data.kind->form == AnalysisForm::spectrum
+                                ? Outputs::reports()
+                                : Outputs::reports(scene.allBands());
+    for (const AnalysisCase& one : plan.cases) {
+        const PlacedCase placed = placer.place(scene, one);
+        door.check(placed.scene, placed.view, outputs);
+    }
+}
+
 } // namespace
 
 AnalysisGenerator::AnalysisGenerator(RenderDoor door, SceneFactory scenes)
@@ -194,6 +207,8 @@ PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan cases, SceneDescription 
     {
         const Target target = [&] {
             const StageTimer::Scope scope(control.timer, "choose");
+            if (control.isRehearsal)
+                return Target(); // it is chosen by drawing
             if (progress && data.settings[key::renderTargetError])
                 progress({0, cases.cases.size(), elapsed_s(), name(data.kind) + ": target error"});
             return SweepTarget::choose(door, *placer, scene, cases, data.settings);
@@ -244,7 +259,17 @@ PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan cases, SceneDescription 
         if (store != nullptr) {
             writeProvenance(data, scene);
             // How many cases an adaptive sweep has is not known before.
-            store->begin(data, adaptive ? static_cast<std::size_t>(mostCases) : cases.cases.size());
+            const std::size_t count =
+                adaptive ? static_cast<std::size_t>(mostCases) : cases.cases.size();
+            // Of a target error the head holds what drawing chose.
+            if (!control.isRehearsal)
+                store->begin(data, count);
+            else if (!data.settings[key::renderTargetError])
+                store->rehearse(data, count);
+        }
+        if (control.isRehearsal) {
+            checkCases(data, *placer, scene, cases, door);
+            return placer->place(scene, cases.cases.front());
         }
         std::size_t wanted =
             store == nullptr ? cases.cases.size() : store->expected(cases.cases.size());

@@ -22,13 +22,16 @@ struct RunControl {
     StageTimer* timer = nullptr;
     /// Of a sweep: whose cases are taken from it and told to it.
     CaseStore* store = nullptr;
+    /// Each case is checked in place of being calculated; nothing is drawn, told or written.
+    bool isRehearsal = false;
 };
 
 /// Runs an analysis (F03, F04) of a plan and a scene that were made for its settings: case by case,
 /// with progress and cancel. Window and command line share it, so that the same AnalysisData gives
 /// the same numbers from both. Fills in the results. A stop asked for between two cases keeps what
 /// was done and marks it `partial`; where some cases of a store belong to other runs, the result is
-/// partial, too. Returns the first case as it was calculated. Throws InputError.
+/// partial, too. A rehearsal throws all that the run would refuse before it calculates, and leaves
+/// the data not run. Returns the first case as it was calculated. Throws InputError.
 PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan plan, SceneDescription scene,
                        const RenderDoor& door, const RunControl& control = {});
 

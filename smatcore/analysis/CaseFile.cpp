@@ -278,21 +278,29 @@ void CaseFile::begin(const AnalysisData& data, std::size_t cases) {
     cases_ = cases;
     const OrderedJson head = headOf(data, cases, options_);
     if (options_.resumes && existed_) {
-        if (const auto mismatch = mismatchOf(OrderedJson::parse(head_), head))
-            refuse(file_, mismatch->what, mismatch->one,
-                   mismatch->other + ", as this run has it: what is resumed must be the same");
+        checkResumed(line(head));
         fs::resize_file(file_, whole_B_);
         out_.open(file_, std::ios::app | std::ios::binary);
         options_.waits_s = 0.0;
         return;
     }
     if (existed_) {
-        fs::path old = file_;
-        old += ".old";
-        fs::rename(file_, old);
+        fs::rename(file_, oldFile());
         keptOld_ = true;
     }
     write(head_ = line(head));
+}
+
+void CaseFile::rehearse(const AnalysisData& data, std::size_t cases) {
+    cases_ = cases;
+    if (options_.resumes && existed_)
+        checkResumed(headText(data, cases, options_));
+}
+
+void CaseFile::checkResumed(const std::string& head) const {
+    if (const auto mismatch = mismatchOf(OrderedJson::parse(head_), OrderedJson::parse(head)))
+        refuse(file_, mismatch->what, mismatch->one,
+               mismatch->other + ", as this run has it: what is resumed must be the same");
 }
 
 const CaseRecord* CaseFile::known(std::size_t i) const {
@@ -348,6 +356,14 @@ void CaseFile::remove() {
     pending_.clear();
     std::error_code ignored;
     fs::remove(file_, ignored);
+    fs::remove(oldFile(), ignored);
+    keptOld_ = false;
+}
+
+fs::path CaseFile::oldFile() const {
+    fs::path old = file_;
+    old += ".old";
+    return old;
 }
 
 std::vector<std::string> CaseFile::remarksOn(const std::string& cases) const {

@@ -49,6 +49,7 @@ class CaseFile : public CaseStore {
     /// Throws InputError where the file holds cases of other inputs, settings or programs. A file
     /// that is not gone on with is kept beside as FILE.old.
     void begin(const AnalysisData& data, std::size_t cases) override;
+    void rehearse(const AnalysisData& data, std::size_t cases) override;
     /// What another process that draws of the same sweep says of it (headText). Throws InputError
     /// where it is of other inputs, settings or programs; `who` it is.
     void checkSameSweep(const std::string& head, const std::string& who) const;
@@ -58,7 +59,7 @@ class CaseFile : public CaseStore {
 
     /// Writes what was held back.
     void flush();
-    /// Takes the file away again, once the result is saved.
+    /// Takes the file away again, once the result is saved, and what was set aside for it.
     void remove();
     const std::filesystem::path& file() const { return file_; }
 
@@ -68,12 +69,14 @@ class CaseFile : public CaseStore {
     static std::string recordText(std::size_t i, const CaseRecord& record);
     static std::pair<std::size_t, CaseRecord> recordFrom(const std::string& text,
                                                          const std::string& who);
-    /// True where begin() set cases of an earlier run aside.
+    /// True where begin() set cases of an earlier run aside, and they are still there.
     bool keptOld() const { return keptOld_; }
     /// Where it did, the sentence that says so of these, "cases".
     std::vector<std::string> remarksOn(const std::string& cases) const;
 
   private:
+    std::filesystem::path oldFile() const;
+    void checkResumed(const std::string& head) const;
     void write(const std::string& line);
 
     std::filesystem::path file_;

@@ -26,6 +26,8 @@ class CaseStore {
     virtual ~CaseStore() = default;
     /// Told before the first case: the result with its columns and provenance, still without rows.
     virtual void begin(const AnalysisData& data, std::size_t cases) = 0;
+    /// The same of a run that is only rehearsed: throws as begin() would, and changes nothing.
+    virtual void rehearse(const AnalysisData& /*data*/, std::size_t /*cases*/) {}
     /// Case `i`, where it was done before; else null.
     virtual const CaseRecord* known(std::size_t i) const = 0;
     /// False for a case that another run draws. Asked in ascending order by a run, once a case.

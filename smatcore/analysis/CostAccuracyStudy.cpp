@@ -304,6 +304,17 @@ CalculationConfiguration CostAccuracyStudy::finest(const SceneDescription& scene
     return configuration;
 }
 
+void CostAccuracyStudy::rehearse(AnalysisData& data, const RenderDoor& door,
+                                 const SceneFactory& scenes, const Options& options) {
+    sizeOf(data.project, data.settings, options);
+    const SceneDescription scene = scenes(data.project, data.settings);
+    const CasePlacer placer(door, scene);
+    data.renderer = door.description(scene);
+    irsg::appendUnique(data.warnings, scene.remarks);
+    const PlacedCase placed = placer.place(scene, startingCase(data.settings));
+    door.check(placed.scene, placed.view, irsg::Outputs::reports(scene.allBands()));
+}
+
 void CostAccuracyStudy::run(AnalysisData& data, const RenderDoor& door, const SceneFactory& scenes,
                             const Options& options, const ProgressCallback& progress,
                             std::stop_token stop) {

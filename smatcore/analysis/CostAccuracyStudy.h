@@ -57,6 +57,9 @@ class CostAccuracyStudy {
     /// choose another way.
     static Settings settingsOf(const ResultTable& table, std::size_t row);
 
+    /// Throws InputError where run() would, by what can be seen without drawing.
+    static void rehearse(AnalysisData& data, const RenderDoor& door, const SceneFactory& scenes,
+                         const Options& options);
     /// Draws the view of `data.settings` in all of them and fills the table, by ascending error.
     /// Says which way is the quickest whose true error is at most the target error of the settings,
     /// or 1 %. A stop leaves the ways that were done, marked partial.

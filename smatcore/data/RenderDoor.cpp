@@ -22,7 +22,10 @@ RenderDoor openRenderDoor() {
             [renderer](const irsg::Scene& scene, const irsg::SensorView& view) {
                 return renderer->explainer(scene, view);
             },
-        .stageTimes = [renderer] { return renderer->stageTimes(); }};
+        .stageTimes = [renderer] { return renderer->stageTimes(); },
+        .check =
+            [renderer](const irsg::Scene& scene, const irsg::SensorView& view,
+                       const irsg::Outputs& outputs) { renderer->check(scene, view, outputs); }};
 }
 
 } // namespace smat

@@ -26,6 +26,9 @@ struct RenderDoor {
                                                                       const irsg::SensorView&)>
         explainer;
     std::function<irsg::StageTimes()> stageTimes; ///< since it was opened
+    /// See irsg::Renderer::check; closed forms refuse nothing.
+    std::function<void(const irsg::Scene&, const irsg::SensorView&, const irsg::Outputs&)> check =
+        [](const irsg::Scene&, const irsg::SensorView&, const irsg::Outputs&) {};
 
     bool isOpen() const { return begin != nullptr; }
     irsg::Rendered render(const irsg::Scene& scene, const irsg::SensorView& view,

@@ -7,10 +7,11 @@
 
 #include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
-#include "irsg/core/FileReading.h"
+#include "irsg/core/FileReplacement.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/ResultFile.h"
 #include "smatcore/jobs/CaseTeam.h"
+#include "smatcore/support/PartialFile.h"
 
 namespace smat {
 
@@ -75,12 +76,11 @@ void save(const Job& job, CaseFile* cases, JobOutcome& outcome) {
     }
     const bool hasResult = job.data.kind->form == AnalysisForm::image ? !job.data.image.empty()
                                                                       : !job.data.table.empty();
-    for (const std::filesystem::path& file : job.files) {
-        if (hasResult) {
-            saveResult(job.data, file);
-            outcome.files.push_back(file);
-        }
-    }
+    for (const std::filesystem::path& file : job.files)
+        if (hasResult)
+            outcome.files.push_back(
+                savedResult(file, job.data.state == AnalysisState::complete,
+                            [&](const auto& place) { saveResult(job.data, place); }));
     if (cases == nullptr)
         return;
     if (job.data.state == AnalysisState::complete)
@@ -108,10 +108,32 @@ std::vector<PlannedJob> planJobs(const std::vector<Job>& jobs, bool byTeam) {
     return list;
 }
 
+void checkOutputs(const std::vector<std::filesystem::path>& files) {
+    std::vector<irsg::Diagnostic> diagnostics;
+    for (const std::filesystem::path& file : files)
+        irsg::collect(diagnostics, [&] { irsg::checkWritable(file); });
+    if (!diagnostics.empty())
+        throw irsg::InputError(diagnostics);
+}
+
 const RenderDoor& JobRunner::door() {
     if (!door_.isOpen())
         door_ = makeDoor_();
     return door_;
+}
+
+void JobRunner::rehearse(PlannedJob& job) {
+    std::vector<irsg::Diagnostic> diagnostics;
+    irsg::collect(diagnostics, [&] {
+        SceneDescription scene = scenes_.build(job.data.project, job.data.settings);
+        const std::unique_ptr<CaseFile> cases = caseFileOf(job, inputHashes(), false);
+        runAnalysis(job.data, job.plan, std::move(scene), door(),
+                    {.store = cases.get(), .isRehearsal = true});
+    });
+    // Inputs are known by now.
+    irsg::collect(diagnostics, [&] { checkOutputs(job.files); });
+    if (!diagnostics.empty())
+        throw irsg::InputError(diagnostics);
 }
 
 JobOutcome JobRunner::run(PlannedJob& job, const JobControl& control) {
@@ -120,8 +142,7 @@ JobOutcome JobRunner::run(PlannedJob& job, const JobControl& control) {
         const StageTimer::Scope scope(control.timer, "load");
         scene = scenes_.build(job.data.project, job.data.settings);
     }
-    for (const std::filesystem::path& file : job.files)
-        irsg::refuseInputAsOutput(file);
+    checkOutputs(job.files);
     if (control.loaded)
         control.loaded(scene);
     // Of a sweep, as they are before anything is drawn, which reads more.
@@ -147,11 +168,15 @@ JobOutcome JobRunner::run(PlannedJob& job, const JobControl& control) {
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
         job.data.elapsed_s = passed.count();
     }
-    if (cases)
-        outcome.remarks = cases->remarksOn("cases");
     const StageTimer::Scope scope(control.timer, "save");
     save(job, cases.get(), outcome);
+    if (cases)
+        outcome.remarks = cases->remarksOn("cases");
     return outcome;
+}
+
+void JobRunner::rehearse(AnalysisData& data, const CostAccuracyStudy::Options& options) {
+    CostAccuracyStudy::rehearse(data, door(), factory(), options);
 }
 
 void JobRunner::run(AnalysisData& data, const CostAccuracyStudy::Options& options,

@@ -38,6 +38,10 @@ struct PlannedJob : Job {
 /// InputError with everything that is wrong with the plans of all jobs.
 std::vector<PlannedJob> planJobs(const std::vector<Job>& jobs, bool byTeam = false);
 
+/// Throws InputError with all of these files that could not be written when a job ends, inputs
+/// included.
+void checkOutputs(const std::vector<std::filesystem::path>& files);
+
 /// What goes on while a job runs.
 struct JobControl {
     ProgressCallback progress = {};
@@ -74,6 +78,12 @@ class JobRunner {
     /// Opened by the first who asks.
     const RenderDoor& door();
     bool hasDoor() const { return door_.isOpen(); }
+
+    /// Does all that run() of the same job does before it calculates, and refuses what it would
+    /// refuse by then, outputs included. Changes no file; the data hold what there is to warn of.
+    void rehearse(PlannedJob& job);
+    void rehearse(const PlannedSimulation& job);
+    void rehearse(AnalysisData& data, const CostAccuracyStudy::Options& options);
 
     /// Builds the scene, runs the plan, saves. The cases of a sweep stand beside its first file
     /// until it is saved (CaseFile); of a part they are the result.

@@ -1,9 +1,10 @@
-#include "irsg/core/FileReading.h"
+#include "irsg/core/FileReplacement.h"
 #include "smatcore/analysis/MonteCarlo.h"
 #include "smatcore/analysis/MonteCarloFile.h"
 #include "smatcore/jobs/AnalysisJobs.h"
 #include "smatcore/jobs/CaseTeam.h"
 #include "smatcore/project/SceneScalings.h"
+#include "smatcore/support/PartialFile.h"
 
 namespace smat {
 
@@ -34,19 +35,19 @@ void checkParts(const MonteCarloJob& job) {
 }
 
 void save(const MonteCarloJob& job, JobOutcome& outcome) {
+    const bool isComplete = job.data.analysis.state == AnalysisState::complete;
     for (const std::filesystem::path& file : job.files)
-        append(outcome.files, saveMonteCarlo(job.data, file));
-    for (const std::filesystem::path& file : job.realisationFiles) {
-        realisationsTable(job.data).save(file);
-        outcome.files.push_back(file);
-    }
+        savedResult(file, isComplete, [&](const auto& place) {
+            append(outcome.files, saveMonteCarlo(job.data, place));
+        });
+    for (const std::filesystem::path& file : job.realisationFiles)
+        outcome.files.push_back(savedResult(
+            file, isComplete, [&](const auto& place) { realisationsTable(job.data).save(place); }));
 }
 
 /// Case by case, by one process or a team.
 void runParts(MonteCarloJob& job, MonteCarlo& monteCarlo, const JobControl& control,
               JobOutcome& outcome) {
-    for (const std::filesystem::path& file : job.files)
-        irsg::refuseInputAsOutput(file);
     CasePlace place{job.files.front(), job.share, job.resumes, inputHashes()};
     const auto work = [&](CaseStore& store, const ProgressCallback& progress,
                           std::stop_token stop) {
@@ -60,18 +61,19 @@ void runParts(MonteCarloJob& job, MonteCarlo& monteCarlo, const JobControl& cont
     }
     CaseFile cases(CaseFile::besides(place.result, place.share), place.options());
     work(cases, control.progress, control.stop);
-    outcome.remarks = cases.remarksOn("cases");
     const StageTimer::Scope scope(control.timer, "save");
     cases.flush();
     if (!place.share.isAll()) {
         outcome.files.push_back(cases.file());
     } else if (!job.data.analysis.table.empty()) {
+        const bool isComplete = job.data.analysis.state == AnalysisState::complete;
         for (const std::filesystem::path& file : job.files)
-            job.data.analysis.table.save(file);
-        append(outcome.files, job.files);
-        if (job.data.analysis.state == AnalysisState::complete)
+            outcome.files.push_back(savedResult(
+                file, isComplete, [&](const auto& place) { job.data.analysis.table.save(place); }));
+        if (isComplete)
             cases.remove();
     }
+    outcome.remarks = cases.remarksOn("cases");
 }
 
 } // namespace
@@ -91,6 +93,8 @@ JobOutcome JobRunner::run(MonteCarloJob& job, const JobControl& control) {
         std::vector<std::string> remarks;
         sceneScalings(project, scene, remarks);
     }
+    checkOutputs(job.files);
+    checkOutputs(job.realisationFiles);
     MonteCarlo monteCarlo(door(), [&](const Project&, const Settings&) { return scene; });
     JobOutcome outcome;
     if (isInParts) {
@@ -104,6 +108,10 @@ JobOutcome JobRunner::run(MonteCarloJob& job, const JobControl& control) {
 }
 
 JobOutcome JobRunner::run(ScenarioMonteCarloJob& job, const JobControl& control) {
+    for (const auto* files : {&job.files, &job.realisationFiles})
+        for (const std::filesystem::path& file : *files)
+            irsg::checkFolderWritable(
+                file.has_parent_path() ? file.parent_path() : std::filesystem::path("."), file);
     runScenarioMonteCarlo(job.run, door(), control.progress, control.stop, control.timer);
     JobOutcome outcome;
     const StageTimer::Scope scope(control.timer, "save");

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <memory>
 
+#include "irsg/core/Collect.h"
 #include "irsg/core/FileReading.h"
 #include "smatcore/jobs/AnalysisJobs.h"
 #include "smatcore/jobs/CaseTeam.h"
@@ -85,11 +86,43 @@ PlannedSimulation JobRunner::plan(SimulationJob job) {
     return planned;
 }
 
+void JobRunner::rehearse(const PlannedSimulation& job) {
+    std::vector<irsg::Diagnostic> diagnostics;
+    const FrameFiles files = job.files();
+    irsg::collect(diagnostics, [&] {
+        const SceneGenerator3D generator(job.loaded, door());
+        generator.check(job.plan.sensors, job.plan.times_s());
+        for (const std::size_t sensor : job.plan.sensors) {
+            const SceneDescription& scene = job.loaded.sensors[sensor].scene;
+            static_cast<void>(door().description(scene));
+            for (const SimulationPlan::Step& step : job.plan.steps) {
+                if (!generator.sees(sensor, step.time_s))
+                    continue;
+                const PlacedCase placed = generator.place(sensor, step.time_s).second;
+                door().check(placed.scene, placed.view, irsg::Outputs::reports(scene.allBands()));
+            }
+        }
+        stepFiles(job, files, inputHashes(), false); // reads those that are resumed
+    });
+    if (!job.folder.empty())
+        irsg::collect(diagnostics, [&] { files.checkOutputs(job.plan.sensors); });
+    // A folder that the run makes was looked at above.
+    const std::filesystem::path ofFilm = job.film.parent_path().lexically_normal();
+    if (!job.film.empty() &&
+        (std::filesystem::exists(ofFilm) || ofFilm != job.folder.lexically_normal()))
+        irsg::collect(diagnostics, [&] { checkFilmPlace(job.film); });
+    if (!diagnostics.empty())
+        throw irsg::InputError(diagnostics);
+}
+
 SimulationOutcome JobRunner::run(const PlannedSimulation& job, const JobControl& control,
                                  const FrameSink& heed) {
     SimulationOutcome outcome;
     const FrameFiles files = job.files();
     files.makeFolders(job.plan.sensors);
+    files.checkOutputs(job.plan.sensors);
+    if (!job.film.empty())
+        checkFilmPlace(job.film);
     const Hashes inputs = inputHashes(); // before frames read more
     double ofTeam_s = 0.0;
     if (control.team != nullptr) {
@@ -118,12 +151,18 @@ SimulationOutcome JobRunner::run(const PlannedSimulation& job, const JobControl&
     outcome.result.elapsed_s += ofTeam_s;
     for (const std::unique_ptr<CaseFile>& file : steps) {
         file->flush();
-        for (std::string& remark : file->remarksOn("steps"))
-            outcome.remarks.push_back(std::move(remark));
         if (job.share.isAll() && outcome.result.state == AnalysisState::complete)
             file->remove();
+        for (std::string& remark : file->remarksOn("steps"))
+            outcome.remarks.push_back(std::move(remark));
     }
     outcome.strips = recorder.strips();
+    // Those of a run that was stopped may lie beside.
+    for (FilmStrip& strip : outcome.strips)
+        for (const SensorResult& sensor : outcome.result.sensors)
+            if (sensor.sensor == strip.sensor)
+                for (FilmStrip::Frame& frame : strip.frames)
+                    frame.file = sensor.folder / frame.file.filename();
     if (!job.film.empty())
         writeFilms(job, control, outcome);
     return outcome;

@@ -19,6 +19,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/core/FileReplacement.h"
+#include "irsg/core/ScratchFolder.h"
 #include "irsg/image/ColorMap.h"
 #include "irsg/image/ExrFile.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -32,6 +33,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double fewest_per_s = 1.0, most_per_s = 50.0;
+constexpr const char* pictures = "the pictures that ffmpeg makes a film from";
 constexpr auto betweenLooks = std::chrono::milliseconds(20);
 
 irsg::InputError filmError(const fs::path& file, const std::string& value,
@@ -39,27 +41,6 @@ irsg::InputError filmError(const fs::path& file, const std::string& value,
     return irsg::InputError(irsg::Diagnostic{
         .file = file.string(), .position = "", .value = value, .expected = expected});
 }
-
-/// A folder of this film alone, which goes with it.
-class TemporaryPictures {
-  public:
-    TemporaryPictures() {
-        std::string pattern = (fs::temp_directory_path() / "smat-film-XXXXXX").string();
-        if (mkdtemp(pattern.data()) == nullptr)
-            throw filmError(pattern, std::strerror(errno), "a folder for the pictures of a film");
-        folder_ = pattern;
-    }
-    ~TemporaryPictures() {
-        std::error_code failure;
-        fs::remove_all(folder_, failure);
-    }
-    TemporaryPictures(const TemporaryPictures&) = delete;
-    TemporaryPictures& operator=(const TemporaryPictures&) = delete;
-    fs::path operator/(const std::string& name) const { return folder_ / name; }
-
-  private:
-    fs::path folder_;
-};
 
 /// Runs a program without a shell and without input; its errors go into a file. Its exit status, or
 /// none where it was stopped.
@@ -208,6 +189,17 @@ void checkFilm(const fs::path& file) {
                         "pictures");
 }
 
+void checkFilmPlace(const fs::path& file) {
+    if (file.extension() != ".png") {
+        irsg::scratchPlace(pictures);
+        irsg::checkWritable(file);
+        return;
+    }
+    // Its pictures stand beside that name.
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    irsg::checkWritable(folder / (file.stem().string() + "-000000.png"));
+}
+
 fs::path filmFile(const fs::path& file, const FilmStrip& strip, std::size_t strips) {
     if (strips < 2)
         return file;
@@ -222,9 +214,9 @@ std::string writeFilm(const FilmStrip& strip, const fs::path& file, const std::s
         return fmt::format("{}: no film, since no frame shows anything", strip.label);
     const Settings colors = colorsOf(strip);
     const bool isPictures = file.extension() == ".png";
-    std::optional<TemporaryPictures> temporary;
+    std::optional<irsg::ScratchFolder> temporary;
     if (!isPictures)
-        temporary.emplace();
+        temporary.emplace(pictures);
     std::size_t place = 0;
     const auto start = std::chrono::steady_clock::now();
     const auto say = [&](std::size_t done, std::string what) {

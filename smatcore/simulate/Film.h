@@ -44,6 +44,9 @@ std::optional<std::filesystem::path> findFfmpeg();
 /// Throws InputError for a file that is no film (.mp4, .gif, or .png for numbered pictures), and
 /// for one that needs ffmpeg where there is none.
 void checkFilm(const std::filesystem::path& file);
+/// Throws InputError where no film of this name could be written: its folder, and the one for
+/// temporary files that encoding needs. Changes nothing.
+void checkFilmPlace(const std::filesystem::path& file);
 /// "pass.mp4", and "pass-mwir.mp4" where it is one of several.
 std::filesystem::path filmFile(const std::filesystem::path& file, const FilmStrip& strip,
                                std::size_t strips);

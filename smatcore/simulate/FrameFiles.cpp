@@ -1,10 +1,13 @@
 #include "smatcore/simulate/FrameFiles.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/FileReplacement.h"
 #include "irsg/core/ProgramVersion.h"
 #include "irsg/core/Wording.h"
 #include "irsg/image/ImageFormat.h"
@@ -13,9 +16,11 @@
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/project/SceneScalings.h"
 #include "smatcore/settings/SettingKeys.h"
+#include "smatcore/simulate/FramePlaces.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
 #include "smatcore/support/BuildId.h"
 #include "smatcore/support/Folders.h"
+#include "smatcore/support/PartialFile.h"
 
 namespace smat {
 
@@ -28,10 +33,6 @@ std::string textOf(const irsg::Vec3& v) {
 std::string degreesOf(const irsg::Attitude& attitude) {
     return fmt::format("{:.9g} {:.9g} {:.9g}", irsg::degrees(attitude.yaw_rad),
                        irsg::degrees(attitude.pitch_rad), irsg::degrees(attitude.roll_rad));
-}
-
-bool isFrame(const std::filesystem::path& file) {
-    return file.filename().string().starts_with("frame_");
 }
 
 } // namespace
@@ -65,7 +66,7 @@ void FrameFiles::checkExtensions() const {
 std::vector<std::string> FrameFiles::makeFolders(const std::vector<std::size_t>& sensors) const {
     std::vector<std::string> sentences;
     for (const std::size_t sensor : sensors) {
-        const std::filesystem::path folder = frameFile(sensor, 0, "").parent_path();
+        const std::filesystem::path folder = frameFolder(sensor);
         makeFolder(folder, "frames");
         const auto count = std::count_if(std::filesystem::directory_iterator(folder), {},
                                          [](const auto& entry) { return isFrame(entry.path()); });
@@ -78,12 +79,32 @@ std::vector<std::string> FrameFiles::makeFolders(const std::vector<std::size_t>&
     return sentences;
 }
 
+void FrameFiles::checkOutputs(const std::vector<std::size_t>& sensors) const {
+    std::vector<irsg::Diagnostic> diagnostics;
+    for (const std::size_t sensor : sensors) {
+        irsg::collect(diagnostics, [&] { checkFolder(frameFolder(sensor), "frames"); });
+        if (!std::filesystem::is_directory(folder_))
+            continue;
+        for (const std::filesystem::path& file : {tableFile(sensor), imagingSensorFile(sensor)})
+            irsg::collect(diagnostics, [&] { irsg::checkWritable(file); });
+    }
+    if (!diagnostics.empty())
+        throw irsg::InputError(diagnostics);
+}
+
 std::filesystem::path FrameFiles::frameFile(std::size_t sensor, std::size_t number,
                                             const std::string& extension, std::size_t band) const {
     const std::vector<irsg::Band> bands = scenario_.sensors.at(sensor).scene.allBands();
     const std::string label = bands.size() > 1 ? "@" + bandLabels(bands).at(band) : "";
-    return folder_ / scenario_.scenario.sensors.at(sensor).name /
-           fmt::format("frame_{:06}{}{}", number, label, extension);
+    return frameFolder(sensor) / fmt::format("frame_{:06}{}{}", number, label, extension);
+}
+
+std::filesystem::path FrameFiles::frameFolder(std::size_t sensor) const {
+    return folder_ / scenario_.scenario.sensors.at(sensor).name;
+}
+
+bool FrameFiles::isFrame(const std::filesystem::path& file) {
+    return file.filename().string().starts_with("frame_");
 }
 
 std::filesystem::path FrameFiles::tableFile(std::size_t sensor) const {
@@ -94,9 +115,9 @@ std::filesystem::path FrameFiles::imagingSensorFile(std::size_t sensor) const {
     return folder_ / (scenario_.scenario.sensors.at(sensor).name + ".xml");
 }
 
-void FrameFiles::writeImagingSensor(std::size_t sensor) const {
+void FrameFiles::writeImagingSensor(std::size_t sensor, const std::filesystem::path& file) const {
     const std::filesystem::path& own = scenario_.scenario.sensors[sensor].imagingSensor;
-    smat::writeImagingSensor(scenario_.sensors.at(sensor).settings, imagingSensorFile(sensor),
+    smat::writeImagingSensor(scenario_.sensors.at(sensor).settings, file,
                              scenario_.scenario.resolve(own));
 }
 
@@ -191,13 +212,14 @@ PictureWords FrameFiles::words(std::size_t sensor, double time_s) const {
     return {heading, conditions};
 }
 
-void FrameFiles::write(SensorFrame& frame, std::size_t number) const {
+void FrameFiles::write(SensorFrame& frame, std::size_t number,
+                       const std::filesystem::path& folder) const {
     describe(frame, number);
     const PictureWords above = words(frame.sensor, frame.time_s);
     for (const std::string& extension : extensions_) {
         saveImage(frame.rendered.image, scenario_.sensors.at(frame.sensor).settings, above,
                   scenario_.scenario.displayName(),
-                  frameFile(frame.sensor, number, extension, frame.band));
+                  folder / frameFile(frame.sensor, number, extension, frame.band).filename());
     }
 }
 
@@ -213,42 +235,63 @@ Provenance FrameFiles::provenanceOf(const SensorResult& result, AnalysisState st
 
 void FrameFiles::writeTable(SensorResult& result, AnalysisState state) const {
     result.table.provenance = provenanceOf(result, state);
-    result.table.save(tableFile(result.sensor));
+    result.tableFile =
+        savedResult(tableFile(result.sensor), state == AnalysisState::complete,
+                    [&](const std::filesystem::path& place) { result.table.save(place); });
 }
 
 void writeSimulation(const LoadedScenario& scenario, const SimulationPlan& plan,
                      const FrameFiles& files, const RenderDoor& door, SimulationResult& result,
                      const ProgressCallback& progress, std::stop_token stop, StageTimer* timer,
                      const FrameSink& heed, const SimulationParts* parts) {
-    for (const std::size_t sensor : plan.sensors)
-        files.writeImagingSensor(sensor);
+    std::optional<FramePlaces> places;
+    if (parts == nullptr)
+        places.emplace(files, plan.sensors);
+    const auto folderOf = [&](std::size_t sensor) {
+        return places ? places->folder(sensor) : files.frameFolder(sensor);
+    };
+    if (parts != nullptr && parts->isPart)
+        for (const std::size_t sensor : plan.sensors)
+            files.writeImagingSensor(sensor, files.imagingSensorFile(sensor));
     SceneGenerator3D generator(scenario, door);
     SimulationSteps steps;
     if (parts != nullptr)
         steps = {parts->stores, [&](const SensorResult& sensor) {
                      return files.provenanceOf(sensor, AnalysisState::partial);
                  }};
-    const auto writeTables = [&] {
-        if (parts != nullptr && parts->isPart)
-            return;
-        for (SensorResult& sensor : result.sensors)
+    const auto finish = [&] {
+        const bool isWhole = result.state == AnalysisState::complete;
+        if (isWhole && places)
+            places->moveIn();
+        for (SensorResult& sensor : result.sensors) {
+            sensor.folder = folderOf(sensor.sensor);
+            if (parts != nullptr && parts->isPart)
+                continue;
             files.writeTable(sensor, result.state);
+            // It belongs to the table beside it.
+            const std::filesystem::path own = files.imagingSensorFile(sensor.sensor);
+            const bool isBeside = sensor.tableFile != files.tableFile(sensor.sensor);
+            files.writeImagingSensor(sensor.sensor, isBeside ? partialFileBeside(own) : own);
+            std::error_code ignored;
+            if (!isBeside)
+                std::filesystem::remove(partialFileBeside(own), ignored);
+        }
     };
     try {
         runSimulation(
             generator, plan,
             [&](SensorFrame& frame, std::size_t number) {
-                files.write(frame, number);
+                files.write(frame, number, folderOf(frame.sensor));
                 if (heed)
                     heed(frame, number);
             },
             result, progress, std::move(stop), timer, parts ? &steps : nullptr);
     } catch (const irsg::InputError&) {
         // What was done so far is kept; the refusal is told by whoever asked.
-        writeTables();
+        finish();
         throw;
     }
-    writeTables();
+    finish();
 }
 
 } // namespace smat

@@ -30,25 +30,34 @@ class FrameFiles {
     /// sentence for each that already holds frames.
     std::vector<std::string> makeFolders(const std::vector<std::size_t>& sensors) const;
 
+    /// Throws InputError with all that makeFolders() and the tables could not write. Changes
+    /// nothing.
+    void checkOutputs(const std::vector<std::size_t>& sensors) const;
+
     /// "frame_000012.exr", of one of several bands "frame_000012@3-5um.exr".
     std::filesystem::path frameFile(std::size_t sensor, std::size_t number,
                                     const std::string& extension, std::size_t band = 0) const;
+    /// Of the frames of a sensor; the name of a sensor is one.
+    std::filesystem::path frameFolder(std::size_t sensor) const;
+    /// By its name.
+    static bool isFrame(const std::filesystem::path& file);
     std::filesystem::path tableFile(std::size_t sensor) const;
     std::filesystem::path imagingSensorFile(std::size_t sensor) const;
 
     /// Describes the image of a frame (time, sensor, places of the entities, settings), and makes
     /// of it what `image.quantity` asks for: what stands in its file.
     void describe(SensorFrame& frame, std::size_t number) const;
-    /// Describes a frame and writes it in every form. Throws InputError.
-    void write(SensorFrame& frame, std::size_t number) const;
+    /// Describes a frame and writes it in every form into a folder. Throws InputError.
+    void write(SensorFrame& frame, std::size_t number, const std::filesystem::path& folder) const;
     /// What stands above the picture of a frame.
     PictureWords words(std::size_t sensor, double time_s) const;
-    /// Writes what the frames of a sensor are made with in KARMA's form, on top of what else its
-    /// own ImagingSensor file holds. Throws InputError.
-    void writeImagingSensor(std::size_t sensor) const;
+    /// Writes what the frames of a sensor are made with in KARMA's form into `file`, on top of what
+    /// else its own ImagingSensor file holds. Throws InputError.
+    void writeImagingSensor(std::size_t sensor, const std::filesystem::path& file) const;
     /// What the table of a sensor says of itself.
     Provenance provenanceOf(const SensorResult& result, AnalysisState state) const;
-    /// Writes the table of a sensor with its provenance. Throws InputError.
+    /// Writes the table of a sensor with its provenance, one that is not complete beside that of a
+    /// run that was (placeOfPartial). Throws InputError.
     void writeTable(SensorResult& result, AnalysisState state) const;
 
   private:
@@ -65,8 +74,10 @@ struct SimulationParts {
 };
 
 /// Makes the frames of a plan with this renderer and writes all there is to write: folders,
-/// ImagingSensor files, frames, and the tables at the end, however it ends. `heed` is given each
-/// frame after it was written. Throws InputError, and then the tables hold what was done before.
+/// frames, and ImagingSensor files and tables at the end, however it ends. A run that does not come
+/// to its end leaves the whole result of an earlier one as it was (FramePlaces, placeOfPartial),
+/// but for one in parts, whose frames go where they stay. `heed` is given each frame after it was
+/// written. Throws InputError, and then the tables hold what was done before.
 void writeSimulation(const LoadedScenario& scenario, const SimulationPlan& plan,
                      const FrameFiles& files, const RenderDoor& door, SimulationResult& result,
                      const ProgressCallback& progress = {}, std::stop_token stop = {},

@@ -14,6 +14,7 @@
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/simulate/FrameFiles.h"
+#include "smatcore/support/PartialFile.h"
 
 namespace smat {
 
@@ -292,8 +293,11 @@ std::vector<std::filesystem::path> saveDistributions(const ScenarioMonteCarlo& r
                                                      const std::filesystem::path& file) {
     std::vector<std::filesystem::path> files;
     for (const ScenarioDistribution& part : run.parts) {
-        const auto made = saveMonteCarlo(part.data, withLabel(file, part.label()));
-        files.insert(files.end(), made.begin(), made.end());
+        savedResult(withLabel(file, part.label()), run.state == AnalysisState::complete,
+                    [&](const std::filesystem::path& place) {
+                        const auto made = saveMonteCarlo(part.data, place);
+                        files.insert(files.end(), made.begin(), made.end());
+                    });
     }
     return files;
 }
@@ -309,8 +313,9 @@ std::vector<std::filesystem::path> saveScenarioRealisations(const ScenarioMonteC
                 parts.push_back({part.entity, &part.data});
         if (parts.empty())
             continue;
-        files.push_back(withLabel(file, name));
-        realisationsTable(parts).save(files.back());
+        files.push_back(savedResult(
+            withLabel(file, name), run.state == AnalysisState::complete,
+            [&](const std::filesystem::path& place) { realisationsTable(parts).save(place); }));
     }
     return files;
 }

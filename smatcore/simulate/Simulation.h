@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <stop_token>
@@ -52,6 +53,8 @@ struct SensorResult {
     ResultTable table;
     std::vector<std::string> providedBy;
     std::vector<std::string> warnings; ///< each said once
+    /// Where frames and table were written, by writeSimulation; a part has no table.
+    std::filesystem::path folder = {}, tableFile = {};
 };
 
 struct SimulationResult {

@@ -137,6 +137,8 @@ TEST(CaseFile, KeepsWhatIsNotGoneOnWith) {
     EXPECT_EQ(readTextFile(folder / "a.csv.cases.old"), before);
     file.remove();
     EXPECT_FALSE(fs::exists(place));
+    EXPECT_FALSE(fs::exists(folder / "a.csv.cases.old"));
+    EXPECT_FALSE(file.keptOld());
     // A short run leaves nothing.
     CaseFile brief(place, {{}, false, {}, 1000.0});
     ran(&brief);

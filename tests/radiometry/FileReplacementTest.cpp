@@ -32,6 +32,26 @@ std::set<std::string> namesIn(const fs::path& folder) {
     return names;
 }
 
+TEST(FileReplacement, IsRefusedBeforehandAsItWouldBeRefused) {
+    const TemporaryFolder folder;
+    writeFileDurably(folder / "file", "x");
+    fs::create_directory(folder / "folder");
+    writeFileDurably(folder / "protected", "x");
+    fs::permissions(folder / "protected", fs::perms::owner_read);
+    fs::create_symlink("file", folder / "link");
+    const std::set<std::string> before = namesIn(folder.path());
+    for (const char* name : {"nowhere/new", "file/new", "folder", "protected"}) {
+        const std::string foreseen = refusalOf([&] { checkWritable(folder / name); });
+        EXPECT_EQ(foreseen, refusalOf([&] { writeFileDurably(folder / name, "y"); })) << name;
+        EXPECT_NE(foreseen, "nothing was refused") << name;
+    }
+    for (const char* name : {"new", "file", "link", "/dev/null"}) {
+        EXPECT_NO_THROW(checkWritable(folder / name)) << name;
+    }
+    EXPECT_EQ(namesIn(folder.path()), before);
+    EXPECT_EQ(readFile(folder / "file"), "x");
+}
+
 TEST(FileReplacement, LeavesTheFileAndNothingBesideIt) {
     const TemporaryFolder folder;
     for (const char* content : {"1", "2"}) {

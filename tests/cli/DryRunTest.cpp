@@ -1,0 +1,235 @@
+#include <functional>
+#include <map>
+#include <ostream>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/Program.h"
+#include "tests/cli/Scenarios.h"
+#include "tests/support/TemporaryFolder.h"
+
+namespace smat::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// A folder with a project of a box, a scenario of it, and what a run of either needs.
+class Rehearsal : public testing::Test {
+  protected:
+    Rehearsal() {
+        for (const char* name : {"box.flt", "box.sigdb"}) {
+            fs::copy(sample(std::string("box/") + name), folder_ / name);
+        }
+        project_ = {{"version", 1},
+                    {"models", {{{"name", "box"}, {"file", "box.flt"}, {"database", "box.sigdb"}}}},
+                    {"sensor", {{"width", 16}, {"height", 16}}},
+                    {"render", {{"bounces", 0}}},
+                    {"analyses", {{"look", {{"kind", "image"}}}}}};
+        scenario_ = nlohmann::json::parse(scenarioOf(
+            R"({"name": "box", "model": "box.flt", "database": "box.sigdb",
+                "position_m": [0, 5000, 100]})",
+            south, R"("dt_s": 1, "end_s": 1)"));
+        save();
+    }
+    void save() {
+        write(folder_ / "p.smat", project_.dump());
+        write(folder_ / "s.json", scenario_.dump());
+    }
+    /// All that lies in the folder with its contents.
+    std::map<std::string, std::string> state() const {
+        std::map<std::string, std::string> files;
+        for (const auto& entry : fs::recursive_directory_iterator(folder_ / ".")) {
+            files[entry.path().string()] = entry.is_regular_file() ? contentOf(entry.path()) : "";
+        }
+        return files;
+    }
+    /// The refusals of a program's messages; warnings may differ.
+    static std::vector<std::string> errorsOf(const Ran& ran) {
+        std::vector<std::string> errors;
+        std::istringstream text(ran.err);
+        for (std::string line; std::getline(text, line);) {
+            if (line.starts_with("error: ")) {
+                errors.push_back(line);
+            }
+        }
+        return errors;
+    }
+    /// Rehearses, expects that nothing was changed, then runs, and expects the same refusal.
+    void expectRefusedAlike(const Words& words, const std::string& because) {
+        SCOPED_TRACE(testing::PrintToString(words));
+        const auto before = state();
+        Words rehearsal = words;
+        rehearsal.emplace_back("--dry-run");
+        const Ran dry = smatBatch(rehearsal, folder_.path());
+        EXPECT_EQ(dry.exitCode, 2) << dry.err;
+        EXPECT_THAT(dry.err, HasSubstr(because));
+        EXPECT_EQ(state(), before);
+        const Ran real = smatBatch(words, folder_.path());
+        EXPECT_EQ(real.exitCode, 2) << real.err;
+        EXPECT_EQ(errorsOf(dry), errorsOf(real));
+    }
+
+    TemporaryFolder folder_;
+    nlohmann::json project_, scenario_;
+};
+
+/// Each command that can be rehearsed.
+const std::vector<Words>& commands() {
+    static const std::vector<Words> all = {
+        {"polar", "p.smat", "--out", "r.csv"},
+        {"image", "p.smat", "--out", "r.exr"},
+        {"spectrum", "p.smat", "--out", "r.csv"},
+        {"run", "p.smat", "--out", "results"},
+        {"cost-accuracy", "p.smat", "--repeats", "1", "--out", "r.csv"},
+        {"simulate", "s.json", "--out", "frames"}};
+    return all;
+}
+
+struct Fault {
+    const char* name;
+    /// Done to project and scenario alike; each has the section.
+    std::function<void(nlohmann::json&)> change;
+    const char* because;
+};
+
+void PrintTo(const Fault& fault, std::ostream* out) {
+    *out << fault.name;
+}
+
+class RehearsalOfFault : public Rehearsal, public testing::WithParamInterface<Fault> {};
+
+TEST_P(RehearsalOfFault, RefusesWhatTheRunRefuses) {
+    GetParam().change(project_);
+    GetParam().change(scenario_);
+    save();
+    for (const Words& words : commands()) {
+        expectRefusedAlike(words, GetParam().because);
+    }
+}
+
+void setModel(nlohmann::json& one, const char* key, const std::string& value) {
+    const bool isProject = one.contains("models");
+    one[isProject ? "models" : "entities"][0]
+       [isProject && key == std::string("model") ? "file" : key] = value;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, RehearsalOfFault,
+    testing::Values(
+        Fault{"AResponseThatIsMissing",
+              [](auto& one) { one["sensor"]["response"] = {"nowhere.csv"}; }, "nowhere.csv"},
+        Fault{"AnAtmosphereThatIsMissing",
+              [](auto& one) { one["environment"]["atmospheres"] = {"nowhere.smatatm"}; },
+              "nowhere.smatatm"},
+        Fault{"AnAtmosphereThatIsNone",
+              [](auto& one) { one["environment"]["atmospheres"] = {"box.flt"}; }, "box.flt"},
+        Fault{"AHazeDatabaseThatIsMissing",
+              [](auto& one) {
+                  one["environment"]["mtf"] = "nowhere.mtf";
+                  one["render"]["scattering"] = true;
+              },
+              "nowhere.mtf"},
+        Fault{"ATerrainThatIsMissing",
+              [](auto& one) { one["environment"]["terrain"] = "nowhere.flt"; }, "nowhere.flt"},
+        Fault{"AModelThatIsMissing", [](auto& one) { setModel(one, "model", "nowhere.flt"); },
+              "nowhere.flt"},
+        Fault{"ADatabaseThatIsMissing",
+              [](auto& one) { setModel(one, "database", "nowhere.sigdb"); }, "nowhere.sigdb"},
+        Fault{"ADatabaseThatIsNone", [](auto& one) { setModel(one, "database", "box.flt"); },
+              "box.flt"}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+TEST_F(Rehearsal, OfASoundRunSaysWhatWouldBeDrawnAndWritesNothing) {
+    for (Words words : commands()) {
+        const auto before = state();
+        words.emplace_back("--dry-run");
+        const Ran ran = smatBatch(words, folder_.path());
+        EXPECT_EQ(ran.exitCode, 0) << words.front() << ran.err;
+        EXPECT_FALSE(ran.out.empty()) << words.front();
+        EXPECT_EQ(state(), before);
+    }
+}
+
+TEST_F(Rehearsal, RefusesPlacesThatCannotBeWritten) {
+    fs::create_directory(folder_ / "taken.csv");
+    write(folder_ / "protected.csv", "x");
+    fs::permissions(folder_ / "protected.csv", fs::perms::owner_read);
+    for (Words words : commands()) {
+        const bool isFolder = words.front() == "run" || words.front() == "simulate";
+        const std::string ending = fs::path(words.back()).extension().string();
+        if (isFolder) {
+            words.back() = "box.flt";
+            expectRefusedAlike(words, "a place where no folder can be made");
+            words.back() = "box.flt/below";
+            expectRefusedAlike(words, "a place where no folder can be made");
+            continue;
+        }
+        words.back() = "nowhere/r" + ending;
+        expectRefusedAlike(words, "a folder that does not exist");
+        if (ending == ".csv") {
+            words.back() = "taken.csv";
+            expectRefusedAlike(words, "a folder");
+            words.back() = "protected.csv";
+            expectRefusedAlike(words, "a write-protected file");
+        }
+    }
+}
+
+TEST_F(Rehearsal, RefusesAnInputAsOutput) {
+    write(folder_ / "response.csv", "wavelength [um],response\n3,1\n4,1\n");
+    project_["sensor"]["response"] = {"response.csv"};
+    save();
+    for (const Words& words : commands()) {
+        if (words.back() == "r.csv") {
+            Words onInput = words;
+            onInput.back() = "response.csv";
+            expectRefusedAlike(onInput, "an input as output");
+        }
+    }
+}
+
+TEST_F(Rehearsal, RefusesWhatOnlyTheSceneShows) {
+    // A code without an entry, and a target below the ground.
+    const Ran made = smatBatch({"db", "export", "box.sigdb", "box.json"}, folder_.path());
+    ASSERT_EQ(made.exitCode, 0) << made.err;
+    auto database = nlohmann::json::parse(contentOf(folder_ / "box.json"));
+    ASSERT_FALSE(database["temperatures"].empty());
+    database["temperatures"].erase(database["temperatures"].begin());
+    write(folder_ / "less.json", database.dump());
+    const Ran imported = smatBatch({"db", "import", "less.json", "less.sigdb"}, folder_.path());
+    ASSERT_EQ(imported.exitCode, 0) << imported.err;
+    setModel(project_, "database", "less.sigdb");
+    setModel(scenario_, "database", "less.sigdb");
+    save();
+    for (const Words& words : commands()) {
+        expectRefusedAlike(words, "temperature index");
+    }
+    setModel(project_, "database", "box.sigdb");
+    setModel(scenario_, "database", "box.sigdb");
+    project_["target"]["altitude"] = 10;
+    project_["camera"]["elevation"] = -60;
+    scenario_["entities"][0]["position_m"] = {0, 5000, -50};
+    save();
+    for (const Words& words : commands()) {
+        expectRefusedAlike(words, "at least 0 m");
+    }
+}
+
+TEST_F(Rehearsal, RefusesAFilmWithoutAPlaceForIt) {
+    Words words = commands().back();
+    words.insert(words.end(), {"--film", "nowhere/film.png"});
+    expectRefusedAlike(words, "a folder that does not exist");
+}
+
+TEST_F(Rehearsal, RefusesToGoOnWithCasesOfAnotherSweep) {
+    const Words sweep = {"polar", "p.smat", "--step", "120", "--out", "r.csv", "--resume"};
+    write(folder_ / "r.csv.cases", "{\"format\": 1}\n");
+    expectRefusedAlike(sweep, "r.csv.cases");
+}
+
+} // namespace
+} // namespace smat::test
