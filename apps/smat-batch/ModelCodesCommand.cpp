@@ -6,6 +6,7 @@
 
 #include "apps/smat-batch/Command.h"
 #include "apps/smat-batch/Output.h"
+#include "irsg/core/FileReplacement.h"
 #include "irsg/geometry/model/FirstSignature.h"
 #include "irsg/signature/SignatureFile.h"
 
@@ -120,6 +121,8 @@ ModelCodes suggested(const Options& options) {
     const auto surfaces = irsg::suggestedSurfaces(irsg::namesOf(options.model, ModelCodes()).names);
     const auto first =
         irsg::firstSignatureOf(surfaces, std::filesystem::path(options.model).stem().string());
+    // The database is not made where the codes, which are written last, would not be.
+    irsg::checkWritable(irsg::codesFileOf(options.model));
     irsg::createSignatureFile(first.database, options.database);
     return first.codes;
 }

@@ -51,6 +51,22 @@ std::u32string charactersOf(std::string_view text) {
     return characters;
 }
 
+std::string utf8Text(std::string_view text) {
+    if (isUtf8(text))
+        return std::string(text);
+    std::string result;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x80) {
+            result += c;
+        } else {
+            result += static_cast<char>(0xc0 | (byte >> 6));
+            result += static_cast<char>(0x80 | (byte & 0x3f));
+        }
+    }
+    return result;
+}
+
 std::string asciiText(std::string_view text) {
     constexpr char digits[] = "0123456789abcdef";
     std::string result;

@@ -12,6 +12,9 @@ bool isUtf8(std::string_view text);
 /// The characters of a text; each byte that is part of none (see isUtf8) is one of U+FFFD.
 std::u32string charactersOf(std::string_view text);
 
+/// The text where it is UTF-8; else each of its bytes as a character of Latin-1 (ISO 8859-1).
+std::string utf8Text(std::string_view text);
+
 /// The text with every byte that is not a character of ASCII as \\xNN: fit for any message.
 std::string asciiText(std::string_view text);
 

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "irsg/core/CsvTable.h"
-#include "irsg/core/Errors.h"
 
 namespace irsg {
 
@@ -36,11 +35,8 @@ std::string scalarText(const json& value) {
         // Adding 0 makes -0 the 0 that it equals.
         return numberText(value.get<double>() + 0.0);
     }
-    try {
-        return value.dump();
-    } catch (const json::exception& error) {
-        throw LogicError(error.what());
-    }
+    // Of a draft, whose lint says what is wrong with it, a text may be no UTF-8.
+    return value.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 class Writer {

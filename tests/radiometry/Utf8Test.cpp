@@ -14,6 +14,13 @@ TEST(Utf8, ReadsCharactersOfOneToFourBytes) {
               U"\U00000080 \U000007ff \U00000800 \U0000ffff \U00010000 \U0010ffff");
 }
 
+TEST(Utf8, ReadsWhatIsNoneAsLatin1) {
+    EXPECT_EQ(utf8Text("T\xc3\xbcr"), "T\xc3\xbcr");
+    EXPECT_EQ(utf8Text("T\xfcr\x80"), "T\xc3\xbcr\xc2\x80");
+    EXPECT_TRUE(isUtf8(utf8Text("\xff\xc3")));
+    EXPECT_EQ(utf8Text(""), "");
+}
+
 TEST(Utf8, TakesEachByteThatIsNoneByItself) {
     const struct {
         const char* name;

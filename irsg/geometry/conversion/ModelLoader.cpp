@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Utf8.h"
 #include "irsg/geometry/conversion/CodedGraph.h"
 #include "irsg/geometry/flight/FlightScanner.h"
 #include "irsg/geometry/reading/FarOrigin.h"
@@ -20,6 +21,7 @@
 #include "irsg/geometry/reading/OpenableFiles.h"
 #include "irsg/geometry/reading/OsgNotices.h"
 #include "irsg/geometry/reading/ProxyNodes.h"
+#include "irsg/geometry/reading/Utf8Names.h"
 #include "irsg/geometry/reading/sandbox/AxesCoding.h"
 #include "irsg/geometry/reading/sandbox/Bytes.h"
 #include "irsg/geometry/reading/sandbox/GraphCoding.h"
@@ -197,6 +199,11 @@ LoadedGraph loadGraphAsIs(const fs::path& file, LoadPurpose purpose) {
     LoadedGraph loaded = loadOfType(osgDB::getLowerCaseFileExtension(file.string()), file, purpose);
     if (auto remark = remarkOfRounding(*loaded.node))
         loaded.remarks.push_back(std::move(*remark));
+    if (const int names = nameInUtf8(*loaded.node); names > 0)
+        loaded.remarks.push_back(std::to_string(names) + (names == 1 ? " name is" : " names are") +
+                                 " not in UTF-8 and read as Latin-1");
+    for (std::string& remark : loaded.remarks)
+        remark = utf8Text(remark);
     return loaded;
 }
 

@@ -1,5 +1,8 @@
 #include "irsg/geometry/conversion/ModelNames.h"
 
+#include <algorithm>
+
+#include "irsg/core/Errors.h"
 #include "irsg/geometry/conversion/CodedGraph.h"
 #include "irsg/geometry/conversion/ModelLoader.h"
 
@@ -11,6 +14,14 @@ ModelNames namesOf(const std::filesystem::path& model, const ModelCodes& codes) 
     if (!codes.empty())
         names.remarks = giveCodes(loaded.node, codes, model.string());
     names.names = namesIn(*loaded.node, model.string());
+    // As Model::load, so that nobody takes an empty list for a model.
+    const auto isDrawn = [](const auto& ofKind) {
+        return std::ranges::any_of(ofKind,
+                                   [](const auto& named) { return named.second.area > 0.0; });
+    };
+    if (std::ranges::none_of(names.names, isDrawn))
+        throw InputError({model.string(), "", "a model without any visible face that has an area",
+                          "at least one triangle"});
     return names;
 }
 

@@ -17,6 +17,11 @@ namespace {
 
 using nlohmann::json;
 
+/// A name that is no UTF-8 is in no rule of ours, but is no reason to give up.
+std::string textOf(const json& value) {
+    return value.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
 constexpr const char* formatName = "smat-codes";
 constexpr int newestVersion = 1;
 constexpr double farthestCorner = 1e9;
@@ -147,11 +152,11 @@ std::string modelCodesToJson(const ModelCodes& codes) {
         }
         text << "\n  ]";
     };
-    list("rules", [&](const json& rule) { text << rule.dump(); });
+    list("rules", [&](const json& rule) { text << textOf(rule); });
     list("painted", [&](const json& surface) {
         json head = surface;
         head.erase("triangles");
-        std::string begin = head.dump();
+        std::string begin = textOf(head);
         begin.back() = ',';
         text << begin << "\"triangles\":[";
         const char* separator = "\n      ";
