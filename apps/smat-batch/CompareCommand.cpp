@@ -200,13 +200,28 @@ int compare(const CompareOptions& options, Context& context) {
     return worst == irsg::Verdict::pass ? done : worst == irsg::Verdict::warning ? warned : refused;
 }
 
+/// "OpenEXR (.exr), CSV (.csv .txt .dat; a plain matrix as well)", of all that can be read.
+std::string readableFormats() {
+    std::string text;
+    for (const irsg::ImageFormat* format : irsg::imageFormats()) {
+        if (format->read == nullptr)
+            continue;
+        const std::string also =
+            *format->alsoRead == '\0' ? "" : " " + std::string(format->alsoRead);
+        text +=
+            fmt::format("{}{} ({}{}{})", text.empty() ? "" : ", ", format->shortName,
+                        format->extensions, also, format->isText ? "; a plain matrix as well" : "");
+    }
+    return text;
+}
+
 } // namespace
 
 void addCompareCommand(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand(
         "compare", "Compares two images: exit code 0 pass, 1 warning, 2 failure or refused");
     auto options = std::make_shared<CompareOptions>(*command);
-    command->add_option("A", options->fileA, "Image: OpenEXR, or CSV (a plain matrix as well)")
+    command->add_option("A", options->fileA, "Image: " + readableFormats())
         ->required()
         ->type_name("");
     command->add_option("B", options->fileB, "The reference, of the same size")

@@ -42,11 +42,16 @@ void checkResultFile(AnalysisKind kind, const std::filesystem::path& file) {
         throw irsg::InputError({file.string(), "",
                                 std::string(format->name) + ", " + format->extension,
                                 std::string("a build with ") + format->library});
-    throw irsg::InputError(
-        irsg::Diagnostic{.file = file.string(),
-                         .position = "",
-                         .value = file.has_extension() ? file.extension().string() : "no extension",
-                         .expected = "a file that ends in " + irsg::alternatives(known)});
+    const TableFormat* ofTables = tableFormatOf(file);
+    const std::string forTables =
+        ofTables == nullptr
+            ? ""
+            : std::string("; smat-batch table, over two directions, writes ") + ofTables->name;
+    throw irsg::InputError(irsg::Diagnostic{
+        .file = file.string(),
+        .position = "",
+        .value = file.has_extension() ? file.extension().string() : "no extension",
+        .expected = "a file that ends in " + irsg::alternatives(known) + forTables});
 }
 
 void checkResultFile(const AnalysisData& data, const std::filesystem::path& file) {
