@@ -18,6 +18,8 @@ int problem = 0;
 
 void openStreams() {
     std::signal(SIGPIPE, SIG_IGN);
+    // A file that grows beyond what is allowed is refused in words.
+    std::signal(SIGXFSZ, SIG_IGN);
     // The lowest number that is free is given out: in this order each gets its own. What is printed
     // to a closed output is lost, and has to be told as such.
     constexpr const char* places[] = {"/dev/null", "/dev/full", "/dev/null"};

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <clocale>
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 #include <optional>
@@ -124,6 +125,8 @@ std::string versionText() {
 } // namespace
 
 int main(int argc, char** argv) {
+    // A file that grows beyond what is allowed is refused in words.
+    std::signal(SIGXFSZ, SIG_IGN);
     smat::keepFreedMemory();
     CLI::App cli{"SMAT, the infrared signature modelling workbench", "smat"};
     cli.set_version_flag("--version", versionText);

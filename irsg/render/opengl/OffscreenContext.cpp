@@ -9,6 +9,7 @@
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/TaskThread.h"
+#include "irsg/render/opengl/DriverCache.h"
 #include "irsg/render/opengl/EglFunctions.h"
 #include "irsg/render/opengl/GlFunctions.h"
 
@@ -143,6 +144,7 @@ OffscreenContext& OffscreenContext::shared() {
 }
 
 OffscreenContext::OffscreenContext() : impl_(std::make_unique<Impl>()) {
+    keepOffFullShaderCache();
     try {
         impl_->thread.post([this] { impl_->open(); }).get();
     } catch (...) {
