@@ -233,8 +233,12 @@ void ReaderProcess::dismiss() {
 
 ReaderAnswer ReaderProcess::read(FileKind kind, const fs::path& place, const fs::path& name) {
     const fs::path& file = name.empty() ? place : name;
+    // Each opens the files of its first question alone.
+    if (child_ && (kind == FileKind::model || file.parent_path() != folder_))
+        child_.reset();
     if (!child_)
         child_ = std::make_unique<Child>();
+    folder_ = file.parent_path();
     noteInput(place);
     const ReadingLimits limits =
         ReadingLimits::of(kind == FileKind::model ? sizeOf(place, file) : sizeOf(place, {}));

@@ -23,9 +23,11 @@ class ReaderAnswer {
 };
 
 /// A process of its own in which OpenSceneGraph reads what others made: with little memory and
-/// time, and without the means to write a file, to open a connection or to start a program. It is
-/// started by the first question and ends with this object; one that crashes or takes too long is
-/// ended, and the next question starts another.
+/// time, and without the means to write a file, to open a connection, to start a program, to signal
+/// another, or to read a file that does not belong to the first question: of a model those in and
+/// below its folder and those that it names (filesNamedOutside), of a picture those of its folder.
+/// It is started by the first question and ends with this object; one that crashes or takes too
+/// long is ended, and the next question, or one about another folder, starts another.
 class ReaderProcess {
   public:
     ReaderProcess();
@@ -44,6 +46,7 @@ class ReaderProcess {
   private:
     class Child;
     std::unique_ptr<Child> child_;
+    std::filesystem::path folder_; ///< of the files that it opens
 };
 
 } // namespace irsg

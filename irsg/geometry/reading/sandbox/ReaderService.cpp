@@ -5,15 +5,20 @@
 #include <filesystem>
 #include <new>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <csignal>
+#include <fcntl.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 
 #include "irsg/core/Errors.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
 #include "irsg/geometry/reading/sandbox/AxesCoding.h"
+#include "irsg/geometry/reading/sandbox/FileConfinement.h"
 #include "irsg/geometry/reading/sandbox/GraphCoding.h"
+#include "irsg/geometry/reading/sandbox/NamedFiles.h"
 #include "irsg/geometry/reading/sandbox/PluginReading.h"
 #include "irsg/geometry/reading/sandbox/ReaderMessages.h"
 #include "irsg/geometry/reading/sandbox/ReadingLimits.h"
@@ -89,6 +94,26 @@ ByteSink answer(FileKind kind, const std::string& place, const std::string& name
     }
 }
 
+/// The name by which this process finds the bytes of a model when it is shut in: those of another
+/// process's file are opened before.
+std::string ownPlace(const std::string& place, const std::string& name) {
+    if (place == name)
+        return place;
+    const int descriptor = open(place.c_str(), O_RDONLY | O_CLOEXEC);
+    return descriptor < 0 ? place : "/proc/self/fd/" + std::to_string(descriptor);
+}
+
+/// Gives up all files but those that belong to the first question, and all else (shutIn).
+void shutInWith(FileKind kind, const std::string& place, const std::string& name) {
+    const std::filesystem::path file(name);
+    std::vector<std::filesystem::path> files = {place};
+    if (kind == FileKind::model)
+        for (std::filesystem::path& named : filesNamedOutside(place, file))
+            files.push_back(std::move(named));
+    confineFiles(file.parent_path(), files);
+    shutIn();
+}
+
 } // namespace
 
 bool isReader() {
@@ -99,13 +124,17 @@ void serveReadings(int socket) {
     serving = true;
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     preparePlugins();
-    shutIn();
+    bool isShutIn = false;
     for (QuestionHead question; readAll(socket, &question, sizeof question);) {
-        allow(question.limits);
         std::string place(question.placeSize, '\0'), name(question.nameSize, '\0');
         if (!readAll(socket, place.data(), place.size()) ||
             !readAll(socket, name.data(), name.size()))
             return;
+        if (!std::exchange(isShutIn, true)) {
+            place = ownPlace(place, name);
+            shutInWith(static_cast<FileKind>(question.kind), place, name);
+        }
+        allow(question.limits);
         AnswerHead head;
         bool refused = false;
         const ByteSink bytes = answer(static_cast<FileKind>(question.kind), place, name, refused);

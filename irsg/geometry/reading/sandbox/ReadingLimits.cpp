@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 #include <fcntl.h>
@@ -14,6 +15,7 @@
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/time.h>
+#include <unistd.h>
 
 #include "irsg/core/Errors.h"
 
@@ -49,18 +51,18 @@ constexpr int allowedCalls[] = {
     // files that are open, and names
     SYS_read, SYS_pread64, SYS_readv, SYS_write, SYS_writev, SYS_close, SYS_lseek, SYS_fstat,
     SYS_newfstatat, SYS_statx, SYS_faccessat, SYS_faccessat2, SYS_getdents64, SYS_readlinkat,
-    SYS_getcwd, SYS_fcntl, SYS_fadvise64,
+    SYS_getcwd, SYS_fadvise64,
 #if defined(__x86_64__)
     SYS_stat, SYS_lstat, SYS_access, SYS_readlink, SYS_arch_prctl,
 #endif
     // memory
     SYS_mmap, SYS_munmap, SYS_mprotect, SYS_mremap, SYS_madvise, SYS_brk, SYS_getrlimit,
-    SYS_setrlimit, SYS_prlimit64,
+    SYS_setrlimit,
     // the process itself
     SYS_exit, SYS_exit_group, SYS_rt_sigaction, SYS_rt_sigprocmask, SYS_rt_sigreturn,
     SYS_sigaltstack, SYS_futex, SYS_sched_yield, SYS_sched_getaffinity, SYS_getpid, SYS_gettid,
-    SYS_tgkill, SYS_getuid, SYS_geteuid, SYS_getgid, SYS_getegid, SYS_set_robust_list, SYS_uname,
-    SYS_sysinfo, SYS_getrandom, SYS_getrusage, SYS_times,
+    SYS_getuid, SYS_geteuid, SYS_getgid, SYS_getegid, SYS_set_robust_list, SYS_uname, SYS_sysinfo,
+    SYS_getrandom, SYS_getrusage, SYS_times,
 #if defined(SYS_rseq)
     SYS_rseq,
 #endif
@@ -88,6 +90,34 @@ void addOpening(std::vector<sock_filter>& filter, int call, std::size_t place) {
     filter.push_back(statement(BPF_RET | BPF_K, SECCOMP_RET_ALLOW));
 }
 
+sock_filter argument(std::size_t place) {
+    return statement(BPF_LD | BPF_W | BPF_ABS,
+                     static_cast<std::uint32_t>(offsetof(seccomp_data, args) + 8 * place));
+}
+
+/// A call that names a process by its first argument, which must be this one.
+void addOfItself(std::vector<sock_filter>& filter, int call, pid_t itself) {
+    filter.push_back(jump(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, 4));
+    filter.push_back(argument(0));
+    filter.push_back(jump(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(itself), 1, 0));
+    filter.push_back(statement(BPF_RET | BPF_K, refusal));
+    filter.push_back(statement(BPF_RET | BPF_K, SECCOMP_RET_ALLOW));
+}
+
+/// What is done to an open file, but for what has signals sent to others.
+void addControl(std::vector<sock_filter>& filter) {
+    constexpr std::uint32_t signalling[] = {F_SETOWN, F_SETOWN_EX, F_SETSIG, F_SETLEASE, F_NOTIFY};
+    constexpr auto count = static_cast<std::uint8_t>(std::size(signalling));
+    filter.push_back(jump(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(SYS_fcntl), 0,
+                          static_cast<std::uint8_t>(count + 3)));
+    filter.push_back(argument(1));
+    for (std::uint8_t i = 0; i < count; ++i)
+        filter.push_back(jump(BPF_JMP | BPF_JEQ | BPF_K, signalling[i],
+                              static_cast<std::uint8_t>(count - i), 0));
+    filter.push_back(statement(BPF_RET | BPF_K, SECCOMP_RET_ALLOW));
+    filter.push_back(statement(BPF_RET | BPF_K, refusal));
+}
+
 std::vector<sock_filter> makeFilter() {
     std::vector<sock_filter> filter = {
         statement(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, arch)),
@@ -98,6 +128,9 @@ std::vector<sock_filter> makeFilter() {
 #if defined(__x86_64__)
     addOpening(filter, SYS_open, 1);
 #endif
+    addOfItself(filter, SYS_tgkill, getpid());
+    addOfItself(filter, SYS_prlimit64, 0); // the C library's number for itself
+    addControl(filter);
     for (const int call : allowedCalls) {
         filter.push_back(jump(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, 1));
         filter.push_back(statement(BPF_RET | BPF_K, SECCOMP_RET_ALLOW));

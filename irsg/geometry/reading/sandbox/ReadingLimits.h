@@ -15,8 +15,9 @@ struct ReadingLimits {
 };
 
 /// Takes from this process for good what reading a file does not need: writing files, the network,
-/// other programs, other processes, threads. Whoever takes it over through a damaged file finds
-/// itself with nothing to do. Throws LogicError where the system does not allow that.
+/// other programs, other processes (their signals and limits, too), threads. Whoever takes it over
+/// through a damaged file finds itself with nothing to do. Throws LogicError where the system does
+/// not allow that.
 void shutIn();
 
 /// From now on: so much memory and so much processor time until the end of this process.
