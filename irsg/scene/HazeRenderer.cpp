@@ -126,6 +126,11 @@ void HazeRenderer::addPoints(const Frame& frame, std::vector<ScatteredObject>& o
     }
 }
 
+void HazeRenderer::check(const Environment& environment) {
+    if (const AtmosphereScatteringLut* droplets = scatteringLutOf(environment))
+        scattering_.check(droplets->database());
+}
+
 void HazeRenderer::add(const Frame& frame, RadianceImage& image,
                        std::vector<std::string>& warnings) {
     std::vector<ScatteredObject> objects = objectsOf(frame, warnings);

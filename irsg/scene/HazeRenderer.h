@@ -26,6 +26,8 @@ class HazeRenderer {
           aspects_(aspects),
           clock_(clock) {}
 
+    /// Throws InputError where the environment names a file that is no MTF database.
+    void check(const Environment& environment);
     /// Warnings are added, each once.
     void add(const Frame& frame, RadianceImage& image, std::vector<std::string>& warnings);
 

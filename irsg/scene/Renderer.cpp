@@ -201,6 +201,8 @@ void Renderer::check(const Scene& scene, const SensorView& view, const Outputs& 
         for (const Band& band : request.bands)
             collect(diagnostics,
                     [&] { scene.environment.checkProvided(quantity, band.range(), isWideband); });
+    if (scene.settings.scattering && outputs.hasImage())
+        collect(diagnostics, [&] { impl_->haze.check(scene.environment); });
     if (!diagnostics.empty())
         throw InputError(diagnostics);
 }

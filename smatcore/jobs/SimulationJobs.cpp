@@ -100,6 +100,7 @@ void JobRunner::rehearse(const PlannedSimulation& job) {
                     continue;
                 const PlacedCase placed = generator.place(sensor, step.time_s).second;
                 door().check(placed.scene, placed.view, irsg::Outputs::reports(scene.allBands()));
+                door().check(placed.scene, placed.view, irsg::Outputs::image());
             }
         }
         stepFiles(job, files, inputHashes(), false); // reads those that are resumed

@@ -1,10 +1,8 @@
 #include "smatcore/support/PartialFile.h"
 
+#include <fstream>
 #include <string>
 #include <system_error>
-
-#include "irsg/core/Errors.h"
-#include "irsg/core/FileReading.h"
 
 namespace smat {
 
@@ -24,12 +22,14 @@ fs::path partialFileBeside(const fs::path& file) {
 }
 
 bool isPartialResult(const fs::path& file) {
-    std::string text;
-    try {
-        text = irsg::readFileBeginning(file, beginning);
-    } catch (const irsg::InputError&) {
+    std::error_code failure;
+    if (!fs::is_regular_file(file, failure))
         return false;
-    }
+    // Not by readFile(): what a run takes for an input it refuses to write over.
+    std::ifstream in(file, std::ios::binary);
+    std::string text(beginning, '\0');
+    in.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(in.gcount()));
     for (std::size_t at = text.find("state"); at != std::string::npos;
          at = text.find("state", at + 1))
         if (text.substr(at, farthest).find("partial") != std::string::npos)

@@ -127,12 +127,6 @@ INSTANTIATE_TEST_SUITE_P(
               "nowhere.smatatm"},
         Fault{"AnAtmosphereThatIsNone",
               [](auto& one) { one["environment"]["atmospheres"] = {"box.flt"}; }, "box.flt"},
-        Fault{"AHazeDatabaseThatIsMissing",
-              [](auto& one) {
-                  one["environment"]["mtf"] = "nowhere.mtf";
-                  one["render"]["scattering"] = true;
-              },
-              "nowhere.mtf"},
         Fault{"ATerrainThatIsMissing",
               [](auto& one) { one["environment"]["terrain"] = "nowhere.flt"; }, "nowhere.flt"},
         Fault{"AModelThatIsMissing", [](auto& one) { setModel(one, "model", "nowhere.flt"); },
@@ -215,7 +209,24 @@ TEST_F(Rehearsal, RefusesWhatOnlyTheSceneShows) {
     scenario_["entities"][0]["position_m"] = {0, 5000, -50};
     save();
     for (const Words& words : commands()) {
-        expectRefusedAlike(words, "at least 0 m");
+        if (words.front() != "polar") { // which takes its elevations from the sweep
+            expectRefusedAlike(words, "at least 0 m");
+        }
+    }
+}
+
+TEST_F(Rehearsal, RefusesAHazeDatabaseThatIsMissingOrNoneForImages) {
+    for (const char* database : {"nowhere.mtf", "box.flt"}) {
+        for (nlohmann::json* one : {&project_, &scenario_}) {
+            (*one)["environment"]["mtf"] = database;
+            (*one)["render"]["scattering"] = true;
+        }
+        save();
+        for (const Words& words : commands()) {
+            if (words.front() == "image" || words.front() == "run" || words.front() == "simulate") {
+                expectRefusedAlike(words, database);
+            }
+        }
     }
 }
 

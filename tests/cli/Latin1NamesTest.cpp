@@ -67,7 +67,7 @@ TEST(Latin1Names, InADatabaseAreRefusedInWordsAndShownToWhoeverRepairsThem) {
     fs::permissions(folder / "a.sigdb", fs::perms::owner_write, fs::perm_options::add);
     {
         SQLite::Database file((folder / "a.sigdb").string(), SQLite::OPEN_READWRITE);
-        ASSERT_GT(file.exec("UPDATE materials SET name = CAST(x'54fc72' AS TEXT)"), 0);
+        ASSERT_GT(file.exec("UPDATE material SET name = CAST(x'54fc72' AS TEXT)"), 0);
     }
     for (const char* command : {"info", "lint", "export"}) {
         Ran ran = smatBatch({"db", command, "a.sigdb"}, folder.path());

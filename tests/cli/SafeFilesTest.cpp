@@ -128,6 +128,19 @@ TEST(SmatBatchDatabase, ImportOverADatabaseAsksForReplace) {
     EXPECT_EQ(smatBatch({"db", "import", json, "a.sigdb", "--replace"}, folder.path()).exitCode, 0);
 }
 
+TEST(SmatBatchLimits, OfTheSizeOfFilesAreToldInWords) {
+    const TemporaryFolder folder;
+    for (const std::string file : {"a.exr", "a.csv", "a.tif", "a.png", "a.json"}) {
+        write(folder / file, "what was there");
+        const Ran ran = shell("ulimit -f 1; $SMAT image '" + sample("sphere/sphere.smat").string() +
+                                  "' --width 64 --height 64 --out " + file,
+                              folder.path());
+        EXPECT_EQ(ran.exitCode, 2) << file << ran.err;
+        EXPECT_THAT(ran.err, AllOf(HasSubstr(file), HasSubstr("larger than is allowed")));
+        EXPECT_EQ(contentOf(folder / file), "what was there");
+    }
+}
+
 TEST(SmatBatchBounds, NameAHundredDiagnosticsAndHowManyMore) {
     const TemporaryFolder folder;
     fs::copy(sample("flyby"), folder / "flyby");
