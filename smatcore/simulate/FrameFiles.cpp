@@ -117,7 +117,8 @@ std::filesystem::path FrameFiles::imagingSensorFile(std::size_t sensor) const {
 
 void FrameFiles::writeImagingSensor(std::size_t sensor, const std::filesystem::path& file) const {
     const std::filesystem::path& own = scenario_.scenario.sensors[sensor].imagingSensor;
-    smat::writeImagingSensor(scenario_.sensors.at(sensor).settings, file,
+    smat::writeImagingSensor(scenario_.sensors.at(sensor).settings,
+                             file.empty() ? imagingSensorFile(sensor) : file,
                              scenario_.scenario.resolve(own));
 }
 
@@ -216,10 +217,11 @@ void FrameFiles::write(SensorFrame& frame, std::size_t number,
                        const std::filesystem::path& folder) const {
     describe(frame, number);
     const PictureWords above = words(frame.sensor, frame.time_s);
+    const std::filesystem::path into = folder.empty() ? frameFolder(frame.sensor) : folder;
     for (const std::string& extension : extensions_) {
         saveImage(frame.rendered.image, scenario_.sensors.at(frame.sensor).settings, above,
                   scenario_.scenario.displayName(),
-                  folder / frameFile(frame.sensor, number, extension, frame.band).filename());
+                  into / frameFile(frame.sensor, number, extension, frame.band).filename());
     }
 }
 
@@ -252,7 +254,7 @@ void writeSimulation(const LoadedScenario& scenario, const SimulationPlan& plan,
     };
     if (parts != nullptr && parts->isPart)
         for (const std::size_t sensor : plan.sensors)
-            files.writeImagingSensor(sensor, files.imagingSensorFile(sensor));
+            files.writeImagingSensor(sensor);
     SceneGenerator3D generator(scenario, door);
     SimulationSteps steps;
     if (parts != nullptr)

@@ -47,13 +47,16 @@ class FrameFiles {
     /// Describes the image of a frame (time, sensor, places of the entities, settings), and makes
     /// of it what `image.quantity` asks for: what stands in its file.
     void describe(SensorFrame& frame, std::size_t number) const;
-    /// Describes a frame and writes it in every form into a folder. Throws InputError.
-    void write(SensorFrame& frame, std::size_t number, const std::filesystem::path& folder) const;
+    /// Describes a frame and writes it in every form, into the folder of its sensor where none is
+    /// given. Throws InputError.
+    void write(SensorFrame& frame, std::size_t number,
+               const std::filesystem::path& folder = {}) const;
     /// What stands above the picture of a frame.
     PictureWords words(std::size_t sensor, double time_s) const;
-    /// Writes what the frames of a sensor are made with in KARMA's form into `file`, on top of what
-    /// else its own ImagingSensor file holds. Throws InputError.
-    void writeImagingSensor(std::size_t sensor, const std::filesystem::path& file) const;
+    /// Writes what the frames of a sensor are made with in KARMA's form into `file`, or
+    /// imagingSensorFile() where that is empty, on top of what else its own ImagingSensor file
+    /// holds. Throws InputError.
+    void writeImagingSensor(std::size_t sensor, const std::filesystem::path& file = {}) const;
     /// What the table of a sensor says of itself.
     Provenance provenanceOf(const SensorResult& result, AnalysisState state) const;
     /// Writes the table of a sensor with its provenance, one that is not complete beside that of a
