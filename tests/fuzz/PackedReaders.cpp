@@ -136,7 +136,7 @@ void readMaterials(File file) {
 
 /// The looks at other programs' models before their plug-ins: the bytes as each kind of them.
 void readWhole(File file) {
-    for (const char* name : {"a.osg", "a.osgx", "a.3ds", "a.lwo", "a.dxf", "a.ac"}) {
+    for (const char* name : {"a.osg", "a.osgx", "a.3ds", "a.lwo", "a.ac"}) {
         try {
             irsg::checkCompleteness(file, name);
         } catch (const irsg::InputError&) {
@@ -224,6 +224,11 @@ const char* const collada =
     "</node></visual_scene></library_visual_scenes><scene><instance_visual_scene url=\"#s\"/>"
     "</scene></COLLADA>\n";
 
+const char* const directX = "xof 0303txt 0032\nMaterial a "
+                            "{\n1;1;1;1;;\n1;\n0,0,0;;\n0;0;0;;\n}\n// units = mm\nFrame f {\nMesh "
+                            "m {\n3;\n0;0;0;,\n1;0;0;,\n0;1;0;;\n1;\n3;0,1,2;;\nMeshMaterialList "
+                            "{\n1;\n1;\n0;\n{ a }\n}\n}\n}\n";
+
 const char* const line =
     " 21  667.661000 3.000E-19 1.523E+00.07890.099  100.25000.74-.000510       0 1 1 01\n";
 const char* const ascent = "altitude [m],pressure [hPa],temperature [K],relative_humidity [%]\n"
@@ -266,6 +271,7 @@ std::vector<FuzzedReader> packedReaders() {
         {"gltf", ".gltf", [](File f) { irsg::readGltfFile(f, f); }, {}, {gltf, glbBytes()}},
         {"fbx", ".fbx", [](File f) { irsg::readFbxFile(f, f); }, {}, {fbx, fbxBytes()}},
         {"collada", ".dae", [](File f) { irsg::readColladaFile(f, f); }, {}, {collada}},
+        {"x", ".x", [](File f) { irsg::readXFile(f, f); }, {}, {directX}},
         {"axes", ".axes", readAxes, {}, {axesBytes()}},
     };
 }

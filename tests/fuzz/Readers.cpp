@@ -76,6 +76,35 @@ const char* const square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nvn 0 0 1\nusemtl 
                            "f 1/1/1 2/1/1 3/1/1\nf -1//1 -2//1 -3//1\n";
 const char* const facet = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
                           "vertex 1 1 0\nendloop\nendfacet\nendsolid a\n";
+/// A square and a strip with a restart, as text and in numbers of either order.
+const char* const polygons =
+    "ply\nformat ascii 1.0\ncomment units = mm\nelement vertex 4\nproperty float x\nproperty "
+    "float y\nproperty float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+    "element face 1\nproperty list uchar int vertex_indices\nelement tristrips 1\nproperty list "
+    "int int vertex_indices\nend_header\n0 0 0 9 9 9\n1 0 0 9 9 9\n1 1 0 9 9 9\n0 1 0 9 9 9\n"
+    "4 0 1 2 3\n5 0 1 -1 2 3\n";
+std::string packedPolygons() {
+    std::string bytes = "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty short x\n"
+                        "property short y\nproperty short z\nelement face 1\nproperty list uchar "
+                        "uchar vertex_index\nend_header\n";
+    for (const char value : {0, 0, 0, 1, 0, 0, 0, 1, 0}) {
+        bytes += std::string("\0", 1) + value;
+    }
+    return bytes + "\3" + std::string("\0\1\2", 3);
+}
+const char* const drawing =
+    "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nBLOCKS\n0\nBLOCK\n"
+    "2\nb\n10\n1\n20\n0\n30\n0\n0\n3DFACE\n8\nhull\n10\n0\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n12\n1"
+    "\n"
+    "22\n1\n32\n0\n0\nENDBLK\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nINSERT\n2\nb\n10\n5\n50\n90\n7"
+    "0\n"
+    "2\n44\n3\n0\nPOLYLINE\n8\nskin\n70\n64\n0\nVERTEX\n70\n192\n10\n0\n20\n0\n0\nVERTEX\n70\n192\n"
+    "10\n1\n"
+    "20\n0\n0\nVERTEX\n70\n192\n10\n1\n20\n1\n0\nVERTEX\n70\n128\n71\n1\n72\n2\n73\n-"
+    "3\n0\nSEQEND\n0\n"
+    "SOLID\n10\n0\n20\n0\n11\n1\n21\n0\n12\n0\n22\n1\n13\n1\n23\n1\n210\n0\n220\n1\n230\n0\n0\nENDS"
+    "EC\n0\n"
+    "EOF\n";
 const char* const trajectory = "t [s],x [m],y [m],z [m],yaw [deg],pitch [deg],roll [deg]\n"
                                "0,0,0,100,0,0,0\n1,10,0,100,5,0,0\n";
 
@@ -223,6 +252,8 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
         {"flight", ".flt", [](File f) { irsg::scanFlight(f); }, {"samples/box/box.flt"}, {}, 8192},
         {"obj", ".obj", [](File f) { irsg::Model::load(f); }, {}, {square}},
         {"stl", ".stl", [](File f) { irsg::Model::load(f); }, {}, {facet}},
+        {"ply", ".ply", [](File f) { irsg::Model::load(f); }, {}, {polygons, packedPolygons()}},
+        {"dxf", ".dxf", [](File f) { irsg::Model::load(f); }, {}, {drawing}},
     };
     static const bool isWhole = [] {
         for (const auto& some : {packedReaders(), keptReaders(), resultReaders()}) {

@@ -26,8 +26,7 @@
 #include "irsg/geometry/reading/sandbox/Bytes.h"
 #include "irsg/geometry/reading/sandbox/GraphCoding.h"
 #include "irsg/geometry/reading/sandbox/SandboxedPictures.h"
-#include "irsg/geometry/reading/text/ObjReader.h"
-#include "irsg/geometry/reading/text/StlReader.h"
+#include "irsg/geometry/reading/text/OurModels.h"
 
 namespace irsg {
 namespace {
@@ -163,12 +162,10 @@ LoadedGraph loadSandboxed(const fs::path& place, const fs::path& file) {
 LoadedGraph loadOfType(const std::string& extension, const fs::path& file, LoadPurpose purpose) {
     if (extension == "flt")
         return loadFlight(file, purpose);
-    if (extension == "stl")
-        return readStl(file);
-    if (extension == "obj") {
+    if (modelReaderOf(file.string()) == FormatReader::ours) {
         // The infrared picture has no use for others.
         ReaderProcess process;
-        return readObj(
+        return readOurModel(
             file, purpose == LoadPurpose::visible
                       ? [&](const fs::path& name) { return readPictureSandboxed(process, name); }
                       : PictureReading());
@@ -197,6 +194,10 @@ LoadedGraph loadGraphAsIs(const fs::path& file, LoadPurpose purpose) {
     if (refusal)
         throw InputError({file.string(), "", *refusal, expectationOf(FileKind::model)});
     LoadedGraph loaded = loadOfType(osgDB::getLowerCaseFileExtension(file.string()), file, purpose);
+    if (const auto& unit = loaded.axes.spokenUnit; unit && !loaded.axes.unit_m)
+        loaded.remarks.push_back("a comment or a name in the file mentions a unit (\"" +
+                                 unit->words +
+                                 "\"): numbers are metres nevertheless, unless a unit is set");
     if (auto remark = remarkOfRounding(*loaded.node))
         loaded.remarks.push_back(std::move(*remark));
     if (const int names = nameInUtf8(*loaded.node); names > 0)

@@ -34,8 +34,8 @@ LoadedGraph loadGraph(const std::filesystem::path& file, LoadPurpose purpose);
 /// The same of what was read already, whose graph stays as it is, with these codes.
 LoadedGraph withCodes(LoadedGraph asIs, const ModelCodes& codes, const std::filesystem::path& file);
 
-/// What OpenSceneGraph reads of these bytes as those of a file of this name, .flt, .obj and .stl
-/// excepted.
+/// What OpenSceneGraph reads of these bytes as those of a file of this name, where it is not one
+/// of those that we read.
 LoadedGraph loadWritten(const std::string& bytes, const std::filesystem::path& name);
 
 } // namespace irsg

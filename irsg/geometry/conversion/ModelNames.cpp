@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "irsg/core/Errors.h"
 #include "irsg/geometry/conversion/CodedGraph.h"
 #include "irsg/geometry/conversion/ModelLoader.h"
+#include "irsg/geometry/reading/NoFaces.h"
 
 namespace irsg {
 
@@ -20,8 +20,7 @@ ModelNames namesOf(const std::filesystem::path& model, const ModelCodes& codes) 
                                    [](const auto& named) { return named.second.area > 0.0; });
     };
     if (std::ranges::none_of(names.names, isDrawn))
-        throw InputError({model.string(), "", "a model without any visible face that has an area",
-                          "at least one triangle"});
+        refuseWithoutFaces(model.string(), loaded.remarks);
     return names;
 }
 

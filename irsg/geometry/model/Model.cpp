@@ -12,6 +12,7 @@
 #include "irsg/geometry/mesh/LongEdges.h"
 #include "irsg/geometry/mesh/MeshPieces.h"
 #include "irsg/geometry/model/ModelPlacing.h"
+#include "irsg/geometry/reading/NoFaces.h"
 
 namespace irsg {
 namespace {
@@ -106,9 +107,10 @@ struct Model::Impl {
         bounds = BoundingBox::nowhere();
         for (const auto& [kind, part] : mesh.parts())
             bounds.include(part.bounds);
-        if (mesh.parts().empty())
-            throw InputError({said, "", "a model without any visible face that has an area",
-                              "at least one triangle"});
+        if (mesh.parts().empty()) {
+            remarks.insert(remarks.end(), notes.begin(), notes.end());
+            refuseWithoutFaces(said, remarks);
+        }
         return mesh;
     }
 

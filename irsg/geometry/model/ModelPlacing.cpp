@@ -9,6 +9,7 @@
 #include "irsg/geometry/conversion/GeometryCollector.h"
 #include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/geometry/conversion/OsgValues.h"
+#include "irsg/geometry/reading/NoFaces.h"
 
 namespace irsg {
 namespace {
@@ -121,13 +122,13 @@ SurfaceMesh asInFile(const LoadedGraph& graph, const std::string& file) {
     return mesh;
 }
 
-PlacingGuess guessOf(const SurfaceMesh& mesh, const FileAxes& axes, const std::string& file) {
+PlacingGuess guessOf(const SurfaceMesh& mesh, const LoadedGraph& graph, const std::string& file) {
+    const FileAxes& axes = graph.axes;
     BoundingBox box = BoundingBox::nowhere();
     for (const auto& [kind, part] : mesh.parts())
         box.include(part.bounds);
     if (!box.valid())
-        throw InputError({file, "", "a model without any visible face that has an area",
-                          "at least one triangle"});
+        refuseWithoutFaces(file, graph.remarks);
     const Vec3 size = box.max - box.min;
     PlacingGuess guess;
     ModelPlacing& placing = guess.placing;
@@ -194,12 +195,18 @@ PlacingGuess guessOf(const SurfaceMesh& mesh, const FileAxes& axes, const std::s
         return longest * unit_m >= shortest_m && longest * unit_m <= longest_m;
     };
     const auto likely = std::ranges::find_if(modelUnits, isLikely, &ModelUnit::unit_m);
-    const double stated_m = axes.unit_m.value_or(1.0);
+    const bool spoken = !axes.unit_m && axes.spokenUnit && isLikely(axes.spokenUnit->unit_m);
+    const double stated_m = axes.unit_m ? *axes.unit_m : spoken ? axes.spokenUnit->unit_m : 1.0;
     // Files are often not in the unit that their format has.
     placing.unit_m =
         isLikely(stated_m) || likely == std::end(modelUnits) ? stated_m : likely->unit_m;
     const std::string so = "so it is " + shown(longest * *placing.unit_m) + " m long";
-    if (!axes.unit_m)
+    if (spoken)
+        guess.reasons.push_back("it is in " + unitName(stated_m) +
+                                ", as a comment or a name in the "
+                                "file says (\"" +
+                                axes.spokenUnit->words + "\"): " + so);
+    else if (!axes.unit_m)
         guess.reasons.push_back("it is in " + unitName(*placing.unit_m) + ": " + so);
     else if (*placing.unit_m == stated_m)
         guess.reasons.push_back("it is in " + unitName(stated_m) + ", as stated: " + so);
@@ -262,7 +269,7 @@ Matrix4 turnAndScale(const ModelPlacing& completed) {
 }
 
 PlacingGuess guessPlacing(const LoadedGraph& graph, const std::string& file) {
-    return guessOf(asInFile(graph, file), graph.axes, file);
+    return guessOf(asInFile(graph, file), graph, file);
 }
 
 PlacingGuess placingGuess(const std::filesystem::path& file) {
@@ -274,7 +281,7 @@ ModelShape shapeOf(const std::filesystem::path& file) {
     const SurfaceMesh mesh = asInFile(loaded, file.string());
     ModelShape shape;
     shape.axes = loaded.axes;
-    shape.guess = guessOf(mesh, loaded.axes, file.string());
+    shape.guess = guessOf(mesh, loaded, file.string());
     for (const auto& [kind, part] : mesh.parts())
         for (const unsigned int index : part.triangles)
             shape.corners.push_back(part.vertices[index]);

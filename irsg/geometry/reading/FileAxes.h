@@ -4,6 +4,7 @@
 #include <string>
 
 #include "irsg/geometry/reading/ModelValues.h"
+#include "irsg/geometry/reading/text/UnitWords.h"
 
 namespace irsg {
 
@@ -14,6 +15,9 @@ struct FileAxes {
     std::optional<ModelAxis> up;    ///< which axis of the graph points up
     std::optional<ModelAxis> front; ///< and which to the front, where a format has a word for that
     std::string reason; ///< "the format glTF is in metres, y up"; empty where nothing is said
+    /// A unit that a comment or a name in the file mentions, where its format has no place for one:
+    /// for whoever guesses, and for nobody else.
+    std::optional<UnitInWords> spokenUnit = {};
 
     bool operator==(const FileAxes&) const = default;
 };

@@ -25,8 +25,7 @@
 #include "irsg/geometry/reading/sandbox/ReaderService.h"
 #include "irsg/geometry/reading/sandbox/ReadingLimits.h"
 #include "irsg/geometry/reading/sandbox/SandboxedPictures.h"
-#include "irsg/geometry/reading/text/ObjReader.h"
-#include "irsg/geometry/reading/text/StlReader.h"
+#include "irsg/geometry/reading/text/OurModels.h"
 
 namespace irsg {
 
@@ -153,8 +152,7 @@ class ReadGuard : public osgDB::ReadFileCallback {
         try {
             if (reader == FormatReader::assimp)
                 return readModelHere(file, file);
-            return osgDB::getLowerCaseFileExtension(file) == "stl" ? readStl(file)
-                                                                   : readObj(file, readPictureHere);
+            return readOurModel(file, readPictureHere);
         } catch (const InputError& error) {
             noteRefusal(error.what());
             return std::nullopt;

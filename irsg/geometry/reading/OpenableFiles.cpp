@@ -32,11 +32,11 @@ constexpr FileFormat models[] = {
     byUs("obj"),
     by("3ds", "3ds"),
     byUs("stl"),
-    by("ply", "ply"),
+    byUs("ply"),
     by("ac", "ac"),
-    by("dxf", "dxf"),
+    byUs("dxf"),
     by("lwo", "lwo"),
-    by("x", "x"),
+    {"x", FormatReader::assimp, "x"}, // without Assimp by the plug-in, which drops names
 };
 
 constexpr FileFormat pictures[] = {
@@ -59,6 +59,11 @@ std::string extensionOf(const std::string& name) {
     return dot == name.npos || (slash != name.npos && dot < slash)
                ? ""
                : lowerCase(name.substr(dot + 1));
+}
+
+const FileFormat* modelFormatOf(const std::string& name) {
+    const auto* format = std::ranges::find(models, extensionOf(name), &FileFormat::extension);
+    return format == std::end(models) ? nullptr : format;
 }
 
 /// "http://host/a.png", and what is left of its two slashes once a path was made of it.
@@ -104,11 +109,13 @@ std::span<const FileFormat> formatsOf(FileKind kind) {
 }
 
 FormatReader modelReaderOf(const std::string& name) {
-    const std::string extension = extensionOf(name);
-    for (const FileFormat& format : models)
-        if (extension == format.extension)
-            return format.reader;
-    return FormatReader::plugin;
+    const FileFormat* format = modelFormatOf(name);
+    return format ? format->reader : FormatReader::plugin;
+}
+
+bool hasPlugin(const std::string& name) {
+    const FileFormat* format = modelFormatOf(name);
+    return format && *format->plugin;
 }
 
 std::optional<std::string> refusalOf(const std::string& name, FileKind kind) {

@@ -27,7 +27,8 @@ enum class FormatReader { plugin, ours, assimp };
 struct FileFormat {
     const char* extension; ///< lower case, without its dot
     FormatReader reader = FormatReader::plugin;
-    const char* plugin = ""; ///< of OpenSceneGraph, "openflight" for osgdb_openflight
+    /// Of OpenSceneGraph, "openflight" for osgdb_openflight; beside Assimp what reads without it.
+    const char* plugin = "";
 };
 
 /// The whole list of what is opened, first the formats that are named first to a user. Whatever is
@@ -37,6 +38,8 @@ std::span<const FileFormat> formatsOf(FileKind kind);
 
 /// Who reads the models of this name.
 FormatReader modelReaderOf(const std::string& name);
+/// Whether a plug-in of OpenSceneGraph can read them.
+bool hasPlugin(const std::string& name);
 
 /// Why a name may not be opened as this kind of file, in words such as `a file of type ".lua"`;
 /// nothing where it may. Judges the name alone, upper and lower case alike.

@@ -73,7 +73,7 @@ Assimp::IOStream* AssimpFiles::Open(const char* name, const char* mode) {
         return nullptr;
     try {
         if (name == file_.string())
-            return new Bytes(readFile(place_, largestModel_B));
+            return new Bytes(bytes_);
         if (const auto refusal = refusalOf(decodedUri(name), FileKind::buffers)) {
             appendUnique(remarks_, "refers to " + std::string(name) + ", which is not opened: " +
                                        *refusal + ", expected " + expectationOf(FileKind::buffers));

@@ -14,9 +14,9 @@ namespace irsg {
 /// Nothing is written.
 class AssimpFiles : public Assimp::IOSystem {
   public:
-    /// The bytes at `place` are those of `file`.
-    AssimpFiles(std::filesystem::path place, std::filesystem::path file)
-        : place_(std::move(place)), file_(std::move(file)) {}
+    /// `bytes` are those of `file`, whatever lies under that name.
+    AssimpFiles(std::filesystem::path file, std::string bytes)
+        : file_(std::move(file)), bytes_(std::move(bytes)) {}
 
     bool Exists(const char* name) const override;
     char getOsSeparator() const override { return '/'; }
@@ -29,7 +29,8 @@ class AssimpFiles : public Assimp::IOSystem {
   private:
     WrittenPath find(const std::string& name) const;
 
-    std::filesystem::path place_, file_;
+    std::filesystem::path file_;
+    std::string bytes_;
     std::vector<std::string> remarks_;
 };
 

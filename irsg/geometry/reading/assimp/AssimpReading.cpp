@@ -13,15 +13,18 @@
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
 #include <assimp/scene.h>
+#include <osg/MatrixTransform>
 #include <osgDB/FileNameUtils>
 
 #include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
+#include "irsg/geometry/reading/NoFaces.h"
 #include "irsg/geometry/reading/assimp/AssimpFiles.h"
 #include "irsg/geometry/reading/assimp/AssimpGraph.h"
 #include "irsg/geometry/reading/assimp/AssimpStates.h"
 #include "irsg/geometry/reading/sandbox/DeclaredContents.h"
 #include "irsg/geometry/reading/sandbox/GltfFile.h"
+#include "irsg/geometry/reading/text/ModelText.h"
 
 namespace irsg {
 
@@ -107,20 +110,25 @@ class AssimpModel {
         // What the file says of itself comes first: most damage is found there, and named better.
         if (isGltf_)
             gltf_ = readGltfFile(place_, file_);
+        else if (extension_ == "fbx")
+            stated_ = readFbxFile(place_, file_);
+        else if (extension_ == "dae")
+            stated_ = readColladaFile(place_, file_);
         else
-            stated_ =
-                extension_ == "fbx" ? readFbxFile(place_, file_) : readColladaFile(place_, file_);
+            stated_ = readXFile(place_, file_);
         OneImporter importer(extension_);
         import(importer.get());
 
         LoadedGraph loaded;
-        AssimpStates states(*scene_, file_, isGltf_);
+        AssimpStates states(*scene_, file_, isGltf_ || extension_ == "x");
         if (isGltf_)
             takeGltf(loaded.axes);
         else
             takeDeclared(loaded.axes);
         AssimpGraph graph(*scene_, states, transforms_, file_.string());
         loaded.node = graph.make();
+        if (extension_ == "x")
+            loaded.node = turnedUpright(*loaded.node);
         loaded.remarks = std::move(remarks_);
         for (const auto& more : {states.remarks(), graph.remarks()})
             appendUnique(loaded.remarks, more);
@@ -135,7 +143,8 @@ class AssimpModel {
     }
 
     void import(Assimp::Importer& importer) {
-        auto* files = new AssimpFiles(place_, file_); // the importer's from now on
+        std::string bytes = stated_.text ? std::move(*stated_.text) : readModelBytes(place_, file_);
+        auto* files = new AssimpFiles(file_, std::move(bytes)); // the importer's from now on
         importer.SetIOHandler(files);
         std::string complaint;
         {
@@ -245,9 +254,26 @@ class AssimpModel {
                                        "says: one of both is damaged");
     }
 
+    /// .x has y up and turns to the left; Assimp mirrors it. What comes of it is turned to z up.
+    static osg::ref_ptr<osg::Group> turnedUpright(osg::Node& graph) {
+        osg::ref_ptr<osg::Group> root =
+            new osg::MatrixTransform(osg::Matrixd(1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1));
+        root->addChild(&graph);
+        return root;
+    }
+
     void takeDeclared(FileAxes& axes) {
         axes = stated_.axes;
         appendUnique(remarks_, stated_.remarks);
+        if (extension_ == "x") {
+            if (std::string_view(root().mName.C_Str()) == "$dummy_root")
+                root().mName = aiString(); // Assimp's own
+            if (scene_->mNumAnimations > 0)
+                appendUnique(remarks_,
+                             std::to_string(scene_->mNumAnimations) +
+                                 " animations are not played: parts are where the file puts them");
+            return;
+        }
         // What Assimp turned and scales is what the outermost node does: files have no other for
         // it.
         root().mTransformation = aiMatrix4x4();
@@ -257,7 +283,7 @@ class AssimpModel {
 
     void compare(const AssimpGraph& graph, std::vector<std::string>& remarks) const {
         if (!(graph.placedPolygons() > 0.0))
-            refuse("", "a model without polygons", "at least one triangle");
+            refuseWithoutFaces(file_.string(), remarks);
         if (stated_.placedPolygons && graph.placedPolygons() < *stated_.placedPolygons)
             refuse("", numberText(graph.placedPolygons()) + " polygons that were read",
                    numberText(*stated_.placedPolygons) + ", which the file has");

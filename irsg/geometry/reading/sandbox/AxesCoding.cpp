@@ -19,6 +19,13 @@ std::optional<ModelAxis> getAxis(ByteSource& source) {
     return number == axisCount ? std::nullopt : std::optional(static_cast<ModelAxis>(number));
 }
 
+std::optional<double> getUnit(ByteSource& source) {
+    const auto unit_m = source.get<double>();
+    if (!(unit_m >= 0.0) || !std::isfinite(unit_m))
+        throw DamagedBytes("a unit that is no length");
+    return unit_m > 0.0 ? std::optional(unit_m) : std::nullopt;
+}
+
 } // namespace
 
 void putAxes(ByteSink& sink, const FileAxes& axes) {
@@ -26,18 +33,20 @@ void putAxes(ByteSink& sink, const FileAxes& axes) {
     putAxis(sink, axes.up);
     putAxis(sink, axes.front);
     sink.putText(axes.reason);
+    sink.put(axes.spokenUnit ? axes.spokenUnit->unit_m : 0.0);
+    sink.putText(axes.spokenUnit ? axes.spokenUnit->words : "");
 }
 
 FileAxes getAxes(ByteSource& source) {
     FileAxes axes;
-    const auto unit_m = source.get<double>();
-    if (!(unit_m >= 0.0) || !std::isfinite(unit_m))
-        throw DamagedBytes("a unit that is no length");
-    if (unit_m > 0.0)
-        axes.unit_m = unit_m;
+    axes.unit_m = getUnit(source);
     axes.up = getAxis(source);
     axes.front = getAxis(source);
     axes.reason = source.getText();
+    const auto spoken_m = getUnit(source);
+    std::string words = source.getText();
+    if (spoken_m)
+        axes.spokenUnit = {*spoken_m, std::move(words)};
     return axes;
 }
 

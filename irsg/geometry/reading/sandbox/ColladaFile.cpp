@@ -8,9 +8,8 @@
 
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
-#include "irsg/core/FileReading.h"
-#include "irsg/geometry/reading/OpenableFiles.h"
 #include "irsg/geometry/reading/sandbox/DeclaredContents.h"
+#include "irsg/geometry/reading/text/ModelText.h"
 
 namespace irsg {
 
@@ -40,7 +39,10 @@ class ColladaText {
 
     DeclaredContents read(const std::string& text) {
         pugi::xml_document document;
-        const auto result = document.load_buffer(text.data(), text.size());
+        // Blanks around words and lists mean nothing in the format.
+        const auto result = document.load_buffer(text.data(), text.size(),
+                                                 pugi::parse_default | pugi::parse_trim_pcdata |
+                                                     pugi::parse_wnorm_attribute);
         if (!result)
             refuse(lineOf(text, result.offset), result.description(), "a whole file of COLLADA");
         const XmlNode root = document.document_element();
@@ -48,6 +50,7 @@ class ColladaText {
             refuse("", "\"" + std::string(root.name()) + "\"", "COLLADA");
         learn(root, 0);
         DeclaredContents stated;
+        stated.text = textOf(document);
         stated.axes = axesOf(root.child("asset"));
         const XmlNode scene = referred(root.child("scene").child("instance_visual_scene"), "url");
         double polygons = 0.0;
@@ -74,9 +77,37 @@ class ColladaText {
         return "line " + std::to_string(1 + std::count(text.begin(), end, '\n'));
     }
 
+    static std::string textOf(const pugi::xml_document& document) {
+        struct Writer : pugi::xml_writer {
+            std::string text;
+            void write(const void* data, std::size_t size) override {
+                text.append(static_cast<const char*>(data), size);
+            }
+        } writer;
+        document.save(writer, "", pugi::format_raw, pugi::encoding_utf8);
+        return std::move(writer.text);
+    }
+
+    /// A list that comments or sections of characters divide becomes one.
+    static void joinTexts(XmlNode element) {
+        XmlNode first = element.first_child();
+        if (!first || first == element.last_child())
+            return;
+        std::string text;
+        for (const XmlNode& child : element.children()) {
+            if (child.type() != pugi::node_pcdata && child.type() != pugi::node_cdata)
+                return;
+            text += (text.empty() ? "" : " ") + std::string(child.value());
+        }
+        while (element.remove_child(element.first_child())) {
+        }
+        element.append_child(pugi::node_pcdata).set_value(text.c_str());
+    }
+
     void learn(const XmlNode& element, int level) {
         if (level > mostXmlLevels)
             refuse("", "elements in " + std::to_string(mostXmlLevels) + " others", "fewer levels");
+        joinTexts(element);
         if (const auto id = element.attribute("id"))
             elements_.emplace(id.value(), element);
         for (const XmlNode& child : element.children())
@@ -219,7 +250,7 @@ class ColladaText {
 } // namespace
 
 DeclaredContents readColladaFile(const fs::path& place, const fs::path& file) {
-    return ColladaText(file).read(readFile(place, largestModel_B));
+    return ColladaText(file).read(readModelBytes(place, file));
 }
 
 } // namespace irsg

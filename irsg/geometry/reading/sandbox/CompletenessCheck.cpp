@@ -1,4 +1,5 @@
 #include "irsg/geometry/reading/sandbox/CompletenessCheck.h"
+#include "irsg/geometry/reading/text/ModelText.h"
 
 #include <algorithm>
 #include <string>
@@ -6,9 +7,7 @@
 
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
-#include "irsg/core/FileReading.h"
 #include "irsg/core/Wording.h"
-#include "irsg/geometry/reading/OpenableFiles.h"
 
 namespace irsg {
 
@@ -23,8 +22,10 @@ struct Shortage {
     throw Shortage{at, std::move(value), std::move(expected)};
 }
 
+using Remarks = std::vector<std::string>;
+
 /// Texts in quotation marks may hold brackets.
-void checkBrackets(std::string_view text) {
+void checkBrackets(std::string_view text, Remarks&) {
     long open = 0;
     std::size_t last = 0;
     bool quoted = false;
@@ -45,7 +46,7 @@ void checkBrackets(std::string_view text) {
                "a whole file");
 }
 
-void checkTags(std::string_view text) {
+void checkTags(std::string_view text, Remarks&) {
     const auto end = text.find_last_not_of(" \t\r\n");
     const auto begin = end == text.npos ? text.npos : text.rfind('<', end);
     if (begin == text.npos || text[end] != '>' || text.substr(begin, 2) != "</")
@@ -84,7 +85,7 @@ void checkChunks(std::string_view bytes, std::size_t begin, std::size_t end, int
     }
 }
 
-void checkStudio(std::string_view bytes) {
+void checkStudio(std::string_view bytes, Remarks&) {
     if (bytes.size() < 6)
         refuse(bytes.size(), "the end of the file", "a chunk of 6 bytes or more");
     checkChunks(bytes, 0,
@@ -94,7 +95,7 @@ void checkStudio(std::string_view bytes) {
                "at most " + std::to_string(bytes.size()) + ", which there are");
 }
 
-void checkForm(std::string_view bytes) {
+void checkForm(std::string_view bytes, Remarks&) {
     if (bytes.size() < 12 || bytes.substr(0, 4) != "FORM")
         refuse(0, "a file that does not begin with FORM", "a Lightwave object");
     if (number(bytes, 4, true) + 8 > bytes.size())
@@ -102,15 +103,10 @@ void checkForm(std::string_view bytes) {
                "at most " + std::to_string(bytes.size() - 8) + ", which are left");
 }
 
-void checkDrawing(std::string_view text) {
-    const auto end = text.find_last_not_of(" \t\r\n");
-    if (end == text.npos || end < 2 || text.substr(end - 2, 3) != "EOF")
-        refuse(text.size(), "the end of the file", "EOF, which ends a drawing");
-}
-
 /// Objects with so many others in them, lines of vertices and of corners, surfaces: as many of each
-/// as an AC3D file says.
-void checkObjects(std::string_view text) {
+/// as an AC3D file says. Counts of objects that were left as they were when somebody took objects
+/// out are common; the file then ends behind a whole object.
+void checkObjects(std::string_view text, Remarks& remarks) {
     double objects = 1.0, surfaces = 0.0;
     long open = 0; ///< objects whose last line, "kids", has not come
     std::size_t at = 0, lastCount = 0;
@@ -153,7 +149,13 @@ void checkObjects(std::string_view text) {
                        "all of them");
         }
     }
-    if (surfaces > 0.0 || objects > 0.0 || open > 0)
+    const std::string_view last = text.substr(lastCount);
+    const bool endsWhole = open == 0 && surfaces <= 0.0 && last.starts_with("kids ") &&
+                           last.find_first_of("0123456789") != last.npos;
+    if (endsWhole && objects > 0.0)
+        remarks.push_back("the file counts " + numberText(objects) +
+                          " more objects than it has (kids): miscounted, or cut behind an object");
+    else if (surfaces > 0.0 || objects > 0.0 || open > 0)
         refuse(lastCount,
                "the end of the file before " + (surfaces > 0.0  ? numberText(surfaces) + " surfaces"
                                                 : objects > 0.0 ? numberText(objects) + " objects"
@@ -163,30 +165,33 @@ void checkObjects(std::string_view text) {
 
 struct Check {
     const char* extension;
-    void (*check)(std::string_view);
+    void (*check)(std::string_view, Remarks&);
     bool isText;
 };
 
 constexpr Check checks[] = {
     {".osg", checkBrackets, true}, {".osgt", checkBrackets, true}, {".x", checkBrackets, true},
     {".osgx", checkTags, true},    {".3ds", checkStudio, false},   {".lwo", checkForm, false},
-    {".dxf", checkDrawing, true},  {".ac", checkObjects, true},
+    {".ac", checkObjects, true},
 };
 
 } // namespace
 
-void checkCompleteness(const std::filesystem::path& place, const std::filesystem::path& file) {
+std::vector<std::string> checkCompleteness(const std::filesystem::path& place,
+                                           const std::filesystem::path& file) {
     const std::string extension = lowerCase(file.extension().string());
     const auto* check = std::ranges::find_if(
         checks, [&](const Check& known) { return extension == known.extension; });
     if (check == std::end(checks))
-        return;
-    const std::string bytes = readFile(place, largestModel_B);
+        return {};
+    const std::string bytes = readModelBytes(place, file);
     // Binary files of some kinds have the extension of text.
     if (check->isText && bytes.substr(0, 256).find('\0') != bytes.npos)
-        return;
+        return {};
     try {
-        check->check(bytes);
+        Remarks remarks;
+        check->check(bytes, remarks);
+        return remarks;
     } catch (const Shortage& shortage) {
         const std::size_t at = std::min(shortage.at, bytes.size());
         const auto lines =

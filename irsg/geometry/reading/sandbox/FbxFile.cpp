@@ -9,9 +9,8 @@
 
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
-#include "irsg/core/FileReading.h"
-#include "irsg/geometry/reading/OpenableFiles.h"
 #include "irsg/geometry/reading/sandbox/DeclaredContents.h"
+#include "irsg/geometry/reading/text/ModelText.h"
 
 namespace irsg {
 
@@ -260,7 +259,7 @@ class TextFbx {
 } // namespace
 
 DeclaredContents readFbxFile(const fs::path& place, const fs::path& file) {
-    const std::string bytes = readFile(place, largestModel_B);
+    const std::string bytes = readModelBytes(place, file);
     if (bytes.starts_with(magic.substr(0, 18)))
         return BinaryFbx(bytes, file).read();
     if (const auto zero = bytes.find('\0'); zero != bytes.npos)

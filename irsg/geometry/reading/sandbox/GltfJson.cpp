@@ -1,12 +1,11 @@
 #include "irsg/geometry/reading/sandbox/GltfJson.h"
+#include "irsg/geometry/reading/text/ModelText.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string_view>
 
 #include "irsg/core/Errors.h"
-#include "irsg/core/FileReading.h"
-#include "irsg/geometry/reading/OpenableFiles.h"
 
 namespace irsg {
 
@@ -25,7 +24,7 @@ std::uint32_t littleEndian(std::string_view bytes, std::size_t at) {
 
 GltfJson::GltfJson(const std::filesystem::path& place, const std::filesystem::path& file)
     : file_(file) {
-    std::string bytes = readFile(place, largestModel_B);
+    std::string bytes = readModelBytes(place, file);
     if (bytes.starts_with("glTF"))
         bytes = textOfBinary(bytes);
     root_ = parseJson(bytes, file_.string(), {"a scene of glTF 2.0 (JSON)", 64, false});

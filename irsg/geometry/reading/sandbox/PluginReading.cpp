@@ -1,6 +1,7 @@
 #include "irsg/geometry/reading/sandbox/PluginReading.h"
 
 #include <fstream>
+#include <sstream>
 
 #include <osg/Group>
 #include <osgDB/FileNameUtils>
@@ -12,6 +13,7 @@
 #include "irsg/geometry/reading/OsgNotices.h"
 #include "irsg/geometry/reading/ProxyNodes.h"
 #include "irsg/geometry/reading/sandbox/CompletenessCheck.h"
+#include "irsg/geometry/reading/text/ModelText.h"
 
 namespace irsg {
 
@@ -78,9 +80,10 @@ void preparePlugins() {
 }
 
 LoadedGraph readModelHere(const fs::path& place, const fs::path& file) {
-    if (modelReaderOf(file.string()) == FormatReader::assimp)
+    const std::vector<std::string> counted = checkCompleteness(place, file);
+    if (modelReaderOf(file.string()) == FormatReader::assimp &&
+        (assimpReading || !hasPlugin(file.string())))
         return readByAssimp(place, file);
-    checkCompleteness(place, file);
     OsgNotices notices;
     GuardedReading guard;
     LoadedGraph loaded;
@@ -88,11 +91,17 @@ LoadedGraph readModelHere(const fs::path& place, const fs::path& file) {
     std::string complaint = complaintOf([&] {
         const auto options = GuardedReading::options();
         options->getDatabasePathList().push_back(file.parent_path().string());
+        // A text is read from what was made of it, other bytes where they lie.
+        const bool text = hasTextForm(osgDB::getLowerCaseFileExtension(file.string()));
         std::ifstream stream;
-        if (place != file)
+        std::istringstream words;
+        if (text)
+            words.str(readModelBytes(place, file));
+        else if (place != file)
             stream.open(place, std::ios::binary);
-        auto result = place == file ? reader.readNode(file.string(), options)
-                                    : reader.readNode(stream, options);
+        auto result = text            ? reader.readNode(words, options)
+                      : place == file ? reader.readNode(file.string(), options)
+                                      : reader.readNode(stream, options);
         loaded.node = result.takeNode();
         return result.message();
     });
@@ -103,6 +112,7 @@ LoadedGraph readModelHere(const fs::path& place, const fs::path& file) {
                 complaint += (complaint.empty() ? "" : "; ") + line;
         refuse(file, FileKind::model, complaint);
     }
+    loaded.remarks = counted;
     addNotices(loaded.remarks, lines);
     for (auto& refused : guard.take())
         loaded.remarks.push_back(std::move(refused));

@@ -12,6 +12,7 @@
 #include "irsg/core/FileReading.h"
 #include "irsg/core/WrittenPath.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
+#include "irsg/geometry/reading/text/ModelText.h"
 #include "irsg/geometry/reading/text/TextWords.h"
 
 namespace irsg {
@@ -77,7 +78,7 @@ void ObjMaterials::read(const std::string& name, std::vector<std::string>& remar
     if (file.empty())
         return;
     try {
-        readText(readFile(file), file.string(), remarks);
+        readText(plainText(readFile(file), file.string()), file.string(), remarks);
     } catch (const InputError& error) {
         appendUnique(remarks, error.what());
     }

@@ -13,9 +13,11 @@
 #include "irsg/core/FileReading.h"
 #include "irsg/geometry/reading/FarOrigin.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
-#include "irsg/geometry/reading/text/ObjDrawable.h"
+#include "irsg/geometry/reading/text/FaceDrawable.h"
+#include "irsg/geometry/reading/text/ModelText.h"
 #include "irsg/geometry/reading/text/ObjMaterials.h"
 #include "irsg/geometry/reading/text/TextWords.h"
+#include "irsg/geometry/reading/text/UnitWords.h"
 
 namespace irsg {
 
@@ -36,8 +38,11 @@ class ObjText {
     LoadedGraph read() {
         while (words_.next()) {
             const std::string_view word = words_.words()[0];
-            if (word[0] == '#')
+            if (word[0] == '#') {
+                if (!unit_)
+                    unit_ = unitInWords(words_.line());
                 continue;
+            }
             readLine(word);
             if (diagnostics_.size() >= mostModelDiagnostics)
                 break;
@@ -107,7 +112,7 @@ class ObjText {
         return static_cast<int>(index);
     }
 
-    bool readCorner(std::string_view word, ObjCorner& corner) {
+    bool readCorner(std::string_view word, FaceCorner& corner) {
         std::string_view parts[3];
         for (auto& part : parts) {
             const auto slash = std::min(word.find('/'), word.size());
@@ -136,7 +141,7 @@ class ObjText {
         }
         face_.clear();
         for (std::size_t i = 1; i < words.size() && words[i][0] != '#'; ++i) {
-            ObjCorner corner;
+            FaceCorner corner;
             if (!readCorner(words[i], corner))
                 return;
             face_.push_back(corner);
@@ -146,11 +151,11 @@ class ObjText {
         drawable().add(face_);
         ++faces_;
         used_.resize(shape_.vertices.size(), false);
-        for (const ObjCorner& corner : face_)
+        for (const FaceCorner& corner : face_)
             used_[static_cast<std::size_t>(corner.vertex)] = true;
     }
 
-    ObjDrawable& drawable() {
+    FaceDrawable& drawable() {
         if (!drawable_) {
             const auto [at, added] = drawables_.try_emplace({object_, group_, material_}, shape_);
             drawable_ = &at->second;
@@ -206,31 +211,32 @@ class ObjText {
                                std::to_string(unknown_) + " lines like this are left out)");
         loaded.node = root;
         loaded.axes = {std::nullopt, ModelAxis::plusZ, std::nullopt,
-                       "the custom of .obj: y up, turned to z on reading"};
+                       "the custom of .obj: y up, turned to z on reading", unit_};
         loaded.remarks = std::move(remarks_);
         return loaded;
     }
 
     TextWords words_;
     ObjMaterials materials_;
-    ObjShape shape_;
+    FaceShape shape_;
     /// By object, group and material.
-    std::map<std::tuple<std::string, std::string, std::string>, ObjDrawable> drawables_;
+    std::map<std::tuple<std::string, std::string, std::string>, FaceDrawable> drawables_;
     std::vector<decltype(drawables_)::iterator> order_;
-    ObjDrawable* drawable_ = nullptr; ///< of these names
+    FaceDrawable* drawable_ = nullptr; ///< of these names
     std::string object_, group_, material_;
-    std::vector<ObjCorner> face_;
+    std::vector<FaceCorner> face_;
     std::vector<Diagnostic> diagnostics_;
     std::vector<std::string> remarks_;
     std::vector<bool> used_; ///< vertices by faces
     long faces_ = 0, others_ = 0, unknown_ = 0;
     std::string firstUnknown_;
+    std::optional<UnitInWords> unit_; ///< that a comment mentions
 };
 
 } // namespace
 
 LoadedGraph readObj(const std::filesystem::path& file, const PictureReading& picture) {
-    const std::string text = readFile(file, largestModel_B);
+    const std::string text = plainText(readFile(file, largestModel_B), file.string());
     if (const auto at = text.find('\0'); at != text.npos)
         throw InputError({file.string(), "byte " + std::to_string(at), "a zero byte",
                           "a Wavefront object, which is a text"});

@@ -10,8 +10,11 @@
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
+#include "irsg/core/Wording.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
+#include "irsg/geometry/reading/text/ModelText.h"
 #include "irsg/geometry/reading/text/TextWords.h"
+#include "irsg/geometry/reading/text/UnitWords.h"
 
 namespace irsg {
 
@@ -94,6 +97,11 @@ Solid readBinary(std::string_view bytes, const std::string& file,
     return solid;
 }
 
+/// The format has its words in any case.
+bool isWord(std::string_view word, std::string_view written) {
+    return lowerCase(std::string(written)) == word;
+}
+
 class TextReader {
   public:
     TextReader(std::string_view text, const std::string& file) : words_(text, file) {}
@@ -103,12 +111,15 @@ class TextReader {
         while (next("solid or the end of the file", {"solid"})) {
             solids.emplace_back();
             solids.back().name = words_.rest();
+            if (!unit)
+                unit = unitInWords(solids.back().name);
             readSolid(solids.back());
         }
         if (!diagnostics_.empty())
             throw InputError(std::move(diagnostics_));
         return solids;
     }
+    std::optional<UnitInWords> unit; ///< that a name mentions
 
   private:
     /// The next line, which has to begin with these words; false at the end of the file.
@@ -116,7 +127,7 @@ class TextReader {
         if (!words_.next())
             return false;
         if (words_.words().size() < begin.size() ||
-            !std::equal(begin.begin(), begin.end(), words_.words().begin()))
+            !std::equal(begin.begin(), begin.end(), words_.words().begin(), isWord))
             fail(words_.diagnostic(quoted(words_.words()[0]), expected));
         return true;
     }
@@ -146,9 +157,9 @@ class TextReader {
             if (!words_.next())
                 fail(words_.diagnostic("the end of the file behind this line", "endsolid"));
             const auto& words = words_.words();
-            if (words[0] == "endsolid")
+            if (isWord("endsolid", words[0]))
                 return;
-            if (words[0] != "facet")
+            if (!isWord("facet", words[0]))
                 fail(words_.diagnostic(quoted(words[0]), "facet or endsolid"));
             readFacet(solid);
         }
@@ -175,7 +186,7 @@ class TextReader {
 /// Some binary files begin with the word of the text files; their size tells.
 bool isText(std::string_view bytes) {
     const auto first = bytes.find_first_not_of(" \t\r\n");
-    if (first == bytes.npos || !bytes.substr(first).starts_with("solid"))
+    if (first == bytes.npos || !isWord("solid", bytes.substr(first, 5)))
         return false;
     if (bytes.size() >= headSize && bytes.size() == headSize + facetSize * countOf(bytes))
         return false;
@@ -185,14 +196,20 @@ bool isText(std::string_view bytes) {
 } // namespace
 
 LoadedGraph readStl(const std::filesystem::path& file) {
-    const std::string bytes = readFile(file, largestModel_B);
+    std::string bytes = readFile(file, largestModel_B);
     LoadedGraph loaded;
     osg::ref_ptr<osg::Group> group = new osg::Group;
-    if (isText(bytes))
-        for (const Solid& solid : TextReader(bytes, file.string()).read())
+    if (hasMark(bytes) || isText(bytes)) {
+        bytes = plainText(std::move(bytes), file.string());
+        TextReader reader(bytes, file.string());
+        for (const Solid& solid : reader.read())
             group->addChild(solid.node());
-    else
+        loaded.axes.spokenUnit = reader.unit;
+    } else {
         group->addChild(readBinary(bytes, file.string(), loaded.remarks).node());
+        loaded.axes.spokenUnit = unitInWords(
+            std::string_view(bytes).substr(0, std::min(headSize - 4, bytes.find('\0'))));
+    }
     loaded.node = group;
     return loaded;
 }

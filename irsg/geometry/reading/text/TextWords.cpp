@@ -36,6 +36,11 @@ bool TextWords::next() {
     return !words_.empty();
 }
 
+std::string_view TextWords::line() const {
+    const char* const end = words_.back().data() + words_.back().size();
+    return {words_[0].data(), static_cast<std::size_t>(end - words_[0].data())};
+}
+
 std::string TextWords::rest() const {
     if (words_.size() < 2)
         return "";

@@ -21,7 +21,8 @@ class TextWords {
     /// The words of the next line that has any; false at the end.
     bool next();
     const std::vector<std::string_view>& words() const { return words_; }
-    std::size_t line() const { return line_; }
+    /// All of it, from the first word to the last.
+    std::string_view line() const;
     /// All of the line behind the first word, without blanks at its ends.
     std::string rest() const;
 

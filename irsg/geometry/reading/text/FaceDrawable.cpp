@@ -1,4 +1,4 @@
-#include "irsg/geometry/reading/text/ObjDrawable.h"
+#include "irsg/geometry/reading/text/FaceDrawable.h"
 
 #include <cstdint>
 
@@ -8,7 +8,7 @@ namespace irsg {
 
 namespace {
 
-std::vector<PolygonCorner> polygonOf(const ObjShape& shape, const std::vector<ObjCorner>& face) {
+std::vector<PolygonCorner> polygonOf(const FaceShape& shape, const std::vector<FaceCorner>& face) {
     std::vector<PolygonCorner> corners(face.size());
     for (std::size_t i = 0; i < face.size(); ++i)
         corners[i].position = shape.vertices[static_cast<std::size_t>(face[i].vertex)];
@@ -16,7 +16,7 @@ std::vector<PolygonCorner> polygonOf(const ObjShape& shape, const std::vector<Ob
 }
 
 /// The sum of the cross products of its edges, not of unit length.
-osg::Vec3d newellNormal(const ObjShape& shape, const std::vector<ObjCorner>& face) {
+osg::Vec3d newellNormal(const FaceShape& shape, const std::vector<FaceCorner>& face) {
     const auto at = [&](std::size_t i) {
         return shape.vertices[static_cast<std::size_t>(face[i].vertex)];
     };
@@ -28,7 +28,7 @@ osg::Vec3d newellNormal(const ObjShape& shape, const std::vector<ObjCorner>& fac
 
 } // namespace
 
-std::size_t ObjDrawable::Hash::operator()(const ObjCorner& corner) const {
+std::size_t FaceDrawable::Hash::operator()(const FaceCorner& corner) const {
     std::uint64_t mixed = 0;
     for (const int number : {corner.vertex, corner.place, corner.normal}) {
         mixed = (mixed ^ static_cast<std::uint32_t>(number)) * 0x9E3779B97F4A7C15u;
@@ -37,7 +37,7 @@ std::size_t ObjDrawable::Hash::operator()(const ObjCorner& corner) const {
     return mixed;
 }
 
-unsigned int ObjDrawable::index(const ObjCorner& corner, const osg::Vec3f& faceNormal) {
+unsigned int FaceDrawable::index(const FaceCorner& corner, const osg::Vec3f& faceNormal) {
     anyPlace_ = anyPlace_ || corner.place >= 0;
     const auto number = static_cast<unsigned int>(corners_.size());
     if (corner.normal >= 0) {
@@ -52,9 +52,9 @@ unsigned int ObjDrawable::index(const ObjCorner& corner, const osg::Vec3f& faceN
     return number;
 }
 
-void ObjDrawable::add(const std::vector<ObjCorner>& face) {
+void FaceDrawable::add(const std::vector<FaceCorner>& face) {
     bool stated = true;
-    for (const ObjCorner& corner : face)
+    for (const FaceCorner& corner : face)
         stated = stated && corner.normal >= 0;
     osg::Vec3d normal;
     if (!stated) {
@@ -63,7 +63,7 @@ void ObjDrawable::add(const std::vector<ObjCorner>& face) {
     }
     const osg::Vec3f own(normal);
     std::vector<unsigned int> indices;
-    for (ObjCorner corner : face) {
+    for (FaceCorner corner : face) {
         if (!stated)
             corner.normal = -1;
         indices.push_back(index(corner, own));
@@ -79,11 +79,24 @@ void ObjDrawable::add(const std::vector<ObjCorner>& face) {
     }
 }
 
-osg::ref_ptr<osg::Geometry> ObjDrawable::make(const osg::Vec3d& origin) const {
+osg::ref_ptr<osg::Vec4Array> FaceDrawable::colours() const {
+    osg::ref_ptr<osg::Vec4Array> colours = new osg::Vec4Array(osg::Array::BIND_PER_VERTEX);
+    for (const FaceCorner& corner : corners_)
+        if (const auto vertex = static_cast<std::size_t>(corner.vertex);
+            vertex < shape_->colours.size())
+            colours->push_back(shape_->colours[vertex]);
+    if (colours->size() != corners_.size() || corners_.empty()) {
+        colours = new osg::Vec4Array(osg::Array::BIND_OVERALL, 1);
+        colours->front() = osg::Vec4(1, 1, 1, 1);
+    }
+    return colours;
+}
+
+osg::ref_ptr<osg::Geometry> FaceDrawable::make(const osg::Vec3d& origin) const {
     osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array(osg::Array::BIND_PER_VERTEX);
     osg::ref_ptr<osg::Vec2Array> places = new osg::Vec2Array(osg::Array::BIND_PER_VERTEX);
     vertices->reserve(corners_.size());
-    for (const ObjCorner& corner : corners_) {
+    for (const FaceCorner& corner : corners_) {
         vertices->push_back(
             osg::Vec3(shape_->vertices[static_cast<std::size_t>(corner.vertex)] - origin));
         if (anyPlace_)
@@ -97,9 +110,7 @@ osg::ref_ptr<osg::Geometry> ObjDrawable::make(const osg::Vec3d& origin) const {
     geometry->setVertexArray(vertices);
     geometry->setNormalArray(new osg::Vec3Array(normals_.begin(), normals_.end()),
                              osg::Array::BIND_PER_VERTEX);
-    osg::ref_ptr<osg::Vec4Array> colour = new osg::Vec4Array(osg::Array::BIND_OVERALL, 1);
-    colour->front() = osg::Vec4(1, 1, 1, 1);
-    geometry->setColorArray(colour);
+    geometry->setColorArray(colours());
     if (anyPlace_)
         geometry->setTexCoordArray(0, places);
     if (!triangles_.empty())
