@@ -74,10 +74,15 @@ TEST(MeshSurfaces, SidesAreCountedAndNothingHasNone) {
 }
 
 TEST(MeshSurfaces, PlacesAreEqualButForRounding) {
-    const std::vector<Vec3> places{{1, 2, 3}, {1, 2, 3 + 1e-9}, {1, 2, 3.01}, {1, 2, 3}};
-    const std::vector<std::uint32_t> numbers = numbersOfPlaces(places, 1e-6);
-    EXPECT_EQ(numbers[0], numbers[1]);
-    EXPECT_EQ(numbers[0], numbers[3]);
-    EXPECT_NE(numbers[0], numbers[2]);
-    EXPECT_TRUE(numbersOfPlaces({}, 1e-6).empty());
+    PlaceNumbers numbers(1e-6);
+    const std::uint32_t first = numbers.of({1, 2, 3});
+    EXPECT_EQ(numbers.of({1, 2, 3 + 1e-9}), first);
+    EXPECT_NE(numbers.of({1, 2, 3.01}), first);
+    EXPECT_EQ(numbers.of({1, 2, 3}), first);
+    EXPECT_EQ(numbers.of({0.0, 0.0, 0.0}), numbers.of({-0.0, 1e-9, -1e-9}));
+    // More than the first table of slots has room for.
+    for (std::uint32_t i = 0; i < 1000; ++i) {
+        EXPECT_EQ(numbers.of({10.0 + i, 0, 0}), 3 + i);
+    }
+    EXPECT_EQ(numbers.of({10.0, 0, 0}), 3u);
 }

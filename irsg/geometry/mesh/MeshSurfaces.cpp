@@ -2,49 +2,75 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <tuple>
-#include <utility>
 
 #include "irsg/core/JoinedNumbers.h"
 
 namespace irsg {
 
-std::vector<std::uint32_t> numbersOfPlaces(std::span<const Vec3> places_m, double step_m) {
-    const double per_m = step_m > 0.0 ? 1.0 / step_m : 1.0;
-    std::vector<std::pair<Vec3, std::uint32_t>> sorted; // in steps
-    sorted.reserve(places_m.size());
-    for (std::uint32_t i = 0; i < places_m.size(); ++i)
-        sorted.emplace_back(Vec3{std::round(places_m[i].x * per_m),
-                                 std::round(places_m[i].y * per_m),
-                                 std::round(places_m[i].z * per_m)},
-                            i);
-    std::ranges::sort(sorted, [](const auto& a, const auto& b) {
-        return std::tuple(a.first.x, a.first.y, a.first.z, a.second) <
-               std::tuple(b.first.x, b.first.y, b.first.z, b.second);
-    });
-    std::vector<std::uint32_t> numbers(places_m.size());
-    std::uint32_t number = 0;
-    for (std::size_t i = 0; i < sorted.size(); ++i) {
-        if (i > 0 && sorted[i].first != sorted[i - 1].first)
-            ++number;
-        numbers[sorted[i].second] = number;
+namespace {
+
+std::size_t hashOf(const Vec3& place) {
+    std::uint64_t hash = 0;
+    for (const double value : {place.x, place.y, place.z}) {
+        hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x9E3779B97F4A7C15u;
+        hash ^= hash >> 32;
     }
-    return numbers;
+    return static_cast<std::size_t>(hash);
+}
+
+} // namespace
+
+void PlaceNumbers::grow() {
+    slots_.assign(std::max<std::size_t>(64, 2 * slots_.size()), 0);
+    const std::size_t mask = slots_.size() - 1;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        std::size_t slot = hashOf(places_[i]) & mask;
+        while (slots_[slot] != 0)
+            slot = (slot + 1) & mask;
+        slots_[slot] = static_cast<std::uint32_t>(i) + 1;
+    }
+}
+
+std::uint32_t PlaceNumbers::of(const Vec3& place_m) {
+    if (2 * places_.size() >= slots_.size())
+        grow();
+    // A zero has one sign.
+    const Vec3 place{std::round(place_m.x * per_m_) + 0.0, std::round(place_m.y * per_m_) + 0.0,
+                     std::round(place_m.z * per_m_) + 0.0};
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t slot = hashOf(place) & mask;
+    for (; slots_[slot] != 0; slot = (slot + 1) & mask)
+        if (places_[slots_[slot] - 1] == place)
+            return slots_[slot] - 1;
+    places_.push_back(place);
+    slots_[slot] = static_cast<std::uint32_t>(places_.size());
+    return slots_[slot] - 1;
 }
 
 std::vector<MeshSurface> surfacesOf(const Mesh& mesh) {
-    std::vector<Vec3> corners_m; // three of each facet
+    std::vector<std::uint32_t> places; // three of each facet
+    places.reserve(3 * mesh.facets());
+    std::vector<double> areas_m2;
+    areas_m2.reserve(mesh.facets());
     std::vector<bool> isTwoSided;
+    const double size_m = mesh.bounds.valid() ? mesh.bounds.diagonal_m() : 0.0;
+    PlaceNumbers numbers(samePlaceOfSize * size_m);
     for (const Mesh::Part& part : mesh.parts)
         for (std::size_t i = 0; i + 2 < part.triangles.size(); i += 3) {
-            for (std::size_t k = 0; k < 3; ++k)
-                corners_m.push_back(toVec3(part.vertices[part.triangles[i + k]]));
+            std::array<Vec3, 3> corners_m;
+            for (std::size_t k = 0; k < 3; ++k) {
+                corners_m[k] = toVec3(part.vertices[part.triangles[i + k]]);
+                places.push_back(numbers.of(corners_m[k]));
+            }
+            areas_m2.push_back(
+                0.5 * length(cross(corners_m[1] - corners_m[0], corners_m[2] - corners_m[0])));
             isTwoSided.push_back(!part.culled);
         }
-    const double size_m = mesh.bounds.valid() ? mesh.bounds.diagonal_m() : 0.0;
-    const std::vector<std::uint32_t> places = numbersOfPlaces(corners_m, samePlaceOfSize * size_m);
     const auto isThere = [&](std::size_t f) {
         return places[3 * f] != places[3 * f + 1] && places[3 * f + 1] != places[3 * f + 2] &&
                places[3 * f + 2] != places[3 * f];
@@ -55,6 +81,7 @@ std::vector<MeshSurface> surfacesOf(const Mesh& mesh) {
         bool goesUp;
     };
     std::vector<Edge> edges;
+    edges.reserve(places.size());
     for (std::uint32_t f = 0; f < isTwoSided.size(); ++f)
         for (std::uint32_t i = 0; i < 3 && isThere(f); ++i) {
             const std::uint32_t from = places[3 * f + i], to = places[3 * f + (i + 1) % 3];
@@ -63,34 +90,41 @@ std::vector<MeshSurface> surfacesOf(const Mesh& mesh) {
     std::ranges::sort(edges, {},
                       [](const Edge& edge) { return std::tuple(edge.low, edge.high, edge.facet); });
     JoinedNumbers joined(isTwoSided.size());
-    std::vector<MeshSurface> byFacet(isTwoSided.size()); // by the lowest of a surface
-    std::vector<std::array<std::size_t, 2>> bundles;     // edges that are one
-    for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
-        for (; end < edges.size() && edges[end].low == edges[first].low &&
-               edges[end].high == edges[first].high;
-             ++end)
-            joined.join(edges[end].facet, edges[first].facet);
-        bundles.push_back({first, end});
-    }
-    for (const auto& [first, end] : bundles) {
-        MeshSurface& own = byFacet[joined.of(edges[first].facet)];
+    std::map<std::uint32_t, MeshSurface> surfaces; // by the lowest facet
+    // Calls visit(first, end) for the edges that are one.
+    const auto forEachBundle = [&](const auto& visit) {
+        for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
+            while (end < edges.size() && edges[end].low == edges[first].low &&
+                   edges[end].high == edges[first].high)
+                ++end;
+            visit(first, end);
+        }
+    };
+    forEachBundle([&](std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i)
+            joined.join(edges[i].facet, edges[first].facet);
+    });
+    forEachBundle([&](std::size_t first, std::size_t end) {
+        MeshSurface& own = surfaces[joined.of(edges[first].facet)];
         if (end - first == 1)
             ++own.openEdges;
         else if (end - first > 2)
             ++own.sharedEdges;
         else if (edges[first].goesUp == edges[first + 1].goesUp)
             ++own.flippedEdges;
-    }
+    });
     for (std::size_t f = 0; f < isTwoSided.size(); ++f) {
         if (!isThere(f))
             continue;
-        MeshSurface& own = byFacet[joined.of(static_cast<std::uint32_t>(f))];
-        const Vec3& a = corners_m[3 * f];
-        own.area_m2 += 0.5 * length(cross(corners_m[3 * f + 1] - a, corners_m[3 * f + 2] - a));
+        MeshSurface& own = surfaces[joined.of(static_cast<std::uint32_t>(f))];
+        own.area_m2 += areas_m2[f];
         ++own.facets;
         own.twoSidedFacets += isTwoSided[f] ? 1 : 0;
     }
-    std::erase_if(byFacet, [](const MeshSurface& one) { return one.facets == 0; });
+    std::vector<MeshSurface> byFacet;
+    byFacet.reserve(surfaces.size());
+    for (const auto& [facet, surface] : surfaces)
+        byFacet.push_back(surface);
     std::ranges::stable_sort(byFacet, std::greater<>(), &MeshSurface::area_m2);
     return byFacet;
 }

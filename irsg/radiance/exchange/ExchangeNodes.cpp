@@ -79,6 +79,29 @@ std::vector<double> surfacesOf_m2(const ExchangeMesh& mesh) {
 
 } // namespace
 
+/// The nodes of a vertex with their weights, the largest first; of equal ones the first that came.
+/// Of large models there are millions, so that they are no lists.
+struct ExchangeNodes::FewNodes {
+    std::array<double, mostShares> weights{};
+    std::array<std::uint32_t, mostShares> nodes{};
+    std::uint32_t count = 0;
+
+    void offer(double weight, std::uint32_t node) {
+        std::size_t at = count;
+        while (at > 0 && weights[at - 1] < weight)
+            --at;
+        if (at == mostShares)
+            return;
+        count = std::min<std::uint32_t>(count + 1, mostShares);
+        for (std::size_t i = count - 1; i > at; --i) {
+            weights[i] = weights[i - 1];
+            nodes[i] = nodes[i - 1];
+        }
+        weights[at] = weight;
+        nodes[at] = node;
+    }
+};
+
 /// Nodes of one piece: a node never stands for two, which may be of different materials.
 struct ExchangeNodes::OfPiece {
     std::vector<std::uint32_t> vertices;
@@ -86,10 +109,10 @@ struct ExchangeNodes::OfPiece {
     std::vector<double> apart_m;                         ///< by vertex: how far nodes may be
     std::vector<std::size_t> nodes;                      ///< places among the vertices
     std::uint32_t firstNode = 0;                         ///< number of the first of them
-    std::size_t outside = 0;                ///< how many of them turn to no space inside
-    std::vector<double> surface_m2;         ///< by vertex: of all that one can go to
-    std::vector<std::size_t> coveredBy;     ///< by vertex: among the nodes
-    std::vector<std::vector<Share>> shares; ///< by vertex
+    std::size_t outside = 0;            ///< how many of them turn to no space inside
+    std::vector<double> surface_m2;     ///< by vertex: of all that one can go to
+    std::vector<std::size_t> coveredBy; ///< by vertex: among the nodes
+    std::vector<FewNodes> shares;       ///< by vertex
 
     /// Calls visit(place, distance_m) for the vertices that are nearer to one of them than `most_m`
     /// along a straight line, and along the surface not much farther.
@@ -214,20 +237,29 @@ void ExchangeNodes::placeNodes(const ExchangeResolution& resolution) {
     coarseness_ = 4.0 * least_m / std::sqrt(area_m2 / static_cast<double>(resolution.mostNodes));
     parallelFor(pieces.size(), [&](std::size_t p) { share(pieces[p], *mesh_); });
 
-    std::vector<std::pair<const std::vector<Share>*, std::uint32_t>> ofVertex(vertices.size());
+    std::vector<std::uint32_t> pieceOfVertex(vertices.size());
     for (std::uint32_t p = 0; p < pieces.size(); ++p) {
         const auto before = static_cast<std::uint32_t>(nodes());
         pieceOf_.insert(pieceOf_.end(), pieces[p].nodes.size(), p);
         pieces[p].firstNode = before;
-        for (std::size_t i = 0; i < pieces[p].vertices.size(); ++i)
-            ofVertex[pieces[p].vertices[i]] = {&pieces[p].shares[i], before};
+        for (const std::uint32_t vertex : pieces[p].vertices)
+            pieceOfVertex[vertex] = p;
     }
+    firstShare_.reserve(vertices.size() + 1);
     firstShare_.push_back(0);
-    for (const auto& [shares, before] : ofVertex) {
-        for (const Share& one : *shares)
-            shares_.push_back({one.node + before, one.part});
+    for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+        const OfPiece& piece = pieces[pieceOfVertex[v]];
+        const FewNodes& few = piece.shares[placeOf[v]];
+        double sum = 0.0;
+        for (std::size_t i = 0; i < few.count; ++i)
+            sum += few.weights[i];
+        for (std::size_t i = 0; i < few.count; ++i)
+            shares_.push_back(
+                {few.nodes[i] + piece.firstNode, static_cast<float>(few.weights[i] / sum)});
         firstShare_.push_back(static_cast<std::uint32_t>(shares_.size()));
     }
+    for (OfPiece& piece : pieces)
+        piece.shares = {};
     placeSenders(pieces, spacingWith(fineness_, least_m), resolution);
 }
 
@@ -331,7 +363,8 @@ void ExchangeNodes::place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSp
 }
 
 void ExchangeNodes::share(OfPiece& piece, const ExchangeMesh& mesh) {
-    std::vector<std::vector<std::pair<double, std::uint32_t>>> found(piece.vertices.size());
+    std::vector<FewNodes>& found = piece.shares;
+    found.assign(piece.vertices.size(), {});
     for (std::uint32_t n = 0; n < piece.nodes.size(); ++n) {
         const std::size_t at = piece.nodes[n];
         const Vec3& normal = mesh.vertices()[piece.vertices[at]].normal;
@@ -342,24 +375,14 @@ void ExchangeNodes::share(OfPiece& piece, const ExchangeMesh& mesh) {
                 const double turned =
                     dot(normal, mesh.vertices()[piece.vertices[i]].normal) - notUnlike;
                 if (i == at)
-                    found[i].emplace_back(1.0 - notUnlike, n);
+                    found[i].offer(1.0 - notUnlike, n);
                 else if (far > 0.0 && turned > 0.0)
-                    found[i].emplace_back(far * far * turned, n);
+                    found[i].offer(far * far * turned, n);
             });
     }
-    piece.shares.assign(piece.vertices.size(), {});
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        std::ranges::stable_sort(found[i], std::greater<>(),
-                                 &std::pair<double, std::uint32_t>::first);
-        found[i].resize(std::min(found[i].size(), mostShares));
-        if (found[i].empty())
-            found[i].emplace_back(1.0, static_cast<std::uint32_t>(piece.coveredBy[i]));
-        double sum = 0.0;
-        for (const auto& [weight, node] : found[i])
-            sum += weight;
-        for (const auto& [weight, node] : found[i])
-            piece.shares[i].push_back({node, static_cast<float>(weight / sum)});
-    }
+    for (std::size_t i = 0; i < found.size(); ++i)
+        if (found[i].count == 0)
+            found[i].offer(1.0, static_cast<std::uint32_t>(piece.coveredBy[i]));
 }
 
 void ExchangeNodes::gatherPatches() {

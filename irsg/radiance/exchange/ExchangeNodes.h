@@ -101,6 +101,7 @@ class ExchangeNodes {
     Start start(std::uint32_t patch, double which, double a, double b) const;
 
   private:
+    struct FewNodes;
     struct OfPiece;
     /// How far apart nodes are: as what they see is far away, within bounds.
     struct NodeSpacing {

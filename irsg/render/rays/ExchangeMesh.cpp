@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
-#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -92,7 +92,7 @@ struct ExchangeMesh::Making {
     /// A side and an edge of it, by its first corner, from which one goes on to another side.
     struct Passage {
         std::uint32_t side = none;
-        std::uint32_t edge = 0;
+        std::uint8_t edge = 0;
         bool isSmooth = false;    ///< one surface goes on
         bool isOneOfMany = false; ///< more than two facets meet there
     };
@@ -104,15 +104,19 @@ struct ExchangeMesh::Making {
 
     const PieceUses& uses;
     const ExchangeResolution& resolution;
+    double lift_m = 0.0; ///< of the mesh
     std::vector<Facet> facets{};
     double area_m2 = 0.0;
-    std::vector<std::optional<FacetDivision>> divisions{}; ///< by side
-    std::vector<bool> sees{};                              ///< likewise
-    std::vector<std::uint32_t> firstPart{};                ///< likewise, and behind the last
-    std::vector<Probe> probes{};                           ///< by part
-    std::vector<std::array<Passage, 3>> passages{};        ///< by side
-    std::vector<std::uint32_t> firstCell{};                ///< by side
-    std::vector<std::uint32_t> spaces{};                   ///< by part, see Vertex
+    /// By side: none where it is not there, or where it is whole, as nearly all of a large model
+    /// are.
+    std::vector<std::unique_ptr<FacetDivision>> cut{};
+    std::vector<bool> sees{};                       ///< likewise
+    std::vector<std::uint32_t> firstPart{};         ///< likewise, and behind the last
+    std::vector<Probe> probes{};                    ///< first the one of what sees nothing
+    std::vector<std::uint32_t> probeOf{};           ///< by part; sides may share one
+    std::vector<std::array<Passage, 3>> passages{}; ///< by side
+    std::vector<std::uint32_t> firstCell{};         ///< by side
+    std::vector<std::uint32_t> spaces{};            ///< by part, see Vertex
 
     bool isThere(std::uint32_t side) const {
         const Facet& facet = facets[side / 2];
@@ -120,16 +124,21 @@ struct ExchangeMesh::Making {
         return use.isThere && facet.area_m2 > 0.0 &&
                (side % 2 == 0 || use.transparent || !use.cullsBackFaces);
     }
+    const FacetDivision& divisionOf(std::uint32_t side) const {
+        static const FacetDivision whole({}, 0.0);
+        return cut[side] ? *cut[side] : whole;
+    }
+    double toleranceOf(std::uint32_t side) const { return facets[side / 2].toleranceOf(lift_m); }
+    const Probe& probeAt(std::uint32_t part) const { return probes[probeOf[part]]; }
     Vec3 normalOf(std::uint32_t side) const {
         const Vec3& normal = facets[side / 2].normal;
         return side % 2 == 0 ? normal : normal * -1.0;
     }
     /// Corners are at one place that are, in steps of a length, in all three coordinates.
     void numberPlaces(double step_m);
-    std::vector<FacetDivision::Line> wallsOn(std::uint32_t side, const FacetTree& tree,
-                                             double lift_m) const;
+    std::vector<FacetDivision::Line> wallsOn(std::uint32_t side, const FacetTree& tree) const;
     bool seesAny(std::uint32_t side, const FacetTree& tree, double extent_m) const;
-    void probe(std::uint32_t side, std::uint32_t part, const RayMesh& mesh, double lift_m);
+    void probe(std::uint32_t side, std::uint32_t part, const RayMesh& mesh);
     bool isTooLarge(std::uint32_t side, std::uint32_t part, const FacetDivision::Triangle& corners,
                     const CellSize& size) const;
     std::size_t cellsOf(std::uint32_t side, std::uint32_t part,
@@ -171,6 +180,7 @@ ExchangeMesh::ExchangeMesh(std::shared_ptr<const RayMesh> mesh, const PieceUses&
         }
     }
     extent_m_ = all.valid() ? all.diagonal_m() : 0.0;
+    making.lift_m = lift_m();
     making.numberPlaces(samePlaceOfSize * extent_m_);
     making.findPassages();
     if (resolution.isAlone && resolution.hasInsides && making.isConvex(extent_m_)) {
@@ -215,8 +225,8 @@ double ExchangeMesh::area_m2(std::uint32_t cell) const {
 /// Walls: where facets cross the plane that rays from a side begin in. Facets in that of the side
 /// itself do not, as of a box that stands on it; its walls do. The outline of what lies close above
 /// the side is one, too: below it all is dark, beside it nothing.
-std::vector<FacetDivision::Line>
-ExchangeMesh::Making::wallsOn(std::uint32_t side, const FacetTree& tree, double lift_m) const {
+std::vector<FacetDivision::Line> ExchangeMesh::Making::wallsOn(std::uint32_t side,
+                                                               const FacetTree& tree) const {
     const Facet& own = facets[side / 2];
     const Vec3 up = normalOf(side);
     const double offset_m = product(up, own.corners_m[0]) + lift_m;
@@ -332,12 +342,10 @@ bool ExchangeMesh::Making::isConvex(double extent_m) const {
 }
 
 void ExchangeMesh::Making::numberPlaces(double step_m) {
-    std::vector<Vec3> corners_m;
-    for (const Facet& facet : facets)
-        corners_m.insert(corners_m.end(), facet.corners_m.begin(), facet.corners_m.end());
-    const std::vector<std::uint32_t> numbers = numbersOfPlaces(corners_m, step_m);
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-        facets[i / 3].places[i % 3] = numbers[i];
+    PlaceNumbers numbers(step_m);
+    for (Facet& facet : facets)
+        for (std::size_t i = 0; i < 3; ++i)
+            facet.places[i] = numbers.of(facet.corners_m[i]);
 }
 
 void ExchangeMesh::divide(Making& making) {
@@ -346,85 +354,103 @@ void ExchangeMesh::divide(Making& making) {
         if (making.facets[f].isOpaque && making.facets[f].area_m2 > 0.0)
             for (const Vec3& corner : making.facets[f].corners_m)
                 boxes[f].include(corner);
-    const FacetTree tree(boxes);
     const std::size_t sides = 2 * making.facets.size();
-    making.divisions.resize(sides);
+    making.cut.resize(sides);
     std::vector<char> sees(sides);
-    parallelForSmall(sides, [&](std::uint32_t side) {
-        if (!making.isThere(side))
-            return;
-        sees[side] = making.seesAny(side, tree, extent_m_);
-        making.divisions[side].emplace(sees[side] ? making.wallsOn(side, tree, lift_m())
-                                                  : std::vector<FacetDivision::Line>(),
-                                       making.facets[side / 2].toleranceOf(lift_m()));
-    });
+    {
+        const FacetTree tree(std::move(boxes));
+        parallelForSmall(sides, [&](std::uint32_t side) {
+            if (!making.isThere(side))
+                return;
+            sees[side] = making.seesAny(side, tree, extent_m_);
+            if (!sees[side])
+                return;
+            if (const auto walls = making.wallsOn(side, tree); !walls.empty())
+                making.cut[side] = std::make_unique<FacetDivision>(walls, making.toleranceOf(side));
+        });
+    }
     making.sees.assign(sees.begin(), sees.end());
-    making.firstPart.push_back(0);
-    for (const std::optional<FacetDivision>& division : making.divisions)
-        making.firstPart.push_back(
-            making.firstPart.back() +
-            static_cast<std::uint32_t>(division ? division->parts().size() : 0));
-    making.probes.resize(making.firstPart.back());
-    const auto stride = static_cast<std::uint32_t>(2 * (making.probes.size() / mostProbed) + 1);
-    const auto isProbed = [&](std::uint32_t side) {
-        return stride == 1 || side % (2 * stride) < 2 || making.divisions[side]->parts().size() > 1;
+    const auto partsOf = [&](std::uint32_t side) {
+        return making.isThere(side)
+                   ? static_cast<std::uint32_t>(making.divisionOf(side).parts().size())
+                   : 0u;
     };
+    making.firstPart.reserve(sides + 1);
+    making.firstPart.push_back(0);
+    for (std::uint32_t side = 0; side < sides; ++side)
+        making.firstPart.push_back(making.firstPart.back() + partsOf(side));
+    const std::size_t parts = making.firstPart.back();
+    const auto stride = static_cast<std::uint32_t>(2 * (parts / mostProbed) + 1);
+    const auto isProbed = [&](std::uint32_t side) {
+        return stride == 1 || side % (2 * stride) < 2 || partsOf(side) > 1;
+    };
+    making.probeOf.assign(parts, 0);
+    std::uint32_t probes = 1;
+    for (std::uint32_t side = 0; side < sides; ++side)
+        for (std::uint32_t part = making.firstPart[side];
+             making.sees[side] && part < making.firstPart[side + 1] && isProbed(side); ++part)
+            making.probeOf[part] = probes++;
+    making.probes.resize(probes);
     parallelForSmall(sides, [&](std::uint32_t side) {
-        if (!making.divisions[side] || !making.sees[side] || !isProbed(side))
-            return;
-        for (std::uint32_t part = 0; part < making.divisions[side]->parts().size(); ++part)
-            making.probe(side, part, *mesh_, lift_m());
+        if (making.sees[side] && isProbed(side))
+            for (std::uint32_t part = 0; part < partsOf(side); ++part)
+                making.probe(side, part, *mesh_);
     });
     for (std::uint32_t side = 0; side < sides; ++side) {
         const std::uint32_t known = side - side % (2 * stride) + side % 2;
-        if (making.divisions[side] && making.sees[side] && !isProbed(side) &&
-            making.divisions[known] &&
+        if (making.sees[side] && !isProbed(side) && partsOf(known) > 0 &&
             making.facets[known / 2].piece == making.facets[side / 2].piece)
-            making.probes[making.firstPart[side]] = making.probes[making.firstPart[known]];
+            making.probeOf[making.firstPart[side]] = making.probeOf[making.firstPart[known]];
     }
     findSpaces(making);
     const Making::CellSize size = making.chosenSize(extent_m_);
     fineness_ = size.fineness;
     parallelForSmall(sides, [&](std::uint32_t side) {
-        if (making.divisions[side])
-            making.divisions[side]->refine(
-                [&](std::uint32_t part, const FacetDivision::Triangle& corners) {
-                    return making.isTooLarge(side, part, corners, size);
-                },
-                [&](const FacetPlace& from, const FacetPlace& to) {
-                    const Making::Facet& facet = making.facets[side / 2];
-                    return plainLength(facet.at(to) - facet.at(from));
-                });
+        if (!making.isThere(side))
+            return;
+        if (!making.cut[side]) {
+            if (!making.isTooLarge(side, 0, FacetDivision::whole, size))
+                return;
+            making.cut[side] = std::make_unique<FacetDivision>(std::vector<FacetDivision::Line>(),
+                                                               making.toleranceOf(side));
+        }
+        making.cut[side]->refine(
+            [&](std::uint32_t part, const FacetDivision::Triangle& corners) {
+                return making.isTooLarge(side, part, corners, size);
+            },
+            [&](const FacetPlace& from, const FacetPlace& to) {
+                const Making::Facet& facet = making.facets[side / 2];
+                return plainLength(facet.at(to) - facet.at(from));
+            });
     });
 }
 
 /// Parts that meet at edges turn to one space. It is inside where no ray left from any of them.
 void ExchangeMesh::findSpaces(Making& making) const {
-    making.spaces.resize(making.probes.size());
+    making.spaces.resize(making.probeOf.size());
     if (!making.resolution.hasInsides)
         return;
     making.firstCell = making.firstPart; // no part is divided yet
-    JoinedNumbers parts(making.probes.size());
-    for (std::uint32_t side = 0; side < making.divisions.size(); ++side)
+    JoinedNumbers parts(making.probeOf.size());
+    for (std::uint32_t side = 0; side < making.cut.size(); ++side)
         for (std::uint32_t part = making.firstPart[side]; part < making.firstPart[side + 1]; ++part)
             for (std::size_t edge = 0; edge < 3; ++edge)
                 if (const std::uint32_t beyond =
                         making.cellBeyond(side, part - making.firstPart[side], edge, false);
                     beyond != none)
                     parts.join(part, beyond);
-    std::vector<bool> isOpen(making.probes.size());
-    for (std::uint32_t part = 0; part < making.probes.size(); ++part)
-        if (making.probes[part].seen_m.size() < making.probes[part].rays)
+    std::vector<bool> isOpen(making.probeOf.size());
+    for (std::uint32_t part = 0; part < making.probeOf.size(); ++part)
+        if (making.probeAt(part).seen_m.size() < making.probeAt(part).rays)
             isOpen[parts.of(part)] = true;
-    for (std::uint32_t part = 0; part < making.probes.size(); ++part)
+    for (std::uint32_t part = 0; part < making.probeOf.size(); ++part)
         making.spaces[part] = isOpen[parts.of(part)] ? 0 : parts.of(part) + 1;
 }
 
-void ExchangeMesh::Making::probe(std::uint32_t side, std::uint32_t part, const RayMesh& mesh,
-                                 double lift_m) {
+void ExchangeMesh::Making::probe(std::uint32_t side, std::uint32_t part, const RayMesh& mesh) {
     const Facet& facet = facets[side / 2];
-    const Triangle3 c = facet.at(divisions[side]->parts()[part].corners);
-    Probe& own = probes[firstPart[side] + part];
+    const Triangle3 c = facet.at(divisionOf(side).parts()[part].corners);
+    Probe& own = probes[probeOf[firstPart[side] + part]];
     own.least_m = nearest * longestEdgeOf(c);
     const double ownArea_m2 = 0.5 * plainLength(crossed(c[1] - c[0], c[2] - c[0]));
     own.rays = ownArea_m2 > 0.01 * area_m2    ? manyRays
@@ -458,7 +484,7 @@ bool ExchangeMesh::Making::isTooLarge(std::uint32_t side, std::uint32_t part,
     if (longest_m > (sees[side] ? size.longest_m : resolution.longestEdge_m) &&
         (sees[side] || resolution.longestEdge_m > 0.0))
         return true;
-    const Probe& probe = probes[firstPart[side] + part];
+    const Probe& probe = probeAt(firstPart[side] + part);
     return !probe.seen_m.empty() &&
            longest_m * std::sqrt(probe.nearnessAt_per_m2((c[0] + c[1] + c[2]) * (1.0 / 3.0))) >
                size.fineness * resolution.edgePerDistance;
@@ -478,11 +504,15 @@ std::size_t ExchangeMesh::Making::cellsOf(std::uint32_t side, std::uint32_t part
 }
 
 std::size_t ExchangeMesh::Making::allCells(const CellSize& size) const {
-    std::vector<std::size_t> counts(divisions.size());
-    parallelForSmall(divisions.size(), [&](std::uint32_t side) {
-        for (std::uint32_t part = 0; divisions[side] && part < divisions[side]->parts().size();
-             ++part)
-            counts[side] += cellsOf(side, part, divisions[side]->parts()[part].corners, size);
+    constexpr std::size_t pieces = 256;
+    std::vector<std::size_t> counts(pieces);
+    parallelFor(pieces, [&](std::size_t piece) {
+        for (std::size_t i = beginOfPart(piece, pieces, cut.size());
+             i < beginOfPart(piece + 1, pieces, cut.size()); ++i) {
+            const auto side = static_cast<std::uint32_t>(i);
+            for (std::uint32_t part = 0; part < firstPart[side + 1] - firstPart[side]; ++part)
+                counts[piece] += cellsOf(side, part, divisionOf(side).parts()[part].corners, size);
+        }
     });
     return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
@@ -508,25 +538,25 @@ ExchangeMesh::Making::CellSize ExchangeMesh::Making::chosenSize(double extent_m)
 }
 
 void ExchangeMesh::addCells(Making& making) {
-    sides_.resize(making.divisions.size());
+    sides_.resize(making.cut.size());
     making.firstCell.clear();
     for (std::uint32_t side = 0; side < sides_.size(); ++side) {
         sides_[side].normal = making.normalOf(side);
         const auto first = static_cast<std::uint32_t>(sideOf_.size());
         making.firstCell.push_back(first);
-        const std::optional<FacetDivision>& division = making.divisions[side];
-        if (!division)
+        if (!making.isThere(side))
             continue;
+        const FacetDivision& division = making.divisionOf(side);
         const auto firstSplit = static_cast<std::int32_t>(splits_.size());
         const auto moved = [&](std::int32_t at) {
             return at >= 0 ? at + firstSplit : at - static_cast<std::int32_t>(first);
         };
-        sides_[side].root = moved(division->root());
-        for (Split one : division->splits()) {
+        sides_[side].root = moved(division.root());
+        for (Split one : division.splits()) {
             one.branches = {moved(one.branches[0]), moved(one.branches[1])};
             splits_.push_back(one);
         }
-        for (const FacetDivision::Cell& cell : division->cells()) {
+        for (const FacetDivision::Cell& cell : division.cells()) {
             sideOf_.push_back(side);
             sees_.push_back(making.sees[side]);
             auto& places = onFacet_.emplace_back();
@@ -543,6 +573,7 @@ void ExchangeMesh::Making::findPassages() {
         std::uint32_t facet, edge;
     };
     std::vector<Edge> edges;
+    edges.reserve(3 * facets.size());
     for (std::uint32_t f = 0; f < facets.size(); ++f)
         for (std::uint32_t i = 0; i < 3 && facets[f].area_m2 > 0.0; ++i) {
             const std::uint32_t a = facets[f].places[i], b = facets[f].places[(i + 1) % 3];
@@ -617,7 +648,8 @@ ExchangeMesh::Making::Passage ExchangeMesh::Making::passageFrom(
             continue;
         least = angle;
         const Vec3 ahead = up * std::cos(angle) - right * std::sin(angle);
-        next = {2 * facet + (product(other.normal, ahead) < 0.0 ? 0u : 1u), ofEdge};
+        next = {2 * facet + (product(other.normal, ahead) < 0.0 ? 0u : 1u),
+                static_cast<std::uint8_t>(ofEdge)};
         next.isSmooth = other.piece == own.piece && product(normalOf(next.side), up) > alike;
         next.isOneOfMany = about.size() > 2;
     }
@@ -626,11 +658,11 @@ ExchangeMesh::Making::Passage ExchangeMesh::Making::passageFrom(
 
 std::uint32_t ExchangeMesh::Making::cellBeyond(std::uint32_t side, std::uint32_t cell,
                                                std::size_t edge, bool isSmooth) const {
-    const FacetDivision& division = *divisions[side];
+    const FacetDivision& division = divisionOf(side);
     const FacetDivision::Triangle& corners = division.cells()[cell].corners;
     const FacetPlace from = corners[edge], way = corners[(edge + 1) % 3] - from;
     const FacetPlace middle = from + way * 0.5;
-    const double step = 2.0 * division.tolerance() / std::hypot(way.u, way.v);
+    const double step = 2.0 * toleranceOf(side) / std::hypot(way.u, way.v);
     const FacetPlace out{way.v * step, -way.u * step};
     const FacetPlace before = middle - out, behind = middle + out;
     if (division.isBetween(cell, before, behind))
@@ -650,7 +682,7 @@ std::uint32_t ExchangeMesh::Making::cellBeyond(std::uint32_t side, std::uint32_t
         return none;
     const std::array<double, 3> at{1.0 - middle.u - middle.v, middle.u, middle.v};
     const double part = std::clamp(at[end] / std::max(at[begin] + at[end], 1e-30), 0.0, 1.0);
-    const FacetDivision& there = *divisions[passage.side];
+    const FacetDivision& there = divisionOf(passage.side);
     const Facet& other = facets[passage.side / 2];
     const bool isReversed = other.places[passage.edge] == facets[side / 2].places[end];
     const double along = isReversed ? 1.0 - part : part;
@@ -661,7 +693,7 @@ std::uint32_t ExchangeMesh::Making::cellBeyond(std::uint32_t side, std::uint32_t
         w[(passage.edge + 2) % 3] = inward;
         return FacetPlace{w[1], w[2]};
     };
-    const double width = 2.0 * there.tolerance();
+    const double width = 2.0 * toleranceOf(passage.side);
     const std::uint32_t found = there.cellOf(placeAt(width));
     return there.isBetween(found, placeAt(-width), placeAt(width))
                ? none
@@ -669,12 +701,15 @@ std::uint32_t ExchangeMesh::Making::cellBeyond(std::uint32_t side, std::uint32_t
 }
 
 void ExchangeMesh::joinVertices(Making& making) {
-    std::vector<Triangle3> at_m(sideOf_.size());
+    const auto at_m = [&](std::uint32_t cell) {
+        const std::uint32_t side = sideOf_[cell];
+        const auto& cells = making.divisionOf(side).cells();
+        return making.facets[side / 2].at(cells[cell - making.firstCell[side]].corners);
+    };
     corners_.resize(sideOf_.size());
     std::vector<std::array<std::uint32_t, 3>> beyond(sideOf_.size());
     parallelForSmall(sideOf_.size(), [&](std::uint32_t cell) {
         const std::uint32_t side = sideOf_[cell], local = cell - making.firstCell[side];
-        at_m[cell] = making.facets[side / 2].at(making.divisions[side]->cells()[local].corners);
         for (std::size_t edge = 0; edge < 3; ++edge)
             beyond[cell][edge] = making.cellBeyond(side, local, edge, true);
     });
@@ -685,12 +720,12 @@ void ExchangeMesh::joinVertices(Making& making) {
         for (const std::uint32_t other : beyond[cell]) {
             if (other == none)
                 continue;
-            const double near_m =
-                1e-4 * std::min(longestEdgeOf(at_m[cell]), longestEdgeOf(at_m[other]));
+            const Triangle3 own_m = at_m(cell), other_m = at_m(other);
+            const double near_m = 1e-4 * std::min(longestEdgeOf(own_m), longestEdgeOf(other_m));
             std::size_t common = 0;
             for (std::uint32_t i = 0; i < 3; ++i)
                 for (std::uint32_t k = 0; k < 3; ++k)
-                    if (plainLength(at_m[cell][i] - at_m[other][k]) < near_m) {
+                    if (plainLength(own_m[i] - other_m[k]) < near_m) {
                         same.join(3 * cell + i, 3 * other + k);
                         ++common;
                     }
@@ -700,9 +735,9 @@ void ExchangeMesh::joinVertices(Making& making) {
     std::vector<std::uint32_t> numbers(3 * sideOf_.size(), none);
     for (std::uint32_t cell = 0; cell < sideOf_.size(); ++cell) {
         const std::uint32_t side = sideOf_[cell], local = cell - making.firstCell[side];
-        const std::uint32_t part = making.divisions[side]->cells()[local].part;
-        const Making::Probe& probe = making.probes[making.firstPart[side] + part];
-        const Triangle3& c = at_m[cell];
+        const std::uint32_t part = making.divisionOf(side).cells()[local].part;
+        const Making::Probe& probe = making.probeAt(making.firstPart[side] + part);
+        const Triangle3 c = at_m(cell);
         const double area_m2 = 0.5 * plainLength(crossed(c[1] - c[0], c[2] - c[0]));
         for (std::uint32_t i = 0; i < 3; ++i) {
             std::uint32_t& number = numbers[same.of(3 * cell + i)];
@@ -727,6 +762,7 @@ void ExchangeMesh::joinVertices(Making& making) {
             vertex.normal == Vec3{} ? Vec3{0, 0, 1} : vertex.normal * (1.0 / length(vertex.normal));
 
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ways;
+    ways.reserve(6 * corners_.size() + 18 * uneven.size());
     const auto connect = [&](std::uint32_t a, std::uint32_t b) {
         if (a != b) {
             ways.emplace_back(a, b);

@@ -1,6 +1,7 @@
 #include "irsg/render/rays/FacetTree.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace irsg {
 
@@ -14,7 +15,7 @@ double along(const Vec3& v, int axis) {
 
 } // namespace
 
-FacetTree::FacetTree(const std::vector<BoundingBox>& boxes) : boxes_(boxes) {
+FacetTree::FacetTree(std::vector<BoundingBox> boxes) : boxes_(std::move(boxes)) {
     for (std::uint32_t i = 0; i < boxes_.size(); ++i)
         if (boxes_[i].valid())
             numbers_.push_back(i);

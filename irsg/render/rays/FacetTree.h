@@ -14,7 +14,7 @@ namespace irsg {
 class FacetTree {
   public:
     /// A box that is not valid is never found.
-    explicit FacetTree(const std::vector<BoundingBox>& boxes);
+    explicit FacetTree(std::vector<BoundingBox> boxes);
 
     /// Calls visit(number) for every box that touches another, in the order of the tree.
     template <typename Visit>
