@@ -1,10 +1,13 @@
 #include "irsg/geometry/model/ModelConverter.h"
 
 #include <functional>
+#include <random>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <osg/Geode>
 #include <osg/Geometry>
+#include <osg/MatrixTransform>
 #include <osg/NodeVisitor>
 #include <osgDB/Options>
 #include <osgDB/ReadFile>
@@ -18,10 +21,13 @@
 #include "irsg/geometry/model/ModelSummary.h"
 #include "irsg/geometry/reading/IrCodes.h"
 #include "tests/support/FlightBytes.h"
+#include "tests/support/TemporaryFolder.h"
 
 using namespace irsg;
 using namespace irsg::test;
 namespace fs = std::filesystem;
+using smat::test::ownFolder;
+using smat::test::writtenFile;
 using testing::HasSubstr;
 
 namespace {
@@ -61,6 +67,37 @@ std::string refusal(const std::function<void()>& act) {
         return error.what();
     }
     return "accepted";
+}
+
+/// Vertices of all drawables where their transformations put them, in double.
+class PlacedVertices : public osg::NodeVisitor {
+  public:
+    explicit PlacedVertices(osg::Node& graph) : osg::NodeVisitor(TRAVERSE_ALL_CHILDREN) {
+        graph.accept(*this);
+    }
+    void apply(osg::Drawable& drawable) override {
+        const osg::Matrixd matrix = osg::computeLocalToWorld(getNodePath());
+        for (const osg::Vec3& vertex :
+             dynamic_cast<const osg::Vec3Array&>(*drawable.asGeometry()->getVertexArray())) {
+            places.push_back(osg::Vec3d(vertex) * matrix);
+            bounds.expandBy(places.back());
+        }
+    }
+    std::vector<osg::Vec3d> places;
+    osg::BoundingBoxd bounds;
+};
+
+osg::ref_ptr<osg::Geode> square() {
+    osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+    osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array(osg::Array::BIND_PER_VERTEX);
+    for (const auto& [x, y] : {std::pair{0.1f, 0.0f}, {1.3f, 0.0f}, {1.3f, 1.7f}, {0.1f, 1.7f}}) {
+        corners->push_back({x, y, 0.7f});
+    }
+    geometry->setVertexArray(corners);
+    geometry->addPrimitiveSet(new osg::DrawArrays(GL_QUADS, 0, 4));
+    osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+    geode->addDrawable(geometry);
+    return geode;
 }
 
 class Conversion : public testing::TestWithParam<const char*> {};
@@ -108,6 +145,50 @@ TEST_P(Conversion, GivesTheSameModelAsTheOriginal) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Conversion, testing::Values("osgt", "osgb", "ive", "osg", "osgx"),
                          [](const auto& info) { return std::string(info.param); });
+
+TEST_P(Conversion, KeepsPlacesFarFromTheOriginAndAnywhereElse) {
+    const auto in = ownFolder() / "in.osgb";
+    std::mt19937 random(48);
+    std::uniform_real_distribution<double> within(-1.0, 1.0);
+    // The last two parts are 1.5 m apart at 500 km, as the map of a country has them.
+    for (const double far_m : {1.0, 1e3, 5.4e6}) {
+        osg::ref_ptr<osg::Group> root = new osg::Group;
+        const auto place = [&](const osg::Vec3d& at_m) {
+            osg::ref_ptr<osg::MatrixTransform> placed = new osg::MatrixTransform(
+                osg::Matrixd::rotate(within(random), osg::Vec3d(within(random), 1.0, 0.3)) *
+                osg::Matrixd::translate(at_m));
+            placed->addChild(square());
+            root->addChild(placed);
+        };
+        for (int i = 0; i < 66; ++i) {
+            place(
+                osg::Vec3d(far_m + 10.0 * within(random), far_m * within(random), within(random)));
+        }
+        place({500123.25, 0.0, 0.0});
+        place({500124.75, 0.0, 0.0});
+        ASSERT_TRUE(osgDB::writeNodeFile(*root, in.string()));
+        const auto out = ownFolder() / (std::string("out.") + GetParam());
+        convertModel(in, out);
+        const PlacedVertices before(*root), after(*loadGraph(out, LoadPurpose::infrared).node);
+        ASSERT_EQ(after.places.size(), before.places.size());
+        const double extent = (before.bounds._max - before.bounds._min).length();
+        for (std::size_t i = 0; i < before.places.size(); ++i) {
+            ASSERT_LE((after.places[i] - before.places[i]).length(), 1e-7 * extent)
+                << far_m << " m, corner " << i;
+        }
+    }
+}
+
+TEST(ModelConverter, RefusesASceneOfWhichNothingIsRead) {
+    const auto in =
+        writtenFile(ownFolder() / "a.osgt",
+                    "#Ascii Scene \n#Version 161 \n#Generator OpenSceneGraph 3.6.5 \n\n"
+                    "osg::Group {\n  UniqueID 1 \n  Children 1 {\n    osg::Gode {\n      "
+                    "UniqueID 2 \n    }\n  }\n}\n");
+    const auto out = ownFolder() / "a.osgb";
+    EXPECT_NE(refusal([&] { convertModel(in, out); }), "accepted");
+    EXPECT_FALSE(std::filesystem::exists(out));
+}
 
 TEST(ModelConverter, KeepsTheNumberOfFacesOfEachCode) {
     const TemporaryFolder folder;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include <osgDB/FileNameUtils>
@@ -13,6 +14,7 @@
 #include "irsg/geometry/conversion/GeometryCollector.h"
 #include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/geometry/reading/IrCodes.h"
+#include "irsg/geometry/reading/NoFaces.h"
 #include "irsg/geometry/reading/OsgNotices.h"
 
 namespace irsg {
@@ -61,17 +63,60 @@ bool sameAreas(const std::map<IrCodes, double>& a, const std::map<IrCodes, doubl
     });
 }
 
+/// Corners of all polygons that are drawn, in the order of the graph, in double.
+std::vector<osg::Vec3d> placesOf(osg::Node& graph, const std::string& name) {
+    SurfaceMesh unused;
+    GeometryCollector collector(unused, {}, name, {.forceTwoSided = true});
+    std::vector<osg::Vec3d> places;
+    collector.giveTo([&](const DrawnPolygon& polygon) {
+        for (const PolygonCorner& corner : polygon.corners)
+            places.push_back(corner.position);
+    });
+    collector.collect(graph);
+    return places;
+}
+
+/// Throws InputError where a graph that was read back has its corners elsewhere than the one that
+/// was written, by more than 1e-7 of the extent of all.
+void checkPlaces(osg::Node& written, osg::Node& back, const fs::path& out) {
+    constexpr double mayMove = 1e-7;
+    const std::vector<osg::Vec3d> before = placesOf(written, out.string()),
+                                  after = placesOf(back, out.string());
+    osg::BoundingBoxd bounds;
+    for (const osg::Vec3d& place : before)
+        bounds.expandBy(place);
+    double most = 0.0;
+    for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i)
+        most = std::max(most, (after[i] - before[i]).length());
+    const double extent = bounds.valid() ? (bounds._max - bounds._min).length() : 0.0;
+    if (before.size() != after.size() || !(most <= mayMove * extent))
+        throw InputError({out.string(), "",
+                          before.size() != after.size()
+                              ? "a file with " + std::to_string(after.size()) + " corners for " +
+                                    std::to_string(before.size())
+                              : "a file that moves corners by " + numberText(most) + " units of " +
+                                    numberText(extent) + ", which the model is wide",
+                          "at most 1e-7 of it; .osgb and .ive keep all digits"});
+}
+
 std::string bytesOf(const osg::Node& graph, const fs::path& out, const std::string& extension) {
     const std::scoped_lock lock(osgRegistryMutex());
     OsgNotices notices;
     osg::ref_ptr<osgDB::Options> options = new osgDB::Options;
     const std::string type = fileType(extension);
+    // Texts have all digits of a double: six, as the plug-ins write otherwise, move parts of a
+    // scene that lies far from zero by metres. Each of them asks for the number in its own way.
+    const std::string digits = std::to_string(std::numeric_limits<double>::max_digits10);
+    std::string wanted = "PRECISION " + digits;
     if (!type.empty()) {
         // Textures go into the file where its kind can hold them.
-        options->setOptionString("WriteImageHint=IncludeFile");
+        wanted += " WriteImageHint=IncludeFile";
         options->setPluginStringData("fileType", type);
     }
+    options->setPluginStringData("Precision", digits);
+    options->setOptionString(wanted);
     std::ostringstream stream;
+    stream.precision(std::numeric_limits<double>::max_digits10);
     bool written = false;
     std::string complaint;
     try {
@@ -103,6 +148,8 @@ ConversionReport convertModel(const fs::path& in, const fs::path& out,
     ConversionReport report;
     report.remarks = std::move(loaded.remarks);
     report.polygonsRead = polygonCounts(*graph);
+    if (report.polygonsRead.empty())
+        refuseWithoutFaces(in.string(), report.remarks);
     const auto areasRead = areas(*graph, in.string());
     int misfits = 0;
     const auto counts = mergeKeepingCodes(*graph, flight, misfits);
@@ -128,6 +175,7 @@ ConversionReport convertModel(const fs::path& in, const fs::path& out,
         !sameAreas(areas(*back.node, out.string()), areasRead))
         throw InputError({out.string(), "", "a file that lost codes or faces of " + in.string(),
                           "codes and areas as read; another kind of output may keep them"});
+    checkPlaces(*graph->getChild(0), *back.node, out);
     if (stop.stop_requested())
         return {};
     writeFileDurably(out, bytes);

@@ -23,8 +23,9 @@ struct ConversionReport {
 /// ShapeAttributeList (IRColor, IRMaterial) in the UserData of each drawable, so that the stock
 /// viewer shows the file and the codes survive. Visible appearance, levels of detail, switches and
 /// hidden faces stay; external references become part of the file. Drawables of OpenFlight files
-/// are merged where neither state nor codes differ. The written file is read back: unless its codes
-/// and their areas are those of the input it is removed and an InputError thrown. Throws InputError
+/// are merged where neither state nor codes differ. The file is read back before it is written:
+/// unless its codes and their areas are those of the input, and its corners where they were to 1e-7
+/// of the extent of all, an InputError is thrown. Throws InputError
 /// for an input that cannot be read, a kind of output that loses codes and a place that cannot be
 /// written. A stop that is asked for before the end leaves `out` as it was and gives an empty
 /// report.
