@@ -27,6 +27,9 @@ double altitude_m(double z_m, double range_m, const std::string& what,
     return std::max(z_m, 0.0);
 }
 
+/// Nothing that is solid, and no flame, is near it.
+constexpr double hottest_K = 1e5;
+
 std::string faces(int count) {
     return std::to_string(count) + (count == 1 ? " face" : " faces");
 }
@@ -73,6 +76,10 @@ void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double am
         if (!(temperature_K > 0.0) || !std::isfinite(temperature_K))
             diagnostics.push_back({entity.name, place, roundedText(temperature_K) + " K",
                                    "a positive temperature in the present state"});
+        else if (temperature_K > hottest_K)
+            diagnostics.push_back({entity.name, place, roundedText(temperature_K) + " K",
+                                   "at most " + roundedText(hottest_K) +
+                                       " K: no surface is hotter; is a unit or a factor wrong?"});
     }
     for (const auto& [index, material] : materials) {
         collect(

@@ -87,8 +87,9 @@ std::string packedPolygons() {
     std::string bytes = "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty short x\n"
                         "property short y\nproperty short z\nelement face 1\nproperty list uchar "
                         "uchar vertex_index\nend_header\n";
-    for (const char value : {0, 0, 0, 1, 0, 0, 0, 1, 0}) {
-        bytes += std::string("\0", 1) + value;
+    for (const char value : std::string_view("\0\0\0\1\0\0\0\1\0", 9)) {
+        bytes += '\0';
+        bytes += value;
     }
     return bytes + "\3" + std::string("\0\1\2", 3);
 }

@@ -188,8 +188,23 @@ TEST(FarOrigin, IsRemarkedWhereAReaderRoundsBefore) {
         }
         return text + "3 0 1 2\n";
     };
-    EXPECT_THAT(loadGraph(folder.write("a.ply", ply(1e6)), LoadPurpose::infrared).remarks,
-                Contains(HasSubstr("in single precision")));
-    EXPECT_THAT(loadGraph(folder.write("b.ply", ply(3)), LoadPurpose::infrared).remarks,
-                testing::Not(Contains(HasSubstr("single precision"))));
+    const auto ac = [](double at) {
+        std::string text =
+            "AC3Db\nMATERIAL \"m\" rgb 1 0 0 amb 1 0 0 emis 0 0 0 spec 0 0 0 shi 1 trans 0\n"
+            "OBJECT world\nkids 1\nOBJECT poly\nnumvert 3\n";
+        for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {0, 1}}) {
+            text += number(at + x) + " " + number(y) + " 0\n";
+        }
+        return text + "numsurf 1\nSURF 0x20\nmat 0\nrefs 3\n0 0 0\n1 0 0\n2 0 0\nkids 0\n";
+    };
+    const auto remarks = [&](const char* name, const std::string& text) {
+        return loadGraph(folder.write(name, text), LoadPurpose::infrared).remarks;
+    };
+    EXPECT_THAT(remarks("a.ac", ac(1e6)), Contains(HasSubstr("in single precision")));
+    EXPECT_THAT(remarks("b.ac", ac(3)), testing::Not(Contains(HasSubstr("single precision"))));
+    // Our own readers have double.
+    for (const double at : {3.0, 1e6}) {
+        EXPECT_THAT(remarks("a.ply", ply(at)),
+                    testing::Not(Contains(HasSubstr("single precision"))));
+    }
 }

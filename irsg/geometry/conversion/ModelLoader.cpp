@@ -152,10 +152,10 @@ LoadedGraph loadSandboxed(const fs::path& place, const fs::path& file) {
         loaded.node = getGraph(source, file.string(), loaded.remarks);
         return loaded;
     } catch (const DamagedBytes& damage) {
-        throw InputError(
-            {file.string(), "",
-             "a file at which the reader of OpenSceneGraph gives " + std::string(damage.what()),
-             "a whole model"});
+        throw InputError({file.string(), "",
+                          "a file at which the reader of " + readerNameOf(file.string()) +
+                              " gives " + damage.what(),
+                          "a whole model"});
     }
 }
 

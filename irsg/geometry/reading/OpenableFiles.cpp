@@ -113,6 +113,10 @@ FormatReader modelReaderOf(const std::string& name) {
     return format ? format->reader : FormatReader::plugin;
 }
 
+std::string readerNameOf(const std::string& name) {
+    return modelReaderOf(name) == FormatReader::assimp ? "Assimp" : "OpenSceneGraph";
+}
+
 bool hasPlugin(const std::string& name) {
     const FileFormat* format = modelFormatOf(name);
     return format && *format->plugin;

@@ -38,6 +38,9 @@ std::span<const FileFormat> formatsOf(FileKind kind);
 
 /// Who reads the models of this name.
 FormatReader modelReaderOf(const std::string& name);
+/// What reads a file of this name apart from the program, for messages: "Assimp" or
+/// "OpenSceneGraph".
+std::string readerNameOf(const std::string& name);
 /// Whether a plug-in of OpenSceneGraph can read them.
 bool hasPlugin(const std::string& name);
 

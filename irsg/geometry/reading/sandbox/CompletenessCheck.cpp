@@ -1,9 +1,11 @@
 #include "irsg/geometry/reading/sandbox/CompletenessCheck.h"
+#include "irsg/geometry/reading/sandbox/GraphExtent.h"
 #include "irsg/geometry/reading/text/ModelText.h"
 
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
@@ -24,6 +26,16 @@ struct Shortage {
 
 using Remarks = std::vector<std::string>;
 
+/// Readers of others walk their file level by level and run out of stack; a graph may have
+/// mostLevels of them, each of which is at most two brackets, tags or objects in a file.
+constexpr long mostNested = 2 * mostLevels + 100;
+
+void checkDepth(long levels, std::size_t at) {
+    if (levels > mostNested)
+        refuse(at, "more than " + std::to_string(mostNested) + " levels in each other",
+               "a model in fewer levels");
+}
+
 /// Texts in quotation marks may hold brackets.
 void checkBrackets(std::string_view text, Remarks&) {
     long open = 0;
@@ -35,7 +47,7 @@ void checkBrackets(std::string_view text, Remarks&) {
         else if (text[i] == '"')
             quoted = !quoted;
         else if (!quoted && text[i] == '{')
-            ++open, last = i;
+            checkDepth(++open, last = i);
         else if (!quoted && text[i] == '}' && --open < 0)
             refuse(i, "a bracket \"}\" that nothing opened", "as many \"{\" before it");
     if (quoted)
@@ -47,6 +59,15 @@ void checkBrackets(std::string_view text, Remarks&) {
 }
 
 void checkTags(std::string_view text, Remarks&) {
+    long levels = 0;
+    for (auto at = text.find('<'); at != text.npos; at = text.find('<', at + 1)) {
+        const auto close = text.find('>', at);
+        const char next = at + 1 < text.size() ? text[at + 1] : '\0';
+        if (next == '/')
+            --levels;
+        else if (next != '?' && next != '!' && close != text.npos && text[close - 1] != '/')
+            checkDepth(++levels, at);
+    }
     const auto end = text.find_last_not_of(" \t\r\n");
     const auto begin = end == text.npos ? text.npos : text.rfind('<', end);
     if (begin == text.npos || text[end] != '>' || text.substr(begin, 2) != "</")
@@ -108,7 +129,8 @@ void checkForm(std::string_view bytes, Remarks&) {
 /// out are common; the file then ends behind a whole object.
 void checkObjects(std::string_view text, Remarks& remarks) {
     double objects = 1.0, surfaces = 0.0;
-    long open = 0; ///< objects whose last line, "kids", has not come
+    long open = 0;            ///< objects whose last line, "kids", has not come
+    std::vector<double> kids; ///< of the objects around a place: those that have not come
     std::size_t at = 0, lastCount = 0;
     const auto line = [&] {
         const std::size_t begin = at;
@@ -125,6 +147,10 @@ void checkObjects(std::string_view text, Remarks& remarks) {
         rest = rest.substr(0, rest.find_first_of(" \t\r\n"));
         const double count = parseNumber(rest).value_or(0.0);
         if (word == "OBJECT") {
+            while (!kids.empty() && kids.back() <= 0.0)
+                kids.pop_back();
+            if (!kids.empty())
+                kids.back() -= 1.0;
             objects -= 1.0;
             ++open;
             lastCount = begin;
@@ -132,6 +158,10 @@ void checkObjects(std::string_view text, Remarks& remarks) {
             surfaces -= 1.0;
         } else if (word == "kids" || word == "numsurf") {
             (word == "kids" ? objects : surfaces) += count;
+            if (word == "kids") {
+                kids.push_back(count);
+                checkDepth(static_cast<long>(kids.size()), begin);
+            }
             open -= word == "kids";
             lastCount = begin;
         } else if (word == "data") {
@@ -151,7 +181,8 @@ void checkObjects(std::string_view text, Remarks& remarks) {
     }
     const std::string_view last = text.substr(lastCount);
     const bool endsWhole = open == 0 && surfaces <= 0.0 && last.starts_with("kids ") &&
-                           last.find_first_of("0123456789") != last.npos;
+                           last.find_first_of("0123456789") != last.npos &&
+                           last.find_first_not_of(" \t\n", last.find('\n')) == last.npos;
     if (endsWhole && objects > 0.0)
         remarks.push_back("the file counts " + numberText(objects) +
                           " more objects than it has (kids): miscounted, or cut behind an object");

@@ -8,6 +8,7 @@
 #include "irsg/core/AppendUnique.h"
 #include "irsg/geometry/reading/sandbox/GltfBuffers.h"
 #include "irsg/geometry/reading/sandbox/GltfJson.h"
+#include "irsg/geometry/reading/sandbox/GraphExtent.h"
 
 namespace irsg {
 
@@ -205,17 +206,23 @@ class GltfText {
     /// Every node in one place: what holds itself would be read for ever.
     void checkTree() {
         std::vector<bool> placed(into_.nodes.size(), false);
-        std::vector<std::size_t> open = into_.roots;
+        std::vector<std::pair<std::size_t, int>> open; // with their levels
+        for (const std::size_t root : into_.roots)
+            open.emplace_back(root, 1);
         while (!open.empty()) {
-            const std::size_t node = open.back();
+            const auto [node, level] = open.back();
             open.pop_back();
+            if (level > mostLevels)
+                json_.refuse("nodes." + std::to_string(node),
+                             "a node in more than " + std::to_string(mostLevels) + " levels",
+                             "a model in fewer levels");
             if (placed[node])
                 json_.refuse("nodes." + std::to_string(node), "a node in two places",
                              "nodes in a tree");
             placed[node] = true;
             placed_.push_back(node);
-            const auto& children = into_.nodes[node].children;
-            open.insert(open.end(), children.begin(), children.end());
+            for (const std::size_t child : into_.nodes[node].children)
+                open.emplace_back(child, level + 1);
         }
     }
 

@@ -188,14 +188,15 @@ class ReaderProcess::Child {
 
 namespace {
 
-std::string endText(int status, const ReadingLimits& limits) {
+std::string endText(int status, const ReadingLimits& limits, const fs::path& file) {
+    const std::string reader = "the reader of " + readerNameOf(file.string());
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF)
         return "a file whose reading takes more than " + numberText(limits.processor_s) +
                " s of processor time";
     if (WIFSIGNALED(status))
-        return "a file at which the reader of OpenSceneGraph crashes (" +
+        return "a file at which " + reader + " crashes (" +
                std::string(strsignal(WTERMSIG(status))) + ")";
-    return "a file at which the reader of OpenSceneGraph gives up (exit code " +
+    return "a file at which " + reader + " gives up (exit code " +
            std::to_string(WEXITSTATUS(status)) + ")";
 }
 
@@ -269,7 +270,7 @@ ReaderAnswer ReaderProcess::read(FileKind kind, const fs::path& place, const fs:
             refuseReading(file, kind,
                           "a file whose reading takes more than " + numberText(limits.wall_s()) +
                               " s");
-        refuseReading(file, kind, endText(child->awaitEnd(), limits));
+        refuseReading(file, kind, endText(child->awaitEnd(), limits, file));
     }
     if (head.refused)
         throwRefusal(answer.bytes());

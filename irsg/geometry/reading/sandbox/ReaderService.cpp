@@ -90,7 +90,7 @@ ByteSink answer(FileKind kind, const std::string& place, const std::string& name
     } catch (const std::bad_alloc&) {
         return refuse("a file whose reading takes more memory than a file of its size may");
     } catch (const std::exception& error) {
-        return refuse("a file that OpenSceneGraph cannot read (" + std::string(error.what()) + ")");
+        return refuse("a file that " + readerNameOf(name) + " cannot read (" + error.what() + ")");
     }
 }
 

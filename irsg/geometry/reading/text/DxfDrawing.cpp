@@ -22,32 +22,56 @@ struct DrawingUnit {
     const char* name;
 };
 /// By the number of $INSUNITS; 0 states none.
-constexpr DrawingUnit units[] = {
-    {0.0, "none"},        {0.0254, "inches"},      {0.3048, "feet"},     {1609.344, "miles"},
-    {0.001, "millimetres"}, {0.01, "centimetres"}, {1.0, "metres"},      {1000.0, "kilometres"},
-    {2.54e-8, "microinches"}, {2.54e-5, "mils"},   {0.9144, "yards"},    {1e-10, "angstroms"},
-    {1e-9, "nanometres"}, {1e-6, "microns"},       {0.1, "decimetres"},  {10.0, "decametres"},
-    {100.0, "hectometres"}, {1e9, "gigametres"},   {1.495978707e11, "astronomical units"},
-    {9.4607304725808e15, "light years"}, {3.0856775814913673e16, "parsecs"},
-    {1200.0 / 3937.0, "US survey feet"}, {100.0 / 3937.0, "US survey inches"},
-    {3600.0 / 3937.0, "US survey yards"}, {5280.0 * 1200.0 / 3937.0, "US survey miles"}};
+constexpr DrawingUnit units[] = {{0.0, "none"},
+                                 {0.0254, "inches"},
+                                 {0.3048, "feet"},
+                                 {1609.344, "miles"},
+                                 {0.001, "millimetres"},
+                                 {0.01, "centimetres"},
+                                 {1.0, "metres"},
+                                 {1000.0, "kilometres"},
+                                 {2.54e-8, "microinches"},
+                                 {2.54e-5, "mils"},
+                                 {0.9144, "yards"},
+                                 {1e-10, "angstroms"},
+                                 {1e-9, "nanometres"},
+                                 {1e-6, "microns"},
+                                 {0.1, "decimetres"},
+                                 {10.0, "decametres"},
+                                 {100.0, "hectometres"},
+                                 {1e9, "gigametres"},
+                                 {1.495978707e11, "astronomical units"},
+                                 {9.4607304725808e15, "light years"},
+                                 {3.0856775814913673e16, "parsecs"},
+                                 {1200.0 / 3937.0, "US survey feet"},
+                                 {100.0 / 3937.0, "US survey inches"},
+                                 {3600.0 / 3937.0, "US survey yards"},
+                                 {5280.0 * 1200.0 / 3937.0, "US survey miles"}};
 
 /// What hides its faces in the language of a solid modeller, or needs a subdivision.
-constexpr std::string_view otherSurfaces[] = {
-    "3DSOLID",         "BODY",           "REGION",          "SURFACE",     "PLANESURFACE",
-    "EXTRUDEDSURFACE", "REVOLVEDSURFACE", "LOFTEDSURFACE", "SWEPTSURFACE", "MESH", "HATCH"};
+constexpr std::string_view otherSurfaces[] = {"3DSOLID",
+                                              "BODY",
+                                              "REGION",
+                                              "SURFACE",
+                                              "PLANESURFACE",
+                                              "EXTRUDEDSURFACE",
+                                              "REVOLVEDSURFACE",
+                                              "LOFTEDSURFACE",
+                                              "SWEPTSURFACE",
+                                              "MESH",
+                                              "HATCH"};
 
 /// The values of an entity, as far as surfaces need them.
 struct Entity {
     std::string kind, layer, name;
-    std::array<osg::Vec3d, 4> corners;    ///< codes 10 to 13 with 20 and 30
-    std::array<bool, 4> given{};          ///< which of them
-    osg::Vec3d extrusion{0, 0, 1};        ///< 210
-    std::array<double, 10> reals{};       ///< codes 40 to 49
+    std::array<osg::Vec3d, 4> corners; ///< codes 10 to 13 with 20 and 30
+    std::array<bool, 4> given{};       ///< which of them
+    osg::Vec3d extrusion{0, 0, 1};     ///< 210
+    std::array<double, 10> reals{};    ///< codes 40 to 49
     std::array<bool, 10> hasReal{};
-    double angle_deg = 0.0;               ///< 50
-    double thickness = 0.0;               ///< 39
-    std::array<int, 10> wholes{};         ///< codes 70 to 79
+    double angle_deg = 0.0;       ///< 50
+    double thickness = 0.0;       ///< 39
+    std::array<int, 10> wholes{}; ///< codes 70 to 79
     bool invisible = false, onPaper = false;
 };
 
@@ -59,7 +83,8 @@ osg::Matrixd planeOf(osg::Vec3d z) {
     z.normalize();
     constexpr double near = 1.0 / 64.0;
     osg::Vec3d x = (std::abs(z.x()) < near && std::abs(z.y()) < near ? osg::Vec3d(0, 1, 0)
-                                                                    : osg::Vec3d(0, 0, 1)) ^ z;
+                                                                     : osg::Vec3d(0, 0, 1)) ^
+                   z;
     x.normalize();
     const osg::Vec3d y = z ^ x;
     return {x.x(), x.y(), x.z(), 0, y.x(), y.y(), y.z(), 0, z.x(), z.y(), z.z(), 0, 0, 0, 0, 1};
@@ -67,7 +92,8 @@ osg::Matrixd planeOf(osg::Vec3d z) {
 
 class DrawingReader {
   public:
-    DrawingReader(std::string_view text, const std::string& file) : pairs_(text, file), file_(file) {}
+    DrawingReader(std::string_view text, const std::string& file)
+        : pairs_(text, file), file_(file) {}
 
     DxfDrawing read() {
         advance();
@@ -239,9 +265,7 @@ class DrawingReader {
     }
 
     void addInsertions(const Entity& entity, DxfDrawing::Block& into) {
-        const auto scale = [&](std::size_t i) {
-            return entity.hasReal[i] ? entity.reals[i] : 1.0;
-        };
+        const auto scale = [&](std::size_t i) { return entity.hasReal[i] ? entity.reals[i] : 1.0; };
         const auto copies = [&](std::size_t i) { return std::max(1, entity.wholes[i]); };
         const double columns = copies(0), rows = copies(1);
         if (columns * rows > 1e6)
@@ -302,8 +326,7 @@ class DrawingReader {
         }
     }
 
-    void addGrid(const Entity& line, const std::vector<Entity>& vertices,
-                 DxfDrawing::Block& into) {
+    void addGrid(const Entity& line, const std::vector<Entity>& vertices, DxfDrawing::Block& into) {
         // Of a smoothed surface the smooth vertices, not those that steer it.
         const bool smooth = line.wholes[0] & 4;
         std::vector<osg::Vec3d> places;
@@ -331,8 +354,9 @@ class DrawingReader {
     void tell() {
         std::string lines, surfaces;
         for (const auto& [kind, count] : leftOut_) {
-            std::string& list =
-                std::ranges::find(otherSurfaces, kind) == std::end(otherSurfaces) ? lines : surfaces;
+            std::string& list = std::ranges::find(otherSurfaces, kind) == std::end(otherSurfaces)
+                                    ? lines
+                                    : surfaces;
             list += (list.empty() ? "" : ", ") + std::to_string(count) + " " + kind;
         }
         const auto say = [&](const std::string& what, const char* why) {

@@ -22,8 +22,7 @@ namespace {
 
 class DrawingGraph {
   public:
-    DrawingGraph(DxfDrawing& drawing, const std::string& file)
-        : drawing_(drawing), file_(file) {}
+    DrawingGraph(DxfDrawing& drawing, const std::string& file) : drawing_(drawing), file_(file) {}
 
     osg::ref_ptr<osg::Node> make() { return groupOf(drawing_.model, 0).group; }
 
@@ -132,8 +131,8 @@ LoadedGraph readDxf(const std::filesystem::path& file) {
         throw InputError({name, "byte 0", "a drawing in binary numbers", "a drawing as text"});
     const std::string text = plainText(std::move(bytes), name);
     if (const auto zero = text.find('\0'); zero != text.npos)
-        throw InputError({name, "byte " + std::to_string(zero), "a zero byte",
-                          "a drawing, which is a text"});
+        throw InputError(
+            {name, "byte " + std::to_string(zero), "a zero byte", "a drawing, which is a text"});
     DxfDrawing drawing = readDxfDrawing(text, name);
     LoadedGraph loaded;
     loaded.node = DrawingGraph(drawing, name).make();

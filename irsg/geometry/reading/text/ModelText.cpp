@@ -61,8 +61,9 @@ std::string converted(std::string_view bytes, const Encoding& encoding, const st
             refuse(at, "the end of the file within a character");
         std::uint32_t value = 0;
         for (std::size_t i = 0; i < encoding.unit_B; ++i)
-            value = value << 8 | static_cast<unsigned char>(
-                                     bytes[at + (encoding.bigEndian ? i : encoding.unit_B - 1 - i)]);
+            value =
+                value << 8 | static_cast<unsigned char>(
+                                 bytes[at + (encoding.bigEndian ? i : encoding.unit_B - 1 - i)]);
         return value;
     };
     const auto isHalf = [](std::uint32_t value) { return value >= 0xD800 && value < 0xE000; };

@@ -15,11 +15,11 @@ namespace {
 using Type = PlyHead::Type;
 
 constexpr std::pair<std::string_view, Type> types[] = {
-    {"char", Type::int8},     {"int8", Type::int8},       {"uchar", Type::uint8},
-    {"uint8", Type::uint8},   {"short", Type::int16},     {"int16", Type::int16},
-    {"ushort", Type::uint16}, {"uint16", Type::uint16},   {"int", Type::int32},
-    {"int32", Type::int32},   {"uint", Type::uint32},     {"uint32", Type::uint32},
-    {"float", Type::float32}, {"float32", Type::float32}, {"double", Type::float64},
+    {"char", Type::int8},      {"int8", Type::int8},       {"uchar", Type::uint8},
+    {"uint8", Type::uint8},    {"short", Type::int16},     {"int16", Type::int16},
+    {"ushort", Type::uint16},  {"uint16", Type::uint16},   {"int", Type::int32},
+    {"int32", Type::int32},    {"uint", Type::uint32},     {"uint32", Type::uint32},
+    {"float", Type::float32},  {"float32", Type::float32}, {"double", Type::float64},
     {"float64", Type::float64}};
 
 class HeadReader {
@@ -110,7 +110,8 @@ class HeadReader {
     }
 
     Type typeOf(std::string_view word) const {
-        const auto* type = std::ranges::find(types, word, &std::pair<std::string_view, Type>::first);
+        const auto* type =
+            std::ranges::find(types, word, &std::pair<std::string_view, Type>::first);
         if (type == std::end(types))
             refuse(quoted(word), "a type of number such as float or uchar");
         return type->second;

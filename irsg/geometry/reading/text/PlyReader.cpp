@@ -37,10 +37,9 @@ class Numbers {
     std::size_t left_B() const { return bytes_.size() - at_; }
     bool isText() const { return form_ == PlyHead::Form::text; }
     [[noreturn]] void refuse(std::string value, std::string expected) const {
-        throw InputError({file_,
-                          isText() ? "line " + std::to_string(line_)
-                                   : "byte " + std::to_string(at_),
-                          std::move(value), std::move(expected)});
+        throw InputError(
+            {file_, isText() ? "line " + std::to_string(line_) : "byte " + std::to_string(at_),
+             std::move(value), std::move(expected)});
     }
 
   private:
@@ -60,7 +59,9 @@ class Numbers {
             refuse(quoted(text), "a number");
         return value;
     }
-    static bool isBlank(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\v' || c == '\f'; }
+    static bool isBlank(char c) {
+        return c == ' ' || c == '\n' || c == '\t' || c == '\v' || c == '\f';
+    }
 
     template <typename Number>
     double as(const std::array<char, 8>& bytes) const {
@@ -205,7 +206,8 @@ class PlyFile {
                 const PlyHead::Property& property = element.properties[k];
                 const auto& numbers = list(property);
                 if (values[k] >= 0)
-                    value[static_cast<std::size_t>(values[k])] = numbers[0] * scaleOf(values[k], property.type);
+                    value[static_cast<std::size_t>(values[k])] =
+                        numbers[0] * scaleOf(values[k], property.type);
             }
             for (const VertexValue axis : {x, y, z})
                 if (!std::isfinite(value[axis]))
@@ -226,14 +228,12 @@ class PlyFile {
     static double scaleOf(int value, Type type) {
         if (value < red || value > alpha)
             return 1.0;
-        return type == Type::uint8    ? 1.0 / 255.0
-               : type == Type::uint16 ? 1.0 / 65535.0
-                                      : 1.0;
+        return type == Type::uint8 ? 1.0 / 255.0 : type == Type::uint16 ? 1.0 / 65535.0 : 1.0;
     }
 
     void leftOut(const std::string& element, const std::string& property) {
-        appendUnique(remarks_, "property " + irsg::quoted(property) + " of each " + element +
-                                   " is left out");
+        appendUnique(remarks_,
+                     "property " + irsg::quoted(property) + " of each " + element + " is left out");
     }
 
     void readFaces(const PlyHead::Element& element) {
@@ -244,8 +244,8 @@ class PlyFile {
                 (property.name == "vertex_indices" || property.name == "vertex_index"))
                 indices = &property;
         if (!indices && element.count > 0)
-            throw InputError({file_, "line " + std::to_string(head_.lines),
-                              "faces without corners", "property list ... vertex_indices"});
+            throw InputError({file_, "line " + std::to_string(head_.lines), "faces without corners",
+                              "property list ... vertex_indices"});
         for (const PlyHead::Property& property : element.properties)
             if (&property != indices)
                 leftOut(element.name, property.name);

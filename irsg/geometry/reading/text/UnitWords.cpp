@@ -29,9 +29,9 @@ constexpr NamedUnit known[] = {
 
 /// Behind one of these a unit may be named.
 constexpr std::string_view announcing[] = {
-    "unit",       "units",        "dimension", "dimensions", "length",   "lengths", "coordinate",
-    "coordinates", "measurement", "measurements", "scale",   "size",     "sizes",   "measured",
-    "distances",   "modelled", "modeled"};
+    "unit",       "units",       "dimension",   "dimensions",   "length", "lengths",
+    "coordinate", "coordinates", "measurement", "measurements", "scale",  "size",
+    "sizes",      "measured",    "distances",   "modelled",     "modeled"};
 
 std::optional<double> unitOf(std::string_view word) {
     for (const NamedUnit& unit : known)
@@ -54,13 +54,13 @@ std::vector<std::string> wordsOf(const std::string& line) {
     for (std::size_t at = 0; at < line.size();) {
         std::size_t end = at + 1;
         if (isLetter(line[at]))
-            end = static_cast<std::size_t>(std::find_if_not(line.begin() + static_cast<long>(at),
-                                                            line.end(), isLetter) -
-                                           line.begin());
+            end = static_cast<std::size_t>(
+                std::find_if_not(line.begin() + static_cast<long>(at), line.end(), isLetter) -
+                line.begin());
         else if (isOfNumber(line[at]))
-            end = static_cast<std::size_t>(std::find_if_not(line.begin() + static_cast<long>(at),
-                                                            line.end(), isOfNumber) -
-                                           line.begin());
+            end = static_cast<std::size_t>(
+                std::find_if_not(line.begin() + static_cast<long>(at), line.end(), isOfNumber) -
+                line.begin());
         if (line[at] != ' ' && line[at] != '\t')
             words.push_back(line.substr(at, end - at));
         at = end;
@@ -91,8 +91,7 @@ std::optional<UnitInWords> unitInWords(std::string_view line) {
         const auto times = i > 0 ? parseNumber(words[i - 1]) : std::nullopt;
         const UnitInWords said{*unit_m * times.value_or(1.0),
                                (times ? words[i - 1] + " " : "") + words[i]};
-        if (!(said.unit_m >= 1e-6 && said.unit_m <= 1e6) ||
-            (found && found->unit_m != said.unit_m))
+        if (!(said.unit_m >= 1e-6 && said.unit_m <= 1e6) || (found && found->unit_m != said.unit_m))
             return std::nullopt;
         found = said;
     }
