@@ -368,6 +368,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Refusal{"NegativeTemperature",
                             [](Stage& s) { replaceDatabase(s, greyDatabase(0.9, -4.0)); },
                             "temperature index 1", "positive temperature"},
+                    Refusal{"TemperatureOfNoSurface",
+                            [](Stage& s) { replaceDatabase(s, greyDatabase(0.9, 2e5)); },
+                            "temperature index 1", "at most 100000 K"},
                     Refusal{"UnknownUserSpectrum",
                             [](Stage& s) {
                                 SignatureDatabase d = greyDatabase(0.9, 300.0);

@@ -154,6 +154,30 @@ TEST(ModelPlacing, GuessesAnAircraftFromItsShape) {
     }
 }
 
+TEST(ModelPlacing, FindsTheTailBeneathAHighWingAndAPropeller) {
+    // A high wing at the front, a canopy above it and the disc of a propeller: the front half is
+    // the higher one, and the fin is low.
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    addBox(*group, {-0.5f, -6.0f, -0.5f}, {0.5f, 3.0f, 0.5f});
+    addBox(*group, {-5.0f, -0.5f, 1.2f}, {5.0f, 1.0f, 1.4f});
+    addBox(*group, {-0.4f, -1.0f, 0.5f}, {0.4f, 0.5f, 1.6f});
+    addBox(*group, {-1.2f, 3.0f, -1.2f}, {1.2f, 3.05f, 1.2f});
+    addBox(*group, {-1.8f, -6.0f, 0.3f}, {1.8f, -5.2f, 0.4f});
+    addBox(*group, {-0.1f, -6.0f, 0.5f}, {0.1f, -5.0f, 1.5f});
+    for (const ModelAxis nose : {ModelAxis::plusX, ModelAxis::minusX, ModelAxis::plusZ}) {
+        const auto guess =
+            guessPlacing(loaded(asFile(*group, whole(ModelAxis::plusY, nose, 1.0))), "high wing");
+        EXPECT_EQ(guess.placing.nose, nose);
+    }
+}
+
+TEST(ModelPlacing, AModelOfAc3dHasYUpWhereItsShapeDoesNotTell) {
+    osg::ref_ptr<osg::Group> cube = new osg::Group;
+    addBox(*cube, {-1, -1, -1}, {1, 1, 1});
+    EXPECT_EQ(guessPlacing(loaded(cube), "cube.ac").placing.up, ModelAxis::plusY);
+    EXPECT_EQ(guessPlacing(loaded(cube), "cube.lwo").placing.up, ModelAxis::plusZ);
+}
+
 TEST(ModelPlacing, BelievesTheFileBeforeTheShapeAndSaysSo) {
     const FileAxes stated{.unit_m = 0.3048,
                           .up = ModelAxis::plusX,

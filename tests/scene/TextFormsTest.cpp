@@ -146,8 +146,10 @@ TEST(TextForms, HaveTheirWordsInAnyCaseWhereTheFormatSays) {
     EXPECT_NEAR(areaOf(stranger("upper.stl")), 22.0, 1e-5);
     EXPECT_THAT(namesOfKind(stranger("upper.stl"), 1), Contains("HULL"));
     std::string mixed = twoPlates().at("stl");
-    for (const auto& [from, to] : {std::pair{"solid", "Solid"}, {"facet", "FaCet"},
-                                   {"vertex", "VERTEX"}, {"endsolid", "EndSolid"}}) {
+    for (const auto& [from, to] : {std::pair{"solid", "Solid"},
+                                   {"facet", "FaCet"},
+                                   {"vertex", "VERTEX"},
+                                   {"endsolid", "EndSolid"}}) {
         for (auto at = mixed.find(from); at != mixed.npos; at = mixed.find(from, at + 1)) {
             mixed.replace(at, std::string(from).size(), to);
         }
@@ -219,8 +221,9 @@ TEST(Collada, HasBlanksAndCommentsWhereXmlHasThem) {
     EXPECT_NEAR(areaOf("dae", with("<p>", "<p>\n  ")), 5.0, 1e-5);
     EXPECT_NEAR(areaOf("dae", with("</p>", "\n\t</p>")), 5.0, 1e-5);
     EXPECT_NEAR(areaOf("dae", with("<p>", "<p><!-- corners -->")), 5.0, 1e-5);
-    const auto graph = loadGraphAsIs(
-        writtenFile(ownFolder() / "b.dae", with("<up_axis>", "<up_axis> \n")), LoadPurpose::infrared);
+    const auto graph =
+        loadGraphAsIs(writtenFile(ownFolder() / "b.dae", with("<up_axis>", "<up_axis> \n")),
+                      LoadPurpose::infrared);
     EXPECT_EQ(graph.axes.up, ModelAxis::plusZ);
 }
 
@@ -233,13 +236,12 @@ TEST(Units, AreThoseThatAFileStates) {
         const char* number;
         std::optional<double> unit_m;
     };
-    for (const Row& row : {Row{"0", std::nullopt}, Row{"1", 0.0254}, Row{"2", 0.3048},
-                           Row{"5", 0.01}, Row{"6", 1.0}, Row{"7", 1000.0}, Row{"10", 0.9144},
-                           Row{"14", 0.1}, Row{"13", 1e-6}, Row{"18", std::nullopt},
-                           Row{"99", std::nullopt}, Row{"-1", std::nullopt}}) {
+    for (const Row& row :
+         {Row{"0", std::nullopt}, Row{"1", 0.0254}, Row{"2", 0.3048}, Row{"5", 0.01}, Row{"6", 1.0},
+          Row{"7", 1000.0}, Row{"10", 0.9144}, Row{"14", 0.1}, Row{"13", 1e-6},
+          Row{"18", std::nullopt}, Row{"99", std::nullopt}, Row{"-1", std::nullopt}}) {
         const std::string text = "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n" +
-                                 std::string(row.number) + "\n0\nENDSEC\n" +
-                                 twoPlates().at("dxf");
+                                 std::string(row.number) + "\n0\nENDSEC\n" + twoPlates().at("dxf");
         const auto graph =
             loadGraphAsIs(writtenFile(ownFolder() / "a.dxf", text), LoadPurpose::infrared);
         EXPECT_EQ(graph.axes.unit_m, row.unit_m) << row.number;
@@ -277,11 +279,11 @@ TEST(Units, InWordsAreFoundBehindAWordThatAnnouncesThem) {
     };
     for (const Row& row :
          {Row{"# File units = millimeters", 0.001}, Row{"UNITS=mm", 0.001},
-          Row{"Units: Inches", 0.0254}, Row{"all dimensions in metres", 1.0},
-          Row{"unit m", 1.0}, Row{"1 unit = 0.01 m", 0.01}, Row{"1 unit = 10 mm", 0.01},
-          Row{"scale: feet", 0.3048}, Row{"units in in", 0.0254}, Row{"units_cm", 0.01},
-          Row{"lengths are in km", 1000.0}, Row{"units", 0.0}, Row{"made in Meter street", 0.0},
-          Row{"5 m long", 0.0}, Row{"10 units per metre", 0.0}, Row{"units: mm to metres", 0.0},
+          Row{"Units: Inches", 0.0254}, Row{"all dimensions in metres", 1.0}, Row{"unit m", 1.0},
+          Row{"1 unit = 0.01 m", 0.01}, Row{"1 unit = 10 mm", 0.01}, Row{"scale: feet", 0.3048},
+          Row{"units in in", 0.0254}, Row{"units_cm", 0.01}, Row{"lengths are in km", 1000.0},
+          Row{"units", 0.0}, Row{"made in Meter street", 0.0}, Row{"5 m long", 0.0},
+          Row{"10 units per metre", 0.0}, Row{"units: mm to metres", 0.0},
           Row{"unit cube in the middle", 0.0}, Row{"", 0.0}}) {
         const auto found = unitInWords(row.line);
         EXPECT_EQ(found.has_value(), row.unit_m > 0.0) << row.line;
@@ -296,12 +298,13 @@ TEST(Refusals, OfModelsWithoutFacesSayWhatWasLeftOut) {
              [] { Model::load(stranger("pages-only.osgt")); },
              [] { placingGuess(stranger("pages-only.osgt")); },
              [] { namesOf(stranger("pages-only.osgt"), ModelCodes()); }}) {
-        EXPECT_THAT(refusalOf(act), HasSubstr("refers to the page sq2.osgt, which is left out: pages "
-                                              "are not read"));
+        EXPECT_THAT(refusalOf(act),
+                    HasSubstr("refers to the page sq2.osgt, which is left out: pages "
+                              "are not read"));
     }
-    const fs::path lines = writtenFile(
-        ownFolder() / "lines.dxf",
-        "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n11\n1\n0\n3DSOLID\n8\n0\n0\nENDSEC\n0\nEOF\n");
+    const fs::path lines =
+        writtenFile(ownFolder() / "lines.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n11\n"
+                                               "1\n0\n3DSOLID\n8\n0\n0\nENDSEC\n0\nEOF\n");
     EXPECT_THAT(refusalOf([&] { Model::load(lines); }),
                 AllOf(HasSubstr("1 LINE have no faces"), HasSubstr("1 3DSOLID are left out")));
 }

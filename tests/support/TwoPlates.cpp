@@ -13,9 +13,10 @@ namespace {
 
 const std::vector<osg::Vec3d> corners = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0},
                                          {0, 0, 1}, {3, 0, 1}, {3, 1, 1}, {0, 1, 1}};
-const char* const objText = "mtllib none.mtl\nv 0 0 0\nv 2 0 0\nv 2 0 1\nv 0 0 1\nv 0 1 0\nv 3 1 0\n"
-                            "v 3 1 1\nv 0 1 1\no Hull\nusemtl PaintGrey\nf 1 2 3 4\no Exhaust\n"
-                            "usemtl HotPipe\nf 5 6 7 8\n";
+const char* const objText =
+    "mtllib none.mtl\nv 0 0 0\nv 2 0 0\nv 2 0 1\nv 0 0 1\nv 0 1 0\nv 3 1 0\n"
+    "v 3 1 1\nv 0 1 1\no Hull\nusemtl PaintGrey\nf 1 2 3 4\no Exhaust\n"
+    "usemtl HotPipe\nf 5 6 7 8\n";
 
 std::string stlText() {
     std::string text;
@@ -51,7 +52,8 @@ std::string acText() {
     std::ostringstream text;
     text << "AC3Db\n";
     for (const char* name : {"PaintGrey", "HotPipe"}) {
-        text << "MATERIAL \"" << name << "\" rgb 1 0 0 amb 1 0 0 emis 0 0 0 spec 0 0 0 shi 1 trans 0\n";
+        text << "MATERIAL \"" << name
+             << "\" rgb 1 0 0 amb 1 0 0 emis 0 0 0 spec 0 0 0 shi 1 trans 0\n";
     }
     text << "OBJECT world\nkids 2\n";
     for (unsigned int part = 0; part < 2; ++part) {
@@ -73,8 +75,10 @@ std::string dxfText() {
         text << "0\n3DFACE\n8\n" << (part == 0 ? "Hull" : "Exhaust") << "\n";
         for (unsigned int i = 0; i < 4; ++i) {
             const osg::Vec3d& place = corners[4 * part + i];
-            text << "1" << i << "\n" << place.x() << "\n2" << i << "\n" << place.y() << "\n3" << i
-                 << "\n" << place.z() << "\n";
+            text << "1" << i << "\n"
+                 << place.x() << "\n2" << i << "\n"
+                 << place.y() << "\n3" << i << "\n"
+                 << place.z() << "\n";
         }
     }
     text << "0\nENDSEC\n0\nEOF\n";
@@ -137,14 +141,13 @@ std::string gltfText() {
     for (unsigned int part = 0; part < 2; ++part) {
         const std::vector<osg::Vec3d> places(corners.begin() + 4 * part,
                                              corners.begin() + 4 * part + 4);
-        const auto material = writer.material({{"name", part == 0 ? "PaintGrey" : "HotPipe"},
-                                               {"doubleSided", true}});
+        const auto material =
+            writer.material({{"name", part == 0 ? "PaintGrey" : "HotPipe"}, {"doubleSided", true}});
         const auto positions = writer.positions(places);
-        const auto mesh = writer.mesh(
-            part == 0 ? "HullMesh" : "ExhaustMesh",
-            {{"attributes", {{"POSITION", positions}}},
-             {"indices", writer.indices({0, 1, 2, 0, 2, 3})},
-             {"material", material}});
+        const auto mesh = writer.mesh(part == 0 ? "HullMesh" : "ExhaustMesh",
+                                      {{"attributes", {{"POSITION", positions}}},
+                                       {"indices", writer.indices({0, 1, 2, 0, 2, 3})},
+                                       {"material", material}});
         writer.node({{"name", part == 0 ? "Hull" : "Exhaust"}, {"mesh", mesh}});
     }
     return writer.text();
@@ -153,19 +156,18 @@ std::string gltfText() {
 } // namespace
 
 const std::map<std::string, std::string>& twoPlates() {
-    static const std::map<std::string, std::string> texts = {
-        {"obj", objText},
-        {"stl", stlText()},
-        {"ply", plyText()},
-        {"ac", acText()},
-        {"dxf", dxfText()},
-        {"x", xText},
-        {"osg", sceneText("osg", "")},
-        {"osgt", sceneText("osgt", "Ascii")},
-        {"osgx", sceneText("osgx", "XML")},
-        {"dae", colladaText()},
-        {"fbx", fbxText()},
-        {"gltf", gltfText()}};
+    static const std::map<std::string, std::string> texts = {{"obj", objText},
+                                                             {"stl", stlText()},
+                                                             {"ply", plyText()},
+                                                             {"ac", acText()},
+                                                             {"dxf", dxfText()},
+                                                             {"x", xText},
+                                                             {"osg", sceneText("osg", "")},
+                                                             {"osgt", sceneText("osgt", "Ascii")},
+                                                             {"osgx", sceneText("osgx", "XML")},
+                                                             {"dae", colladaText()},
+                                                             {"fbx", fbxText()},
+                                                             {"gltf", gltfText()}};
     return texts;
 }
 

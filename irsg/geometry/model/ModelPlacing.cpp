@@ -6,9 +6,11 @@
 #include <cstdio>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/Wording.h"
 #include "irsg/geometry/conversion/GeometryCollector.h"
 #include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/geometry/conversion/OsgValues.h"
+#include "irsg/geometry/model/TailSearch.h"
 #include "irsg/geometry/reading/NoFaces.h"
 
 namespace irsg {
@@ -95,20 +97,6 @@ double along(const Vec3& v, int line) {
     return line == 0 ? v.x : line == 1 ? v.y : v.z;
 }
 
-/// The highest points of the two halves along the nose's line: where the tail is.
-std::pair<double, double> heightsOfHalves(const SurfaceMesh& mesh, const BoundingBox& box,
-                                          int noseLine, const osg::Vec3d& up) {
-    std::pair<double, double> heights{-HUGE_VAL, -HUGE_VAL};
-    const double middle = along(box.centre(), noseLine);
-    for (const auto& [kind, part] : mesh.parts())
-        for (const Float3& vertex : part.vertices) {
-            const osg::Vec3d place(toOsg(vertex));
-            double& height = place[noseLine] > middle ? heights.second : heights.first;
-            height = std::max(height, place * up);
-        }
-    return heights;
-}
-
 std::string unitName(double unit_m) {
     for (const ModelUnit& unit : modelUnits)
         if (std::abs(unit.unit_m - unit_m) < 1e-9 * unit_m)
@@ -155,6 +143,9 @@ PlacingGuess guessOf(const SurfaceMesh& mesh, const LoadedGraph& graph, const st
         guess.reasons.push_back("up is " + nameOf(*placing.up) +
                                 ": the model is its own mirror image along " +
                                 nameOf(axisAlong(least)).substr(1) + " and lower than it is long");
+    } else if (lowerCase(std::filesystem::path(file).extension().string()) == ".ac") {
+        placing.up = ModelAxis::plusY;
+        guess.reasons.push_back("up is +y, as AC3D has it: the shape does not tell");
     } else {
         placing.up = ModelAxis::plusZ;
         guess.reasons.push_back("up is +z: neither the file nor the shape tells");
@@ -173,19 +164,20 @@ PlacingGuess guessOf(const SurfaceMesh& mesh, const LoadedGraph& graph, const st
         if (std::min(first, last) < 0.02 && 3.0 * std::min(first, last) < std::max(first, last)) {
             noseLine = first < last ? other : one;
             why = "the model is its own mirror image across it";
+        } else if (std::min(first, last) < 0.15 &&
+                   2.0 * std::min(first, last) < std::max(first, last)) {
+            // Doors, pitot tubes and pilots stand on one side; wings are longer than hulls.
+            noseLine = first < last ? other : one;
+            why = "the model is nearly its own mirror image across it";
         } else if (std::max(along(size, one), along(size, other)) >
                    1.2 * std::min(along(size, one), along(size, other))) {
             noseLine = along(size, one) > along(size, other) ? one : other;
             why = "the model is longest along it";
         }
-        const auto [negative, positive] =
-            heightsOfHalves(mesh, box, noseLine, directionOf(*placing.up));
-        const double height = along(size, upLine);
-        bool backwards = false;
-        if (std::abs(positive - negative) > 0.15 * height) {
-            backwards = positive > negative;
-            why += ", and its other half is the higher one, as of a tail";
-        }
+        const double tail = tailTowards(mesh, box, noseLine, upLine, isNegative(*placing.up));
+        const bool backwards = tail > 0.02;
+        if (std::abs(tail) > 0.02)
+            why += ", and its other end is higher, wider or has a fin, as a tail does";
         placing.nose = axisAlong(noseLine, backwards);
         guess.reasons.push_back("the nose points along " + nameOf(*placing.nose) + ": " + why);
     }

@@ -23,8 +23,8 @@ ModelPlacing completed(const ModelPlacing& placing, const FileAxes& axes, const 
 Matrix4 turnAndScale(const ModelPlacing& completed);
 
 /// Looks at a graph as it was loaded. The plane of symmetry tells starboard from nose and up, the
-/// longer of the two is the length, the higher half of an aircraft its tail; the unit is the
-/// one that makes it 0.5 to 500 m long. Throws InputError as GeometryCollector does.
+/// longer of the two is the length, the end with a fin, or the higher and wider one, its tail; the
+/// unit is the one that makes it 0.5 to 500 m long. Throws InputError as GeometryCollector does.
 PlacingGuess guessPlacing(const LoadedGraph& graph, const std::string& file);
 
 /// A model as its file has it, to try placings on before it is read for good.
