@@ -25,8 +25,17 @@ using nlohmann::ordered_json;
 struct CompareOptions {
     explicit CompareOptions(CLI::App& command) : numbers(command) {}
 
-    std::string fileA, fileB, channel;
+    std::string fileA, fileB, channel, channelA, channelB;
+    std::string part, partA, partB;
+    std::optional<int> page, pageA, pageB;
     std::vector<std::string> rectangles, out;
+
+    irsg::ImageReading readingA() const {
+        return {partA.empty() ? part : partA, pageA ? pageA : page};
+    }
+    irsg::ImageReading readingB() const {
+        return {partB.empty() ? part : partB, pageB ? pageB : page};
+    }
     NumberOptions numbers;
 };
 
@@ -151,6 +160,8 @@ int compare(const CompareOptions& options, Context& context) {
     compared.fail = levelOf(options.numbers, "fail");
     compared.warn = levelOf(options.numbers, "warn");
     compared.channel = options.channel;
+    compared.channelA = options.channelA;
+    compared.channelB = options.channelB;
     compared.nameA = options.fileA;
     compared.nameB = options.fileB;
     compared.check();
@@ -160,11 +171,22 @@ int compare(const CompareOptions& options, Context& context) {
     if (parts.empty())
         parts.push_back(std::nullopt);
 
-    const auto read = [&context](const std::string& file) {
+    // A part or page that is asked of both is one of the file that has any.
+    const auto read = [&context](const std::string& file, irsg::ImageReading what, bool isOwn) {
         const StageTimer::Scope scope(&context.timer, "read");
-        return irsg::readImageFile(file);
+        if (!isOwn && !what.isEmpty() && irsg::imageParts(file).empty())
+            what = {};
+        return irsg::readImageFile(file, what);
     };
-    const irsg::RadianceImage a = read(options.fileA), b = read(options.fileB);
+    const bool isOwnA = !options.partA.empty() || options.pageA;
+    const bool isOwnB = !options.partB.empty() || options.pageB;
+    if (!isOwnA && !isOwnB && !options.readingA().isEmpty() &&
+        irsg::imageParts(options.fileA).empty() && irsg::imageParts(options.fileB).empty())
+        throw irsg::InputError({"", options.part.empty() ? "--page" : "--part",
+                                options.part.empty() ? std::to_string(*options.page) : options.part,
+                                "images of which one has several parts or pages"});
+    const irsg::RadianceImage a = read(options.fileA, options.readingA(), isOwnA),
+                              b = read(options.fileB, options.readingB(), isOwnB);
 
     irsg::Verdict worst = irsg::Verdict::pass;
     ordered_json results = ordered_json::array();
@@ -228,10 +250,27 @@ void addCompareCommand(CLI::App& app, Context& context) {
         ->required()
         ->type_name("");
     addNumbers(options->numbers);
-    command
-        ->add_option("--channel", options->channel,
-                     "Channel of both; without it the only one, else L, else Y")
-        ->type_name("NAME");
+    const auto addChoices = [&](const std::string& side, const std::string& of,
+                                std::string& channel, std::string& part, std::optional<int>& page,
+                                const char* remark) {
+        command->add_option("--channel" + side, channel, "Channel of " + of + remark)
+            ->type_name("NAME");
+        command
+            ->add_option("--part" + side, part,
+                         "Part of " + of +
+                             ", where an OpenEXR file has several: its name or number")
+            ->type_name("NAME");
+        command
+            ->add_option("--page" + side, page,
+                         "Page of " + of + ", where a TIFF file has several: its number from 1")
+            ->check(CLI::Range(1, 1000))
+            ->type_name("N");
+    };
+    addChoices("", "both", options->channel, options->part, options->page,
+               "; without it the only one, else L, else Y. An image that does not have it takes "
+               "part with its usual one");
+    addChoices("-a", "A alone", options->channelA, options->partA, options->pageA, "");
+    addChoices("-b", "B alone", options->channelB, options->partB, options->pageB, "");
     command
         ->add_option("--rectangle", options->rectangles,
                      "Compares this part alone; given again, each on its own")

@@ -163,8 +163,9 @@ void addDatabaseImport(CLI::App& database, Context& context) {
     command
         ->add_option("--as", options->kind,
                      "What a CSV holds: spectrum (user-defined), time or angle factors, material "
-                     "(emissivity, transmissivity, reflectivity, n, k), reflectance (a table over "
-                     "directions, or a Zemax BSDF file)")
+                     "(emissivity, transmissivity, reflectivity, n, k; also a file of ECOSTRESS, "
+                     "ASTER, USGS, JCAMP-DX, refractiveindex.info or DIRSIG), reflectance (a table "
+                     "over directions, or a Zemax BSDF file)")
         ->check(CLI::IsMember({"spectrum", "time", "angle", "material", "reflectance"}))
         ->type_name("KIND");
     command->add_option("--unit", options->unit,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <mutex>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -38,7 +39,9 @@ void warn(const std::string& sentence) {
 }
 
 void warnOnce(const std::vector<std::string>& sentences) {
+    static std::mutex mutex; // readers may remark in threads
     static std::vector<std::string> told;
+    const std::scoped_lock lock(mutex);
     for (const std::string& sentence : sentences) {
         if (std::ranges::find(told, sentence) != told.end())
             continue;

@@ -24,6 +24,7 @@
 #include "irsg/core/FileReading.h"
 #include "irsg/core/ParallelFor.h"
 #include "irsg/core/ProgramVersion.h"
+#include "irsg/core/Remarks.h"
 #include "irsg/core/Utf8.h"
 #include "smatcore/data/Provenance.h"
 #include "smatcore/data/RenderDoor.h"
@@ -153,6 +154,7 @@ int runProgram(const Program& program, int argc, char** argv, Context& context) 
     context.timer.addBefore("start program",
                             std::max(secondsSinceStart() - context.timer.wall_s(), 0.0));
     irsg::protectInputs();
+    irsg::setRemarkListener([](const std::string& sentence) { warnOnce({sentence}); });
     context.commandLine = commandLineOf(program.name, argc, argv);
     CLI::App app(program.help, program.name);
     addCommonOptions(app, context);

@@ -48,7 +48,11 @@ const std::vector<AtmosphereFormat>& atmosphereFormats() {
              return std::make_shared<TabulatedAtmosphere>(
                  TabulatedAtmosphere::import(std::span(&file, 1)));
          }},
-        {".csv of homogeneous air", [](const fs::path& file) { return file.extension() == ".csv"; },
+        {".csv of homogeneous air",
+         [](const fs::path& file) {
+             const std::string extension = lowerCase(file.extension().string());
+             return extension == ".csv" || extension == ".txt" || extension == ".tsv";
+         },
          [](const fs::path& file) -> Opened {
              return std::make_shared<BeerLambert>(BeerLambert::fromCsv(file));
          }},

@@ -10,6 +10,7 @@
 #include "irsg/atmosphere/Vacuum.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/radiometry/CurveSampling.h"
+#include "irsg/radiometry/SpectralHead.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
@@ -115,12 +116,14 @@ class Reader {
             return;
         }
         const CsvRow& header = table_.rows().front();
+        names_.clear();
         for (const CsvCell& cell : header.cells) {
-            if (!holds(knownHeaders, cell.text))
+            names_.push_back(nameOf(cell));
+            if (!holds(knownHeaders, names_.back()))
                 diagnostics_.push_back(table_.diagnostic(cell, "one of " + listOf(knownHeaders)));
-            else if (columns_.contains(cell.text))
+            else if (columns_.contains(names_.back()))
                 diagnostics_.push_back(table_.diagnostic(cell, "each column once"));
-            columns_[cell.text];
+            columns_[names_.back()];
         }
         for (const std::string_view required : {wavelengthHeader, extinctionHeader}) {
             if (!columns_.contains(std::string(required))) {
@@ -136,7 +139,7 @@ class Reader {
                                                          std::string(solarHeader) + "', not both"));
         }
         for (std::size_t i = 1; i < table_.rows().size(); ++i)
-            readRow(table_.rows()[i], header);
+            readRow(table_.rows()[i]);
         if (table_.rows().size() < 3) {
             diagnostics_.push_back(
                 table_.diagnostic(std::to_string(table_.rows().size() - 1) + " rows of numbers",
@@ -144,41 +147,61 @@ class Reader {
         }
     }
 
-    void readRow(const CsvRow& row, const CsvRow& header) {
-        if (row.cells.size() != header.cells.size()) {
+    /// The head that we give a column: any of a spectral axis is that of wavelengths.
+    std::string nameOf(const CsvCell& cell) {
+        const auto head = spectralHead(cell.text);
+        if (!head || !head->axis)
+            return cell.text;
+        axis_ = *head->axis;
+        return std::string(wavelengthHeader);
+    }
+
+    void readRow(const CsvRow& row) {
+        if (row.cells.size() != names_.size()) {
             diagnostics_.push_back(
                 table_.diagnostic(row.line, std::to_string(row.cells.size()) + " cells",
-                                  std::to_string(header.cells.size()) + " cells as in the header"));
+                                  std::to_string(names_.size()) + " cells as in the header"));
             return;
         }
         for (std::size_t k = 0; k < row.cells.size(); ++k) {
-            const bool isAxis = header.cells[k].text == wavelengthHeader;
-            const std::string expected =
-                isAxis ? "a wavelength above 0 um" : "a number of at least 0";
+            const bool isAxis = names_[k] == wavelengthHeader;
+            const std::string expected = isAxis ? std::string("a value above 0 ") + axisUnit(axis_)
+                                                : "a number of at least 0";
             const auto value = table_.number(row.cells[k], diagnostics_, expected);
             if (!value)
                 continue;
-            std::vector<double>& column = columns_[header.cells[k].text];
+            std::vector<double>& column = columns_[names_[k]];
+            const double number = isAxis && *value > 0.0 ? wavelengthOn_um(axis_, *value) : *value;
+            const bool descends = column.size() > 1 && column[1] < column[0];
             if (*value < 0.0 || (isAxis && *value == 0.0)) {
                 diagnostics_.push_back(table_.diagnostic(row.cells[k], expected));
-            } else if (isAxis && !column.empty() && *value <= column.back()) {
-                diagnostics_.push_back(
-                    table_.diagnostic(row.cells[k], "more than " + numberText(column.back()) +
-                                                        ": wavelengths ascend strictly"));
+            } else if (isAxis && !column.empty() &&
+                       (number == column.back() ||
+                        (column.size() > 1 && (number < column.back()) != descends))) {
+                diagnostics_.push_back(table_.diagnostic(
+                    row.cells[k], "an axis that " + std::string(descends ? "descends" : "ascends") +
+                                      " strictly in um, as above"));
             }
-            column.push_back(*value);
+            column.push_back(number);
         }
+    }
+
+    std::vector<double> ascending(const std::string& header) const {
+        const std::vector<double>& axis = columns_.at(std::string(wavelengthHeader));
+        std::vector<double> values = columns_.at(header);
+        if (axis.back() < axis.front())
+            std::ranges::reverse(values);
+        return values;
     }
 
     /// The spectrum of a column, or no value where the file has none.
     std::optional<Spectrum> spectrum(std::string_view header, double factor = 1.0) const {
-        const auto column = columns_.find(std::string(header));
-        if (column == columns_.end())
+        if (!columns_.contains(std::string(header)))
             return std::nullopt;
-        std::vector<double> values = column->second;
+        std::vector<double> values = ascending(std::string(header));
         for (double& value : values)
             value *= factor;
-        return Spectrum(columns_.at(std::string(wavelengthHeader)), std::move(values),
+        return Spectrum(ascending(std::string(wavelengthHeader)), std::move(values),
                         Spectrum::Outside::hold, table_.file());
     }
 
@@ -191,7 +214,7 @@ class Reader {
         result.extinction_per_m = *spectrum(extinctionHeader, 1e-3);
 
         // What the file does not give follows from its temperatures.
-        const auto& axis = columns_.at(std::string(wavelengthHeader));
+        const std::vector<double> axis = ascending(std::string(wavelengthHeader));
         const SpectralRange base{axis.front(), axis.back()};
         const double overhead_K = sky_K_.value_or(result.airTemperature_K);
         const auto down = spectrum(downHeader);
@@ -212,7 +235,9 @@ class Reader {
     CsvTable table_;
     std::string defaultName_;
     std::vector<Diagnostic> diagnostics_;
-    std::map<std::string, std::vector<double>> columns_;
+    SpectralAxis axis_ = SpectralAxis::wavelength;
+    std::vector<std::string> names_;                     ///< of the columns, as we call them
+    std::map<std::string, std::vector<double>> columns_; ///< the axis in um
     std::optional<double> air_K_;
     std::optional<double> ground_K_;
     std::optional<double> sky_K_;

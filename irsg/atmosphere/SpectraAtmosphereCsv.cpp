@@ -3,14 +3,17 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <utility>
 #include <vector>
 
 #include "irsg/atmosphere/SpectraAtmosphere.h"
+#include "irsg/core/BoundedValues.h"
+#include "irsg/core/ColumnText.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/core/Quantity.h"
+#include "irsg/core/Utf8.h"
+#include "irsg/radiometry/SpectralHead.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
@@ -48,6 +51,7 @@ class SpectraReader {
         SpectraAtmosphereParameters result = parameters();
         if (!diagnostics_.empty())
             throw InputError(std::move(diagnostics_));
+        shares_.remark(table_.file());
         return result;
     }
 
@@ -62,7 +66,8 @@ class SpectraReader {
             throw InputError(std::move(diagnostics_));
         }
         const CsvRow& header = table_.rows().front();
-        for (const CsvCell& cell : header.cells) {
+        for (CsvCell cell : header.cells) {
+            cell.text = titleOf(cell.text);
             const bool isKnown = cell.text == columnHeader(Quantity::wavenumber) ||
                                  cell.text == columnHeader(Quantity::wavelength) ||
                                  std::ranges::any_of(columnsOfProperties, [&](const auto& entry) {
@@ -85,6 +90,16 @@ class SpectraReader {
             checkAxis();
     }
 
+    /// The title that we give a column: any of a spectral axis in um or cm-1 is one of ours.
+    static std::string titleOf(const std::string& head) {
+        const auto axis = spectralHead(head);
+        if (axis && axis->axis == SpectralAxis::wavelength)
+            return columnHeader(Quantity::wavelength);
+        if (axis && axis->axis == SpectralAxis::wavenumber)
+            return columnHeader(Quantity::wavenumber);
+        return head;
+    }
+
     void readRow(const CsvRow& row, const CsvRow& header) {
         if (row.cells.size() != header.cells.size()) {
             diagnostics_.push_back(
@@ -93,7 +108,7 @@ class SpectraReader {
             return;
         }
         for (std::size_t k = 0; k < row.cells.size(); ++k) {
-            const std::string& title = header.cells[k].text;
+            const std::string title = titleOf(header.cells[k].text);
             const bool isAxis = title == columnHeader(Quantity::wavelength) ||
                                 title == columnHeader(Quantity::wavenumber);
             const bool isShare = title == columnHeader(Quantity::transmittance);
@@ -101,11 +116,12 @@ class SpectraReader {
                                          : isShare ? "a number from 0 to 1"
                                                    : "a number of at least 0";
             const auto value = table_.number(row.cells[k], diagnostics_, expected);
-            if (value &&
-                (*value < 0.0 || (isAxis && *value == 0.0) || (isShare && *value > 1.0 + 1e-9))) {
+            const std::string place = "line " + std::to_string(row.line) + ", column " +
+                                      std::to_string(row.cells[k].column);
+            const auto taken = value && isShare ? shares_.take(*value, place) : value;
+            if (value && (!taken || *taken < 0.0 || (isAxis && *taken == 0.0)))
                 diagnostics_.push_back(table_.diagnostic(row.cells[k], expected));
-            }
-            columns_[title].push_back(value.value_or(0.0));
+            columns_[title].push_back(taken.value_or(0.0));
         }
     }
 
@@ -190,6 +206,7 @@ class SpectraReader {
     std::vector<Diagnostic> diagnostics_;
     std::map<std::string, std::vector<double>> columns_;
     bool isDescending_ = false;
+    BoundedValues shares_{0.0, 1.0};
 };
 
 } // namespace
@@ -203,10 +220,14 @@ bool SpectraAtmosphere::isSpectraCsv(const std::filesystem::path& file) {
     if (!std::filesystem::is_regular_file(file, failure))
         return false;
     // What is asked for stands among the first lines.
-    std::istringstream in(readFileBeginning(file, std::size_t{1} << 20));
-    std::string line;
-    while (std::getline(in, line) && line.starts_with('#')) {
-        const std::string_view text = trimmed(std::string_view(line).substr(1));
+    const std::string bytes = readFileBeginning(file, std::size_t{1} << 20);
+    const std::string decoded = decodedUtf16(bytes);
+    std::string_view rest = decoded.empty() ? withoutByteOrderMark(bytes) : decoded;
+    while (!rest.empty()) {
+        const std::string_view line = trimmed(takeLine(rest));
+        if (!isCommentLine(line))
+            break;
+        const std::string_view text = trimmed(line.substr(line.find('#') + 1));
         if (text.starts_with("analysis:") &&
             trimmed(text.substr(std::string_view("analysis:").size())).starts_with("radiative")) {
             return true;

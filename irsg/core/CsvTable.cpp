@@ -1,11 +1,14 @@
 #include "irsg/core/CsvTable.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <utility>
 
 #include "irsg/core/Diagnostics.h"
 #include "irsg/core/FileReading.h"
+#include "irsg/core/Remarks.h"
+#include "irsg/core/Utf8.h"
 
 namespace irsg {
 
@@ -28,30 +31,6 @@ std::string linePosition(int line) {
     return "line " + std::to_string(line);
 }
 
-/// The lines of a text in order, whatever ends them.
-class Lines {
-  public:
-    explicit Lines(std::string_view text) : rest_(text) {}
-
-    std::optional<std::string_view> next() {
-        if (rest_.empty())
-            return std::nullopt;
-        const std::size_t end = rest_.find_first_of("\r\n");
-        const std::string_view line = rest_.substr(0, end);
-        if (end == std::string_view::npos) {
-            rest_ = {};
-        } else {
-            const bool pair =
-                rest_[end] == '\r' && end + 1 < rest_.size() && rest_[end + 1] == '\n';
-            rest_.remove_prefix(end + (pair ? 2 : 1));
-        }
-        return line;
-    }
-
-  private:
-    std::string_view rest_;
-};
-
 CsvComment readComment(std::string_view line, int number) {
     line.remove_prefix(1);
     const std::size_t colon = line.find(':');
@@ -61,45 +40,79 @@ CsvComment readComment(std::string_view line, int number) {
             std::string(trimmed(line.substr(colon + 1))), number};
 }
 
-/// A cell in quotes at the head of `rest`, which is left behind the closing quote; no value where
-/// the quote is never closed.
-std::optional<std::string> takeQuoted(std::string_view& rest) {
-    std::string text;
-    for (std::size_t i = 1; i < rest.size(); ++i) {
-        if (rest[i] != '"') {
-            text += rest[i];
-        } else if (i + 1 < rest.size() && rest[i + 1] == '"') {
-            text += rest[i++];
-        } else {
-            rest.remove_prefix(i + 1);
-            return text;
-        }
-    }
-    return std::nullopt;
+/// The line of a comment that a spreadsheet saved, as it was before: without quotes around its
+/// first cell. `width` is the number of its cells.
+std::string commentText(std::string_view line, char separator, std::size_t& width) {
+    std::vector<ColumnCell> cells;
+    width = 1;
+    if (!splitColumns(line, separator, cells))
+        return std::string(line);
+    width = separator == ' ' ? 1 : cells.size();
+    const bool isAlone = std::all_of(cells.begin() + 1, cells.end(), [](const ColumnCell& cell) {
+        return cell.text.empty() && cell.rest.empty();
+    });
+    return isAlone && cells.front().isQuoted ? textOf(cells.front()) : std::string(line);
 }
 
-/// The cells of a line, `usual` as a rule; no value where a quote is never closed.
-std::optional<CsvRow> readRow(std::string_view line, int number, std::size_t usual) {
+/// The cells of a line; no value where a quote is never closed.
+std::optional<CsvRow> readRow(std::string_view line, int number, const ColumnDialect& dialect,
+                              std::vector<ColumnCell>& cells) {
+    if (!splitColumns(line, dialect.separator, cells))
+        return std::nullopt;
     CsvRow row{number, {}};
-    row.cells.reserve(usual);
-    for (bool more = true; more;) {
-        // A quoted text may be followed by blanks alone, else it is taken as it stands.
-        std::string text;
-        std::string_view rest = trimmed(line);
-        if (rest.starts_with('"')) {
-            const auto quoted = takeQuoted(rest);
-            if (!quoted)
-                return std::nullopt;
-            text = *quoted;
-            line = rest;
-        }
-        const std::size_t comma = line.find(',');
-        text += trimmed(line.substr(0, comma));
+    row.cells.reserve(cells.size());
+    for (const ColumnCell& cell : cells) {
+        std::string text = textOf(cell);
+        if (!parseNumber(text))
+            if (auto plain = plainNumber(text, dialect.decimal))
+                text = *std::move(plain);
         row.cells.push_back({std::move(text), number, static_cast<int>(row.cells.size()) + 1});
-        more = comma != std::string_view::npos;
-        line.remove_prefix(more ? comma + 1 : line.size());
     }
     return row;
+}
+
+/// NaN and infinity are numbers here, though they are words.
+bool holdsNumber(const CsvCell& cell) {
+    return plainNumber(cell.text, '.').has_value();
+}
+
+/// The unit that a cell of a row of units holds, "" where it is dimensionless; no value for a name.
+std::optional<std::string> unitIn(const CsvCell& cell) {
+    std::string_view text = cell.text;
+    if (text.empty() || text == "-" || text == "--")
+        return "";
+    const bool isSquare = text.starts_with('[') && text.ends_with(']');
+    const bool isRound = text.starts_with('(') && text.ends_with(')');
+    if (isSquare || isRound)
+        return std::string(trimmed(text.substr(1, text.size() - 2)));
+    constexpr std::string_view units[] = {"um",    "\u00b5m", "\u03bcm", "nm", "cm-1",
+                                          "cm^-1", "m",       "km",      "s",  "deg",
+                                          "K",     "C",       "hPa",     "%",  "ppmv"};
+    return std::ranges::find(units, text) != std::end(units) ? std::optional(std::string(text))
+                                                             : std::nullopt;
+}
+
+/// Whether a row holds the units of the names above it, which get them in brackets.
+bool takeUnits(const CsvRow& units, CsvRow& names) {
+    std::vector<std::string> texts;
+    for (const CsvCell& cell : units.cells) {
+        std::optional<std::string> unit = unitIn(cell);
+        if (!unit)
+            return false;
+        texts.push_back(*std::move(unit));
+    }
+    for (std::size_t i = 0; i < texts.size() && i < names.cells.size(); ++i)
+        if (!texts[i].empty())
+            names.cells[i].text += (names.cells[i].text.empty() ? "[" : " [") + texts[i] + "]";
+    return true;
+}
+
+/// How many cells there are up to the last that is not empty.
+std::size_t filledWidth(const CsvRow& row) {
+    std::size_t width = row.cells.size();
+    while (width > 0 && row.cells[width - 1].text.empty())
+        --width;
+    return width;
 }
 
 bool isEmpty(const CsvRow& row) {
@@ -119,39 +132,115 @@ std::optional<double> numberOr(std::string_view text, Diagnostic diagnostic,
 
 } // namespace
 
-CsvTable CsvTable::read(const std::filesystem::path& file) {
-    return parse(readFile(file, largestTable_B), file.string());
+CsvTable CsvTable::read(const std::filesystem::path& file, CsvHead head) {
+    CsvTable table = parse(readFile(file, largestTable_B), file.string(), head);
+    table.remark();
+    return table;
 }
 
-CsvTable CsvTable::parse(std::string_view text, std::string name) {
+CsvTable CsvTable::parse(std::string_view bytes, std::string name, CsvHead head) {
     CsvTable table;
     table.file_ = std::move(name);
-    if (text.starts_with("\xEF\xBB\xBF"))
-        text.remove_prefix(3);
+    const std::string decoded = decodedUtf16(bytes);
+    std::string_view text = decoded.empty() ? withoutByteOrderMark(bytes) : decoded;
     if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
         throw InputError({table.file_, "byte " + std::to_string(nul), "a NUL byte", "plain text"});
+    table.dialect_ = columnDialectOf(text, table.file_);
 
     std::vector<Diagnostic> diagnostics;
-    Lines lines(text);
-    std::size_t width = 1; // of the last row
-    for (int number = 1; const auto line = lines.next(); ++number) {
-        const std::string_view content = trimmed(*line);
-        if (content.empty())
+    std::vector<ColumnCell> cells;
+    std::vector<std::size_t> commentWidths;
+    for (int number = 1; !text.empty(); ++number) {
+        const std::string_view line = takeLine(text);
+        const std::string_view content = trimmed(line);
+        if (content.empty() || (number == 1 && statedSeparator(content)))
             continue;
-        if (content.starts_with('#')) {
-            table.comments_.push_back(readComment(content, number));
-        } else if (auto row = readRow(content, number, width); !row) {
+        if (isCommentLine(content)) {
+            std::size_t width = 1;
+            table.comments_.push_back(
+                readComment(commentText(content, table.dialect_.separator, width), number));
+            commentWidths.push_back(width);
+        } else if (auto row = readRow(line, number, table.dialect_, cells); !row) {
             diagnostics.push_back(
                 table.diagnostic(number, std::string(content), "a closing quote on the same line"));
             keepFirstDiagnostics(diagnostics);
         } else if (!isEmpty(*row)) {
-            width = row->cells.size();
             table.rows_.push_back(std::move(*row));
         }
     }
     if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
+    table.trimComments(commentWidths);
+    if (head == CsvHead::names) {
+        table.leaveOutHeadLines();
+        table.trimRows();
+    }
     return table;
+}
+
+/// A spreadsheet makes all rows as wide as the widest: separators that only do this belong to no
+/// comment.
+void CsvTable::trimComments(const std::vector<std::size_t>& widths) {
+    std::size_t widest = 1;
+    for (const CsvRow& row : rows_)
+        widest = std::max(widest, row.cells.size());
+    for (std::size_t i = 0; i < comments_.size(); ++i) {
+        if (widest < 2 || widths[i] != widest)
+            continue;
+        for (std::string* const text : {&comments_[i].key, &comments_[i].value})
+            text->erase(text->find_last_not_of(std::string(" \t") + dialect_.separator) + 1);
+    }
+}
+
+void CsvTable::leaveOutHeadLines() {
+    const auto isWords = [](const CsvRow& row) {
+        return std::ranges::none_of(row.cells, holdsNumber);
+    };
+    const auto numbers = std::ranges::find_if(rows_, [](const CsvRow& row) {
+        return std::ranges::all_of(
+            row.cells, [](const CsvCell& cell) { return cell.text.empty() || holdsNumber(cell); });
+    });
+    if (numbers == rows_.end() || numbers - rows_.begin() < 2)
+        return;
+    const std::size_t width = filledWidth(*numbers);
+    auto names = numbers;
+    for (auto row = rows_.begin(); row != numbers; ++row)
+        if (isWords(*row) && filledWidth(*row) == width)
+            names = row;
+    const auto above = numbers - 1;
+    if (names == numbers && filledWidth(*above) == width && !holdsNumber(above->cells.front()))
+        names = above;
+    if (names == numbers)
+        return;
+    if (names != rows_.begin() && isWords(*(names - 1)) && filledWidth(*(names - 1)) == width &&
+        takeUnits(*names, *(names - 1)))
+        names = rows_.erase(names) - 1;
+    headLines_.assign(rows_.begin(), names);
+    rows_.erase(rows_.begin(), names);
+}
+
+/// Cells that are empty in every row belong to no column, where they are the last.
+void CsvTable::trimRows() {
+    if (rows_.size() < 2)
+        return;
+    std::size_t widest = 0;
+    for (const CsvRow& row : rows_)
+        widest = std::max(widest, filledWidth(row));
+    for (CsvRow& row : rows_)
+        if (row.cells.size() > widest)
+            row.cells.erase(row.cells.begin() + static_cast<std::ptrdiff_t>(widest),
+                            row.cells.end());
+}
+
+void CsvTable::remark() const {
+    if (!dialect_.isPlain())
+        remarkOn(file_, dialect_.words());
+    if (headLines_.empty())
+        return;
+    const int last = headLines_.back().line;
+    remarkOn(file_, "lines up to line " + std::to_string(last) +
+                        " are left out as head lines; the columns are named in line " +
+                        std::to_string(rows_.front().line));
 }
 
 const CsvComment* CsvTable::comment(std::string_view key) const {
@@ -163,7 +252,15 @@ const CsvComment* CsvTable::comment(std::string_view key) const {
 
 Diagnostic CsvTable::diagnostic(const CsvCell& cell, std::string expected) const {
     return {file_, linePosition(cell.line) + ", column " + std::to_string(cell.column),
-            shown(cell.text), std::move(expected)};
+            shown(written(cell.text)), std::move(expected)};
+}
+
+/// A number as the file writes it.
+std::string CsvTable::written(const std::string& number) const {
+    std::string text = number;
+    if (dialect_.decimal == ',' && parseNumber(text))
+        std::ranges::replace(text, '.', ',');
+    return text;
 }
 
 Diagnostic CsvTable::diagnostic(int line, std::string value, std::string expected) const {
@@ -182,7 +279,10 @@ std::optional<double> CsvTable::number(const CsvCell& cell, std::vector<Diagnost
 std::optional<double> CsvTable::number(const CsvComment& comment,
                                        std::vector<Diagnostic>& diagnostics,
                                        const std::string& expected) const {
-    return numberOr(comment.value, diagnostic(comment.line, comment.value, expected), diagnostics);
+    const std::optional<std::string> plain =
+        parseNumber(comment.value) ? comment.value : plainNumber(comment.value, dialect_.decimal);
+    return numberOr(plain.value_or(comment.value),
+                    diagnostic(comment.line, comment.value, expected), diagnostics);
 }
 
 std::optional<double> parseNumber(std::string_view text) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "irsg/core/ColumnText.h"
 #include "irsg/core/Errors.h"
 
 namespace irsg {
@@ -31,24 +32,42 @@ struct CsvComment {
     int line = 0;
 };
 
-/// A comma separated file as text that knows its places, so that whoever reads numbers out of it
+/// Which rows a table keeps.
+enum class CsvHead {
+    names, ///< from the row of names on: head lines above it are left out
+    all    ///< every row
+};
+
+/// A file of columns as text that knows its places, so that whoever reads numbers out of it
 /// can say file, line and column of each that is wrong.
 ///
-/// Accepted: UTF-8 with or without byte order mark; lines that end in LF, CRLF or CR; cells in
-/// double quotes (a quote inside is doubled) on one line; blank lines and lines of nothing but
-/// commas, which are skipped. Rows may differ in length: the reader of the table decides whether
-/// that is wrong.
+/// Accepted: UTF-8 with or without byte order mark, UTF-16 with one; lines that end in LF, CRLF or
+/// CR; columns between commas, semicolons, tabs or blanks and decimal points or commas, whichever
+/// the whole text shows (columnDialectOf); numbers with exponents of D; cells in double quotes (a
+/// quote inside is doubled) on one line; blank lines and lines of nothing but separators, which are
+/// skipped; separators behind the last cell of every row, as spreadsheets add them, behind
+/// comments too. Numbers stand in the cells as parseNumber takes them. Rows may differ in length:
+/// the reader of the table decides whether that is wrong.
+///
+/// The row of names is the last row without a number above the first row of numbers that has as
+/// many cells; where none has, the row above the numbers.
 class CsvTable {
   public:
     /// Throws InputError where the file cannot be read, is not text (a NUL byte), is larger than
-    /// 256 MiB or has a quote that is never closed.
-    static CsvTable read(const std::filesystem::path& file);
-    /// The same from memory; `name` stands for the file in diagnostics.
-    static CsvTable parse(std::string_view text, std::string name);
+    /// 256 MiB, has a quote that is never closed or can be read in two ways. Remarks on what it
+    /// took that is not the plain form.
+    static CsvTable read(const std::filesystem::path& file, CsvHead head = CsvHead::names);
+    /// The same from memory, without remarks; `name` stands for the file in diagnostics.
+    static CsvTable parse(std::string_view text, std::string name, CsvHead head = CsvHead::names);
+    /// The remarks that read() makes: another separator or decimal sign, head lines left out.
+    void remark() const;
 
     const std::string& file() const { return file_; }
     const std::vector<CsvRow>& rows() const { return rows_; }
     const std::vector<CsvComment>& comments() const { return comments_; }
+    const ColumnDialect& dialect() const { return dialect_; }
+    /// Lines that were left out above the row of names.
+    const std::vector<CsvRow>& headLines() const { return headLines_; }
     /// The first comment of that key, or null.
     const CsvComment* comment(std::string_view key) const;
 
@@ -67,8 +86,14 @@ class CsvTable {
                                  const std::string& expected = "a finite number") const;
 
   private:
+    void leaveOutHeadLines();
+    void trimRows();
+    void trimComments(const std::vector<std::size_t>& widths);
+    std::string written(const std::string& number) const;
+
     std::string file_;
-    std::vector<CsvRow> rows_;
+    ColumnDialect dialect_;
+    std::vector<CsvRow> rows_, headLines_;
     std::vector<CsvComment> comments_;
 };
 

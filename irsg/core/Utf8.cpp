@@ -23,6 +23,25 @@ std::size_t lengthOfFirst(std::string_view text) {
     return isForbidden ? 0 : length;
 }
 
+void appendUtf8(std::string& text, char32_t character) {
+    const auto byte = [&](unsigned bits) { text += static_cast<char>(bits); };
+    if (character < 0x80) {
+        byte(character);
+        return;
+    }
+    if (character < 0x800) {
+        byte(0xc0 | (character >> 6));
+    } else if (character < 0x10000) {
+        byte(0xe0 | (character >> 12));
+        byte(0x80 | ((character >> 6) & 0x3f));
+    } else {
+        byte(0xf0 | (character >> 18));
+        byte(0x80 | ((character >> 12) & 0x3f));
+        byte(0x80 | ((character >> 6) & 0x3f));
+    }
+    byte(0x80 | (character & 0x3f));
+}
+
 } // namespace
 
 bool isUtf8(std::string_view text) {
@@ -78,6 +97,36 @@ std::string asciiText(std::string_view text) {
             (result += "\\x") += {digits[byte >> 4], digits[byte & 15]};
     }
     return result;
+}
+
+std::string_view withoutByteOrderMark(std::string_view text) {
+    if (text.starts_with("\xEF\xBB\xBF"))
+        text.remove_prefix(3);
+    return text;
+}
+
+std::string decodedUtf16(std::string_view bytes) {
+    const bool isLittle = bytes.starts_with("\xFF\xFE"), isBig = bytes.starts_with("\xFE\xFF");
+    std::string text;
+    if (!isLittle && !isBig)
+        return text;
+    const auto unit = [&](std::size_t i) {
+        const auto first = static_cast<unsigned char>(bytes[i]);
+        const auto second = static_cast<unsigned char>(bytes[i + 1]);
+        return static_cast<char32_t>(isLittle ? second << 8 | first : first << 8 | second);
+    };
+    for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) {
+        char32_t character = unit(i);
+        const bool isHigh = character >= 0xd800 && character < 0xdc00;
+        if (isHigh && i + 3 < bytes.size() && unit(i + 2) >= 0xdc00 && unit(i + 2) < 0xe000) {
+            character = 0x10000 + ((character - 0xd800) << 10) + (unit(i + 2) - 0xdc00);
+            i += 2;
+        } else if (character >= 0xd800 && character < 0xe000) {
+            character = 0xfffd;
+        }
+        appendUtf8(text, character);
+    }
+    return text;
 }
 
 } // namespace irsg

@@ -18,4 +18,11 @@ std::string utf8Text(std::string_view text);
 /// The text with every byte that is not a character of ASCII as \\xNN: fit for any message.
 std::string asciiText(std::string_view text);
 
+/// The text without the byte order mark of UTF-8.
+std::string_view withoutByteOrderMark(std::string_view text);
+
+/// Bytes that begin with a byte order mark of UTF-16 as UTF-8, without it; halves of characters are
+/// U+FFFD. Empty for any other bytes.
+std::string decodedUtf16(std::string_view bytes);
+
 } // namespace irsg

@@ -93,8 +93,7 @@ std::vector<ComparisonFigure> comparisonFigures(const Comparison& c,
 RadianceImage differenceImage(const RadianceImage& a, const RadianceImage& b,
                               const Comparison& comparison, const ComparisonOptions& options,
                               DifferenceMode mode) {
-    const ImageChannel& planeA = chosenPlane(a, options.channel, options.nameA);
-    const ImageChannel& planeB = chosenPlane(b, options.channel, options.nameB);
+    const auto& [planeA, planeB] = comparedPlanes(a, b, options);
     ImageChannel plane = differencePlane(planeA, planeB, mode);
     RadianceImage image(a.width(), a.height(), plane.name, plane.unit);
     image.primary().values = std::move(plane.values);

@@ -9,9 +9,13 @@
 #include <set>
 #include <string_view>
 
+#include "irsg/core/ColumnText.h"
+#include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/core/FileReplacement.h"
+#include "irsg/core/Remarks.h"
+#include "irsg/core/Utf8.h"
 #include "irsg/image/AttributeText.h"
 #include "irsg/image/ExrFile.h"
 #include "irsg/image/ImageFormat.h"
@@ -38,45 +42,121 @@ bool isLetter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-bool isBlank(char c) {
-    return c == ' ' || c == '\t';
+std::string shortened(std::string_view text, std::size_t most) {
+    return text.size() > most ? std::string(text.substr(0, most)) + "..." : std::string(text);
 }
 
-std::string_view withoutBlanks(std::string_view text) {
-    while (!text.empty() && isBlank(text.front()))
-        text.remove_prefix(1);
-    while (!text.empty() && isBlank(text.back()))
-        text.remove_suffix(1);
-    return text;
+std::size_t filledWidth(const std::vector<ColumnCell>& cells) {
+    std::size_t width = cells.size();
+    while (width > 0 && cells[width - 1].text.empty() && !cells[width - 1].isQuoted)
+        --width;
+    return width;
 }
 
-/// nan and inf are numbers, though they begin with a letter.
-bool beginsWithNumber(std::string_view text) {
-    const std::string_view word = text.substr(0, text.find_first_of(" \t"));
-    float ignored = 0.0F;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), ignored);
-    return end == word.data() + word.size() && error != std::errc::invalid_argument;
+/// The rows of a text: where the first row of numbers is, and what stands above it.
+struct TextRows {
+    ColumnDialect dialect;
+    int numberLine = 0;       ///< of the first row of numbers; 0: there is none
+    std::size_t width = 0;    ///< cells of it
+    bool hasSecond = false;   ///< the row behind it is one of numbers and as wide
+    int headLine = 0;         ///< the first that holds words; 0: none
+    std::string_view head;    ///< that line
+    int lastHeadLine = 0;     ///< the last that holds words
+    std::string_view nearest; ///< that line
+    bool isApart = false;     ///< nothing but separators stands between words and numbers
+};
+
+TextRows rowsOf(std::string_view text, const ColumnDialect& dialect) {
+    TextRows rows;
+    rows.dialect = dialect;
+    std::vector<ColumnCell> cells;
+    for (int number = 1; !text.empty(); ++number) {
+        const std::string_view line = takeLine(text);
+        if (isCommentLine(line) || (number == 1 && statedSeparator(line)))
+            continue;
+        if (!splitColumns(line, dialect.separator, cells) || filledWidth(cells) > 0) {
+            if (isNumberRow(cells, dialect)) {
+                if (rows.numberLine != 0) {
+                    rows.hasSecond = filledWidth(cells) == rows.width;
+                    return rows;
+                }
+                rows.numberLine = number;
+                rows.width = filledWidth(cells);
+            } else if (rows.numberLine != 0) {
+                return rows;
+            } else {
+                if (rows.headLine == 0) {
+                    rows.headLine = number;
+                    rows.head = trimmed(line);
+                }
+                rows.lastHeadLine = number;
+                rows.nearest = line;
+                rows.isApart = false;
+            }
+        } else if (rows.headLine != 0) {
+            rows.isApart = true;
+        }
+    }
+    return rows;
 }
 
-/// Of the first row of a text: what it is, where it is the heading of a table or no row of numbers
-/// at all, so that one sentence says it. Empty for a row of an image, be it wrong in places.
-std::string wordsOfHeading(std::string_view row) {
-    constexpr std::size_t shown = 60;
-    const std::string_view text = withoutBlanks(row);
-    const std::string cut =
-        text.size() > shown ? std::string(text.substr(0, shown)) + "..." : std::string(text);
+/// Whether a line names each of so many columns.
+bool namesColumns(std::string_view line, const ColumnDialect& dialect, std::size_t width) {
+    std::vector<ColumnCell> cells;
+    if (!splitColumns(line, dialect.separator, cells))
+        return false;
+    std::size_t names = 0;
+    for (const ColumnCell& cell : cells) {
+        if (cell.text.empty())
+            continue;
+        if (!isLetter(cell.text.front()) || isNumberCell(cell, dialect))
+            return false;
+        ++names;
+    }
+    return names >= 2 && names >= width;
+}
+
+bool beginsWithNumber(std::string_view line, const ColumnDialect& dialect) {
+    std::vector<ColumnCell> cells;
+    return splitColumns(line, dialect.separator, cells) && !cells.empty() &&
+           isNumberCell(cells.front(), dialect);
+}
+
+/// Whether words above the numbers are those of a camera or a program, and no names of columns.
+bool areHeadLines(const TextRows& rows) {
+    const char first = rows.head.empty() ? '\0' : rows.head.front();
+    if (rows.numberLine == 0 || rows.headLine == 0 || first == '{' || first == '[' || first == '<')
+        return false;
+    if (!rows.hasSecond || rows.width < 2)
+        return false;
+    if (beginsWithNumber(rows.nearest, rows.dialect))
+        return false;
+    if (rows.isApart)
+        return !namesColumns(rows.nearest, rows.dialect, rows.width);
+    std::vector<ColumnCell> cells;
+    splitColumns(rows.nearest, rows.dialect.separator, cells);
+    const std::size_t width = filledWidth(cells);
+    // A key with its value, or a line of words above many columns.
+    const bool hasNumber = std::ranges::any_of(
+        cells, [&](const ColumnCell& cell) { return isNumberCell(cell, rows.dialect); });
+    return (width != rows.width && rows.width > 2) || (width == 2 && hasNumber && rows.width > 2);
+}
+
+/// Of the words above numbers: what they are, where they are no head lines of an image, so that one
+/// sentence says it. Empty for a row of an image that is wrong in places.
+std::string wordsOfHeading(std::string_view row, const ColumnDialect& dialect) {
+    const std::string_view text = trimmed(row);
+    const std::string cut = shortened(text, 60);
     if (text.starts_with('{') || text.starts_with('[') || text.starts_with('<'))
         return "text that is no image (" + cut + ")";
+    std::vector<ColumnCell> cells;
+    if (!splitColumns(text, dialect.separator, cells))
+        return "";
     std::size_t names = 0;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find_first_of(",;\t", begin), text.size());
-        std::string_view name = withoutBlanks(text.substr(begin, end - begin));
-        if (name.starts_with('"'))
-            name.remove_prefix(1);
-        begin = end + 1;
-        if (name.empty() && names > 0)
+    for (const ColumnCell& cell : cells) {
+        if (cell.text.empty() && names > 0)
             continue; // a separator at the end of the row
-        if (name.empty() || !isLetter(name.front()) || beginsWithNumber(name))
+        if (cell.text.empty() || !isLetter(cell.text.front()) || isNumberCell(cell, dialect))
             return "";
         ++names;
     }
@@ -84,25 +164,20 @@ std::string wordsOfHeading(std::string_view row) {
                      : "text that is no image (" + cut + ")";
 }
 
-/// The next line of a text and what is left of it behind: lines end in LF, CRLF or CR.
-std::string_view nextLine(std::string_view& rest) {
-    const std::size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
-    const std::string_view line = rest.substr(0, end);
-    const bool isPair = rest.substr(end).starts_with("\r\n");
-    rest.remove_prefix(std::min(rest.size(), end + (isPair ? 2 : 1)));
-    return line;
-}
-
 /// Collects the pixels and the header of a text, line by line.
 class CsvImageParser {
   public:
-    explicit CsvImageParser(std::string file) : file_(std::move(file)) {}
+    CsvImageParser(std::string file, const TextRows& rows)
+        : file_(std::move(file)),
+          dialect_(rows.dialect),
+          numberWidth_(rows.width),
+          firstLine_(areHeadLines(rows) ? rows.numberLine : 0) {}
 
     void line(std::string_view text) {
         ++line_;
-        if (text.starts_with('#'))
-            comment(text.substr(1));
-        else
+        if (isCommentLine(text))
+            comment(text);
+        else if (line_ >= firstLine_ && !(line_ == 1 && statedSeparator(text)))
             row(text);
     }
 
@@ -135,6 +210,20 @@ class CsvImageParser {
     std::string here() const { return "line " + std::to_string(line_); }
 
     void comment(std::string_view text) {
+        std::string own;
+        text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+        // As a spreadsheet saves it: in quotes, as wide as the rows of numbers.
+        if (numberWidth_ > 1 && dialect_.separator != ' ' &&
+            splitColumns(text, dialect_.separator, cells_) &&
+            (cells_.size() == numberWidth_ || cells_.front().isQuoted)) {
+            text =
+                text.substr(0, text.find_last_not_of(std::string(" \t") + dialect_.separator) + 1);
+            if (cells_.front().isQuoted && filledWidth(cells_) == 1) {
+                own = textOf(cells_.front());
+                text = own;
+            }
+        }
+        text.remove_prefix(1);
         if (text.starts_with(' '))
             text.remove_prefix(1);
         header_.read(text);
@@ -142,30 +231,19 @@ class CsvImageParser {
 
     void row(std::string_view text) {
         if (height_ == 0) {
-            if (std::string words = wordsOfHeading(text); !words.empty()) {
+            if (std::string words = wordsOfHeading(text, dialect_); !words.empty()) {
                 report(here(), std::move(words), "an image: rows of numbers");
                 isNoImage_ = true;
                 return;
             }
         }
-        // Fields are numbers; blanks may stand around a separator or be one.
-        const auto isSeparator = [](char c) { return c == ',' || c == ';'; };
-        const auto skipBlanks = [&](std::size_t i) {
-            while (i < text.size() && isBlank(text[i]))
-                ++i;
-            return i;
-        };
-        std::size_t columns = 0;
-        for (std::size_t i = skipBlanks(0); i < text.size() && !isFull();) {
-            std::size_t end = i;
-            while (end < text.size() && !isBlank(text[end]) && !isSeparator(text[end]))
-                ++end;
-            ++columns;
-            values_.push_back(number(text.substr(i, end - i), columns));
-            i = skipBlanks(end);
-            if (i < text.size() && isSeparator(text[i]))
-                i = skipBlanks(i + 1);
+        if (!splitColumns(text, dialect_.separator, cells_)) {
+            report(here(), shortened(trimmed(text), 40), "a closing quote on the same line");
+            return;
         }
+        const std::size_t columns = filledWidth(cells_);
+        for (std::size_t i = 0; i < columns && !isFull(); ++i)
+            values_.push_back(number(cells_[i], i + 1));
         if (columns == 0 || isFull())
             return;
 
@@ -177,24 +255,37 @@ class CsvImageParser {
                    std::to_string(width_) + " values, as in the first row");
     }
 
-    float number(std::string_view text, std::size_t column) {
-        const bool hasPlus = text.starts_with('+') && !text.starts_with("+-");
-        const std::string_view digits = hasPlus ? text.substr(1) : text;
-        const char* last = digits.data() + digits.size();
+    float number(const ColumnCell& cell, std::size_t column) {
+        const std::string_view text = cell.text;
         float value = 0.0F;
+        if (dialect_.decimal == '.' && !cell.isQuoted) {
+            // As most are, without a copy.
+            const char* const last = text.data() + text.size();
+            const auto [end, error] = std::from_chars(text.data(), last, value);
+            if (end == last && error == std::errc())
+                return value;
+        }
+        const std::optional<std::string> plain =
+            isNumberCell(cell, dialect_)
+                ? plainNumber(text, plainNumber(text, dialect_.decimal) ? dialect_.decimal : '.')
+                : std::nullopt;
+        std::string_view digits = plain ? std::string_view(*plain) : std::string_view();
+        if (digits.starts_with('+'))
+            digits.remove_prefix(1);
+        const char* const last = digits.data() + digits.size();
         const auto [end, error] = std::from_chars(digits.data(), last, value);
-        if (end == last && error == std::errc())
+        if (plain && end == last && error == std::errc())
             return value;
 
         // Too small for a float is zero with its sign, too large is refused.
-        const bool isOutOfRange = end == last && error == std::errc::result_out_of_range;
+        const bool isOutOfRange = plain && error == std::errc::result_out_of_range;
         if (isOutOfRange && isBelowOne(digits))
             return digits.starts_with('-') ? -0.0F : 0.0F;
-        const std::string shown =
-            text.size() > 40 ? std::string(text.substr(0, 40)) + "..." : std::string(text);
         report(here() + ", column " + std::to_string(column),
-               shown.empty() ? "an empty field" : shown,
-               isOutOfRange ? "a number within the range of 32-bit float" : "a number");
+               text.empty() ? "an empty field" : shortened(text, 40),
+               isOutOfRange              ? "a number within the range of 32-bit float"
+               : dialect_.decimal == ',' ? "a number, with a decimal comma as elsewhere"
+                                         : "a number");
         return 0.0F;
     }
 
@@ -221,9 +312,13 @@ class CsvImageParser {
     }
 
     std::string file_;
+    ColumnDialect dialect_;
+    std::size_t numberWidth_ = 0; ///< cells of the first row of numbers
+    int firstLine_ = 0;           ///< what stands above it are head lines
     int line_ = 0;
     bool isNoImage_ = false;
     std::size_t width_ = 0, height_ = 0;
+    std::vector<ColumnCell> cells_;
     std::vector<float> values_;
     AttributeText header_;
     std::vector<Diagnostic> diagnostics_;
@@ -258,34 +353,54 @@ void writeCsvImage(const RadianceImage& image, const std::filesystem::path& file
 
 RadianceImage readCsvImage(const std::filesystem::path& file) {
     const std::string bytes = readFile(file);
-    std::string_view rest = bytes;
-    if (const std::size_t nul = rest.find('\0'); nul != std::string_view::npos)
+    const std::string decoded = decodedUtf16(bytes);
+    const std::string_view text = decoded.empty() ? withoutByteOrderMark(bytes) : decoded;
+    if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
         throw InputError({file.string(), "byte " + std::to_string(nul), "a NUL byte", "text"});
-    if (rest.starts_with("\xEF\xBB\xBF"))
-        rest.remove_prefix(3);
 
-    CsvImageParser parser(file.string());
-    while (!rest.empty() && !parser.isFull())
-        parser.line(nextLine(rest));
-    return parser.image();
+    const TextRows rows = rowsOf(text, columnDialectOf(text, file.string()));
+    CsvImageParser parser(file.string(), rows);
+    for (std::string_view rest = text; !rest.empty() && !parser.isFull();)
+        parser.line(takeLine(rest));
+    RadianceImage image = parser.image();
+    if (!rows.dialect.isPlain())
+        remarkOn(file.string(), rows.dialect.words());
+    if (areHeadLines(rows))
+        remarkOn(file.string(), "lines " + std::to_string(rows.headLine) + " to " +
+                                    std::to_string(rows.lastHeadLine) +
+                                    " are left out as head lines");
+    return image;
 }
 
-bool beginsAsCsvImage(std::string_view text) {
-    if (text.starts_with("\xEF\xBB\xBF"))
-        text.remove_prefix(3);
+bool beginsAsCsvImage(std::string_view bytes) {
+    const std::string decoded = decodedUtf16(bytes);
+    const std::string_view text = decoded.empty() ? withoutByteOrderMark(bytes) : decoded;
+    if (text.find('\0') != std::string_view::npos)
+        return false;
     std::set<std::string, std::less<>> keys;
-    while (!text.empty()) {
-        const std::string_view line = withoutBlanks(nextLine(text));
-        if (line.starts_with('#')) {
-            const std::string_view comment = withoutBlanks(line.substr(1));
-            keys.emplace(comment.substr(0, comment.find(':')));
-        } else if (!line.empty()) {
-            return (keys.contains("channel") && keys.contains("width") &&
-                    keys.contains("height")) ||
-                   beginsWithNumber(line.substr(0, line.find_first_of(",;\t")));
+    for (std::string_view rest = text; !rest.empty();) {
+        const std::string_view line = trimmed(takeLine(rest));
+        if (!isCommentLine(line)) {
+            if (!line.empty())
+                break;
+            continue;
         }
+        const std::string_view comment = trimmed(line.substr(line.find('#') + 1));
+        keys.emplace(comment.substr(0, comment.find(':')));
     }
-    return false;
+    if (keys.contains("channel") && keys.contains("width") && keys.contains("height")) {
+        // An image of ours, be its numbers wrong; only a table of results has names in their place.
+        const TextRows rows = rowsOf(text, {});
+        return rows.headLine == 0 ||
+               wordsOfHeading(rows.head, {}).find("table") == std::string::npos;
+    }
+    try {
+        const TextRows rows = rowsOf(text, columnDialectOf(text, ""));
+        return rows.headLine == 0 ? rows.numberLine != 0
+                                  : areHeadLines(rows) || beginsWithNumber(rows.head, rows.dialect);
+    } catch (const InputError&) {
+        return true; // numbers that can be read in two ways
+    }
 }
 
 extern constinit const ImageFormat csvFormat{
@@ -296,11 +411,9 @@ extern constinit const ImageFormat csvFormat{
     .keeps = ImageFormat::Keeps::onePlane,
     .isUsual = true,
     .isText = true,
-    .recognises =
-        [](std::string_view beginning) {
-            return beginning.find('\0') == std::string_view::npos && beginsAsCsvImage(beginning);
-        },
-    .read = readCsvImage,
+    .recognises = beginsAsCsvImage,
+    .read = [](const std::filesystem::path& file,
+               const ImageReading&) { return readCsvImage(file); },
     .write = [](const RadianceImage& image, const std::filesystem::path& file,
                 const ImageWriting& how) { writeCsvImage(image, file, how.channel); }};
 

@@ -13,16 +13,20 @@
 #include <OpenEXR/ImfFloatAttribute.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfInputPart.h>
 #include <OpenEXR/ImfIntAttribute.h>
+#include <OpenEXR/ImfMultiPartInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfStdIO.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfStringVectorAttribute.h>
+#include <OpenEXR/ImfThreading.h>
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/core/FileReplacement.h"
+#include "irsg/core/Remarks.h"
 #include "irsg/image/AttributeText.h"
 #include "irsg/image/ExrHeader.h"
 #include "irsg/image/ImageFormat.h"
@@ -34,6 +38,8 @@ namespace {
 constexpr std::string_view exrSignature = "\x76\x2f\x31\x01";
 constexpr std::string_view unitPrefix = "unit.";
 const std::string orderName = "channelOrder";
+/// What we call the plane that is stored as Y.
+const std::string shownName = "plane.Y";
 constexpr std::uint64_t largestValueCount = std::uint64_t{1} << 30;
 
 bool isReservedName(std::string_view name) {
@@ -52,7 +58,8 @@ bool isReservedName(std::string_view name) {
                                                              "type",
                                                              "version",
                                                              "view",
-                                                             orderName};
+                                                             orderName,
+                                                             shownName};
     return names.contains(name) || name.starts_with(unitPrefix) ||
            name.starts_with(attributePrefix);
 }
@@ -170,10 +177,76 @@ void checkHeader(const Imf::Header& header, const std::string& file) {
                               " pixels a side and at most 2^30 values"});
 }
 
-RadianceImage readPixels(Imf::InputFile& input, const std::string& file) {
-    const Imf::Header& header = input.header();
+bool isDeep(const Imf::Header& header) {
+    return header.hasType() &&
+           (header.type() == Imf::DEEPSCANLINE || header.type() == Imf::DEEPTILE);
+}
+
+/// A plane of ours that is stored as Y gets its name back.
+void renameShown(const Imf::Header& header, RadianceImage& image) {
+    const auto* name = header.findTypedAttribute<Imf::StringAttribute>(shownName);
+    if (name == nullptr || name->value().empty() || image.find(name->value()) != nullptr)
+        return;
+    const auto shown = std::ranges::find(image.channels, "Y", &ImageChannel::name);
+    if (shown != image.channels.end())
+        shown->name = name->value();
+}
+
+/// What a part holds, for a list of parts: "2 'radiance': Y, 48 x 32 pixels".
+std::string wordsOf(const Imf::Header& header, int number) {
+    std::string words = std::to_string(number);
+    if (header.hasName() && !header.name().empty())
+        words += " '" + header.name() + "'";
+    words += ": ";
+    if (isDeep(header))
+        words += "deep data, ";
+    for (auto it = header.channels().begin(); it != header.channels().end(); ++it)
+        words += std::string(it.name()) + ", ";
+    const Imath::Box2i window = header.dataWindow();
+    return words + std::to_string(std::int64_t{window.max.x} - window.min.x + 1) + " x " +
+           std::to_string(std::int64_t{window.max.y} - window.min.y + 1) + " pixels";
+}
+
+/// How likely a part is the one that is meant.
+int rankOf(const Imf::Header& header) {
+    const auto has = [&](const char* name) {
+        return header.channels().findChannel(name) != nullptr;
+    };
+    return isDeep(header) ? 0 : has("L") ? 4 : has("Y") ? 3 : has("R") && has("G") ? 2 : 1;
+}
+
+/// The number of the part that is meant, from 0.
+int chosenPart(const Imf::MultiPartInputFile& input, const std::string& part,
+               const std::string& file) {
+    std::string all;
+    for (int i = 0; i < input.parts(); ++i)
+        all += (i > 0 ? "; " : "") + wordsOf(input.header(i), i + 1);
+    if (!part.empty()) {
+        for (int i = 0; i < input.parts(); ++i)
+            if (input.header(i).hasName() && input.header(i).name() == part)
+                return i;
+        for (int i = 0; i < input.parts(); ++i)
+            if (part == std::to_string(i + 1))
+                return i;
+        throw InputError({file, "", "no part '" + part + "'", "one of its parts: " + all});
+    }
+    int chosen = 0;
+    for (int i = 1; i < input.parts(); ++i)
+        if (rankOf(input.header(i)) > rankOf(input.header(chosen)))
+            chosen = i;
+    if (input.parts() > 1)
+        remarkOn(file, "holds " + std::to_string(input.parts()) + " parts (" + all + "); part " +
+                           std::to_string(chosen + 1) + " is read");
+    return chosen;
+}
+
+RadianceImage readPixels(Imf::MultiPartInputFile& parts, int part, const std::string& file) {
+    const Imf::Header& header = parts.header(part);
+    if (isDeep(header))
+        throw InputError({file, "part " + std::to_string(part + 1), "deep data",
+                          "one value a pixel and channel"});
     checkHeader(header, file);
-    if (!input.isComplete())
+    if (!parts.partComplete(part))
         throw InputError({file, "", "a truncated file, some of its rows are missing",
                           "a complete OpenEXR file"});
 
@@ -185,11 +258,15 @@ RadianceImage readPixels(Imf::InputFile& input, const std::string& file) {
     for (const std::string& name : names)
         image.channel(name);
     readAttributes(header, image);
+    if (header.pixelAspectRatio() != 1.0F)
+        remarkOn(file, "its pixels are " + shortest(header.pixelAspectRatio()) +
+                           " times as wide as high; they are taken as square");
 
     // OpenEXR addresses a pixel by its place in the data window, Slice::Make moves the origin.
     Imf::FrameBuffer target;
     for (ImageChannel& channel : image.channels)
         target.insert(channel.name, Imf::Slice::Make(Imf::FLOAT, channel.values.data(), window));
+    Imf::InputPart input(parts, part);
     input.setFrameBuffer(target);
 
     // Row by row, so that damage has a place; blocks of rows are cached by the library.
@@ -201,7 +278,27 @@ RadianceImage readPixels(Imf::InputFile& input, const std::string& file) {
         throw InputError({file, "row " + std::to_string(y - window.min.y), error.what(),
                           "an undamaged OpenEXR file"});
     }
+    renameShown(header, image);
     return image;
+}
+
+/// Opens a file of bytes that were read before, and gives it to `use`.
+template <typename Use>
+auto withParts(const std::string& bytes, const std::string& name, Use&& use) {
+    if (!bytes.starts_with(exrSignature))
+        throw InputError({name, "byte 0", bytes.empty() ? "an empty file" : "no OpenEXR signature",
+                          "an OpenEXR file"});
+    checkExrHeader(bytes, name);
+    try {
+        MemoryStream stream(bytes, name);
+        // Without reconstruction a file cut short is told from a whole one.
+        Imf::MultiPartInputFile input(stream, Imf::globalThreadCount(), false);
+        return use(input);
+    } catch (const InputError&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw InputError({name, "", error.what(), "an OpenEXR image, undamaged and complete"});
+    }
 }
 
 } // namespace
@@ -214,15 +311,22 @@ void writeExr(const RadianceImage& image, const std::filesystem::path& file) {
     header.compression() = Imf::ZIP_COMPRESSION;
     Imf::FrameBuffer source;
     std::vector<std::string> order;
+    const bool hasColours = std::ranges::any_of(image.channels, [](const ImageChannel& channel) {
+        return channel.name == "R" || channel.name == "G" || channel.name == "B" ||
+               channel.name == "Y";
+    });
+    if (!hasColours)
+        header.insert(shownName, Imf::StringAttribute(image.primary().name));
     for (const ImageChannel& channel : image.channels) {
-        header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
-        header.insert(std::string(unitPrefix) + channel.name, Imf::StringAttribute(channel.unit));
-        order.push_back(channel.name);
+        const bool isShown = !hasColours && &channel == &image.channels.front();
+        const std::string name = isShown ? "Y" : channel.name;
+        header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+        header.insert(std::string(unitPrefix) + name, Imf::StringAttribute(channel.unit));
+        order.push_back(name);
         // The library takes a pointer to what it reads from as one to non-const.
         auto* values = const_cast<float*>(channel.values.data());
-        source.insert(channel.name,
-                      Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values), sizeof(float),
-                                 sizeof(float) * static_cast<std::size_t>(image.width())));
+        source.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values), sizeof(float),
+                                       sizeof(float) * static_cast<std::size_t>(image.width())));
     }
     header.insert(orderName, Imf::StringVectorAttribute(order));
     for (const auto& [name, value] : image.attributes)
@@ -238,22 +342,22 @@ void writeExr(const RadianceImage& image, const std::filesystem::path& file) {
     writeFileDurably(file, bytes.str());
 }
 
-RadianceImage readExr(const std::filesystem::path& file) {
+RadianceImage readExr(const std::filesystem::path& file, const ImageReading& what) {
     const std::string bytes = readFile(file);
     const std::string name = file.string();
-    if (!bytes.starts_with(exrSignature))
-        throw InputError({name, "byte 0", bytes.empty() ? "an empty file" : "no OpenEXR signature",
-                          "an OpenEXR file"});
-    checkExrHeader(bytes, name);
-    try {
-        MemoryStream stream(bytes, name);
-        Imf::InputFile input(stream);
-        return readPixels(input, name);
-    } catch (const InputError&) {
-        throw;
-    } catch (const std::exception& error) {
-        throw InputError({name, "", error.what(), "an OpenEXR image, undamaged and complete"});
-    }
+    return withParts(bytes, name, [&](Imf::MultiPartInputFile& input) {
+        return readPixels(input, chosenPart(input, what.part, name), name);
+    });
+}
+
+std::vector<ImagePart> exrParts(const std::filesystem::path& file) {
+    const std::string bytes = readFile(file);
+    return withParts(bytes, file.string(), [](Imf::MultiPartInputFile& input) {
+        std::vector<ImagePart> parts;
+        for (int i = 0; i < input.parts(); ++i)
+            parts.push_back({wordsOf(input.header(i), i + 1), {.part = std::to_string(i + 1)}});
+        return parts;
+    });
 }
 
 extern constinit const ImageFormat exrFormat{
@@ -264,6 +368,7 @@ extern constinit const ImageFormat exrFormat{
     .recognises = [](std::string_view beginning) { return beginning.starts_with(exrSignature); },
     .read = readExr,
     .write = [](const RadianceImage& image, const std::filesystem::path& file,
-                const ImageWriting&) { writeExr(image, file); }};
+                const ImageWriting&) { writeExr(image, file); },
+    .parts = exrParts};
 
 } // namespace irsg

@@ -77,11 +77,7 @@ Weights weightsOf(const RadianceImage& image, const ImageGeometry& geometry) {
 class Comparing {
   public:
     Comparing(const RadianceImage& a, const RadianceImage& b, const ComparisonOptions& options)
-        : imageA_(a),
-          imageB_(b),
-          a_(chosenPlane(a, options.channel, options.nameA)),
-          b_(chosenPlane(b, options.channel, options.nameB)),
-          options_(options) {}
+        : Comparing(a, b, options, comparedPlanes(a, b, options)) {}
 
     Comparison run() {
         result_.area = checkedRectangle(imageA_, options_.rectangle);
@@ -97,6 +93,10 @@ class Comparing {
     }
 
   private:
+    Comparing(const RadianceImage& a, const RadianceImage& b, const ComparisonOptions& options,
+              const ComparedPlanes& planes)
+        : imageA_(a), imageB_(b), a_(planes.a), b_(planes.b), options_(options) {}
+
     template <typename Use>
     void forEachPair(Use&& use) const {
         const PixelRectangle& area = result_.area;

@@ -33,7 +33,9 @@ std::string verdictWord(Verdict verdict);
 
 struct ComparisonOptions {
     ComparisonLevel fail{}, warn{};
-    std::string channel{};                            ///< of both images; empty: see chosenPlane
+    std::string channel{}; ///< of both images; empty: see chosenPlane
+    /// Of one image each, before `channel`.
+    std::string channelA{}, channelB{};
     std::optional<PixelRectangle> rectangle{};        ///< compares this part alone
     std::string nameA = "image A", nameB = "image B"; ///< for messages
 

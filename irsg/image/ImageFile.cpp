@@ -6,8 +6,11 @@
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
+#include "irsg/core/Remarks.h"
 #include "irsg/core/Wording.h"
 #include "irsg/image/CsvImage.h"
+#include "irsg/image/EnviFile.h"
+#include "irsg/image/ImageComparison.h"
 #include "irsg/image/ImageFormat.h"
 
 namespace irsg {
@@ -26,9 +29,15 @@ constexpr std::array<Signature, 5> otherFormats = {{{"\x89PNG", "a PNG picture"}
 
 constexpr std::size_t beginningSize = std::size_t{256} << 10;
 
-const ImageFormat* formatThatBegins(std::string_view beginning) {
-    for (const ImageFormat* format : imageFormats())
-        if (format->read != nullptr && format->recognises(beginning))
+/// The format of a file: by its beginning, or by the ENVI header beside it.
+const ImageFormat* formatOf(const std::filesystem::path& file, std::string_view beginning) {
+    const std::vector<const ImageFormat*> all = readImageFormats();
+    for (const ImageFormat* format : all)
+        if (!format->isText && format->recognises(beginning))
+            return format;
+    const std::string_view header = enviHeaderOf(file).empty() ? beginning : "ENVI";
+    for (const ImageFormat* format : all)
+        if (format->isText && format->recognises(header))
             return format;
     return nullptr;
 }
@@ -39,15 +48,24 @@ std::string namesOfReadFormats() {
     for (const ImageFormat* format : imageFormats())
         if (format->read != nullptr)
             names.emplace_back(format->name);
+    for (const ImageFormat* format : foreignImageFormats())
+        names.emplace_back(format->name);
     return alternatives(names);
 }
 
 } // namespace
 
-RadianceImage readImageFile(const std::filesystem::path& file) {
+RadianceImage readImageFile(const std::filesystem::path& file, const ImageReading& what) {
     const std::string beginning = readFileBeginning(file, beginningSize);
-    if (const ImageFormat* format = formatThatBegins(beginning))
-        return format->read(file);
+    const ImageFormat* const format = formatOf(file, beginning);
+    if (!what.part.empty() && (format == nullptr || format->parts == nullptr || format->hasPages))
+        throw InputError({file.string(), "part " + what.part, "a file without parts",
+                          "an OpenEXR image, or no part"});
+    if (what.page && (format == nullptr || !format->hasPages))
+        throw InputError({file.string(), "page " + std::to_string(*what.page),
+                          "a file without pages", "a TIFF image, or no page"});
+    if (format != nullptr)
+        return format->read(file, what);
     for (const Signature& other : otherFormats)
         if (beginning.starts_with(other.bytes))
             throw InputError({file.string(), "byte 0", std::string(other.format),
@@ -56,10 +74,18 @@ RadianceImage readImageFile(const std::filesystem::path& file) {
     return readCsvImage(file);
 }
 
+std::vector<ImagePart> imageParts(const std::filesystem::path& file) {
+    const ImageFormat* const format = formatOf(file, readFileBeginning(file, beginningSize));
+    if (format == nullptr || format->parts == nullptr)
+        return {};
+    std::vector<ImagePart> parts = format->parts(file);
+    return parts.size() > 1 ? parts : std::vector<ImagePart>();
+}
+
 bool holdsImage(const std::filesystem::path& file) {
     std::error_code unknown;
     return std::filesystem::is_regular_file(file, unknown) &&
-           formatThatBegins(readFileBeginning(file, beginningSize)) != nullptr;
+           formatOf(file, readFileBeginning(file, beginningSize)) != nullptr;
 }
 
 std::string channelList(const RadianceImage& image) {
@@ -86,6 +112,28 @@ const ImageChannel& chosenPlane(const RadianceImage& image, const std::string& c
             return *found;
     throw InputError({imageName, "", "several channels and none called L or Y",
                       "the name of one of them: " + channelList(image)});
+}
+
+ComparedPlanes comparedPlanes(const RadianceImage& a, const RadianceImage& b,
+                              const ComparisonOptions& options) {
+    std::string nameA = options.channelA.empty() ? options.channel : options.channelA;
+    std::string nameB = options.channelB.empty() ? options.channel : options.channelB;
+    const bool areOne = options.channelA.empty() && options.channelB.empty() && !nameA.empty();
+    if (areOne && (a.find(nameA) == nullptr) != (b.find(nameA) == nullptr)) {
+        const bool lacksA = a.find(nameA) == nullptr;
+        std::string& lacking = lacksA ? nameA : nameB;
+        const RadianceImage& image = lacksA ? a : b;
+        const std::string& file = lacksA ? options.nameA : options.nameB;
+        try {
+            const std::string usual = chosenPlane(image, "", file).name;
+            remarkOn(file,
+                     "has no channel '" + lacking + "'; its '" + usual + "' is compared with it");
+            lacking = usual;
+        } catch (const InputError&) {
+            // It is refused below, with the name that was asked for.
+        }
+    }
+    return {chosenPlane(a, nameA, options.nameA), chosenPlane(b, nameB, options.nameB)};
 }
 
 } // namespace irsg

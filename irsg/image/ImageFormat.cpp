@@ -48,9 +48,17 @@ const ImageFormat& requiredImageFormat(const std::filesystem::path& file) {
          imageExtensionNames()});
 }
 
+std::vector<const ImageFormat*> readImageFormats() {
+    std::vector<const ImageFormat*> all = foreignImageFormats();
+    for (const ImageFormat* format : imageFormats())
+        if (format->read != nullptr)
+            all.push_back(format);
+    return all;
+}
+
 const ImageFormat* readableImageFormatOf(const std::filesystem::path& file) {
     const std::string extension = lowerCase(file.extension().string());
-    for (const ImageFormat* format : imageFormats())
+    for (const ImageFormat* format : readImageFormats())
         if (std::ranges::count(readExtensionsOf(*format), extension) > 0)
             return format;
     return nullptr;
@@ -67,6 +75,9 @@ std::vector<std::string> imageExtensions() {
 std::vector<std::string> readableImageExtensions() {
     std::vector<std::string> all;
     for (const ImageFormat* format : imageFormats())
+        for (std::string& extension : readExtensionsOf(*format))
+            all.push_back(std::move(extension));
+    for (const ImageFormat* format : foreignImageFormats())
         for (std::string& extension : readExtensionsOf(*format))
             all.push_back(std::move(extension));
     return all;

@@ -1,104 +1,32 @@
 #include "irsg/image/TiffFile.h"
 
 #include <algorithm>
-#include <cstdarg>
-#include <cstdio>
 #include <cstring>
-#include <memory>
-#include <optional>
 
+#include <Imath/half.h>
 #include <tiffio.h>
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/core/FileReplacement.h"
+#include "irsg/core/Remarks.h"
 #include "irsg/image/AttributeText.h"
 #include "irsg/image/ExrFile.h"
 #include "irsg/image/ImageFormat.h"
+#include "irsg/image/TiffMemory.h"
 
 namespace irsg {
 
 namespace {
 
-constexpr tmsize_t mostMemory = tmsize_t{1} << 30;
 constexpr int mostPages = 1000;
-
-/// A file in memory, in the way libtiff asks for it, with the first thing it had to say.
-struct Memory {
-    std::string bytes;
-    std::size_t position = 0;
-    std::string complaint = {};
-};
-
-tmsize_t readBytes(thandle_t handle, void* into, tmsize_t count) {
-    auto& memory = *static_cast<Memory*>(handle);
-    const std::size_t left = memory.bytes.size() - std::min(memory.position, memory.bytes.size());
-    const std::size_t taken =
-        std::min(left, static_cast<std::size_t>(std::max<tmsize_t>(count, 0)));
-    std::memcpy(into, memory.bytes.data() + std::min(memory.position, memory.bytes.size()), taken);
-    memory.position += taken;
-    return static_cast<tmsize_t>(taken);
-}
-
-tmsize_t writeBytes(thandle_t handle, void* from, tmsize_t count) {
-    auto& memory = *static_cast<Memory*>(handle);
-    const auto size = static_cast<std::size_t>(count);
-    if (memory.bytes.size() < memory.position + size)
-        memory.bytes.resize(memory.position + size);
-    std::memcpy(memory.bytes.data() + memory.position, from, size);
-    memory.position += size;
-    return count;
-}
-
-toff_t seekTo(thandle_t handle, toff_t offset, int whence) {
-    auto& memory = *static_cast<Memory*>(handle);
-    const std::size_t base = whence == SEEK_SET   ? 0
-                             : whence == SEEK_CUR ? memory.position
-                                                  : memory.bytes.size();
-    memory.position = base + static_cast<std::size_t>(offset);
-    return memory.position;
-}
-
-toff_t sizeOf(thandle_t handle) {
-    return static_cast<Memory*>(handle)->bytes.size();
-}
-
-int keepComplaint(TIFF*, void* user, const char*, const char* format, va_list arguments) {
-    auto& memory = *static_cast<Memory*>(user);
-    if (memory.complaint.empty()) {
-        char text[256];
-        std::vsnprintf(text, sizeof text, format, arguments);
-        memory.complaint = text;
-    }
-    return 1;
-}
-
-int sayNothing(TIFF*, void*, const char*, const char*, va_list) {
-    return 1;
-}
-
-struct CloseTiff {
-    void operator()(TIFF* tiff) const { TIFFClose(tiff); }
-};
-using Tiff = std::unique_ptr<TIFF, CloseTiff>;
-
-Tiff opened(Memory& memory, const char* mode) {
-    TIFFOpenOptions* options = TIFFOpenOptionsAlloc();
-    TIFFOpenOptionsSetMaxSingleMemAlloc(options, mostMemory);
-    TIFFOpenOptionsSetErrorHandlerExtR(options, keepComplaint, &memory);
-    TIFFOpenOptionsSetWarningHandlerExtR(options, sayNothing, &memory);
-    Tiff tiff(TIFFClientOpenExt(
-        "image", mode, &memory, readBytes, writeBytes, seekTo, [](thandle_t) { return 0; }, sizeOf,
-        [](thandle_t, void**, toff_t*) { return 0; }, [](thandle_t, void*, toff_t) {}, options));
-    TIFFOpenOptionsFree(options);
-    return tiff;
-}
 
 /// How the values of a page are stored.
 struct Layout {
     std::uint32_t width = 0, height = 0;
     std::uint16_t bits = 1, format = SAMPLEFORMAT_UINT, samples = 1, planar = PLANARCONFIG_CONTIG;
-    bool isTiled = false;
+    std::uint16_t orientation = ORIENTATION_TOPLEFT;
+    bool isTiled = false, isColoured = false;
 
     std::size_t bytesPerValue() const { return bits / 8U; }
 };
@@ -109,6 +37,11 @@ float valueOf(const unsigned char* at, const Layout& layout) {
         std::memcpy(&number, at, sizeof number);
         return static_cast<float>(number);
     };
+    if (layout.format == SAMPLEFORMAT_IEEEFP && layout.bits == 16) {
+        half number;
+        number.setBits(static_cast<std::uint16_t>(as(std::uint16_t{})));
+        return number;
+    }
     if (layout.format == SAMPLEFORMAT_IEEEFP)
         return layout.bits == 32 ? as(0.0F) : as(0.0);
     if (layout.format == SAMPLEFORMAT_INT)
@@ -120,34 +53,107 @@ float valueOf(const unsigned char* at, const Layout& layout) {
                                : as(std::uint32_t{});
 }
 
-class Reader {
+class TiffReader {
   public:
-    explicit Reader(const std::filesystem::path& file) : name_(file.string()) {
+    explicit TiffReader(const std::filesystem::path& file) : name_(file.string()) {
         memory_.bytes = readFile(file);
-        tiff_ = opened(memory_, "rm");
+        tiff_ = openTiff(memory_, "rm");
         if (!tiff_)
             refuse("", "a TIFF file");
     }
 
-    RadianceImage image() {
+    RadianceImage image(const ImageReading& what) {
+        if (what.page)
+            return onePage(*what.page);
         RadianceImage image;
+        std::string leftOut;
+        bool isOurs = false;
         int page = 0;
         do {
             if (++page > mostPages)
                 throw InputError({name_, "page " + std::to_string(page), "more pages",
                                   "at most " + std::to_string(mostPages) + " planes"});
-            readPage(image, page);
+            const std::string why = page > 1 ? reasonAgainst(image) : "";
+            if (!why.empty())
+                leftOut += (leftOut.empty() ? "page " : ", page ") + std::to_string(page) + why;
+            else
+                readPage(image, page);
+            isOurs = isOurs || isOfOurs();
         } while (TIFFReadDirectory(tiff_.get()) == 1);
         // A chain of pages that breaks off is told from one that ends.
         if (!memory_.complaint.empty())
             refuse("page " + std::to_string(page + 1), "an undamaged page or none");
+        if (!leftOut.empty())
+            remarkOn(name_, "leaves out " + leftOut + "; a page is read alone by its number");
+        if (image.channels.size() > 1 && page > 1 && !isOurs)
+            remarkOn(name_, "holds " + std::to_string(page) + " pages; page 1 is the plane " +
+                                image.channels.front().name +
+                                ", others are chosen by their number or as the channels " +
+                                "page2, ...");
         return image;
+    }
+
+    std::vector<ImagePart> pages() {
+        std::vector<ImagePart> all;
+        int page = 0;
+        do {
+            std::uint32_t width = 0, height = 0;
+            std::uint16_t samples = 1;
+            TIFFGetField(tiff_.get(), TIFFTAG_IMAGEWIDTH, &width);
+            TIFFGetField(tiff_.get(), TIFFTAG_IMAGELENGTH, &height);
+            TIFFGetFieldDefaulted(tiff_.get(), TIFFTAG_SAMPLESPERPIXEL, &samples);
+            // Planes of one image of ours are no choice of images.
+            if (isOfOurs())
+                return {};
+            ++page;
+            all.push_back({"page " + std::to_string(page) + ": " + std::to_string(width) + " x " +
+                               std::to_string(height) + " pixels" +
+                               (samples > 1 ? " of " + std::to_string(samples) + " samples" : ""),
+                           {.part = "", .page = page}});
+        } while (page < mostPages && TIFFReadDirectory(tiff_.get()) == 1);
+        return all;
     }
 
   private:
     [[noreturn]] void refuse(const std::string& position, const std::string& expected) const {
         throw InputError(
             {name_, position, memory_.complaint.empty() ? "damaged" : memory_.complaint, expected});
+    }
+
+    RadianceImage onePage(int page) {
+        for (int i = 1; i < page; ++i)
+            if (TIFFReadDirectory(tiff_.get()) != 1) {
+                if (!memory_.complaint.empty())
+                    refuse("page " + std::to_string(i + 1), "an undamaged page or none");
+                throw InputError({name_, "", "no page " + std::to_string(page),
+                                  "a page from 1 to " + std::to_string(i)});
+            }
+        RadianceImage image;
+        readPage(image, page);
+        return image;
+    }
+
+    bool isOfOurs() const {
+        const char* description = nullptr;
+        return TIFFGetField(tiff_.get(), TIFFTAG_IMAGEDESCRIPTION, &description) == 1 &&
+               std::string_view(description).starts_with("channel: ");
+    }
+
+    /// Why the present page is no plane of the image, " (...)"; empty where it is one.
+    std::string reasonAgainst(const RadianceImage& image) const {
+        std::uint32_t kind = 0, width = 0, height = 0;
+        TIFFGetField(tiff_.get(), TIFFTAG_SUBFILETYPE, &kind);
+        if ((kind & FILETYPE_REDUCEDIMAGE) != 0)
+            return " (a reduced copy)";
+        if ((kind & FILETYPE_MASK) != 0)
+            return " (a mask)";
+        TIFFGetField(tiff_.get(), TIFFTAG_IMAGEWIDTH, &width);
+        TIFFGetField(tiff_.get(), TIFFTAG_IMAGELENGTH, &height);
+        const auto wide = static_cast<std::uint32_t>(image.width());
+        const auto high = static_cast<std::uint32_t>(image.height());
+        return width == wide && height == high
+                   ? ""
+                   : " (" + std::to_string(width) + " x " + std::to_string(height) + " pixels)";
     }
 
     Layout layoutOf(const std::string& page) const {
@@ -166,16 +172,32 @@ class Reader {
         TIFFGetField(tiff, TIFFTAG_PHOTOMETRIC, &photometric);
         const bool isNumber =
             layout.format == SAMPLEFORMAT_IEEEFP
-                ? layout.bits == 32 || layout.bits == 64
+                ? layout.bits == 16 || layout.bits == 32 || layout.bits == 64
                 : (layout.format == SAMPLEFORMAT_UINT || layout.format == SAMPLEFORMAT_INT) &&
                       (layout.bits == 8 || layout.bits == 16 || layout.bits == 32);
-        if (!isNumber || photometric != PHOTOMETRIC_MINISBLACK)
+        layout.isColoured = photometric == PHOTOMETRIC_RGB &&
+                            layout.format == SAMPLEFORMAT_IEEEFP && layout.samples >= 3;
+        TIFFGetFieldDefaulted(tiff, TIFFTAG_ORIENTATION, &layout.orientation);
+        std::uint16_t compression = COMPRESSION_NONE, subfiles = 0;
+        TIFFGetField(tiff, TIFFTAG_COMPRESSION, &compression);
+        if (compression == COMPRESSION_JPEG || compression == COMPRESSION_OJPEG)
+            remarkOn(name_, page + " was compressed with loss (JPEG)");
+        void* offsets = nullptr;
+        if (TIFFGetField(tiff, TIFFTAG_SUBIFD, &subfiles, &offsets) == 1 && subfiles > 0)
+            remarkOn(name_, page + ": " + std::to_string(subfiles) +
+                                " further images within the page are left out (SubIFDs)");
+        if (layout.orientation > ORIENTATION_BOTLEFT)
+            throw InputError(
+                {name_, page,
+                 "rows that are columns (orientation " + std::to_string(layout.orientation) + ")",
+                 "an orientation from 1 to 4"});
+        if (!isNumber || (photometric != PHOTOMETRIC_MINISBLACK && !layout.isColoured))
             throw InputError({name_, page,
                               !isNumber ? std::to_string(layout.bits) + "-bit samples of format " +
                                               std::to_string(layout.format)
                                         : "colours (photometric interpretation " +
                                               std::to_string(photometric) + ")",
-                              "values: floats of 32 or 64 bits or integers of 8, 16 or 32"});
+                              "values: floats of 16, 32 or 64 bits or integers of 8, 16 or 32"});
         const auto limit = static_cast<std::uint32_t>(largestImageSide_px);
         if (layout.width < 1 || layout.height < 1 || layout.width > limit ||
             layout.height > limit || layout.samples < 1 || layout.samples > 64)
@@ -204,23 +226,19 @@ class Reader {
         if (image.empty()) {
             image = RadianceImage(width, height);
             image.channels.clear();
-        } else if (image.width() != width || image.height() != height) {
-            throw InputError({name_, page,
-                              std::to_string(width) + " x " + std::to_string(height) + " pixels",
-                              std::to_string(image.width()) + " x " +
-                                  std::to_string(image.height()) + ", as the first page"});
         }
         image.attributes.merge(text.attributes);
 
         // The planes of the page: one by name, or as many as a pixel has samples.
         const std::string name = text.plane.contains("channel") ? text.plane["channel"]
-                                 : number == 1 && layout.samples == 1
+                                 : image.channels.empty() && layout.samples == 1
                                      ? "L"
                                      : "page" + std::to_string(number);
         const std::size_t first = image.channels.size();
         for (std::uint16_t s = 0; s < layout.samples; ++s) {
-            const std::string plane =
-                layout.samples == 1 ? name : name + "." + std::to_string(s + 1);
+            std::string plane = layout.samples == 1 ? name : name + "." + std::to_string(s + 1);
+            if (layout.isColoured && first == 0 && s < 4)
+                plane = std::string(1, "RGBA"[s]);
             if (image.find(plane) != nullptr)
                 throw InputError({name_, page, "a second plane " + plane, "another name"});
             image.channel(plane, text.plane["unit"]);
@@ -259,7 +277,7 @@ class Reader {
             blockHeight = std::min(blockHeight, layout.height);
         }
         const tmsize_t size = layout.isTiled ? TIFFTileSize(tiff) : TIFFStripSize(tiff);
-        if (blockWidth == 0 || blockHeight == 0 || size <= 0 || size > mostMemory)
+        if (blockWidth == 0 || blockHeight == 0 || size <= 0 || size > mostTiffMemory_B)
             throw InputError(
                 {name_, page, "blocks of " + std::to_string(size) + " bytes", "blocks of values"});
         std::vector<unsigned char> block(static_cast<std::size_t>(size));
@@ -280,8 +298,8 @@ class Reader {
                     for (std::uint32_t row = 0; row < rows; ++row)
                         for (std::uint32_t column = 0; column < columns; ++column)
                             for (std::uint16_t k = 0; k < samplesTogether; ++k)
-                                image.channels[firstPlane + s + k].values[image.offset(
-                                    static_cast<int>(x + column), static_cast<int>(y + row))] =
+                                image.channels[firstPlane + s + k].values[placeOf(
+                                    image, layout.orientation, x + column, y + row)] =
                                     valueOf(block.data() +
                                                 stride *
                                                     (static_cast<std::size_t>(row) * blockWidth +
@@ -289,6 +307,19 @@ class Reader {
                                                 layout.bytesPerValue() * k,
                                             layout);
                 }
+    }
+
+    /// Where a value goes that is stored in a row and column: the orientation says which corner is
+    /// the first.
+    static std::size_t placeOf(const RadianceImage& image, std::uint16_t orientation,
+                               std::uint32_t x, std::uint32_t y) {
+        const bool fromRight =
+            orientation == ORIENTATION_TOPRIGHT || orientation == ORIENTATION_BOTRIGHT;
+        const bool fromBottom =
+            orientation == ORIENTATION_BOTRIGHT || orientation == ORIENTATION_BOTLEFT;
+        const auto column = static_cast<int>(x), row = static_cast<int>(y);
+        return image.offset(fromRight ? image.width() - 1 - column : column,
+                            fromBottom ? image.height() - 1 - row : row);
     }
 
     void readBlock(std::vector<unsigned char>& block, const Layout& layout, std::uint32_t x,
@@ -306,8 +337,8 @@ class Reader {
     }
 
     std::string name_;
-    Memory memory_;
-    Tiff tiff_;
+    TiffMemory memory_;
+    OpenTiff tiff_;
 };
 
 /// What a page says of its plane, and the first one of the image.
@@ -356,9 +387,9 @@ void writePage(TIFF* tiff, const RadianceImage& image, std::size_t index) {
 
 void writeTiff(const RadianceImage& image, const std::filesystem::path& file) {
     checkPlanes(image);
-    Memory memory;
+    TiffMemory memory;
     {
-        const Tiff tiff = opened(memory, "wm");
+        const OpenTiff tiff = openTiff(memory, "wm");
         if (!tiff)
             throw LogicError("a TIFF file cannot be begun: " + memory.complaint);
         for (std::size_t i = 0; i < image.channels.size(); ++i)
@@ -369,8 +400,12 @@ void writeTiff(const RadianceImage& image, const std::filesystem::path& file) {
     writeFileDurably(file, memory.bytes);
 }
 
-RadianceImage readTiff(const std::filesystem::path& file) {
-    return Reader(file).image();
+RadianceImage readTiff(const std::filesystem::path& file, const ImageReading& what) {
+    return TiffReader(file).image(what);
+}
+
+std::vector<ImagePart> tiffPages(const std::filesystem::path& file) {
+    return TiffReader(file).pages();
 }
 
 extern constinit const ImageFormat tiffFormat{
@@ -385,6 +420,8 @@ extern constinit const ImageFormat tiffFormat{
         },
     .read = readTiff,
     .write = [](const RadianceImage& image, const std::filesystem::path& file,
-                const ImageWriting&) { writeTiff(image, file); }};
+                const ImageWriting&) { writeTiff(image, file); },
+    .parts = tiffPages,
+    .hasPages = true};
 
 } // namespace irsg

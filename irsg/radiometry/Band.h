@@ -16,8 +16,11 @@ class Band {
     /// A sampled response (zero outside its axis). Throws InputError for a negative value or no
     /// area.
     static Band fromResponse(Spectrum response, std::string name = "response");
-    /// Reads a CSV of two columns: `wavelength [um]` (or cell (0,0) `um` or `cm-1`) and response.
-    /// Comment lines begin with #. Throws InputError naming file and line.
+    /// Reads a table of two columns (CsvTable): the axis, ascending or descending, with a head of
+    /// spectralHead(), and the response. Without a head or a unit the axis is what its values tell
+    /// (axisOfValues), with a remark. A head with % makes the response one in percent. Values down
+    /// to -0.005 of the largest are 0, with a remark. Filter files of MODTRAN (.flt) are read as
+    /// well, of several channels the first. Throws InputError naming file, line and value.
     static Band fromCsv(const std::filesystem::path& file);
     /// "3-5" in um. Throws InputError.
     static Band fromText(const std::string& text);

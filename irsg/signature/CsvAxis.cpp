@@ -1,21 +1,28 @@
 #include "irsg/signature/CsvAxis.h"
 
-#include "irsg/radiometry/Units.h"
+#include <optional>
+#include <string>
+
+#include "irsg/core/Remarks.h"
 
 namespace irsg {
 
 SpectralAxis readSpectralAxis(const CsvTable& table, const CsvColumns& columns,
                               std::vector<Diagnostic>& diagnostics) {
-    const CsvCell& cell = columns.corner;
-    if (cell.text == "um" || cell.text == "\u00b5m" || cell.text == "\u03bcm")
-        return SpectralAxis::wavelength;
-    if (cell.text == "cm-1" || cell.text == "cm^-1" || cell.text == "cm\u207b\u00b9")
-        return SpectralAxis::wavenumber;
-    if (!columns.names.empty()) {
+    const std::optional<SpectralHead> head = spectralHead(columns.corner.text);
+    if (head && head->isInAir)
+        remarkOn(table.file(), "wavelengths in air are taken as those in vacuum");
+    if (head && head->axis)
+        return *head->axis;
+    const auto guessed = head ? axisOfValues(columns.axis, true) : std::nullopt;
+    if (guessed)
+        remarkOn(table.file(), std::string("the head names no unit: the first column is taken as "
+                                           "wavelengths in ") +
+                                   axisUnit(*guessed) + ", as its values suggest");
+    else if (!columns.names.empty())
         diagnostics.push_back(
-            table.diagnostic(cell, "'um' or 'cm-1', the unit of the first column"));
-    }
-    return SpectralAxis::wavelength;
+            table.diagnostic(columns.corner, spectralHeads() + ", for the first column"));
+    return guessed.value_or(SpectralAxis::wavelength);
 }
 
 void checkSpectralAxis(const CsvTable& table, const CsvColumns& columns,
@@ -37,10 +44,8 @@ void checkSpectralAxis(const CsvTable& table, const CsvColumns& columns,
 
 std::vector<double> wavelengthsOf(const CsvColumns& columns, SpectralAxis axis) {
     std::vector<double> wavelengths_um;
-    for (const double position : columns.axis) {
-        wavelengths_um.push_back(
-            axis == SpectralAxis::wavenumber ? wavelengthFromWavenumber_um(position) : position);
-    }
+    for (const double position : columns.axis)
+        wavelengths_um.push_back(wavelengthOn_um(axis, position));
     return wavelengths_um;
 }
 

@@ -2,15 +2,14 @@
 
 #include <vector>
 
+#include "irsg/radiometry/SpectralHead.h"
 #include "irsg/signature/CsvColumns.h"
 
 namespace irsg {
 
-/// What the first column of a spectral table holds.
-enum class SpectralAxis { wavelength, wavenumber };
-
-/// Reads cell (0,0): `um` or `cm-1`. Everything else is a diagnostic, unless the row of names is
-/// missing and said to be.
+/// Reads cell (0,0) as spectralHead() does; a wavelength without a unit is what its values tell,
+/// with a remark. Everything else is a diagnostic, unless the row of names is missing and said to
+/// be.
 SpectralAxis readSpectralAxis(const CsvTable& table, const CsvColumns& columns,
                               std::vector<Diagnostic>& diagnostics);
 

@@ -8,11 +8,6 @@ namespace irsg {
 
 namespace {
 
-/// What a spreadsheet of another language writes: semicolons, and commas in numbers.
-bool isForeign(const CsvRow& row) {
-    return row.cells.size() == 1 && row.cells[0].text.find_first_of(";\t") != std::string::npos;
-}
-
 std::string expectedNumber(const CsvCell& cell) {
     return cell.text.find(',') != std::string::npos ? "a finite number with a decimal point"
                                                     : "a finite number";
@@ -33,11 +28,6 @@ CsvColumns readColumns(const CsvTable& table, std::size_t fewestNodes,
     const auto& rows = table.rows();
     const std::string needed = "a row of names and at least " + std::to_string(fewestNodes) +
                                (fewestNodes == 1 ? " row" : " rows") + " of numbers";
-    if (!rows.empty() && isForeign(rows.front())) {
-        diagnostics.push_back(table.diagnostic(rows.front().line, rows.front().cells[0].text,
-                                               "cells separated by commas, and decimal points"));
-        return columns;
-    }
     if (rows.size() < fewestNodes + 1) {
         diagnostics.push_back(table.diagnostic(std::to_string(rows.size()) + " rows", needed));
         return columns;

@@ -4,11 +4,17 @@
 #include <array>
 #include <cmath>
 
+#include "irsg/core/BoundedValues.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/FileReading.h"
 #include "irsg/core/FileReplacement.h"
+#include "irsg/core/Remarks.h"
+#include "irsg/core/Utf8.h"
 #include "irsg/core/Wording.h"
 #include "irsg/signature/CsvAxis.h"
 #include "irsg/signature/EntryFields.h"
+#include "irsg/signature/Fresnel.h"
+#include "irsg/signature/LibraryMaterial.h"
 #include "irsg/signature/ReflectanceCsv.h"
 #include "irsg/signature/SurfaceModels.h"
 
@@ -68,37 +74,89 @@ std::string indexExpected() {
     return alternatives(names);
 }
 
+/// What a head of a column means: the name of a property or of another spectrum, and whether it is
+/// in percent. Capitals do not count; emittance, transmittance and reflectance are other words.
+struct ColumnName {
+    std::string name;
+    bool isPercent = false;
+};
+ColumnName columnName(const std::string& head) {
+    ColumnName result{head};
+    std::string word = lowerCase(head.substr(0, head.find_first_of("[(%")));
+    result.isPercent =
+        head.find('%') != std::string::npos || lowerCase(head).find("percent") != std::string::npos;
+    if (const std::size_t percent = word.find("percent"); percent != std::string::npos)
+        word.erase(percent);
+    word.erase(word.find_last_not_of(" _,/") + 1);
+    constexpr std::pair<std::string_view, const char*> others[] = {
+        {"emittance", "emissivity"},
+        {"transmittance", "transmissivity"},
+        {"transmission", "transmissivity"},
+        {"reflectance", "reflectivity"}};
+    for (const auto& [other, name] : others)
+        if (word == other)
+            word = name;
+    const bool isKnown =
+        std::ranges::find(properties, word) != properties.end() || opticalNamed(word) != nullptr;
+    if (isKnown && (head.find_first_of("[(") == std::string::npos || result.isPercent ||
+                    head.ends_with("[1]") || head.ends_with("[-]") || head.ends_with("(-)")))
+        result.name = word;
+    return result;
+}
+
 /// The column of each property, or none.
 using Columns = std::array<std::optional<std::size_t>, 3>;
 
-Columns columnsOf(const CsvTable& table, const CsvColumns& columns,
+/// Their heads become the names that we give them, and percent fractions.
+Columns columnsOf(const CsvTable& table, CsvColumns& columns,
                   std::vector<Diagnostic>& diagnostics) {
     Columns found;
     for (std::size_t i = 0; i < columns.names.size(); ++i) {
+        const ColumnName meant = columnName(columns.names[i].text);
+        if (meant.isPercent) {
+            remarkOn(table.file(), columns.names[i].text + " is in percent");
+            for (double& value : columns.values[i])
+                value /= 100.0;
+        }
+        columns.names[i].text = meant.name;
         const auto property = std::ranges::find(properties, columns.names[i].text);
-        if (property != properties.end())
-            found[static_cast<std::size_t>(property - properties.begin())] = i;
-        else if (opticalNamed(columns.names[i].text) == nullptr)
+        if (property != properties.end()) {
+            auto& place = found[static_cast<std::size_t>(property - properties.begin())];
+            if (place)
+                diagnostics.push_back(table.diagnostic(columns.names[i], "each name once"));
+            place = i;
+        } else if (opticalNamed(columns.names[i].text) == nullptr) {
             diagnostics.push_back(table.diagnostic(columns.names[i], columnsExpected()));
+        }
     }
     return found;
 }
 
-void checkValues(const CsvTable& table, const CsvColumns& columns,
-                 std::vector<Diagnostic>& diagnostics) {
+std::string placeOf(const CsvCell& cell) {
+    return "line " + std::to_string(cell.line) + ", column " + std::to_string(cell.column);
+}
+
+/// Fractions a little outside of 0 to 1 become the bound, with a remark.
+void checkValues(const CsvTable& table, CsvColumns& columns, std::vector<Diagnostic>& diagnostics) {
+    BoundedValues bounds(0.0, 1.0);
     for (std::size_t i = 0; i < columns.names.size(); ++i) {
         const Optical* const optical = opticalNamed(columns.names[i].text);
         const bool isFraction = optical == nullptr || optical->isFraction;
-        for (const CsvCell& cell : columns.cells[i]) {
-            const double value = parseNumber(cell.text).value_or(0.0);
+        for (std::size_t k = 0; k < columns.values[i].size(); ++k) {
+            const CsvCell& cell = columns.cells[i][k];
+            double& value = columns.values[i][k];
+            const auto taken = isFraction ? bounds.take(value, placeOf(cell)) : value;
             if (value < 0.0 && !isFraction)
                 diagnostics.push_back(table.diagnostic(cell, "a value of at least 0"));
-            else if (isFraction && (value < 0.0 || value > 1.0))
+            else if (!taken)
                 diagnostics.push_back(table.diagnostic(
                     cell, value > 1.5 && value <= 100.0 ? "a fraction from 0 to 1, not percent"
                                                         : "a value from 0 to 1"));
+            value = taken.value_or(value);
         }
     }
+    if (diagnostics.empty())
+        bounds.remark(table.file());
 }
 
 /// n and k as refractiveindex.info hands them on: a block of rows under `wl,n` and one under
@@ -180,13 +238,21 @@ std::string sumText(const std::array<std::optional<double>, 3>& given) {
 } // namespace
 
 void readMaterialCsv(const std::filesystem::path& file, Material& material) {
-    const CsvTable table = CsvTable::read(file);
+    const std::string bytes = readFile(file);
+    const std::string decoded = decodedUtf16(bytes);
+    const std::string_view text = decoded.empty() ? withoutByteOrderMark(bytes) : decoded;
+    if (const auto library = readSpectralLibrary(text, file.string())) {
+        takeLibrarySpectrum(*library, file.string(), material);
+        return;
+    }
+    const CsvTable table = CsvTable::parse(bytes, file.string());
+    table.remark();
     if (!table.rows().empty() && table.rows().front().cells.front().text == "wl") {
         readIndexBlocks(table, material);
         return;
     }
     std::vector<Diagnostic> diagnostics;
-    const CsvColumns columns = readColumns(table, 2, diagnostics);
+    CsvColumns columns = readColumns(table, 2, diagnostics);
     const SpectralAxis axis = readSpectralAxis(table, columns, diagnostics);
     const Columns where = columnsOf(table, columns, diagnostics);
     if (diagnostics.empty()) {
@@ -199,13 +265,20 @@ void readMaterialCsv(const std::filesystem::path& file, Material& material) {
         std::ranges::any_of(where, [](const auto& one) { return one.has_value(); });
     std::vector<double> emissivity;
     std::vector<double> transmissivity;
+    BoundedValues sums(0.0, 1.0 + 1e-9);
     for (std::size_t i = 0; diagnostics.empty() && hasFractions && i < columns.axis.size(); ++i) {
         std::array<std::optional<double>, 3> given;
         for (std::size_t property = 0; property < given.size(); ++property)
             if (where[property])
                 given[property] = columns.values[*where[property]][i];
-        const Fractions closed = close(given);
-        const double left = 1.0 - closed.emissivity - closed.transmissivity;
+        Fractions closed = close(given);
+        double left = 1.0 - closed.emissivity - closed.transmissivity;
+        if (const auto sum =
+                sums.take(1.0 - left, "line " + std::to_string(columns.axisCells[i].line));
+            sum && left < -1e-9 && closed.transmissivity <= 1.0) {
+            closed.emissivity = 1.0 - closed.transmissivity;
+            left = 0.0;
+        }
         const bool impossible =
             left < -1e-9 || closed.emissivity < -1e-9 || closed.transmissivity < -1e-9;
         const bool open =
@@ -219,6 +292,7 @@ void readMaterialCsv(const std::filesystem::path& file, Material& material) {
     }
     if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
+    sums.remark(table.file());
 
     std::vector<double> wavelengths_um = wavelengthsOf(columns, axis);
     const bool descends = wavelengths_um.back() < wavelengths_um.front();
@@ -267,7 +341,22 @@ Material importedMaterial(const std::filesystem::path& file, const SignatureData
     material.name = file.stem().string();
     if (const auto there = database.materials.find(index); there != database.materials.end())
         material = there->second;
+    const Spectrum before = material.emissivity;
     readMaterialCsv(file, material);
+    // Of a black body of whose bulk alone is told: what its flat face does not reflect.
+    const std::vector<double>& axis_um = material.refractiveIndex.wavelengths_um();
+    if (before == Spectrum::constant(1.0) && material.emissivity == before &&
+        material.surfaceModel.empty() && !axis_um.empty()) {
+        std::vector<double> values;
+        for (const double wavelength_um : axis_um)
+            values.push_back(
+                std::clamp(1.0 - normalReflectivity(material.refractiveIndex.at(wavelength_um),
+                                                    material.extinction.at(wavelength_um)),
+                           0.0, 1.0));
+        material.emissivity = Spectrum(axis_um, std::move(values));
+        remarkOn(file.string(), "the emissivity is that of a flat opaque face along its normal "
+                                "(Fresnel), from n and k");
+    }
     if (!name.empty())
         material.name = name;
     return material;

@@ -6,6 +6,7 @@
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/core/FileReplacement.h"
+#include "irsg/core/Utf8.h"
 
 namespace irsg {
 
@@ -36,9 +37,11 @@ std::size_t anglesOf(const CsvTable& table, const CsvRow& names,
 
 ReflectanceTable readReflectanceTable(const std::filesystem::path& file) {
     const std::string text = readFile(file);
-    if (isZemaxBsdf(text))
-        return parseZemaxBsdf(text, file.string());
+    const std::string zemax(withoutByteOrderMark(text));
+    if (isZemaxBsdf(zemax))
+        return parseZemaxBsdf(zemax, file.string());
     const CsvTable table = CsvTable::parse(text, file.string());
+    table.remark();
     std::vector<Diagnostic> diagnostics;
     if (table.rows().size() < 2)
         throw InputError(table.diagnostic("no rows", "a row of names and rows of numbers"));
@@ -79,7 +82,7 @@ ReflectanceTable readReflectanceTable(const std::filesystem::path& file) {
 bool isReflectanceTable(const std::filesystem::path& file) {
     try {
         const std::string text = readFile(file);
-        if (isZemaxBsdf(text))
+        if (isZemaxBsdf(std::string(withoutByteOrderMark(text))))
             return true;
         const CsvTable table = CsvTable::parse(text, file.string());
         return !table.rows().empty() && table.rows().front().cells.front().text == angles[0];

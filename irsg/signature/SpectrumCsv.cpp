@@ -13,25 +13,68 @@ namespace irsg {
 
 namespace {
 
+/// A unit within the head of a column, and what is left of the head: "CO2 [W m-2 sr-1 um-1]" is
+/// CO2, and "radiance_mW/cm2/sr/nm" is radiance.
+struct HeadUnit {
+    std::string name, unit;
+};
+std::optional<HeadUnit> unitInHead(const std::string& head) {
+    const auto isUnit = [](const std::string& text) {
+        try {
+            SpectralRadianceUnit::parse(text);
+            return true;
+        } catch (const InputError&) {
+            return false;
+        }
+    };
+    const std::size_t open = head.find_first_of("[(");
+    if (open != std::string::npos && (head.ends_with(']') || head.ends_with(')'))) {
+        const std::string inside = head.substr(open + 1, head.size() - open - 2);
+        if (isUnit(inside))
+            return HeadUnit{std::string(trimmed(head.substr(0, open))), inside};
+    }
+    for (const char separator : {'_', '/', ',', ' '}) {
+        const std::size_t at = head.find(separator);
+        if (at != std::string::npos && isUnit(head.substr(at + 1)))
+            return HeadUnit{std::string(trimmed(head.substr(0, at))), head.substr(at + 1)};
+    }
+    return std::nullopt;
+}
+
+/// The unit that is given, else that of the comment, else the one that all heads name, which are
+/// then left without it.
 std::optional<SpectralRadianceUnit> readUnit(const CsvTable& table,
                                              std::optional<SpectralRadianceUnit> given,
+                                             CsvColumns& columns,
                                              std::vector<Diagnostic>& diagnostics) {
-    if (given)
-        return given;
     const CsvComment* const comment = table.comment("unit");
-    if (comment == nullptr) {
+    std::optional<SpectralRadianceUnit> unit = given;
+    if (!unit && comment != nullptr) {
+        try {
+            unit = SpectralRadianceUnit::parse(comment->value);
+        } catch (const InputError& error) {
+            diagnostics.push_back(table.diagnostic(comment->line, comment->value,
+                                                   error.diagnostics().front().expected));
+            return std::nullopt;
+        }
+    }
+    for (CsvCell& name : columns.names) {
+        const std::optional<HeadUnit> inHead = unitInHead(name.text);
+        if (!inHead)
+            continue;
+        const auto own = SpectralRadianceUnit::parse(inHead->unit);
+        if (unit && !given && *unit != own)
+            diagnostics.push_back(table.diagnostic(name, "the unit " + unit->text() +
+                                                             " that stands above or before it"));
+        if (!unit)
+            unit = own;
+        name.text = inHead->name.empty() ? "radiance" : inHead->name;
+    }
+    if (!unit)
         diagnostics.push_back(table.diagnostic(
             "no unit of radiance",
             "a line '# unit: W cm-2 sr-1 (cm-1)-1', or the unit chosen on import"));
-        return std::nullopt;
-    }
-    try {
-        return SpectralRadianceUnit::parse(comment->value);
-    } catch (const InputError& error) {
-        diagnostics.push_back(
-            table.diagnostic(comment->line, comment->value, error.diagnostics().front().expected));
-        return std::nullopt;
-    }
+    return unit;
 }
 
 double readDistance_m(const CsvTable& table, std::optional<double> given_m,
@@ -60,9 +103,9 @@ UserSpectrum readSpectrumCsv(const std::filesystem::path& file,
                              std::optional<double> referenceDistance_m) {
     const CsvTable table = CsvTable::read(file);
     std::vector<Diagnostic> diagnostics;
-    const CsvColumns columns = readColumns(table, 2, diagnostics);
+    CsvColumns columns = readColumns(table, 2, diagnostics);
     const SpectralAxis axis = readSpectralAxis(table, columns, diagnostics);
-    const auto radianceUnit = readUnit(table, unit, diagnostics);
+    const auto radianceUnit = readUnit(table, unit, columns, diagnostics);
     UserSpectrum spectrum;
     spectrum.referenceDistance_m = readDistance_m(table, referenceDistance_m, diagnostics);
     if (diagnostics.empty())

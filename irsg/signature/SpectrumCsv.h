@@ -14,18 +14,21 @@ struct SpectralRadianceUnit {
     double toW_m2 = 1.0; ///< factor to W m-2 sr-1
     bool perWavenumber = false;
 
-    /// "W m-2 sr-1 um-1", "W cm-2 sr-1 (cm-1)-1", "uW cm-2 sr-1 um-1", ..., also written with
-    /// slashes ("W/(cm2 sr cm-1)"), raised digits or the Greek letter; throws InputError that lists
-    /// what is known.
+    /// A product or quotient of a power (W, mW, uW), an area (m-2, cm-2), sr-1 and um-1, nm-1,
+    /// (cm-1)-1 or cm: "W m-2 sr-1 um-1", "uW/cm2/sr/nm", "mW/(m2 sr cm-1)", "mW m-2 sr-1 cm", with
+    /// raised digits or the Greek letter, too. What remains behind one slash is divided by only
+    /// where it would make no sense otherwise. Throws InputError that lists what is known; "W m-2
+    /// sr-1 cm-1" is refused, because it may mean per centimetre.
     static SpectralRadianceUnit parse(const std::string& text);
     static std::vector<std::string> known();
     std::string text() const;
     bool operator==(const SpectralRadianceUnit&) const = default;
 };
 
-/// Reads a user-defined spectrum (report table 18): cell (0,0) `um` or `cm-1`, row 0 the component
-/// names, column 0 the shared axis, ascending or descending but strictly monotonic. A `# unit:`
-/// line may state the unit; `unit` overrides it; with neither, InputError. A `#
+/// Reads a user-defined spectrum (report table 18): cell (0,0) a head of spectralHead(), row 0 the
+/// component names, column 0 the shared axis, ascending or descending but strictly monotonic. A
+/// `# unit:` line or the heads of the columns ("CO2 [W m-2 sr-1 um-1]") may state the unit; `unit`
+/// overrides them; without any, InputError. A `#
 /// reference_distance_m:` line may state the distance; `referenceDistance_m` overrides it; with
 /// neither, 0. Values per cm-1 become values per um with the Jacobian nu^2 / 1e4, whatever the axis
 /// is. Descending axes are reversed. Each node is converted and none is added, so that one spectrum

@@ -26,8 +26,10 @@
 #include "irsg/geometry/flight/FlightScanner.h"
 #include "irsg/geometry/model/Model.h"
 #include "irsg/image/CsvImage.h"
+#include "irsg/image/EnviFile.h"
 #include "irsg/image/ExrFile.h"
 #include "irsg/image/ImageFormat.h"
+#include "irsg/image/PlainImages.h"
 #include "irsg/image/PngPlane.h"
 #include "irsg/image/TiffFile.h"
 #include "irsg/karma/KarmaXml.h"
@@ -113,6 +115,7 @@ const char* const trajectory = "t [s],x [m],y [m],z [m],yaw [deg],pitch [deg],ro
 
 const std::vector<FuzzedReader>& fuzzedReaders() {
     static const std::string air = "resources/atmospheres/";
+    static const std::string strangers = "tests/data/strangers/";
     static std::vector<FuzzedReader> list = {
         {"csv-table",
          ".csv",
@@ -143,7 +146,19 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
          },
          {},
          {"um,emissivity\n3,0.9\n5,0.8\n", "um,n,k\n3,1.5,0.1\n5,2,0.2\n",
-          "wl,n\n3,4\n5,5\n\nwl,k\n3,29\n5,40\n"}},
+          "wl,n\n3,4\n5,5\n\nwl,k\n3,29\n5,40\n", "\xEF\xBB\xBFum;emissivity\n3;0,9\n5;0,8\n"}},
+        {"spectral-library",
+         ".txt",
+         [](File f) {
+             irsg::Material into;
+             irsg::readMaterialCsv(f, into);
+         },
+         {strangers + "material-forms/dirsig.ems",
+          strangers + "material-forms/ecostress.spectrum.txt",
+          strangers + "material-forms/jcamp.jdx", strangers + "material-forms/rii.yml",
+          strangers + "material-forms/usgs.asc"},
+         {"##TITLE=x\n##XUNITS=1/CM\n##YUNITS=TRANSMITTANCE\n##FIRSTX=2000\n##LASTX=2500\n"
+          "##XYDATA=(X++(Y..Y))\n2000A0K%Tlr\n##END=\n"}},
         {"reflectance-table",
          ".csv",
          [](File f) { irsg::readReflectanceTable(f); },
@@ -159,14 +174,54 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
          ".csv",
          [](File f) { irsg::Band::fromCsv(f); },
          {},
-         {"wavelength [um],response\n3,0\n4,1\n5,0\n"}},
+         {"wavelength [um],response\n3,0\n4,1\n5,0\n", "3 0\n4 1\n5 0\n",
+          "N x\nmid\n 3000. 0. 3333.\n 4000. 1. 2500.\n"}},
         {"csv-image",
          ".csv",
          [](File f) { irsg::readCsvImage(f); },
          {},
-         {imageBytes(".csv"), "1 2 3\n4 5 6\n"}},
+         {imageBytes(".csv"), "1 2 3\n4 5 6\n", "a;b\n\n1,5;2\n3;4,5\n"}},
+        {"esri-grid",
+         ".asc",
+         [](File f) { irsg::readEsriGrid(f); },
+         {},
+         {"ncols 2\nnrows 1\nNODATA_value -9\n1 2\n"}},
+        {"pfm", ".pfm", [](File f) { irsg::readPfm(f); }, {strangers + "image-forms/grid.pfm"}, {}},
+        {"npy",
+         ".npy",
+         [](File f) { irsg::readNpy(f); },
+         {strangers + "image-forms/matrix.npy"},
+         {}},
+        {"envi-header",
+         ".hdr",
+         [](File f) {
+             // The data beside it stay as they are.
+             fs::path data = f;
+             data.replace_extension(".img");
+             std::ofstream(data, std::ios::binary) << std::string(48, '\0');
+             irsg::readEnvi(f);
+         },
+         {strangers + "image-forms/envi.hdr"},
+         {}},
         {"exr", ".exr", [](File f) { irsg::readExr(f); }, {}, {imageBytes(".exr")}},
+        {"exr-parts",
+         ".exr",
+         [](File f) {
+             irsg::exrParts(f);
+             irsg::readExr(f, {.part = "2"});
+         },
+         {strangers + "multipart-exr/depth-first.exr"},
+         {},
+         16384},
         {"tiff", ".tif", [](File f) { irsg::readTiff(f); }, {}, {imageBytes(".tif")}},
+        {"tiff-pages",
+         ".tif",
+         [](File f) {
+             irsg::tiffPages(f);
+             irsg::readTiff(f, {.page = 2});
+         },
+         {strangers + "multipage-tiff/two.tif"},
+         {}},
         {"png", ".png", [](File f) { irsg::readPngPlane(f); }, {}, {imageBytes(".png")}},
         {"signature-json",
          ".json",

@@ -6,6 +6,8 @@
 
 #include "irsg/core/FileReading.h"
 #include "irsg/core/FileReplacement.h"
+#include "irsg/core/Remarks.h"
+#include "irsg/image/ImageFile.h"
 #include "tests/image/ImageFixtures.h"
 
 namespace irsg {
@@ -61,6 +63,17 @@ TEST(CsvImage, KeepsNameUnitAndEveryAttribute) {
     EXPECT_EQ(readCsvImage(folder / "a.csv"), image);
 }
 
+TEST(CsvImage, ReadsOurFilesAsSpreadsheetsSaveThem) {
+    const test::TemporaryFolder folder;
+    const RadianceImage image =
+        readText(folder, "# channel: T,,\n\"# unit: K\",,\n# width: 3,,\n# height: 2,,\n"
+                         "\"# note: a, b\",,\n1,2,3\n4,5,6\n");
+    EXPECT_EQ(image.primary().name, "T");
+    EXPECT_EQ(image.primary().unit, "K");
+    EXPECT_EQ(image.attributes.at("note"), "a, b");
+    EXPECT_EQ(image.width(), 3);
+}
+
 TEST(CsvImage, WritesTheChannelThatIsAskedFor) {
     const test::TemporaryFolder folder;
     RadianceImage image(1, 1);
@@ -105,6 +118,51 @@ TEST(CsvImage, ReadsPlainMatricesAsOtherProgramsWriteThem) {
     }
 }
 
+TEST(CsvImage, ReadsTheSameNumbersFromEveryFormOfStrangers) {
+    const std::filesystem::path strangers =
+        std::filesystem::path(SMAT_SOURCE_DIR) / "tests/data/strangers";
+    const RadianceImage plain = readCsvImage(strangers / "image-forms/plain.csv");
+    EXPECT_EQ(plain.width(), 4);
+    EXPECT_EQ(plain.at(3, 2), 40.25F);
+    for (const char* name : {"camera-head-lines.csv", "envi.hdr", "envi.img", "fortran-d.txt",
+                             "grid.asc", "grid.pfm", "matrix.npy", "quoted.csv"}) {
+        EXPECT_EQ(readImageFile(strangers / "image-forms" / name).primary().values,
+                  plain.primary().values)
+            << name;
+    }
+    const RadianceImage english = readCsvImage(strangers / "matrix-decimal-comma/english.csv");
+    EXPECT_EQ(english.at(2, 1), 40.25F);
+    for (const char* name : {"german.csv", "tabs.txt"}) {
+        EXPECT_EQ(readImageFile(strangers / "matrix-decimal-comma" / name), english) << name;
+    }
+}
+
+TEST(CsvImage, LeavesOutHeadLinesOfCamerasButNoNamesOfColumns) {
+    const test::TemporaryFolder folder;
+    const struct {
+        const char* name;
+        std::string text;
+        bool isRead;
+    } rows[] = {
+        {"keys and a blank line", "File;x\nFrame;1\n\n1;2;3\n4;5;6\n", true},
+        {"keys alone", "File;x\nFrame;1\n1;2;3\n4;5;6\n", true},
+        {"one word", "Temperature\n1;2;3\n4;5;6\n", true},
+        {"names of columns", "a;b;c\n1;2;3\n4;5;6\n", false},
+        {"names of columns and a blank line", "a;b;c\n\n1;2;3\n4;5;6\n", false},
+        {"a row of numbers that is wrong", "1;2;3x\n4;5;6\n7;8;9\n", false},
+    };
+    for (const auto& row : rows) {
+        SCOPED_TRACE(row.name);
+        const CollectedRemarks remarks;
+        const std::string message = inputErrorOf([&] {
+            EXPECT_EQ(readText(folder, row.text).primary().values,
+                      (std::vector<float>{1, 2, 3, 4, 5, 6}));
+            EXPECT_THAT(testing::PrintToString(remarks.sentences()), HasSubstr("head lines"));
+        });
+        EXPECT_EQ(message.empty(), row.isRead) << message;
+    }
+}
+
 TEST(CsvImage, ReadsNotANumberAndInfinityInAnyCase) {
     const test::TemporaryFolder folder;
     const RadianceImage image = readText(folder, "NaN,nan,-Inf,INF,infinity\n");
@@ -137,7 +195,10 @@ TEST(CsvImage, RefusesBadTextWithItsPlace) {
         {"trailing letters", "1,2x\n", "line 1, column 2: found 2x"},
         {"empty field", "1,,3\n", "line 1, column 2: found an empty field"},
         {"leading comma", ",1\n", "line 1, column 1: found an empty field"},
-        {"decimal comma in semicolons", "1,5;2,5\n1;2\n", "line 2: found 2 values, expected 4"},
+        {"two decimal signs", "1,5;2,5\n1,5;2.5\n",
+         "line 2, column 2: found 2.5, expected a number, "
+         "with a decimal comma"},
+        {"two ways", "1,5, 2,5\n3,5, 4,5\n", "line 1: found '1,5, 2,5', which can be read in two"},
         {"hexadecimal", "0x10\n", "line 1, column 1: found 0x10"},
         {"two signs", "+-1\n", "line 1, column 1: found +-1"},
         {"beyond float", "1,1e39\n", "within the range of 32-bit float"},

@@ -3,16 +3,22 @@
 #include <fstream>
 
 #include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfDeepFrameBuffer.h>
+#include <OpenEXR/ImfDeepScanLineOutputFile.h>
 #include <OpenEXR/ImfFloatAttribute.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfIntAttribute.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfTiledOutputFile.h>
 #include <gmock/gmock.h>
 
 #include "irsg/core/FileReading.h"
 #include "irsg/core/FileReplacement.h"
+#include "irsg/core/Remarks.h"
+#include "irsg/image/ImageFile.h"
 #include "tests/image/ImageFixtures.h"
 
 namespace irsg {
@@ -151,6 +157,133 @@ TEST(ExrFile, ReadsTiles) {
         output.writeTiles(0, 1, 0, 1);
     }
     EXPECT_EQ(readExr(folder / "t.exr").primary().values, (std::vector<float>{1, 2, 3, 4}));
+}
+
+const std::filesystem::path strangers =
+    std::filesystem::path(SMAT_SOURCE_DIR) / "tests/data/strangers";
+
+TEST(ExrFile, ReadsThePartWithRadianceAndSaysWhatItLeavesOut) {
+    const RadianceImage alone = readExr(strangers / "multipart-exr/radiance.exr");
+    for (const char* name : {"depth-first.exr", "radiance-first.exr"}) {
+        const CollectedRemarks remarks;
+        const RadianceImage image = readExr(strangers / "multipart-exr" / name);
+        EXPECT_EQ(image.primary().values, alone.primary().values) << name;
+        EXPECT_THAT(testing::PrintToString(remarks.sentences()), HasSubstr("holds 2 parts"));
+    }
+    const auto file = strangers / "multipart-exr/depth-first.exr";
+    const std::vector<ImagePart> parts = imageParts(file);
+    ASSERT_EQ(parts.size(), 2U);
+    const CollectedRemarks remarks;
+    EXPECT_EQ(readImageFile(file, parts[1].reading).primary().values, alone.primary().values);
+    EXPECT_NE(readExr(file, {.part = "1"}).primary().values, alone.primary().values);
+    EXPECT_TRUE(remarks.sentences().empty());
+    EXPECT_THAT(inputErrorOf([&] { readExr(file, {.part = "3"}); }),
+                HasSubstr("no part '3', expected one of its parts: 1 "));
+    EXPECT_THAT(inputErrorOf([&] { readImageFile(file, {.page = 2}); }), HasSubstr("page 2"));
+    EXPECT_TRUE(imageParts(strangers / "multipart-exr/radiance.exr").empty());
+}
+
+TEST(ExrFile, StoresItsFirstPlaneAsOtherProgramsShowIt) {
+    const test::TemporaryFolder folder;
+    RadianceImage image(2, 1, "L", "W m-2 sr-1");
+    image.primary().values = {0.25F, 0.75F};
+    image.channel("range", "m").values = {7.0F, 8.0F};
+    writeExr(image, folder / "a.exr");
+    {
+        const Imf::InputFile stored((folder / "a.exr").c_str());
+        EXPECT_NE(stored.header().channels().findChannel("Y"), nullptr);
+        EXPECT_EQ(stored.header().channels().findChannel("L"), nullptr);
+    }
+    EXPECT_EQ(readExr(folder / "a.exr"), image);
+    // Names of colours stay.
+    RadianceImage colours(2, 1, "R");
+    colours.channel("G");
+    writeExr(colours, folder / "b.exr");
+    EXPECT_EQ(readExr(folder / "b.exr"), colours);
+}
+
+TEST(ExrFile, ReadsEveryCompression) {
+    const test::TemporaryFolder folder;
+    for (int kind = 0; kind < Imf::NUM_COMPRESSION_METHODS; ++kind) {
+        Imf::Header header(64, 40);
+        header.compression() = static_cast<Imf::Compression>(kind);
+        header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+        std::vector<float> values(64U * 40U, 0.5F);
+        Imf::FrameBuffer frame;
+        frame.insert("Y", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), 4, 256));
+        {
+            Imf::OutputFile output((folder / "c.exr").c_str(), header);
+            output.setFrameBuffer(frame);
+            output.writePixels(40);
+        }
+        const RadianceImage image = readExr(folder / "c.exr");
+        EXPECT_NEAR(image.at(63, 39), 0.5F, 1e-3F) << kind;
+    }
+}
+
+TEST(ExrFile, ReadsEveryLineOrder) {
+    const test::TemporaryFolder folder;
+    for (const Imf::LineOrder order : {Imf::INCREASING_Y, Imf::DECREASING_Y}) {
+        Imf::Header header(1, 3);
+        header.lineOrder() = order;
+        header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+        std::vector<float> values = {1, 2, 3};
+        Imf::FrameBuffer frame;
+        frame.insert("Y", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), 4, 4));
+        {
+            Imf::OutputFile output((folder / "o.exr").c_str(), header);
+            output.setFrameBuffer(frame);
+            output.writePixels(3);
+        }
+        EXPECT_EQ(readExr(folder / "o.exr").primary().values, values);
+    }
+}
+
+TEST(ExrFile, KeepsLayersAndViewsAsPlanes) {
+    const test::TemporaryFolder folder;
+    writeForeign(folder / "f.exr", {{"left.Y", Imf::HALF}, {"right.Y", Imf::HALF}});
+    const RadianceImage image = readExr(folder / "f.exr");
+    EXPECT_NE(image.find("left.Y"), nullptr);
+    EXPECT_NE(image.find("right.Y"), nullptr);
+}
+
+TEST(ExrFile, SaysThatPixelsAreNotSquare) {
+    const test::TemporaryFolder folder;
+    Imf::Header header(1, 1, 2.0F);
+    header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+    float value = 1.0F;
+    Imf::FrameBuffer frame;
+    frame.insert("Y", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&value), 4, 4));
+    {
+        Imf::OutputFile output((folder / "a.exr").c_str(), header);
+        output.setFrameBuffer(frame);
+        output.writePixels(1);
+    }
+    const CollectedRemarks remarks;
+    readExr(folder / "a.exr");
+    EXPECT_THAT(testing::PrintToString(remarks.sentences()), HasSubstr("2 times as wide as high"));
+}
+
+TEST(ExrFile, RefusesDeepParts) {
+    const test::TemporaryFolder folder;
+    Imf::Header header(1, 1);
+    header.channels().insert("Z", Imf::Channel(Imf::FLOAT));
+    header.setType(Imf::DEEPSCANLINE);
+    header.compression() = Imf::ZIPS_COMPRESSION;
+    unsigned count = 1;
+    float value = 1.0F;
+    float* pointer = &value;
+    Imf::DeepFrameBuffer frame;
+    frame.insertSampleCountSlice(
+        Imf::Slice(Imf::UINT, reinterpret_cast<char*>(&count), sizeof count, sizeof count));
+    frame.insert("Z", Imf::DeepSlice(Imf::FLOAT, reinterpret_cast<char*>(&pointer), sizeof pointer,
+                                     sizeof pointer, sizeof value));
+    {
+        Imf::DeepScanLineOutputFile output((folder / "d.exr").c_str(), header);
+        output.setFrameBuffer(frame);
+        output.writePixels(1);
+    }
+    EXPECT_THAT(inputErrorOf([&] { readExr(folder / "d.exr"); }), HasSubstr("found deep data"));
 }
 
 TEST(ExrFile, RefusesWhatIsNoImageWithItsName) {

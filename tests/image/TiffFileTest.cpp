@@ -6,8 +6,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <tiffio.h>
 
 #include "irsg/core/FileReading.h"
+#include "irsg/core/Remarks.h"
 #include "irsg/image/ExrFile.h"
 #include "irsg/image/ImageFile.h"
 #include "tests/image/ImageFixtures.h"
@@ -69,11 +71,17 @@ class HandMade {
                        values.size() * sizeof(Number));
         return *this;
     }
-    std::string bytes(std::uint16_t photometric = 1) {
+    /// `at` is where it stands in the file, `next` where the next page begins.
+    std::string page(std::uint32_t at, bool hasNext, std::uint16_t photometric = 1) {
+        std::string made = bytes(photometric, at, hasNext).substr(8);
+        made.resize((made.size() + 1) & ~std::size_t{1});
+        return made;
+    }
+    std::string bytes(std::uint16_t photometric = 1, std::uint32_t at = 8, bool hasNext = false) {
         entry(259, 3, 1).entry(262, 3, photometric).entry(278, 4, 1U << 20);
         entry(273, 4, 0).entry(279, 4, static_cast<std::uint32_t>(pixels_.size()));
         std::ranges::sort(entries_, {}, [](const auto& one) { return one[0]; });
-        const auto start = static_cast<std::uint32_t>(8 + 2 + 12 * entries_.size() + 4);
+        const auto start = static_cast<std::uint32_t>(at + 2 + 12 * entries_.size() + 4);
         std::string out = "II*";
         out += '\0';
         put(out, 8, 4);
@@ -84,7 +92,8 @@ class HandMade {
             put(out, one[2], 4);
             put(out, one[0] == 273 ? start : one[3], 4);
         }
-        put(out, 0, 4);
+        const auto end = static_cast<std::uint32_t>(start + pixels_.size());
+        put(out, hasNext ? (end + 1) & ~1U : 0, 4);
         return out + pixels_;
     }
 
@@ -133,6 +142,131 @@ TEST(TiffFile, SplitsSamplesOfAPixelIntoPlanes) {
     EXPECT_EQ(image.channels[1].values, (std::vector<float>{10.0F, 20.0F}));
 }
 
+const std::filesystem::path strangers =
+    std::filesystem::path(SMAT_SOURCE_DIR) / "tests/data/strangers/multipage-tiff";
+
+TEST(TiffFile, ReadsAPageByItsNumberAndSaysWhatItLeavesOut) {
+    const RadianceImage one = readTiff(strangers / "one.tif");
+    const CollectedRemarks remarks;
+    const RadianceImage both = readTiff(strangers / "two.tif");
+    EXPECT_THAT(testing::PrintToString(remarks.sentences()), HasSubstr("holds 2 pages"));
+    ASSERT_EQ(both.channels.size(), 2U);
+    EXPECT_EQ(both.channels[1].name, "page2");
+    EXPECT_EQ(both.attributes.at("description"), "{\"shape\": [2, 4, 6]}");
+    const CollectedRemarks none;
+    for (const int page : {1, 2}) {
+        const RadianceImage image = readImageFile(strangers / "two.tif", {.page = page});
+        ASSERT_EQ(image.channels.size(), 1U);
+        EXPECT_EQ(image.primary().name, "L");
+        EXPECT_EQ(image.primary().values, both.channels[static_cast<std::size_t>(page) - 1].values);
+    }
+    EXPECT_TRUE(none.sentences().empty());
+    EXPECT_EQ(imageParts(strangers / "two.tif").size(), 2U);
+    EXPECT_THAT(inputErrorOf([] { readTiff(strangers / "two.tif", {.page = 3}); }),
+                HasSubstr("no page 3, expected a page from 1 to 2"));
+    EXPECT_THAT(inputErrorOf([] { readImageFile(strangers / "two.tif", {.part = "2"}); }),
+                HasSubstr("part 2: found a file without parts"));
+}
+
+TEST(TiffFile, LeavesOutCopiesAndOtherSizesWithARemark) {
+    const std::vector<float> whole = {1, 2, 3, 4}, small = {9};
+    const std::pair<HandMade, const char*> second[] = {
+        {HandMade().size(1, 1, 32, 3).data(small), "page 2 (1 x 1 pixels)"},
+        {HandMade().size(2, 2, 32, 3).entry(254, 4, 1).data(whole), "page 2 (a reduced copy)"},
+        {HandMade().size(2, 2, 32, 3).entry(254, 4, 4).data(whole), "page 2 (a mask)"}};
+    for (auto [made, says] : second) {
+        SCOPED_TRACE(says);
+        std::string bytes = HandMade().size(2, 2, 32, 3).data(whole).bytes(1, 8, true);
+        bytes.resize((bytes.size() + 1) & ~std::size_t{1});
+        bytes += made.page(static_cast<std::uint32_t>(bytes.size()), false);
+        const CollectedRemarks remarks;
+        const RadianceImage image = readTiff(writtenFile(ownFolder() / "pages.tif", bytes));
+        EXPECT_EQ(image.channels.size(), 1U);
+        EXPECT_EQ(image.primary().values, whole);
+        EXPECT_THAT(testing::PrintToString(remarks.sentences()), HasSubstr(says));
+    }
+}
+
+TEST(TiffFile, FollowsTheOrientation) {
+    const std::vector<float> stored = {1, 2, 3, 4, 5, 6};
+    const std::pair<std::uint32_t, std::vector<float>> rows[] = {{1, {1, 2, 3, 4, 5, 6}},
+                                                                 {2, {3, 2, 1, 6, 5, 4}},
+                                                                 {3, {6, 5, 4, 3, 2, 1}},
+                                                                 {4, {4, 5, 6, 1, 2, 3}}};
+    for (const auto& [orientation, seen] : rows) {
+        const auto file = writtenFile(
+            ownFolder() / "turned.tif",
+            HandMade().size(3, 2, 32, 3).entry(274, 3, orientation).data(stored).bytes());
+        EXPECT_EQ(readTiff(file).primary().values, seen) << orientation;
+    }
+    const auto file =
+        writtenFile(ownFolder() / "turned.tif",
+                    HandMade().size(3, 2, 32, 3).entry(274, 3, 6).data(stored).bytes());
+    EXPECT_THAT(inputErrorOf([&] { readTiff(file); }), HasSubstr("orientation 6"));
+}
+
+TEST(TiffFile, ReadsColoursOfFloatsAsPlanes) {
+    const auto file =
+        writtenFile(ownFolder() / "rgb.tif", HandMade()
+                                                 .size(2, 1, 32, 3)
+                                                 .entry(277, 3, 3)
+                                                 .data(std::vector<float>{1, 2, 3, 4, 5, 6})
+                                                 .bytes(2));
+    const RadianceImage image = readTiff(file);
+    ASSERT_EQ(image.channels.size(), 3U);
+    EXPECT_EQ(image.find("R")->values, (std::vector<float>{1, 4}));
+    EXPECT_EQ(image.find("B")->values, (std::vector<float>{3, 6}));
+}
+
+TEST(TiffFile, ReadsEveryByteOrder) {
+    const std::vector<float> values = {1.5F, -2.0F};
+    for (const char* mode : {"wl", "wb", "wl8", "wb8"}) {
+        const auto file = ownFolder() / "order.tif";
+        TIFF* const tiff = TIFFOpen(file.c_str(), mode);
+        ASSERT_NE(tiff, nullptr);
+        TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, 2);
+        TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, 1);
+        TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 32);
+        TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_IEEEFP);
+        TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
+        TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+        TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, 1);
+        std::vector<float> row = values;
+        TIFFWriteScanline(tiff, row.data(), 0, 0);
+        TIFFClose(tiff);
+        EXPECT_EQ(readTiff(file).primary().values, values) << mode;
+    }
+}
+
+TEST(TiffFile, SaysWhatWasCompressedWithLossOrStandsWithinAPage) {
+    const auto file = ownFolder() / "said.tif";
+    for (const bool isLossy : {true, false}) {
+        TIFF* const tiff = TIFFOpen(file.c_str(), "w");
+        ASSERT_NE(tiff, nullptr);
+        toff_t offsets[1] = {0};
+        if (!isLossy) {
+            TIFFSetField(tiff, TIFFTAG_SUBIFD, 1, offsets);
+        }
+        for (int page = 0; page < (isLossy ? 1 : 2); ++page) {
+            TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, 16);
+            TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, 16);
+            TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 8);
+            TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
+            TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+            TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, 16);
+            TIFFSetField(tiff, TIFFTAG_COMPRESSION, isLossy ? COMPRESSION_JPEG : COMPRESSION_NONE);
+            std::vector<unsigned char> values(256, 7);
+            TIFFWriteEncodedStrip(tiff, 0, values.data(), 256);
+            TIFFWriteDirectory(tiff);
+        }
+        TIFFClose(tiff);
+        const CollectedRemarks remarks;
+        EXPECT_EQ(readTiff(file).channels.size(), 1U);
+        EXPECT_THAT(testing::PrintToString(remarks.sentences()),
+                    HasSubstr(isLossy ? "with loss (JPEG)" : "within the page are left out"));
+    }
+}
+
 struct Bad {
     const char* name;
     std::string bytes;
@@ -157,7 +291,9 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"header", std::string("II*\0", 4), "TIFF"},
         Bad{"colours", HandMade().size(3, 2, 8, 1).data(six).bytes(2), "colours"},
         Bad{"complex", HandMade().size(3, 2, 64, 6).data(six).bytes(), "format 6"},
-        Bad{"half", HandMade().size(3, 2, 16, 3).data(six).bytes(), "16-bit"},
+        Bad{"oddFloat", HandMade().size(3, 2, 24, 3).data(six).bytes(), "24-bit"},
+        Bad{"whiteIsZero", HandMade().size(3, 2, 32, 3).data(six).bytes(0), "colours"},
+        Bad{"inks", HandMade().size(3, 2, 8, 1).data(six).bytes(5), "colours"},
         Bad{"cut", HandMade().size(3, 2, 32, 3).data(std::vector<float>{1}).bytes(), "page 1"},
         Bad{"boast", HandMade().size(30000, 30000, 32, 3).data(six).bytes(), "holds what it"},
         Bad{"huge", HandMade().size(40000, 1, 32, 3).data(six).bytes(), "40000"}),

@@ -1,4 +1,5 @@
 #include "irsg/radiometry/Band.h"
+#include "irsg/core/Remarks.h"
 
 #include <cmath>
 #include <filesystem>
@@ -76,6 +77,54 @@ TEST(Band, CsvInWavenumbersIsLinearInWavenumbers) {
     }
 }
 
+TEST(Band, ResponsesAreReadInEveryFormThatMakersPrint) {
+    const Band expected = bandOf("um,r\n3,0\n3.2,0.5\n3.5,0.9\n4.5,1\n4.9,0.6\n5.1,0\n");
+    const std::filesystem::path strangers =
+        std::filesystem::path(SMAT_SOURCE_DIR) / "tests/data/strangers/response-forms";
+    const std::pair<const char*, const char*> rows[] = {
+        {"descending.csv", ""},
+        {"modtran.flt", ""},
+        {"nm.csv", ""},
+        {"spaces.txt", "there is no head"},
+        {"negative.csv", "2 values outside of 0 to"}};
+    for (const auto& [name, remark] : rows) {
+        SCOPED_TRACE(name);
+        const CollectedRemarks remarks;
+        const Band band = Band::fromCsv(strangers / name);
+        EXPECT_NEAR(band.range().min_um, 3.0, 1e-12);
+        EXPECT_NEAR(band.range().max_um, 5.1, 1e-12);
+        for (const double wavelength_um : {3.1, 3.4, 4.0, 4.7, 5.0}) {
+            EXPECT_NEAR(band.responseAt(wavelength_um), expected.responseAt(wavelength_um), 2.1e-4);
+        }
+        const std::string all = testing::PrintToString(remarks.sentences());
+        EXPECT_THAT(all, HasSubstr(remark));
+    }
+}
+
+TEST(Band, PercentInTheHeadIsSaidAndDividedOut) {
+    for (const char* head : {"response [%]", "Transmission (%)", "response percent"}) {
+        const CollectedRemarks remarks;
+        EXPECT_DOUBLE_EQ(bandOf("um," + std::string(head) + "\n3,0\n4,80\n5,0\n").responseAt(4.0),
+                         0.8);
+        EXPECT_THAT(testing::PrintToString(remarks.sentences()), HasSubstr("in percent"));
+    }
+}
+
+TEST(Band, ResponsesALittleBelowZeroAreZeroAndOthersRefused) {
+    const CollectedRemarks remarks;
+    EXPECT_EQ(bandOf("um,r\n3,-0.005\n4,1\n5,0\n").responseAt(3.0), 0.0);
+    EXPECT_THAT(testing::PrintToString(remarks.sentences()), HasSubstr("line 2, column 2: -0.005"));
+}
+
+TEST(Band, OfAFilterOfSeveralChannelsTheFirstIsReadAndTheOthersAreSaid) {
+    const CollectedRemarks remarks;
+    const Band band = bandOf("W filters\nfirst\n 2000. 0. 5.\n 2500. 1. 4.\nsecond\n 900. 1.\n"
+                             " 1000. 1.\n");
+    EXPECT_DOUBLE_EQ(band.range().min_um, 4.0);
+    EXPECT_THAT(testing::PrintToString(remarks.sentences()),
+                HasSubstr("holds 2 channels; 'first' is read"));
+}
+
 namespace {
 
 struct BadBand {
@@ -118,16 +167,18 @@ INSTANTIATE_TEST_SUITE_P(
         BadBand{"commentsOnly", "# a\n# b\n", "found no rows"},
         BadBand{"headerOnly", "um,r\n", "found 0 rows of numbers, expected at least two"},
         BadBand{"oneRow", "um,r\n3,1\n", "found 1 rows of numbers"},
-        BadBand{"noUnit", "lambda,r\n3,1\n4,1\n", "line 1, column 1: found 'lambda'"},
-        BadBand{"noHeader", "3,1\n4,1\n5,1\n", "line 1, column 1: found '3'"},
-        BadBand{"nanometres", "wavelength [nm],r\n3000,1\n4000,1\n", "'wavelength [nm]'"},
+        BadBand{"noUnit", "energy,r\n3,1\n4,1\n", "line 1, column 1: found 'energy'"},
+        BadBand{"noHeaderAndNoWavelengths", "3000,1\n4000,1\n5000,1\n",
+                "line 1, column 1: found '3000', expected a head that names the unit"},
+        BadBand{"wavelengthsOfTwoUnits", "wavelength,r\n4,1\n4000,1\n", "expected a head that"},
         BadBand{"threeColumns", "um,r,s\n3,1,1\n4,1,1\n", "line 1: found '3 cells'"},
         BadBand{"aShortRow", "um,r\n3,1\n4\n5,1\n", "line 3: found '1 cells', expected two"},
         BadBand{"aLongRow", "um,r\n3,1\n4,1,2\n", "line 3: found '3 cells'"},
         BadBand{"decimalCommas", "um,r\n3,0,5\n4,0,5\n", "line 2: found '3 cells'"},
-        BadBand{"semicolons", "um;r\n3;1\n4;1\n", "line 1"},
-        BadBand{"reversed", "um,r\n5,1\n4,1\n",
-                "line 3, column 1: found '4', expected more than 5"},
+        BadBand{"turnsBack", "um,r\n5,1\n4,1\n4.5,1\n",
+                "line 4, column 1: found '4.5', expected less than 4"},
+        BadBand{"negativeBeyondTheTolerance", "um,r\n3,-0.0051\n4,1\n",
+                "line 2, column 2: found '-0.0051'"},
         BadBand{"duplicated", "um,r\n4,1\n4,1\n5,0\n", "line 3, column 1: found '4'"},
         BadBand{"wavelengthNan", "um,r\n3,1\nnan,1\n5,1\n", "line 3, column 1: found 'nan'"},
         BadBand{"responseNan", "um,r\n3,1\n4,NaN\n", "line 3, column 2: found 'NaN'"},

@@ -74,10 +74,48 @@ TEST(CsvTable, TakesQuotedCellsWithCommasAndQuotesInThem) {
 }
 
 TEST(CsvTable, KeepsEmptyCellsAndRowsOfDifferentLength) {
-    const CsvTable table = CsvTable::parse(",x,\n1\n", "f.csv");
-    EXPECT_EQ(texts(table.rows()[0]), (Texts{"", "x", ""}));
+    const CsvTable table = CsvTable::parse(",x,,y\n1\n", "f.csv");
+    EXPECT_EQ(texts(table.rows()[0]), (Texts{"", "x", "", "y"}));
     EXPECT_EQ(texts(table.rows()[1]), (Texts{"1"}));
     EXPECT_TRUE(CsvTable::parse("", "f.csv").rows().empty());
+}
+
+TEST(CsvTable, LeavesOutWhatSpreadsheetsAddToTheWidth) {
+    const CsvTable table =
+        CsvTable::parse("# name: haze,,\n\"# note: a, b\",,\nx,y,\n1,2,\n3,,\n", "f.csv");
+    EXPECT_EQ(table.comment("name")->value, "haze");
+    EXPECT_EQ(table.comment("note")->value, "a, b");
+    EXPECT_EQ(texts(table.rows()[0]), (Texts{"x", "y"}));
+    EXPECT_EQ(texts(table.rows()[2]), (Texts{"3", ""}));
+    // A comment of our own keeps its comma.
+    EXPECT_EQ(CsvTable::parse("# note: a,\nx,y,z\n1,2,3\n", "f.csv").comment("note")->value, "a,");
+}
+
+TEST(CsvTable, BeginsWithTheRowOfNamesUnderItsHeadLines) {
+    const CsvTable table =
+        CsvTable::parse("Instrument: invented\nSerial,1234\nx,y\n1,2\n3,4\n", "f.csv");
+    EXPECT_EQ(texts(table.rows()[0]), (Texts{"x", "y"}));
+    EXPECT_EQ(table.headLines().size(), 2u);
+    // A first row of numbers that is wrong is no head line.
+    EXPECT_EQ(CsvTable::parse("x,y\nabc,2\n3,4\n", "f.csv").rows().size(), 3u);
+    EXPECT_EQ(CsvTable::parse("title\nx,y\n1,2\n", "f.csv", CsvHead::all).rows().size(), 3u);
+}
+
+TEST(CsvTable, PutsARowOfUnitsBehindTheNames) {
+    for (const char* units : {"um,%", "(um),(%)", "[um],[%]"}) {
+        const CsvTable table =
+            CsvTable::parse("wavelength,response\n" + std::string(units) + "\n3,4\n", "f.csv");
+        EXPECT_EQ(texts(table.rows()[0]), (Texts{"wavelength [um]", "response [%]"})) << units;
+        EXPECT_EQ(table.rows().size(), 2u);
+    }
+}
+
+TEST(CsvTable, ShowsADecimalCommaAsTheFileHasIt) {
+    const CsvTable table = CsvTable::parse("x;y\n1,5;-2,5D+01\n", "f.csv");
+    std::vector<Diagnostic> diagnostics;
+    EXPECT_EQ(table.number(table.rows()[1].cells[1], diagnostics), -25.0);
+    EXPECT_EQ(table.diagnostic(table.rows()[1].cells[0], "less").message(),
+              "f.csv: line 2, column 1: found '1,5', expected less");
 }
 
 TEST(CsvTable, TurnsABadCellIntoAnDiagnostic) {

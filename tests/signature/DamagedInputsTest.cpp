@@ -197,16 +197,17 @@ const Damage damages[] = {
      [] { return replaced(blackbodyText(), "cm-1,BB", "um,BB"); }},
     {"SpectrumOverNanometresCalledMicrometres", Kind::plume,
      [] { return mapped(micrometreText(), 0, [](double x) { return 1e3 * x; }); }},
-    {"SpectrumOverNanometres", Kind::spectrum,
-     [] { return replaced(blackbodyText(), "cm-1,BB", "nm,BB"); }},
-    {"SpectrumWithSemicolons", Kind::spectrum,
-     [] { return replacedAll(blackbodyText(), ',', ";"); }},
+    {"SpectrumOverElectronvolts", Kind::spectrum,
+     [] { return replaced(blackbodyText(), "cm-1,BB", "eV,BB"); }},
+    {"SpectrumWithASemicolonAmongCommas", Kind::spectrum,
+     [] { return replaced(blackbodyText(), linesOf(blackbodyText())[4], "2050;0.001"); }},
     {"SpectrumWithDecimalCommas", Kind::spectrum,
      [] { return replacedAll(blackbodyText(), '.', ","); }},
-    {"SpectrumWithTabs", Kind::spectrum, [] { return replacedAll(blackbodyText(), ',', "\t"); }},
-    {"SpectrumInSixteenBits", Kind::spectrum,
+    {"SpectrumWithTabsForPoints", Kind::spectrum,
+     [] { return replacedAll(blackbodyText(), '.', "\t"); }},
+    {"SpectrumInSixteenBitsWithoutAMark", Kind::spectrum,
      [] {
-         std::string wide = "\xff\xfe";
+         std::string wide;
          for (const char c : blackbodyText()) {
              wide += c;
              wide += '\0';
@@ -263,7 +264,7 @@ const Damage damages[] = {
     {"MaterialOverNanometres", Kind::material,
      [] { return replaced(materialText(), "um,", "nm,"); }},
     {"MaterialOfAnUnknownProperty", Kind::material,
-     [] { return replaced(materialText(), "transmissivity\n", "transmittance\n"); }},
+     [] { return replaced(materialText(), "transmissivity\n", "absorptance\n"); }},
     // Tables of factors.
     {"TimesUnsorted", Kind::time, [] { return replaced(timeText, "\n10,", "\n30,"); }},
     {"TimesThatDoNotClose", Kind::time, [] { return replaced(timeText, "\n20,1,1", "\n20,2,1"); }},

@@ -1,5 +1,7 @@
 #include "irsg/signature/MaterialCsv.h"
 
+#include "irsg/core/Remarks.h"
+
 #include "irsg/signature/EntryFields.h"
 
 #include "Support.h"
@@ -134,6 +136,110 @@ TEST(MaterialCsv, ComesBackFromWhatItWrites) {
     }
 }
 
+TEST(MaterialCsv, SpectraOfLibrariesAndInstrumentsAreOnePaint) {
+    const std::filesystem::path strangers =
+        std::filesystem::path(SMAT_SOURCE_DIR) / "tests/data/strangers/material-forms";
+    const struct {
+        const char* file;
+        double at3_um, at10_um; ///< emissivity
+        const char* remark;
+    } rows[] = {
+        {"ecostress.spectrum.txt", 0.85, 0.93, "ECOSTRESS, 'Invented grey paint'"},
+        {"usgs.asc", 0.85, 0.93, "USGS"},
+        {"jcamp.jdx", 0.8664, 0.924, "JCAMP-DX, 'invented paint'"},
+        {"dirsig.ems", 0.85, 0.93, "DIRSIG .ems"},
+        {"excel_bom_semicolon.csv", 0.85, 0.93, "semicolons, decimal commas"},
+        {"over1.csv", 1.0, 0.9788889, "1 value outside of 0 to 1 (line 3, column 2: 1.003)"}};
+    for (const auto& row : rows) {
+        SCOPED_TRACE(row.file);
+        Material material;
+        const CollectedRemarks remarks;
+        readMaterialCsv(strangers / row.file, material);
+        EXPECT_NEAR(material.emissivity.at(3.0), row.at3_um, 2e-3);
+        EXPECT_NEAR(material.emissivity.at(10.0), row.at10_um, 2e-3);
+        EXPECT_THAT(testing::PrintToString(remarks.sentences()), HasSubstr(row.remark));
+    }
+}
+
+TEST(MaterialCsv, RefractiveIndicesGiveANewMaterialTheEmissivityOfItsFlatFace) {
+    const std::filesystem::path file =
+        std::filesystem::path(SMAT_SOURCE_DIR) / "tests/data/strangers/material-forms/rii.yml";
+    const Material material = importedMaterial(file, SignatureDatabase(), 3);
+    EXPECT_EQ(material.refractiveIndex.at(4.0), 1.45);
+    EXPECT_EQ(material.extinction.at(8.0), 0.40);
+    // ((n - 1)^2 + k^2) / ((n + 1)^2 + k^2) at 8 um.
+    EXPECT_NEAR(material.emissivity.at(8.0), 1.0 - (0.04 + 0.16) / (4.84 + 0.16), 1e-12);
+}
+
+TEST(MaterialCsv, JcampIsReadInItsPackedForms) {
+    const TemporaryFolder folder;
+    const std::string head = "##TITLE=x\n##JCAMP-DX=4.24\n##XUNITS=1/CM\n##YUNITS=TRANSMITTANCE\n"
+                             "##XFACTOR=1\n##YFACTOR=0.01\n##FIRSTX=2000\n##LASTX=2500\n"
+                             "##NPOINTS=6\n##FIRSTY=0.1\n##XYDATA=(X++(Y..Y))\n";
+    const std::pair<const char*, const char*> rows[] = {
+        {"AFFN", "2000 10 12 12 12 9 -0\n"}, {"PAC", "2000+10+12+12+12+9+0\n"},
+        {"SQZ", "2000A0A2A2A2I@\n"},         {"DIF", "2000A0K%%lr\n2500@\n"},
+        {"DIFDUP", "2000A0K%Tlr\n"},         {"lines", "2000 10 12 12 $$ note\n2300 12 9 0\n"}};
+    for (const auto& [name, data] : rows) {
+        SCOPED_TRACE(name);
+        Material material;
+        readMaterialCsv(writeBytes(folder / "a.jdx", head + data + "##END=\n"), material);
+        EXPECT_NEAR(material.transmissivity.at(5.0), 0.10, 1e-12);
+        EXPECT_NEAR(material.transmissivity.at(1e4 / 2300.0), 0.12, 1e-12);
+        EXPECT_NEAR(material.transmissivity.at(1e4 / 2400.0), 0.09, 1e-12);
+        EXPECT_NEAR(material.transmissivity.at(4.0), 0.0, 1e-12);
+    }
+    const std::pair<std::string, const char*> bad[] = {
+        {head + "2000 10 12\n##END=\n", "2 ordinates, expected 6"},
+        {"##TITLE=x\n##XUNITS=1/CM\n##YUNITS=ABSORBANCE\n##FIRSTX=1\n##LASTX=2\n"
+         "##XYDATA=(X++(Y..Y))\n1 1 2\n",
+         "line 3: found 'ABSORBANCE'"},
+        {"##TITLE=x\n##NTUPLES=y\n", "NTUPLES"},
+        {head + "2000A0K%%lr\n2500A\n", "the check value 1"}};
+    for (const auto& [text, says] : bad) {
+        Material material;
+        const auto file = writeBytes(folder / "b.jdx", text);
+        const auto diagnostics = refusalOf([&] { readMaterialCsv(file, material); });
+        ASSERT_FALSE(diagnostics.empty()) << says;
+        EXPECT_THAT(diagnostics[0].message(), HasSubstr(says));
+    }
+}
+
+TEST(MaterialCsv, LibrariesThatHoldNoSpectrumAreRefusedByName) {
+    const TemporaryFolder folder;
+    const std::pair<std::string, const char*> rows[] = {
+        {"DATA:\n  - type: formula 1\n    coefficients: 0 1 2\n", "formulas are not read"},
+        {"DATA:\n  - type: tabulated nk\n    data: |\n        2 1.5\n", "line 4: found 2 numbers"},
+        {"splib07a Record=1: x\n 0.1\n 0.2\n 0.3\n", "wavelengths are in another file"},
+        {"Name: x\nX Units: Wavelength (furlongs)\nY Units: Reflectance\n\n1 2\n2 3\n",
+         "line 2: found 'Wavelength (furlongs)'"},
+        {"Name: x\nX Units: Wavelength (micrometers)\nY Units: Reflectance (percent)\n\n1 200\n"
+         "2 3\n",
+         "line 5: found 2, expected a value from 0 to 1"},
+        {"1\n1.0\nCURVE_BEGIN\n3 0.8\nCURVE_END\n", "1 rows of numbers"}};
+    for (const auto& [text, says] : rows) {
+        Material material;
+        const auto file = writeBytes(folder / "b.txt", text);
+        const auto diagnostics = refusalOf([&] { readMaterialCsv(file, material); });
+        ASSERT_FALSE(diagnostics.empty()) << says;
+        EXPECT_THAT(diagnostics[0].message(), HasSubstr(says));
+    }
+}
+
+TEST(MaterialCsv, HeadsOfPercentAndOtherWordsAreTheSameColumns) {
+    const TemporaryFolder folder;
+    for (const char* text :
+         {"wavelength [nm],Reflectance (%)\n3000,15\n5000,10\n", "um,reflectance\n3,0.15\n5,0.1\n",
+          "Wavelength (um)\tEmittance [%]\n5\t90\n3\t85\n",
+          "cm-1,emissivity\n2000,0.9\n3333.3333,0.85\n",
+          "# head wavelength\nwavelength [um],emissivity\n3,0.85\n5,0.9\n"}) {
+        Material material;
+        readMaterialCsv(writeBytes(folder / "a.csv", text), material);
+        EXPECT_NEAR(material.emissivity.at(3.0), 0.85, 1e-6) << text;
+        EXPECT_NEAR(material.emissivity.at(5.0), 0.90, 1e-6) << text;
+    }
+}
+
 struct Bad {
     const char* name;
     const char* text;
@@ -168,7 +274,11 @@ INSTANTIATE_TEST_SUITE_P(
             "'volume_reflectivity'"},
         Bad{"PropertyTwice", "um,emissivity,emissivity\n3,1,1\n4,1,1\n", "line 1, column 3",
             "emissivity", "each name once"},
-        Bad{"UnknownAxis", "nm,emissivity\n3,1\n4,1\n", "line 1, column 1", "nm", "'um' or 'cm-1'"},
+        Bad{"UnknownAxis", "eV,emissivity\n3,1\n4,1\n", "line 1, column 1", "eV", "'um', 'nm'"},
+        Bad{"BeyondTheTolerance", "um,emissivity\n3,1.006\n4,1\n", "line 2, column 2", "1.006",
+            "0 to 1"},
+        Bad{"BelowTheTolerance", "um;emissivity\n3,5;-0,006\n4;1\n", "line 2, column 2", "-0,006",
+            "0 to 1"},
         Bad{"Percent", "um,emissivity\n3,90\n4,92\n", "line 2, column 2", "90", "not percent"},
         Bad{"Negative", "um,emissivity\n3,0.5\n4,-0.1\n", "line 3, column 2", "-0.1", "0 to 1"},
         Bad{"SumAboveOne", "um,emissivity,transmissivity\n3,0.5,0.5\n4,0.6,0.5\n", "line 3",
@@ -182,12 +292,11 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"DoubledWavelength", "um,emissivity\n3,1\n3,1\n", "line 3, column 1", "3", "ascending"},
         Bad{"MissingCell", "um,emissivity\n3,\n4,1\n", "line 2, column 2", "nothing", "finite"},
         Bad{"NotANumber", "um,emissivity\n3,nan\n4,1\n", "line 2, column 2", "nan", "finite"},
-        Bad{"DecimalCommaInQuotes", "um,emissivity\n3,\"0,5\"\n4,1\n", "line 2, column 2", "0,5",
-            "decimal point"},
+        Bad{"ThousandsInQuotes", "um,emissivity\n3,\"0,500\"\n4,\"0,600\"\n", "line 2", "0,500",
+            "numbers without commas"},
         Bad{"DecimalCommas", "um,emissivity\n3,0,0,5\n4,0,0,5\n", "line 2", "4 cells",
             "decimal points"},
-        Bad{"Semicolons", "um;emissivity\n3,0;0,5\n", "line 1", "um;emissivity",
-            "separated by commas"},
+        Bad{"OneRow", "um;emissivity\n3,0;0,5\n", "", "2 rows", "at least 2 rows"},
         Bad{"NoNames", "3,0.5\n4,0.5\n5,0.5\n", "line 1, column 2", "0.5", "row of names"}),
     [](const auto& row) { return row.param.name; });
 

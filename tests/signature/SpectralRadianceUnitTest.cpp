@@ -17,7 +17,8 @@ TEST(SpectralRadianceUnit, HasTheseFactors) {
                         {"uW m-2 sr-1 um-1", 1e-6, false},  {"uW m-2 sr-1 (cm-1)-1", 1e-6, true},
                         {"W cm-2 sr-1 um-1", 1e4, false},   {"W cm-2 sr-1 (cm-1)-1", 1e4, true},
                         {"mW cm-2 sr-1 um-1", 10.0, false}, {"mW cm-2 sr-1 (cm-1)-1", 10.0, true},
-                        {"uW cm-2 sr-1 um-1", 1e-2, false}, {"uW cm-2 sr-1 (cm-1)-1", 1e-2, true}};
+                        {"uW cm-2 sr-1 um-1", 1e-2, false}, {"uW cm-2 sr-1 (cm-1)-1", 1e-2, true},
+                        {"W m-2 sr-1 nm-1", 1e3, false},    {"W cm-2 sr-1 nm-1", 1e7, false}};
     ASSERT_EQ(std::size(rows), SpectralRadianceUnit::known().size());
     for (std::size_t i = 0; i < std::size(rows); ++i) {
         const auto unit = SpectralRadianceUnit::parse(rows[i].text);
@@ -37,6 +38,16 @@ TEST(SpectralRadianceUnit, IsKnownInOtherSpellings) {
          "uW cm-2 sr-1 um-1"},
         {"\u03bcW cm-2 sr-1 / cm-1", "uW cm-2 sr-1 (cm-1)-1"},
         {"W cm-2 sr-1 per cm-1", "W cm-2 sr-1 (cm-1)-1"},
+        {"mW m-2 sr-1 cm", "mW m-2 sr-1 (cm-1)-1"},
+        {"mW/(m2 sr cm-1)", "mW m-2 sr-1 (cm-1)-1"},
+        {"mW/(m\u00b2 sr cm\u207b\u00b9)", "mW m-2 sr-1 (cm-1)-1"},
+        {"mW/m2/sr/cm-1", "mW m-2 sr-1 (cm-1)-1"},
+        {"W/m2/sr/(1/cm)", "W m-2 sr-1 (cm-1)-1"},
+        {"W/m2 sr um", "W m-2 sr-1 um-1"},
+        {"mW/cm2/sr/nm", "W cm-2 sr-1 um-1"},
+        {"mW m-2 sr-1 nm-1", "W m-2 sr-1 um-1"},
+        {"uW cm-2 sr-1 nm-1", "mW cm-2 sr-1 um-1"},
+        {"W/(m^2 sr micron)", "W m-2 sr-1 um-1"},
         {" W  m-2  sr-1  um-1 ", "W m-2 sr-1 um-1"}};
     for (const auto& [spelling, canonical] : rows) {
         EXPECT_EQ(SpectralRadianceUnit::parse(spelling).text(), canonical) << spelling;
@@ -44,8 +55,9 @@ TEST(SpectralRadianceUnit, IsKnownInOtherSpellings) {
 }
 
 TEST(SpectralRadianceUnit, IsRefusedWithTheListOfWhatIsKnown) {
-    for (const char* const text : {"", "W", "W cm-2 sr-1", "W cm-2 um-1", "W m-2 sr-1 nm-1",
-                                   "MW m-2 sr-1 um-1", "w m-2 sr-1 um-1", "K", "W m-2 sr-1 cm-1"}) {
+    for (const char* const text : {"", "W", "W cm-2 sr-1", "W cm-2 um-1", "W m-2 sr-1 um",
+                                   "MW m-2 sr-1 um-1", "w m-2 sr-1 um-1", "K", "W m-2 sr-1 cm-1",
+                                   "W m-3 sr-1", "W/(m2 sr um", "W m-2 sr-1 um-1 um-1"}) {
         const auto diagnostics = refusalOf([&] { SpectralRadianceUnit::parse(text); });
         ASSERT_EQ(diagnostics.size(), 1U) << text;
         EXPECT_EQ(diagnostics[0].value, "'" + std::string(text) + "'");

@@ -222,6 +222,28 @@ TEST(SpectrumCsv, OfTheReportsTable18HasItsNumbers) {
     EXPECT_NEAR(bb.values()[4], 280.136, 1e-9) << "7.76e-5 W cm-2 per cm-1 at 1900 cm-1";
 }
 
+TEST(SpectrumCsv, UnitsInHeadsAndPerNanometreGiveTheSameRadiance) {
+    const std::filesystem::path strangers =
+        std::filesystem::path(SMAT_SOURCE_DIR) / "tests/data/strangers/radiance-per-nm";
+    for (const auto& [name, component] :
+         {std::pair("rad_w_nm.csv", "CO2"), std::pair("radis.csv", "radiance")}) {
+        const UserSpectrum spectrum = readSpectrumCsv(strangers / name);
+        ASSERT_EQ(spectrum.components.size(), 1U) << name;
+        EXPECT_EQ(spectrum.components[0].name, component);
+        EXPECT_NEAR(spectrum.components[0].radiance.at(4.4), 60.0, 1e-9) << name;
+        EXPECT_NEAR(spectrum.components[0].radiance.at(4.6), 10.0, 1e-9) << name;
+    }
+    const TemporaryFolder folder;
+    const auto file = writeBytes(folder / "a.csv", "wavelength [um],CO2 [mW m-2 sr-1 cm],soot "
+                                                   "(mW m-2 sr-1 cm)\n4,1,2\n5,1,2\n");
+    const UserSpectrum spectrum = readSpectrumCsv(file);
+    EXPECT_EQ(spectrum.components[1].name, "soot");
+    EXPECT_NEAR(spectrum.components[1].radiance.at(5.0), 2e-3 * 2000.0 * 2000.0 / 1e4, 1e-12);
+    const auto two = writeBytes(folder / "b.csv", "um,a [W m-2 sr-1 um-1],b [W m-2 sr-1 nm-1]\n"
+                                                  "4,1,2\n5,1,2\n");
+    EXPECT_FALSE(refusalOf([&] { readSpectrumCsv(two); }).empty());
+}
+
 struct BadCsv {
     const char* name;
     const char* text;
@@ -259,10 +281,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadCsv{"NoUnit", "um,a\n4,1\n5,1\n", "", "no unit", "# unit:"},
         BadCsv{"UnknownUnit", "# unit: W cm-2\num,a\n4,1\n5,1\n", "line 1", "W cm-2",
                "W cm-2 sr-1 um-1"},
-        BadCsv{"UnknownAxis", "# unit: W m-2 sr-1 um-1\nnm,a\n4,1\n5,1\n", "line 2, column 1",
-               "'nm'", "'um' or 'cm-1'"},
+        BadCsv{"UnknownAxis", "# unit: W m-2 sr-1 um-1\neV,a\n4,1\n5,1\n", "line 2, column 1",
+               "'eV'", "'um', 'nm'"},
         BadCsv{"NoAxis", "# unit: W m-2 sr-1 um-1\n,a\n4,1\n5,1\n", "line 2, column 1", "nothing",
-               "'um' or 'cm-1'"},
+               "'um', 'nm'"},
         BadCsv{"NoComponent", "# unit: W m-2 sr-1 um-1\num\n4\n5\n", "line 2", "um", "one name"},
         BadCsv{"NamelessComponent", "# unit: W m-2 sr-1 um-1\num,a,\n4,1,1\n5,1,1\n",
                "line 2, column 3", "nothing", "name of a component"},
@@ -308,7 +330,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(SpectrumCsv, ReportsAllDiagnosticsAtOnce) {
     const TemporaryFolder folder;
-    const fs::path file = writeBytes(folder / "many.csv", "nm,a,a,\n4,x,1,1\n5,1,y\n");
+    const fs::path file = writeBytes(folder / "many.csv", "eV,a,a,\n4,x,1,1\n5,1,y\n");
     EXPECT_EQ(refusalOf([&] { readSpectrumCsv(file); }).size(), 6U);
 }
 

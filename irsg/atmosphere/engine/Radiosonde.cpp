@@ -8,6 +8,7 @@
 
 #include "irsg/atmosphere/engine/Hydrostatics.h"
 #include "irsg/atmosphere/engine/Profile.h"
+#include "irsg/core/BoundedValues.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
@@ -76,6 +77,7 @@ class Ascent {
             diagnostics_.push_back(table_.diagnostic(
                 std::to_string(table_.rows().size() - 1) + " rows of numbers", "at least two"));
         refuse();
+        humidities_.remark(table_.file());
         checkTop();
         refuse();
         cutAtGround();
@@ -133,7 +135,12 @@ class Ascent {
             const CsvCell& cell = row.cells[place];
             const std::string expected = numberText(column.least) + " to " +
                                          numberText(column.most) + " " + std::string(column.unit);
-            const auto value = table_.number(cell, diagnostics_, expected);
+            auto value = table_.number(cell, diagnostics_, expected);
+            if (value && column.unit == "%")
+                value = humidities_
+                            .take(*value, "line " + std::to_string(cell.line) + ", column " +
+                                              std::to_string(cell.column))
+                            .value_or(*value);
             if (value && !(*value >= column.least && *value <= column.most))
                 diagnostics_.push_back(table_.diagnostic(cell, expected));
             isUsable = isUsable && value && *value >= column.least && *value <= column.most;
@@ -229,6 +236,7 @@ class Ascent {
     }
 
     CsvTable table_;
+    BoundedValues humidities_{0.0, 100.0, 100.0 * boundTolerance};
     const Profile& background_;
     double ground_m_; ///< above sea level, of which altitudes of the levels are
     std::map<std::string_view, std::size_t> cells_;

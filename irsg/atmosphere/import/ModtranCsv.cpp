@@ -176,7 +176,7 @@ SpectralRun readBlock(const CsvTable& csv, const CsvBlock& block, const ModtranC
 } // namespace
 
 std::vector<SpectralRun> readModtranCsv(const std::filesystem::path& file) {
-    const CsvTable csv = CsvTable::read(file);
+    const CsvTable csv = CsvTable::read(file, CsvHead::all);
     if (csv.rows().empty())
         throw InputError({file.string(), "", "an empty table", "results of a MODTRAN run"});
     const std::vector<ModtranCase> cases = modtranCasesBeside(file, &ModtranCase::csvName);
@@ -204,7 +204,7 @@ bool isModtranCsv(std::string_view text) {
     const std::size_t line = text.find('\n', std::min<std::size_t>(16384, text.size()));
     std::optional<CsvTable> table;
     try {
-        table = CsvTable::parse(text.substr(0, line), "");
+        table = CsvTable::parse(text.substr(0, line), "", CsvHead::all);
     } catch (const InputError&) {
         return false;
     }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "irsg/core/ColumnText.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/FileReading.h"
+#include "irsg/core/Utf8.h"
 
 namespace irsg {
 
@@ -15,6 +17,8 @@ constexpr std::uint64_t largestText_B = 512u << 20;
 
 std::string readTextFile(const std::filesystem::path& file) {
     std::string text = readFile(file, largestText_B);
+    if (std::string decoded = decodedUtf16(text); !decoded.empty())
+        text = std::move(decoded);
     if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
         throw InputError(
             {file.string(), "byte " + std::to_string(zero), "a NUL byte", "text, not binary data"});
@@ -32,12 +36,9 @@ TextLines TextLines::parse(std::string_view text, std::string file) {
             {file, "byte " + std::to_string(zero), "a NUL byte", "text, not binary data"});
     }
     TextLines result{std::move(file), {}};
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        std::string_view line = text.substr(0, end);
-        line = line.substr(0, line.find_last_not_of(" \t\r") + 1);
-        result.lines.emplace_back(line);
-        text.remove_prefix(std::min(end + 1, text.size()));
+    for (text = withoutByteOrderMark(text); !text.empty();) {
+        const std::string_view line = takeLine(text);
+        result.lines.emplace_back(line.substr(0, line.find_last_not_of(" \t") + 1));
     }
     if (std::ranges::all_of(result.lines, [](const std::string& line) { return line.empty(); }))
         throw InputError({result.file, "", "an empty file", "results of a run"});
@@ -56,15 +57,8 @@ std::optional<double> fortranNumber(std::string_view text) {
     text = trimmed(text);
     if (const std::optional<double> plain = parseNumber(text))
         return plain;
-    std::string repaired(text);
-    if (const std::size_t letter = repaired.find_first_of("dD"); letter != std::string::npos) {
-        repaired[letter] = 'e';
-    } else if (const std::size_t sign = repaired.find_last_of("+-");
-               sign != std::string::npos && sign > 0 &&
-               repaired.find_first_of("eE") == std::string::npos) {
-        repaired.insert(sign, "e");
-    }
-    return parseNumber(repaired);
+    const std::optional<std::string> repaired = plainNumber(text, '.');
+    return repaired ? parseNumber(*repaired) : std::nullopt;
 }
 
 } // namespace irsg

@@ -1,0 +1,357 @@
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "irsg/atmosphere/BeerLambert.h"
+#include "irsg/atmosphere/SpectraAtmosphere.h"
+#include "irsg/atmosphere/engine/Profile.h"
+#include "irsg/atmosphere/import/ModtranCsv.h"
+#include "irsg/core/CsvTable.h"
+#include "irsg/core/Errors.h"
+#include "irsg/core/Remarks.h"
+#include "irsg/image/CsvImage.h"
+#include "irsg/radiometry/Band.h"
+#include "irsg/signature/MaterialCsv.h"
+#include "irsg/signature/ReflectanceCsv.h"
+#include "irsg/signature/SpectrumCsv.h"
+#include "smatcore/data/ResultTable.h"
+#include "smatcore/simulate/Trajectory.h"
+#include "tests/fuzz/SeedTexts.h"
+#include "tests/support/TemporaryFolder.h"
+
+namespace smat {
+namespace {
+
+using test::ownFolder;
+using test::writtenFile;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using File = const std::filesystem::path&;
+
+/// All numbers that a reader took, as one text.
+class Digest {
+  public:
+    Digest& add(double value) {
+        text_ << irsg::numberText(value) << ' ';
+        return *this;
+    }
+    Digest& add(const std::string& word) {
+        text_ << word << ' ';
+        return *this;
+    }
+    template <typename Values>
+    Digest& addAll(const Values& values) {
+        for (const auto value : values) {
+            add(static_cast<double>(value));
+        }
+        return *this;
+    }
+    Digest& add(const irsg::Spectrum& spectrum) {
+        return addAll(spectrum.wavelengths_um()).addAll(spectrum.values());
+    }
+    std::string text() const { return text_.str(); }
+
+  private:
+    std::ostringstream text_;
+};
+
+/// A reader of columns: a plain text that it reads, and what it took of it.
+struct ColumnReader {
+    const char* name;
+    std::string text;
+    std::function<std::string(File)> read;
+    std::set<std::string> lacks = {}; ///< forms that it need not read
+};
+void PrintTo(const ColumnReader& reader, std::ostream* out) {
+    *out << reader.name;
+}
+
+/// The rows of its text, by cells; comments are lines of one cell.
+std::vector<std::vector<std::string>> rowsOf(const std::string& text) {
+    std::vector<std::vector<std::string>> rows;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        rows.emplace_back();
+        if (line.starts_with('#')) {
+            rows.back().push_back(line);
+            continue;
+        }
+        std::istringstream cells(line + ",");
+        for (std::string cell; std::getline(cells, cell, ',');) {
+            rows.back().push_back(cell);
+        }
+    }
+    return rows;
+}
+
+struct Way {
+    std::string separator = ",";
+    bool hasDecimalCommas = false, isQuoted = false, hasD = false, isPadded = false;
+    std::string lineEnd = "\n", before = {};
+};
+
+std::string written(const std::string& text, const Way& way) {
+    const auto rows = rowsOf(text);
+    std::size_t width = 0;
+    for (const auto& row : rows) {
+        width = std::max(width, row.size());
+    }
+    std::string result = way.before;
+    for (const auto& row : rows) {
+        const bool isComment = row.size() == 1 && row.front().starts_with('#');
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            std::string cell = row[i];
+            const bool isNumber = irsg::parseNumber(cell).has_value();
+            if (isNumber && way.hasD && cell.find('e') == std::string::npos) {
+                cell += "D+00";
+            }
+            if (isNumber && way.hasDecimalCommas) {
+                std::ranges::replace(cell, '.', ',');
+            }
+            if (way.isQuoted && !isComment) {
+                cell = "\"" + cell + "\"";
+            }
+            result += (i > 0 ? way.separator : "") + cell;
+        }
+        for (std::size_t i = row.size(); way.isPadded && i < width; ++i) {
+            result += way.separator;
+        }
+        result += way.lineEnd;
+    }
+    return result;
+}
+
+std::string asUtf16(const std::string& text) {
+    std::string bytes = "\xFF\xFE";
+    for (const char c : text) {
+        bytes += c;
+        bytes += '\0';
+    }
+    return bytes;
+}
+
+struct Form {
+    const char* name;
+    std::function<std::string(const std::string&)> write;
+    const char* remark = nullptr; ///< words of what is said; null: nothing
+};
+
+const std::vector<Form>& forms() {
+    static const auto as = [](const Way& way) {
+        return [way](const std::string& text) { return written(text, way); };
+    };
+    static const std::vector<Form> all = {
+        {"plain", as({})},
+        {"semicolons", as({.separator = ";"}), "semicolons"},
+        {"semicolons and decimal commas", as({.separator = ";", .hasDecimalCommas = true}),
+         "semicolons, decimal commas"},
+        {"tabs", as({.separator = "\t"}), "tabs"},
+        {"tabs and decimal commas", as({.separator = "\t", .hasDecimalCommas = true}),
+         "tabs, decimal commas"},
+        {"blanks", as({.separator = "  "}), "blanks"},
+        {"blanks and decimal commas", as({.separator = " ", .hasDecimalCommas = true}),
+         "blanks, decimal commas"},
+        {"quotes", as({.isQuoted = true})},
+        {"quoted decimal commas", as({.hasDecimalCommas = true, .isQuoted = true}),
+         "commas, decimal commas"},
+        {"quotes and semicolons",
+         as({.separator = ";", .hasDecimalCommas = true, .isQuoted = true}),
+         "semicolons, decimal commas"},
+        {"D exponents", as({.hasD = true})},
+        {"D exponents and decimal commas",
+         as({.separator = ";", .hasDecimalCommas = true, .hasD = true}), "decimal commas"},
+        {"CR line ends", as({.lineEnd = "\r"})},
+        {"CR and LF", as({.lineEnd = "\r\n"})},
+        {"a byte order mark", as({.before = "\xEF\xBB\xBF"})},
+        {"UTF-16", [](const std::string& text) { return asUtf16(text); }},
+        {"rows made equally wide", as({.isPadded = true})},
+        {"sep=;", as({.separator = ";", .hasDecimalCommas = true, .before = "sep=;\n"}),
+         "semicolons"},
+        {"head lines",
+         as({.separator = ";",
+             .hasDecimalCommas = true,
+             .before = "Instrument;invented\nSerial number;none\n;;\n"}),
+         "head lines"},
+    };
+    return all;
+}
+
+const std::vector<ColumnReader>& readers() {
+    static const std::vector<ColumnReader> all = {
+        {"image", "1.25,2.5,3.75,4.5\n5.5,6.25,7.5,8.75\n9.5,10.25,11.5,12.75\n",
+         [](File file) {
+             const irsg::RadianceImage image = irsg::readCsvImage(file);
+             return Digest().add(image.width()).addAll(image.primary().values).text();
+         }},
+        {"response", "wavelength [um],response\n3.25,0.125\n4.5,1\n5.5,0.25\n",
+         [](File file) { return Digest().add(irsg::Band::fromCsv(file).response()).text(); }},
+        {"spectrum", "# unit: W m-2 sr-1 um-1\num,CO2,soot\n3.5,1.25,2.5\n4.5,0.5,1.75\n",
+         [](File file) {
+             Digest digest;
+             for (const auto& component : irsg::readSpectrumCsv(file).components) {
+                 digest.add(component.name).add(component.radiance);
+             }
+             return digest.text();
+         }},
+        {"factors",
+         ",CO2,soot\n0.5,1.25,2.5\n10.5,0.5,1.75\n",
+         [](File file) {
+             irsg::UserSpectrum spectrum;
+             spectrum.components = {{"CO2", {{3.0, 5.0}, {1.0, 1.0}}},
+                                    {"soot", {{3.0, 5.0}, {1.0, 1.0}}}};
+             irsg::ComponentFactors factors;
+             irsg::readFactorCsv(file, irsg::FactorAxis::time_s, false, spectrum, factors);
+             Digest digest;
+             for (const auto& factor : factors) {
+                 digest.add(factor.component);
+                 for (const double time_s : {0.5, 3.25, 10.5}) {
+                     digest.add(factor.time.at(time_s));
+                 }
+             }
+             return digest.text();
+         },
+         // An empty first cell is none between blanks.
+         {"blanks", "blanks and decimal commas"}},
+        {"material", "um,emissivity,transmissivity\n3.5,0.75,0.125\n4.5,0.5,0.25\n",
+         [](File file) {
+             irsg::Material material;
+             irsg::readMaterialCsv(file, material);
+             return Digest().add(material.emissivity).add(material.transmissivity).text();
+         }},
+        {"indices", "wl,n,k\n3.5,1.75,0.125\n4.5,1.5,0.25\n",
+         [](File file) {
+             irsg::Material material;
+             irsg::readMaterialCsv(file, material);
+             return Digest().add(material.refractiveIndex).add(material.extinction).text();
+         }},
+        {"reflectance", "incidence_deg,3.5,10.5\n0.5,0.25,0.375\n60.5,0.5,0.625\n",
+         [](File file) {
+             const auto table = irsg::readReflectanceTable(file);
+             Digest digest;
+             digest.addAll(table.wavelengths_um());
+             for (const auto& row : table.rows()) {
+                 digest.add(row.incidence_deg).addAll(row.values);
+             }
+             return digest.text();
+         }},
+        {"air",
+         "# air_temperature [K]: 290\nwavelength [um],extinction [km-1]\n2.5,0.125\n4.5,0.375\n"
+         "14.5,0.25\n",
+         [](File file) {
+             const auto air = irsg::BeerLambert::fromCsv(file).parameters();
+             return Digest().add(air.airTemperature_K).add(air.extinction_per_m).text();
+         }},
+        {"spectra of air", test::radiativeText(),
+         [](File file) {
+             const auto air = irsg::SpectraAtmosphere::fromCsv(file).parameters();
+             Digest digest;
+             for (const auto& [property, spectrum] : air.spectra) {
+                 digest.add(spectrum);
+             }
+             return digest.add(air.targetAltitude_m.value_or(-1.0)).text();
+         }},
+        {"sounding",
+         "altitude [m],pressure [hPa],temperature [K],relative_humidity [%]\n"
+         "0,1013.25,288.5,50.5\n1000.5,898.75,281.5,40.25\n2000.5,795,275.25,30.5\n",
+         [](File file) {
+             const auto above = irsg::Profile::model(irsg::ModelAtmosphere::usStandard1976);
+             Digest digest;
+             for (const auto& level : irsg::Profile::fromRadiosonde(file, above).levels()) {
+                 digest.add(level.altitude_m).add(level.temperature_K).addAll(level.moleFraction);
+             }
+             return digest.text();
+         }},
+        {"MODTRAN",
+         test::modtranCsvText(),
+         [](File file) {
+             Digest digest;
+             for (const auto& run : irsg::readModtranCsv(file)) {
+                 digest.addAll(run.wavenumbers_per_cm).addAll(run.transmittance);
+             }
+             return digest.text();
+         },
+         {"head lines"}},
+        {"trajectory",
+         "t [s],x [m],y [m],z [m],yaw [deg],pitch [deg],roll [deg]\n0,0.5,1.5,100.25,0,0,0\n"
+         "1.5,10.5,0,100.5,5.25,0,0\n",
+         [](File file) {
+             Digest digest;
+             for (const auto& row : TrajectoryTable::read(file).rows) {
+                 digest.addAll(row);
+             }
+             return digest.text();
+         }},
+        {"results", "# command: polar\nangle [deg],intensity [W sr-1]\n0,1.25\n90.5,2.75\n",
+         [](File file) {
+             Digest digest;
+             for (const auto& column : ResultTable::load(file).columns()) {
+                 digest.add(column.header()).addAll(column.values);
+             }
+             return digest.text();
+         }},
+    };
+    return all;
+}
+
+class EveryColumnReader : public testing::TestWithParam<ColumnReader> {};
+
+TEST_P(EveryColumnReader, TakesTheSameNumbersFromEveryFormAndSaysWhatItTook) {
+    const ColumnReader& reader = GetParam();
+    const auto file = ownFolder() / "columns.csv";
+    const std::string expected = reader.read(writtenFile(file, reader.text));
+    std::size_t read = 0;
+    for (const Form& form : forms()) {
+        if (reader.lacks.contains(form.name)) {
+            continue;
+        }
+        SCOPED_TRACE(form.name);
+        writtenFile(file, form.write(reader.text));
+        const irsg::CollectedRemarks remarks;
+        try {
+            EXPECT_EQ(reader.read(file), expected);
+            ++read;
+        } catch (const irsg::InputError& error) {
+            ADD_FAILURE() << error.what();
+        }
+        if (form.remark == nullptr) {
+            EXPECT_THAT(remarks.sentences(), IsEmpty());
+        } else {
+            EXPECT_THAT(remarks.sentences(), Contains(HasSubstr(form.remark)));
+        }
+    }
+    EXPECT_EQ(read, forms().size() - reader.lacks.size());
+}
+
+TEST_P(EveryColumnReader, RefusesNumbersOfTwoDecimalSignsByLineAndValue) {
+    const ColumnReader& reader = GetParam();
+    // One value in the last row with a point, all others with commas.
+    std::string text = written(reader.text, {.separator = ";", .hasDecimalCommas = true});
+    const std::size_t last = text.find_last_of(';');
+    ASSERT_NE(last, std::string::npos);
+    text.insert(text.size() - 1, text.find(',', last) == std::string::npos ? ",5.5" : ".5");
+    const auto file = writtenFile(ownFolder() / "columns.csv", text);
+    const std::size_t line = static_cast<std::size_t>(std::ranges::count(reader.text, '\n'));
+    try {
+        reader.read(file);
+        ADD_FAILURE() << "accepted";
+    } catch (const irsg::InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("line " + std::to_string(line)));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, EveryColumnReader, testing::ValuesIn(readers()), [](const auto& row) {
+    std::string name = row.param.name;
+    std::erase(name, ' ');
+    return name;
+});
+
+} // namespace
+} // namespace smat
