@@ -54,19 +54,24 @@ std::string commentText(std::string_view line, char separator, std::size_t& widt
     return isAlone && cells.front().isQuoted ? textOf(cells.front()) : std::string(line);
 }
 
-/// The cells of a line; no value where a quote is never closed.
+/// The cells of a line; no value where a quote is never closed. Numbers with a decimal point among
+/// those with decimal commas are added to `pointed`.
 std::optional<CsvRow> readRow(std::string_view line, int number, const ColumnDialect& dialect,
-                              std::vector<ColumnCell>& cells) {
+                              std::vector<ColumnCell>& cells, std::vector<CsvCell>& pointed) {
     if (!splitColumns(line, dialect.separator, cells))
         return std::nullopt;
     CsvRow row{number, {}};
     row.cells.reserve(cells.size());
     for (const ColumnCell& cell : cells) {
         std::string text = textOf(cell);
-        if (!parseNumber(text))
+        const auto column = static_cast<int>(row.cells.size()) + 1;
+        if (!parseNumber(text)) {
             if (auto plain = plainNumber(text, dialect.decimal))
                 text = *std::move(plain);
-        row.cells.push_back({std::move(text), number, static_cast<int>(row.cells.size()) + 1});
+        } else if (dialect.decimal == ',' && text.find('.') != std::string::npos) {
+            pointed.push_back({text, number, column});
+        }
+        row.cells.push_back({std::move(text), number, column});
     }
     return row;
 }
@@ -150,6 +155,7 @@ CsvTable CsvTable::parse(std::string_view bytes, std::string name, CsvHead head)
     std::vector<Diagnostic> diagnostics;
     std::vector<ColumnCell> cells;
     std::vector<std::size_t> commentWidths;
+    std::vector<CsvCell> pointed;
     for (int number = 1; !text.empty(); ++number) {
         const std::string_view line = takeLine(text);
         const std::string_view content = trimmed(line);
@@ -160,7 +166,7 @@ CsvTable CsvTable::parse(std::string_view bytes, std::string name, CsvHead head)
             table.comments_.push_back(
                 readComment(commentText(content, table.dialect_.separator, width), number));
             commentWidths.push_back(width);
-        } else if (auto row = readRow(line, number, table.dialect_, cells); !row) {
+        } else if (auto row = readRow(line, number, table.dialect_, cells, pointed); !row) {
             diagnostics.push_back(
                 table.diagnostic(number, std::string(content), "a closing quote on the same line"));
             keepFirstDiagnostics(diagnostics);
@@ -175,6 +181,16 @@ CsvTable CsvTable::parse(std::string_view bytes, std::string name, CsvHead head)
         table.leaveOutHeadLines();
         table.trimRows();
     }
+    // 1.234 may be a thousand there.
+    for (const CsvCell& cell : pointed)
+        if (!table.rows_.empty() && cell.line >= table.rows_.front().line) {
+            diagnostics.push_back(
+                {table.file_, linePosition(cell.line) + ", column " + std::to_string(cell.column),
+                 shown(cell.text), "a decimal comma, as in other rows"});
+            keepFirstDiagnostics(diagnostics);
+        }
+    if (!diagnostics.empty())
+        throw InputError(std::move(diagnostics));
     return table;
 }
 
