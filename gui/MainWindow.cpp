@@ -1,9 +1,11 @@
 #include "gui/MainWindow.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QLabel>
 #include <QMimeData>
+#include <QPointer>
 #include <QScrollArea>
 #include <QStatusBar>
 
@@ -33,6 +35,7 @@
 #include "gui/view/ProjectView.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/Widgets.h"
+#include "irsg/core/Remarks.h"
 
 namespace smat::gui {
 
@@ -71,9 +74,22 @@ MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     layout_->restore();
     menus_->refresh();
     keepTabOrder();
+    // What readers of files take for granted, in whatever thread, stands in the status bar for a
+    // while.
+    irsg::setRemarkListener([window = QPointer<MainWindow>(this)](const std::string& sentence) {
+        const QString text = QString::fromStdString(sentence);
+        QMetaObject::invokeMethod(
+            qApp,
+            [window, text] {
+                if (window)
+                    window->say(text, 20000);
+            },
+            Qt::QueuedConnection);
+    });
 }
 
 MainWindow::~MainWindow() {
+    irsg::setRemarkListener({});
     delete menus_; // parts that go change nothing that can be done
 }
 

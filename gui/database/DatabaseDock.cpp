@@ -280,9 +280,11 @@ void DatabaseDock::importMaterial() {
 void DatabaseDock::importMaterialInto(std::optional<int> wanted) {
     if (!context_.session().isOpen())
         return;
-    const QString file =
-        context_.dialogs().openFile(context_.window, tr("Import a material"),
-                                    {tr("Tables (*.csv *.txt *.bsdf)"), tr("All files (*)")});
+    const QString file = context_.dialogs().openFile(
+        context_.window, tr("Import a material"),
+        {tr("Tables and spectra of libraries (*.csv *.txt *.bsdf *.asc *.jdx *.dx *.yml "
+            "*.ems)"),
+         tr("All files (*)")});
     if (file.isEmpty())
         return;
     ImportMaterialDialog dialog(context_, file.toStdString(), wanted, context_.window);

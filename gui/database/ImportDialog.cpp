@@ -11,6 +11,7 @@
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/ThemeColors.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/Remarks.h"
 
 namespace smat::gui {
 
@@ -47,7 +48,10 @@ void ImportDialog::read() {
     QString words;
     bool isRead = false;
     try {
+        const irsg::CollectedRemarks remarks;
         words = readFile();
+        for (const std::string& remark : remarks.sentences())
+            words += "\n" + QString::fromStdString(remark);
         isRead = true;
     } catch (const irsg::InputError& error) {
         const QStringList sentences = sentencesOf(error);

@@ -69,6 +69,25 @@ std::vector<std::pair<QString, std::string>> ComparedPair::planeChoices() const 
     for (const auto& channel : a.channels)
         if (b.find(channel.name) != nullptr && channel.name != usual)
             choices.emplace_back(planeTitle(channel), channel.name);
+    // A plane of one image with the usual plane of the other, which has none of its name.
+    const auto addAlone = [&](const irsg::RadianceImage& has, const irsg::RadianceImage& lacks,
+                              bool isFirst) {
+        try {
+            const irsg::ImageChannel& other = irsg::chosenPlane(lacks, "", "");
+            for (const auto& channel : has.channels) {
+                if (lacks.find(channel.name) != nullptr)
+                    continue;
+                const QString own = planeTitle(channel), of = planeTitle(other);
+                choices.emplace_back(isFirst ? own + " | " + of : of + " | " + own, channel.name);
+            }
+        } catch (const irsg::InputError&) {
+            // It has no usual one.
+        }
+    };
+    if (choices.empty()) {
+        addAlone(a, b, true);
+        addAlone(b, a, false);
+    }
     return choices;
 }
 
@@ -77,7 +96,10 @@ const irsg::ImageChannel* ComparedPair::plane(std::size_t index) const {
     if (!image)
         return nullptr;
     try {
-        return &irsg::chosenPlane(*image, options_.channel, sides_[index].name.toStdString());
+        // A name that only the other image has leaves the usual plane of this one.
+        const bool has = image->find(options_.channel) != nullptr;
+        return &irsg::chosenPlane(*image, has ? options_.channel : "",
+                                  sides_[index].name.toStdString());
     } catch (const irsg::InputError&) {
         return &image->primary(); // to look at; the comparison says what is wrong
     }
@@ -126,8 +148,9 @@ ComparedPair::Answer ComparedPair::work(const irsg::RadianceImage& a, const irsg
         ofPart.rectangle = part;
         answer.part = irsg::compareImages(a, b, ofPart);
     }
-    const auto& planeA = irsg::chosenPlane(a, options.channel, options.nameA).values;
-    const auto& planeB = irsg::chosenPlane(b, options.channel, options.nameB).values;
+    const irsg::ComparedPlanes planes = irsg::comparedPlanes(a, b, options);
+    const auto& planeA = planes.a.values;
+    const auto& planeB = planes.b.values;
     answer.marks.resize(planeA.size());
     std::ranges::transform(planeA, planeB, answer.marks.begin(), [&options](float x, float y) {
         const auto verdict =

@@ -5,6 +5,7 @@
 #include <QPointer>
 #include <QWidget>
 
+#include "gui/image/ChosenImage.h"
 #include "gui/image/ImageExport.h"
 #include "gui/widgets/Sentences.h"
 #include "irsg/core/Errors.h"
@@ -26,12 +27,14 @@ QString sentenceOf(const irsg::InputError& error) {
 ComparisonFiles::ComparisonFiles(const ComparedPair& pair, Dialogs dialogs, QWidget* window)
     : QObject(window), pair_(pair), dialogs_(std::move(dialogs)), window_(window) {}
 
-ComparisonFiles::Reading ComparisonFiles::readingOf(const QStringList& files) {
+ComparisonFiles::Reading ComparisonFiles::readingOf(const QStringList& files,
+                                                    const std::vector<irsg::ImageReading>& what) {
     Reading reading;
-    for (const QString& file : files) {
+    for (qsizetype i = 0; i < files.size(); ++i) {
+        const QString& file = files[i];
         try {
-            reading.sides.push_back(
-                ComparisonSide::of(irsg::readImageFile(file.toStdString()), file));
+            reading.sides.push_back(ComparisonSide::of(
+                irsg::readImageFile(file.toStdString(), what[static_cast<std::size_t>(i)]), file));
         } catch (const irsg::InputError& error) {
             reading.sides.emplace_back();
             reading.wrong << sentenceOf(error);
@@ -50,8 +53,11 @@ void ComparisonFiles::open(const QStringList& files, std::optional<int> side) {
     }
     const bool lacksB = pair_.side(0).image && !pair_.side(1).image;
     const int first = files.size() == 2 ? 0 : side.value_or(lacksB);
+    std::vector<irsg::ImageReading> what;
+    for (const QString& file : files)
+        what.push_back(chosenImage(dialogs_, window_, file));
     emit begun(files);
-    task_.run<Reading>([files] { return readingOf(files); },
+    task_.run<Reading>([files, what] { return readingOf(files, what); },
                        [this, first](Reading reading) { take(std::move(reading), first); });
 }
 

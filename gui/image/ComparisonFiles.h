@@ -1,10 +1,12 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "gui/image/ComparedPair.h"
 #include "gui/widgets/Dialogs.h"
 #include "gui/widgets/LatestTask.h"
+#include "irsg/image/ImageFormat.h"
 
 namespace smat::gui {
 
@@ -37,7 +39,7 @@ class ComparisonFiles : public QObject {
         std::vector<ComparisonSide> sides;
         QStringList wrong;
     };
-    static Reading readingOf(const QStringList& files);
+    static Reading readingOf(const QStringList& files, const std::vector<irsg::ImageReading>& what);
     void take(Reading reading, int first);
 
     const ComparedPair& pair_;

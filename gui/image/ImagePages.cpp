@@ -4,6 +4,7 @@
 
 #include <QFileInfo>
 
+#include "gui/image/ChosenImage.h"
 #include "gui/image/ComparisonWindow.h"
 #include "gui/image/ImageView.h"
 #include "gui/widgets/Sentences.h"
@@ -94,9 +95,9 @@ void ImagePages::open(const QStringList& files) {
     }
     using Image = std::shared_ptr<const irsg::RadianceImage>;
     task_.run<Image>(
-        [file = files.front()] {
+        [file = files.front(), what = chosenImage(dialogs_, tabs_.window(), files.front())] {
             return std::make_shared<const irsg::RadianceImage>(
-                irsg::readImageFile(file.toStdString()));
+                irsg::readImageFile(file.toStdString(), what));
         },
         [this, file = files.front()](const Image& image) {
             auto* view = new ImageView(nullptr, dialogs_);

@@ -101,6 +101,22 @@ TEST(BeerLambertCsv, TheSampleHazeIsReadAndBehavesLikeOne) {
     }
 }
 
+TEST(BeerLambertCsv, AxesOfEveryHeadAndDirectionGiveOneAir) {
+    const Spectrum expected =
+        atmosphereOf("wavelength [um],extinction [km-1]\n2.5,0.1\n4,0.3\n12.5,0.2\n")
+            .parameters()
+            .extinction_per_m;
+    for (const char* text : {"um,extinction [km-1]\n2.5,0.1\n4,0.3\n12.5,0.2\n",
+                             "wavelength [nm],extinction [km-1]\n2500,0.1\n4000,0.3\n12500,0.2\n",
+                             "wavenumber [cm-1],extinction [km-1]\n4000,0.1\n2500,0.3\n800,0.2\n",
+                             "Wavelength (um);extinction [km-1]\n12,5;0,2\n4;0,3\n2,5;0,1\n"}) {
+        const Spectrum read = atmosphereOf(text).parameters().extinction_per_m;
+        for (const double wavelength_um : {2.5, 3.0, 4.0, 10.0, 12.5}) {
+            EXPECT_NEAR(read.at(wavelength_um), expected.at(wavelength_um), 1e-15) << text;
+        }
+    }
+}
+
 namespace {
 
 struct BadFile {
@@ -161,8 +177,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "line 3, column 2: found '-0.1', expected a number of at least 0"},
         BadFile{"wavelengthNegative", header + "-3,1\n5,1\n", "line 2, column 1: found '-3'"},
         BadFile{"wavelengthZero", header + "0,1\n5,1\n", "line 2, column 1: found '0'"},
-        BadFile{"reversed", header + "5,1\n3,1\n",
-                "line 3, column 1: found '3', expected more than 5"},
+        BadFile{"turnsBack", header + "5,1\n3,1\n4,1\n",
+                "line 4, column 1: found '4', expected an axis that descends strictly"},
         BadFile{"duplicated", header + "3,1\n3,1\n5,1\n", "line 3, column 1: found '3'"},
         BadFile{"fluxNegative",
                 "wavelength [um],extinction [km-1],up_flux [W m-2 um-1]\n"

@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(
         importRow("UnknownComponent", ",neon\n0,1\n180,1\n", asAngle, {"a.csv", "neon"}),
         importRow("EntryWithoutSpectrum", ",CO2\n0,1\n180,1\n",
                   {"--as", "angle", "--temperature", "11"}, {"temperatures.11"}),
-        importRow("Semicolons", "um;CO2\n3;1\n4;2\n", inWatts, {"a.csv", "line 1", "commas"}),
+        importRow("TwoDecimalSigns", "um;CO2\n3;1\n4,5;2.5\n", inWatts, {"a.csv", "line 3", "4,5"}),
         importRow("DecimalCommas", "um,CO2\n3,0,1,5\n4,0,2,5\n", inWatts,
                   {"a.csv", "line 2", "decimal points"}),
         importRow("NoNames", "3,1\n4,2\n5,2\n", inWatts, {"a.csv", "line 1", "row of names"}),

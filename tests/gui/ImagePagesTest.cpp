@@ -19,6 +19,50 @@
 namespace smat::gui {
 namespace {
 
+/// An image of one plane in a format that is read and not written, as its program writes it.
+void writeForeign(const irsg::RadianceImage& image, const std::filesystem::path& file) {
+    const std::string extension = file.extension().string();
+    const std::vector<float>& values = image.primary().values;
+    const std::string size = std::to_string(image.width()) + " " + std::to_string(image.height());
+    std::filesystem::path bytesFile = file;
+    std::string head;
+    std::vector<float> stored = values;
+    if (extension == ".asc" || extension == ".grd") {
+        std::ofstream text(file);
+        text << "ncols " << image.width() << "\nnrows " << image.height() << "\n";
+        for (const float value : values) {
+            text << value << "\n";
+        }
+        return;
+    }
+    if (extension == ".pfm") {
+        head = "Pf\n" + size + "\n-1\n";
+        stored.clear();
+        for (int y = image.height() - 1; y >= 0; --y) {
+            for (int x = 0; x < image.width(); ++x) {
+                stored.push_back(image.at(x, y));
+            }
+        }
+    } else if (extension == ".npy") {
+        const std::string dictionary = "{'descr': '<f4', 'fortran_order': False, 'shape': (" +
+                                       std::to_string(image.height()) + ", " +
+                                       std::to_string(image.width()) + "), }\n";
+        head = std::string("\x93NUMPY\x01\0", 8) + static_cast<char>(dictionary.size()) +
+               std::string(1, '\0') + dictionary;
+    } else {
+        std::filesystem::path header = file;
+        std::ofstream(header.replace_extension(".hdr"))
+            << "ENVI\nsamples = " << image.width() << "\nlines = " << image.height()
+            << "\nbands = 1\ndata type = 4\n";
+        if (extension == ".hdr") {
+            bytesFile.replace_extension(".img");
+        }
+    }
+    std::ofstream(bytesFile, std::ios::binary)
+        << head
+        << std::string(reinterpret_cast<const char*>(stored.data()), stored.size() * sizeof(float));
+}
+
 class ImagePages : public test::WindowFixture {
   protected:
     QString written(const char* name, float value) {
@@ -233,7 +277,12 @@ TEST_F(ImagePages, EveryFormatThatIsReadCanBeOpenedDroppedAndNamedAtTheStart) {
     image.primary().values = {1, 2, 3, 4, 5, 6};
     const auto written = [&](const std::string& stem, const std::string& extension) {
         const auto file = folder / (stem + extension);
-        irsg::readableImageFormatOf(file)->write(image, file, {});
+        const irsg::ImageFormat* const format = irsg::readableImageFormatOf(file);
+        if (format->write != nullptr) {
+            format->write(image, file, {});
+        } else {
+            writeForeign(image, file);
+        }
         return QString::fromStdString(file.string());
     };
     const auto seen = [&](const std::string& name) {
@@ -288,6 +337,30 @@ TEST_F(ImagePages, TheDialogOfFileOpenOffersEveryFormatThatIsRead) {
             << extension;
         EXPECT_TRUE(tip.contains(text)) << extension;
     }
+}
+
+TEST_F(ImagePages, OfSeveralPartsOrPagesThePersonChoosesOne) {
+    const std::string strangers = std::string(SMAT_SOURCE_DIR) + "/tests/data/strangers/";
+    QStringList offered;
+    people.ask = [&](QWidget*, const QString&, const QString&, const QStringList& answers) {
+        offered = answers;
+        return 0;
+    };
+    window.reset();
+    makeWindow();
+    drop({QString::fromStdString(strangers + "multipart-exr/depth-first.exr")});
+    EXPECT_EQ(offered.size(), 2);
+    EXPECT_TRUE(offered.join('|').contains("'radiance': Y")) << offered.join('|').toStdString();
+    const auto shown = [this] { return qobject_cast<ImageView*>(tabs()->currentWidget()); };
+    ASSERT_TRUE(test::waitUntil([&] { return shown() != nullptr; }, 10.0));
+    EXPECT_EQ(shown()->image().primary().name, "Z"); // the one that was chosen
+    const QString pages = QString::fromStdString(strangers + "multipage-tiff/two.tif");
+    drop({pages, QString::fromStdString(strangers + "multipage-tiff/one.tif")});
+    EXPECT_TRUE(offered.join('|').contains("page 2")) << offered.join('|').toStdString();
+    const auto page = qobject_cast<ComparisonWindow*>(tabs()->currentWidget());
+    ASSERT_NE(page, nullptr);
+    ASSERT_TRUE(test::waitUntil([&] { return page->comparison().has_value(); }));
+    EXPECT_EQ(page->comparison()->meanAbsoluteError, 0.0);
 }
 
 TEST_F(ImagePages, AMatrixIsDroppedToBeSeenAndOpenedAsAResult) {
