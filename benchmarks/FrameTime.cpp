@@ -59,8 +59,8 @@ int main(int argc, char** argv) {
             entity.database =
                 std::make_shared<const SignatureDatabase>(plainDatabase(*model, transmissivity));
             entity.pose.position_m.z = 1000.0;
-            InteractiveRenderer irsg;
-            RenderSettings settings;
+            InteractiveRenderer irsg(RenderSettings::direct());
+            RenderSettings settings = RenderSettings::direct();
             settings.tileSide_samples = 0;
             settings.samplesPerAxis = 1;
             irsg.scene.settings = settings;

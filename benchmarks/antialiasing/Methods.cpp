@@ -9,7 +9,7 @@ std::string Method::name() const {
 }
 
 RenderSettings Method::settings() const {
-    RenderSettings settings;
+    RenderSettings settings = RenderSettings::direct();
     settings.background = BackgroundMode::constant;
     settings.tileSide_samples = mode < 3 ? 0 : 64 << (mode - 2);
     settings.samplesPerAxis = mode < 3 ? 1 << mode : 4;

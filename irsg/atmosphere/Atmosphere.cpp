@@ -42,6 +42,10 @@ SunView Atmosphere::sunView(double altitude_m, const SunPosition& sun) const {
             sun.elevation_rad};
 }
 
+TargetView Atmosphere::targetView(const AtmosphericPath& path) const {
+    return flatTargetView(path);
+}
+
 double Atmosphere::ambientTemperature_K(double) const {
     refuse(*this, AtmosphereProperty::ambientTemperature);
 }

@@ -62,6 +62,9 @@ class Atmosphere {
     /// How the sun is seen from an altitude: cut by that horizon, along straight lines unless an
     /// atmosphere refracts. Continuous in elevation and altitude.
     virtual SunView sunView(double altitude_m, const SunPosition& sun) const;
+    /// How the target of a path is seen, in the geometry of the paths and lines of sight that this
+    /// atmosphere answers for. Flat unless an atmosphere has one of its own.
+    virtual TargetView targetView(const AtmosphericPath& path) const;
     virtual double ambientTemperature_K(double altitude_m) const;
 
     /// A value at every node. LogicError for what is not accepted, and for quadrature points of

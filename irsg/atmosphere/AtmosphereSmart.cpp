@@ -154,6 +154,11 @@ SunView AtmosphereSmart::sunView(double altitude_m, const SunPosition& sun) cons
             tracer.apparentElevation_rad(altitude_m, sun.elevation_rad)};
 }
 
+TargetView AtmosphereSmart::targetView(const AtmosphericPath& path) const {
+    checkPath(path);
+    return transfer().tracer().targetView(path);
+}
+
 std::vector<double> AtmosphereSmart::valuesAt(const NodeSet& nodes,
                                               const AtmosphericQuery& query) const {
     const AtmosphereTables& air = tables(nodes);

@@ -59,6 +59,8 @@ class AtmosphereSmart : public Atmosphere {
     /// Of the bent ray that touches the ground.
     double horizonElevation_rad(double altitude_m) const override;
     SunView sunView(double altitude_m, const SunPosition& sun) const override;
+    /// Along the refracted ray between both.
+    TargetView targetView(const AtmosphericPath& path) const override;
     /// Of the air; above the top of the profile that of its last level.
     double ambientTemperature_K(double altitude_m) const override;
     /// What the sun is scattered into.

@@ -92,6 +92,11 @@ SunView Environment::sunView(double altitude_m, const SpectralRange& range) cons
     return Vacuum().sunView(altitude_m, sun);
 }
 
+TargetView Environment::targetView(const AtmosphericPath& path, const SpectralRange& range) const {
+    const Atmosphere* air = find(range, AtmosphereProperty::transmittance);
+    return air ? air->targetView(path) : flatTargetView(path);
+}
+
 bool Environment::isByDefault(const SpectralRange& range, AtmosphereProperty property) const {
     return property == AtmosphereProperty::backgroundRadiance && defaultBackground &&
            !find(range, property);

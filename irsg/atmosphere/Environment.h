@@ -48,6 +48,9 @@ class Environment {
     /// Of the atmosphere that answers for the direct sun, see Atmosphere::sunView.
     SunView sunView(double altitude_m, const SpectralRange& range) const;
 
+    /// Of the atmosphere that answers for the transmittance, see Atmosphere::targetView.
+    TargetView targetView(const AtmosphericPath& path, const SpectralRange& range) const;
+
     /// A value at every node of a sampling. At quadrature points of wideband-ck the atmosphere that
     /// prepared them answers, and there is no default (F29); InputError for what it does not
     /// support. Direct light of a sun whose whole disc is below the horizon is zero, whoever

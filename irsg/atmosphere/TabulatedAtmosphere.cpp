@@ -257,6 +257,24 @@ std::vector<double> TabulatedAtmosphere::depths(const AtmosphericPath& path, std
     }
 }
 
+bool TabulatedAtmosphere::holdsSight(double altitude_m, double elevation_rad) const {
+    try {
+        backgrounds_.at(altitude_m, elevation_rad, 0, 1, name_, "line of sight");
+        return true;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+TargetView TabulatedAtmosphere::targetView(const AtmosphericPath& path) const {
+    const TargetView view = sphericalTargetView(path);
+    if (supports(AtmosphereProperty::backgroundRadiance) &&
+        !holdsSight(path.sensorAltitude_m, view.elevation_rad) &&
+        holdsSight(path.sensorAltitude_m, flatTargetView(path).elevation_rad))
+        return {flatTargetView(path).elevation_rad, view.hiddenBelow_m};
+    return view;
+}
+
 void TabulatedAtmosphere::checkSun(const SunPosition& sun) const {
     for (const SpectralRun& run : runs_) {
         if (run.kind == RunKind::solarRadiance && run.geometry.sunElevation_rad &&

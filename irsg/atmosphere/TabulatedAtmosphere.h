@@ -71,6 +71,8 @@ class TabulatedAtmosphere : public Atmosphere, public RunFamily {
     std::string name() const override { return name_; }
     SpectralRange base() const override;
     bool supports(AtmosphereProperty property) const override;
+    /// Over a sphere; flat where its backgrounds hold the flat direction alone.
+    TargetView targetView(const AtmosphericPath& path) const override;
     AtmosphereDescription describe() const override;
     std::string nearestRun(const AtmosphericQuery& query) const override;
 
@@ -99,6 +101,7 @@ class TabulatedAtmosphere : public Atmosphere, public RunFamily {
     void checkFamily() const;
     void fillPaths();
     void fillSights();
+    bool holdsSight(double altitude_m, double elevation_rad) const;
     void checkSun(const SunPosition& sun) const;
     /// First node and one past the last that surround a range.
     std::pair<std::size_t, std::size_t> nodesAround(const SpectralRange& range) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <set>
@@ -16,6 +17,15 @@
 
 namespace irsg {
 
+/// A line of sight behind an object, and the part of the object that it stands for.
+struct SightBehind {
+    LineOfSight sight;
+    double weight = 1.0; ///< those of an object add up to 1
+};
+
+/// What the earth hides of an object.
+enum class HiddenPart { none, some, all };
+
 /// The geometry that the air is asked for, once per object or once per slice of it.
 struct ObjectGeometry {
     AtmosphericPath path;         ///< sensor to reference point
@@ -23,6 +33,16 @@ struct ObjectGeometry {
     /// Distances from the sensor that a sphere about the reference point spans which holds the
     /// object, m.
     double nearest_m = 0.0, farthest_m = 0.0;
+    /// Unbounded, along the apparent direction of that path.
+    LineOfSight sight;
+    /// That direction less the one in which the flat scene has the object.
+    double raised_rad = 0.0;
+    HiddenPart hidden = HiddenPart::none;
+    /// Altitudes at `nearest_m`, at the reference point and at `farthest_m` below which the earth
+    /// hides the object, where it hides some of it.
+    std::array<double, 3> hiddenBelow_m{};
+    /// Where the background is that of the object's own directions; empty for that of the centre.
+    std::vector<SightBehind> behind;
     SliceNodes slices_m; ///< of less than two nodes: the air is that of the reference point
     /// Directions of the air's radiance that its lobes reflect; empty where it has none.
     SpecularEnvironmentGrid mirror;

@@ -285,6 +285,11 @@ double SceneRadiometry::thermal_W_m2_sr(int drawn, std::size_t output) const {
     return sum;
 }
 
+SharedValues joinedOver(const std::vector<SampledBand>& bands,
+                        const std::function<SharedValues(const SampledBand&)>& of) {
+    return joined(bands, of);
+}
+
 SharedValues backgroundOf(const std::vector<SampledBand>& bands, const RenderSettings& settings) {
     return joined(bands, [&](const SampledBand& band) -> SharedValues {
         if (settings.background == BackgroundMode::environment)

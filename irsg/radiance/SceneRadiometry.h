@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <mutex>
 #include <string>
@@ -102,5 +103,8 @@ bool dependsOnAspect(const TemperatureEntry& entry);
 /// Spectral radiance behind the objects at the field's centre on the nodes of the bands, one behind
 /// the other, as the settings ask for it.
 SharedValues backgroundOf(const std::vector<SampledBand>& bands, const RenderSettings& settings);
+/// What `of(band)` has in each band, one behind the other; null where no band has any.
+SharedValues joinedOver(const std::vector<SampledBand>& bands,
+                        const std::function<SharedValues(const SampledBand&)>& of);
 
 } // namespace irsg

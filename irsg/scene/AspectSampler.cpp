@@ -131,6 +131,7 @@ ViewGeometry AspectSampler::sampleAlone(const Frame& frame, int entity, const Ca
              piecesOf(strategy.tiles({*seen}), frame.surfaces.engine.engine.largestSide())) {
             SurfaceScene alone = sampler_.sceneOf(frame.surfaces, camera, tile);
             alone.terrain = {};
+            alone.groundBefore.clear();
             frame.surfaces.engine.engine.sampleGeometry(
                 {SampleSheet::of(tile), {alone}}, rows.isSliced() || frame.shading().isNeeded(),
                 samples);

@@ -7,6 +7,7 @@
 #include "irsg/radiance/PointSources.h"
 #include "irsg/radiance/RangeGeometry.h"
 #include "irsg/render/rays/RayEngine.h"
+#include "irsg/scene/EarthHorizon.h"
 #include "irsg/scene/SceneCheck.h"
 
 namespace irsg {
@@ -82,18 +83,23 @@ bool touchesTerrain(const FrameRequest& request, const FrameBackgrounds& backgro
     return false;
 }
 
+HiddenPart hiddenPart(const SceneSurfaces& surfaces, int entity) {
+    return surfaces.evaluation.geometry[static_cast<std::size_t>(entity)].hidden;
+}
+
 bool isAmong(const std::vector<ObjectExtent>& objects, const ObjectExtent& object) {
     return std::ranges::find(objects, object.entity, &ObjectExtent::entity) != objects.end();
 }
 
 } // namespace
 
-std::vector<ObjectGeometry> FramePlanner::geometry(const Scene& scene, const Viewpoint& viewpoint) {
+std::vector<ObjectGeometry> FramePlanner::geometry(FrameRequest& request) {
+    const Scene& scene = request.scene;
     prepared_.keep(scene.entities);
-    std::vector<Vec3> points;
     for (const Entity& entity : scene.entities)
-        points.push_back(entity.pose.toWorld(prepared_.referencePoint(entity)));
-    std::vector<ObjectGeometry> objects = objectGeometry(scene.entities, points, viewpoint);
+        request.referencePoints_m.push_back(entity.pose.toWorld(prepared_.referencePoint(entity)));
+    std::vector<ObjectGeometry> objects =
+        objectGeometry(scene.entities, request.referencePoints_m, request.view.viewpoint);
     for (std::size_t e = 0; e < objects.size(); ++e) {
         const Entity& entity = scene.entities[e];
         // About the reference point, so that views from one distance have the same slices.
@@ -101,6 +107,7 @@ std::vector<ObjectGeometry> FramePlanner::geometry(const Scene& scene, const Vie
         objects[e].nearest_m = std::max(objects[e].path.range_m - reach_m, 0.0);
         objects[e].farthest_m = objects[e].path.range_m + reach_m;
     }
+    takeApparentDirections(request, objects);
     return objects;
 }
 
@@ -127,8 +134,9 @@ FramePlan FramePlanner::plan(const FrameRequest& request, const SceneSurfaces& s
     const RenderSettings& settings = request.scene.settings;
     std::vector<ObjectExtent> seen;
     for (int e = 0; e < static_cast<int>(request.scene.entities.size()); ++e)
-        if (auto object = placeOf(surfaces, request.camera, e))
-            seen.push_back(std::move(*object));
+        if (hiddenPart(surfaces, e) != HiddenPart::all)
+            if (auto object = placeOf(surfaces, request.camera, e))
+                seen.push_back(std::move(*object));
 
     FramePlan plan;
     const bool mayBeAlongRange =
@@ -142,6 +150,7 @@ FramePlan FramePlanner::plan(const FrameRequest& request, const SceneSurfaces& s
         const std::size_t slices =
             surfaces.evaluation.geometry[static_cast<std::size_t>(object.entity)].slices_m.size();
         const bool isPoint = mayBePoints && slices < 2 &&
+                             hiddenPart(surfaces, object.entity) == HiddenPart::none &&
                              object.extent.extent() < settings.pointSourceBelow_px &&
                              isWholeAndApart(request.view.sensor, seen, object) &&
                              !touchesTerrain(request, backgrounds, object.extent);
@@ -159,7 +168,8 @@ bool FramePlanner::isAlongRange(const FrameRequest& request, const SceneSurfaces
     const double range_m =
         surfaces.evaluation.geometry[static_cast<std::size_t>(object.entity)].path.range_m;
     const double reach_m = prepared_.reach_m(entity);
-    if (!(reach_m > 0.0) || reach_m > RangeGeometry::closest * range_m)
+    if (!(reach_m > 0.0) || reach_m > RangeGeometry::closest * range_m ||
+        hiddenPart(surfaces, object.entity) != HiddenPart::none)
         return false;
     // Cosines off the axis are those of a camera that looks at the reference point.
     constexpr double nearby = 1e-6;
@@ -187,6 +197,7 @@ std::vector<ImageRectangle> FramePlanner::detailsOf(const SceneSurfaces& surface
     SurfaceScene scene = sampler_.sceneOf(surfaces, camera, probe);
     std::erase_if(scene.items, [](const SurfaceItem& item) { return item.transparent; });
     scene.terrain = {};
+    scene.groundBefore.clear();
     GeometrySamples samples;
     if (areRaysBuilt()) {
         // A few rays are there while a drawing that was begun before goes on.

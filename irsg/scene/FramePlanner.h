@@ -24,9 +24,10 @@ class FramePlanner {
                  StageClock& clock)
         : terms_(terms), prepared_(prepared), sampler_(sampler), clock_(clock) {}
 
-    /// Prepares the entities of a scene. By entity: where it stands towards the sensor, and how far
-    /// it reaches along the line of sight. Throws InputError for what is below ground.
-    std::vector<ObjectGeometry> geometry(const Scene& scene, const Viewpoint& viewpoint);
+    /// Prepares the entities of a scene. By entity: where it stands towards the sensor, how far
+    /// it reaches along the line of sight, and how it appears; the request looks there. Throws
+    /// InputError for what is below ground.
+    std::vector<ObjectGeometry> geometry(FrameRequest& request);
     FramePlan plan(const FrameRequest& request, const SceneSurfaces& surfaces,
                    const FrameBackgrounds& backgrounds);
 

@@ -29,6 +29,7 @@ FrameRequest::FrameRequest(const Scene& ofScene, const SensorView& ofView, const
       withSources(outputs.hasSource() && !outputs.hasImage()),
       withErrors(outputs.hasErrors() &&
                  (outputs.hasReports() || !outputs.wavenumbers_per_cm().empty())),
+      withImage(outputs.hasImage()),
       alongRange(outputs.isAlongRange() && !outputs.hasImage()),
       isScaled(!outputs.scalings().empty()) {}
 

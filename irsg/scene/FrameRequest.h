@@ -19,10 +19,18 @@ struct FrameRequest {
     const Scene& scene;
     const SensorView& view;
     CameraFrame camera;
-    LineOfSight centre; ///< through the middle of the field, unbounded
+    /// Through the middle of the field, unbounded; apparent: along the direction in which the
+    /// object that is looked at appears.
+    LineOfSight centre;
+    // Of the scene, once it is known: see EarthHorizon.h.
+    std::vector<Vec3> referencePoints_m; ///< by entity
+    int lookedAt = -1;                   ///< the entity nearest to the middle of the field
+    /// Apparent elevations less those of the flat scene, over the field.
+    double raised_rad = 0.0;
     std::vector<Band> bands;
     bool withSources; ///< outputs are the bands, then their sources
     bool withErrors;
+    bool withImage;
     bool alongRange; ///< objects may be interpolated between distances
     bool isScaled;   ///< emissivities may be scaled, those of surfaces that reflect nothing, too
 

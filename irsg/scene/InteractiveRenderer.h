@@ -14,6 +14,8 @@ namespace irsg {
 /// ask. Every result is what Renderer::render says of their present values.
 class InteractiveRenderer {
   public:
+    explicit InteractiveRenderer(const RenderSettings& settings = {}) { scene.settings = settings; }
+
     Scene scene;
     SensorView view;
 

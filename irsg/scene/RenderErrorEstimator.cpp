@@ -1,14 +1,11 @@
 #include "irsg/scene/RenderErrorEstimator.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/core/Errors.h"
-#include "irsg/render/background/FieldRays.h"
 #include "irsg/render/rays/ExchangeMesh.h"
 
 namespace irsg {
@@ -98,60 +95,40 @@ std::optional<std::vector<ObjectGeometry>> seenPlaces(std::vector<ObjectGeometry
     return nearer;
 }
 
-/// What is seen along a line of sight, in as many numbers as there are bands or wavelengths.
-using SeenAlong = std::function<std::vector<double>(const LineOfSight&)>;
-
-/// Of the background behind an object, in the unit of what is seen. `grid`: what is used of the
-/// background in places, as a part of what is used in the middle; none: the same everywhere.
-std::vector<double> ofBackground(const Frame& frame, std::size_t entity, const SeenAlong& seenAlong,
-                                 const std::function<double(double x, double y)>& grid) {
-    std::optional<ImageRectangle> extent;
-    for (const auto* objects : {&frame.plan.seen, &frame.plan.alongRange})
-        for (const ObjectExtent& object : *objects)
-            if (object.entity == static_cast<int>(entity))
-                extent = object.extent;
-    const std::vector<double> centre = seenAlong(frame.request.centre);
-    std::vector<double> mean(centre.size(), 0.0), least, most;
-    if (!extent)
-        return mean;
-
-    // Down through the middle of the object: its mean as over a disc.
-    constexpr std::array heights = {-0.7071, 0.0, 0.7071}; // of half the extent
-    constexpr std::array weights = {0.25, 0.5, 0.25};
-    const FieldRays rays(frame.sensor(), frame.request.view.viewpoint);
-    const double middle = 0.5 * (extent->left + extent->right);
-    // By steps of a small part of what the object takes up, so that cases share lines of sight; of
-    // a grid, whose errors are smaller than a step makes, where they are.
-    constexpr double stepsOfExtent = 16.0;
-    const double extent_rad =
-        std::abs(elevationOf_rad(rays.at(rays.u(middle), rays.v(extent->top))) -
-                 elevationOf_rad(rays.at(rays.u(middle), rays.v(extent->bottom))));
-    const double step_rad = std::exp2(std::floor(
-        std::log2(std::max(extent_rad / stepsOfExtent, std::numeric_limits<double>::min()))));
-    for (std::size_t i = 0; i < heights.size(); ++i) {
-        const double y = 0.5 * (extent->top + extent->bottom + heights[i] * extent->height());
-        const Vec3 direction = rays.at(rays.u(middle), rays.v(y));
-        const double used = grid ? grid(middle, y) : 1.0;
-        const double exact_rad = elevationOf_rad(direction);
-        const double elevation_rad = grid ? exact_rad : step_rad * std::round(exact_rad / step_rad);
-        std::vector<double> difference = seenAlong(
-            {frame.request.centre.sensorAltitude_m, elevation_rad, azimuthOf_rad(direction)});
-        for (std::size_t k = 0; k < difference.size(); ++k) {
-            difference[k] -= used * centre[k];
-            mean[k] += weights[i] * difference[k];
-            if (i > 0) {
-                least[k] = std::min(least[k], difference[k]);
-                most[k] = std::max(most[k], difference[k]);
-            }
-        }
-        if (i == 0)
-            least = most = difference;
+/// What a background that varies over the frame has behind an object, along the same lines of
+/// sight as what it is compared with.
+double usedBehind(const Frame& frame, const ObjectGeometry& object,
+                  const FrameBackground& background) {
+    const Sensor& sensor = frame.sensor();
+    const auto pixel = [](double place, int size) {
+        return static_cast<int>(std::clamp(place, 0.0, size - 1.0));
+    };
+    double used = 0.0;
+    for (const auto& [sight, weight] : object.behind) {
+        const Vec3 towards =
+            direction(sight.azimuth_rad, sight.elevation_rad - frame.request.raised_rad);
+        const auto place = frame.request.camera.placeOf(frame.request.view.viewpoint.position_m +
+                                                        towards * object.path.range_m);
+        used += weight * (place ? background.at(pixel(place->first, sensor.width_px),
+                                                pixel(place->second, sensor.height_px))
+                                : background.centre_W_m2_sr());
     }
-    // Objects are no discs: more of one may be seen before the brighter part.
-    constexpr double ofShape = 0.12;
-    for (std::size_t k = 0; k < mean.size(); ++k)
-        mean[k] = std::abs(mean[k]) + ofShape * (most[k] - least[k]);
-    return mean;
+    return used;
+}
+
+/// Of the background behind an object in an output, W m-2 sr-1.
+double ofBackground(const Frame& frame, std::size_t entity, std::size_t output) {
+    const SceneEvaluation& evaluation = frame.evaluation();
+    if (evaluation.behind.background)
+        return evaluation.behind.error[entity][output];
+    const BackgroundBehind& compared = evaluation.compared.behind;
+    if (!compared.background)
+        return 0.0;
+    const FrameBackground& background = frame.backgrounds.ofSums[output];
+    const double used = background.isUniform()
+                            ? background.centre_W_m2_sr()
+                            : usedBehind(frame, evaluation.compared.geometry[entity], background);
+    return std::abs(compared.radiance[entity][output] - used) + compared.error[entity][output];
 }
 
 /// Of inter-reflection: a part of what it changes, the larger the farther nodes are apart.
@@ -216,7 +193,9 @@ RenderErrorEstimator::sumsElsewhere(const Frame& frame, const ViewGeometry& fact
         frame.evaluation().sampled->slices_m);
     const auto evaluated =
         other_.radiometry.of(terms_, frame.scene().entities, geometry, sampled, occluderStacks_);
-    evaluated->radiances.setBackground(sampled->background);
+    const BackgroundBehind behind =
+        backgroundAlong(other_.answers, frame.request, sampled->bands, geometry);
+    evaluated->radiances.setBackground(behind.background ? behind.background : sampled->background);
     // Backgrounds as in the middle of the field, and no light between surfaces.
     const std::vector<int> uniform(evaluated->radiances.outputs(), -1);
     return objectSums(factors, evaluated->radiances, nullptr, frame.rows(),
@@ -309,45 +288,6 @@ void RenderErrorEstimator::addOfAtmosphere(const Frame& frame, const ViewGeometr
     }
 }
 
-double RenderErrorEstimator::background_W_m2_sr(const Frame& frame, std::size_t entity,
-                                                std::size_t band) {
-    const Environment& environment = other_.answers.environment();
-    const auto sampling = otherNodes(frame, frame.request.bands[band]);
-    const auto seenAlong = [&](const LineOfSight& sight) {
-        return std::vector<double>{sampling->integrate(
-            *other_.answers
-                 .at(AtmosphericQuery::backgroundRadiance(steadied(sight), environment.sun),
-                     sampling)
-                 .value)};
-    };
-    // What is used there, in the bins of what it is compared with.
-    const Sensor& sensor = frame.sensor();
-    const double own = frame.evaluation().evaluated->radiances.background_W_m2_sr(band);
-    const auto pixel = [](double place, int size) {
-        return static_cast<int>(std::clamp(place, 0.0, size - 1.0));
-    };
-    std::function<double(double, double)> grid;
-    if (frame.settings().backgroundRows * frame.settings().backgroundColumns != 1)
-        grid = [&](double x, double y) {
-            return own > 0.0 ? frame.backgrounds.byOutput[band].at(pixel(x, sensor.width_px),
-                                                                   pixel(y, sensor.height_px)) /
-                                   own
-                             : 1.0;
-        };
-    return ofBackground(frame, entity, seenAlong, grid).front();
-}
-
-std::shared_ptr<const SpectralSampling> RenderErrorEstimator::otherNodes(const Frame& frame,
-                                                                         const Band& band) {
-    std::shared_ptr<const SpectralSampling> nodes;
-    if (frame.settings().mode == CalculationMode::spectral)
-        nodes = evaluator_.nodes(other_.answers.environment(), band);
-    for (std::size_t k = 0; !nodes && k < frame.request.bands.size(); ++k)
-        if (frame.request.bands[k] == band)
-            return evaluator_.samplingOf(frame.request, frame.evaluation(), k);
-    return nodes;
-}
-
 void RenderErrorEstimator::addOfBackground(const Frame& frame, const std::vector<ObjectSums>& sums,
                                            ErrorsByOutput& errors) {
     if (!knowsBackground(frame.scene()))
@@ -357,8 +297,7 @@ void RenderErrorEstimator::addOfBackground(const Frame& frame, const std::vector
         for (std::size_t e = 0; e < frame.evaluation().geometry.size(); ++e) {
             RadiometryErrors& object = errors[o][e];
             const double range_m = frame.evaluation().geometry[e].path.range_m;
-            const double error_W_m2 =
-                background_W_m2_sr(frame, e, o) * sums[o].objects[e].solidAngle_sr;
+            const double error_W_m2 = ofBackground(frame, e, o) * sums[o].objects[e].solidAngle_sr;
             object.irradiance_W_m2.background = error_W_m2;
             object.contrastIntensity_W_sr.background = error_W_m2 * range_m * range_m;
             all.irradiance_W_m2.background += error_W_m2;
@@ -407,26 +346,25 @@ ErrorsByOutput RenderErrorEstimator::ofSpectrum(const Frame& frame, const ViewGe
         return std::pair(share * std::abs(b.intensity_W_sr - a.intensity_W_sr),
                          share * std::abs(b.contrastIntensity_W_sr - a.contrastIntensity_W_sr));
     };
-    const auto seenAlong = [&](const LineOfSight& sight) {
-        const std::vector<double>& values =
-            *evaluator_.answers()
-                 .at(AtmosphericQuery::backgroundRadiance(steadied(sight),
-                                                          frame.scene().environment.sun),
-                     evaluated.nodes)
-                 .value;
-        std::vector<double> seen;
-        for (std::size_t k = 0; k < wavelengths_um.size(); ++k)
-            seen.push_back(evaluated.scene->radiometry.integrate(values, k));
-        return seen;
+    BackgroundBehind compared;
+    if (!evaluated.behind.background && frame.evaluation().compared.behind.background)
+        compared = backgroundAlong(evaluator_.answers(), frame.request, evaluated.bands,
+                                   frame.evaluation().compared.geometry);
+    const auto ofBackgroundAt = [&](std::size_t k, std::size_t e) {
+        if (evaluated.behind.background)
+            return evaluated.behind.error[e][k];
+        return compared.background ? compared.error[e][k] +
+                                         std::abs(compared.radiance[e][k] -
+                                                  evaluated.scene->radiances.background_W_m2_sr(k))
+                                   : 0.0;
     };
     for (std::size_t e = 0; e < entities; ++e) {
-        std::vector<double> behind(sums.size(), 0.0);
-        if (knowsBackground(frame.scene()))
-            behind = ofBackground(frame, e, seenAlong, {});
+        const bool isKnown = knowsBackground(frame.scene());
         for (std::size_t k = 0; k < sums.size(); ++k) {
             const auto [intensity, contrast] = ofAtmosphere(k, e);
             const double square_m2 = ranges_m[e] * ranges_m[e];
-            const double background = behind[k] * sums[k].objects[e].solidAngle_sr;
+            const double background =
+                (isKnown ? ofBackgroundAt(k, e) : 0.0) * sums[k].objects[e].solidAngle_sr;
             for (RadiometryErrors* one : {&errors[k][e], &errors[k].back()}) {
                 one->intensity_W_sr.air += intensity;
                 one->contrastIntensity_W_sr.air += contrast;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -42,11 +41,6 @@ class RenderErrorEstimator {
     /// Sums as they are in another atmosphere, or in the same one along other paths.
     std::vector<ObjectSums> sumsElsewhere(const Frame& frame, const ViewGeometry& factors,
                                           const std::vector<ObjectGeometry>& geometry);
-    /// The nodes that the other atmosphere has of itself; else those of the frame.
-    std::shared_ptr<const SpectralSampling> otherNodes(const Frame& frame, const Band& band);
-    /// Of the background behind an object in a band, W m-2 sr-1.
-    double background_W_m2_sr(const Frame& frame, std::size_t entity, std::size_t band);
-
     const RadianceTerms& terms_;
     SceneEvaluator& evaluator_;
     const OccluderStacks& occluderStacks_;

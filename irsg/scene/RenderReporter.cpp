@@ -30,7 +30,7 @@ RenderReport RenderReporter::report(const Frame& frame, const FrameReduction& pi
     const double range_m = frame.evaluation().geometry.empty()
                                ? 0.0
                                : frame.evaluation().geometry.front().path.range_m;
-    report.all = pixels.objects(frame.backgrounds.byOutput.front(), range_m);
+    report.all = pixels.objects(frame.backgrounds.ofSums.front(), range_m);
     fill(frame, 0, report);
     if (!frame.evaluation().geometry.empty()) {
         report.all.atmosphereError = frame.evaluation().geometry.front().atmosphereError;
@@ -49,6 +49,7 @@ std::vector<RenderReport> RenderReporter::reports(const Frame& frame, const View
         std::vector<ObjectSums> sums =
             objectSums(factors, evaluated.radiances, frame.light(), frame.rows(), ranges_m,
                        frame.backgrounds.numbersOfVarying());
+        frame.evaluation().behind.takeOwn(frame.request, ranges_m, sums);
         ErrorsByOutput errors;
         if (frame.request.withErrors)
             errors = errors_.ofBands(frame, factors, sums);
@@ -109,7 +110,7 @@ double RenderReporter::totalIrradiance_W_m2(const Frame& frame, std::size_t outp
 }
 
 void RenderReporter::fill(const Frame& frame, std::size_t output, RenderReport& report) {
-    report.background_W_m2_sr = frame.backgrounds.byOutput[output].centre_W_m2_sr();
+    report.background_W_m2_sr = frame.backgrounds.ofSums[output].centre_W_m2_sr();
     report.providedBy = frame.evaluation().sampled->providedBy;
     addProvider(report.providedBy, frame.backgrounds.report.providedBy);
     for (const auto* warnings : {&frame.evaluation().sampled->warnings, &frame.shading().warnings,
@@ -129,6 +130,13 @@ void RenderReporter::fill(const Frame& frame, std::size_t output, RenderReport& 
                 roundedText(
                     std::round(1000.0 * frame.evaluation().geometry[e].atmosphereError) / 10.0, 9) +
                 " %");
+    for (std::size_t e = 0; e < frame.evaluation().geometry.size(); ++e)
+        if (const HiddenPart hidden = frame.evaluation().geometry[e].hidden;
+            hidden != HiddenPart::none)
+            report.warnings.push_back("'" + frame.scene().entities[e].name +
+                                      (hidden == HiddenPart::all ? "' is behind the horizon"
+                                                                 : "' is partly behind the "
+                                                                   "horizon"));
     if (frame.exchange())
         warnOfExchange(*frame.exchange(), frame.scene(), report.warnings);
     report.renderer = frame.surfaces.engine.description;
@@ -148,7 +156,7 @@ void RenderReporter::describe(const Frame& frame, RadianceImage& image) {
     else
         image.attributes["samples_per_axis"] = std::to_string(settings.samplesPerAxis);
     image.attributes["background_W_m2_sr"] =
-        roundedText(frame.backgrounds.byOutput.front().centre_W_m2_sr(), 9);
+        roundedText(frame.backgrounds.ofSums.front().centre_W_m2_sr(), 9);
     image.attributes["renderer"] = frame.surfaces.engine.description;
     if (!frame.evaluation().geometry.empty())
         image.attributes["range_m"] =

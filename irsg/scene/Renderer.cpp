@@ -149,7 +149,7 @@ void Renderer::Impl::renderImage(const Frame& frame, const Outputs& outputs, Ren
 
 Frame Renderer::Impl::frame(const Scene& scene, const SensorView& view, const Outputs& outputs) {
     FrameRequest request(scene, view, outputs);
-    std::vector<ObjectGeometry> geometry = planner.geometry(scene, view.viewpoint);
+    std::vector<ObjectGeometry> geometry = planner.geometry(request);
     checkScene(scene.entities, geometry, scene.environment, view.sensor, request.bands,
                scene.settings);
     FrameEngine engine = engines.of(request, geometry);
@@ -158,8 +158,13 @@ Frame Renderer::Impl::frame(const Scene& scene, const SensorView& view, const Ou
         evaluator.backgrounds(request, evaluation, engine.terrainPainter);
     SurfaceShading shading = shader.shade(request, evaluation);
     std::vector<SurfaceItem> items = surfaceItems(scene.entities, evaluation.surfaceRows());
-    SceneSurfaces ofScene{scene, std::move(engine), std::move(evaluation), std::move(shading),
-                          std::move(items)};
+    std::vector<GroundBefore> ground = groundBefore(request, evaluation.geometry, engine.isRays);
+    SceneSurfaces ofScene{scene,
+                          std::move(engine),
+                          std::move(evaluation),
+                          std::move(shading),
+                          std::move(items),
+                          std::move(ground)};
     FramePlan plan = planner.plan(request, ofScene, backgrounds);
     return {std::move(request), std::move(ofScene), std::move(backgrounds), std::move(plan)};
 }
@@ -187,8 +192,8 @@ std::function<PixelExplanation(int x, int y)> Renderer::explainer(const Scene& s
 }
 
 void Renderer::check(const Scene& scene, const SensorView& view, const Outputs& outputs) {
-    const FrameRequest request(scene, view, outputs);
-    const std::vector<ObjectGeometry> geometry = impl_->planner.geometry(scene, view.viewpoint);
+    FrameRequest request(scene, view, outputs);
+    const std::vector<ObjectGeometry> geometry = impl_->planner.geometry(request);
     checkScene(scene.entities, geometry, scene.environment, view.sensor, request.bands,
                scene.settings);
     std::vector<Diagnostic> diagnostics;

@@ -13,17 +13,17 @@ std::vector<double> SceneEvaluation::ranges_m() const {
 
 EvaluatedScene& SceneEvaluation::turned(const std::vector<Entity>& entities) const {
     evaluated->turnTo(entities, geometry);
-    evaluated->radiances.setBackground(sampled->background);
+    evaluated->radiances.setBackground(background());
     return *evaluated;
 }
 
 bool FrameBackgrounds::areUniform() const {
-    return std::ranges::all_of(byOutput, &FrameBackground::isUniform);
+    return std::ranges::all_of(ofSums, &FrameBackground::isUniform);
 }
 
 std::vector<FrameBackground> FrameBackgrounds::varying() const {
     std::vector<FrameBackground> varying;
-    for (const FrameBackground& background : byOutput)
+    for (const FrameBackground& background : ofSums)
         if (!background.isUniform())
             varying.push_back(background);
     return varying;
@@ -32,7 +32,7 @@ std::vector<FrameBackground> FrameBackgrounds::varying() const {
 std::vector<int> FrameBackgrounds::numbersOfVarying() const {
     std::vector<int> numbers;
     int number = 0;
-    for (const FrameBackground& background : byOutput)
+    for (const FrameBackground& background : ofSums)
         numbers.push_back(background.isUniform() ? -1 : number++);
     return numbers;
 }

@@ -73,13 +73,25 @@ SceneEvaluation SceneEvaluator::evaluate(const FrameRequest& request,
             geometry[e].atmosphereError = sampled->atmosphereError[e];
             geometry[e].likelyAtmosphereError = sampled->likelyAtmosphereError[e];
         }
+        BackgroundBehind behind;
+        if (hasBackgroundBehind(scene))
+            behind = backgroundBehind(answers_, request, sampled->bands, geometry);
+        decltype(SceneEvaluation::compared) compared;
+        if (!behind.background && request.withErrors &&
+            scene.settings.background == BackgroundMode::environment) {
+            compared.geometry = geometry;
+            compared.behind =
+                backgroundBehind(answers_, request, sampled->bands, compared.geometry);
+        }
         std::shared_ptr<EvaluatedScene> evaluated =
             radiometry_.of(terms_, scene.entities, geometry, sampled, occluderStacks_);
-        evaluated->radiances.setBackground(sampled->background);
+        evaluated->radiances.setBackground(behind.background ? behind.background
+                                                             : sampled->background);
         std::vector<SurfaceRow> rows = rowsOf(*evaluated);
         std::vector<bool> hot = hotRows(scene, geometry, sampled, evaluated->radiometry);
-        return SceneEvaluation{std::move(geometry), std::move(sampled), std::move(evaluated),
-                               std::move(rows), std::move(hot)};
+        return SceneEvaluation{std::move(geometry), std::move(sampled),   std::move(behind),
+                               std::move(compared), std::move(evaluated), std::move(rows),
+                               std::move(hot)};
     });
 }
 
@@ -96,15 +108,18 @@ FrameBackgrounds SceneEvaluator::backgrounds(const FrameRequest& request,
         for (std::size_t k = 0; k < radiances.outputs(); ++k) {
             if (evaluation.sampled->ofOutput(k).isSource) {
                 all.byOutput.emplace_back(0.0);
+                all.ofSums.emplace_back(0.0);
                 continue;
             }
             const std::shared_ptr<const SpectralSampling> nodes =
                 samplingOf(request, evaluation, k);
-            const BandSky sky(scene.environment, *nodes);
+            const BandSky sky(scene.environment, *nodes, request.raised_rad);
             BackgroundSettings wanted;
             wanted.queriesEnvironment = settings.background == BackgroundMode::environment;
             wanted.uniform_W_m2_sr = radiances.background_W_m2_sr(k);
-            wanted.rows = settings.backgroundRows;
+            // Where objects have their own, only a picture shows the field's.
+            const bool haveOwn = evaluation.behind.background != nullptr;
+            wanted.rows = haveOwn && !request.withImage ? 1 : settings.backgroundRows;
             wanted.columns = settings.backgroundColumns;
             wanted.sunDisc = settings.sunDisc;
             wanted.skybox = settings.skybox;
@@ -112,6 +127,8 @@ FrameBackgrounds SceneEvaluator::backgrounds(const FrameRequest& request,
             BackgroundReport report;
             all.byOutput.push_back(background_.draw(request.view.sensor, request.view.viewpoint,
                                                     sky, wanted, terrainPainter, report));
+            all.ofSums.push_back(haveOwn ? FrameBackground(wanted.uniform_W_m2_sr)
+                                         : all.byOutput.back());
             all.report.flooredPixels += report.flooredPixels;
             addProvider(all.report.providedBy, report.providedBy);
             appendUnique(all.report.warnings, report.warnings);
@@ -124,12 +141,14 @@ FrameBackgrounds SceneEvaluator::backgrounds(const FrameRequest& request,
 EvaluatedSpectrum SceneEvaluator::atWavelengths(const FrameRequest& request,
                                                 const std::vector<ObjectGeometry>& geometry,
                                                 const std::vector<double>& wavelengths_um) {
-    const std::vector<SampledBand> bands{
+    std::vector<SampledBand> bands{
         SceneSampling::wavelengths(answers_, airScene(request, geometry), wavelengths_um)};
     auto scene = std::make_unique<EvaluatedScene>(terms_, request.scene.entities, geometry, bands,
                                                   occluderStacks_);
-    scene->radiances.setBackground(backgroundOf(bands, request.scene.settings));
-    return {bands.front().sampling, std::move(scene)};
+    BackgroundBehind behind = backgroundAlong(answers_, request, bands, geometry);
+    scene->radiances.setBackground(behind.background ? behind.background
+                                                     : backgroundOf(bands, request.scene.settings));
+    return {std::move(bands), std::move(scene), std::move(behind)};
 }
 
 SampledScenes::Sampler SceneEvaluator::sampler(const Scene& ofScene,

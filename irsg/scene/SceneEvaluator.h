@@ -20,8 +20,9 @@ namespace irsg {
 
 /// A scene at the wavelengths of a spectrum, each of which is an output.
 struct EvaluatedSpectrum {
-    std::shared_ptr<const SpectralSampling> nodes;
+    std::vector<SampledBand> bands; ///< one
     std::unique_ptr<EvaluatedScene> scene;
+    BackgroundBehind behind;
 };
 
 /// Evaluates the spectra of a scene: asks the atmosphere, chooses the nodes of each band, and makes

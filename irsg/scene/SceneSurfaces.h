@@ -5,6 +5,7 @@
 
 #include "irsg/geometry/Entity.h"
 #include "irsg/render/sampling/SurfaceScene.h"
+#include "irsg/scene/EarthHorizon.h"
 #include "irsg/scene/FrameEngine.h"
 #include "irsg/scene/Scene.h"
 #include "irsg/scene/SceneEvaluation.h"
@@ -18,7 +19,8 @@ struct SceneSurfaces {
     FrameEngine engine;
     SceneEvaluation evaluation;
     SurfaceShading shading;
-    std::vector<SurfaceItem> items; ///< entity by entity
+    std::vector<SurfaceItem> items;   ///< entity by entity
+    std::vector<GroundBefore> ground; ///< before what the horizon hides
 
     const Entity& entity(int e) const { return scene.entities[static_cast<std::size_t>(e)]; }
     const SurfaceRows& rows() const { return evaluation.surfaceRows(); }

@@ -46,9 +46,10 @@ SpectrumOfView SpectrumReporter::spectrum(const Frame& frame, const ViewGeometry
         const std::shared_ptr<SceneLight> light =
             interReflection_.lightOf(frame.exchange(), evaluated.radiometry, frame.settings());
         const std::vector<double> ranges_m = frame.evaluation().ranges_m();
-        const std::vector<ObjectSums> sums =
+        std::vector<ObjectSums> sums =
             objectSums(factors, evaluated.radiances, light.get(), evaluated.radiometry.rows(),
                        ranges_m, std::vector<int>(wavelengths.ascending_um.size(), -1));
+        sampled.behind.takeOwn(frame.request, ranges_m, sums);
 
         SpectrumOfView result;
         IntensitySpectrum& spectrum = result.spectrum;

@@ -42,6 +42,10 @@ SurfaceScene SurfaceSampler::sceneOf(const SceneSurfaces& surfaces, const Camera
     scene.rows = surfaces.evaluation.rows;
     if (surfaces.scene.terrain && surfaces.scene.settings.terrainHides)
         scene.terrain = surfaces.scene.terrain->bodyFor(camera, surfaces.engine.terrainMesh);
+    for (const GroundBefore& ground : surfaces.ground)
+        if (stands(ground.entity))
+            scene.groundBefore.push_back(
+                {-1, ground.mesh, ground.rays, camera.eyeFromModel(ground.pose)});
     for (const SurfaceItem& item : surfaces.items) { // those of an entity follow one another
         if (!stands(item.entity))
             continue;

@@ -65,6 +65,10 @@ ViewKey viewKey(const RadianceTerms& terms, const FrameRequest& request,
                            surfaces.shading.shadows->reflects().end());
     appendReceivers(surfaces.shading, settings.lightError, key.numbers);
     appendLobes(surfaces, key.numbers);
+    for (const ObjectGeometry& object : surfaces.evaluation.geometry)
+        if (object.hidden != HiddenPart::none)
+            key.numbers.insert(key.numbers.end(), object.hiddenBelow_m.begin(),
+                               object.hiddenBelow_m.end());
     for (const ObjectExtent& object : alongRange)
         key.numbers.push_back(static_cast<double>(object.entity));
     key.terrain = request.scene.terrain;

@@ -29,8 +29,8 @@ constexpr double fewestInAtmosphereOfAFile = 3.0;
 /// nothing.
 constexpr double fewestNodesOfABand = 40.0;
 
-/// Rows of a background that is as fine as half a percent needs, about.
-constexpr int adaptiveRows = 16;
+/// Lines of sight behind an object where rows are automatic, about.
+constexpr int automaticRows = 4;
 
 /// Nodes of bins of 1 and of 15 cm-1, of those of 5 cm-1 over the same band.
 double nodesBeside5(int resolution_per_cm) {
@@ -68,14 +68,13 @@ Training training(const SceneDescription& scene) {
     return all > 0.0 ? Training{cost / all, all / bands} : Training();
 }
 
-/// Skies that differ: by the camera's altitude and elevation, and by the range where rows of the
-/// background are spread over the picture.
-std::size_t skiesOf(const AnalysisPlan& plan, int rows) {
+/// Skies that differ: by the camera's altitude and elevation, and by the range, as a target appears
+/// the lower the farther it is.
+std::size_t skiesOf(const AnalysisPlan& plan) {
     std::set<std::array<double, 4>> skies;
     for (const AnalysisCase& one : plan.cases) {
         const double climb_m = one.range_m * std::sin(irsg::radians(one.shownElevation_deg));
-        skies.insert({one.altitude_m.value_or(0.0), climb_m, one.shownElevation_deg,
-                      rows == 1 ? 0.0 : one.range_m});
+        skies.insert({one.altitude_m.value_or(0.0), climb_m, one.shownElevation_deg, one.range_m});
     }
     return skies.size();
 }
@@ -90,8 +89,7 @@ std::size_t fewestToTrain(const SceneDescription& scene, const Training& compute
     double saved = lines;
     if (scene.settings.background == irsg::BackgroundMode::environment) {
         const int rows = scene.settings.backgroundRows;
-        saved +=
-            ofSky * static_cast<double>(skiesOf(plan, rows)) * (rows == 0 ? adaptiveRows : rows);
+        saved += ofSky * static_cast<double>(skiesOf(plan)) * (rows == 0 ? automaticRows : rows);
     }
     if (hasGases)
         saved += ofGases * static_cast<double>(plan.cases.size());

@@ -41,7 +41,7 @@ std::string CalculationConfiguration::words(const SceneDescription& scene) const
         text += fmt::format(", spectral in bins of {} cm-1", bins_per_cm);
     if (render.background == irsg::BackgroundMode::environment)
         text += render.backgroundRows == 0
-                    ? std::string(", background of as many rows as half a percent needs")
+                    ? std::string(", background of automatic rows")
                     : fmt::format(", background of {} row{}", render.backgroundRows,
                                   render.backgroundRows == 1 ? "" : "s");
     return text;
@@ -54,7 +54,7 @@ double modelledCost_s(double samples, const CalculationConfiguration& configurat
     if (scene.settings.background == irsg::BackgroundMode::environment)
         lines +=
             0.3 *
-            (configuration.render.backgroundRows == 0 ? 16 : configuration.render.backgroundRows);
+            (configuration.render.backgroundRows == 0 ? 4 : configuration.render.backgroundRows);
     // Quadrature points by the error that they are trained to: about 20, 45 and 80 for 1, 0.3 and
     // 0.1 %.
     const double ofBins = configuration.render.mode == irsg::CalculationMode::wideband

@@ -43,7 +43,11 @@ void CaseWarnings::addWorst(const std::string& kind, double value, const std::st
 void CaseWarnings::addReport(const irsg::RenderReport& report, int layersKept) {
     for (const std::string& sentence : report.warnings)
         add(sentence);
-    if (!(report.all.coveredPixels > 0.0)) {
+    const bool isBehindHorizon =
+        std::ranges::any_of(report.warnings, [](const std::string& sentence) {
+            return sentence.ends_with("is behind the horizon");
+        });
+    if (!(report.all.coveredPixels > 0.0) && !isBehindHorizon) {
         add("no sample hits the target: it is out of the frame, too small for the sampling, or the "
             "camera is inside it");
     }

@@ -12,6 +12,7 @@
 #include "smatcore/project/AtmosphereInput.h"
 #include "smatcore/project/EnvironmentInput.h"
 #include "smatcore/project/SceneBuilder.h"
+#include "smatcore/settings/RenderWords.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat {
@@ -169,30 +170,18 @@ irsg::Sensor sensorOf(const Project& project, const Settings& settings) {
 }
 
 irsg::RenderSettings renderSettingsOf(const Settings& settings) {
-    const auto reflection = [&](std::string_view key) {
-        const std::string& text = settings.text(key);
-        return text == "off"      ? irsg::ReflectionMode::off
-               : text == "approx" ? irsg::ReflectionMode::approx
-                                  : irsg::ReflectionMode::smart;
-    };
     irsg::RenderSettings render;
-    const std::string& engine = settings[key::renderEngine];
-    render.engine = engine == "rays"   ? irsg::EngineChoice::rays
-                    : engine == "auto" ? irsg::EngineChoice::automatic
-                                       : irsg::EngineChoice::opengl;
+    render.engine = valueOf(engineWords, settings.text(key::renderEngine));
     const int antialiasing = settings[key::renderAntialiasing];
     render.tileSide_samples = antialiasing > 2 ? 128 << (antialiasing - 3) : 0;
-    render.tileStrategy = settings.text(key::renderZoom) == "sills" ? irsg::TileStrategy::published
-                                                                    : irsg::TileStrategy::aligned;
-    render.samplesPerAxis = antialiasing > 2 ? 1 : 1 << antialiasing;
+    render.tileStrategy = valueOf(zoomWords, settings.text(key::renderZoom));
+    if (antialiasing <= 2)
+        render.samplesPerAxis = 1 << antialiasing;
     render.pointSourceBelow_px = settings[key::renderPointSource];
     render.hotSpots = settings[key::renderHotSpots];
-    render.countsPerPixel = settings.text(key::renderSupersampling) == "perPixel";
-    render.sun = reflection(key::renderSun);
-    const std::string& shadows = settings[key::renderShadows];
-    render.sunShadows = shadows == "disc"    ? irsg::SunShadowMode::disc
-                        : shadows == "point" ? irsg::SunShadowMode::point
-                                             : irsg::SunShadowMode::off;
+    render.countsPerPixel = valueOf(supersamplingWords, settings.text(key::renderSupersampling));
+    render.sun = valueOf(reflectionWords, settings.text(key::renderSun));
+    render.sunShadows = valueOf(shadowWords, settings.text(key::renderShadows));
     const std::optional<double> bounces = settings[key::renderBounces];
     if (bounces && *bounces != std::floor(*bounces))
         throw irsg::InputError({"settings", key::renderBounces.name,
@@ -201,15 +190,13 @@ irsg::RenderSettings renderSettingsOf(const Settings& settings) {
     render.bounces = bounces ? static_cast<int>(*bounces) : irsg::convergedBounces;
     render.lightError = settings[key::renderLightError];
     render.widebandError = settings[key::renderWidebandError];
-    render.ambientReflection = reflection(key::renderAmbientReflection);
+    render.ambientReflection =
+        valueOf(reflectionWords, settings.text(key::renderAmbientReflection));
     render.mode = settings.text(key::sensorMode) == "ck" ? irsg::CalculationMode::wideband
                                                          : irsg::CalculationMode::spectral;
-    render.fluxWeights = settings.text(key::renderFluxWeights) == "report"
-                             ? irsg::FluxWeights::report
-                             : irsg::FluxWeights::viewFactor;
-    render.referenceTransmittance = settings.text(key::renderReferenceTransmittance) == "segment"
-                                        ? irsg::ReferenceTransmittance::segment
-                                        : irsg::ReferenceTransmittance::ratio;
+    render.fluxWeights = valueOf(fluxWeightWords, settings.text(key::renderFluxWeights));
+    render.referenceTransmittance =
+        valueOf(referenceTransmittanceWords, settings.text(key::renderReferenceTransmittance));
     const std::optional<double> radiance = settings[key::renderBackground];
     render.background = radiance ? irsg::BackgroundMode::constant
                         : settings.text(key::renderBackground) == "none"

@@ -23,7 +23,7 @@ void needRays() {
 }
 
 irsg::RenderSettings lit(int bounces) {
-    irsg::RenderSettings settings;
+    irsg::RenderSettings settings = irsg::RenderSettings::direct();
     settings.engine = irsg::EngineChoice::rays;
     settings.bounces = bounces;
     settings.ambientReflection = irsg::ReflectionMode::off;

@@ -37,7 +37,7 @@ struct Way {
 double rms(SelfTestBench& bench, const Triangles& mesh, double size_px, double roll_rad,
            const Way& way = {}) {
     InteractiveRenderer& irsg = bench.irsg();
-    irsg::RenderSettings settings;
+    irsg::RenderSettings settings = irsg::RenderSettings::direct();
     settings.tileSide_samples = way.tileSide_samples;
     settings.samplesPerAxis = way.samplesPerAxis;
     settings.tileStrategy = way.zoom;

@@ -67,7 +67,7 @@ SelfTestValue againstRays(SelfTestBench& bench) {
     }
     InteractiveRenderer& irsg = bench.irsg();
     irsg.scene.environment = brightAtmosphere();
-    irsg::RenderSettings settings;
+    irsg::RenderSettings settings = irsg::RenderSettings::direct();
     settings.tileSide_samples = 0;
     settings.samplesPerAxis = 1;
     irsg.scene.settings = settings;
@@ -98,7 +98,7 @@ SelfTestValue againstRays(SelfTestBench& bench) {
 /// A body of the background's radiance, whichever that is.
 SelfTestValue unseen(SelfTestBench& bench) {
     InteractiveRenderer& irsg = withBall(bench);
-    irsg::RenderSettings settings;
+    irsg::RenderSettings settings = irsg::RenderSettings::direct();
     settings.background = irsg::BackgroundMode::constant;
     settings.background_W_m2_sr = grey_W_m2_sr();
     irsg.scene.settings = settings;
@@ -297,7 +297,7 @@ SelfTestValue layersLeftOver(SelfTestBench& bench) {
     for (int i = 0; i < 6; ++i)
         mesh = joined(mesh, plateMesh({0, i * 0.1, 0}, {1, 0, 0}, {0, 0, 1}, one));
     InteractiveRenderer& irsg = bench.irsg();
-    irsg::RenderSettings settings;
+    irsg::RenderSettings settings = irsg::RenderSettings::direct();
     settings.tileSide_samples = 0;
     settings.samplesPerAxis = 1;
     settings.maximumLayers = 3;

@@ -41,7 +41,7 @@ struct Middle {
     irsg::SignatureDatabase database = greyDatabase(0.8, 320.0);
     Air air = {};
     irsg::SunPosition sun{0.0, irsg::radians(30.0)};
-    irsg::RenderSettings settings = {};
+    irsg::RenderSettings settings = irsg::RenderSettings::direct();
     Triangles mesh = tilted(0.0);
 
     double radiance(SelfTestBench& bench) const {

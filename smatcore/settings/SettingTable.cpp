@@ -1,10 +1,12 @@
 #include <utility>
 
 #include "irsg/atmosphere/AtmosphereFile.h"
+#include "irsg/core/Errors.h"
 #include "irsg/geometry/view/Sensor.h"
 #include "irsg/image/ColorMap.h"
 #include "irsg/render/values/RenderSettings.h"
 #include "smatcore/settings/AnalysisSections.h"
+#include "smatcore/settings/RenderWords.h"
 #include "smatcore/settings/SettingRows.h"
 
 namespace smat {
@@ -12,6 +14,17 @@ namespace smat {
 namespace {
 
 using namespace rows;
+
+/// Of a scene of the library.
+constexpr irsg::RenderSettings ofLibrary;
+
+/// The mode of zoom antialiasing, or of supersampling.
+int antialiasingOf(const irsg::RenderSettings& render) {
+    const int finer =
+        render.tileSide_samples > 0 ? render.tileSide_samples / 128 : render.samplesPerAxis;
+    const int steps = finer > 2 ? 2 : finer - 1;
+    return render.tileSide_samples > 0 ? 3 + steps : steps;
+}
 
 /// Takes up rows that stand on one page of the dialog of settings.
 struct PageRows {
@@ -183,7 +196,8 @@ void addRendering(std::vector<SettingInfo>& table) {
     const PageRows scattering{table, SettingPage::scattering};
     const PageRows terrain{table, SettingPage::terrain};
     samples.add(
-        named(choice(key::renderEngine, "--engine", "Engine", {"opengl", "rays", "auto"}, "opengl",
+        named(choice(key::renderEngine, "--engine", "Engine", wordsOf(engineWords),
+                     wordOf(engineWords, ofLibrary.engine),
                      "How samples are computed: opengl rasterizes off-screen; rays traces them "
                      "(Embree), gives the same answers and needs neither OpenGL nor a driver or "
                      "display; auto takes the faster for the scene, and results say which it was.",
@@ -191,7 +205,8 @@ void addRendering(std::vector<SettingInfo>& table) {
               {"OpenGL", "rays, without OpenGL", "whichever is quicker"}),
         3);
     SettingInfo antialiasing =
-        integer(key::renderAntialiasing, "--antialiasing", "Antialiasing", "", 0, 5, "4",
+        integer(key::renderAntialiasing, "--antialiasing", "Antialiasing", "", 0, 5,
+                std::to_string(antialiasingOf(ofLibrary)),
                 "Mode 0: one sample per pixel. Modes 1 and 2: supersampling with 2 and 4 samples "
                 "per axis of every pixel. Modes 3, 4 and 5: every object is rendered into a window "
                 "of 128, 256 or 512 samples a side, however small it is.");
@@ -203,7 +218,8 @@ void addRendering(std::vector<SettingInfo>& table) {
                           "5   zoom, 512 samples a side"};
     samples.add(std::move(antialiasing));
     samples.add(
-        named(choice(key::renderZoom, "--zoom", "Zoom strategy", {"aligned", "sills"}, "aligned",
+        named(choice(key::renderZoom, "--zoom", "Zoom strategy", wordsOf(zoomWords),
+                     wordOf(zoomWords, ofLibrary.tileStrategy),
                      "How the tiles of modes 3 to 5 are sampled: aligned to the sensor's pixel "
                      "grid, or sills, as published, for comparison; the energy of the latter "
                      "depends on where an object lies among the pixels.",
@@ -213,13 +229,13 @@ void addRendering(std::vector<SettingInfo>& table) {
     samples.add(
         number(
             key::renderPointSource, "--point-source", "Point sources below", "px", 0,
-            irsg::largestPointSource_px, "0.015625",
+            irsg::largestPointSource_px, irsg::numberText(ofLibrary.pointSourceBelow_px),
             "Objects narrower than this fraction of a pixel are rendered once per aspect and then "
             "treated as point sources at any range (modes 3 to 5, aligned); 0 always renders them.",
             SettingAudience::expert),
         2);
     samples.add(
-        formerly(flag(key::renderHotSpots, "--hot-spots", "Tiles for hot spots", true,
+        formerly(flag(key::renderHotSpots, "--hot-spots", "Tiles for hot spots", ofLibrary.hotSpots,
                       "Renders hot spots, small parts that outshine the rest of their object such "
                       "as exhaust pipes, into tiles of their own (modes 3 to 5, aligned). Without "
                       "these, frames take a third of the time and hot spots are off by some "
@@ -229,60 +245,64 @@ void addRendering(std::vector<SettingInfo>& table) {
         2);
     samples.add(
         formerly(named(choice(key::renderSupersampling, "--supersampling", "Supersampling counts",
-                              {"perAxis", "perPixel"}, "perAxis",
+                              wordsOf(supersamplingWords),
+                              wordOf(supersamplingWords, ofLibrary.countsPerPixel),
                               "Whether the 2 and 4 samples of modes 1 and 2 are counted per axis "
                               "of a pixel or per pixel.",
                               SettingAudience::expert),
                        {"per axis of a pixel", "per pixel"}),
                  {.choices = {{"inAll", "perPixel"}}}),
         1);
-    const std::vector<std::string> reflections = {"off", "approx", "smart"};
-    sun.add(named(choice(key::renderSun, "--sun", "Sun reflection", reflections, "smart",
+    const std::vector<std::string> reflections = wordsOf(reflectionWords);
+    sun.add(named(choice(key::renderSun, "--sun", "Sun reflection", reflections,
+                         wordOf(reflectionWords, ofLibrary.sun),
                          "Reflected sunlight: off, approx (independent of geometry: a quarter "
                          "everywhere) or smart (computed for each pixel)."),
                   {"off", "Approx. (a quarter everywhere)", "SMART (for each pixel)"}));
     sun.add(named(
-        choice(key::renderShadows, "--shadows", "Shadows of the sun", {"off", "point", "disc"},
-               "point",
+        choice(key::renderShadows, "--shadows", "Shadows of the sun", wordsOf(shadowWords),
+               wordOf(shadowWords, ofLibrary.sunShadows),
                "Shadows that the sun casts (sun smart) from other parts, other objects and "
                "terrain; transparent surfaces attenuate the sunlight by their transmissivity. The "
                "sun is a point source, or a disc of 0.53 degrees, whose shadows have a penumbra."),
         {"off", "of a point", "of a disc, with penumbra"}));
     sun.add(choiceOrNumber(
         key::renderBounces, "--bounces", "Light between surfaces", "", {"converged"}, 0, 1000,
-        "converged",
+        ofLibrary.bounces == irsg::convergedBounces ? "converged"
+                                                    : std::to_string(ofLibrary.bounces),
         "Number of inter-reflections between surfaces: 0 for none, a whole number, "
         "or converged for all. Unless it is 0, surfaces block each other's view of "
         "sky and ground (view factors), and send each other thermal radiation and "
         "reflected light of sun, sky and ground instead. Takes time and memory with "
         "the first image of a model. Not available with ambient reflection approx."));
     sun.add(number(key::renderLightError, "--light-error", "Error of view factors", "", 0.0001, 0.1,
-                   "0.005",
+                   irsg::numberText(ofLibrary.lightError),
                    "Error of the view factors between surfaces, as a fraction of the hemisphere: "
                    "rays are added until two halves of them agree within it.",
                    SettingAudience::expert));
     band.add(number(
         key::renderWidebandError, "--wideband-error", "Error of wideband-ck", "", 5e-4, 0.05,
-        "0.003",
+        irsg::numberText(ofLibrary.widebandError),
         "Largest relative error of an in-band quantity over the training cases of wideband-ck: a "
         "smaller one takes more points and longer training. A target error chooses it.",
         SettingAudience::expert));
     sun.add(formerly(
         named(choice(key::renderAmbientReflection, "--ambient-reflection", "Ambient reflection",
-                     reflections, "smart",
+                     reflections, wordOf(reflectionWords, ofLibrary.ambientReflection),
                      "Reflected sky and ground radiation: off, approx (independent of geometry: a "
                      "half of each) or smart (computed for each pixel)."),
               {"off", "Approx. (a half of each)", "SMART (for each pixel)"}),
         {.keys = {"render.fluxes"}, .options = {"--fluxes"}}));
     sun.add(named(choice(key::renderFluxWeights, "--flux-weights", "Flux weights",
-                         {"viewFactor", "report"}, "viewFactor",
+                         wordsOf(fluxWeightWords), wordOf(fluxWeightWords, ofLibrary.fluxWeights),
                          "Fractions of sky and ground that a tilted facet sees: its exact view "
                          "factors, or the angle over 180 degrees, as published.",
                          SettingAudience::expert),
                   {"exact view factor", "angle, as published"}));
     air.add(formerly(
         named(choice(key::renderReferenceTransmittance, "--reference-transmittance",
-                     "Transmittance of measured spectra", {"ratio", "segment"}, "ratio",
+                     "Transmittance of measured spectra", wordsOf(referenceTransmittanceWords),
+                     wordOf(referenceTransmittanceWords, ofLibrary.referenceTransmittance),
                      "Transmittance applied to a spectrum that was measured at a reference "
                      "distance: the ratio of those to the sensor and to the reference distance, "
                      "or that of the remaining segment of the path, as published.",
@@ -292,30 +312,31 @@ void addRendering(std::vector<SettingInfo>& table) {
     background.add(choiceOrNumber(
         key::renderBackground, "--background", "Background", "W m-2 sr-1", {"smart", "none"}, 0,
         1e9, "smart",
-        "Radiance behind the models: smart takes that of sky or ground along the line of sight at "
-        "the centre of the field of view, or along a grid of rows and columns; none is 0; a number "
-        "is an in-band radiance. Skybox, sun and terrain come on top."));
+        "Radiance behind the models: smart takes that of sky or ground in the apparent directions "
+        "of each object, along one line of sight or a grid of rows and columns; none is 0; a "
+        "number is an in-band radiance. Skybox, sun and terrain come on top."));
     background.add(integer(
         key::renderBackgroundRows, "--background-rows", "Background rows", "", 0,
-        irsg::largestBackgroundGrid, "1",
-        "Rows of lines of sight over the field of view along which a smart background is computed, "
-        "on both sides of the horizon where it is in view. One row and one column give a uniform "
-        "background; 0 takes as many rows as half a percent of the radiance needs."));
+        irsg::largestBackgroundGrid, std::to_string(ofLibrary.backgroundRows),
+        "Rows of lines of sight along which a smart background is computed, on both sides of the "
+        "horizon where it is in view. 0 is automatic: intensities take the directions that each "
+        "object covers, as many as 0.02 % of the background needs, and images as many rows as half "
+        "a percent needs. One row and one column give a uniform background."));
     background.add(integer(
         key::renderBackgroundColumns, "--background-columns", "Background columns", "", 1,
-        irsg::largestBackgroundGrid, "1",
+        irsg::largestBackgroundGrid, std::to_string(ofLibrary.backgroundColumns),
         "Columns of that grid: one is enough unless the sun makes the sky vary with azimuth."));
     background.add(
-        flag(key::renderSunDisc, "--sun-disc", "Sun disc", false,
+        flag(key::renderSunDisc, "--sun-disc", "Sun disc", ofLibrary.sunDisc,
              "Draws the sun as a disc of 0.53 degrees where nothing hides it; a skybox should then "
              "have no sun of its own. In a scenario this is on, unless it is set."));
-    scattering.add(flag(key::renderScattering, "--scattering", "Scattering", false,
+    scattering.add(flag(key::renderScattering, "--scattering", "Scattering", ofLibrary.scattering,
                         "Adds to images the haze that droplets scatter around objects. Needs an "
                         "MTF database, or an AtmosphereScatteringLUT among the atmospheres; works "
                         "with every antialiasing mode. Sums over objects leave it out."),
                    -1);
     terrain.add(
-        flag(key::renderTerrainHides, "--terrain-hides", "Terrain hides", true,
+        flag(key::renderTerrainHides, "--terrain-hides", "Terrain hides", ofLibrary.terrainHides,
              "Terrain hides what is behind it; otherwise it is a picture behind all objects.",
              SettingAudience::expert));
     samples.add(named(choice(key::renderErrors, "--errors", "Errors of results",
@@ -331,7 +352,8 @@ void addRendering(std::vector<SettingInfo>& table) {
         "wideband-ck and rows of background that meet it replace those that are set, and light "
         "whose bound is a small part of it is left out; results say what and why, and have the sum "
         "of their errors. Spectra stay as they are set."));
-    samples.add(integer(key::renderLayers, "--layers", "Transparent layers", "", 1, 1000, "64",
+    samples.add(integer(key::renderLayers, "--layers", "Transparent layers", "", 1, 1000,
+                        std::to_string(ofLibrary.maximumLayers),
                         "Transparent surfaces kept per sample, nearest first; samples with more of "
                         "them are counted and reported.",
                         SettingAudience::expert),

@@ -48,9 +48,12 @@ std::string missingFor(AtmosphereProperty property, const PathGeometry& geometry
 class Output {
   public:
     Output(const irsg::Environment& environment, const RadiativeRequest& request)
-        : environment_(environment),
-          request_(request),
-          geometry_(solveGeometry(request.geometry)) {}
+        : environment_(environment), request_(request), geometry_(solveGeometry(request.geometry)) {
+        // What is behind a target is behind its apparent direction.
+        if (geometry_.path && geometry_.sight && !request.geometry.losElevation_deg)
+            geometry_.sight->elevation_rad =
+                environment.targetView(*geometry_.path, request.band).elevation_rad;
+    }
 
     RadiativeOutput make() {
         const std::vector<AtmosphereProperty> asked = answerable();

@@ -192,6 +192,7 @@ class SixSidedBox : public AnalyticSource {
 /// A scene without files: one target placed by the settings.
 inline SceneDescription sceneWithoutFiles(const Project& project, const Settings& settings) {
     SceneDescription scene;
+    scene.settings = irsg::RenderSettings::direct();
     scene.sensor = sensorOf(project, settings);
     scene.setBands(bandsOf(project, settings));
     scene.settings = renderSettingsOf(settings);

@@ -12,6 +12,7 @@
 #include "irsg/render/background/Terrain.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/analysis/PlacedCase.h"
+#include "smatcore/settings/RenderWords.h"
 #include "smatcore/support/TextFile.h"
 #include "tests/support/Refusal.h"
 #include "tests/support/TemporaryFolder.h"
@@ -260,6 +261,7 @@ TEST_F(SceneBuilderTest, EverySensorThatSettingsTakeIsOneThatARendererTakes) {
 
 TEST_F(SceneBuilderTest, ARendererIsGivenAllOfAScene) {
     SceneDescription scene;
+    scene.settings = irsg::RenderSettings::direct();
     scene.environment.defaultAmbient_K = 251.0;
     scene.sensor.width_px = 17;
     scene.settings.backgroundRows = 5;
@@ -298,6 +300,33 @@ TEST_F(SceneBuilderTest, AFolderIsNoModel) {
     project.models[0].file = ".";
     ASSERT_EQ(refused().size(), 1u);
     EXPECT_EQ(refused()[0].value, "no such file");
+}
+
+TEST(SettingsOfRendering, AreThoseOfTheLibraryByDefault) {
+    EXPECT_EQ(renderSettingsOf(Settings()), irsg::RenderSettings());
+    // Each default is the library's own value, read back from its row.
+    Settings all;
+    for (const SettingInfo& setting : settingTable()) {
+        all.set(setting.key, setting.defaultText);
+    }
+    EXPECT_EQ(renderSettingsOf(all), irsg::RenderSettings());
+}
+
+TEST(SettingsOfRendering, HaveAWordForEachChoiceOfTheLibrary) {
+    const auto expectOneToOne = [](const auto& words) {
+        for (const auto& [word, value] : words) {
+            EXPECT_EQ(wordOf(words, value), word);
+            EXPECT_EQ(valueOf(words, word), value);
+        }
+    };
+    expectOneToOne(engineWords);
+    expectOneToOne(zoomWords);
+    expectOneToOne(reflectionWords);
+    expectOneToOne(shadowWords);
+    expectOneToOne(fluxWeightWords);
+    expectOneToOne(referenceTransmittanceWords);
+    expectOneToOne(supersamplingWords);
+    EXPECT_THROW(valueOf(engineWords, "steam"), irsg::LogicError);
 }
 
 TEST_F(SceneBuilderTest, LoadsSkyboxAndTerrainOnceWithTheirScales) {

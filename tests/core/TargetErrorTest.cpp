@@ -86,6 +86,7 @@ TargetChoice chosen(Lawful& source, double target, irsg::RenderSettings render =
         render.background = irsg::BackgroundMode::none;
     }
     SceneDescription scene;
+    scene.settings = irsg::RenderSettings::direct();
     scene.entities.emplace_back();
     scene.settings = render;
     ProbedViews views(source, scene, 1, false, seenFromAhead);
@@ -114,7 +115,7 @@ TEST(TargetChoice, TrainsPointsOfWidebandNoFinerThanNeeded) {
     };
     for (const Row& row : {Row{0.02, 0.01}, Row{0.005, 0.003}, Row{0.0015, 0.001}}) {
         Lawful source;
-        irsg::RenderSettings wideband;
+        irsg::RenderSettings wideband = irsg::RenderSettings::direct();
         wideband.mode = irsg::CalculationMode::wideband;
         const TargetChoice choice = chosen(source, row.target, wideband);
         EXPECT_TRUE(choice.isMet) << row.target;
@@ -123,7 +124,7 @@ TEST(TargetChoice, TrainsPointsOfWidebandNoFinerThanNeeded) {
         EXPECT_LE(choice.reached, row.target);
     }
     Lawful source;
-    irsg::RenderSettings wideband;
+    irsg::RenderSettings wideband = irsg::RenderSettings::direct();
     wideband.mode = irsg::CalculationMode::wideband;
     const TargetChoice none = chosen(source, 5e-4, wideband);
     EXPECT_FALSE(none.isMet);
@@ -168,7 +169,7 @@ TEST(TargetChoice, LeavesOutShadowsLightBetweenSurfacesAndSkyByThemselves) {
     Lawful source;
     source.sunlight_W_sr = 10.0, source.shade = 0.001, source.between_W_sr = 0.04;
     source.skylight_W_sr = 0.05;
-    irsg::RenderSettings render;
+    irsg::RenderSettings render = irsg::RenderSettings::direct();
     render.sunShadows = irsg::SunShadowMode::point;
     render.bounces = irsg::convergedBounces;
     const TargetChoice choice = chosen(source, 0.01, render);
@@ -186,6 +187,7 @@ TEST(TargetChoice, DoesNotTrustBoundsOfMirrors) {
     database->materials[1].surfaceModel = "ggx";
     Lawful source;
     SceneDescription scene;
+    scene.settings = irsg::RenderSettings::direct();
     scene.entities.emplace_back().database = database;
     scene.settings.background = irsg::BackgroundMode::none;
     ProbedViews views(source, scene, 1, false, seenFromAhead);
@@ -264,6 +266,7 @@ TEST(TargetError, IsAPercentageWithOrWithoutItsSign) {
 
 TEST(CostAccuracyStudy, HasEveryConfigurationThatDiffersAndNoOther) {
     SceneDescription scene;
+    scene.settings = irsg::RenderSettings::direct();
     scene.settings.background = irsg::BackgroundMode::none;
     EXPECT_EQ(CostAccuracyStudy::configurationsOf(scene, true).size(), 6u * 2u)
         << "modes, with and without light";

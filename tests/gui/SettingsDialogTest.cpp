@@ -76,7 +76,7 @@ TEST_F(SettingsDialogTest, OptionsAreChangedAppliedUndoneAndReopenedFromTheFile)
     EXPECT_EQ(workbench.undoStack().undoText(), "Change settings");
     EXPECT_EQ(workbench.settings()[key::renderBackgroundRows], 32);
     trigger("undo");
-    EXPECT_EQ(workbench.settings()[key::renderBackgroundRows], 1);
+    EXPECT_EQ(workbench.settings()[key::renderBackgroundRows], 0);
     EXPECT_FALSE(workbench.settings()[key::renderSunDisc]);
     trigger("redo");
     trigger("saveProject");

@@ -48,7 +48,7 @@ Entity twoWalls() {
 /// The walls' air in both bands, and what surfaces send in it.
 struct SlicedWalls {
     std::vector<Entity> entities{twoWalls()};
-    RenderSettings settings;
+    RenderSettings settings = RenderSettings::direct();
     AtmosphericQueryCache answers;
     SceneSampling sampling;
     SampledScenes scenes;
@@ -120,7 +120,7 @@ TEST(SlicesOfBands, AreTakenAsFinelyAsEachBandNeeds) {
 }
 
 TEST(SlicesOfBands, GiveWhatEachBandGivesAlone) {
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.environment = atmosphereWithABand();
     irsg.scene.entities = {twoWalls()};
     look(irsg, {.range_m = 40.0, .fieldOfView_rad = 0.2});

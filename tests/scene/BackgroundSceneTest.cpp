@@ -81,8 +81,8 @@ class BackgroundScene : public ::testing::Test {
     }
 
     ConstantAtmosphere air;
-    InteractiveRenderer irsg;
-    RenderSettings settings;
+    InteractiveRenderer irsg(RenderSettings::direct());
+    RenderSettings settings = RenderSettings::direct();
     const double blackBody = bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 320.0);
 };
 

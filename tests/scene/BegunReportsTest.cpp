@@ -41,7 +41,7 @@ void aim(InteractiveRenderer& irsg, double azimuth_rad) {
 }
 
 InteractiveRenderer glazedBody() {
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.environment = brightAtmosphere();
     irsg.scene.entities = {entityOf(modelOf(glazedMesh()), measuredBody())};
     return irsg;
@@ -113,7 +113,7 @@ TEST(BegunReports, MayBeDroppedUnfinished) {
 }
 
 TEST(BegunReports, OfAPictureAreThoseOfASweepHoweverLarge) {
-    RenderSettings settings;
+    RenderSettings settings = RenderSettings::direct();
     settings.tileSide_samples = 128;
     for (const double fieldOfView_deg : {60.0, 6.0}) { // a few dozen pixels, and most of the frame
         InteractiveRenderer irsg = glazedBody();

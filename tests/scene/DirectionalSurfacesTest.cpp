@@ -71,7 +71,7 @@ double schlick(double normal, double cosine) {
 
 /// The sun alone, 1 W m-2 um-1 in vacuum, at an angle from the direction to a far sensor.
 RenderSettings sunAlone(EngineChoice engine) {
-    RenderSettings settings;
+    RenderSettings settings = RenderSettings::direct();
     settings.engine = engine;
     settings.ambientReflection = ReflectionMode::off;
     settings.background = BackgroundMode::none;
@@ -218,7 +218,7 @@ TEST_F(DirectionalSurfaces, AreInvisibleInAnIsothermalEnclosure) {
     std::ranges::copy(publishedSurfaces(), std::back_inserter(materials));
     for (const Material& material : materials) {
         for (const EngineChoice engine : {EngineChoice::opengl, EngineChoice::rays}) {
-            RenderSettings settings;
+            RenderSettings settings = RenderSettings::direct();
             settings.engine = engine;
             InteractiveRenderer irsg =
                 rendererOf({ballOf(material, 300.0)}, settings, environmentOf(air, {0.0, -0.5}));
@@ -319,7 +319,7 @@ TEST_F(DirectionalSurfaces, ShowTheSkyAlongTheMirrorDirection) {
     plate.database = std::make_shared<const SignatureDatabase>(database);
     for (const EngineChoice engine : {EngineChoice::opengl, EngineChoice::rays}) {
         for (const double elevation_deg : {40.0, 15.0, 5.0, -20.0}) {
-            RenderSettings settings;
+            RenderSettings settings = RenderSettings::direct();
             settings.engine = engine;
             settings.background = BackgroundMode::none;
             InteractiveRenderer irsg = rendererOf({plate}, settings, environment);
@@ -367,7 +367,7 @@ Entity polishedCorner() {
 TEST_F(DirectionalSurfaces, AreTheSameByEveryWay) {
     std::array<double, 2> byEngine{};
     for (const EngineChoice engine : {EngineChoice::opengl, EngineChoice::rays}) {
-        RenderSettings settings;
+        RenderSettings settings = RenderSettings::direct();
         settings.engine = engine;
         settings.sunShadows = SunShadowMode::point;
         settings.bounces = convergedBounces;

@@ -39,7 +39,7 @@ bool allFinite(const RadianceImage& image) {
 
 /// A sphere in the dark, with settings that a test changes.
 struct Stage {
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     std::shared_ptr<const Model> sphere = modelOf(sphereMesh(1.0, 32, 64, one));
 
     Stage() {
@@ -52,7 +52,7 @@ struct Stage {
 } // namespace
 
 TEST(FloatTargets, KeepRadiancesFarAboveOneAndBelowZero) {
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.environment = darkness();
     const auto model = modelOf(plateMesh({0, 0, 0}, {1, 0, 0}, {0, 0, 1}, one));
     for (double level : {1e6, -3.5, 123.25}) {
@@ -93,7 +93,7 @@ TEST(Drawing, IsBitEqualWhenRepeated) {
 TEST(Drawing, PutsTheSkyAtTheTop) {
     // A plate above the axis of the camera is seen in the upper half of the picture, one to
     // starboard of a target seen from its nose in the left half.
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.environment = darkness();
     const auto model = modelOf(plateMesh({0.5, 0, 0.5}, {0.3, 0, 0}, {0, 0, 0.3}, one));
     irsg.scene.entities = {entityOf(model, greyDatabase(1.0, 300.0))};
@@ -132,7 +132,7 @@ TEST(Drawing, KeepsItsDigitsFarFromTheWorldsOrigin) {
 TEST(Drawing, KeepsItsDigitsAtTenThousandKilometres) {
     Stage stage;
     for (double range_m : {1e3, 1e5, 1e7}) {
-        RenderSettings settings;
+        RenderSettings settings = RenderSettings::direct();
         settings.tileSide_samples = 0;
         settings.samplesPerAxis = 4;
         stage.irsg.scene.settings = settings;
@@ -171,7 +171,7 @@ TEST(Drawing, GivesTheSamePictureInOneTileAndInMany) {
     // the middle of each of those is one drawing of 4800 pixels, cut likewise; compare with 1 of
     // 300.
     Stage stage;
-    RenderSettings settings;
+    RenderSettings settings = RenderSettings::direct();
     auto intensityWith = [&](int samples) {
         settings.tileSide_samples = 0;
         settings.samplesPerAxis = samples;
@@ -262,9 +262,9 @@ TEST(Layers, BeyondTheLimitAreCountedAndReported) {
         const Triangles plate = plateMesh({0, i * 0.1, 0}, {1, 0, 0}, {0, 0, 1}, one);
         mesh.insert(mesh.end(), plate.begin(), plate.end());
     }
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.environment = darkness();
-    RenderSettings settings;
+    RenderSettings settings = RenderSettings::direct();
     settings.tileSide_samples = 0;
     settings.samplesPerAxis = 1;
     irsg.scene.entities = {entityOf(modelOf(mesh), greyDatabase(0.3, 320.0, 0.0, 0.7))};
@@ -293,7 +293,7 @@ TEST(Layers, OfCoplanarGlassDoNotDependOnTheOrderInTheFile) {
     SignatureDatabase database = greyDatabase(0.3, 320.0, 0.0, 0.7);
     database.temperatures[2] = fixedTemperature(350.0);
     database.materials[2] = greyMaterial(0.5, 0.4);
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.environment = darkness();
     irsg.scene.entities = {entityOf(modelOf(forward), database)};
     look(irsg, {});
@@ -381,14 +381,14 @@ INSTANTIATE_TEST_SUITE_P(
                             "spectrum 'plume'", "the name of a spectrum"},
                     Refusal{"TooManySamples",
                             [](Stage& s) {
-                                RenderSettings settings;
+                                RenderSettings settings = RenderSettings::direct();
                                 settings.samplesPerAxis = 17;
                                 s.irsg.scene.settings = settings;
                             },
                             "samples per axis", "1 to 16"},
                     Refusal{"BackgroundNotANumber",
                             [](Stage& s) {
-                                RenderSettings settings;
+                                RenderSettings settings = RenderSettings::direct();
                                 settings.background = BackgroundMode::constant;
                                 settings.background_W_m2_sr = std::nan("");
                                 s.irsg.scene.settings = settings;

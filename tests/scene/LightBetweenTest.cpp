@@ -89,7 +89,7 @@ Entity corner(double wallEmissivity = 0.3) {
 }
 
 RenderSettings brightSettings(EngineChoice engine, int bounces) {
-    RenderSettings settings;
+    RenderSettings settings = RenderSettings::direct();
     settings.engine = engine;
     settings.bounces = bounces;
     settings.sunShadows = SunShadowMode::point;

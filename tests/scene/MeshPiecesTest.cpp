@@ -60,9 +60,9 @@ TEST(MeshPieces, HoldEveryTriangleOnceWithItsCodes) {
 
 // A window that shows a part of a model leaves out the pieces beside it, and shows the same.
 TEST(MeshPieces, ThatATileCannotShowAreNotMissed) {
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
-    RenderSettings settings;
+    RenderSettings settings = RenderSettings::direct();
     settings.tileSide_samples = 0;
     settings.samplesPerAxis = 1;
     irsg.scene.settings = settings;

@@ -30,7 +30,7 @@ class PictureTest : public testing::Test {
         irsg.scene.environment = brightAtmosphere();
         irsg.scene.entities = {entityOf(modelOf(glazedMesh()), glazing())};
         // Windows that do not follow the temperatures, so that drawings can be counted.
-        RenderSettings settings;
+        RenderSettings settings = RenderSettings::direct();
         settings.hotSpots = false;
         irsg.scene.settings = settings;
         look(irsg, {.range_m = 100.0, .azimuth_rad = 0.5, .elevation_rad = 0.2});
@@ -60,7 +60,7 @@ class PictureTest : public testing::Test {
         EXPECT_EQ(found.attributes, expected.attributes) << what;
     }
 
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
 };
 
 TEST_F(PictureTest, FollowsEveryEditAsRenderDoesAndDrawsTheViewOnce) {
@@ -117,7 +117,7 @@ TEST_F(PictureTest, FollowsTheViewTheFieldTheSunAndThePose) {
 TEST_F(PictureTest, IsThatOfRenderWhateverTheAntialiasing) {
     for (const int tileSide_samples : {0, 128}) {
         for (const TileStrategy strategy : {TileStrategy::aligned, TileStrategy::published}) {
-            RenderSettings settings;
+            RenderSettings settings = RenderSettings::direct();
             settings.tileSide_samples = tileSide_samples;
             settings.tileStrategy = strategy;
             irsg.scene.settings = settings;

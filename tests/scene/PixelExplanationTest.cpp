@@ -36,8 +36,9 @@ Triangles plate(double y_m, IrCodes codes, double half_m = 1.0) {
 
 /// A scene with one object, 100 m before a sensor that looks at its middle.
 InteractiveRenderer sceneOf(const Triangles& mesh, const SignatureDatabase& database,
-                            const Environment& environment, RenderSettings settings = {}) {
-    InteractiveRenderer irsg;
+                            const Environment& environment,
+                            RenderSettings settings = RenderSettings::direct()) {
+    InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.settings = settings;
     irsg.scene.environment = environment;
     irsg.scene.entities = {entityOf(modelOf(mesh), database)};
@@ -144,7 +145,7 @@ TEST_F(PixelExplanationTest, OfBackgroundAloneIsTheBackground) {
 }
 
 TEST_F(PixelExplanationTest, SharesAPixelThatAnEdgeCrosses) {
-    RenderSettings settings;
+    RenderSettings settings = RenderSettings::direct();
     settings.tileSide_samples = 0;
     settings.samplesPerAxis = 4;
     // The pixels are 0.25 m wide: the edge halves those of column 8 + 2.
@@ -172,7 +173,7 @@ TEST_F(PixelExplanationTest, KnowsAnObjectThatIsAPoint) {
 }
 
 TEST_F(PixelExplanationTest, AddsUpToWhatIsDrawnOfABodyInAllItsLight) {
-    RenderSettings settings;
+    RenderSettings settings = RenderSettings::direct();
     settings.sunShadows = SunShadowMode::point;
     settings.bounces = 1;
     SignatureDatabase database;

@@ -41,9 +41,9 @@ double mean(const std::vector<double>& values) {
 }
 
 InteractiveRenderer& generator(TileStrategy strategy, int size = 256) {
-    static InteractiveRenderer irsg;
+    static InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
-    RenderSettings settings;
+    RenderSettings settings = RenderSettings::direct();
     settings.tileSide_samples = size;
     settings.tileStrategy = strategy;
     irsg.scene.settings = settings;

@@ -65,7 +65,7 @@ double centreRadiance(InteractiveRenderer& irsg) {
 }
 
 RenderSettings emissionAlone() {
-    RenderSettings settings;
+    RenderSettings settings = RenderSettings::direct();
     settings.sun = settings.ambientReflection = ReflectionMode::off;
     settings.background = BackgroundMode::constant;
     return settings;
@@ -74,7 +74,7 @@ RenderSettings emissionAlone() {
 } // namespace
 
 TEST(BodyInGas, ShowsWhatItsClosedFormSays) {
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.environment = Environment::vacuum();
     irsg.scene.settings = emissionAlone();
     irsg.scene.entities = {entityOf(modelOf(platesBehindEachOther(false)), bodyInGas())};
@@ -85,7 +85,7 @@ TEST(BodyInGas, ShowsWhatItsClosedFormSays) {
 }
 
 TEST(BodyInGas, ShowsWhatItsClosedFormSaysInTwoGasesThatOverlap) {
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.environment = Environment::vacuum();
     irsg.scene.settings = emissionAlone();
     irsg.scene.entities = {entityOf(modelOf(platesBehindEachOther(true)), bodyInGas())};
@@ -109,10 +109,10 @@ TEST(BodyInGas, ShowsWhatItDoesInAFirstPictureWhateverWasDrawnBefore) {
                                     plateMesh({6, 0, 0}, {0, 3, 0}, {0, 0, -3}, otherGas))),
                      bodyInGas())};
     };
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     prepare(irsg);
     for (const double azimuth_deg : {0.0, 0.0, 60.0, 90.0, 0.0}) {
-        InteractiveRenderer anew;
+        InteractiveRenderer anew(RenderSettings::direct());
         prepare(anew);
         EXPECT_EQ(pictureOf(irsg, radians(azimuth_deg)), pictureOf(anew, radians(azimuth_deg)))
             << azimuth_deg;
@@ -121,7 +121,7 @@ TEST(BodyInGas, ShowsWhatItDoesInAFirstPictureWhateverWasDrawnBefore) {
 
 TEST(EveryWayToANumber, GivesTheSameNumber) {
     for (const int tileSide_samples : {0, 128}) {
-        InteractiveRenderer irsg;
+        InteractiveRenderer irsg(RenderSettings::direct());
         irsg.scene.environment = brightAtmosphere();
         SignatureDatabase database = bodyInGas();
         database.materials[1] = greyMaterial(0.7);
@@ -129,7 +129,7 @@ TEST(EveryWayToANumber, GivesTheSameNumber) {
             entityOf(modelOf(joined(sphereMesh(1.0, 24, 48, body),
                                     boxMesh({2, 2, 2}, std::vector<IrCodes>(6, gas)))),
                      database)};
-        RenderSettings settings;
+        RenderSettings settings = RenderSettings::direct();
         settings.tileSide_samples = tileSide_samples;
         settings.truthLayers = true;
         irsg.scene.settings = settings;
@@ -171,14 +171,14 @@ TEST(EveryWayToANumber, GivesTheSameNumber) {
 }
 
 TEST(SeveralBands, AreThoseOfRunsOfTheirOwnAndAddUp) {
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.environment = brightAtmosphere();
     irsg.scene.entities = {entityOf(modelOf(glazedMesh()), [] {
         SignatureDatabase database = bodyInGas();
         database.materials[3] = greyMaterial(0.3, 0.6);
         return database;
     }())};
-    RenderSettings settings;
+    RenderSettings settings = RenderSettings::direct();
     settings.hotSpots = false; // windows do not follow the bands
     irsg.scene.settings = settings;
     look(irsg, {.range_m = 150.0, .azimuth_rad = 0.4});
@@ -209,7 +209,7 @@ TEST(SeveralBands, AreThoseOfRunsOfTheirOwnAndAddUp) {
 }
 
 TEST(Threads, LeaveEveryBitAsItIs) {
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.environment = brightAtmosphere();
     irsg.scene.entities = {entityOf(modelOf(glazedMesh()), [] {
         SignatureDatabase database = bodyInGas();
@@ -219,7 +219,7 @@ TEST(Threads, LeaveEveryBitAsItIs) {
     look(irsg, {.range_m = 100.0, .azimuth_rad = 0.5, .elevation_rad = 0.2});
     const auto all = [&](unsigned threads) {
         setMostThreads(threads);
-        InteractiveRenderer fresh;
+        InteractiveRenderer fresh(RenderSettings::direct());
         fresh.scene.environment = irsg.scene.environment;
         fresh.scene.entities = irsg.scene.entities;
         fresh.view.sensor = irsg.view.sensor;
@@ -244,9 +244,9 @@ TEST(Threads, LeaveEveryBitAsItIs) {
 TEST(PlainShader, AddsUpWhatTheEvaluatorDoes) {
     for (const ReflectionMode mode :
          {ReflectionMode::off, ReflectionMode::approx, ReflectionMode::smart}) {
-        InteractiveRenderer irsg;
+        InteractiveRenderer irsg(RenderSettings::direct());
         irsg.scene.environment = brightAtmosphere();
-        RenderSettings settings;
+        RenderSettings settings = RenderSettings::direct();
         settings.tileSide_samples = 0;
         settings.sun = settings.ambientReflection = mode;
         irsg.scene.settings = settings;
@@ -299,6 +299,7 @@ TEST(RadianceTerms, TakeAnotherTermFromOneRecord) {
     air.transmittanceValue = 0.8;
     air.sunValue = 3.0;
     Scene scene;
+    scene.settings = RenderSettings::direct();
     scene.environment = environmentOf(air, {radians(200.0), radians(50.0)});
     scene.settings.background = BackgroundMode::constant;
     scene.settings.ambientReflection = ReflectionMode::off;
@@ -352,7 +353,7 @@ TEST(AtmosphereAlongAnObject, IsTakenAtTheRangeOfEverySample) {
     parameters.extinction_per_m = Spectrum::constant(perMetre);
     parameters.airTemperature_K = parameters.groundTemperature_K = 50.0; // it does not shine
     environment.add(std::make_shared<BeerLambert>(parameters));
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.environment = environment;
     RenderSettings settings = emissionAlone();
     irsg.scene.settings = settings;
@@ -404,7 +405,7 @@ TEST(AtmosphereAlongAnObject, IsTakenAlongAShipThatIsSeenFromItsBow) {
         entityOf(Model::load(std::filesystem::path(SMAT_SOURCE_DIR) / "samples/ship/ship.flt"),
                  greyDatabase(1.0, 320.0));
     ship.fallbackTemperature = ship.fallbackMaterial = 1;
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.environment = environment;
     irsg.scene.entities = {ship};
     RenderSettings settings = emissionAlone();
@@ -462,7 +463,7 @@ TEST(AtmosphereOfASweep, IsAskedOnceForAPathThatItsCasesShare) {
     auto air = std::make_shared<CountingAtmosphere>();
     Environment environment;
     environment.add(air);
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.environment = environment;
     irsg.scene.entities = {
         entityOf(modelOf(sphereMesh(1.0, 16, 32, body)), greyDatabase(0.9, 320.0))};

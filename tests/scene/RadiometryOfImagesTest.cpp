@@ -14,14 +14,14 @@ namespace {
 const IrCodes one{1, 1};
 
 RenderSettings samples(int perAxis) {
-    RenderSettings settings;
+    RenderSettings settings = RenderSettings::direct();
     settings.tileSide_samples = 0;
     settings.samplesPerAxis = perAxis;
     return settings;
 }
 
 InteractiveRenderer& generator() {
-    static InteractiveRenderer irsg;
+    static InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.environment = Environment::vacuum();
     irsg.scene.settings = {};
     return irsg;
@@ -307,7 +307,7 @@ TEST(Surface, ThatIsBlackAndColdShowsExactlyThePathRadiance) {
     air.sunValue = air.upValue = air.downValue = 1.0;
     InteractiveRenderer& irsg = generator();
     irsg.scene.environment = environmentOf(air);
-    RenderSettings settings;
+    RenderSettings settings = RenderSettings::direct();
     settings.sun = settings.ambientReflection = ReflectionMode::off;
     irsg.scene.settings = settings;
     irsg.scene.entities = {entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(1.0, 1.0))};

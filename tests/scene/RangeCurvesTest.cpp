@@ -26,7 +26,7 @@ constexpr IrCodes one{1, 1};
 constexpr double emissivity = 0.9, temperature_K = 320.0;
 
 RenderSettings settingsOf(int tileSide_samples) {
-    RenderSettings settings;
+    RenderSettings settings = RenderSettings::direct();
     settings.tileSide_samples = tileSide_samples;
     settings.background = BackgroundMode::constant;
     settings.background_W_m2_sr = 0.5;
@@ -38,7 +38,7 @@ Entity grey(const Triangles& mesh) {
 }
 
 InteractiveRenderer generatorOf(std::vector<Entity> entities, int tileSide_samples = 256) {
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.settings = settingsOf(tileSide_samples);
     irsg.scene.entities = std::move(entities);

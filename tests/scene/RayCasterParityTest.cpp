@@ -131,8 +131,8 @@ void expectTheCaster(const Case& c, EngineChoice engine) {
              s.nAngleFactor});
     }
 
-    InteractiveRenderer irsg;
-    RenderSettings settings;
+    InteractiveRenderer irsg(RenderSettings::direct());
+    RenderSettings settings = RenderSettings::direct();
     settings.engine = engine;
     settings.tileSide_samples = 0;
     settings.samplesPerAxis = 1;

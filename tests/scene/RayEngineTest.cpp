@@ -38,7 +38,7 @@ class RayEngineTest : public testing::Test {
 
 InteractiveRenderer withEngine(EngineChoice engine, RenderSettings settings,
                                const std::vector<Entity>& entities, const View& view) {
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     settings.engine = engine;
     irsg.scene.settings = settings;
     irsg.scene.environment = brightAtmosphere();
@@ -49,7 +49,7 @@ InteractiveRenderer withEngine(EngineChoice engine, RenderSettings settings,
 
 /// One sample a pixel.
 RenderSettings plainPixels() {
-    RenderSettings settings;
+    RenderSettings settings = RenderSettings::direct();
     settings.tileSide_samples = 0;
     settings.samplesPerAxis = 1;
     settings.truthLayers = true;
@@ -328,7 +328,7 @@ TEST_F(RayEngineTest, SeesTerrainBehindAndBeforeObjects) {
         entityOf(modelOf(plateMesh({}, {2, 0, 0}, {0, 0, 2}, {1, 1})), greyDatabase(0.7, 330.0));
     entity.pose.position_m.z = standingAltitude_m;
     for (const int tileSide_samples : {0, 256}) {
-        RenderSettings settings;
+        RenderSettings settings = RenderSettings::direct();
         settings.tileSide_samples = tileSide_samples;
         settings.terrain = {5.0, 0.2};
         std::vector<RadianceImage> images;

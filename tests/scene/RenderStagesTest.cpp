@@ -71,6 +71,7 @@ struct Stages {
 Scene ballsAt(const std::vector<double>& north_m) {
     const auto ball = modelOf(sphereMesh(1.0, 8, 16, one));
     Scene scene;
+    scene.settings = RenderSettings::direct();
     for (const double y : north_m) {
         scene.entities.push_back(entityOf(ball, greyDatabase(0.9, 320.0)));
         scene.entities.back().pose.position_m = {0.0, y, 1000.0};

@@ -16,13 +16,13 @@ namespace {
 
 /// Windows that do not follow the temperatures, so that only scales differ.
 RenderSettings settingsOfTests() {
-    RenderSettings settings;
+    RenderSettings settings = RenderSettings::direct();
     settings.hotSpots = false;
     return settings;
 }
 
 InteractiveRenderer& generator() {
-    static InteractiveRenderer irsg;
+    static InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.settings = settingsOfTests();
     return irsg;
 }

@@ -19,7 +19,7 @@ std::vector<RenderReport> measured(InteractiveRenderer& irsg, bool alongRange, b
 }
 
 InteractiveRenderer glazed(const Environment& environment, double range_m) {
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.environment = environment;
     SignatureDatabase database;
     for (const auto& [code, temperature_K, emissivity, transmissivity] :
@@ -54,7 +54,7 @@ Environment hazyAtmosphere() {
 } // namespace
 
 TEST(SourceReports, OfABlackPlateIsItsPlanckRadianceWhateverTheAir) {
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.environment = hazyAtmosphere();
     irsg.scene.entities = {entityOf(modelOf(plateMesh({0, 0, 0}, {-1, 0, 0}, {0, 0, 1}, {1, 1})),
                                     greyDatabase(1.0, 320.0))};
@@ -74,7 +74,7 @@ TEST(SourceReports, AreThoseOfTheSameLightThroughClearAirBeforeNothing) {
     for (const bool alongRange : {false, true}) {
         InteractiveRenderer hazy = glazed(hazyAtmosphere(), 300.0),
                             clear = glazed(clearAtmosphere(), 300.0);
-        RenderSettings settings;
+        RenderSettings settings = RenderSettings::direct();
         settings.background = BackgroundMode::none;
         clear.scene.settings = settings;
         const auto source = measured(hazy, alongRange, true);
@@ -92,7 +92,7 @@ TEST(SourceReports, LeaveThoseOfTheBandsAsTheyAre) {
          {BackgroundMode::environment, BackgroundMode::constant, BackgroundMode::none}) {
         InteractiveRenderer with = glazed(hazyAtmosphere(), 300.0),
                             without = glazed(hazyAtmosphere(), 300.0);
-        RenderSettings settings;
+        RenderSettings settings = RenderSettings::direct();
         settings.background = background;
         settings.background_W_m2_sr = 0.3;
         with.scene.settings = settings;

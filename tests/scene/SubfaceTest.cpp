@@ -61,9 +61,9 @@ TEST(Subfaces, HideTheFaceTheyLieOnFromAnyDirectionAndRange) {
                  l3 = bandRadiance_W_m2_sr(band, 900.0);
     const double radianceTimesArea = 8.0 * l1 + 0.75 * l2 + 0.25 * l3;
 
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
-    RenderSettings settings;
+    RenderSettings settings = RenderSettings::direct();
     settings.tileSide_samples = 0;
     settings.samplesPerAxis = 4;
     irsg.scene.settings = settings;

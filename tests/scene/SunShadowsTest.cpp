@@ -34,7 +34,7 @@ Environment sunlit() {
 }
 
 RenderSettings shadowSettings(EngineChoice engine, SunShadowMode mode) {
-    RenderSettings settings;
+    RenderSettings settings = RenderSettings::direct();
     settings.engine = engine;
     settings.sunShadows = mode;
     settings.ambientReflection = ReflectionMode::off;
@@ -114,7 +114,7 @@ class SunShadowsTest : public testing::TestWithParam<EngineChoice> {
     }
     InteractiveRenderer made(const std::vector<Entity>& entities,
                              const RenderSettings& settings) const {
-        InteractiveRenderer irsg;
+        InteractiveRenderer irsg(RenderSettings::direct());
         irsg.scene.environment = sunlit();
         irsg.scene.settings = settings;
         irsg.scene.entities = entities;

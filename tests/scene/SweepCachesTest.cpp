@@ -77,6 +77,7 @@ SignatureDatabase bodyInPlume() {
 
 struct Case {
     Scene scene;
+    scene.settings = RenderSettings::direct();
     SensorView view;
     std::vector<Band> bands;
 

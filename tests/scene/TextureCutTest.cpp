@@ -164,8 +164,8 @@ TEST(TextureCut, IsDrawnAlikeByOpenGlAndByRays) {
     const auto model = cutModel(sheet(pictureOf(64, 64, disc), osg::Texture::REPEAT));
     const auto whole = modelOfGraph(sheet(pictureOf(64, 64, disc), osg::Texture::REPEAT), "whole");
     const auto intensity = [](const std::shared_ptr<const Model>& drawn, EngineChoice engine) {
-        InteractiveRenderer irsg;
-        RenderSettings settings;
+        InteractiveRenderer irsg(RenderSettings::direct());
+        RenderSettings settings = RenderSettings::direct();
         settings.engine = engine;
         irsg.scene.settings = settings;
         irsg.scene.environment = environmentOf(ConstantAtmosphere{});

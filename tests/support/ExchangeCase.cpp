@@ -51,6 +51,7 @@ Scene sceneOf(const ExchangeCase& one) {
     vacuum.downValue = pi * one.sky_W_m2_sr / width_um;
     vacuum.upValue = pi * one.ground_W_m2_sr / width_um;
     Scene scene;
+    scene.settings = RenderSettings::direct();
     scene.environment = environmentOf(vacuum, one.sun);
     scene.entities = one.entities;
     const Vec3 centre_m = extentOf(one).centre();

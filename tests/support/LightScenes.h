@@ -11,7 +11,7 @@ namespace irsg::test {
 
 /// Surfaces that emit and reflect each other, and no other light.
 inline RenderSettings lightSettings(int bounces, double error = 0.005) {
-    RenderSettings settings;
+    RenderSettings settings = RenderSettings::direct();
     settings.engine = EngineChoice::rays;
     settings.bounces = bounces;
     settings.lightError = error;
@@ -24,7 +24,7 @@ inline RenderSettings lightSettings(int bounces, double error = 0.005) {
 inline InteractiveRenderer rendererOf(const std::vector<Entity>& entities,
                                       const RenderSettings& settings,
                                       const Environment& environment = Environment::vacuum()) {
-    InteractiveRenderer irsg;
+    InteractiveRenderer irsg(RenderSettings::direct());
     irsg.scene.environment = environment;
     irsg.scene.settings = settings;
     irsg.scene.entities = entities;

@@ -230,6 +230,57 @@ double RayTracer::elevationOver(const Chord& chord, double range_m, double& leng
     return std::max(ground_rad, elevationFor(straight_m));
 }
 
+RayTracer::Chord RayTracer::chordOf(const AtmosphericPath& path) const {
+    const double low_m = std::min(path.sensorAltitude_m, path.targetAltitude_m);
+    const double high_m = std::max(path.sensorAltitude_m, path.targetAltitude_m);
+    return {layers_.place(low_m), layers_.place(high_m), earthRadius_m_ + low_m,
+            std::abs(path.targetAltitude_m - path.sensorAltitude_m)};
+}
+
+double RayTracer::elevationAtLow(const Chord& chord, double range_m, double& length_m) const {
+    if (range_m > chord.rise_m)
+        return elevationOver(chord, range_m, length_m);
+    return chord.rise_m == 0.0 ? 0.0 : 0.5 * pi;
+}
+
+double RayTracer::hiddenBelow_m(double sensorAltitude_m, double range_m) const {
+    const Place ground = layers_.place(0.0);
+    const auto lengthTo_m = [&](double altitude_m) {
+        double length_m = 0.0;
+        layers_.climb(ground, layers_.place(altitude_m), altitude_m, 0.0, [&](const Rise& rise) {
+            length_m += layers_.measure(rise, layers_.groundW_m()).length_m;
+        });
+        return length_m;
+    };
+    const double behind_m = range_m - lengthTo_m(sensorAltitude_m);
+    if (!(behind_m > 0.0))
+        return 0.0;
+    // By the length of the straight line that touches the ground, as in `elevationOver`.
+    const auto altitudeAt_m = [&](double straight_m) {
+        return straight_m *
+               (straight_m / (earthRadius_m_ + std::hypot(earthRadius_m_, straight_m)));
+    };
+    return altitudeAt_m(rootOfRising(
+        [&](double straight_m) { return lengthTo_m(altitudeAt_m(straight_m)) - behind_m; },
+        behind_m, 0.0, std::numeric_limits<double>::infinity(), 1e-13 * range_m));
+}
+
+TargetView RayTracer::targetView(const AtmosphericPath& path) const {
+    requireAltitude(path.sensorAltitude_m, "sensor altitude");
+    requireAltitude(path.targetAltitude_m, "target altitude");
+    const double hidden_m = hiddenBelow_m(path.sensorAltitude_m, path.range_m);
+    if (hidden_m > 0.0 && path.targetAltitude_m <= hidden_m)
+        return {horizonElevation_rad(path.sensorAltitude_m), hidden_m};
+    const Chord chord = chordOf(path);
+    double length_m = path.range_m;
+    const double low_rad = elevationAtLow(chord, path.range_m, length_m);
+    if (path.targetAltitude_m >= path.sensorAltitude_m)
+        return {low_rad, hidden_m};
+    const double highU_m =
+        uOf(layers_.w_m(chord.low), low_rad) + layers_.difference_m(chord.low, chord.high);
+    return {-elevationOf(layers_.w_m(chord.high), highU_m), hidden_m};
+}
+
 RayPath RayTracer::between(const AtmosphericPath& path) const {
     requireAltitude(path.sensorAltitude_m, "sensor altitude");
     requireAltitude(path.targetAltitude_m, "target altitude");
@@ -240,20 +291,14 @@ RayPath RayTracer::between(const AtmosphericPath& path) const {
             "at least the difference of the altitudes, " + numberText(rise_m) + " m");
 
     const double low_m = std::min(path.sensorAltitude_m, path.targetAltitude_m);
-    const double high_m = std::max(path.sensorAltitude_m, path.targetAltitude_m);
-    const Chord chord{layers_.place(low_m), layers_.place(high_m), earthRadius_m_ + low_m, rise_m};
-    const bool isVertical = path.range_m <= rise_m;
-    double elevation_rad = 0.5 * pi;
-    double rayLength_m = path.range_m;
-    if (!isVertical) {
+    const Chord chord = chordOf(path);
+    if (path.range_m > rise_m)
         require(chord.dip_m(path.range_m) - low_m <= deepestChord_m, "range", path.range_m,
                 "a target that the earth does not hide: the straight line passes " +
                     numberText(std::round(chord.dip_m(path.range_m) - low_m)) +
                     " m below ground, at most 500 m are allowed");
-        elevation_rad = elevationOver(chord, path.range_m, rayLength_m);
-    } else if (rise_m == 0.0) {
-        elevation_rad = 0.0;
-    }
+    double rayLength_m = path.range_m;
+    const double elevation_rad = elevationAtLow(chord, path.range_m, rayLength_m);
 
     const double lowW_m = layers_.w_m(chord.low);
     const double u_m = uOf(lowW_m, elevation_rad);

@@ -65,6 +65,11 @@ class RayTracer {
     /// altitudes below ground, for a range still shorter, and for ends that the earth hides: their
     /// straight line in space lies more than 500 m below ground at its lowest point.
     RayPath between(const AtmosphericPath& path) const;
+    /// How the target of such a path is seen; also of one that the earth hides.
+    TargetView targetView(const AtmosphericPath& path) const;
+    /// Altitude, at a distance along the ray that grazes the ground, below which the earth hides
+    /// what a sensor looks for; 0 where the ray has not touched the ground yet.
+    double hiddenBelow_m(double sensorAltitude_m, double range_m) const;
     /// To space or to the ground. A sensor above the atmosphere enters it where the line meets the
     /// top, or sees nothing (no segments, end space).
     RayPath along(const LineOfSight& sight) const;
@@ -95,6 +100,9 @@ class RayTracer {
   private:
     struct Chord;
     double elevationOver(const Chord& chord, double range_m, double& length_m) const;
+    /// The same of any path, the vertical ones too.
+    double elevationAtLow(const Chord& chord, double range_m, double& length_m) const;
+    Chord chordOf(const AtmosphericPath& path) const;
     double lengthOf(const Chord& chord, double elevation_rad) const;
     double trueElevation(double altitude_m, double apparent_rad) const;
     /// Apparent elevation of a true one; nothing below the horizon.

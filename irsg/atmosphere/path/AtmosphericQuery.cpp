@@ -1,7 +1,9 @@
 #include "irsg/atmosphere/path/AtmosphericQuery.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "irsg/atmosphere/path/Earth.h"
 #include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 
@@ -46,6 +48,31 @@ bool hasSun(AtmosphereProperty property) {
     return property != AtmosphereProperty::transmittance &&
            property != AtmosphereProperty::scatteringOpticalDepth &&
            property != AtmosphereProperty::ambientTemperature;
+}
+
+TargetView flatTargetView(const AtmosphericPath& path) {
+    const double rise_m = path.targetAltitude_m - path.sensorAltitude_m;
+    return {path.range_m > 0.0 ? std::asin(std::clamp(rise_m / path.range_m, -1.0, 1.0)) : 0.0,
+            0.0};
+}
+
+TargetView sphericalTargetView(const AtmosphericPath& path) {
+    constexpr double R = earthRadius_m;
+    const double sensor_m = path.sensorAltitude_m, range_m = path.range_m;
+    const double toHorizon_m = std::sqrt(sensor_m * (2.0 * R + sensor_m));
+    double target_m = path.targetAltitude_m, hidden_m = 0.0;
+    if (range_m > toHorizon_m) {
+        // The line that touches the ground rises by this behind the horizon.
+        const double behind_m = range_m - toHorizon_m;
+        hidden_m = behind_m * behind_m / (R + std::sqrt(R * R + behind_m * behind_m));
+        target_m = std::max(target_m, hidden_m);
+    }
+    if (!(range_m > 0.0))
+        return {0.0, hidden_m};
+    const double sine =
+        ((target_m - sensor_m) * (2.0 * R + sensor_m + target_m) - range_m * range_m) /
+        (2.0 * (R + sensor_m) * range_m);
+    return {std::asin(std::clamp(sine, -1.0, 1.0)), hidden_m};
 }
 
 AtmosphericQuery AtmosphericQuery::transmittance(const AtmosphericPath& path) {

@@ -66,6 +66,18 @@ struct SunView {
     double elevation_rad = 0.0; ///< apparent, of the middle of the whole disc
 };
 
+/// How the target at the end of a path is seen by its sensor.
+struct TargetView {
+    double elevation_rad = 0.0; ///< apparent, at the sensor; of a hidden target that of the horizon
+    /// Altitude at that range below which the ground hides everything; 0 up to the horizon.
+    double hiddenBelow_m = 0.0;
+};
+/// Over flat ground along a straight line: elevation asin((target - sensor) / range), nothing is
+/// hidden.
+TargetView flatTargetView(const AtmosphericPath& path);
+/// Over a sphere of `earthRadius_m` along a straight line.
+TargetView sphericalTargetView(const AtmosphericPath& path);
+
 /// A query as far as its answer depends on it: a key of a cache. Equal keys have equal answers
 /// of the same atmosphere at the same sampling.
 struct AtmosphericQueryKey {

@@ -135,7 +135,11 @@ BackgroundGrid::Side BackgroundGrid::side(double sign, double nearest_rad, doubl
 BackgroundGrid::Side BackgroundGrid::sideAsNeeded(double sign, double nearest_rad,
                                                   double farthest_rad,
                                                   const Radiance& radiance) const {
-    constexpr int fewest = 5;
+    constexpr int fewest = 3;
+    // Over so small a part of the angle from the horizon nothing changes.
+    constexpr double narrow = 0.002;
+    if (farthest_rad - nearest_rad <= narrow * nearest_rad)
+        return side(sign, nearest_rad, farthest_rad, 1, radiance);
     Side coarser = side(sign, nearest_rad, farthest_rad, fewest, radiance);
     for (int rows = 2 * fewest - 1; rows <= mostRows; rows = 2 * rows - 1) {
         Side finer = side(sign, nearest_rad, farthest_rad, rows, radiance, &coarser);

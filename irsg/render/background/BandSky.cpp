@@ -1,11 +1,16 @@
 #include "irsg/render/background/BandSky.h"
 
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
 #include "irsg/atmosphere/NearestRun.h"
 
 namespace irsg {
 
-BandSky::BandSky(const Environment& environment, const SpectralSampling& sampling)
-    : environment_(environment), sampling_(sampling) {}
+BandSky::BandSky(const Environment& environment, const SpectralSampling& sampling,
+                 double raised_rad)
+    : environment_(environment), sampling_(sampling), raised_rad_(raised_rad) {}
 
 double BandSky::ask(const char* quantity, const AtmosphericQuery& query) const {
     const auto answer = environment_.provide(query, sampling_);
@@ -17,7 +22,10 @@ double BandSky::ask(const char* quantity, const AtmosphericQuery& query) const {
 }
 
 double BandSky::radiance_W_m2_sr(const LineOfSight& sight) const {
-    return ask("background", AtmosphericQuery::backgroundRadiance(sight, environment_.sun));
+    constexpr double zenith_rad = 0.5 * std::numbers::pi;
+    LineOfSight apparent = sight;
+    apparent.elevation_rad = std::clamp(sight.elevation_rad + raised_rad_, -zenith_rad, zenith_rad);
+    return ask("background", AtmosphericQuery::backgroundRadiance(apparent, environment_.sun));
 }
 
 double BandSky::sun_W_m2(double altitude_m) const {
@@ -25,11 +33,13 @@ double BandSky::sun_W_m2(double altitude_m) const {
 }
 
 SunView BandSky::sunView(double altitude_m) const {
-    return environment_.sunView(altitude_m, sampling_.range());
+    SunView view = environment_.sunView(altitude_m, sampling_.range());
+    view.elevation_rad -= raised_rad_;
+    return view;
 }
 
 double BandSky::horizon_rad(double altitude_m) const {
-    return environment_.horizonElevation_rad(altitude_m, sampling_.range());
+    return environment_.horizonElevation_rad(altitude_m, sampling_.range()) - raised_rad_;
 }
 
 } // namespace irsg

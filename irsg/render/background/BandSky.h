@@ -11,8 +11,10 @@ namespace irsg {
 /// sampling, so that all of a picture is integrated alike.
 class BandSky {
   public:
-    /// Both must live as long.
-    BandSky(const Environment& environment, const SpectralSampling& sampling);
+    /// Both must live as long. `raised_rad`: apparent elevations less those that it is asked for,
+    /// which are of a flat scene.
+    BandSky(const Environment& environment, const SpectralSampling& sampling,
+            double raised_rad = 0.0);
 
     /// Throws InputError where no atmosphere answers.
     double radiance_W_m2_sr(const LineOfSight& sight) const;
@@ -30,6 +32,7 @@ class BandSky {
 
     const Environment& environment_;
     const SpectralSampling& sampling_;
+    double raised_rad_;
     mutable std::vector<std::string> providedBy_;
 };
 

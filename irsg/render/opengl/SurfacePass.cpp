@@ -149,9 +149,8 @@ struct SurfacePass::Impl {
 
     /// Leaves the depth of what hides surfaces, and no colour. What is nearer than the depth range
     /// is drawn at its near end.
-    void renderTerrain(const SurfaceScene& scene, const Raster& raster) {
-        const auto& [entity, mesh, rays, eyeFromModel] = scene.terrain;
-        if (!mesh)
+    void renderOccluders(const SurfaceScene& scene, const Raster& raster) {
+        if (!scene.terrain.mesh && scene.groundBefore.empty())
             return;
         if (!occluder)
             occluder.emplace(std::vector<std::string>{"terrain.vert.glsl"},
@@ -160,11 +159,17 @@ struct SurfacePass::Impl {
         glDisable(GL_CULL_FACE);
         glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         occluder->use();
-        occluder->set("clipFromModel", eyeFromModel * raster.clipFromEye);
-        const MeshBuffers& buffers = MeshBuffers::of(mesh);
-        buffers.bind();
-        for (std::size_t piece = 0; piece < mesh->pieces.size(); ++piece)
-            buffers.draw(piece);
+        const auto draw = [&](const SurfaceBody& body) {
+            occluder->set("clipFromModel", body.eyeFromModel * raster.clipFromEye);
+            const MeshBuffers& buffers = MeshBuffers::of(body.mesh);
+            buffers.bind();
+            for (std::size_t piece = 0; piece < body.mesh->pieces.size(); ++piece)
+                buffers.draw(piece);
+        };
+        if (scene.terrain.mesh)
+            draw(scene.terrain);
+        for (const SurfaceBody& ground : scene.groundBefore)
+            draw(ground);
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         glDisable(GL_DEPTH_CLAMP);
         MeshBuffers::unbind();
@@ -250,7 +255,7 @@ struct SurfacePass::Impl {
         for (const RasterItems& tile : tiles) {
             goTo(tile.raster);
             if (!tile.items.empty())
-                renderTerrain(tile.scene, tile.raster);
+                renderOccluders(tile.scene, tile.raster);
             renderItems(tile, false, product, width);
         }
         const std::uint32_t listed = renderTransparent(tiles, width, product);

@@ -64,6 +64,8 @@ TileRays::TileRays(const SurfaceScene& scene, const SampleTile& tile)
     }
     if (scene.terrain.rays)
         occluders_.push_back(bodyOf(scene.terrain, opaqueUses(scene.terrain.rays->pieces()), {}));
+    for (const SurfaceBody& ground : scene.groundBefore)
+        occluders_.push_back(bodyOf(ground, opaqueUses(ground.rays->pieces()), {}));
 }
 
 Ray TileRays::rayTo(const Body& body, const Vec3& eyeDirection, double from_m) {

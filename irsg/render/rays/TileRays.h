@@ -63,7 +63,7 @@ class TileRays {
     EyeDirections directions_;
     double sampleWidth_ = 0.0;
     std::vector<Body> bodies_;
-    std::vector<Body> occluders_; // none or the terrain
+    std::vector<Body> occluders_; // the terrain, and ground
 };
 
 } // namespace irsg

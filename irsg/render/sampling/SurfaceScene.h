@@ -64,6 +64,8 @@ struct SurfaceScene {
     /// Hides surfaces and is not sampled itself, because its picture belongs to the background; at
     /// any depth, the range need not hold it. Without a mesh there is none.
     SurfaceBody terrain;
+    /// What the earth's curve hides of the entities of the scene behind it; as the terrain.
+    std::vector<SurfaceBody> groundBefore;
     std::vector<SurfaceRow> rows;
 
     const SurfaceBody& bodyOf(const SurfaceItem& item) const { return bodies[item.body]; }

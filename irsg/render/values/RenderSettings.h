@@ -57,7 +57,19 @@ inline constexpr int convergedBounces = -1;
 inline constexpr int largestBackgroundGrid = 1024;
 inline constexpr double largestPointSource_px = 1.0;
 
+/// How a scene is rendered. The defaults are those of the settings of smatcore, which take them
+/// from here.
 struct RenderSettings {
+    /// Light that comes from one surface alone: without shadows of the sun and inter-reflection,
+    /// before a background of one row.
+    static RenderSettings direct() {
+        RenderSettings settings;
+        settings.sunShadows = SunShadowMode::off;
+        settings.bounces = 0;
+        settings.backgroundRows = 1;
+        return settings;
+    }
+
     EngineChoice engine = EngineChoice::opengl;
     CalculationMode mode = CalculationMode::spectral;
     /// Of in-band quantities on the cases that wideband-ck's quadrature points are trained on,
@@ -85,13 +97,13 @@ struct RenderSettings {
     /// `samplesPerAxis` is meant in all, not per axis: 4 is 2 x 2, and 2 is two side by side.
     bool countsPerPixel = false;
     ReflectionMode sun = ReflectionMode::smart;
-    SunShadowMode sunShadows = SunShadowMode::off;
+    SunShadowMode sunShadows = SunShadowMode::point;
     ReflectionMode ambientReflection = ReflectionMode::smart;
     /// Light that goes from surface to surface before it goes to the sensor: 0 for none, so many
     /// times, or convergedBounces. Where there is any, surfaces also lose what others hide of sky
     /// and ground. Not with an ambient reflection of `approx`, which is independent of geometry.
     /// See SceneLight.
-    int bounces = 0;
+    int bounces = convergedBounces;
     /// Of the view factors between surfaces, as a part of the hemisphere: 1e-5 to 0.1.
     double lightError = 0.005;
     FluxWeights fluxWeights = FluxWeights::viewFactor;
@@ -99,9 +111,10 @@ struct RenderSettings {
     BackgroundMode background = BackgroundMode::environment;
     double background_W_m2_sr = 0.0;
     /// Lines of sight over the field that the environment is asked for its background: 1 x 1 is
-    /// uniform, the one at the field's centre, 0 rows are as many as half a percent needs; see
-    /// BackgroundGrid. Each at most `largestBackgroundGrid`.
-    int backgroundRows = 1, backgroundColumns = 1;
+    /// uniform, the one at the field's centre; see BackgroundGrid. 0 rows are automatic: sums take
+    /// what is behind each object (SightsBehind), pictures as many rows as half a percent needs.
+    /// Each at most `largestBackgroundGrid`.
+    int backgroundRows = 0, backgroundColumns = 1;
     /// The sun is seen as a disc, see SunDisc.
     bool sunDisc = false;
     /// Images show the light that droplets scatter around objects, with the MTF database of the

@@ -1,0 +1,179 @@
+#include "irsg/scene/BackgroundBehind.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "irsg/atmosphere/Vacuum.h"
+#include "irsg/radiance/SceneRadiometry.h"
+#include "irsg/scene/ObjectSilhouette.h"
+#include "irsg/scene/SightsBehind.h"
+
+namespace irsg {
+
+namespace {
+
+/// A sensor nearer than so many reaches of an object sees it all around.
+constexpr double tooNear = 1.2;
+
+SharedValues along(AtmosphericQueryCache& answers, const SampledBand& band,
+                   const LineOfSight& sight) {
+    if (band.isSource)
+        return std::make_shared<const std::vector<double>>(band.sampling->size(), 0.0);
+    return answers
+        .at(AtmosphericQuery::backgroundRadiance(sight, answers.environment().sun), band.sampling)
+        .value;
+}
+
+void appendInBand(const SampledBand& band, const std::vector<double>& values,
+                  std::vector<double>& inBand) {
+    const std::vector<double>& weights_um = band.sampling->weights_um();
+    for (const auto& [first, last] : band.outputs) {
+        double sum = 0.0;
+        for (std::size_t i = first; i < last; ++i)
+            sum += weights_um[i] * values[i];
+        inBand.push_back(sum);
+    }
+}
+
+/// The weighted sum along the lines behind an object, by node of a band.
+SharedValues sumBehind(AtmosphericQueryCache& answers, const SampledBand& band,
+                       const ObjectGeometry& object) {
+    if (object.behind.size() == 1)
+        return along(answers, band, object.behind.front().sight);
+    std::vector<double> sum(band.sampling->size(), 0.0);
+    for (const auto& [sight, weight] : object.behind) {
+        const SharedValues seen = along(answers, band, sight);
+        for (std::size_t i = 0; i < sum.size(); ++i)
+            sum[i] += weight * (*seen)[i];
+    }
+    return std::make_shared<const std::vector<double>>(std::move(sum));
+}
+
+/// Parts that let no light through; all where there are none.
+std::function<bool(const Mesh::Part&)> countedParts(const Entity& entity) {
+    const auto isOpaque = [&entity](const Mesh::Part& part) {
+        const Material* material = materialEntry(entity, part.codes.material);
+        return material == nullptr || material->isOpaque();
+    };
+    if (std::ranges::any_of(entity.model->mesh()->parts, isOpaque))
+        return isOpaque;
+    return [](const Mesh::Part&) { return true; };
+}
+
+/// True where the background is the same in all directions.
+bool isEven(const Environment& environment, const SpectralRange& range) {
+    const Atmosphere* air = environment.find(range, AtmosphereProperty::backgroundRadiance);
+    return air == nullptr || dynamic_cast<const Vacuum*>(air) != nullptr;
+}
+
+} // namespace
+
+void BackgroundBehind::takeOwn(const FrameRequest& request, const std::vector<double>& ranges_m,
+                               std::vector<ObjectSums>& sums) const {
+    for (std::size_t e = 0; e < radiance.size(); ++e) {
+        const Vec3 towards = request.referencePoints_m[e] - request.view.viewpoint.position_m;
+        const double cosine = ranges_m[e] > 0.0
+                                  ? dot(towards, request.view.viewpoint.forward()) / ranges_m[e]
+                                  : 1.0;
+        for (std::size_t k = 0; k < sums.size(); ++k) {
+            const double more_W_m2_sr = radiance[e][k] - radiance[lookedAt][k];
+            if (more_W_m2_sr == 0.0)
+                continue;
+            ObjectRadiometry& object = sums[k].objects[e];
+            const double hidden_W_m2 = more_W_m2_sr * object.solidAngle_sr;
+            for (ObjectRadiometry* one : {&object, &sums[k].all}) {
+                one->contrastIntensity_W_sr -= hidden_W_m2 * ranges_m[e] * ranges_m[e];
+                one->irradiance_W_m2 -= hidden_W_m2 * cosine;
+            }
+        }
+    }
+}
+
+bool hasBackgroundBehind(const Scene& scene) {
+    const RenderSettings& settings = scene.settings;
+    return settings.background == BackgroundMode::environment && settings.backgroundRows == 0 &&
+           settings.backgroundColumns == 1 && !scene.skybox && !scene.terrain && !settings.sunDisc &&
+           !scene.entities.empty();
+}
+
+BackgroundBehind backgroundBehind(AtmosphericQueryCache& answers, const FrameRequest& request,
+                                  const std::vector<SampledBand>& bands,
+                                  std::vector<ObjectGeometry>& geometry) {
+    const Scene& scene = request.scene;
+    const SpectralRange& range = request.bands.front().range();
+    const bool isEverywhereAlike = isEven(scene.environment, range);
+    std::vector<std::vector<double>> errors;
+    for (std::size_t e = 0; e < geometry.size(); ++e) {
+        ObjectGeometry& object = geometry[e];
+        const Entity& entity = scene.entities[e];
+        const double range_m = object.path.range_m, reach_m = object.farthest_m - range_m;
+        const bool isApart = !isEverywhereAlike && range_m > tooNear * reach_m &&
+                             object.hidden != HiddenPart::all;
+        SightsBehind behind = sightsBehind(
+            object,
+            scene.environment.horizonElevation_rad(object.sight.sensorAltitude_m,
+                                                   range),
+            isApart ? std::asin(reach_m / range_m) : 0.0,
+            [&] {
+                // About the direction that the apparent one is of, see ObjectGeometry::raised_rad.
+                std::vector<SilhouettePart> slices = silhouetteOf(
+                    *entity.model->mesh(), entity.pose, request.view.viewpoint.position_m,
+                    request.referencePoints_m[e], std::asin(reach_m / range_m),
+                    countedParts(entity));
+                const double flat_rad =
+                    flatTargetView(object.path).elevation_rad + object.raised_rad;
+                for (SilhouettePart& slice : slices)
+                    slice.above_rad += flat_rad - object.sight.elevation_rad;
+                return slices;
+            },
+            [&](const LineOfSight& sight) {
+                std::vector<double> seen;
+                for (const SampledBand& band : bands)
+                    appendInBand(band, *along(answers, band, sight), seen);
+                return seen;
+            });
+        object.behind = std::move(behind.sights);
+        errors.push_back(std::move(behind.error));
+    }
+    BackgroundBehind all = backgroundAlong(answers, request, bands, geometry);
+    if (all.background)
+        all.error = std::move(errors);
+    return all;
+}
+
+BackgroundBehind backgroundAlong(AtmosphericQueryCache& answers, const FrameRequest& request,
+                                 const std::vector<SampledBand>& bands,
+                                 const std::vector<ObjectGeometry>& geometry) {
+    const auto main = static_cast<std::size_t>(request.lookedAt);
+    if (main >= geometry.size() || geometry[main].behind.empty())
+        return {};
+    BackgroundBehind all;
+    all.lookedAt = main;
+    all.background = joinedOver(bands, [&](const SampledBand& band) {
+        return sumBehind(answers, band, geometry[main]);
+    });
+    for (const ObjectGeometry& object : geometry) {
+        std::vector<double>& mean = all.radiance.emplace_back();
+        std::vector<double> least, most;
+        for (const SampledBand& band : bands)
+            appendInBand(band, *sumBehind(answers, band, object), mean);
+        for (const SightBehind& behind : object.behind) {
+            std::vector<double> seen;
+            for (const SampledBand& band : bands)
+                appendInBand(band, *along(answers, band, behind.sight), seen);
+            if (least.empty())
+                least = most = seen;
+            for (std::size_t k = 0; k < seen.size(); ++k) {
+                least[k] = std::min(least[k], seen[k]);
+                most[k] = std::max(most[k], seen[k]);
+            }
+        }
+        std::vector<double>& error = all.error.emplace_back();
+        for (std::size_t k = 0; k < least.size(); ++k)
+            error.push_back(errorOfOverlap * (most[k] - least[k]));
+    }
+    return all;
+}
+
+} // namespace irsg
