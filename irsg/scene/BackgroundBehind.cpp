@@ -73,9 +73,8 @@ void BackgroundBehind::takeOwn(const FrameRequest& request, const std::vector<do
                                std::vector<ObjectSums>& sums) const {
     for (std::size_t e = 0; e < radiance.size(); ++e) {
         const Vec3 towards = request.referencePoints_m[e] - request.view.viewpoint.position_m;
-        const double cosine = ranges_m[e] > 0.0
-                                  ? dot(towards, request.view.viewpoint.forward()) / ranges_m[e]
-                                  : 1.0;
+        const double cosine =
+            ranges_m[e] > 0.0 ? dot(towards, request.view.viewpoint.forward()) / ranges_m[e] : 1.0;
         for (std::size_t k = 0; k < sums.size(); ++k) {
             const double more_W_m2_sr = radiance[e][k] - radiance[lookedAt][k];
             if (more_W_m2_sr == 0.0)
@@ -93,8 +92,8 @@ void BackgroundBehind::takeOwn(const FrameRequest& request, const std::vector<do
 bool hasBackgroundBehind(const Scene& scene) {
     const RenderSettings& settings = scene.settings;
     return settings.background == BackgroundMode::environment && settings.backgroundRows == 0 &&
-           settings.backgroundColumns == 1 && !scene.skybox && !scene.terrain && !settings.sunDisc &&
-           !scene.entities.empty();
+           settings.backgroundColumns == 1 && !scene.skybox && !scene.terrain &&
+           !settings.sunDisc && !scene.entities.empty();
 }
 
 BackgroundBehind backgroundBehind(AtmosphericQueryCache& answers, const FrameRequest& request,
@@ -108,19 +107,17 @@ BackgroundBehind backgroundBehind(AtmosphericQueryCache& answers, const FrameReq
         ObjectGeometry& object = geometry[e];
         const Entity& entity = scene.entities[e];
         const double range_m = object.path.range_m, reach_m = object.farthest_m - range_m;
-        const bool isApart = !isEverywhereAlike && range_m > tooNear * reach_m &&
-                             object.hidden != HiddenPart::all;
+        const bool isApart =
+            !isEverywhereAlike && range_m > tooNear * reach_m && object.hidden != HiddenPart::all;
         SightsBehind behind = sightsBehind(
-            object,
-            scene.environment.horizonElevation_rad(object.sight.sensorAltitude_m,
-                                                   range),
+            object, scene.environment.horizonElevation_rad(object.sight.sensorAltitude_m, range),
             isApart ? std::asin(reach_m / range_m) : 0.0,
             [&] {
                 // About the direction that the apparent one is of, see ObjectGeometry::raised_rad.
-                std::vector<SilhouettePart> slices = silhouetteOf(
-                    *entity.model->mesh(), entity.pose, request.view.viewpoint.position_m,
-                    request.referencePoints_m[e], std::asin(reach_m / range_m),
-                    countedParts(entity));
+                std::vector<SilhouettePart> slices =
+                    silhouetteOf(*entity.model->mesh(), entity.pose,
+                                 request.view.viewpoint.position_m, request.referencePoints_m[e],
+                                 std::asin(reach_m / range_m), countedParts(entity));
                 const double flat_rad =
                     flatTargetView(object.path).elevation_rad + object.raised_rad;
                 for (SilhouettePart& slice : slices)
@@ -150,9 +147,8 @@ BackgroundBehind backgroundAlong(AtmosphericQueryCache& answers, const FrameRequ
         return {};
     BackgroundBehind all;
     all.lookedAt = main;
-    all.background = joinedOver(bands, [&](const SampledBand& band) {
-        return sumBehind(answers, band, geometry[main]);
-    });
+    all.background = joinedOver(
+        bands, [&](const SampledBand& band) { return sumBehind(answers, band, geometry[main]); });
     for (const ObjectGeometry& object : geometry) {
         std::vector<double>& mean = all.radiance.emplace_back();
         std::vector<double> least, most;

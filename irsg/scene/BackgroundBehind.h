@@ -20,7 +20,7 @@ struct BackgroundBehind {
 
     /// Gives each object its own background, of sums that have the one above.
     void takeOwn(const FrameRequest& request, const std::vector<double>& ranges_m,
-                   std::vector<ObjectSums>& sums) const;
+                 std::vector<ObjectSums>& sums) const;
 };
 
 /// True where objects have backgrounds of their own directions: with automatic rows of the

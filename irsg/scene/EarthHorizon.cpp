@@ -18,11 +18,11 @@ std::pair<double, double> altitudesOf(const Entity& entity) {
     const BoundingBox box = entity.model->bounds();
     double low_m = std::numeric_limits<double>::infinity(), high_m = -low_m;
     for (unsigned i = 0; i < 8; ++i) {
-        const double z_m = entity.pose
-                               .toWorld({(i & 1 ? box.max : box.min).x,
-                                         (i & 2 ? box.max : box.min).y,
-                                         (i & 4 ? box.max : box.min).z})
-                               .z;
+        const double z_m =
+            entity.pose
+                .toWorld({(i & 1 ? box.max : box.min).x, (i & 2 ? box.max : box.min).y,
+                          (i & 4 ? box.max : box.min).z})
+                .z;
         low_m = std::min(low_m, z_m);
         high_m = std::max(high_m, z_m);
     }
@@ -50,8 +50,8 @@ void takeApparentDirection(const Environment& environment, const SpectralRange& 
     if (object.hidden == HiddenPart::all)
         object.path.targetAltitude_m = seen.targetAltitude_m;
     object.raised_rad = view.elevation_rad - flatTargetView(seen).elevation_rad;
-    object.sight = steadied(LineOfSight{object.path.sensorAltitude_m, view.elevation_rad,
-                                        object.path.azimuth_rad});
+    object.sight = steadied(
+        LineOfSight{object.path.sensorAltitude_m, view.elevation_rad, object.path.azimuth_rad});
 }
 
 Mesh::Part quads(const std::vector<std::array<Vec3, 4>>& corners) {
@@ -104,8 +104,8 @@ void takeApparentDirections(FrameRequest& request, std::vector<ObjectGeometry>& 
         return;
     constexpr double zenith_rad = 0.5 * std::numbers::pi;
     request.raised_rad = geometry[static_cast<std::size_t>(request.lookedAt)].raised_rad;
-    request.centre.elevation_rad = std::clamp(request.centre.elevation_rad + request.raised_rad,
-                                              -zenith_rad, zenith_rad);
+    request.centre.elevation_rad =
+        std::clamp(request.centre.elevation_rad + request.raised_rad, -zenith_rad, zenith_rad);
     request.centre = steadied(request.centre);
 }
 

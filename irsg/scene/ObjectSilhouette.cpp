@@ -14,7 +14,8 @@ constexpr std::size_t slices = 64;
 /// Solid angles by slice with their moments.
 class Slices {
   public:
-    explicit Slices(double reach_rad) : first_rad_(-reach_rad), width_rad_(2.0 * reach_rad / slices) {}
+    explicit Slices(double reach_rad)
+        : first_rad_(-reach_rad), width_rad_(2.0 * reach_rad / slices) {}
 
     /// A triangle by the elevations of its corners.
     void add(std::array<double, 3> corners_rad, double solidAngle_sr) {
@@ -86,16 +87,15 @@ std::vector<SilhouettePart> silhouetteOf(const Mesh& mesh, const Pose& pose, con
             const double sine = place.z / length(place), mean = 0.5 * (sine + middleSine);
             // asin(sine) - asin(middleSine), near enough over an object.
             const double cosine = std::sqrt(std::max(1.0 - mean * mean, 1e-12));
-            above_rad.push_back(
-                std::clamp((sine - middleSine) / cosine, -reach_rad, reach_rad));
+            above_rad.push_back(std::clamp((sine - middleSine) / cosine, -reach_rad, reach_rad));
         }
         for (std::size_t i = 0; i + 2 < part.triangles.size(); i += 3) {
             const unsigned a = part.triangles[i], b = part.triangles[i + 1],
                            c = part.triangles[i + 2];
             const Vec3 normal = cross(places[b] - places[a], places[c] - places[a]);
             const double distance_m = length(places[a]);
-            const double solidAngle_sr = 0.5 * std::abs(dot(normal, places[a])) /
-                                         (distance_m * distance_m * distance_m);
+            const double solidAngle_sr =
+                0.5 * std::abs(dot(normal, places[a])) / (distance_m * distance_m * distance_m);
             if (solidAngle_sr > 0.0)
                 sums.add({above_rad[a], above_rad[b], above_rad[c]}, solidAngle_sr);
         }

@@ -37,8 +37,8 @@ struct Side {
     double angle_rad(double place) const {
         if (!isRoot)
             return nearest_rad + place * (farthest_rad - nearest_rad);
-        const double root = std::sqrt(nearest_rad) +
-                            place * (std::sqrt(farthest_rad) - std::sqrt(nearest_rad));
+        const double root =
+            std::sqrt(nearest_rad) + place * (std::sqrt(farthest_rad) - std::sqrt(nearest_rad));
         return root * root;
     }
 };

@@ -27,7 +27,8 @@ using RadianceAlong = std::function<std::vector<double>(const LineOfSight&)>;
 /// side of the horizon, from the lowest to the highest direction of the object's sphere, so that
 /// all aspects share them; those that no slice needs are left out. Between three rows the radiance
 /// is a parabola, in the elevation above the horizon and in the root of the angle below it. Rows
-/// are doubled until that changes the background by less than 0.02 %, from three up to 65 on a side.
+/// are doubled until that changes the background by less than 0.02 %, from three up to 65 on a
+/// side.
 ///
 /// `reach_rad`: of the sphere about the reference point. `slices`: of its silhouette, asked for
 /// only where rows are needed. An air that answers for the one direction alone is asked for that.

@@ -29,18 +29,19 @@ class BareEarth : public ConstantAtmosphere {
 class HullDown : public ::testing::TestWithParam<EngineChoice> {
   protected:
     void SetUp() override {
-        if (GetParam() == EngineChoice::rays && !areRaysBuilt())
+        if (GetParam() == EngineChoice::rays && !areRaysBuilt()) {
             GTEST_SKIP() << whyNoRays();
+        }
         RenderSettings settings = RenderSettings::direct();
         settings.engine = GetParam();
         settings.sun = settings.ambientReflection = ReflectionMode::off;
         irsg.scene.settings = settings;
         irsg.scene.environment = Environment();
         irsg.scene.environment.add(std::make_shared<BareEarth>());
-        Entity wall =
-            entityOf(modelOf(plateMesh({0, 0, 0.5 * height_m}, {50, 0, 0}, {0, 0, 0.5 * height_m},
-                                       one)),
-                     greyDatabase(1.0, 300.0));
+        Entity wall = entityOf(
+            modelOf(plateMesh({0, 0, 0.5 * height_m}, {50, 0, 0}, {0, 0, 0.5 * height_m}, one)),
+            greyDatabase(1.0, 300.0));
+        wall.pose.position_m = {};
         irsg.scene.entities = {wall};
     }
     RenderReport from(double range_m, int side_px = 200) {
@@ -48,8 +49,7 @@ class HullDown : public ::testing::TestWithParam<EngineChoice> {
                             .height_px = side_px,
                             .horizontalFieldOfView_rad = 150.0 / range_m,
                             .band = Band::topHat(8.0, 12.0)};
-        irsg.view.viewpoint =
-            Viewpoint::lookAt({0, -range_m, sensor_m}, {0, 0, 0.5 * height_m});
+        irsg.view.viewpoint = Viewpoint::lookAt({0, -range_m, sensor_m}, {0, 0, 0.5 * height_m});
         return irsg.measure();
     }
 
