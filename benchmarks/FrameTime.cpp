@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
             entity.database =
                 std::make_shared<const SignatureDatabase>(plainDatabase(*model, transmissivity));
             entity.pose.position_m.z = 1000.0;
-            InteractiveRenderer irsg(RenderSettings::direct());
+            InteractiveRenderer irsg{RenderSettings::direct()};
             RenderSettings settings = RenderSettings::direct();
             settings.tileSide_samples = 0;
             settings.samplesPerAxis = 1;

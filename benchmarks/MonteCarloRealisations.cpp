@@ -25,7 +25,7 @@ double seconds(const std::function<void()>& work) {
 /// One view of the target of a project.
 struct View {
     SceneDescription scene;
-    irsg::InteractiveRenderer irsg(irsg::RenderSettings::direct());
+    irsg::InteractiveRenderer irsg;
     std::vector<SceneScaling> scalings;
     std::vector<irsg::ScalingInput> inputs;
 

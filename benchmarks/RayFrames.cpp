@@ -83,7 +83,7 @@ void measureLight(const Entity& entity, EngineChoice engine, int aspects) {
           Case{"shadows, converged", SunShadowMode::point, convergedBounces, false},
           Case{"lobes", SunShadowMode::off, 0, true},
           Case{"lobes, shadows, converged", SunShadowMode::point, convergedBounces, true}}) {
-        InteractiveRenderer irsg(RenderSettings::direct());
+        InteractiveRenderer irsg{RenderSettings::direct()};
         RenderSettings settings = RenderSettings::direct();
         settings.engine = engine;
         settings.sunShadows = shadows;
@@ -175,7 +175,7 @@ void measureEngines() {
                 std::printf("%-10.0f %9d %8d", facets, side_px * side_px, shells);
                 for (int what = 0; what < 3; ++what)
                     for (const EngineChoice engine : {EngineChoice::opengl, EngineChoice::rays}) {
-                        InteractiveRenderer irsg(RenderSettings::direct());
+                        InteractiveRenderer irsg{RenderSettings::direct()};
                         RenderSettings settings = RenderSettings::direct();
                         settings.engine = engine;
                         settings.sunShadows = what == 1 ? SunShadowMode::point : SunShadowMode::off;
@@ -202,7 +202,7 @@ void measure(const char* name, const Entity& entity) {
     for (const SunShadowMode shadows :
          {SunShadowMode::off, SunShadowMode::point, SunShadowMode::disc})
         for (const EngineChoice engine : {EngineChoice::opengl, EngineChoice::rays}) {
-            InteractiveRenderer irsg(RenderSettings::direct());
+            InteractiveRenderer irsg{RenderSettings::direct()};
             RenderSettings settings = RenderSettings::direct();
             settings.engine = engine;
             settings.sunShadows = shadows;

@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
     for (const SpectralRange& range : bands) {
         const Band band = Band::topHat(range.min_um, range.max_um);
         for (int model = 1; model <= 6; ++model) {
-            InteractiveRenderer irsg(RenderSettings::direct());
+            InteractiveRenderer irsg{RenderSettings::direct()};
             irsg.scene.environment = environmentOf(
                 smartAtmosphere(model, range.min_um, range.max_um, 2, resolution_per_cm));
             const auto scenes = widebandScenes(band);

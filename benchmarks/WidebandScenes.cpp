@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
                 "difference %% | "
                 "spectral ms | wideband ms | ratio |\n|---|---|---|---|---|---|---|---|---|\n");
     for (const WidebandAtmosphere& air : widebandAtmospheres()) {
-        InteractiveRenderer irsg(RenderSettings::direct());
+        InteractiveRenderer irsg{RenderSettings::direct()};
         irsg.scene.environment = air.environment(resolution_per_cm);
         for (const WidebandScene& scene : widebandScenes(air.band()))
             for (const ReflectionMode reflection : {ReflectionMode::off, ReflectionMode::smart}) {

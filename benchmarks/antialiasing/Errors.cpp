@@ -93,7 +93,7 @@ std::vector<Phase> look(InteractiveRenderer& irsg, const Body& body, double size
 void measureErrors(const Options& options) {
     std::ofstream file(options.folder / "errors.csv");
     file << "body,size [px],strategy,mode,rms_error [%],largest_error [%]\n";
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = test::environmentOf(test::ConstantAtmosphere{});
     for (const Body& body : chosenBodies(options)) {
         irsg.scene.entities = {greyEntity(body.mesh)};
@@ -120,7 +120,7 @@ void measureAngles(const Options& options) {
     std::ofstream file(options.folder / "angles.csv");
     file << "angle [deg],size [px],rms_error [%],largest_error [%]\n";
 
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = test::environmentOf(test::ConstantAtmosphere{});
     Body body = bodies()[1];
     irsg.scene.entities = {greyEntity(body.mesh)};

@@ -69,7 +69,7 @@ void measureParts(const Options& options) {
     const std::vector<double> azimuths_deg = {60.0, 110.0, 160.0};
     const std::vector<Way> all = ways();
 
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = test::environmentOf(test::ConstantAtmosphere{});
     irsg.scene.entities = {sampleAircraft()};
     struct Sum {

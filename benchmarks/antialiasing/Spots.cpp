@@ -115,7 +115,7 @@ RenderSettings settingsOf(int tileSide_samples) {
 void measureSpots(const Options& options) {
     std::printf("Balls and plates of %.2f m at 900 K before a wall of 30 m x 10 m at 280 K\n",
                 diameter_m);
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = test::environmentOf(test::ConstantAtmosphere{});
     for (const int spots : {1, 2, 4, 8, 15, 16, 17, 18, 24, 48, 100, 200}) {
         const Scene scene(spots);
@@ -161,7 +161,7 @@ void measureSpots(const Options& options) {
 
 void measureNoses(const Options& options) {
     std::printf("A box of 86 x 4 pixels and slimmer, turned in steps of a degree\n");
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = test::environmentOf(test::ConstantAtmosphere{});
     const double radiance = bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 280.0);
     for (const double thickness_m : {4.0, 1.2, 0.4}) {
@@ -205,7 +205,7 @@ void measurePolar(const Options&) {
                                    loadSignatureFile(folder + "turboprop4.sigdb").database);
     entity.state.power = 0.7;
     entity.state.mach = 0.4;
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = test::environmentOf(test::ConstantAtmosphere{});
     irsg.scene.entities = {entity};
     constexpr double range_m = 5e3;

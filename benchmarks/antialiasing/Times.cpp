@@ -221,7 +221,7 @@ void measureRanges(const Options& options) {
 
     // The sphere of 1 m radius moves across the pixels as it recedes; finely stepped, so that what
     // a mode makes of its phase is seen.
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = test::environmentOf(test::ConstantAtmosphere{});
     irsg.scene.entities = {greyEntity(bodies().front().mesh)};
     constexpr int steps = 200;
@@ -249,7 +249,7 @@ void measureRanges(const Options& options) {
 
 void profile(const Options& options) {
     for (const Body& body : chosenBodies(options)) {
-        InteractiveRenderer irsg(RenderSettings::direct());
+        InteractiveRenderer irsg{RenderSettings::direct()};
         irsg.scene.environment = test::environmentOf(test::ConstantAtmosphere{});
         Entity entity = greyEntity(body.mesh);
         entity.pose.attitude = body.attitude;

@@ -69,20 +69,42 @@ bool isEven(const Environment& environment, const SpectralRange& range) {
 
 } // namespace
 
-void BackgroundBehind::takeOwn(const FrameRequest& request, const std::vector<double>& ranges_m,
+double usedBehind(const FrameRequest& request, const ObjectGeometry& object,
+                  const FrameBackground& background) {
+    if (background.isUniform())
+        return background.centre_W_m2_sr();
+    const Sensor& sensor = request.view.sensor;
+    const auto pixel = [](double place, int size) {
+        return static_cast<int>(std::clamp(place, 0.0, size - 1.0));
+    };
+    double used = 0.0;
+    for (const auto& [sight, weight] : object.behind) {
+        const Vec3 towards = direction(sight.azimuth_rad, sight.elevation_rad - request.raised_rad);
+        const auto place = request.camera.placeOf(request.view.viewpoint.position_m +
+                                                  towards * object.path.range_m);
+        used += weight * (place ? background.at(pixel(place->first, sensor.width_px),
+                                                pixel(place->second, sensor.height_px))
+                                : background.centre_W_m2_sr());
+    }
+    return used;
+}
+
+void BackgroundBehind::takeOwn(const FrameRequest& request,
+                               const std::vector<ObjectGeometry>& geometry,
+                               const std::vector<FrameBackground>& taken,
                                std::vector<ObjectSums>& sums) const {
     for (std::size_t e = 0; e < radiance.size(); ++e) {
         const Vec3 towards = request.referencePoints_m[e] - request.view.viewpoint.position_m;
+        const double range_m = geometry[e].path.range_m;
         const double cosine =
-            ranges_m[e] > 0.0 ? dot(towards, request.view.viewpoint.forward()) / ranges_m[e] : 1.0;
-        for (std::size_t k = 0; k < sums.size(); ++k) {
-            const double more_W_m2_sr = radiance[e][k] - radiance[lookedAt][k];
-            if (more_W_m2_sr == 0.0)
-                continue;
+            range_m > 0.0 ? dot(towards, request.view.viewpoint.forward()) / range_m : 1.0;
+        for (std::size_t k = 0; e != lookedAt && k < sums.size(); ++k) {
             ObjectRadiometry& object = sums[k].objects[e];
-            const double hidden_W_m2 = more_W_m2_sr * object.solidAngle_sr;
+            const double hidden_W_m2 =
+                (radiance[e][k] - usedBehind(request, geometry[e], taken[k])) *
+                object.solidAngle_sr;
             for (ObjectRadiometry* one : {&object, &sums[k].all}) {
-                one->contrastIntensity_W_sr -= hidden_W_m2 * ranges_m[e] * ranges_m[e];
+                one->contrastIntensity_W_sr -= hidden_W_m2 * range_m * range_m;
                 one->irradiance_W_m2 -= hidden_W_m2 * cosine;
             }
         }

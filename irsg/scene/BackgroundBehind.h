@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "irsg/geometry/view/FrameBackground.h"
 #include "irsg/radiance/AtmosphericQueryCache.h"
 #include "irsg/radiance/Reductions.h"
 #include "irsg/radiance/SceneSampling.h"
@@ -18,10 +19,17 @@ struct BackgroundBehind {
     // By entity and output, W m-2 sr-1.
     std::vector<std::vector<double>> radiance, error;
 
-    /// Gives each object its own background, of sums that have the one above.
-    void takeOwn(const FrameRequest& request, const std::vector<double>& ranges_m,
-                 std::vector<ObjectSums>& sums) const;
+    /// Gives each object its own background, of sums that have another one: by output, what all of
+    /// them take. Of one that varies over the frame the object that is looked at keeps what its
+    /// pixels have.
+    void takeOwn(const FrameRequest& request, const std::vector<ObjectGeometry>& geometry,
+                 const std::vector<FrameBackground>& taken, std::vector<ObjectSums>& sums) const;
 };
+
+/// What a background has behind an object, as its lines of sight count; of one that varies over the
+/// frame in the pixels of these.
+double usedBehind(const FrameRequest& request, const ObjectGeometry& object,
+                  const FrameBackground& background);
 
 /// True where objects have backgrounds of their own directions: with automatic rows of the
 /// environment's background, and no picture behind.

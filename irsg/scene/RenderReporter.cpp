@@ -49,7 +49,8 @@ std::vector<RenderReport> RenderReporter::reports(const Frame& frame, const View
         std::vector<ObjectSums> sums =
             objectSums(factors, evaluated.radiances, frame.light(), frame.rows(), ranges_m,
                        frame.backgrounds.numbersOfVarying());
-        frame.evaluation().behind.takeOwn(frame.request, ranges_m, sums);
+        frame.evaluation().behind.takeOwn(frame.request, frame.evaluation().geometry,
+                                          frame.backgrounds.ofSums, sums);
         ErrorsByOutput errors;
         if (frame.request.withErrors)
             errors = errors_.ofBands(frame, factors, sums);

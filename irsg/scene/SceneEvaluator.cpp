@@ -35,6 +35,18 @@ void takeSpecularEnvironmentGrids(const Scene& scene, const Band& band,
     }
 }
 
+/// True where the background changes over an object of many pixels, which is rendered by itself.
+bool isBackgroundSummedByPixel(const FrameRequest& request, const SceneEvaluation& evaluation) {
+    constexpr double fewest_px = 16.0; // over an object's sphere
+    return !request.alongRange &&
+           std::ranges::any_of(evaluation.geometry, [&](const ObjectGeometry& object) {
+               const double reach_m = object.farthest_m - object.path.range_m;
+               return object.behind.size() > 1 &&
+                      2.0 * reach_m >=
+                          fewest_px * request.view.sensor.pixelPitch() * object.path.range_m;
+           });
+}
+
 /// What the shader is told of each drawn row, in the first output.
 std::vector<SurfaceRow> rowsOf(EvaluatedScene& evaluated) {
     const SurfaceRows& rows = evaluated.radiometry.rows();
@@ -117,9 +129,11 @@ FrameBackgrounds SceneEvaluator::backgrounds(const FrameRequest& request,
             BackgroundSettings wanted;
             wanted.queriesEnvironment = settings.background == BackgroundMode::environment;
             wanted.uniform_W_m2_sr = radiances.background_W_m2_sr(k);
-            // Where objects have their own, only a picture shows the field's.
+            // Where objects have their own, a picture shows the field's, and what large objects
+            // hide of it is summed pixel by pixel.
             const bool haveOwn = evaluation.behind.background != nullptr;
-            wanted.rows = haveOwn && !request.withImage ? 1 : settings.backgroundRows;
+            const bool isByPixel = haveOwn && isBackgroundSummedByPixel(request, evaluation);
+            wanted.rows = haveOwn && !request.withImage && !isByPixel ? 1 : settings.backgroundRows;
             wanted.columns = settings.backgroundColumns;
             wanted.sunDisc = settings.sunDisc;
             wanted.skybox = settings.skybox;
@@ -127,8 +141,8 @@ FrameBackgrounds SceneEvaluator::backgrounds(const FrameRequest& request,
             BackgroundReport report;
             all.byOutput.push_back(background_.draw(request.view.sensor, request.view.viewpoint,
                                                     sky, wanted, terrainPainter, report));
-            all.ofSums.push_back(haveOwn ? FrameBackground(wanted.uniform_W_m2_sr)
-                                         : all.byOutput.back());
+            all.ofSums.push_back(haveOwn && !isByPixel ? FrameBackground(wanted.uniform_W_m2_sr)
+                                                       : all.byOutput.back());
             all.report.flooredPixels += report.flooredPixels;
             addProvider(all.report.providedBy, report.providedBy);
             appendUnique(all.report.warnings, report.warnings);

@@ -10,7 +10,7 @@ namespace irsg {
 
 /// Of the change of the background over an object: what is wrong because parts that another part
 /// hides are counted. Measured, see docs/errors.md.
-inline constexpr double errorOfOverlap = 0.06;
+inline constexpr double errorOfOverlap = 0.03;
 
 /// Lines of sight whose weighted sum is the background behind an object, and how far off it is.
 struct SightsBehind {

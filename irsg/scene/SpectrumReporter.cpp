@@ -49,7 +49,10 @@ SpectrumOfView SpectrumReporter::spectrum(const Frame& frame, const ViewGeometry
         std::vector<ObjectSums> sums =
             objectSums(factors, evaluated.radiances, light.get(), evaluated.radiometry.rows(),
                        ranges_m, std::vector<int>(wavelengths.ascending_um.size(), -1));
-        sampled.behind.takeOwn(frame.request, ranges_m, sums);
+        std::vector<FrameBackground> taken;
+        for (std::size_t k = 0; k < sums.size(); ++k)
+            taken.emplace_back(evaluated.radiances.background_W_m2_sr(k));
+        sampled.behind.takeOwn(frame.request, frame.evaluation().geometry, taken, sums);
 
         SpectrumOfView result;
         IntensitySpectrum& spectrum = result.spectrum;

@@ -16,7 +16,7 @@ constexpr double pixel_rad = 1e-4;
 constexpr double emissivity = 0.9, temperature_K = 320.0;
 
 InteractiveRenderer& generator(double background_W_m2_sr = 0.0) {
-    static InteractiveRenderer irsg(RenderSettings::direct());
+    static InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     RenderSettings settings = RenderSettings::direct();
     settings.background = BackgroundMode::constant;
@@ -357,7 +357,7 @@ TEST(PointSource, DoesNotDependOnWhoSawItFirst) {
     look(seasoned, wanted);
     const auto again = seasoned.imageWithReport();
 
-    InteractiveRenderer fresh(RenderSettings::direct());
+    InteractiveRenderer fresh{RenderSettings::direct()};
     fresh.scene.environment = seasoned.scene.environment;
     fresh.scene.settings = seasoned.scene.settings;
     fresh.scene.entities = {body};
@@ -396,7 +396,7 @@ TEST(AlignedTiles, SharesTheMemoryOfItsTiles) {
     constexpr std::size_t allowance_bytes = 32u << 20;
     const std::shared_ptr<const Model> ball = modelOf(sphereMesh(1.0, 16, 32, one));
     const auto memory_bytes = [&](int objects, double transmissivity) {
-        InteractiveRenderer irsg(RenderSettings::direct());
+        InteractiveRenderer irsg{RenderSettings::direct()};
         irsg.scene.environment = environmentOf(ConstantAtmosphere{});
         RenderSettings settings = RenderSettings::direct();
         settings.tileSide_samples = 512;

@@ -120,7 +120,7 @@ TEST(SlicesOfBands, AreTakenAsFinelyAsEachBandNeeds) {
 }
 
 TEST(SlicesOfBands, GiveWhatEachBandGivesAlone) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = atmosphereWithABand();
     irsg.scene.entities = {twoWalls()};
     look(irsg, {.range_m = 40.0, .fieldOfView_rad = 0.2});

@@ -81,7 +81,7 @@ class BackgroundScene : public ::testing::Test {
     }
 
     ConstantAtmosphere air;
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     RenderSettings settings = RenderSettings::direct();
     const double blackBody = bandRadiance_W_m2_sr(Band::topHat(3.0, 5.0), 320.0);
 };

@@ -41,7 +41,7 @@ void aim(InteractiveRenderer& irsg, double azimuth_rad) {
 }
 
 InteractiveRenderer glazedBody() {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = brightAtmosphere();
     irsg.scene.entities = {entityOf(modelOf(glazedMesh()), measuredBody())};
     return irsg;

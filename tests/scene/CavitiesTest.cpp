@@ -94,7 +94,7 @@ constexpr std::array<double, 3> emissivities{0.5, 0.7, 0.9};
 /// Intensities on the axis from afar, as parts of that of black walls.
 std::array<double, 3> normalEmissivities(const Triangles& mesh) {
     const std::shared_ptr<const Model> model = modelOf(oneSided(mesh));
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = Environment::vacuum();
     irsg.view.sensor = sensorOf(32, 32, 0.3);
     const auto intensity = [&](double emissivity, int bounces) {

@@ -159,7 +159,7 @@ TEST(ErrorsOfScenes, CoverWhatIsWrong) {
 }
 
 TEST(ErrorsOfScenes, AreThoseOfTheScatterOfARangeCurve) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = Environment::vacuum();
     irsg.scene.entities = {sampleAircraft()};
     for (const bool alongRange : {true, false}) {
@@ -207,7 +207,7 @@ TEST(ErrorsOfScenes, AreOfferedOnRequestAndChangeNoNumber) {
 }
 
 TEST(ErrorsOfScenes, OfASpectrumAreThoseOfItsBand) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = Environment::vacuum();
     irsg.scene.entities = {
         entityOf(modelOf(sphereMesh(5.0, 24, 48, {1, 1})), greyDatabase(0.9, 290.0))};
@@ -254,7 +254,7 @@ TEST(ErrorsOfScenes, OfASpectrumAreThoseOfItsBand) {
 
 TEST(ErrorsOfScenes, OfTheBackgroundAreThoseOfAHorizonBehindTheObject) {
     // Seen level from its own height, with the horizon behind its lower part.
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(smartAtmosphere(6));
     irsg.scene.entities = {
         entityOf(modelOf(sphereMesh(5.0, 24, 48, {1, 1})), greyDatabase(0.9, 290.0))};
@@ -272,7 +272,7 @@ TEST(ErrorsOfScenes, OfTheBackgroundAreThoseOfAHorizonBehindTheObject) {
 }
 
 TEST_F(ErrorsOfExchange, ArePartOfWhatItChanges) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     // Whoever looks, plates that cross are seen with others before them.
     const Triangles cross = joined(plateMesh({}, {1, 0, 0}, {0, 0.7, 0.7}, {1, 1}),
                                    plateMesh({}, {1, 0, 0}, {0, 0.7, -0.7}, {1, 1}));

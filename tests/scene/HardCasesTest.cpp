@@ -39,7 +39,7 @@ bool allFinite(const RadianceImage& image) {
 
 /// A sphere in the dark, with settings that a test changes.
 struct Stage {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     std::shared_ptr<const Model> sphere = modelOf(sphereMesh(1.0, 32, 64, one));
 
     Stage() {
@@ -52,7 +52,7 @@ struct Stage {
 } // namespace
 
 TEST(FloatTargets, KeepRadiancesFarAboveOneAndBelowZero) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = darkness();
     const auto model = modelOf(plateMesh({0, 0, 0}, {1, 0, 0}, {0, 0, 1}, one));
     for (double level : {1e6, -3.5, 123.25}) {
@@ -93,7 +93,7 @@ TEST(Drawing, IsBitEqualWhenRepeated) {
 TEST(Drawing, PutsTheSkyAtTheTop) {
     // A plate above the axis of the camera is seen in the upper half of the picture, one to
     // starboard of a target seen from its nose in the left half.
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = darkness();
     const auto model = modelOf(plateMesh({0.5, 0, 0.5}, {0.3, 0, 0}, {0, 0, 0.3}, one));
     irsg.scene.entities = {entityOf(model, greyDatabase(1.0, 300.0))};
@@ -262,7 +262,7 @@ TEST(Layers, BeyondTheLimitAreCountedAndReported) {
         const Triangles plate = plateMesh({0, i * 0.1, 0}, {1, 0, 0}, {0, 0, 1}, one);
         mesh.insert(mesh.end(), plate.begin(), plate.end());
     }
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = darkness();
     RenderSettings settings = RenderSettings::direct();
     settings.tileSide_samples = 0;
@@ -293,7 +293,7 @@ TEST(Layers, OfCoplanarGlassDoNotDependOnTheOrderInTheFile) {
     SignatureDatabase database = greyDatabase(0.3, 320.0, 0.0, 0.7);
     database.temperatures[2] = fixedTemperature(350.0);
     database.materials[2] = greyMaterial(0.5, 0.4);
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = darkness();
     irsg.scene.entities = {entityOf(modelOf(forward), database)};
     look(irsg, {});

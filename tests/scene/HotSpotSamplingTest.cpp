@@ -83,7 +83,7 @@ RenderSettings settingsOf(int tileSide_samples, bool hotSpots = true) {
 }
 
 InteractiveRenderer& generator() {
-    static InteractiveRenderer irsg(RenderSettings::direct());
+    static InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     return irsg;
 }
@@ -206,7 +206,7 @@ TEST(HotSpotSampling, OfSeveralStatesAreDrawnOnceForAll) {
     database.temperatures[2].terms.power = LookupTable({0.0, 1.0}, {0.0, hot_K - skin_K});
     wall.database = std::make_shared<const SignatureDatabase>(database);
     const auto measured = [&](const std::vector<double>& powers, bool areShared, long& drawings) {
-        InteractiveRenderer irsg(RenderSettings::direct());
+        InteractiveRenderer irsg{RenderSettings::direct()};
         irsg.scene.environment = environmentOf(ConstantAtmosphere{});
         irsg.scene.settings = settingsOf(128);
         Entity entity = wall;

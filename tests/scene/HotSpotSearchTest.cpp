@@ -91,7 +91,7 @@ double largestError(InteractiveRenderer& irsg, double size_px) {
 } // namespace
 
 TEST(HotSpotSearch, AreSurfacesThatShineOutOfTheirObject) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     for (const auto& [temperature_K, isHot] :
          {std::pair{900.0, true}, {500.0, true}, {330.0, false}, {300.0, false}, {200.0, false}}) {
@@ -122,7 +122,7 @@ TEST(HotSpotSearch, AreFoundPieceByPiece) {
 
 TEST(HotSpotSearch, AreNarrowerThanTheSamplesAndKeepTheirIntensity) {
     // 30 m in 256 samples are 12 cm each; the lips are 2 cm wide.
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.entities = {wall()};
     for (const double size_px : {90.0, 30.0, 3.0, 0.7, 0.04, 0.01}) {
@@ -134,7 +134,7 @@ TEST(HotSpotSearch, AreNarrowerThanTheSamplesAndKeepTheirIntensity) {
 }
 
 TEST(HotSpotSearch, AreTheSameInImagesAndInFactors) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.entities = {wall()};
     for (const bool hotSpots : {true, false, true}) {

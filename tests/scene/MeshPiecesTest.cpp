@@ -60,7 +60,7 @@ TEST(MeshPieces, HoldEveryTriangleOnceWithItsCodes) {
 
 // A window that shows a part of a model leaves out the pieces beside it, and shows the same.
 TEST(MeshPieces, ThatATileCannotShowAreNotMissed) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     RenderSettings settings = RenderSettings::direct();
     settings.tileSide_samples = 0;

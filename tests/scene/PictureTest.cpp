@@ -60,7 +60,7 @@ class PictureTest : public testing::Test {
         EXPECT_EQ(found.attributes, expected.attributes) << what;
     }
 
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
 };
 
 TEST_F(PictureTest, FollowsEveryEditAsRenderDoesAndDrawsTheViewOnce) {

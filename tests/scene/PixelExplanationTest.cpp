@@ -38,7 +38,7 @@ Triangles plate(double y_m, IrCodes codes, double half_m = 1.0) {
 InteractiveRenderer sceneOf(const Triangles& mesh, const SignatureDatabase& database,
                             const Environment& environment,
                             RenderSettings settings = RenderSettings::direct()) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.settings = settings;
     irsg.scene.environment = environment;
     irsg.scene.entities = {entityOf(modelOf(mesh), database)};

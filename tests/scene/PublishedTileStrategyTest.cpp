@@ -41,7 +41,7 @@ double mean(const std::vector<double>& values) {
 }
 
 InteractiveRenderer& generator(TileStrategy strategy, int size = 256) {
-    static InteractiveRenderer irsg(RenderSettings::direct());
+    static InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     RenderSettings settings = RenderSettings::direct();
     settings.tileSide_samples = size;

@@ -74,7 +74,7 @@ RenderSettings emissionAlone() {
 } // namespace
 
 TEST(BodyInGas, ShowsWhatItsClosedFormSays) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = Environment::vacuum();
     irsg.scene.settings = emissionAlone();
     irsg.scene.entities = {entityOf(modelOf(platesBehindEachOther(false)), bodyInGas())};
@@ -85,7 +85,7 @@ TEST(BodyInGas, ShowsWhatItsClosedFormSays) {
 }
 
 TEST(BodyInGas, ShowsWhatItsClosedFormSaysInTwoGasesThatOverlap) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = Environment::vacuum();
     irsg.scene.settings = emissionAlone();
     irsg.scene.entities = {entityOf(modelOf(platesBehindEachOther(true)), bodyInGas())};
@@ -109,10 +109,10 @@ TEST(BodyInGas, ShowsWhatItDoesInAFirstPictureWhateverWasDrawnBefore) {
                                     plateMesh({6, 0, 0}, {0, 3, 0}, {0, 0, -3}, otherGas))),
                      bodyInGas())};
     };
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     prepare(irsg);
     for (const double azimuth_deg : {0.0, 0.0, 60.0, 90.0, 0.0}) {
-        InteractiveRenderer anew(RenderSettings::direct());
+        InteractiveRenderer anew{RenderSettings::direct()};
         prepare(anew);
         EXPECT_EQ(pictureOf(irsg, radians(azimuth_deg)), pictureOf(anew, radians(azimuth_deg)))
             << azimuth_deg;
@@ -121,7 +121,7 @@ TEST(BodyInGas, ShowsWhatItDoesInAFirstPictureWhateverWasDrawnBefore) {
 
 TEST(EveryWayToANumber, GivesTheSameNumber) {
     for (const int tileSide_samples : {0, 128}) {
-        InteractiveRenderer irsg(RenderSettings::direct());
+        InteractiveRenderer irsg{RenderSettings::direct()};
         irsg.scene.environment = brightAtmosphere();
         SignatureDatabase database = bodyInGas();
         database.materials[1] = greyMaterial(0.7);
@@ -171,7 +171,7 @@ TEST(EveryWayToANumber, GivesTheSameNumber) {
 }
 
 TEST(SeveralBands, AreThoseOfRunsOfTheirOwnAndAddUp) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = brightAtmosphere();
     irsg.scene.entities = {entityOf(modelOf(glazedMesh()), [] {
         SignatureDatabase database = bodyInGas();
@@ -209,7 +209,7 @@ TEST(SeveralBands, AreThoseOfRunsOfTheirOwnAndAddUp) {
 }
 
 TEST(Threads, LeaveEveryBitAsItIs) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = brightAtmosphere();
     irsg.scene.entities = {entityOf(modelOf(glazedMesh()), [] {
         SignatureDatabase database = bodyInGas();
@@ -219,7 +219,7 @@ TEST(Threads, LeaveEveryBitAsItIs) {
     look(irsg, {.range_m = 100.0, .azimuth_rad = 0.5, .elevation_rad = 0.2});
     const auto all = [&](unsigned threads) {
         setMostThreads(threads);
-        InteractiveRenderer fresh(RenderSettings::direct());
+        InteractiveRenderer fresh{RenderSettings::direct()};
         fresh.scene.environment = irsg.scene.environment;
         fresh.scene.entities = irsg.scene.entities;
         fresh.view.sensor = irsg.view.sensor;
@@ -244,7 +244,7 @@ TEST(Threads, LeaveEveryBitAsItIs) {
 TEST(PlainShader, AddsUpWhatTheEvaluatorDoes) {
     for (const ReflectionMode mode :
          {ReflectionMode::off, ReflectionMode::approx, ReflectionMode::smart}) {
-        InteractiveRenderer irsg(RenderSettings::direct());
+        InteractiveRenderer irsg{RenderSettings::direct()};
         irsg.scene.environment = brightAtmosphere();
         RenderSettings settings = RenderSettings::direct();
         settings.tileSide_samples = 0;
@@ -353,7 +353,7 @@ TEST(AtmosphereAlongAnObject, IsTakenAtTheRangeOfEverySample) {
     parameters.extinction_per_m = Spectrum::constant(perMetre);
     parameters.airTemperature_K = parameters.groundTemperature_K = 50.0; // it does not shine
     environment.add(std::make_shared<BeerLambert>(parameters));
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environment;
     RenderSettings settings = emissionAlone();
     irsg.scene.settings = settings;
@@ -405,7 +405,7 @@ TEST(AtmosphereAlongAnObject, IsTakenAlongAShipThatIsSeenFromItsBow) {
         entityOf(Model::load(std::filesystem::path(SMAT_SOURCE_DIR) / "samples/ship/ship.flt"),
                  greyDatabase(1.0, 320.0));
     ship.fallbackTemperature = ship.fallbackMaterial = 1;
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environment;
     irsg.scene.entities = {ship};
     RenderSettings settings = emissionAlone();
@@ -463,7 +463,7 @@ TEST(AtmosphereOfASweep, IsAskedOnceForAPathThatItsCasesShare) {
     auto air = std::make_shared<CountingAtmosphere>();
     Environment environment;
     environment.add(air);
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environment;
     irsg.scene.entities = {
         entityOf(modelOf(sphereMesh(1.0, 16, 32, body)), greyDatabase(0.9, 320.0))};

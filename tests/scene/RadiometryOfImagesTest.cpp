@@ -21,7 +21,7 @@ RenderSettings samples(int perAxis) {
 }
 
 InteractiveRenderer& generator() {
-    static InteractiveRenderer irsg(RenderSettings::direct());
+    static InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = Environment::vacuum();
     irsg.scene.settings = {};
     return irsg;

@@ -38,7 +38,7 @@ Entity grey(const Triangles& mesh) {
 }
 
 InteractiveRenderer generatorOf(std::vector<Entity> entities, int tileSide_samples = 256) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.settings = settingsOf(tileSide_samples);
     irsg.scene.entities = std::move(entities);

@@ -131,7 +131,7 @@ void expectTheCaster(const Case& c, EngineChoice engine) {
              s.nAngleFactor});
     }
 
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     RenderSettings settings = RenderSettings::direct();
     settings.engine = engine;
     settings.tileSide_samples = 0;

@@ -38,7 +38,7 @@ class RayEngineTest : public testing::Test {
 
 InteractiveRenderer withEngine(EngineChoice engine, RenderSettings settings,
                                const std::vector<Entity>& entities, const View& view) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     settings.engine = engine;
     irsg.scene.settings = settings;
     irsg.scene.environment = brightAtmosphere();

@@ -49,11 +49,12 @@ struct Stages {
     SurfaceSampler sampler{terms, clock};
     FramePlanner planner{terms, prepared, sampler, clock};
 
-    SceneEvaluation evaluate(const FrameRequest& request) {
-        return evaluator.evaluate(request, planner.geometry(request.scene, request.view.viewpoint));
+    SceneEvaluation evaluate(FrameRequest& request) {
+        return evaluator.evaluate(request, planner.geometry(request));
     }
+    SceneEvaluation evaluate(FrameRequest&& request) { return evaluate(request); }
     FramePlan plan(const Scene& scene, const SensorView& view, const Outputs& outputs) {
-        const FrameRequest request(scene, view, outputs);
+        FrameRequest request(scene, view, outputs);
         SceneEvaluation evaluation = evaluate(request);
         const FrameBackgrounds backgrounds =
             evaluator.backgrounds(request, evaluation, terrainRays);
@@ -62,7 +63,8 @@ struct Stages {
                                      {engine, terrainRays, false, "none", {}, nullptr},
                                      std::move(evaluation),
                                      {},
-                                     std::move(items)};
+                                     std::move(items),
+                                     {}};
         return planner.plan(request, surfaces, backgrounds);
     }
 };

@@ -23,7 +23,7 @@ Entity sphere(const std::string& name, double x_m) {
 /// The tiles that a frame of 64 pixels tells of, in which 2 m are `size_px` wide.
 std::vector<SampledTile> tilesIn(const std::vector<Entity>& entities, double size_px,
                                  const std::function<void(RenderSettings&)>& change = {}) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     RenderSettings settings = RenderSettings::direct();
     settings.background = BackgroundMode::constant;

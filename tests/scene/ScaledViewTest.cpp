@@ -22,7 +22,7 @@ RenderSettings settingsOfTests() {
 }
 
 InteractiveRenderer& generator() {
-    static InteractiveRenderer irsg(RenderSettings::direct());
+    static InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.settings = settingsOfTests();
     return irsg;
 }

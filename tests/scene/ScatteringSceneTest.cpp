@@ -105,7 +105,7 @@ class ScatteringScene : public testing::Test {
         return irsg;
     }
 
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
 };
 
 double sumOf(const RadianceImage& image) {
@@ -304,7 +304,7 @@ TEST(ScatteringWithoutItsFloor, IsRefusedByName) {
     if (isScatteringBuilt()) {
         GTEST_SKIP() << "this build has irsg/scattering";
     }
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = with(darkness(), "haze.mtf", 0.01);
     irsg.scene.settings = scattering();
     irsg.scene.entities = {

@@ -49,7 +49,7 @@ class TwoSpheres : public testing::Test {
                     1.0, 1e-5);
     }
 
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
 };
 
 } // namespace
@@ -103,7 +103,7 @@ TEST_F(TwoSpheres, AreScaledEachAtItsOwnRange) {
 }
 
 TEST(OneObject, IsTheSceneAndHasNoSpectrumBesideIt) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.entities = {
         entityOf(modelOf(sphereMesh(1.0, 32, 64, {1, 1})), greyDatabase(0.9, 320.0))};

@@ -46,7 +46,7 @@ double intensity(const std::shared_ptr<const Model>& model, EngineChoice engine,
     auto database = greyDatabase(1.0, 300.0);
     database.temperatures[2] = fixedTemperature(500.0);
     database.temperatures[3] = fixedTemperature(900.0);
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     RenderSettings settings = RenderSettings::direct();
     settings.engine = engine;
     irsg.scene.settings = settings;

@@ -19,7 +19,7 @@ std::vector<RenderReport> measured(InteractiveRenderer& irsg, bool alongRange, b
 }
 
 InteractiveRenderer glazed(const Environment& environment, double range_m) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environment;
     SignatureDatabase database;
     for (const auto& [code, temperature_K, emissivity, transmissivity] :
@@ -54,7 +54,7 @@ Environment hazyAtmosphere() {
 } // namespace
 
 TEST(SourceReports, OfABlackPlateIsItsPlanckRadianceWhateverTheAir) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = hazyAtmosphere();
     irsg.scene.entities = {entityOf(modelOf(plateMesh({0, 0, 0}, {-1, 0, 0}, {0, 0, 1}, {1, 1})),
                                     greyDatabase(1.0, 320.0))};

@@ -101,7 +101,7 @@ double centreRadiance(InteractiveRenderer& irsg) {
 
 TEST(IntensitySpectrumOfASphere, IsPlancksLawTimesItsArea) {
     const Triangles mesh = sphereMesh(1.0, 64, 128, one);
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.entities = {entityOf(modelOf(mesh), greyDatabase(0.9, 450.0))};
     look(irsg, {.range_m = 1000.0, .width_px = 200, .height_px = 200, .fieldOfView_rad = 0.0024});
@@ -123,7 +123,7 @@ TEST(IntensitySpectrumOfASphere, IsPlancksLawTimesItsArea) {
 }
 
 TEST(IntensitySpectrumOfAScene, IntegratesToItsInBandIntensity) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     auto air = std::make_shared<TwoBandAtmosphere>();
     air->sunValue = 2.0;
     Environment environment;
@@ -149,7 +149,7 @@ TEST(IntensitySpectrumOfAScene, IntegratesToItsInBandIntensity) {
 }
 
 TEST(IntensitySpectrumOfAScene, ReachesTheEndsOfATable) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.entities = {
         entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(0.9, 450.0))};
     for (const SpectralRange range : {SpectralRange{3.0, 5.0}, SpectralRange{8.0, 12.0}}) {
@@ -195,7 +195,7 @@ TEST(IntensitySpectrumOfAScene, ReachesTheEndsOfATable) {
 }
 
 TEST(IntensitySpectrumOfAScene, MayEndWhereTwoTablesMeet) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.entities = {
         entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(0.9, 450.0))};
     look(irsg, {.band = Band::topHat(3.0, 4.0)});
@@ -210,7 +210,7 @@ TEST(IntensitySpectrumOfAScene, MayEndWhereTwoTablesMeet) {
 }
 
 TEST(UserSpectrum, AddsItsComponentsWithTheirFactors) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.entities = {entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), gasDatabase(0.0))};
     // CO2 is a triangle of area 2.5, H2O a constant of area 1; the aspect angle is the azimuth
@@ -223,7 +223,7 @@ TEST(UserSpectrum, AddsItsComponentsWithTheirFactors) {
 }
 
 TEST(UserSpectrum, IsCalibratedAsAWhole) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     SignatureDatabase database = gasDatabase(0.0);
     for (const double calibration : {1.0, 0.8, 1.25, 0.0}) {
@@ -238,7 +238,7 @@ TEST(UserSpectrum, IsCalibratedAsAWhole) {
 }
 
 TEST(UserSpectrum, LosesTheAirBeyondItsReferenceDistanceOnly) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     Environment environment;
     environment.add(std::make_shared<TwoBandAtmosphere>());
     irsg.scene.environment = environment;
@@ -257,7 +257,7 @@ TEST(UserSpectrum, LosesTheAirBeyondItsReferenceDistanceOnly) {
 }
 
 TEST(UserSpectrum, PassesARatioOrTheSegmentThatIsLeft) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     Environment environment;
     environment.add(std::make_shared<SaturatedAtmosphere>());
     irsg.scene.environment = environment;
@@ -277,7 +277,7 @@ TEST(UserSpectrum, PassesARatioOrTheSegmentThatIsLeft) {
 }
 
 TEST(UserSpectrum, SaysWhenItIsSeenFromNearerThanItWasMeasured) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.entities = {entityOf(modelOf(sphereMesh(1.0, 16, 32, one)), gasDatabase(500.0))};
     look(irsg, {.range_m = 100.0});
@@ -295,7 +295,7 @@ TEST(ProjectedGeometryOfAScene, MultiplySpectrallyWhatAScalarCannot) {
         Spectrum({3.0, 4.0, 4.000001, 5.0}, {1.0, 1.0, 0.0, 0.0});
     const Triangles mesh = joined(plateMesh({0, 0, 0}, {0.5, 0, 0}, {0, 0, 0.5}, one),
                                   plateMesh({0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {2, 2}));
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.entities = {entityOf(modelOf(mesh), database)};
     look(irsg, {.range_m = 200.0, .fieldOfView_rad = 0.02});
@@ -310,7 +310,7 @@ TEST(ProjectedGeometryOfAScene, MultiplySpectrallyWhatAScalarCannot) {
 }
 
 TEST(ProjectedGeometryOfAScene, AreKeptWhileOnlySignaturesChange) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.entities = {
         entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(0.9, 320.0))};
@@ -351,7 +351,7 @@ TEST(TruthLayersOfAnImage, AddUpToItsRadianceAndNameTheSurfaces) {
     database.materials[9] = greyMaterial(0.2, 0.5);
     const Triangles mesh =
         joined(sphereMesh(1.0, 32, 64, one), plateMesh({0, 2, 0}, {0.5, 0, 0}, {0, 0, 2}, {7, 9}));
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(air);
     RenderSettings settings = RenderSettings::direct();
     settings.truthLayers = true;
@@ -380,7 +380,7 @@ TEST(TruthLayersOfAnImage, AddUpToItsRadianceAndNameTheSurfaces) {
 }
 
 TEST(StageTimesOfAnImage, NameEveryStageThatTookTime) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     irsg.scene.entities = {
         entityOf(modelOf(sphereMesh(1.0, 32, 64, one)), greyDatabase(0.9, 320.0))};
@@ -401,7 +401,7 @@ TEST(StageTimesOfAnImage, NameEveryStageThatTookTime) {
 }
 
 TEST(SeveralEntities, AreMeasuredEachAndTogether) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     const auto sphere = modelOf(sphereMesh(1.0, 32, 64, one));
     Entity first = entityOf(sphere, greyDatabase(0.9, 320.0));

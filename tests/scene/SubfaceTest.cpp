@@ -61,7 +61,7 @@ TEST(Subfaces, HideTheFaceTheyLieOnFromAnyDirectionAndRange) {
                  l3 = bandRadiance_W_m2_sr(band, 900.0);
     const double radianceTimesArea = 8.0 * l1 + 0.75 * l2 + 0.25 * l3;
 
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     RenderSettings settings = RenderSettings::direct();
     settings.tileSide_samples = 0;

@@ -114,7 +114,7 @@ class SunShadowsTest : public testing::TestWithParam<EngineChoice> {
     }
     InteractiveRenderer made(const std::vector<Entity>& entities,
                              const RenderSettings& settings) const {
-        InteractiveRenderer irsg(RenderSettings::direct());
+        InteractiveRenderer irsg{RenderSettings::direct()};
         irsg.scene.environment = sunlit();
         irsg.scene.settings = settings;
         irsg.scene.entities = entities;

@@ -77,7 +77,6 @@ SignatureDatabase bodyInPlume() {
 
 struct Case {
     Scene scene;
-    scene.settings = RenderSettings::direct();
     SensorView view;
     std::vector<Band> bands;
 
@@ -90,6 +89,7 @@ struct Case {
 
 Case first(bool inVacuum = false) {
     Case one;
+    one.scene.settings = RenderSettings::direct();
     one.scene.environment = inVacuum ? Environment::vacuum() : Environment();
     if (!inVacuum) {
         one.scene.environment.add(std::make_shared<SensitiveAtmosphere>());

@@ -164,7 +164,7 @@ TEST(TextureCut, IsDrawnAlikeByOpenGlAndByRays) {
     const auto model = cutModel(sheet(pictureOf(64, 64, disc), osg::Texture::REPEAT));
     const auto whole = modelOfGraph(sheet(pictureOf(64, 64, disc), osg::Texture::REPEAT), "whole");
     const auto intensity = [](const std::shared_ptr<const Model>& drawn, EngineChoice engine) {
-        InteractiveRenderer irsg(RenderSettings::direct());
+        InteractiveRenderer irsg{RenderSettings::direct()};
         RenderSettings settings = RenderSettings::direct();
         settings.engine = engine;
         irsg.scene.settings = settings;

@@ -60,7 +60,7 @@ struct Errors {
 /// every lattice; against the solid angle.
 Errors errorsOf(const Triangles& mesh, int tileSide_samples, double pixels, double length_m,
                 double pitch_deg) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(ConstantAtmosphere{});
     RenderSettings settings = RenderSettings::direct();
     settings.tileSide_samples = tileSide_samples;

@@ -55,7 +55,7 @@ class WidebandScenes : public testing::TestWithParam<WidebandAtmosphere> {};
 // reflect has its own, as the spectral mode multiplies means of bins there.
 TEST_P(WidebandScenes, HaveTheIntensityAndTheBackgroundOfTheSpectralMode) {
     const Band band = GetParam().band();
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = GetParam().environment();
     double worst = 0.0;
     for (const WidebandScene& scene : widebandScenes(band)) {
@@ -177,7 +177,7 @@ TEST(WidebandPointsOfAScene, AreThoseOfAGasHoweverFaintItIs) {
 }
 
 TEST(WidebandPointsOfAScene, AreTrainedOnceForAnEnvironmentABandAndItsSpectra) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(smartAtmosphere(2, 3.0, 5.0));
     const Band band = Band::topHat(3.0, 5.0), narrow = Band::topHat(4.5, 4.9),
                wide = Band::topHat(2.8, 5.0);
@@ -208,7 +208,7 @@ TEST(WidebandPointsOfAScene, AreTrainedOnceForAnEnvironmentABandAndItsSpectra) {
 
 TEST(WidebandScene, DoesNotDependOnWhatWasDrawnBefore) {
     auto result = [](const std::vector<double>& ranges_m, CalculationMode mode) {
-        InteractiveRenderer irsg(RenderSettings::direct());
+        InteractiveRenderer irsg{RenderSettings::direct()};
         irsg.scene.environment = environmentOf(smartAtmosphere(2));
         irsg.scene.entities = {entityOf(box(), withGas(0.0))};
         RenderReport report;
@@ -228,7 +228,7 @@ TEST(WidebandScene, DoesNotDependOnWhatWasDrawnBefore) {
 }
 
 TEST(WidebandScene, KeepsAConstantBackgroundToItsLastDigits) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(smartAtmosphere(2));
     irsg.scene.entities = {entityOf(ball(), greyDatabase(0.9, 300.0))};
     RenderSettings settings = RenderSettings::direct();
@@ -243,7 +243,7 @@ TEST(WidebandScene, KeepsAConstantBackgroundToItsLastDigits) {
 }
 
 TEST(WidebandScene, HasSpectraOfTheSpectralModeAndSaysSo) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(smartAtmosphere(2));
     irsg.scene.entities = {entityOf(ball(), greyDatabase(0.9, 300.0))};
     look(irsg, {});
@@ -259,7 +259,7 @@ TEST(WidebandScene, HasSpectraOfTheSpectralModeAndSaysSo) {
 }
 
 TEST(WidebandScene, OfAnAircraftWithItsPlumesHasTheIntensityOfTheSpectralMode) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environmentOf(smartAtmosphere(2));
     irsg.scene.entities = {sampleAircraft()};
     for (const double range_m : {900.0, 3000.0, 8000.0}) {
@@ -277,7 +277,7 @@ TEST(WidebandScene, OfAnAircraftWithItsPlumesHasTheIntensityOfTheSpectralMode) {
 }
 
 TEST(WidebandScene, IsRefusedByNameWithoutAirThatHasTheMode) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.entities = {entityOf(ball(), greyDatabase(0.9, 300.0))};
     look(irsg, {});
     irsg.scene.environment = Environment::vacuum();

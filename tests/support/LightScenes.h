@@ -24,7 +24,7 @@ inline RenderSettings lightSettings(int bounces, double error = 0.005) {
 inline InteractiveRenderer rendererOf(const std::vector<Entity>& entities,
                                       const RenderSettings& settings,
                                       const Environment& environment = Environment::vacuum()) {
-    InteractiveRenderer irsg(RenderSettings::direct());
+    InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = environment;
     irsg.scene.settings = settings;
     irsg.scene.entities = entities;

@@ -155,7 +155,7 @@ RandomScene randomScene(unsigned number, RandomAtmosphere air) {
     }
     random.scene.entities = {entity};
 
-    InteractiveRenderer places(RenderSettings::direct());
+    InteractiveRenderer places{RenderSettings::direct()};
     places.scene.entities = random.scene.entities;
     const double range_m = extent_m * draw.logarithmic(10.0, 400.0);
     const double lowest = std::max(-0.9, -900.0 / range_m);
