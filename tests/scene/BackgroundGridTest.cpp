@@ -237,7 +237,7 @@ TEST(BackgroundGrid, TakesAsManyRowsAsHalfAPercentNeeds) {
         rowsTaken.push_back(grid.elevations_rad().size());
         EXPECT_EQ(static_cast<std::size_t>(asked), rowsTaken.back()) << "no row is asked twice";
     }
-    EXPECT_EQ(rowsTaken[0], 18u);
+    EXPECT_EQ(rowsTaken[0], 10u);
     EXPECT_GT(rowsTaken[1], rowsTaken[0]);
     EXPECT_GT(rowsTaken[2], rowsTaken[1]);
 
@@ -248,7 +248,7 @@ TEST(BackgroundGrid, TakesAsManyRowsAsHalfAPercentNeeds) {
     EXPECT_EQ(noise.elevations_rad().size(), 2u * BackgroundGrid::mostRows);
     const BackgroundGrid black(sensor, view, 0.0, BackgroundGrid::asManyAsNeeded, 1,
                                [](const LineOfSight&) { return 0.0; });
-    EXPECT_EQ(black.elevations_rad().size(), 18u);
+    EXPECT_EQ(black.elevations_rad().size(), 10u);
 }
 
 TEST(BackgroundGrid, MixesSkyAndGroundOnlyInThePixelThatHoldsTheHorizon) {
