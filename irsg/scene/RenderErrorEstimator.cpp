@@ -101,7 +101,7 @@ double ofBackground(const Frame& frame, std::size_t entity, std::size_t output) 
     const FrameBackground& background = frame.backgrounds.ofSums[output];
     if (evaluation.behind.background) {
         // Pixel by pixel parts hide each other as they do, and rows are as fine as pictures need.
-        constexpr double ofPixels = 5e-4;
+        constexpr double ofPixels = 1e-3;
         const double own = evaluation.behind.error[entity][output];
         return background.isUniform()
                    ? own

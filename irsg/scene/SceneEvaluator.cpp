@@ -35,16 +35,23 @@ void takeSpecularEnvironmentGrids(const Scene& scene, const Band& band,
     }
 }
 
-/// True where the background changes over an object of many pixels, which is rendered by itself.
+/// True where the background changes so much over an object of many pixels that it matters how its
+/// parts hide each other. Less is summed better along lines of sight, which are finer than pixels
+/// and rows of a picture.
 bool isBackgroundSummedByPixel(const FrameRequest& request, const SceneEvaluation& evaluation) {
     constexpr double fewest_px = 16.0; // over an object's sphere
-    return !request.alongRange &&
-           std::ranges::any_of(evaluation.geometry, [&](const ObjectGeometry& object) {
-               const double reach_m = object.farthest_m - object.path.range_m;
-               return object.behind.size() > 1 &&
-                      2.0 * reach_m >=
-                          fewest_px * request.view.sensor.pixelPitch() * object.path.range_m;
-           });
+    constexpr double matters = 1e-3;   // of the background
+    const BackgroundBehind& behind = evaluation.behind;
+    for (std::size_t e = 0; !request.alongRange && e < evaluation.geometry.size(); ++e) {
+        const ObjectGeometry& object = evaluation.geometry[e];
+        const double reach_m = object.farthest_m - object.path.range_m;
+        if (2.0 * reach_m < fewest_px * request.view.sensor.pixelPitch() * object.path.range_m)
+            continue;
+        for (std::size_t k = 0; k < behind.error[e].size(); ++k)
+            if (behind.error[e][k] > matters * behind.radiance[e][k])
+                return true;
+    }
+    return false;
 }
 
 /// What the shader is told of each drawn row, in the first output.
