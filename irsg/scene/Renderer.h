@@ -49,7 +49,8 @@ class Renderer {
 
     /// Checks the whole scene: every code has an entry, spectra cover the bands, sensor and targets
     /// are above the ground, an atmosphere has the calculation mode, and each quantity that will be
-    /// asked for is provided over the bands, and the haze of an image has its database. Throws InputError with every diagnostic.
+    /// asked for is provided over the bands, and the haze of an image has its database. Throws
+    /// InputError with every diagnostic.
     void check(const Scene& scene, const SensorView& view,
                const Outputs& outputs = Outputs::image());
 
