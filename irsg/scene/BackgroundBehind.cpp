@@ -174,12 +174,14 @@ BackgroundBehind backgroundAlong(AtmosphericQueryCache& answers, const FrameRequ
     for (const ObjectGeometry& object : geometry) {
         std::vector<double>& mean = all.radiance.emplace_back();
         std::vector<double> least, most;
+        std::vector<std::vector<double>>& lines = all.along.emplace_back();
         for (const SampledBand& band : bands)
             appendInBand(band, *sumBehind(answers, band, object), mean);
         for (const SightBehind& behind : object.behind) {
             std::vector<double> seen;
             for (const SampledBand& band : bands)
                 appendInBand(band, *along(answers, band, behind.sight), seen);
+            lines.push_back(seen);
             if (least.empty())
                 least = most = seen;
             for (std::size_t k = 0; k < seen.size(); ++k) {

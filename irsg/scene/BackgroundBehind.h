@@ -18,6 +18,8 @@ struct BackgroundBehind {
     std::size_t lookedAt = 0; ///< the number of that object
     // By entity and output, W m-2 sr-1.
     std::vector<std::vector<double>> radiance, error;
+    /// By entity, line of sight and output: what is seen along it.
+    std::vector<std::vector<std::vector<double>>> along;
 
     /// Gives each object its own background, of sums that have another one: by output, what all of
     /// them take. Of one that varies over the frame the object that is looked at keeps what its

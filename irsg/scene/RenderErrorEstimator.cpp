@@ -110,7 +110,23 @@ double ofBackground(const Frame& frame, std::size_t entity, std::size_t output) 
     const BackgroundBehind& compared = evaluation.compared.behind;
     if (!compared.background)
         return 0.0;
-    const double used = usedBehind(frame.request, evaluation.compared.geometry[entity], background);
+    const ObjectGeometry& object = evaluation.compared.geometry[entity];
+    if (!background.isUniform()) {
+        // Line by line; a pixel that holds the horizon has the mean of both sides.
+        const double horizon_rad = frame.scene().environment.horizonElevation_rad(
+            object.sight.sensorAltitude_m, frame.request.bands.front().range());
+        double wrong = 0.0;
+        for (std::size_t j = 0; j < object.behind.size(); ++j) {
+            const SightBehind& one = object.behind[j];
+            ObjectGeometry alone = object;
+            alone.behind = {{one.sight, 1.0}};
+            if (std::abs(one.sight.elevation_rad - horizon_rad) > frame.sensor().pixelPitch())
+                wrong += std::abs(one.weight * (compared.along[entity][j][output] -
+                                                usedBehind(frame.request, alone, background)));
+        }
+        return wrong;
+    }
+    const double used = background.centre_W_m2_sr();
     return std::abs(compared.radiance[entity][output] - used) + compared.error[entity][output];
 }
 
