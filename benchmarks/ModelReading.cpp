@@ -17,6 +17,7 @@
 
 #include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/geometry/reading/sandbox/PluginReading.h"
+#include "irsg/geometry/reading/text/OurModels.h"
 
 namespace {
 
@@ -122,7 +123,7 @@ void writeStl(const fs::path& file, const Field& field) {
 }
 
 const long sizes[] = {250000, 500000, 1000000, 2000000, 5000000};
-const char* const apart[] = {"ply", "osgb", "ive", "osgt"};
+const char* const apart[] = {"osgb", "ive", "osgt"};
 
 fs::path named(const fs::path& folder, long triangles, const std::string& kind) {
     return folder / (std::to_string(triangles) + "." + kind);
@@ -135,7 +136,7 @@ void make(const fs::path& folder) {
     }
     const fs::path ply = named(folder, 100000, "ply");
     writePly(ply, fieldOf(100000));
-    const auto graph = irsg::readModelHere(ply, ply);
+    const auto graph = irsg::readOurModel(ply, {});
     for (const char* const kind : {"osgb", "ive", "osgt"})
         osgDB::writeNodeFile(*graph.node, named(folder, 100000, kind).string());
 }

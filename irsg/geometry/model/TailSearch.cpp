@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "irsg/geometry/conversion/OsgValues.h"
+#include "irsg/geometry/conversion/SurfaceMesh.h"
 
 namespace irsg {
 
