@@ -7,6 +7,7 @@
 #include "irsg/atmosphere/BeerLambert.h"
 #include "irsg/atmosphere/SpectraAtmosphere.h"
 #include "irsg/atmosphere/TabulatedAtmosphere.h"
+#include "irsg/core/FileReading.h"
 #include "irsg/core/Wording.h"
 
 namespace irsg {
@@ -51,7 +52,12 @@ const std::vector<AtmosphereFormat>& atmosphereFormats() {
         {".csv of homogeneous air",
          [](const fs::path& file) {
              const std::string extension = lowerCase(file.extension().string());
-             return extension == ".csv" || extension == ".txt" || extension == ".tsv";
+             if (extension != ".txt" && extension != ".tsv")
+                 return extension == ".csv";
+             // Of other texts its column tells.
+             constexpr std::size_t beginning_B = std::size_t{1} << 16;
+             return readFileBeginning(file, beginning_B).find("extinction [km-1]") !=
+                    std::string::npos;
          },
          [](const fs::path& file) -> Opened {
              return std::make_shared<BeerLambert>(BeerLambert::fromCsv(file));

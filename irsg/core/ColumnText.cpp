@@ -139,9 +139,12 @@ Score scoreOf(std::string_view text, const ColumnDialect& dialect) {
     forEachRow(text, [&](std::string_view line, int) {
         if (!splitColumns(line, dialect.separator, cells) || !isNumberRow(cells, dialect))
             return;
-        ++score.numberRows;
         while (!cells.empty() && cells.back().text.empty())
             cells.pop_back();
+        // One number a row tells nothing: `1,2` is one of a decimal comma, too.
+        if (cells.size() < 2)
+            return;
+        ++score.numberRows;
         ++score.widths[cells.size()];
     });
     return score;

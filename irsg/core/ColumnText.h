@@ -18,13 +18,13 @@ struct ColumnDialect {
     bool operator==(const ColumnDialect&) const = default;
 };
 
-/// The dialect of a text, found from all its lines: that in which most rows are rows of numbers and
-/// of one width. Commas and decimal points go first where others do as well; so `1,5` is two
-/// numbers in a text of such rows alone. Lines that begin with # do not count; a first line `sep=;`
-/// as spreadsheets write it decides the separator. Throws InputError naming file, line, value and
-/// expectation for what can be read in two ways: `1,5, 2,5`; quoted numbers such as "1,234" between
-/// commas, which may be thousands; pairs of columns such as `0,05` where a number must not begin
-/// with a zero.
+/// The dialect of a text, found from all its lines: that in which most rows are rows of two numbers
+/// or more and of one width. Commas and decimal points go first where others do as well; so `1,5`
+/// is two numbers in a text of such rows alone. Lines that begin with # do not count; a first line
+/// `sep=;` as spreadsheets write it decides the separator. Throws InputError naming file, line,
+/// value and expectation for what can be read in two ways: `1,5, 2,5`; quoted numbers such as
+/// "1,234" between commas, which may be thousands; pairs of columns such as `0,05` where a number
+/// must not begin with a zero.
 ColumnDialect columnDialectOf(std::string_view text, const std::string& file);
 
 /// One cell of a line, without the blanks and quotes around it.

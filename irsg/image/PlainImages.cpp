@@ -100,8 +100,8 @@ RadianceImage readEsriGrid(const fs::path& file) {
         refuse(name, "", head.width == 0 ? "no ncols" : "no nrows", "ncols and nrows");
     const std::size_t count = head.width * head.height;
     checkPixelCount(count, bytes.size(), name);
-    ColumnDialect dialect = columnDialectOf(head.values, name);
-    dialect.separator = ' ';
+    // Blanks alone separate values: a comma is a decimal sign.
+    const char decimal = head.values.find(',') == std::string_view::npos ? '.' : ',';
 
     RadianceImage image(static_cast<int>(head.width), static_cast<int>(head.height), "L", "");
     std::vector<float>& values = image.primary().values;
@@ -112,7 +112,7 @@ RadianceImage readEsriGrid(const fs::path& file) {
         ++line;
         splitColumns(takeLine(rest), ' ', cells);
         for (const ColumnCell& cell : cells) {
-            const auto plain = plainNumber(cell.text, dialect.decimal);
+            const auto plain = plainNumber(cell.text, decimal);
             const auto value = plain ? parseNumber(*plain) : std::nullopt;
             if (!value || std::abs(*value) > std::numeric_limits<float>::max())
                 refuse(name, atLine(line), "'" + std::string(cell.text.substr(0, 40)) + "'",

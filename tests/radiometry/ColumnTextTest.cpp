@@ -38,7 +38,7 @@ TEST(ColumnText, FindsSeparatorAndDecimalSignFromTheWholeText) {
         {"exponents with D", "1.5D+01 2.5d-1\n", ' ', '.'},
         {"comments do not count", "# a;b;c\n# 1,5;2\n1,2\n", ',', '.'},
         {"words do not count", "one;two;three\n1,2\n", ',', '.'},
-        {"the stated separator", "sep=;\n1,2\n", ';', ','},
+        {"the stated separator", "sep=;\n1,2;3\n", ';', ','},
         {"numbers that are none", "nan;1,5\ninf;2\n", ';', ','},
     };
     for (const auto& row : rows) {
