@@ -7,6 +7,7 @@
 #include <ctime>
 #include <functional>
 
+#include "irsg/scene/InteractiveRenderer.h"
 #include "smatcore/analysis/MonteCarlo.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/project/SceneBuilder.h"

@@ -19,6 +19,9 @@ namespace {
 /// Mean square of the sun's disc along an axis, for half vectors, which turn by half: twice that is
 /// what it adds to the spread of slopes.
 constexpr double discSpread = SunShadows::discRadius_rad * SunShadows::discRadius_rad / 8.0;
+/// Of so many samples each follows all of its facets to what they reflect; of more, one in a few,
+/// in turn.
+constexpr std::size_t samplesOfAllFacets = 10'000, mostStep = 6;
 /// Neighbours whose normals differ by more are those of another face.
 constexpr double mostBend = 0.5;
 
@@ -61,6 +64,7 @@ struct LobeQuadrature::Tile {
     Vec3 zenith, sun, towards; ///< the last the level part of the sun's, a unit vector
     std::optional<SunShadows::OpenPaths> open;
     const LightExchange* exchange = nullptr; ///< there where `open` is
+    std::size_t step = 1;                    ///< of the facets that a sample follows one in so many
 
     /// The normal of the opaque surface of a sample, and its row + 1; 0 for none.
     static std::pair<float, Vec3> opaqueAt(const GeometrySamples& samples, std::size_t sample,
@@ -239,9 +243,13 @@ void LobeQuadrature::follow(const Tile& own, const DirectionalLayer& layer,
     };
     const double share = isFree ? 0.5 : partOf(0.7548776662466927);
     const double turn = partOf(0.5698402909980532);
+    const std::size_t facets = layer.model.facets().size();
+    const std::size_t step = isFree ? 1 : std::min(own.step, facets);
+    const auto first =
+        static_cast<std::size_t>(partOf(0.6180339887498949) * static_cast<double>(step));
     SurfaceModel::Amounts sums{};
     GeometrySamples::Place at;
-    for (std::size_t i = 0; i < layer.model.facets().size(); ++i) {
+    for (std::size_t i = first; i < facets; i += step) {
         const SurfaceDirection facet = layer.model.facet(i, share, turn);
         const SurfaceModel::Amounts sent = layer.model.facetWeights(layer.to, facet);
         if (std::ranges::all_of(sent, [](double weight) { return weight == 0.0; }))
@@ -416,8 +424,12 @@ void LobeQuadrature::apply(const SheetScene& sheet, const SunShadows* shadows,
     samples.specularTables.clear();
     samples.lobeRoles = making_.roles;
     std::vector<Tile> tiles;
+    // As many rays for each sample as so many in all allow.
+    const std::size_t step =
+        std::clamp<std::size_t>(samples.size() / samplesOfAllFacets, 1, mostStep);
     for (std::size_t w = 0; w < sheet.scenes.size(); ++w) {
         Tile& own = tiles.emplace_back();
+        own.step = step;
         own.scene = &sheet.scenes[w];
         own.tile = &sheet.sheet.tiles[w];
         own.directions = {own.scene->camera->sensor(), *own.tile};

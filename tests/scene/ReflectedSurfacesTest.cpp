@@ -70,7 +70,7 @@ double intensity_W_sr(InteractiveRenderer& irsg, double elevation_rad) {
 /// The part of a level plate of 1 m from which a direction, in its axes with x away from the wall,
 /// meets the wall.
 double partThatMeetsWall(const SurfaceDirection& from) {
-    constexpr int places = 30;
+    constexpr int places = 40;
     if (!(from.z > 0.0) || !(from.x < 0.0)) {
         return 0.0;
     }
@@ -93,7 +93,7 @@ double plateShows_m2(const Material& material, double elevation_rad) {
     const SurfaceModel::Amounts amounts = model->amountsAt(material, wavelength_um);
     const double alpha = material.roughness;
     const SurfaceDirection to{std::cos(elevation_rad), 0.0, std::sin(elevation_rad)};
-    constexpr int slopes = 48, turns = 49;
+    constexpr int slopes = 60, turns = 61;
     double sum = 0.0;
     for (int i = 0; i < slopes; ++i) {
         const double share = (i + 0.5) / slopes;
