@@ -12,7 +12,7 @@ namespace irsg {
 struct ImageGeometry {
     double horizontalFieldOfView_deg = 0.0; ///< attribute sensor.horizontal_field_of_view_deg
     double range_m = 0.0;                   ///< attribute range_m
-    double background_W_m2_sr = 0.0;        ///< attribute background_W_m2_sr, at the centre
+    double background_W_m2_sr = 0.0;        ///< attribute background_W_m2_sr, a mean
 
     bool operator==(const ImageGeometry&) const = default;
 };

@@ -7,6 +7,7 @@
 #include "irsg/atmosphere/NearestRun.h"
 #include "irsg/core/Wording.h"
 #include "irsg/geometry/view/PixelGrid.h"
+#include "irsg/image/ImageIntensity.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/InterReflection.h"
 
@@ -22,6 +23,22 @@ constexpr const char* publishedTilesInSums =
 constexpr const char* scatteringInSums =
     "scattering: images show the haze; intensities, contrast and irradiances of objects are those "
     "of their direct light";
+
+/// What is to be taken off every pixel of an image, so that the sum is that of what objects differ
+/// from the background behind them: of a background that varies, its mean over the solid angle.
+double meanBackground_W_m2_sr(const Frame& frame, int width, int height) {
+    if (frame.backgrounds.byOutput.front().isUniform())
+        return frame.backgrounds.ofSums.front().centre_W_m2_sr();
+    const PixelSolidAngles angles(width, height, degrees(frame.sensor().horizontalFieldOfView_rad));
+    double sum_W_m2 = 0.0, solidAngle_sr = 0.0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const double angle_sr = angles.at_sr(x, y);
+            sum_W_m2 += frame.backgrounds.byOutput.front().at(x, y) * angle_sr;
+            solidAngle_sr += angle_sr;
+        }
+    return sum_W_m2 / solidAngle_sr;
+}
 
 } // namespace
 
@@ -157,7 +174,7 @@ void RenderReporter::describe(const Frame& frame, RadianceImage& image) {
     else
         image.attributes["samples_per_axis"] = std::to_string(settings.samplesPerAxis);
     image.attributes["background_W_m2_sr"] =
-        roundedText(frame.backgrounds.ofSums.front().centre_W_m2_sr(), 9);
+        roundedText(meanBackground_W_m2_sr(frame, image.width(), image.height()), 9);
     image.attributes["renderer"] = frame.surfaces.engine.description;
     if (!frame.evaluation().geometry.empty())
         image.attributes["range_m"] =

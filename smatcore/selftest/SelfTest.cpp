@@ -57,7 +57,7 @@ irsg::InteractiveRenderer& SelfTestBench::irsg() {
     irsg_->scene.entities = {};
     irsg_->scene.skybox = nullptr;
     irsg_->scene.terrain = nullptr;
-    irsg_->scene.settings = {};
+    irsg_->scene.settings = irsg::RenderSettings::direct();
     return *irsg_;
 }
 

@@ -116,7 +116,10 @@ TEST_F(ResultFileTest, GivesAnImageBackFromEveryDataFormat) {
 }
 
 TEST_F(ResultFileTest, RefusesWhatIsNoResult) {
-    EXPECT_THAT(refusal("a.xml", "x"), HasSubstr(".exr, .csv, .txt, .dat, .tif, .tiff or .json"));
+    EXPECT_THAT(
+        refusal("a.xml", "x"),
+        HasSubstr(".exr, .csv, .txt, .dat, .tif, .tiff, .hdr, .img, .raw, .bsq, .bil, .bip, "
+                  ".asc, .grd, .pfm, .npy or .json"));
     EXPECT_THAT(refusal("a.txt", "range [m],L\n1,2\n"), HasSubstr("a table of results"));
     EXPECT_THAT(refusal("b.csv", "range [m],intensity [W sr-1]\n"), HasSubstr("without rows"));
     EXPECT_THAT(refusal("c.csv", "range [m],intensity [W sr-1]\n1,seven\n"), HasSubstr("seven"));

@@ -47,10 +47,20 @@ FrameBackground SceneBackground::draw(const Sensor& sensor, const Viewpoint& vie
     if (settings.sunDisc)
         renderSunImage(rays, Horizon(rays, horizon_rad), sky, altitude_m);
     if (grid) {
-        const BackgroundGrid nodes(
-            sensor, viewpoint, horizon_rad, settings.rows, settings.columns,
-            [&](const LineOfSight& sight) { return sky.radiance_W_m2_sr(sight); });
-        layers_.environment = nodes.pixels();
+        const auto pixelsOf = [&](int rows) {
+            return BackgroundGrid(
+                       sensor, viewpoint, horizon_rad, rows, settings.columns,
+                       [&](const LineOfSight& sight) { return sky.radiance_W_m2_sr(sight); })
+                .pixels();
+        };
+        try {
+            layers_.environment = pixelsOf(settings.rows);
+        } catch (const InputError&) {
+            // Air that answers for one direction alone, such as a radiative output.
+            if (settings.rows != BackgroundGrid::asManyAsNeeded)
+                throw;
+            layers_.environment = pixelsOf(1);
+        }
     }
     report.providedBy = sky.providedBy();
     if (terrain_)
