@@ -35,10 +35,11 @@ const ImageFormat* formatOf(const std::filesystem::path& file, std::string_view 
     for (const ImageFormat* format : all)
         if (!format->isText && format->recognises(beginning))
             return format;
-    const std::string_view header = enviHeaderOf(file).empty() ? beginning : "ENVI";
-    for (const ImageFormat* format : all)
-        if (format->isText && format->recognises(header))
-            return format;
+    for (const std::string_view text : {beginning, std::string_view("ENVI")})
+        if (text == beginning || !enviHeaderOf(file).empty())
+            for (const ImageFormat* format : all)
+                if (format->isText && format->recognises(text))
+                    return format;
     return nullptr;
 }
 
