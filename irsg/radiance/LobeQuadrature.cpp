@@ -21,7 +21,7 @@ namespace {
 constexpr double discSpread = SunShadows::discRadius_rad * SunShadows::discRadius_rad / 8.0;
 /// Of so many samples each follows all of its facets to what they reflect; of more, one in a few,
 /// in turn.
-constexpr std::size_t samplesOfAllFacets = 10'000, mostStep = 6;
+constexpr std::size_t samplesOfAllFacets = 20'000, mostStep = 3;
 /// Neighbours whose normals differ by more are those of another face.
 constexpr double mostBend = 0.5;
 
@@ -247,18 +247,22 @@ void LobeQuadrature::follow(const Tile& own, const DirectionalLayer& layer,
     const std::size_t step = isFree ? 1 : std::min(own.step, facets);
     const auto first =
         static_cast<std::size_t>(partOf(0.6180339887498949) * static_cast<double>(step));
-    SurfaceModel::Amounts sums{};
+    SurfaceModel::Amounts sums{}, followed{}; // of all facets, and of those that are followed
     GeometrySamples::Place at;
-    for (std::size_t i = first; i < facets; i += step) {
+    for (std::size_t i = 0; i < facets; ++i) {
         const SurfaceDirection facet = layer.model.facet(i, share, turn);
         const SurfaceModel::Amounts sent = layer.model.facetWeights(layer.to, facet);
         if (std::ranges::all_of(sent, [](double weight) { return weight == 0.0; }))
+            continue;
+        for (std::size_t k = 0; k < lobes; ++k)
+            sums[k] += sent[k];
+        if (i % step != first)
             continue;
         const Vec3 direction = layer.axes.to(irsg::mirrored(layer.to, facet));
         const SunShadows::Met met =
             isFree ? SunShadows::Met::nothing : own.open->met(*from, direction, at);
         for (std::size_t k = 0; k < lobes; ++k) {
-            sums[k] += sent[k];
+            followed[k] += sent[k];
             if (met == SunShadows::Met::other)
                 mirrored.elsewhere[k] += sent[k];
         }
@@ -280,11 +284,14 @@ void LobeQuadrature::follow(const Tile& own, const DirectionalLayer& layer,
             mirrored.elsewhere[k] = 1.0;
             continue;
         }
-        mirrored.elsewhere[k] /= sums[k];
+        // Each stands for `step` of them. What these are more or less than all sees the mean, so
+        // that energy closes; over samples that adds up to nothing.
+        const double scale = static_cast<double>(step) / sums[k];
+        mirrored.elsewhere[k] = scale * mirrored.elsewhere[k] + 1.0 - scale * followed[k];
         for (std::size_t place = 0; place < places; ++place)
-            mirrored.atmosphere[k * places + place] /= sums[k];
+            mirrored.atmosphere[k * places + place] *= scale;
         for (auto& [number, weights] : mirrored.surfaces)
-            weights[k] /= sums[k];
+            weights[k] *= scale;
     }
 }
 

@@ -32,7 +32,7 @@ FrameBackground SceneBackground::draw(const Sensor& sensor, const Viewpoint& vie
     layers_ = {};
     const FieldRays rays(sensor, viewpoint);
     const double altitude_m = std::max(viewpoint.position_m.z, 0.0);
-    const bool grid = settings.queriesEnvironment && settings.rows * settings.columns != 1;
+    bool grid = settings.queriesEnvironment && settings.rows * settings.columns != 1;
     if (!grid && !settings.sunDisc && !skybox_ && !terrain_)
         return FrameBackground(settings.uniform_W_m2_sr);
 
@@ -59,7 +59,7 @@ FrameBackground SceneBackground::draw(const Sensor& sensor, const Viewpoint& vie
             // Air that answers for one direction alone, such as a radiative output.
             if (settings.rows != BackgroundGrid::asManyAsNeeded)
                 throw;
-            layers_.environment = pixelsOf(1);
+            grid = false;
         }
     }
     report.providedBy = sky.providedBy();

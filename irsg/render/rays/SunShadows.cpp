@@ -162,8 +162,11 @@ SunShadows::Met SunShadows::met(const Place& from, const Vec3& towards,
         Ray ray{turned(toMesh_[c], from.start_m - caster.pose.position_m),
                 turned(toMesh_[c], towards), 0.0, nearest_m};
         bool isMet = caster.mesh->meet(ray, caster.uses, 0.0, hit, through);
-        // The smooth surface that it is on is not in its way.
-        while (isMet && from.isFound && c == from.caster && caster.mesh->touch(hit, from.hit)) {
+        // The smooth surface that it is on is not in its way: a facet and those that touch it.
+        constexpr int mostTouching = 8;
+        for (int i = 0; i < mostTouching && isMet && from.isFound && c == from.caster &&
+                        caster.mesh->touch(hit, from.hit);
+             ++i) {
             ray.from_m = hit.distance_m + caster.mesh->rounding_m();
             isMet = caster.mesh->meet(ray, caster.uses, 0.0, hit, through);
         }
