@@ -155,10 +155,10 @@ struct LobeQuadrature::Mirrored {
     /// What leaves surfaces, by number (LightExchange::forEachReflected).
     std::vector<std::pair<std::uint32_t, SurfaceModel::Amounts>> surfaces;
 
-    void clear(std::size_t places) {
+    void clear() {
         isOpen = false;
         elsewhere = {};
-        atmosphere.assign(SurfaceModel::mostComponents * places, 0.0);
+        atmosphere.clear();
         surfaces.clear();
     }
     void join() {
@@ -207,7 +207,7 @@ void LobeQuadrature::follow(const Tile& own, const DirectionalLayer& layer,
                             SunShadows::Neighbours& neighbours, int column,
                             Mirrored& mirrored) const {
     const std::size_t places = layer.grid.places().size(), lobes = layer.lobes();
-    mirrored.clear(places);
+    mirrored.clear();
     const SurfaceDirection mirror{-layer.to.x, -layer.to.y, layer.to.z};
     std::optional<SunShadows::Place> from;
     if (own.open) {
@@ -236,6 +236,7 @@ void LobeQuadrature::follow(const Tile& own, const DirectionalLayer& layer,
 
     const bool isFree = mirrored.isOpen;
     mirrored.isOpen = false;
+    mirrored.atmosphere.assign(lobes * places, 0.0);
     // Samples turn facets differently, so that few rays of each do for all (Roberts' sequence).
     const auto partOf = [&](double step) {
         const double turned = step * static_cast<double>(layer.sample % 65536u);
