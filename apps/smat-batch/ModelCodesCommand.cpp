@@ -118,7 +118,7 @@ ModelCodes suggested(const Options& options) {
     if (options.database.empty())
         throw refusal("--suggest", options.model,
                       "--database FILE.sigdb for the entries that it suggests");
-    const auto surfaces = irsg::suggestedSurfaces(irsg::namesOf(options.model, ModelCodes()).names);
+    const auto surfaces = irsg::suggestedSurfaces(irsg::namesOf(options.model, ModelCodes()).parts);
     const auto first =
         irsg::firstSignatureOf(surfaces, std::filesystem::path(options.model).stem().string());
     // The database is not made where the codes, which are written last, would not be.
@@ -136,7 +136,7 @@ int showCodes(const Options& options, Context& context) {
         throw refusal("--suggest", options.model, "no --rule and no --remove beside it");
     const ModelCodes codes = options.suggest ? suggested(options) : changed(options);
     // The model is looked at first: nothing is written beside what cannot be read.
-    const auto [names, remarks] = irsg::namesOf(options.model, codes);
+    const auto [names, parts, remarks] = irsg::namesOf(options.model, codes);
     if (changes)
         irsg::saveModelCodes(codes, options.model);
     const auto file = irsg::codesFileOf(options.model).string();

@@ -11,9 +11,9 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "gui/database/NumberField.h"
 #include "gui/project/PlacingFields.h"
 #include "gui/widgets/DialogButtons.h"
+#include "gui/widgets/NumberField.h"
 #include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "irsg/signature/MaterialLibrary.h"
@@ -26,6 +26,7 @@ using Kind = irsg::FirstTemperature::Kind;
 
 enum SurfaceColumn {
     surfaceNameColumn,
+    surfaceKindColumn,
     surfaceFacesColumn,
     surfaceMaterialColumn,
     surfaceTemperatureColumn,
@@ -69,7 +70,7 @@ FirstSignatureDialog::FirstSignatureDialog(const Project& project, std::size_t n
     table_ = new QTableWidget(0, surfaceColumnCount);
     table_->setObjectName("surfaces");
     table_->setHorizontalHeaderLabels(
-        {tr("Name in the file"), tr("Faces"), tr("Material"), tr("Temperature")});
+        {tr("Name in the file"), tr("Name of"), tr("Faces"), tr("Material"), tr("Temperature")});
     table_->verticalHeader()->hide();
     table_->setSelectionMode(QAbstractItemView::NoSelection);
     // The keys go through the fields in it, and what has them is in sight.
@@ -118,17 +119,20 @@ FirstSignatureDialog::FirstSignatureDialog(const Project& project, std::size_t n
 }
 
 void FirstSignatureDialog::fill(const irsg::ModelNames& names) {
-    suggested_ = irsg::suggestedSurfaces(names.names);
+    suggested_ = irsg::suggestedSurfaces(names.parts);
     table_->setRowCount(static_cast<int>(suggested_.size()));
     for (std::size_t i = 0; i < suggested_.size(); ++i) {
         const irsg::FirstSurface& surface = suggested_[i];
         const int row = static_cast<int>(i);
         const QString number = QString::number(row);
+        const QString kinds[] = {tr("material"), tr("object"), tr("group")};
+        const QString kind = kinds[static_cast<std::size_t>(surface.of)];
         auto* name = readOnly(surface.name.empty() ? tr("(no name)") : textOf(surface.name));
         name->setToolTip(surface.because.empty()
                              ? tr("No word of this name is known: taken for painted skin")
                              : tr("Because of \"%1\" in its name").arg(textOf(surface.because)));
         table_->setItem(row, surfaceNameColumn, name);
+        table_->setItem(row, surfaceKindColumn, readOnly(kind));
         table_->setItem(row, surfaceFacesColumn,
                         readOnly(QString::number(surface.polygons), Qt::AlignRight));
         Row widgets;

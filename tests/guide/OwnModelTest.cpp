@@ -10,11 +10,11 @@
 #include <QTableWidget>
 #include <QTreeWidget>
 
-#include "gui/database/NumberField.h"
 #include "gui/paint/FacePainter.h"
 #include "gui/paint/PaintDock.h"
 #include "gui/project/FirstSignatureDialog.h"
 #include "gui/project/PlacingFields.h"
+#include "gui/widgets/NumberField.h"
 #include "irsg/geometry/model/PlacingGuess.h"
 #include "smatcore/project/ProjectFile.h"
 #include "tests/guide/GuideFixture.h"
@@ -138,8 +138,9 @@ TEST_F(OwnModelTest, FromAFileWithoutCodesToAPolarPlot) {
     QTest::qWait(30);
     EXPECT_TRUE(get<QLabel>("bannerText")->isVisible()) << "it has none yet";
     walk.step("Name what it is made of. File → First signature from names…, or the button for it "
-              "in the database. Each row is a material of the file with the suggestion of its "
-              "name: Exhaust_Pipe is oxidised nickel alloy, 400 K warmer than the air");
+              "in the database. Each row is a name in the file, of a material, an object or a "
+              "group, with its suggestion: Exhaust_Pipe is oxidised nickel alloy, 400 K warmer "
+              "than the air");
     onDialog = [&](QDialog& dialog) {
         ASSERT_TRUE(isReady(dialog));
         const auto* table = dialog.findChild<QTableWidget*>("surfaces");

@@ -11,6 +11,7 @@
 #include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/geometry/model/FirstSignature.h"
 #include "irsg/geometry/model/ModelConverter.h"
+#include "irsg/signature/MaterialLibrary.h"
 #include "tests/support/ModelAccess.h"
 #include "tests/support/TemporaryFolder.h"
 
@@ -294,8 +295,15 @@ TEST(ModelCodes, TheFileBesideAModelWinsOverTheModelAndGoesWithEveryReader) {
     EXPECT_THAT(refusal([&] { Model::load(model); }), HasSubstr("plate.codes.json"));
 }
 
+/// What all names of a graph suggest.
+std::vector<FirstSurface> suggestedFor(osg::Node& graph) {
+    NamedParts parts;
+    namesIn(graph, "a", &parts);
+    return suggestedSurfaces(parts);
+}
+
 TEST(ModelCodes, AFirstSignatureComesFromMaterialsElseObjectsElseAllAsOne) {
-    const auto surfaces = suggestedSurfaces(namesIn(*named(), "a"));
+    const auto surfaces = suggestedFor(*named());
     ASSERT_EQ(surfaces.size(), 2u);
     EXPECT_EQ(surfaces[0].name, "Paint grey");
     EXPECT_EQ(surfaces[0].because, "grey");
@@ -314,13 +322,88 @@ TEST(ModelCodes, AFirstSignatureComesFromMaterialsElseObjectsElseAllAsOne) {
         if (i != 1 && i != 100) {
             continue;
         }
-        const auto found = suggestedSurfaces(namesIn(*objects, "a"));
-        EXPECT_EQ(found.size(), i == 1 ? 2u : 1u);
+        const auto found = suggestedFor(*objects);
+        ASSERT_EQ(found.size(), 2u);
         EXPECT_EQ(found[0].name, i == 1 ? "Exhaust" : "*");
-        EXPECT_EQ(found[0].polygons, i == 1 ? 1 : 101);
+        EXPECT_EQ(found[0].polygons, i == 1 ? 1 : 100);
+        EXPECT_EQ(found[1].name, i == 1 ? "part 1" : "Exhaust");
         auto codes = firstSignatureOf(found, "a").codes;
-        EXPECT_EQ(given(objects, codes).count({0, 0}), 0u) << "every face has its codes";
+        const auto pairs = given(objects, codes);
+        EXPECT_EQ(pairs.count({0, 0}), 0u) << "every face has its codes";
+        EXPECT_EQ(pairs.size(), 2u) << "the exhaust has its own";
     }
+}
+
+/// An aircraft as modellers export it: names of parts, materials that say little.
+struct PartOfAircraft {
+    const char *group, *object, *material, *says, *because;
+};
+const PartOfAircraft partsOfAircraft[] = {
+    {"Fuselage", "body_main", "Material.001", "body_main", "body"},
+    {"Fuselage", "LeftNozzle", "Material.001", "LeftNozzle", "nozzle"},
+    {"Fuselage", "nozzle_R", "Material.002", "nozzle_R", "nozzle"},
+    {"Fuselage", "canopy", "Glass", "Glass", "glass"},
+    {"Fuselage", "canopy frame", "Material.001", "canopy frame", "canopy"},
+    {"Gear", "NoseWheel", "black", "NoseWheel", "wheel"},
+    {"Engine left", "cowling", "white paint", "Engine left", "engine"},
+    {"Engine left", "exhaust pipe", "steel", "exhaust pipe", "exhaust"},
+    {"Cockpit", "pilot seat", "cloth", "cloth", "cloth"},
+    {"Tail", "Surface.7", "Environment", "Environment", ""},
+    {"Tail", "radome", "fiberglass", "fiberglass", "fiberglas"},
+};
+
+TEST(ModelCodes, ObjectsGroupsAndMaterialsCountTogetherForAFirstSignature) {
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    root->setName("turbine test aircraft"); // the name of the whole makes nothing hot
+    for (const PartOfAircraft& part : partsOfAircraft) {
+        osg::ref_ptr<osg::Group> group = new osg::Group;
+        group->setName(part.group);
+        auto geode = plate(1);
+        geode->setName(part.object);
+        call(*geode, part.material);
+        group->addChild(geode);
+        root->addChild(group);
+    }
+    const auto surfaces = suggestedFor(*root);
+    const auto first = firstSignatureOf(surfaces, "a");
+    for (const PartOfAircraft& part : partsOfAircraft) {
+        const auto found = std::ranges::find(surfaces, part.says, &FirstSurface::name);
+        ASSERT_NE(found, surfaces.end()) << part.says;
+        EXPECT_EQ(found->because, part.because) << part.object;
+        // The rules give each part what the list says of it.
+        IrCodes codes;
+        for (const CodeRule& rule : first.codes.rules) {
+            if (fits(rule, {part.material, part.object, {"turbine test aircraft", part.group}})) {
+                codes = rule.codes.over(codes);
+            }
+        }
+        const auto& material = first.database.materials.at(codes.material);
+        EXPECT_EQ(material.name, materialLibrary().materials.at(found->libraryMaterial).name)
+            << part.object;
+        EXPECT_EQ(first.database.temperatures.at(codes.temperature).name,
+                  nameOf(found->temperature))
+            << part.object;
+    }
+    long polygons = 0;
+    for (const FirstSurface& surface : surfaces) {
+        polygons += surface.polygons;
+    }
+    EXPECT_EQ(polygons, std::ssize(partsOfAircraft)) << "each face counts once";
+}
+
+TEST(ModelCodes, SeriesOfNamedPartsAreOneSurfaceWhereTheyAreMany) {
+    osg::ref_ptr<osg::Group> root = new osg::Group;
+    for (int i = 0; i < 120; ++i) {
+        auto geode = plate(1);
+        geode->setName("blade" + std::to_string(i) + (i % 2 == 0 ? "" : "_tip"));
+        root->addChild(geode);
+    }
+    const auto surfaces = suggestedFor(*root);
+    ASSERT_EQ(surfaces.size(), 2u);
+    EXPECT_EQ(surfaces[0].name, "blade*");
+    EXPECT_EQ(surfaces[0].polygons, 60);
+    EXPECT_EQ(surfaces[1].name, "blade*_tip");
+    EXPECT_EQ(given(root, firstSignatureOf(surfaces, "a").codes).count({0, 0}), 0u);
 }
 
 TEST(ModelCodes, NamesAreListedWithWhatCarriesThem) {

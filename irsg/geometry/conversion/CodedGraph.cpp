@@ -277,7 +277,7 @@ std::vector<std::string> giveCodes(osg::ref_ptr<osg::Node>& graph, const ModelCo
     return giver.remarks();
 }
 
-NamesOfKinds namesIn(osg::Node& graph, const std::string& name) {
+NamesOfKinds namesIn(osg::Node& graph, const std::string& name, NamedParts* parts) {
     NamesOfKinds found(codeRuleNames().size());
     NamedVisitor* walking = nullptr;
     NamedVisitor visitor(
@@ -291,6 +291,11 @@ NamesOfKinds namesIn(osg::Node& graph, const std::string& name) {
                 faces.area += placeOf(corners).area;
                 ++faces.polygons;
             });
+            if (parts != nullptr) {
+                NamedExtent& part = (*parts)[names];
+                part.polygons += faces.polygons;
+                part.area += faces.area;
+            }
             const auto add = [&](CodeRule::Of of, const std::string& called) {
                 NamedFaces& sum = found[static_cast<std::size_t>(of)][called];
                 sum.polygons += faces.polygons;

@@ -9,11 +9,6 @@
 
 namespace irsg {
 
-/// The names over a drawable, by which rules find it.
-struct FaceNames {
-    std::string material, object;
-    std::vector<std::string> groups; ///< from the root down, without empty ones
-};
 /// Of a drawable below `path`, which ends with the node above it. The material is that of the
 /// nearest state with an osg::Material, or state, that has a name.
 FaceNames namesOver(const osg::Drawable& drawable, const std::vector<osg::Node*>& path);
@@ -26,6 +21,7 @@ bool fits(const CodeRule& rule, const FaceNames& names);
 std::vector<std::string> giveCodes(osg::ref_ptr<osg::Node>& graph, const ModelCodes& codes,
                                    const std::string& name);
 
-NamesOfKinds namesIn(osg::Node& graph, const std::string& name);
+/// By kind and name; and, where it is asked for, by all names of a face together.
+NamesOfKinds namesIn(osg::Node& graph, const std::string& name, NamedParts* parts = nullptr);
 
 } // namespace irsg

@@ -13,7 +13,7 @@ ModelNames namesOf(const std::filesystem::path& model, const ModelCodes& codes) 
     ModelNames names;
     if (!codes.empty())
         names.remarks = giveCodes(loaded.node, codes, model.string());
-    names.names = namesIn(*loaded.node, model.string());
+    names.names = namesIn(*loaded.node, model.string(), &names.parts);
     // As Model::load, so that nobody takes an empty list for a model.
     const auto isDrawn = [](const auto& ofKind) {
         return std::ranges::any_of(ofKind,

@@ -1,11 +1,17 @@
 #include "irsg/geometry/model/FirstSignature.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
 
 #include "irsg/core/Errors.h"
-#include "irsg/core/Wording.h"
 #include "irsg/signature/MaterialLibrary.h"
 
 namespace irsg {
@@ -26,8 +32,8 @@ constexpr FirstTemperature warmer(double kelvin) {
     return {Kind::aboveAir, kelvin};
 }
 
-/// The first that a name holds counts: what is hot before what is painted, what it is made of
-/// before its colour.
+/// The first that a name holds counts: what is hot, to "engine"; what it is made of, to "seat"; its
+/// colour, or the part that it is.
 constexpr Word words[] = {
     {"afterburner", "nickel alloy, oxidised (exhaust parts)", warmer(700.0)},
     {"exhaust", "nickel alloy, oxidised (exhaust parts)", warmer(400.0)},
@@ -43,11 +49,14 @@ constexpr Word words[] = {
     {"cockpit", "acrylic canopy, 8 mm", recovery},
     {"plexi", "acrylic canopy, 8 mm", recovery},
     {"acryl", "acrylic canopy, 8 mm", recovery},
+    {"fiberglas", "carbon fibre composite, unpainted", recovery},
+    {"fibreglas", "carbon fibre composite, unpainted", recovery},
     {"glass", "window glass, 4 mm", air},
     {"glas", "window glass, 4 mm", air},
     {"window", "window glass, 4 mm", air},
     {"windsh", "window glass, 4 mm", air},
     {"windscreen", "window glass, 4 mm", air},
+    {"wheel", "rubber, tyre", warmer(15.0)},
     {"tire", "rubber, tyre", warmer(15.0)},
     {"tyre", "rubber, tyre", warmer(15.0)},
     {"rubber", "rubber, tyre", air},
@@ -108,20 +117,141 @@ int libraryIndex(const char* name) {
     throw LogicError("the library of materials has no " + std::string(name));
 }
 
-FirstSurface suggestion(const std::string& name) {
+/// The words of a name in small letters: "LeftNozzle_02" is "left", "nozzle".
+std::vector<std::string> wordsOf(const std::string& name) {
+    std::vector<std::string> found(1);
+    char before = ' ';
+    for (const char letter : name) {
+        const auto byte = static_cast<unsigned char>(letter);
+        const bool begins =
+            std::isupper(byte) != 0 && std::islower(static_cast<unsigned char>(before)) != 0;
+        if ((std::isalpha(byte) == 0 || begins) && !found.back().empty())
+            found.emplace_back();
+        if (std::isalpha(byte) != 0)
+            found.back() += static_cast<char>(std::tolower(byte));
+        before = letter;
+    }
+    return found;
+}
+
+/// Short words stand at the beginning of one of the name: "surface" is no face, "environment" no
+/// iron. Longer ones may be anywhere: "leftnozzle".
+bool says(const std::vector<std::string>& name, const char* part) {
+    constexpr std::size_t longWord = 5;
+    const std::size_t length = std::char_traits<char>::length(part);
+    return std::ranges::any_of(name, [&](const std::string& word) {
+        const auto at = word.find(part);
+        return at == 0 || (at != word.npos && length >= longWord);
+    });
+}
+
+/// The place of the first word of the list that a name says; their number where it says none.
+std::size_t placeOf(const std::string& name) {
+    const auto spoken = wordsOf(name);
+    const auto found =
+        std::ranges::find_if(words, [&](const Word& word) { return says(spoken, word.part); });
+    return static_cast<std::size_t>(found - std::begin(words));
+}
+
+/// What is hot counts wherever it stands, the hottest first. Of the other words those of what a
+/// surface is made of count before colours and parts, and the name of a material before that of an
+/// object before that of a group: the seat in a cockpit is no canopy.
+int strengthOf(std::size_t place, CodeRule::Of of) {
+    const auto isBehind = [&](const char* last) {
+        return place >
+               static_cast<std::size_t>(
+                   std::ranges::find(words, std::string_view(last),
+                                     [](const Word& word) { return std::string_view(word.part); }) -
+                   std::begin(words));
+    };
+    const int left = static_cast<int>(std::size(words) - place), kind = 2 - static_cast<int>(of);
+    if (!isBehind("engine"))
+        return 100000 + 3 * left + kind;
+    return (isBehind("seat") ? 0 : 10000) + 1000 * kind + left;
+}
+
+FirstSurface suggestion(CodeRule::Of of, const std::string& name) {
     FirstSurface surface;
+    surface.of = of;
     surface.name = name;
-    surface.libraryMaterial = libraryIndex(otherwise);
-    surface.temperature = recovery;
-    const std::string lower = lowerCase(name);
-    for (const Word& word : words)
-        if (lower.find(word.part) != lower.npos) {
-            surface.libraryMaterial = libraryIndex(word.material);
-            surface.temperature = word.temperature;
-            surface.because = word.part;
-            break;
-        }
+    const std::size_t place = placeOf(name);
+    const bool isKnown = place < std::size(words);
+    surface.libraryMaterial = libraryIndex(isKnown ? words[place].material : otherwise);
+    surface.temperature = isKnown ? words[place].temperature : recovery;
+    surface.because = isKnown ? words[place].part : "";
+    surface.strength = strengthOf(place, of);
     return surface;
+}
+
+/// Names of a kind, and which of them may give a surface.
+class NamesOfParts {
+  public:
+    explicit NamesOfParts(const NamedParts& parts) {
+        for (const auto& [names, extent] : parts) {
+            ++counts_[{CodeRule::Of::material, names.material}];
+            ++counts_[{CodeRule::Of::object, names.object}];
+            for (const std::string& group : std::set(names.groups.begin(), names.groups.end()))
+                ++counts_[{CodeRule::Of::group, group}];
+        }
+        parts_ = parts.size();
+    }
+    /// The name of the whole says nothing of a part.
+    bool isOfPart(CodeRule::Of of, const std::string& name) const {
+        return of == CodeRule::Of::material || parts_ == 1 || counts_.at({of, name}) < parts_;
+    }
+    /// Whether names of a kind tell faces apart that no word tells apart. Materials say most; of
+    /// objects and groups only as many as a person looks through.
+    bool tells(CodeRule::Of of) const {
+        const auto isOf = [&](const auto& count) { return count.first.first == of; };
+        const auto number = std::ranges::count_if(counts_, isOf);
+        return number > 0 && (number > 1 || !counts_.contains({of, ""})) &&
+               (of == CodeRule::Of::material || number <= mostOfAKind);
+    }
+    static constexpr std::ptrdiff_t mostOfAKind = 100;
+
+  private:
+    std::map<std::pair<CodeRule::Of, std::string>, std::size_t> counts_;
+    std::size_t parts_ = 0;
+};
+
+/// All names of a part, each with its kind, in the order in which equal words count.
+std::vector<std::pair<CodeRule::Of, std::string>> namesOf(const FaceNames& part) {
+    std::vector<std::pair<CodeRule::Of, std::string>> names{{CodeRule::Of::material, part.material},
+                                                            {CodeRule::Of::object, part.object}};
+    for (const std::string& group : part.groups)
+        names.emplace_back(CodeRule::Of::group, group);
+    return names;
+}
+
+using SurfacesByName = std::map<std::pair<CodeRule::Of, std::string>, FirstSurface>;
+
+constexpr int weakest = -1; ///< of a rule that fits all faces
+
+/// Makes one surface, "rivet*", of "rivet1", "rivet2" ... where a kind has more surfaces than a
+/// person looks through.
+void joinSeries(SurfacesByName& surfaces, CodeRule::Of kind) {
+    const auto isOfKind = [&](const auto& surface) { return surface.first.first == kind; };
+    if (std::ranges::count_if(surfaces, isOfKind) <= NamesOfParts::mostOfAKind)
+        return;
+    SurfacesByName joined;
+    for (auto& [key, surface] : surfaces) {
+        std::string name = key.second;
+        if (key.first == kind) {
+            name.clear();
+            for (const char letter : key.second)
+                if (std::isdigit(static_cast<unsigned char>(letter)) == 0)
+                    name += letter;
+                else if (name.empty() || name.back() != '*')
+                    name += '*';
+        }
+        const auto [place, isNew] = joined.try_emplace({key.first, name}, surface);
+        place->second.name = name;
+        if (!isNew) {
+            place->second.polygons += surface.polygons;
+            place->second.area += surface.area;
+        }
+    }
+    surfaces = std::move(joined);
 }
 
 TemperatureEntry entryOf(const FirstTemperature& temperature) {
@@ -170,37 +300,41 @@ std::string nameOf(const FirstTemperature& temperature) {
     throw LogicError("unknown kind of temperature");
 }
 
-std::vector<FirstSurface> suggestedSurfaces(const NamesOfKinds& names) {
-    // Names of materials say most; of objects and groups only as many as a person looks through.
-    constexpr std::size_t most = 100;
-    const auto of = [&](CodeRule::Of kind) -> const auto& {
-        return names[static_cast<std::size_t>(kind)];
-    };
-    const auto tells = [&](CodeRule::Of kind) {
-        return !of(kind).empty() && (of(kind).size() > 1 || !of(kind).contains("")) &&
-               (kind == CodeRule::Of::material || of(kind).size() <= most);
-    };
+std::vector<FirstSurface> suggestedSurfaces(const NamedParts& parts) {
+    const NamesOfParts known(parts);
+    std::optional<CodeRule::Of> usual;
+    for (const auto kind : {CodeRule::Of::material, CodeRule::Of::object, CodeRule::Of::group})
+        if (!usual && known.tells(kind))
+            usual = kind;
+    SurfacesByName found;
+    for (const auto& [part, extent] : parts) {
+        // The strongest of its names that says something, or the one of the usual kind.
+        std::optional<FirstSurface> best;
+        for (const auto& [of, name] : namesOf(part)) {
+            if (!known.isOfPart(of, name))
+                continue;
+            FirstSurface one = suggestion(of, name);
+            if (!one.because.empty() && (!best || one.strength > best->strength))
+                best = std::move(one);
+        }
+        if (!best && usual && *usual != CodeRule::Of::group)
+            best =
+                suggestion(*usual, *usual == CodeRule::Of::material ? part.material : part.object);
+        else if (!best && usual && !part.groups.empty())
+            best = suggestion(*usual, part.groups.back());
+        if (!best) {
+            best = suggestion(CodeRule::Of::material, "*");
+            best->strength = weakest;
+        }
+        FirstSurface& surface = found.try_emplace({best->of, best->name}, *best).first->second;
+        surface.polygons += extent.polygons;
+        surface.area += extent.area;
+    }
+    for (const auto kind : {CodeRule::Of::object, CodeRule::Of::group})
+        joinSeries(found, kind);
     std::vector<FirstSurface> surfaces;
-    for (const auto kind : {CodeRule::Of::material, CodeRule::Of::object, CodeRule::Of::group}) {
-        if (!tells(kind))
-            continue;
-        for (const auto& [name, faces] : of(kind)) {
-            FirstSurface surface = suggestion(name);
-            surface.of = kind;
-            surface.polygons = faces.polygons;
-            surface.area = faces.area;
-            surfaces.push_back(std::move(surface));
-        }
-        break;
-    }
-    if (surfaces.empty()) {
-        FirstSurface all = suggestion("*");
-        for (const auto& [name, faces] : of(CodeRule::Of::material)) {
-            all.polygons += faces.polygons;
-            all.area += faces.area;
-        }
-        surfaces.push_back(std::move(all));
-    }
+    for (auto& [name, surface] : found)
+        surfaces.push_back(std::move(surface));
     std::ranges::stable_sort(surfaces, std::ranges::greater(), &FirstSurface::area);
     return surfaces;
 }
@@ -212,6 +346,7 @@ FirstSignature firstSignatureOf(const std::vector<FirstSurface>& surfaces,
     first.database.notes = "Made from the names in the model: first choices, to be refined.";
     std::vector<int> materials;
     std::vector<FirstTemperature> temperatures;
+    std::vector<int> strengths;
     for (const FirstSurface& surface : surfaces) {
         const auto& library = materialLibrary().materials;
         const auto found = library.find(surface.libraryMaterial);
@@ -223,7 +358,15 @@ FirstSignature firstSignatureOf(const std::vector<FirstSurface>& surfaces,
         first.database.materials[material] = found->second;
         first.database.temperatures[temperature] = entryOf(surface.temperature);
         first.codes.rules.push_back({surface.of, surface.name, {temperature, material}});
+        strengths.push_back(surface.strength);
     }
+    std::vector<std::size_t> order(strengths.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return strengths[i]; });
+    std::vector<CodeRule> rules;
+    for (const std::size_t i : order)
+        rules.push_back(std::move(first.codes.rules[i]));
+    first.codes.rules = std::move(rules);
     return first;
 }
 

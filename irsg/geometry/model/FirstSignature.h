@@ -32,15 +32,21 @@ struct FirstSurface {
     int libraryMaterial = 0; ///< index in materialLibrary()
     FirstTemperature temperature;
     std::string because; ///< the word of the name that says so; empty where none does
+    int strength = 0;    ///< of two rules for a face the stronger one counts
 };
 
-/// The surfaces of a model by the names of its materials, or, where it has none, of its objects or
-/// its groups, if they are not more than 100, or else all as one, "*"; each with a material of the
-/// library and a temperature that its name suggests. Largest first.
-std::vector<FirstSurface> suggestedSurfaces(const NamesOfKinds& names);
+/// The surfaces of a model by what the names of its materials, objects and groups say together. A
+/// face belongs to the one of its names that counts most: a word of something hot, then of what it
+/// is made of, then of a colour or a part; of these a material before an object before a group.
+/// What all faces have in common (the name of the whole) says nothing of a part. Faces without a
+/// known word are taken by their material or, where no face has one, by object or group, if these
+/// are not more than 100, or else all as one, "*". Of more than 100 surfaces by object or by group
+/// those that differ in numbers alone are one, "rivet*". Each surface has a material of the library
+/// and a temperature. Largest first.
+std::vector<FirstSurface> suggestedSurfaces(const NamedParts& parts);
 
 /// Codes and entries for surfaces: an index for each material and each temperature that occurs,
-/// from 1, in the order of the surfaces.
+/// from 1, in the order of the surfaces; the rules by strength, since later ones win.
 struct FirstSignature {
     ModelCodes codes;
     SignatureDatabase database;
