@@ -2,6 +2,9 @@
 
 #include <utility>
 
+#include <QApplication>
+#include <QEvent>
+#include <QPainter>
 #include <QTabWidget>
 
 #include "gui/analysis/CostAccuracyPanel.h"
@@ -14,6 +17,23 @@
 #include "smatcore/analysis/AnalysisDefinition.h"
 
 namespace smat::gui {
+namespace {
+
+/// Property of a page that was not looked at yet: the icon of its tab.
+constexpr const char* unseen = "unseen";
+
+QIcon dotted(const QIcon& plain, const QSize& size, double pixelRatio) {
+    QPixmap picture = plain.pixmap(size, pixelRatio);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QApplication::palette().color(QPalette::Highlight));
+    const double across = 0.45 * size.width();
+    painter.drawEllipse(QRectF(size.width() - across, 0.0, across, across));
+    return picture;
+}
+
+} // namespace
 
 ResultPages::ResultPages(Workbench& workbench, Dialogs dialogs, QTabWidget* tabs)
     : QObject(tabs),
@@ -23,6 +43,16 @@ ResultPages::ResultPages(Workbench& workbench, Dialogs dialogs, QTabWidget* tabs
       floating_(new FloatingPages(tabs)) {
     const ResultStore& store = workbench_.resultStore();
     connect(&store, &ResultStore::added, this, [this](int id) { show({id}); });
+    connect(&workbench_, &Workbench::jobStarted, this, [this] {
+        isRunning_ = true;
+        isAtWork_ = false;
+    });
+    // The result comes right behind the end of its run.
+    connect(
+        &workbench_, &Workbench::jobEnded, this, [this] { isRunning_ = workbench_.isRunning(); },
+        Qt::QueuedConnection);
+    qApp->installEventFilter(this);
+    connect(tabs_, &QTabWidget::currentChanged, this, &ResultPages::clearDot);
     connect(&store, &ResultStore::renamed, this, &ResultPages::onRenamed);
     connect(&store, &ResultStore::removed, this, &ResultPages::onRemoved);
     connect(tabs_, &QTabWidget::currentChanged, this, &ResultPages::sayOfShown);
@@ -65,10 +95,32 @@ void ResultPages::show(const QList<int>& ids) {
         }
         const QString title =
             entries.size() > 1 ? tr("Overlay of %1").arg(entries.size()) : entries.front().title;
-        tabs_->setCurrentIndex(tabs_->addTab(page, icon(entries.front().kind()->icon), title));
+        const QIcon mark = icon(entries.front().kind()->icon);
+        if (!(isRunning_ && isAtWork_)) {
+            tabs_->setCurrentIndex(tabs_->addTab(page, mark, title));
+            return;
+        }
+        page->setProperty(unseen, mark);
+        tabs_->addTab(page, dotted(mark, tabs_->iconSize(), tabs_->devicePixelRatioF()), title);
+        emit said(tr("%1 is done: its tab has a dot").arg(title));
     } catch (const irsg::InputError& error) {
         dialogs_.tell(tabs_, tr("These results cannot be shown"), sentencesOf(error));
     }
+}
+
+bool ResultPages::eventFilter(QObject*, QEvent* event) {
+    if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::KeyPress ||
+        event->type() == QEvent::Wheel)
+        isAtWork_ = true;
+    return false;
+}
+
+void ResultPages::clearDot() {
+    QWidget* page = tabs_->currentWidget();
+    if (page == nullptr || !page->property(unseen).isValid())
+        return;
+    tabs_->setTabIcon(tabs_->currentIndex(), page->property(unseen).value<QIcon>());
+    page->setProperty(unseen, QVariant());
 }
 
 void ResultPages::sayOfShown() {

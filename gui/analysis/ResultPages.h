@@ -13,7 +13,9 @@ class ResultPage;
 class Workbench;
 
 /// Shows results of a Workbench as pages of a row of tabs, which may float: each once, several
-/// overlaid on one page. Pages follow their results: a new name, and their end.
+/// overlaid on one page. Pages follow their results: a new name, and their end. The result of a run
+/// comes to the front where the person did nothing but wait for it; else its tab stands there with
+/// a dot until it is looked at, and a note says so.
 class ResultPages : public QObject {
     Q_OBJECT
 
@@ -30,8 +32,13 @@ class ResultPages : public QObject {
     /// That no page of a result is in front of which this was said.
     void passed(const QString& sentence);
 
+  protected:
+    /// Sees that the person goes on working.
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
   private:
     std::vector<ResultPage*> pages() const;
+    void clearDot();
     void sayOfShown();
     void onRenamed(int id);
     void onRemoved(int id);
@@ -41,6 +48,7 @@ class ResultPages : public QObject {
     QTabWidget* tabs_;
     FloatingPages* floating_;
     QString said_; ///< of the page in front
+    bool isRunning_ = false, isAtWork_ = false;
 };
 
 } // namespace smat::gui

@@ -1,0 +1,51 @@
+#include <QStatusBar>
+#include <QTabWidget>
+
+#include "gui/analysis/ResultPage.h"
+#include "tests/gui/WindowFixture.h"
+
+namespace smat::gui {
+namespace {
+
+class FinishedRunTest : public test::WindowFixture {
+  protected:
+    void SetUp() override {
+        WindowFixture::SetUp();
+        openSample();
+        tabs = window->findChild<QTabWidget*>("tabs");
+        ASSERT_NE(tabs, nullptr);
+    }
+    /// Starts a short sweep, does something meanwhile, and waits for its end.
+    void runs(const std::function<void()>& meanwhile) {
+        Settings settings = workbench.settings();
+        settings.set("polar.step", "60");
+        workbench.start(AnalysisData::of(workbench.project(), AnalysisKind::polar, settings));
+        ASSERT_TRUE(test::waitUntil([this] { return workbench.isRunning(); }));
+        QTest::qWait(100);
+        meanwhile();
+        ASSERT_TRUE(test::waitUntil([this] { return !workbench.isRunning(); }));
+        QTest::qWait(50);
+    }
+    QTabWidget* tabs = nullptr;
+};
+
+TEST_F(FinishedRunTest, ComesToTheFrontWhereOneWaitsForIt) {
+    runs([] {});
+    EXPECT_EQ(tabs->currentIndex(), 1);
+    EXPECT_NE(qobject_cast<ResultPage*>(tabs->currentWidget()), nullptr);
+}
+
+TEST_F(FinishedRunTest, TakesNoPageAwayFromWorkAndHasADotUntilItIsLookedAt) {
+    runs([this] { QTest::keyClick(window.get(), Qt::Key_Shift); });
+    ASSERT_EQ(tabs->count(), 2);
+    EXPECT_EQ(tabs->currentIndex(), 0) << "the page in front stays";
+    EXPECT_TRUE(window->statusBar()->currentMessage().contains("its tab has a dot"))
+        << window->statusBar()->currentMessage().toStdString();
+    const QImage dotted = tabs->tabIcon(1).pixmap(tabs->iconSize()).toImage();
+    tabs->setCurrentIndex(1);
+    EXPECT_NE(tabs->tabIcon(1).pixmap(tabs->iconSize()).toImage(), dotted);
+    EXPECT_NE(qobject_cast<ResultPage*>(tabs->currentWidget()), nullptr);
+}
+
+} // namespace
+} // namespace smat::gui
