@@ -17,6 +17,7 @@
 #include "gui/Shutdown.h"
 #include "gui/settings/Preferences.h"
 #include "gui/widgets/Theme.h"
+#include "gui/widgets/WheelGuard.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/ProgramVersion.h"
@@ -90,6 +91,7 @@ int runWindow(const std::string& file, std::optional<smat::gui::ThemeMode> theme
     keepDecimalPoints();
     QApplication::setApplicationName("smat");
     smat::gui::applyTheme(application, theme.value_or(smat::gui::Preferences::load().theme));
+    application.installEventFilter(new smat::gui::WheelGuard(&application));
     smat::gui::Workbench workbench;
     const int code = runMainWindow(application, workbench, file);
     smat::gui::shutDown(workbench, code);

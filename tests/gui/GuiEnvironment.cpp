@@ -17,6 +17,7 @@
 
 #include "gui/view/SceneView.h"
 #include "gui/widgets/Theme.h"
+#include "gui/widgets/WheelGuard.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace smat::gui::test {
@@ -41,6 +42,7 @@ class QtForTests : public ::testing::Environment {
         application_ = std::make_unique<QApplication>(argumentCount_, arguments_);
         QApplication::setOrganizationName("smat-tests");
         applyTheme(*application_, ThemeMode::light);
+        application_->installEventFilter(new WheelGuard(application_.get()));
     }
     void TearDown() override { application_.reset(); }
 
