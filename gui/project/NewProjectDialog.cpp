@@ -110,6 +110,10 @@ void NewProjectDialog::refresh() {
     create_->setEnabled(isAcceptable());
 }
 
+std::optional<irsg::BoundingBox> NewProjectDialog::bounds() const {
+    return placing_->bounds();
+}
+
 Project NewProjectDialog::project() const {
     const auto absolute = [](const QString& file) {
         return file.isEmpty() ? std::filesystem::path()

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include <QDialog>
 
 #include "gui/widgets/Dialogs.h"
@@ -23,6 +25,8 @@ class NewProjectDialog : public QDialog {
     explicit NewProjectDialog(Dialogs& dialogs, QWidget* parent = nullptr);
     /// Without a file of its own yet.
     Project project() const;
+    /// Of the model as it is placed, in m; none while it is being read.
+    std::optional<irsg::BoundingBox> bounds() const;
     bool isAcceptable() const;
 
   private:

@@ -9,8 +9,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "gui/database/NumberField.h"
 #include "gui/project/PlacingPicture.h"
+#include "gui/widgets/NumberField.h"
 #include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "irsg/core/Errors.h"
@@ -181,6 +181,19 @@ irsg::ModelPlacing PlacingFields::placing() const {
     return placing;
 }
 
+irsg::BoundingBox PlacingFields::placedBox() const {
+    const irsg::Matrix4 turned =
+        irsg::turnAndScale(irsg::completed(placing(), shape_->axes, file_.filename().string()));
+    irsg::BoundingBox box = irsg::BoundingBox::nowhere();
+    for (const irsg::Float3& corner : shape_->corners)
+        box.include(turned.place(irsg::toVec3(corner)));
+    return box;
+}
+
+std::optional<irsg::BoundingBox> PlacingFields::bounds() const {
+    return shape_ && isRight() ? std::optional(placedBox()) : std::nullopt;
+}
+
 bool PlacingFields::isRight() const {
     try {
         irsg::completed(placing(), shape_ ? shape_->axes : irsg::FileAxes{}, "");
@@ -209,12 +222,10 @@ void PlacingFields::refresh() {
     otherUnit_->setVisible(unit_->currentIndex() == unit_->count() - 1);
     if (shape_) {
         try {
-            const auto whole = irsg::completed(placing(), shape_->axes, file_.filename().string());
-            picture_->show(shape_, whole);
-            irsg::BoundingBox box = irsg::BoundingBox::nowhere();
-            for (const irsg::Float3& corner : shape_->corners)
-                box.include(irsg::toVec3(corner));
-            const irsg::Vec3 size = irsg::turnAndScale(whole).place(box.max - box.min);
+            picture_->show(shape_,
+                           irsg::completed(placing(), shape_->axes, file_.filename().string()));
+            const irsg::BoundingBox box = placedBox();
+            const irsg::Vec3 size = box.max - box.min;
             said_->setText(tr("%1 m long, %2 m wide, %3 m high%4")
                                .arg(formattedNumber(std::abs(size.y)),
                                     formattedNumber(std::abs(size.x)),

@@ -3,6 +3,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include <QWidget>
 
@@ -36,6 +37,8 @@ class PlacingFields : public QWidget {
     const irsg::PlacingGuess* guess() const { return shape_ ? &shape_->guess : nullptr; }
     /// Sets the fields to it; LogicError before the file is read.
     void takeGuess();
+    /// Of the model as it is placed, in m about the file's origin; none until it is read.
+    std::optional<irsg::BoundingBox> bounds() const;
     /// Whether up and nose go together.
     bool isRight() const;
 
@@ -45,6 +48,7 @@ class PlacingFields : public QWidget {
 
   private:
     void refresh();
+    irsg::BoundingBox placedBox() const;
     bool isMade_ = false;
 
     std::filesystem::path file_;

@@ -13,6 +13,7 @@
 #include "gui/start/DataFolder.h"
 #include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
+#include "gui/workbench/FirstScene.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
 #include "smatcore/project/ProjectFile.h"
@@ -127,10 +128,16 @@ bool ProjectFiles::newProject() {
     if (!dialogs_.run(dialog))
         return false;
     Project project = dialog.project();
-    project.settings.set(key::displayColorMap, preferences_.colorMap);
+    project.settings = firstSettings(project.settings, dialog.bounds());
     workbench_.adopt(project);
     remember();
     return true;
+}
+
+Settings ProjectFiles::firstSettings(Settings usual,
+                                     const std::optional<irsg::BoundingBox>& bounds) const {
+    usual.set(key::displayColorMap, preferences_.colorMap);
+    return bounds ? firstScene(*bounds, usual) : usual;
 }
 
 bool ProjectFiles::chooseModel() {
@@ -166,8 +173,11 @@ bool ProjectFiles::load(const std::filesystem::path& file) {
         dialogs_.tell(window_, tr("This file cannot be opened"), sentencesOf(error));
         return false;
     }
-    if (workbench_.project().file.empty())
-        workbench_.useColorMap(preferences_.colorMap);
+    if (workbench_.project().file.empty()) {
+        const Project& begun = workbench_.project();
+        const auto model = workbench_.models()->model(ModelKey::of(begun, begun.models.front()));
+        workbench_.beginWith(firstSettings(workbench_.settings(), model->bounds()));
+    }
     remember();
     QStringList unknown;
     for (const auto& key : unknownKeys(workbench_.project()))

@@ -60,6 +60,8 @@ class ProjectFiles : public QObject {
     void said(const QString& sentence);
 
   private:
+    /// Of a project that is begun with a model, whose extent may not be known yet.
+    Settings firstSettings(Settings usual, const std::optional<irsg::BoundingBox>& bounds) const;
     bool load(const std::filesystem::path& file);
     /// Throws irsg::InputError for a damaged model, so that what is open stays; those that take
     /// their time were read beside the window. What was read serves the view.

@@ -8,12 +8,12 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
 #include "gui/project/PlacingFields.h"
 #include "gui/widgets/DialogButtons.h"
+#include "gui/widgets/NumberBoxes.h"
 
 namespace smat::gui {
 namespace {
@@ -31,8 +31,7 @@ QFormLayout* formOf(QWidget* page) {
 }
 
 QSpinBox* entryField(const QString& name, const std::optional<int>& value) {
-    auto* box = new QSpinBox;
-    box->setObjectName(name);
+    auto* box = new WholeBox(name);
     box->setRange(noEntry, largestIndex);
     box->setSpecialValueText(ProjectPropertiesDialog::tr("none: such faces are refused"));
     box->setValue(value.value_or(noEntry));

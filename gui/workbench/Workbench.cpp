@@ -141,12 +141,14 @@ bool Workbench::isModified() const {
            });
 }
 
-void Workbench::useColorMap(const std::string& name) {
-    if (settings_.text(key::displayColorMap) == name)
+void Workbench::beginWith(const Settings& settings) {
+    if (!project().file.empty())
+        throw irsg::LogicError("a project with a file begins with its own settings");
+    if (settings_ == settings)
         return;
-    settings_.set(key::displayColorMap, name);
-    saved_.settings.set(key::displayColorMap, name);
-    project_->settings = saved_.settings;
+    settings_ = settings;
+    saved_.settings = settings;
+    project_->settings = settings;
     emit settingsChanged();
 }
 

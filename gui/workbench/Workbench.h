@@ -51,8 +51,8 @@ class Workbench : public QObject {
     /// Whether editedProject() is something else than its file has, or a model is painted otherwise
     /// than the file beside it says. Where there is no file, moving the camera alone is no change.
     bool isModified() const;
-    /// Colour map of a project that is begun: no change and no step.
-    void useColorMap(const std::string& name);
+    /// The settings of a project that is begun and has no file: no change and no step.
+    void beginWith(const Settings& settings);
     /// Writes the project to its file, or to another that becomes its file. Throws
     /// irsg::InputError, and then the files are as they were. LogicError where there is no file.
     void save();
