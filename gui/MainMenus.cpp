@@ -210,7 +210,7 @@ void MainMenus::makeViewMenu(QMenu* menu) {
     for (auto* dock :
          with_.window.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
         menu->addAction(dock->toggleViewAction());
-    add(menu, "collapseDocks", {}, tr("All docks away, or &back"), QKeySequence(Qt::Key_F6),
+    add(menu, "collapseDocks", {}, tr("Hide or show &panels"), QKeySequence(Qt::Key_F6),
         [this] { with_.layout.toggleDocks(); });
 }
 
@@ -256,10 +256,10 @@ void MainMenus::makeAnalysisMenu(QMenu* menu) {
 void MainMenus::makeToolsMenu(QMenu* menu) {
     add(menu, "compareImages", "compare", tr("&Compare images…"),
         QKeySequence(Qt::CTRL | Qt::Key_D), [this] { with_.images.compare(); });
-    add(menu, "newAir", "air", tr("New &air"), {}, [this] {
+    add(menu, "newAir", "air", tr("New &atmosphere"), {}, [this] {
         with_.air.makeNew();
     })->setToolTip(tr("Parameters of an AtmosphereSmart with what they do to the scene"));
-    needProject_.append(add(menu, "projectAir", "air", tr("Air of the &project"), {},
+    needProject_.append(add(menu, "projectAir", "air", tr("&Project atmospheres"), {},
                             [this] { with_.air.showProjectAtmosphere(); }));
     add(menu, "importAir", "import", tr("&Import results of MODTRAN…"), {},
         [this] { with_.air.importTables(); });

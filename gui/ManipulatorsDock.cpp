@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -13,11 +14,12 @@
 #include <QSlider>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <QWheelEvent>
 
 #include "gui/ModelFieldsForm.h"
 #include "gui/settings/SettingForm.h"
+#include "gui/settings/TypedSetting.h"
 #include "gui/widgets/NumberFormat.h"
+#include "gui/widgets/RefusedText.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/ThemeColors.h"
 #include "gui/workbench/Workbench.h"
@@ -29,17 +31,6 @@ namespace smat::gui {
 namespace {
 
 constexpr int sliderSteps = 3600; ///< a tenth of a degree over a turn
-
-/// Lets the wheel scroll the dock unless the slider has the focus.
-class QuietSlider : public QSlider {
-  public:
-    QuietSlider() : QSlider(Qt::Horizontal) { setFocusPolicy(Qt::StrongFocus); }
-
-  protected:
-    void wheelEvent(QWheelEvent* event) override {
-        hasFocus() ? QSlider::wheelEvent(event) : event->ignore();
-    }
-};
 
 QLabel* heading(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -83,6 +74,7 @@ ManipulatorsDock::ManipulatorsDock(Workbench& workbench, QWidget* parent)
                             {}, body);
     form_->layout()->setContentsMargins(0, 6, 0, 0);
     static_cast<QFormLayout*>(form_->layout())->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    form_->setLive();
     connect(form_, &SettingForm::edited, this,
             [this](const std::string& key) { workbench_.set(key, form_->value(key)); });
     auto* column = new QVBoxLayout(body);
@@ -137,8 +129,9 @@ void ManipulatorsDock::addRow(QGridLayout* grid, const std::string& key, const Q
                               const Reach& reach) {
     const SettingInfo& info = settingInfo(key);
     const QString name = QString::fromStdString(key);
-    Row row{reach, new QuietSlider, new QLineEdit};
+    Row row{reach, new QSlider(Qt::Horizontal), new QLineEdit};
     row.slider->setObjectName(name + ".slider");
+    row.slider->setFocusPolicy(Qt::StrongFocus);
     row.slider->setRange(0, sliderSteps);
     row.slider->setSingleStep(10);
     row.slider->setPageStep(sliderSteps / 24);
@@ -168,12 +161,7 @@ void ManipulatorsDock::addRow(QGridLayout* grid, const std::string& key, const Q
     connect(row.slider, &QSlider::valueChanged, this,
             [this, key](int position) { onSlider(key, position); });
     connect(row.field, &QLineEdit::textEdited, this, [this, key] { onText(key); });
-    connect(row.field, &QLineEdit::editingFinished, this, [this, key] {
-        // A text that is no value is replaced by the one in effect.
-        workbench_.closeStep();
-        rows_.at(key).field->clear();
-        refresh();
-    });
+    connect(row.field, &QLineEdit::editingFinished, this, [this, key] { finish(key); });
 }
 
 void ManipulatorsDock::addViews(QGridLayout* grid) {
@@ -187,7 +175,7 @@ void ManipulatorsDock::addViews(QGridLayout* grid) {
     const std::array<View, 6> views{{{"viewNose", "Nose", "0", "0", tr("From the nose")},
                                      {"viewTail", "Tail", "180", "0", tr("From the tail")},
                                      {"viewPort", "Port", "-90", "0", tr("From port")},
-                                     {"viewStarboard", "Stbd", "90", "0", tr("From starboard")},
+                                     {"viewStarboard", "Starb.", "90", "0", tr("From starboard")},
                                      {"viewTop", "Top", "0", "90", tr("From above")},
                                      {"viewBelly", "Belly", "0", "-90", tr("From below")}}};
     auto* buttons = new QGridLayout;
@@ -237,13 +225,28 @@ void ManipulatorsDock::onSlider(const std::string& key, int position) {
 
 void ManipulatorsDock::onText(const std::string& key) {
     Row& row = rows_.at(key);
-    const auto text = canonicalText(settingInfo(key), row.field->text().trimmed().toStdString());
+    if (!row.before)
+        row.before = workbench_.settings().text(key);
+    const auto text = typedSetting(settingInfo(key), row.field->text());
     QPalette colours; // of the theme, but for a mark
     if (!text)
         colours.setColor(QPalette::Base, colors::wrongField(palette()));
     row.field->setPalette(colours);
     if (text)
         workbench_.set(key, *text);
+}
+
+void ManipulatorsDock::finish(const std::string& key) {
+    Row& row = rows_.at(key);
+    const QString problem = problemOf(settingInfo(key), row.field->text());
+    // A text that cannot stay takes along what its first letters did.
+    if (const auto before = std::exchange(row.before, std::nullopt); before && !problem.isEmpty()) {
+        sayRefused(*row.field, problem, textOf(*before));
+        workbench_.set(key, *before);
+    }
+    workbench_.closeStep();
+    row.field->clear();
+    refresh();
 }
 
 void ManipulatorsDock::refresh() {
@@ -253,7 +256,7 @@ void ManipulatorsDock::refresh() {
         row.slider->setValue(positionOf(row.reach, settings[RealKey{key.c_str()}]));
         // A field that is being typed into holds the same value already and keeps its text.
         const std::string& text = settings.text(key);
-        if (canonicalText(settingInfo(key), row.field->text().trimmed().toStdString()) != text) {
+        if (typedSetting(settingInfo(key), row.field->text()) != text) {
             row.field->setText(QString::fromStdString(text));
             row.field->setPalette(QPalette());
         }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,12 +37,14 @@ class ManipulatorsDock : public QDockWidget {
         Reach reach;
         QSlider* slider = nullptr;
         QLineEdit* field = nullptr;
+        std::optional<std::string> before = {}; ///< the typing that goes on
     };
     void addRow(QGridLayout* grid, const std::string& key, const QString& label,
                 const Reach& reach);
     void addViews(QGridLayout* grid);
     void onSlider(const std::string& key, int position);
     void onText(const std::string& key);
+    void finish(const std::string& key);
     void refresh();
     void refreshModels();
     static int positionOf(const Reach& reach, double value);

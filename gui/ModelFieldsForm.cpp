@@ -1,11 +1,15 @@
 #include "gui/ModelFieldsForm.h"
 
+#include <utility>
+
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
 
 #include "gui/settings/SettingForm.h"
+#include "gui/settings/TypedSetting.h"
 #include "gui/widgets/NumberFormat.h"
+#include "gui/widgets/RefusedText.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/ThemeColors.h"
 #include "gui/workbench/Workbench.h"
@@ -42,21 +46,36 @@ void ModelFieldsForm::addRow(QGridLayout* grid, const ModelField& field) {
     grid->addWidget(unit, line, 2);
     fields_[field.key] = edit;
     connect(edit, &QLineEdit::textEdited, this, [this, &field] { onText(field); });
-    connect(edit, &QLineEdit::editingFinished, this, [this, edit] {
-        // A text that is no value is replaced by the one in effect.
-        workbench_.closeStep();
-        edit->clear();
-        refresh();
-    });
+    connect(edit, &QLineEdit::editingFinished, this, [this, &field] { finish(field); });
 }
 
 std::string ModelFieldsForm::valueOf(const ModelField& field) const {
-    const std::string text = fields_.at(field.key)->text().trimmed().toStdString();
+    return typedSetting(field.info, typedIn(field)).value_or("");
+}
+
+QString ModelFieldsForm::typedIn(const ModelField& field) const {
+    const QString text = fields_.at(field.key)->text().trimmed();
     const bool hasChoice = field.info.kind == SettingKind::choiceOrReal;
-    return canonicalText(field.info, hasChoice && text.empty() ? asTheTarget : text).value_or("");
+    return hasChoice && text.isEmpty() ? textOf(std::string(asTheTarget)) : text;
+}
+
+void ModelFieldsForm::finish(const ModelField& field) {
+    QLineEdit& edit = *fields_.at(field.key);
+    const QString problem = problemOf(field.info, typedIn(field));
+    // A text that cannot stay takes along what its first letters did.
+    if (const auto before = std::exchange(before_, std::nullopt);
+        before && !problem.isEmpty() && workbench_.chosenModel() == shown_) {
+        sayRefused(edit, problem, *before == asTheTarget ? tr("as the target") : textOf(*before));
+        workbench_.setField(shown_, field, *before);
+    }
+    workbench_.closeStep();
+    edit.clear();
+    refresh();
 }
 
 void ModelFieldsForm::onText(const ModelField& field) {
+    if (!before_ && shown_ < workbench_.project().models.size())
+        before_ = smat::textOf(workbench_.project(), shown_, field);
     const std::string text = valueOf(field);
     QPalette colours; // of the theme, but for a mark
     if (text.empty())

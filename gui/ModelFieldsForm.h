@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include <QWidget>
@@ -28,11 +29,14 @@ class ModelFieldsForm : public QWidget {
   private:
     void addRow(QGridLayout* grid, const ModelField& field);
     void onText(const ModelField& field);
+    void finish(const ModelField& field);
     std::string valueOf(const ModelField& field) const;
+    QString typedIn(const ModelField& field) const;
 
     Workbench& workbench_;
     std::map<std::string, QLineEdit*> fields_;
-    std::size_t shown_ = 0; ///< the model that the fields are of
+    std::size_t shown_ = 0;             ///< the model that the fields are of
+    std::optional<std::string> before_; ///< the typing that goes on
 };
 
 } // namespace smat::gui

@@ -87,7 +87,7 @@ AnalysisGeneratorDialog::AnalysisGeneratorDialog(const Project& project, const S
     copy->setObjectName("copyCommand");
     connect(copy, &QToolButton::clicked, this,
             [this] { QApplication::clipboard()->setText(command_->text()); });
-    auto* same = new QLabel(tr("The same from a terminal"), this);
+    auto* same = new QLabel(tr("Equivalent command"), this);
     same->setForegroundRole(QPalette::PlaceholderText);
 
     unsaved_ = new QLabel(this);
@@ -203,7 +203,7 @@ void AnalysisGeneratorDialog::showIgnored() {
     QStringList words;
     for (const std::string& key : keys)
         words << QString::fromStdString(settingWords(asked.settings, key));
-    ignored_->setText(tr("Of the view this is not used: %1.").arg(words.join(", ")));
+    ignored_->setText(tr("Not used by this analysis: %1.").arg(words.join(", ")));
     ignored_->setVisible(!words.isEmpty());
 }
 

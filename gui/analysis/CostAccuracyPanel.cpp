@@ -155,7 +155,7 @@ void CostAccuracyPanel::fillPlot() {
     constexpr double gap = std::numeric_limits<double>::quiet_NaN();
     // A sample between gaps is drawn as a dot.
     Curve configurations{tr("a configuration"), {}, {}},
-        front{tr("front: none is both quicker and less wrong"), {}, {}},
+        front{tr("front: none is both quicker and more accurate"), {}, {}},
         chosen{tr("chosen"), {}, {}};
     for (std::size_t i = 0; i < table_.rowCount(); ++i) {
         const double error = cell(table_, "true_error", i), time = cell(table_, "time", i);
@@ -178,7 +178,7 @@ void CostAccuracyPanel::fillPlot() {
     only.provenance = table_.provenance;
     data.conditions = QString::fromStdString(lineOf(conditionsOf(only)));
     data.xTitle = tr("True error (%)");
-    data.yTitle = tr("Time of a case (ms)");
+    data.yTitle = tr("Time per case (ms)");
     data.xLogarithmic = data.yLogarithmic = true;
     if (table_.rowCount() > 0)
         data.curves = {front, configurations};
@@ -286,7 +286,7 @@ bool CostAccuracyPanel::eventFilter(QObject* watched, QEvent* event) {
         if (const auto row = configurationNear(help->pos()))
             QToolTip::showText(help->globalPos(),
                                words(table_, *row) + "\n" +
-                                   tr("%1 wrong, %2 a case")
+                                   tr("error %1, %2 per case")
                                        .arg(percent(cell(table_, "true_error", *row)),
                                             milliseconds(cell(table_, "time", *row))));
         else

@@ -48,7 +48,7 @@ JobBar::JobBar(Workbench& workbench, QWidget* parent) : QWidget(parent), workben
     cancel_->setText(tr("Cancel"));
     cancel_->setToolTip(tr("Stop and keep what is done so far (Esc)"));
     cancel_->setShortcut(Qt::Key_Escape);
-    line_ = menuButton({}, "waitingJobs", tr("What waits in line; choose one to take it out"));
+    line_ = menuButton({}, "waitingJobs", tr("Queue: choose an entry to remove it"));
     line_->setAutoRaise(true);
     waiting_ = line_->menu();
     waiting_->setObjectName("waitingMenu");

@@ -171,7 +171,7 @@ void MonteCarloPlots::drawBands() {
     bands_->detachItems(QwtPlotItem::Rtti_PlotIntervalCurve, true);
     bands_->detachItems(QwtPlotItem::Rtti_PlotMarker, true);
     PlotData plot;
-    plot.title = tr("Spread over the scales");
+    plot.title = tr("Spread from uncertain inputs");
     if (data_.abscissae.empty()) {
         bands_->setData(plot);
         return;
@@ -291,7 +291,7 @@ void MonteCarloPlots::drawRanking() {
     for (const RankedScaling& one : data_.ranking)
         bars.push_back(
             {QString::fromStdString(data_.scalings[one.scaling].name), one.firstOrder, one.total});
-    ranking_->setHint(tr("Ask for the ranking to see which scales matter."));
+    ranking_->setHint(tr("Run the ranking to see which inputs matter."));
     ranking_->setBars(std::move(bars));
 }
 

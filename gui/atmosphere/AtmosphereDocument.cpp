@@ -48,7 +48,7 @@ AtmosphereDocument::~AtmosphereDocument() {
 }
 
 QString AtmosphereDocument::displayName() const {
-    return file_.empty() ? tr("New air") : textOf(file_.filename());
+    return file_.empty() ? tr("New atmosphere") : textOf(file_.filename());
 }
 
 void AtmosphereDocument::set(const irsg::AtmosphereSmartParameters& after, const QString& step,

@@ -69,7 +69,7 @@ QWidget* AtmospherePage::makeSide() {
     form_ = new ParameterForm(*document_, dialogs_);
     form_->layout()->setContentsMargins(10, 10, 10, 4);
     column->addWidget(new VerticalScrollArea(form_, side), 1);
-    help_ = new QLabel(tr("The help of the field that is edited stands here."), side);
+    help_ = new QLabel(tr("Help for the field being edited."), side);
     help_->setObjectName("parameterHelp");
     help_->setTextFormat(Qt::RichText);
     help_->setWordWrap(true);

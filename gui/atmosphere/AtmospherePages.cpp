@@ -32,7 +32,7 @@ void AtmospherePages::showProjectAtmosphere() {
         if (qobject_cast<ProjectAtmospherePage*>(tabs_.widget(i)) != nullptr)
             return tabs_.setCurrentIndex(i);
     tabs_.addPage(new ProjectAtmospherePage(workbench_, dialogs_, *this), icon("air"),
-                  tr("Air of the project"));
+                  tr("Project atmospheres"));
     offerCopiesOfProject();
     offerCopies({}, [this]() -> AtmospherePage& {
         return addPage(std::make_unique<AtmosphereDocument>(workbench_.undoStack()));

@@ -6,8 +6,8 @@
 #include <QGridLayout>
 #include <QLabel>
 
-#include "gui/database/NumberField.h"
 #include "gui/tools/TargetPoint.h"
+#include "gui/widgets/NumberField.h"
 #include "gui/workbench/Workbench.h"
 #include "smatcore/project/EnvironmentInput.h"
 #include "smatcore/tools/ViewerGeometry.h"

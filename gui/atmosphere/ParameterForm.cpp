@@ -11,6 +11,8 @@
 #include <QVBoxLayout>
 
 #include "gui/widgets/NumberFormat.h"
+#include "gui/widgets/NumberText.h"
+#include "gui/widgets/RefusedText.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/ThemeColors.h"
@@ -26,6 +28,14 @@ QString textOf(std::string_view text) {
 QString unitOf(const irsg::SmartParameter& parameter) {
     return parameter.unit == "C" ? QStringLiteral("°C")
                                  : formattedUnit(std::string(parameter.unit));
+}
+
+/// Numbers by the rule of typedNumber(), other texts as they are.
+std::string plainTextOf(const irsg::SmartParameter& parameter, const QString& text) {
+    const bool isNumber = parameter.kind != irsg::KarmaKind::string;
+    const QString plain =
+        isNumber ? plainNumber(text, textOf(std::string_view(parameter.unit))) : text;
+    return plain.trimmed().toStdString();
 }
 
 QString titleOf(irsg::SmartGroup group) {
@@ -156,11 +166,6 @@ QWidget* ParameterForm::makeCodes(Field& field) {
 bool ParameterForm::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::FocusIn)
         emit entered(*fields_[watched->property("parameter").toUInt()].parameter);
-    // The wheel is for the column of fields.
-    if (event->type() == QEvent::Wheel && qobject_cast<QComboBox*>(watched) != nullptr) {
-        event->ignore();
-        return true;
-    }
     return QWidget::eventFilter(watched, event);
 }
 
@@ -180,7 +185,7 @@ void ParameterForm::follow() {
         // While one types "5.0" the field is left alone.
         irsg::AtmosphereSmartParameters shown = now;
         std::vector<irsg::Diagnostic> wrong;
-        setFromText(shown, field.parameter->name, field.text->text().trimmed().toStdString(),
+        setFromText(shown, field.parameter->name, plainTextOf(*field.parameter, field.text->text()),
                     wrong);
         if (!wrong.empty() || shown != now || gesture_ == AtmosphereDocument::noGesture) {
             if (field.text->text() != value)
@@ -197,7 +202,7 @@ void ParameterForm::type(const Field& field, const QString& text) {
     }
     irsg::AtmosphereSmartParameters after = document_.parameters();
     std::vector<irsg::Diagnostic> wrong;
-    setFromText(after, field.parameter->name, text.trimmed().toStdString(), wrong);
+    setFromText(after, field.parameter->name, plainTextOf(*field.parameter, text), wrong);
     if (wrong.empty())
         wrong = rangeDiagnosticsOf(*field.parameter, after);
     if (!wrong.empty())
@@ -208,8 +213,12 @@ void ParameterForm::type(const Field& field, const QString& text) {
 
 void ParameterForm::finish() {
     // A text that cannot stay takes along what its first letters did.
-    if (gesture_ != AtmosphereDocument::noGesture && !problem_.isEmpty())
+    if (gesture_ != AtmosphereDocument::noGesture && !problem_.isEmpty()) {
         document_.set(before_, {}, gesture_);
+        for (const Field& field : fields_)
+            if (field.text != nullptr && field.text == sender())
+                sayRefused(*field.text, problem_, valueOf(*field.parameter, before_));
+    }
     gesture_ = AtmosphereDocument::noGesture;
     follow();
 }

@@ -68,7 +68,7 @@ QWidget* ProjectAtmospherePage::makeList() {
     auto* part = new QWidget(this);
     auto* column = new QVBoxLayout(part);
     column->setContentsMargins(0, 0, 0, 0);
-    auto* words = new QLabel(tr("The first that has what is asked for in the whole band answers. "
+    auto* words = new QLabel(tr("The first that covers the whole band is used for each quantity. "
                                 "Drag, or Alt+Up and Alt+Down, to put them in order."),
                              part);
     words->setWordWrap(true);

@@ -6,7 +6,7 @@
 #include <QLabel>
 #include <QWidget>
 
-#include "gui/database/NumberField.h"
+#include "gui/widgets/NumberField.h"
 #include "irsg/signature/EntryFields.h"
 
 namespace smat::gui {

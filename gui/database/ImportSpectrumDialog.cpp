@@ -49,7 +49,7 @@ QString ImportSpectrumDialog::readFile() {
         unit = irsg::SpectralRadianceUnit::parse(unit_->currentText().toStdString());
     std::optional<double> distance_m;
     if (!distance_->text().trimmed().isEmpty()) {
-        distance_m = numberOf(distance_->text());
+        distance_m = typedNumber(distance_->text(), "m").value;
         if (!distance_m || *distance_m < 0.0)
             throw irsg::InputError({"", tr("reference distance").toStdString(),
                                     distance_->text().toStdString(),

@@ -77,9 +77,10 @@ QString NodeTableModel::problemOf(const QModelIndex& cell, const QString& text) 
     const bool isNew = cell.row() == static_cast<int>(nodes_.size());
     if (isNew && text.trimmed().isEmpty())
         return {};
-    const auto number = numberOf(text);
+    const TypedNumber typed = typedNumber(text, unitOf(cell));
+    const auto number = typed.value;
     if (!number)
-        return tr("'%1' is not a number").arg(text);
+        return typed.problem;
     const Nodes changed = with(cell, *number);
     const auto row = static_cast<std::size_t>(cell.row());
     if (cell.column() == 1)
@@ -96,7 +97,7 @@ QString NodeTableModel::problemOf(const QModelIndex& cell, const QString& text) 
 }
 
 bool NodeTableModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-    const auto number = numberOf(value.toString());
+    const auto number = typedNumber(value.toString(), unitOf(index)).value;
     if (role != Qt::EditRole || !number)
         return false;
     const auto row = static_cast<std::size_t>(index.row());

@@ -37,6 +37,9 @@ class NodeTableModel : public QAbstractTableModel {
 
   private:
     Nodes with(const QModelIndex& cell, double value) const;
+    QString unitOf(const QModelIndex& cell) const {
+        return cell.column() == 0 ? rules_.xUnit : rules_.yUnit;
+    }
 
     NodeRules rules_;
     Nodes nodes_;

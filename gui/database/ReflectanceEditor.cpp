@@ -126,9 +126,10 @@ QString ReflectanceModel::pasteAt(const QModelIndex& cell,
 }
 
 QString ReflectanceModel::problemOf(const QModelIndex& cell, const QString& text) const {
-    const auto number = numberOf(text);
+    const TypedNumber typed = typedNumber(text, unitOf(cell));
+    const auto number = typed.value;
     if (!number)
-        return tr("'%1' is not a number").arg(text);
+        return typed.problem;
     const Direction& row = table_.rows()[static_cast<std::size_t>(cell.row())];
     if (cell.column() < angles())
         for (const Direction& other : table_.rows())
@@ -151,7 +152,7 @@ void ReflectanceModel::take(std::vector<Direction> rows, const QString& what) {
 bool ReflectanceModel::setData(const QModelIndex& index, const QVariant& value, int role) {
     if (role != Qt::EditRole || !problemOf(index, value.toString()).isEmpty())
         return false;
-    std::vector<Direction> rows = with(index, *numberOf(value.toString()));
+    std::vector<Direction> rows = with(index, *typedNumber(value.toString(), unitOf(index)).value);
     if (rows != table_.rows())
         take(std::move(rows), tr("in row %1").arg(index.row() + 1));
     return true;

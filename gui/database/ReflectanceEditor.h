@@ -50,6 +50,9 @@ class ReflectanceModel : public QAbstractTableModel {
 
   private:
     int angles() const { return table_.isBrdf() ? 3 : 1; }
+    QString unitOf(const QModelIndex& cell) const {
+        return cell.column() < angles() ? QStringLiteral("deg") : QString();
+    }
     std::vector<irsg::ReflectanceTable::Row> with(const QModelIndex& cell, double value) const;
     void put(irsg::ReflectanceTable::Row& row, int column, double value) const;
     void take(std::vector<irsg::ReflectanceTable::Row> rows, const QString& what);

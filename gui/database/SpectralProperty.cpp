@@ -10,9 +10,9 @@
 
 #include "gui/database/NodeEditor.h"
 #include "gui/database/NodePlot.h"
-#include "gui/database/NumberField.h"
 #include "gui/database/SpectrumField.h"
 #include "gui/plot/PlotData.h"
+#include "gui/widgets/NumberField.h"
 
 namespace smat::gui {
 namespace {

@@ -7,7 +7,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "gui/database/NumberField.h"
+#include "gui/widgets/NumberField.h"
 #include "gui/widgets/Theme.h"
 #include "irsg/signature/EntryFields.h"
 

@@ -6,14 +6,16 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPainter>
 #include <QVBoxLayout>
 
 #include "gui/image/ColorBarScale.h"
+#include "gui/widgets/NumberBoxes.h"
 #include "gui/widgets/NumberFormat.h"
+#include "gui/widgets/NumberText.h"
+#include "gui/widgets/RefusedText.h"
 #include "irsg/core/Errors.h"
 
 namespace smat::gui {
@@ -108,15 +110,12 @@ void ColorBar::makeMarks() {
 }
 
 QDoubleSpinBox* ColorBar::percentBox(const QString& name, double value, const QString& tip) {
-    auto* box = new QDoubleSpinBox(this);
-    box->setObjectName(name);
+    auto* box = new RealBox(name, "%", this);
     box->setRange(0.0, 100.0);
     box->setDecimals(1);
     box->setSingleStep(0.5);
-    box->setSuffix(tr(" %"));
     box->setValue(value);
     box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    box->setKeyboardTracking(false);
     box->setToolTip(tip);
     box->setMinimumWidth(40);
     connect(box, &QDoubleSpinBox::valueChanged, this, &ColorBar::readPercentiles);
@@ -287,20 +286,22 @@ void ColorBar::changeOffset(double part) {
 }
 
 void ColorBar::readLimits() {
-    bool lowGood = false;
-    bool highGood = false;
-    const double low = low_->text().toDouble(&lowGood);
-    const double high = high_->text().toDouble(&highGood);
+    const TypedNumber low = typedNumber(low_->text()), high = typedNumber(high_->text());
     const bool unchanged = low_->text() == formattedNumber(limits_.low) &&
                            high_->text() == formattedNumber(limits_.high);
     if (unchanged)
         return;
-    if (!lowGood || !highGood || !(low < high) || !std::isfinite(low) || !std::isfinite(high)) {
-        // What cannot be used gives way to what is in effect.
+    if (!low.value || !high.value || !(*low.value < *high.value)) {
+        QLineEdit& wrong = !low.value || high.value ? *low_ : *high_;
+        sayRefused(wrong,
+                   !low.value    ? low.problem
+                   : !high.value ? high.problem
+                                 : tr("the lower limit has to be below the upper one"),
+                   formattedNumber(&wrong == low_ ? limits_.low : limits_.high));
         setColors(*map_, limits_);
         return;
     }
-    edit({low, high});
+    edit({*low.value, *high.value});
 }
 
 } // namespace smat::gui

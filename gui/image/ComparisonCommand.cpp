@@ -37,8 +37,8 @@ ComparisonCommand::ComparisonCommand(QWidget* parent) : QWidget(parent) {
 
 void ComparisonCommand::setCommand(const QString& command) {
     const bool isThere = !command.isEmpty();
-    words_->setText(isThere ? tr("The same from a terminal")
-                            : tr("The same from a terminal: save each result as .exr first, then "
+    words_->setText(isThere ? tr("Equivalent command")
+                            : tr("Equivalent command: save each result as .exr first, then "
                                  "compare them again."));
     line_->setText(command);
     line_->setToolTip(command);

@@ -117,7 +117,7 @@ void ComparisonReport::showNumbers(const ComparedPair& pair) {
     const auto figures = irsg::comparisonFigures(*whole, pair.options());
     const auto ofPart = part ? irsg::comparisonFigures(*part, pair.options())
                              : std::vector<irsg::ComparisonFigure>();
-    QStringList headings{tr("Figure"), tr("Image")};
+    QStringList headings{tr("Statistic"), tr("Image")};
     if (part)
         headings << tr("Rectangle");
     headings << tr("Detail");

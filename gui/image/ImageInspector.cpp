@@ -149,7 +149,7 @@ void ImageInspector::fill(const Answer& answer) {
     histogram_->setHistogram(answer.histogram, title_);
     scope_->setText(rectangle_ ? tr("Histogram of the rectangle") : tr("Histogram of the image"));
 
-    QStringList headings{withUnit(tr("Figure"), unit_), tr("Image")};
+    QStringList headings{withUnit(tr("Statistic"), unit_), tr("Image")};
     const QStringList names{tr("Minimum"),
                             tr("Maximum"),
                             tr("Mean"),

@@ -94,7 +94,7 @@ QHBoxLayout* ImageView::makeBar() {
     }
     histogram_ = textButton(tr("Histogram"), "showHistogram", tr("Histogram and statistics (H)"));
     histogram_->setCheckable(true);
-    tilesShown_ = textButton(tr("Windows"), "showWindows",
+    tilesShown_ = textButton(tr("Antialiasing tiles"), "showWindows",
                              tr("Outline what the antialiasing sampled by itself (W)"));
     tilesShown_->setCheckable(true);
     explains_ = textButton(tr("Explain"), "explainPixels",

@@ -124,12 +124,13 @@ QList<QTreeWidgetItem*> pixelHeads(QFont bold, const ExplainedPixel& pixel) {
     part(tr("the environment's"), of.environment_W_m2_sr);
     addPixelRow(background, tr("behind the pixel"), of.background_W_m2_sr);
     auto* sum = heads.add(tr("Computed"), pixelNumber(of.radiance_W_m2_sr));
-    addPixelRow(sum, tr("drawn"), pixel.drawn_W_m2_sr);
+    addPixelRow(sum, tr("rendered"), pixel.drawn_W_m2_sr);
     addPixelRow(sum, tr("difference"), pixel.difference_W_m2_sr());
-    addPixelRow(sum, tr("difference of what was drawn"), pixel.relative());
+    addPixelRow(sum, tr("relative difference"), pixel.relative());
     if (pixel.inImage_W_m2_sr) {
         addPixelRow(sum, tr("in the image"), *pixel.inImage_W_m2_sr);
-        addPixelRow(sum, tr("drawn now, less that"), pixel.drawn_W_m2_sr - *pixel.inImage_W_m2_sr);
+        addPixelRow(sum, tr("rendered now, minus image"),
+                    pixel.drawn_W_m2_sr - *pixel.inImage_W_m2_sr);
     }
     addPixelRow(sum, tr("rays through the pixel"), QString::number(of.samples));
     addPixelRow(sum, tr("3 × 3 pixels hit the same facet"), of.isInterior ? tr("yes") : tr("no"));

@@ -11,7 +11,7 @@
 
 #include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
-#include "irsg/core/CsvTable.h"
+#include "gui/widgets/Widgets.h"
 #include "irsg/core/Errors.h"
 
 namespace smat::gui {
@@ -102,7 +102,7 @@ std::optional<irsg::ComparisonLevel> ThresholdForm::levelIn(std::size_t column,
         const std::string text = fields_[column][r]->text().trimmed().toStdString();
         if (r == hard && text.empty())
             level.hard = std::numeric_limits<double>::infinity();
-        else if (const auto number = irsg::parseNumber(text))
+        else if (const auto number = numberIn(fields_[column][r]))
             *numbers[r] = *number;
         else
             refuse(r, tr("a number"));

@@ -4,7 +4,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -13,6 +12,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "gui/widgets/NumberBoxes.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/VerticalScrollArea.h"
 
@@ -89,12 +89,10 @@ QWidget* PaintDock::makePicking() {
                   tr("Smooth surface"), tr("Box in the view")},
                  "pickBy", tr("What a click in the view chooses"), part);
     form->addRow(tr("Pick"), by_);
-    angle_ = new QDoubleSpinBox(part);
-    angle_->setObjectName("pickAngle");
+    angle_ = new RealBox("pickAngle", tr("°"), part);
     angle_->setRange(0.0, 180.0);
     angle_->setDecimals(1);
     angle_->setValue(20.0);
-    angle_->setSuffix(tr("°"));
     angle_->setToolTip(tr("The surface ends where it bends by more than that"));
     form->addRow(tr("Bends up to"), angle_);
     hidden_ = new QCheckBox(tr("Also hidden faces"), part);

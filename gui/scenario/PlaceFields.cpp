@@ -3,7 +3,7 @@
 #include <QGridLayout>
 #include <QLabel>
 
-#include "gui/database/NumberField.h"
+#include "gui/widgets/NumberField.h"
 #include "gui/widgets/NumberFormat.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/simulate/Trajectory.h"

@@ -101,7 +101,7 @@ RunScenarioDialog::RunScenarioDialog(const EditedScenario& scenario, bool isSave
     form->addRow(named, place);
     form->addRow(tr("Sensors"), sensors);
     form->addRow(tr("Frames as"), forms);
-    form->addRow(tr("The same from a terminal"), command_);
+    form->addRow(tr("Equivalent command"), command_);
     auto* buttons = okAndCancel(*this, tr("Write"));
     run_ = buttons->button(QDialogButtonBox::Ok);
     auto* column = new QVBoxLayout(this);

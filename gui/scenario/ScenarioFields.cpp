@@ -6,7 +6,7 @@
 #include <QPlainTextEdit>
 #include <QSignalBlocker>
 
-#include "gui/database/NumberField.h"
+#include "gui/widgets/NumberField.h"
 #include "gui/widgets/NumberFormat.h"
 
 namespace smat::gui {

@@ -11,8 +11,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "gui/database/NumberField.h"
 #include "gui/widgets/FlowBar.h"
+#include "gui/widgets/NumberField.h"
 #include "gui/widgets/Theme.h"
 
 namespace smat::gui {

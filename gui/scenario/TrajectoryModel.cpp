@@ -120,11 +120,16 @@ std::vector<Row> TrajectoryModel::with(const QModelIndex& cell, double value) co
     return rows;
 }
 
+std::optional<double> TrajectoryModel::typedIn(const QModelIndex& cell, const QString& text) const {
+    const auto& unit = columnOf(columnAt(cell.column())).unit;
+    return typedNumber(text, QString::fromStdString(std::string(unit))).value;
+}
+
 QString TrajectoryModel::problemOf(const QModelIndex& cell, const QString& text) const {
     if (cell.row() == points() && text.trimmed().isEmpty())
         return {};
-    const auto number = numberOf(text);
     const TrajectoryTable::Column column = columnAt(cell.column());
+    const auto number = typedIn(cell, text);
     const QString expected =
         withFormattedUnits(QString::fromStdString(columnOf(column).expectation()));
     if (!number)
@@ -136,7 +141,7 @@ QString TrajectoryModel::problemOf(const QModelIndex& cell, const QString& text)
     for (int row = 0; row < points(); ++row)
         if (row != cell.row() &&
             table_.rows[static_cast<std::size_t>(row)][TrajectoryTable::time] == *number)
-            return tr("time: row %1 has %2 s already").arg(row + 1).arg(text.trimmed());
+            return tr("time: row %1 has %2 s already").arg(row + 1).arg(gui::textOf(*number));
     return {};
 }
 
@@ -224,7 +229,7 @@ QString TrajectoryModel::takeAll(const std::vector<std::vector<double>>& block) 
 }
 
 bool TrajectoryModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-    const auto number = numberOf(value.toString());
+    const auto number = typedIn(index, value.toString());
     if (role != Qt::EditRole || !number || !problemOf(index, value.toString()).isEmpty())
         return false;
     const auto rows = with(index, *number);

@@ -47,6 +47,7 @@ class TrajectoryModel : public QAbstractTableModel {
     int points() const { return static_cast<int>(table_.rows.size()); }
     /// The rows with one number changed, or with a row more.
     std::vector<TrajectoryTable::Row> with(const QModelIndex& cell, double value) const;
+    std::optional<double> typedIn(const QModelIndex& cell, const QString& text) const;
     /// The row that goes on from those, along the last leg.
     static TrajectoryTable::Row nextOf(const std::vector<TrajectoryTable::Row>& rows);
 

@@ -8,10 +8,10 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSettings>
-#include <QSpinBox>
 #include <QVBoxLayout>
 
 #include "gui/widgets/DialogButtons.h"
+#include "gui/widgets/NumberBoxes.h"
 #include "irsg/core/Errors.h"
 #include "irsg/image/ColorMap.h"
 
@@ -107,8 +107,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
         if (!irsg::ColorMap::named(name).isDiverging())
             colorMap_->addItem(swatch(name), QString::fromStdString(name));
     colorMap_->setCurrentText(QString::fromStdString(preferences.colorMap));
-    delay_ = new QSpinBox(this);
-    delay_->setObjectName("recoveryDelay");
+    delay_ = new WholeBox("recoveryDelay", this);
     delay_->setRange(shortestDelay_s, longestDelay_s);
     delay_->setSuffix(tr(" s after an edit"));
     delay_->setValue(preferences.recoveryDelay_s);
@@ -119,7 +118,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
     form->setLabelAlignment(Qt::AlignRight | Qt::AlignVCenter);
     form->addRow(tr("&Theme"), theme_);
     form->addRow(tr("&Colour map"), colorMap_);
-    form->addRow({}, explanation(tr("Of projects that are begun. A project keeps its own."), this));
+    form->addRow({}, explanation(tr("For new projects. Existing projects keep their own."), this));
     form->addRow(tr("&Recovery copy"), delay_);
     form->addRow({}, explanation(tr("Unsaved changes are kept beside the project's file, never "
                                     "over it, and offered after a crash."),

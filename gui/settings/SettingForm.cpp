@@ -8,31 +8,19 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QRegularExpression>
 #include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "gui/settings/TypedSetting.h"
 #include "gui/widgets/NumberFormat.h"
+#include "gui/widgets/RefusedText.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/ThemeColors.h"
 #include "smatcore/settings/SettingAvailability.h"
 
 namespace smat::gui {
 namespace {
-
-/// What a field takes, with long powers of ten as 10⁹.
-QString expectedText(const SettingInfo& info) {
-    QString text = withFormattedUnits(textOf(info.expected()));
-    static const QRegularExpression power("\\b1(0{6,})\\b");
-    for (auto found = power.match(text); found.hasMatch(); found = power.match(text)) {
-        QString exponent = QString::number(found.capturedLength(1));
-        for (QChar& digit : exponent)
-            digit = QString("⁰¹²³⁴⁵⁶⁷⁸⁹").at(digit.digitValue());
-        text.replace(found.capturedStart(), found.capturedLength(), "10" + exponent);
-    }
-    return text;
-}
 
 /// Whether a value is typed, so that one should know what may be; the others are seen in the field.
 bool isTyped(const SettingInfo& info) {
@@ -137,6 +125,7 @@ QWidget* SettingForm::makeText(const SettingInfo& info, bool isFile) {
     fields_[info.key] = {[edit] { return edit->text(); },
                          [edit](const QString& text) { edit->setText(text); }, edit};
     connect(edit, &QLineEdit::textEdited, this, [this, key = info.key] { onEdited(key); });
+    connect(edit, &QLineEdit::editingFinished, this, [this, key = info.key] { finish(key); });
     if (!isFile)
         return edit;
 
@@ -208,7 +197,7 @@ QWidget* SettingForm::makeCheck(const SettingInfo& info) {
 bool SettingForm::mark(const std::string& key) {
     Field& field = fields_.at(key);
     const bool before = field.valid;
-    field.valid = canonicalText(settingInfo(key), field.read().trimmed().toStdString()).has_value();
+    field.valid = typedSetting(settingInfo(key), field.read()).has_value();
     // Only what is marked has colours of its own: all else follows the theme.
     QPalette colours;
     if (!field.valid) {
@@ -227,20 +216,37 @@ void SettingForm::onEdited(const std::string& key) {
         emit edited(key);
 }
 
+void SettingForm::finish(const std::string& key) {
+    Field& field = fields_.at(key);
+    if (field.valid) {
+        // Shows what was understood: 2000 for "2 km".
+        const std::string understood = value(key);
+        field.before = understood;
+        if (!canonicalText(settingInfo(key), field.read().trimmed().toStdString()))
+            field.write(textOf(understood));
+        return;
+    }
+    if (!isLive_)
+        return;
+    sayRefused(*field.widget, problemOf(settingInfo(key), field.read()), textOf(field.before));
+    setValue(key, field.before);
+    emit edited(key);
+}
+
 void SettingForm::setValues(const Settings& settings) {
     for (const auto& [key, field] : fields_)
         setValue(key, settings.text(key));
 }
 
 void SettingForm::setValue(const std::string& key, const std::string& text) {
+    fields_.at(key).before = text;
     fields_.at(key).write(textOf(text));
     if (mark(key))
         emit validityChanged();
 }
 
 std::string SettingForm::value(const std::string& key) const {
-    const QString text = fields_.at(key).read().trimmed();
-    return canonicalText(settingInfo(key), text.toStdString()).value_or("");
+    return typedSetting(settingInfo(key), fields_.at(key).read()).value_or("");
 }
 
 bool SettingForm::isValid() const {
@@ -253,7 +259,7 @@ QStringList SettingForm::problems() const {
     for (const auto& [key, field] : fields_) {
         const SettingInfo& info = settingInfo(key);
         if (!field.valid)
-            list << textOf(info.label) + ": " + expectedText(info);
+            list << textOf(info.label) + ": " + problemOf(info, field.read());
     }
     return list;
 }

@@ -33,6 +33,9 @@ class SettingForm : public QWidget {
     /// The canonical text of a field; empty where it is no value.
     std::string value(const std::string& key) const;
     bool isValid() const;
+    /// What is edited is in force at once: a text that is no value gives way to the value before
+    /// its typing when the typing is over, with a sentence.
+    void setLive() { isLive_ = true; }
     /// "Width: a number from 1 to 16384 (px)" for each field that is no value.
     QStringList problems() const;
     /// Puts the fields into settings, those that differ from what is there.
@@ -60,6 +63,7 @@ class SettingForm : public QWidget {
         std::function<void(const QString&)> write;
         QWidget* widget = nullptr;
         bool valid = true;
+        std::string before = {}; ///< the value that was set last
     };
     QWidget* makeField(const SettingInfo& info);
     QWidget* makeText(const SettingInfo& info, bool isFile);
@@ -67,11 +71,13 @@ class SettingForm : public QWidget {
     QWidget* makeNamed(const SettingInfo& info);
     QWidget* makeCheck(const SettingInfo& info);
     void onEdited(const std::string& key);
+    void finish(const std::string& key);
     bool mark(const std::string& key);
 
     FileChooser chooseFile_;
     std::vector<std::string> keys_;
     QFormLayout* layout_ = nullptr;
+    bool isLive_ = false;
     std::map<std::string, Field> fields_;
 };
 

@@ -61,7 +61,7 @@ AtmosphereToolPage::AtmosphereToolPage(Workbench& workbench, Dialogs dialogs, QW
     copy->setText(tr("Copy"));
     connect(copy, &QToolButton::clicked, this,
             [this] { QApplication::clipboard()->setText(command_->text()); });
-    auto* same = new QLabel(tr("The same from a terminal"), side);
+    auto* same = new QLabel(tr("Equivalent command"), side);
     same->setForegroundRole(QPalette::PlaceholderText);
 
     auto* run = new QHBoxLayout;

@@ -5,11 +5,12 @@
 #include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QSpinBox>
 #include <QVBoxLayout>
 
 #include "gui/analysis/CostAccuracyPanel.h"
+#include "gui/widgets/NumberBoxes.h"
 #include "gui/widgets/NumberFormat.h"
+#include "gui/widgets/NumberText.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"
@@ -41,23 +42,22 @@ QWidget* CostAccuracyPage::makeForm() {
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     which_ = new QComboBox(box);
     which_->setObjectName("ways");
-    which_->addItem(tr("Likely ones"), true);
+    which_->addItem(tr("Candidates"), true);
     which_->addItem(tr("All"), false);
     which_->setToolTip(
-        tr("All configurations, or each choice alone and then those that may be on the front "
-           "by what these showed and a model of costs"));
-    repeats_ = new QSpinBox(box);
-    repeats_->setObjectName("repeats");
+        tr("All configurations, or each choice alone and then those that may be on the front, "
+           "as these measurements and a cost model predict"));
+    repeats_ = new WholeBox("repeats", box);
     repeats_->setRange(1, 1000);
     repeats_->setValue(2);
-    repeats_->setToolTip(tr("Each time is the least of so many cases"));
+    repeats_->setToolTip(tr("Each time is the shortest of this many runs"));
     target_ = new QLineEdit(box);
     target_->setObjectName("targetError");
     target_->setText("1");
     target_->setToolTip(
         tr("The quickest configuration whose true error is at most this is chosen, in %"));
     form->addRow(tr("Configurations"), which_);
-    form->addRow(tr("Cases of a time"), repeats_);
+    form->addRow(tr("Repeats"), repeats_);
     form->addRow(tr("Target error (%)"), target_);
     count_ = new QLabel(box);
     count_->setObjectName("wayCount");
@@ -66,8 +66,8 @@ QWidget* CostAccuracyPage::makeForm() {
     column->addWidget(box);
     auto* note = new QLabel(
         tr("The view of the project is calculated in each configuration and "
-           "compared with the finest one. Times are by the clock of this machine: let it "
-           "rest beside."),
+           "compared with the finest one. Times are by the clock of this machine: do not "
+           "use it meanwhile."),
         panel);
     note->setWordWrap(true);
     note->setForegroundRole(QPalette::PlaceholderText);
@@ -86,7 +86,7 @@ AnalysisData CostAccuracyPage::asked() const {
     data.name = name(data.kind);
     data.project = workbench_.project();
     data.settings = workbench_.editedProject().settings;
-    data.settings.set(key::renderTargetError, target_->text().trimmed().toStdString(),
+    data.settings.set(key::renderTargetError, plainNumber(target_->text(), "%").toStdString(),
                       tr("Target error").toStdString());
     data.commandLine =
         data.equivalentCommand("cost-accuracy.csv") + CostAccuracyStudy::optionWords(options());

@@ -1,6 +1,5 @@
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QHeaderView>
@@ -11,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "gui/tools/MonteCarloPage.h"
+#include "gui/widgets/NumberBoxes.h"
 #include "gui/workbench/Workbench.h"
 #include "smatcore/settings/SettingKeys.h"
 
@@ -19,11 +19,9 @@ namespace smat::gui {
 namespace {
 
 QSpinBox* wholeNumber(const QString& name, int least, int most, int value, QWidget* parent) {
-    auto* box = new QSpinBox(parent);
-    box->setObjectName(name);
+    auto* box = new WholeBox(name, parent);
     box->setRange(least, most);
     box->setValue(value);
-    box->setGroupSeparatorShown(true);
     return box;
 }
 
@@ -118,12 +116,10 @@ void MonteCarloPage::addRealisations(QFormLayout* form) {
     seed_->setToolTip(tr("The same seed gives the same draws on every machine"));
     stops_ = new QCheckBox(tr("Stop at a standard error of"), this);
     stops_->setObjectName("stops");
-    standardError_ = new QDoubleSpinBox(this);
-    standardError_->setObjectName("standardError");
+    standardError_ = new RealBox("standardError", "%", this);
     standardError_->setRange(0.0001, 50.0);
     standardError_->setDecimals(4);
     standardError_->setValue(0.1);
-    standardError_->setSuffix(tr(" %"));
     standardError_->setToolTip(tr("Of the largest magnitude of the statistic over the sweep"));
     statistic_ = choice("statistic",
                         {{tr("Mean"), "mean"},

@@ -14,9 +14,9 @@
 
 #include "gui/analysis/MonteCarloPlots.h"
 #include "gui/widgets/NumberFormat.h"
+#include "gui/widgets/NumberText.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/workbench/Workbench.h"
-#include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
@@ -200,11 +200,14 @@ MonteCarloData MonteCarloPage::asked() const {
     options.ranking = ranks_->isChecked();
     options.rankingPairs = static_cast<std::size_t>(pairs_->value());
     options.percentiles.clear();
-    for (const QString& part : percentiles_->text().split(',', Qt::SkipEmptyParts)) {
-        const auto percent = irsg::parseNumber(part.trimmed().toStdString());
+    const QString list = percentiles_->text();
+    const QChar separator = list.contains(';') ? ';' : ',';
+    for (const QString& part : list.split(separator, Qt::SkipEmptyParts)) {
+        const auto percent = typedNumber(part, "%").value;
         if (!percent)
             throw irsg::InputError({"", tr("Percentiles").toStdString(),
-                                    part.trimmed().toStdString(), "numbers separated by commas"});
+                                    part.trimmed().toStdString(),
+                                    "numbers separated by commas, or by semicolons"});
         options.percentiles.push_back(*percent);
     }
     options.check();

@@ -35,7 +35,7 @@ RunFoot::RunFoot(const QString& whatCancelDoes, QWidget* parent)
     progress->setObjectName("progress");
     progress->setRange(0, 1000);
     column->addWidget(progress);
-    column->addWidget(new QLabel(tr("The same from a terminal:"), this));
+    column->addWidget(new QLabel(tr("Equivalent command:"), this));
     command->setObjectName("command");
     command->setReadOnly(true);
     column->addWidget(command);

@@ -43,8 +43,8 @@ TemperatureProfilePage::TemperatureProfilePage(Workbench& workbench, Dialogs dia
         form->addRow(label, row);
         return edit;
     };
-    min_ = field("min", tr("Least altitude"), usual.min_m, tr("At least 0: the ground"));
-    max_ = field("max", tr("Largest altitude"), usual.max_m, tr("At least the least altitude"));
+    min_ = field("min", tr("Lowest altitude"), usual.min_m, tr("At least 0: the ground"));
+    max_ = field("max", tr("Highest altitude"), usual.max_m, tr("At least the lowest altitude"));
     step_ = field("step", tr("Step"), usual.step_m, tr("From one altitude to the next, above 0"));
     inputs()->addLayout(form);
     connect(&this->workbench(), &Workbench::settingsChanged, this,
@@ -53,7 +53,7 @@ TemperatureProfilePage::TemperatureProfilePage(Workbench& workbench, Dialogs dia
 }
 
 std::optional<TemperatureProfileRequest> TemperatureProfilePage::request() const {
-    const auto min = numberIn(min_), max = numberIn(max_), step = numberIn(step_);
+    const auto min = numberIn(min_, "m"), max = numberIn(max_, "m"), step = numberIn(step_, "m");
     if (!min || !max || !step)
         return std::nullopt;
     return TemperatureProfileRequest{.min_m = *min, .max_m = *max, .step_m = *step};

@@ -412,10 +412,10 @@ ViewHud SceneView::hud() const {
         return hud;
     hud.problem = infrared_->problem();
     if (const double waited_s = infrared_->waiting_s(); waited_s > 0.3)
-        hud.busy = (picture != nullptr && picture->direct
-                        ? tr("infrared: light between surfaces follows… %1 s")
-                        : tr("infrared: computing… %1 s"))
-                       .arg(waited_s, 0, 'f', 1);
+        hud.busy =
+            (picture != nullptr && picture->direct ? tr("infrared: adding inter-reflection… %1 s")
+                                                   : tr("infrared: computing… %1 s"))
+                .arg(waited_s, 0, 'f', 1);
     return hud;
 }
 

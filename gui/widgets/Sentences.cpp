@@ -31,8 +31,33 @@ std::pair<QString, QString> neededAndWhy(const QString& expected) {
     return {expected.left(end), expected.mid(end)};
 }
 
+/// What a system refuses is said as people say it; empty for all else.
+QString refusalOf(const QString& value) {
+    struct Refusal {
+        const char *found, *sentence;
+    };
+    static constexpr Refusal refusals[] = {
+        {"no such file", QT_TRANSLATE_NOOP("smat::gui::Sentences", "file not found")},
+        {"a full disk", QT_TRANSLATE_NOOP("smat::gui::Sentences",
+                                          "the disk is full; nothing was saved, and the old "
+                                          "file is unchanged")},
+        {"a file larger than is allowed here",
+         QT_TRANSLATE_NOOP("smat::gui::Sentences", "the file would be larger than this system "
+                                                   "allows; the old file is unchanged")},
+        {"a place that cannot be written",
+         QT_TRANSLATE_NOOP("smat::gui::Sentences", "no permission to write here")},
+        {"a folder that does not exist",
+         QT_TRANSLATE_NOOP("smat::gui::Sentences", "the folder does not exist")}};
+    for (const Refusal& refusal : refusals)
+        if (value == QLatin1String(refusal.found))
+            return trSentence(refusal.sentence);
+    return {};
+}
+
 QString findingOf(const irsg::Diagnostic& diagnostic) {
     const QString value = QString::fromStdString(diagnostic.value);
+    if (const QString refusal = refusalOf(value); !refusal.isEmpty())
+        return refusal;
     const auto [needed, why] = neededAndWhy(QString::fromStdString(diagnostic.expected));
     if (needed.isEmpty())
         return value;

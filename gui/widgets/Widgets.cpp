@@ -1,6 +1,5 @@
 #include "gui/widgets/Widgets.h"
 
-#include <cmath>
 #include <map>
 
 #include <QDockWidget>
@@ -14,7 +13,7 @@
 #include <QTabWidget>
 #include <QToolButton>
 
-#include "irsg/core/CsvTable.h"
+#include "gui/widgets/NumberText.h"
 
 namespace smat::gui {
 
@@ -166,9 +165,8 @@ void tabAsOneReads(QWidget& page) {
         QWidget::setTabOrder(fields[i - 1], fields[i]);
 }
 
-std::optional<double> numberIn(const QLineEdit* field) {
-    const auto number = irsg::parseNumber(field->text().trimmed().toStdString());
-    return number && std::isfinite(*number) ? number : std::nullopt;
+std::optional<double> numberIn(const QLineEdit* field, const QString& unit) {
+    return typedNumber(field->text(), unit).value;
 }
 
 } // namespace smat::gui

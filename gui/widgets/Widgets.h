@@ -33,7 +33,7 @@ void keepKeysFromEmptyTabBars(QMainWindow& window);
 /// as they were made.
 void tabAsOneReads(QWidget& page);
 
-/// The finite number that a field holds, as files have them; none for anything else.
-std::optional<double> numberIn(const QLineEdit* field);
+/// The number that a field holds, by the rule of typedNumber(); none for anything else.
+std::optional<double> numberIn(const QLineEdit* field, const QString& unit = {});
 
 } // namespace smat::gui

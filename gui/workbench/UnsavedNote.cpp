@@ -33,8 +33,8 @@ QString unsavedNote(const Workbench& workbench) {
     return files.isEmpty()
                ? QString()
                : QCoreApplication::translate("UnsavedNote",
-                                             "Not saved yet: %1. The command reads the files, "
-                                             "without the edits that count here.")
+                                             "Not saved yet: %1. The command reads the files; "
+                                             "unsaved edits are not included.")
                      .arg(files.join(", "));
 }
 

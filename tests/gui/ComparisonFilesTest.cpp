@@ -76,7 +76,7 @@ TEST_F(ComparisonTest, AResultThatIsNotSavedHasNoCommand) {
     window->setSides({image, "1  Image", "a.exr"}, {image, "2  Image", "b.exr"});
     EXPECT_EQ(window->findChild<QLineEdit*>("commandLine")->text(),
               "smat-batch compare a.exr b.exr");
-    EXPECT_EQ(text("commandWords"), "The same from a terminal");
+    EXPECT_EQ(text("commandWords"), "Equivalent command");
 }
 
 TEST_F(ComparisonTest, SwappingTurnsTheSign) {

@@ -78,7 +78,7 @@ TEST_F(DatabaseSafetyTest, TellsWhatCannotBeOpenedAndOffersWhatCanBeDone) {
     session().discard();
     ASSERT_TRUE(opens(folder / "turboprop4.smat"));
     EXPECT_FALSE(session().isOpen());
-    EXPECT_TRUE(dock().banner()->text().contains("no such file"))
+    EXPECT_TRUE(dock().banner()->text().contains("file not found"))
         << dock().banner()->text().toStdString();
     EXPECT_NE(find<QPushButton>("newDatabase"), nullptr);
     test::keepScreenshot(*window, "editor-missing");

@@ -35,7 +35,7 @@ std::string suffixOf(const QString& filter) {
 /// That the disk is full, as the system or as we call it.
 bool saysWhy(const std::string& sentence) {
     return sentence.find("No space left on device") != std::string::npos ||
-           sentence.find("a full disk") != std::string::npos;
+           sentence.find("the disk is full") != std::string::npos;
 }
 
 /// What writes a file, on a disk that has no room for it and then on one that has.

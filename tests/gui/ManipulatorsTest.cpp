@@ -4,6 +4,7 @@
 #include <QSlider>
 #include <QToolButton>
 
+#include "gui/widgets/NumberText.h"
 #include "tests/gui/WindowFixture.h"
 
 namespace smat::gui {
@@ -70,6 +71,35 @@ TEST_F(ManipulatorsTest, ValuesBeyondASliderStayExact) {
     type("target.yaw", "-270.125");
     EXPECT_EQ(workbench.settings()[key::targetYaw], -270.125);
     EXPECT_EQ(slider("target.yaw")->value(), 0);
+}
+
+TEST_F(ManipulatorsTest, ARefusedNumberLeavesNotItsBeginning) {
+    openSample();
+    struct {
+        const char *key, *text, *value, *said;
+    } const rows[] = {
+        {"camera.range", "12,5", "12.5", ""},
+        {"camera.range", "2e5", "200000", ""},
+        {"camera.range", "1,5 km", "1500", ""},
+        {"camera.range", "2.500,0", "1500", "'2.500,0' has a point and a comma"},
+        {"camera.range", "20 parsecs", "1500", "'parsecs' is none of the units m, km"},
+        {"camera.azimuth", "1.2.3", "60", "several decimal signs"},
+        {"target.yaw", "0,25", "0.25", ""},
+        {"state.mach", "0,85", "0.85", ""},
+        {"state.mach", "0.8.5", "0.85", "several decimal signs"},
+        {"target.altitude", "2 km", "2000", ""},
+        {"target.altitude", "3 km2", "2000", "'km2' is none of the units"},
+    };
+    for (const auto& row : rows) {
+        field(row.key)->setProperty("refused", {});
+        type(row.key, row.text);
+        QTest::keyClick(field(row.key), Qt::Key_Return);
+        const auto value = numberOf(QString::fromStdString(workbench.settings().text(row.key)));
+        EXPECT_EQ(value, numberOf(row.value)) << row.key << " " << row.text;
+        EXPECT_EQ(numberOf(field(row.key)->text()), value) << row.key << " " << row.text;
+        EXPECT_TRUE(field(row.key)->property("refused").toString().contains(row.said))
+            << field(row.key)->property("refused").toString().toStdString();
+    }
 }
 
 TEST_F(ManipulatorsTest, ATextThatIsNoNumberChangesNothingAndGoesAway) {

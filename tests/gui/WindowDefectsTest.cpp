@@ -172,7 +172,7 @@ TEST(ViewHud, WhatIsWaitedForLeavesTheCameraLegible) {
             return image;
         };
         const QImage camera = drawn();
-        hud.busy = "infrared: light between surfaces follows… 23.9 s";
+        hud.busy = "infrared: adding inter-reflection… 23.9 s";
         const QImage both = drawn();
         EXPECT_NE(both, camera);
         int changed = 0, words = 0;

@@ -40,10 +40,38 @@ TEST(Words, NoSentenceOfTheWindowIsInTheFormOfTheTerminal) {
 }
 
 TEST(Words, AnEngineerSaysIt) {
-    for (const char* odd :
-         {"none over", "over the failure\"", "Compute shows the answer", "smart, per pixel",
-          "Drawings of", "no number\"", "find fault", "physics closes", "has no answer",
-          "sampled by themselves", "Come nearer", "the drawing ends"}) {
+    for (const char* odd : {"none over",
+                            "over the failure\"",
+                            "Compute shows the answer",
+                            "smart, per pixel",
+                            "Drawings of",
+                            "no number\"",
+                            "find fault",
+                            "physics closes",
+                            "has no answer",
+                            "sampled by themselves",
+                            "Come nearer",
+                            "the drawing ends",
+                            "light between surfaces",
+                            "The same from a terminal",
+                            "edits that count",
+                            "Likely ones",
+                            "Cases of a time",
+                            "rest beside",
+                            "model of costs",
+                            "difference of what was drawn",
+                            "less that\"",
+                            "\"Figure\"",
+                            "Ask for the ranking",
+                            "\"New &?air\"",
+                            "Air of the &?project",
+                            "is asked for in the whole band answers",
+                            "stands here",
+                            "All docks away",
+                            "Of projects that are begun",
+                            "Least altitude",
+                            "waits in line",
+                            "\"Stbd\""}) {
         expectNowhere("\"[^\"\n]*" + std::string(odd) + "[^\"\n]*\"?", "odd words");
     }
 }

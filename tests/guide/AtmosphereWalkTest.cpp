@@ -113,7 +113,7 @@ TEST_F(AtmosphereWalkTest, AirOfYourOwn) {
     window->activateWindow();
     workbench.set("target.altitude", "300");
     workbench.set("camera.range", "4000");
-    walk.step("Tools → New air begins with the report's defaults, File → Open… opens an "
+    walk.step("Tools → New atmosphere begins with the report's defaults, File → Open… opens an "
               "AtmosphereSmart file. All its parameters are fields, each with its unit. The field "
               "with the focus is explained below them");
     act("newAir");
@@ -228,7 +228,7 @@ TEST_F(AtmosphereWalkTest, TheAirOfTheProject) {
     workbench.set("sensor.band", "3-5, 8-12");
     workbench.set("environment.atmospheres",
                   (folder / "own.xml").string() + ";" + (folder / "haze.csv").string());
-    walk.step("Tools → Air of the project lists the project's atmospheres in the order in which "
+    walk.step("Tools → Project atmospheres lists the project's atmospheres in the order in which "
               "they are queried: the first that has a quantity in the whole band provides it. Drag "
               "them, or use Alt+Up and Alt+Down, to order them. Add…, Remove and Edit are each a "
               "step");

@@ -5,10 +5,13 @@
 
 #include <QLineEdit>
 
+#include "gui/widgets/NumberText.h"
+
 namespace smat::gui {
 
-/// A number with its unit inside the field. Reddens and says why while its text is no number of
-/// its range, and goes back to what was there before such a text; steps with the arrow keys.
+/// A number with its unit inside the field, typed by the rule of typedNumber(). Reddens and says
+/// why while its text is no number of its range, and goes back to what was there before such a
+/// text; steps with the arrow keys.
 class NumberField : public QLineEdit {
     Q_OBJECT
 
@@ -36,6 +39,10 @@ class NumberField : public QLineEdit {
     void onText(const QString& text);
     void finish();
     void mark(const QString& problem);
+    /// What may be below 0 K is a difference of temperatures.
+    NumberMeaning meaning() const {
+        return minimum_ < 0.0 ? NumberMeaning::difference : NumberMeaning::value;
+    }
 
     QString unit_, help_, problem_;
     double minimum_ = -std::numeric_limits<double>::infinity();

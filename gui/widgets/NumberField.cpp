@@ -1,4 +1,4 @@
-#include "gui/database/NumberField.h"
+#include "gui/widgets/NumberField.h"
 
 #include <algorithm>
 
@@ -6,7 +6,8 @@
 #include <QKeyEvent>
 #include <QPainter>
 
-#include "gui/database/Nodes.h"
+#include "gui/widgets/NumberText.h"
+#include "gui/widgets/RefusedText.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/ThemeColors.h"
 
@@ -27,7 +28,7 @@ void NumberField::setRange(double minimum, double maximum) {
 }
 
 void NumberField::setValue(double value) {
-    const auto shown = numberOf(text());
+    const auto shown = typedNumber(text(), unit_, meaning()).value;
     if (shown && *shown == value && value == value_)
         return;
     value_ = value;
@@ -38,9 +39,10 @@ void NumberField::setValue(double value) {
 void NumberField::onText(const QString& text) {
     if (!before_)
         before_ = value_;
-    const auto number = numberOf(text);
+    const TypedNumber typed = typedNumber(text, unit_, meaning());
+    const auto number = typed.value;
     if (!number)
-        return mark(tr("'%1' is not a number").arg(text));
+        return mark(typed.problem);
     if (*number < minimum_ || *number > maximum_) {
         if (maximum_ == std::numeric_limits<double>::infinity())
             return mark(tr("has to be at least %1 %2").arg(textOf(minimum_), unit_).trimmed());
@@ -86,6 +88,7 @@ void NumberField::finish() {
     before_.reset();
     if (!isRight()) {
         const bool differs = before != value_;
+        sayRefused(*this, problem_, textOf(before));
         value_ = before;
         setText(textOf(value_));
         mark({});

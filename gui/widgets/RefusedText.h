@@ -1,0 +1,13 @@
+#pragma once
+
+#include <QString>
+
+class QWidget;
+
+namespace smat::gui {
+
+/// Says beside a field that what was typed is not taken and which value stays: "'2,5,0' has several
+/// decimal signs; 100 stays". The sentence stands as long as a tooltip does.
+void sayRefused(QWidget& field, const QString& problem, const QString& stays);
+
+} // namespace smat::gui
