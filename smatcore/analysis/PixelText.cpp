@@ -80,12 +80,12 @@ std::string pixelText(const ExplainedPixel& pixel) {
     text += line("of it arrives", of.backgroundLeft_W_m2_sr);
     text += "\nsum\n";
     text += line("computed", of.radiance_W_m2_sr);
-    text += line("drawn", pixel.drawn_W_m2_sr);
+    text += line("rendered", pixel.drawn_W_m2_sr);
     text += line("difference", pixel.difference_W_m2_sr());
-    text += line("difference of what was drawn", pixel.relative(), "");
+    text += line("relative difference", pixel.relative(), "");
     if (pixel.inImage_W_m2_sr) {
         text += line("in the image", *pixel.inImage_W_m2_sr);
-        text += line("drawn now, less that", pixel.drawn_W_m2_sr - *pixel.inImage_W_m2_sr);
+        text += line("rendered now, minus image", pixel.drawn_W_m2_sr - *pixel.inImage_W_m2_sr);
     }
     text += fmt::format("  {:<34} {:>16}\n", "rays through the pixel", of.samples);
     text += fmt::format("  {:<34} {:>16}\n", "3 x 3 pixels hit the same facet",
