@@ -38,6 +38,7 @@ ORDER = [
     ["irsg/render/background"],
     ["irsg/radiance", "irsg/radiance/exchange"],
     ["irsg/scene", "irsg/scene/scattering"],
+    ["irsg/sensor"],
     ["irsg/reference"],
     ["smatcore/support"],
     ["smatcore/settings"],

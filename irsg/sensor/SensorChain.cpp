@@ -1,0 +1,274 @@
+#include "irsg/sensor/SensorChain.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "irsg/core/Errors.h"
+#include "irsg/core/ParallelFor.h"
+#include "irsg/sensor/NormalQuantile.h"
+#include "irsg/signature/random/Philox.h"
+#include "irsg/signature/random/PortableMath.h"
+
+namespace irsg {
+
+namespace {
+
+/// What random numbers are for; each its own sequence.
+enum class Draw : std::uint32_t { pixel = 1, electrons, tv, th, t, vh, v, h, bad };
+
+/// Below so many electrons their number is drawn by Poisson's law, above as a normal one, whose third
+/// moment then is off by less than 0.15 of the deviation.
+constexpr double mostPoisson_e = 50.0;
+/// Of the frames that a pattern stays the same in.
+constexpr std::uint32_t everyFrame = 0xffffffffu;
+
+struct Pair {
+    double first = 0.0, second = 0.0;
+};
+
+std::array<std::uint32_t, 4> words(std::uint64_t seed, Draw draw, std::uint32_t frame,
+                                   std::uint64_t number) {
+    return philox4x32({static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32),
+                       frame, static_cast<std::uint32_t>(draw)},
+                      {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)});
+}
+
+Pair uniforms(std::uint64_t seed, Draw draw, std::uint32_t frame, std::uint64_t number) {
+    const auto w = words(seed, draw, frame, number);
+    return {unitFromBits(static_cast<std::uint64_t>(w[0]) << 32 | w[1]),
+            unitFromBits(static_cast<std::uint64_t>(w[2]) << 32 | w[3])};
+}
+
+/// Two standard normal numbers.
+Pair normals(std::uint64_t seed, Draw draw, std::uint32_t frame, std::uint64_t number) {
+    const Pair u = uniforms(seed, draw, frame, number);
+    return {normalQuantile(u.first), normalQuantile(u.second)};
+}
+
+/// A number of electrons of this mean, by inversion of Poisson's law.
+double poisson(double mean, double unit) {
+    double term = portable::exp(-mean), sum = term;
+    int count = 0;
+    while (sum < unit && count < 1000)
+        sum += term *= mean / ++count;
+    return count;
+}
+
+/// A normal number of mean 0 for each of `count` owners, or none where there is no deviation.
+std::vector<double> series(std::uint64_t seed, Draw draw, std::uint32_t frame, std::size_t count,
+                           double deviation) {
+    std::vector<double> values(count);
+    for (std::size_t i = 0; deviation > 0.0 && i < count; ++i)
+        values[i] = deviation * normals(seed, draw, frame, i).first;
+    return values;
+}
+
+/// The transform of kernel and image in one: the image as the real part, the kernel as the imaginary
+/// one. Adds the product of both to `sum`.
+void addProduct(const ComplexPlane& both, ComplexPlane& sum) {
+    const std::size_t width = both.width, height = both.height;
+    parallelFor(height, [&](std::size_t y) {
+        const std::size_t mirrored = (height - y) % height;
+        for (std::size_t x = 0; x < width; ++x) {
+            const std::size_t at = y * width + x, other = mirrored * width + (width - x) % width;
+            const double ar = 0.5 * (both.re[at] + both.re[other]);
+            const double ai = 0.5 * (both.im[at] - both.im[other]);
+            const double br = 0.5 * (both.im[at] + both.im[other]);
+            const double bi = 0.5 * (both.re[other] - both.re[at]);
+            sum.re[at] += ar * br - ai * bi;
+            sum.im[at] += ar * bi + ai * br;
+        }
+    });
+}
+
+} // namespace
+
+SensorChain::SensorChain(const SensorDescription& sensor, double source_K,
+                         ConeConvention convention)
+    : sensor_(sensor),
+      spread_(sensor, source_K),
+      response_(sensor, convention),
+      offset_(response_.offset()),
+      patternUnit_(response_.noise(response_.signal(sensor.noise.referenceTemperature_K))
+                       .temporal()) {}
+
+void SensorChain::addPoint(const PointTarget& point, std::vector<double>& signal) const {
+    const double column = std::floor(point.column_px), row = std::floor(point.row_px);
+    ComplexPlane plane =
+        spread_.spectrumOf(0.0, point.column_px - column, point.row_px - row);
+    transformBack(plane);
+    const auto side = static_cast<long>(spread_.side_px());
+    const double scale =
+        point.irradiance_W_m2 * response_.signalPerIrradiance() * sensor_.detector.fillFactor;
+    for (long y = 0; y < side; ++y)
+        for (long x = 0; x < side; ++x) {
+            // What lies in the second half is before the point.
+            const long inX = static_cast<long>(column) + (x < side / 2 ? x : x - side);
+            const long inY = static_cast<long>(row) + (y < side / 2 ? y : y - side);
+            if (inX < 0 || inY < 0 || inX >= sensor_.detector.columns ||
+                inY >= sensor_.detector.rows)
+                continue;
+            signal[static_cast<std::size_t>(inY * sensor_.detector.columns + inX)] +=
+                scale * plane.re[static_cast<std::size_t>(y * side + x)];
+        }
+}
+
+std::vector<double> SensorChain::exposed(const std::vector<float>& radiance_W_m2_sr, int samples,
+                                         const std::vector<PointTarget>& points) const {
+    const auto width = static_cast<std::size_t>(sensor_.detector.columns);
+    const auto height = static_cast<std::size_t>(sensor_.detector.rows);
+    const auto cells = static_cast<std::size_t>(std::max(samples, 0));
+    if (samples < 1 || radiance_W_m2_sr.size() != width * height * cells * cells)
+        throw LogicError("radiance of another size than the sensor's grid");
+    const std::size_t side = spread_.side_px(), margin = side / 2;
+    const std::size_t wide = smoothSize(width + side), high = smoothSize(height + side);
+    ComplexPlane sum(wide, high);
+    // Each place within a pixel is an image of its own, with its own kernel.
+    for (std::size_t v = 0; v < cells; ++v)
+        for (std::size_t u = 0; u < cells; ++u) {
+            const auto placeOf = [&](std::size_t i) {
+                return (static_cast<double>(i) + 0.5) / samples - 0.5;
+            };
+            ComplexPlane kernel = spread_.spectrumOf(1.0 / samples, placeOf(u), placeOf(v));
+            transformBack(kernel);
+            ComplexPlane both(wide, high);
+            parallelFor(high, [&](std::size_t y) {
+                // Half of what is added goes on behind the end, half stands before the beginning.
+                const std::size_t past = height + (high - height) / 2;
+                const std::size_t row = y < height ? y : y < past ? height - 1 : 0;
+                const std::size_t pastX = width + (wide - width) / 2;
+                for (std::size_t x = 0; x < wide; ++x) {
+                    const std::size_t column = x < width ? x : x < pastX ? width - 1 : 0;
+                    both.re[y * wide + x] =
+                        radiance_W_m2_sr[(row * cells + v) * width * cells + column * cells + u];
+                }
+            });
+            for (std::size_t y = 0; y < side; ++y)
+                for (std::size_t x = 0; x < side; ++x) {
+                    const std::size_t toX = x < margin ? x : wide - side + x;
+                    const std::size_t toY = y < margin ? y : high - side + y;
+                    both.im[toY * wide + toX] = kernel.re[y * side + x];
+                }
+            transform(both);
+            addProduct(both, sum);
+        }
+    transformBack(sum);
+    std::vector<double> signal(width * height);
+    // A cell sends the part of the pixel's radiance that its area is.
+    const double scale = response_.signalPerRadiance() / (samples * samples);
+    parallelFor(height, [&](std::size_t y) {
+        for (std::size_t x = 0; x < width; ++x)
+            signal[y * width + x] = scale * sum.re[y * wide + x];
+    });
+    for (const PointTarget& point : points)
+        addPoint(point, signal);
+    return signal;
+}
+
+std::vector<double> SensorChain::noisy(const std::vector<double>& signal, std::uint64_t seed,
+                                       std::uint32_t frame) const {
+    const auto width = static_cast<std::size_t>(sensor_.detector.columns);
+    const auto height = static_cast<std::size_t>(sensor_.detector.rows);
+    if (signal.size() != width * height)
+        throw LogicError("signals of another size than the sensor's grid");
+    const SensorNoise& parts = sensor_.noise;
+    const double unit = patternUnit_;
+    const std::vector<double> ofRows = series(seed, Draw::v, everyFrame, height, unit * parts.v);
+    const std::vector<double> ofColumns = series(seed, Draw::h, everyFrame, width, unit * parts.h);
+    const std::vector<double> rowsNow = series(seed, Draw::tv, frame, height, unit * parts.tv);
+    const std::vector<double> columnsNow = series(seed, Draw::th, frame, width, unit * parts.th);
+    const double frameNow = series(seed, Draw::t, frame, 1, unit * parts.t).front();
+    const bool isThermal = sensor_.detector.isThermal();
+    // Without photons' and dark noise.
+    const PixelNoise fixed = response_.noise({});
+    const double read = std::hypot(fixed.read, fixed.thermal);
+    const double offset = offset_.offset();
+    std::vector<double> values(signal.size());
+    const auto valueOf = [&](std::size_t at, double normal) {
+        const double mean = signal[at] + offset;
+        if (isThermal || mean <= 0.0)
+            return mean + read * normal;
+        if (mean > mostPoisson_e) // one normal number for all that is normal
+            return mean + std::sqrt(mean + read * read) * normal;
+        const Pair more = uniforms(seed, Draw::electrons, frame, at);
+        return poisson(mean, more.first) + read * normal;
+    };
+    parallelFor(height, [&](std::size_t y) {
+        // Neighbours of a row share a draw.
+        const std::size_t pairs = (width + 1) / 2;
+        for (std::size_t i = 0; i < pairs; ++i) {
+            const std::uint64_t number = y * pairs + i;
+            const Pair normal = normals(seed, Draw::pixel, frame, number);
+            const Pair pattern =
+                parts.vh > 0.0 ? normals(seed, Draw::vh, everyFrame, number) : Pair{};
+            for (std::size_t x = 2 * i; x < std::min(width, 2 * i + 2); ++x) {
+                const bool isFirst = x == 2 * i;
+                values[y * width + x] =
+                    valueOf(y * width + x, isFirst ? normal.first : normal.second) +
+                    unit * parts.vh * (isFirst ? pattern.first : pattern.second) + ofRows[y] +
+                    ofColumns[x] + rowsNow[y] + columnsNow[x] + frameNow;
+            }
+        }
+    });
+    return values;
+}
+
+SensorFrame SensorChain::read(const std::vector<double>& signal, std::uint64_t seed,
+                              std::uint32_t frame) const {
+    const std::vector<double> values = noisy(signal, seed, frame);
+    const SensorElectronics& electronics = sensor_.electronics;
+    const SensorNoise& parts = sensor_.noise;
+    const double top = std::ldexp(1.0, electronics.bits) - 1.0;
+    const double full = response_.fullSignal(), offset = offset_.offset();
+    const bool hasBad = parts.deadPixelFraction > 0.0 || parts.hotPixelFraction > 0.0;
+    SensorFrame result;
+    result.counts.resize(values.size());
+    result.radiance_W_m2_sr.resize(values.size());
+    for (std::size_t at = 0; at < values.size(); ++at) {
+        double value = values[at];
+        const double bad = hasBad ? uniforms(seed, Draw::bad, everyFrame, at).first : 1.0;
+        if (bad < parts.deadPixelFraction) {
+            value = 0.0;
+            ++result.dead;
+        } else if (bad < parts.deadPixelFraction + parts.hotPixelFraction) {
+            value = full;
+            ++result.hot;
+        } else if (value >= full) {
+            value = full;
+            ++result.saturated;
+        }
+        const double counts = std::clamp(
+            std::floor(electronics.offset_counts + value / electronics.gain + 0.5), 0.0, top);
+        result.counts[at] = static_cast<float>(counts);
+        result.radiance_W_m2_sr[at] = static_cast<float>(
+            ((counts - electronics.offset_counts) * electronics.gain - offset) /
+            response_.signalPerRadiance());
+    }
+    return result;
+}
+
+SensorFrame readBySensor(RadianceImage& image, const SensorChain& chain, int samples,
+                         std::uint64_t seed, std::uint32_t frame) {
+    const SensorDetector& detector = chain.sensor().detector;
+    if (image.width() != detector.columns * samples || image.height() != detector.rows * samples)
+        throw LogicError("an image of another size than the sensor's grid");
+    SensorFrame result =
+        chain.read(chain.exposed(image.primary().values, samples), seed, frame);
+    RadianceImage read(detector.columns, detector.rows, "counts", "");
+    read.attributes = image.attributes;
+    read.channels.front().values = result.counts;
+    read.channel("L", "W m-2 sr-1").values = result.radiance_W_m2_sr;
+    read.attributes["sensor.title"] = chain.sensor().title;
+    read.attributes["sensor.seed"] = std::to_string(seed);
+    read.attributes["sensor.frame"] = std::to_string(frame);
+    read.attributes["sensor.saturatedPixels"] = std::to_string(result.saturated);
+    read.attributes["sensor.deadPixels"] = std::to_string(result.dead);
+    read.attributes["sensor.hotPixels"] = std::to_string(result.hot);
+    image = std::move(read);
+    return result;
+}
+
+} // namespace irsg

@@ -1,0 +1,80 @@
+#include "irsg/sensor/DetectionRange.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "irsg/core/Errors.h"
+
+namespace irsg {
+
+namespace {
+
+using Found = DetectionRange::Found;
+
+/// The branch of Lambert's function that is positive for x > 0, by Newton's method.
+double lambert(double x) {
+    double w = std::log1p(x);
+    for (int i = 0; i < 50; ++i)
+        w -= (w * std::exp(w) - x) / (std::exp(w) * (1.0 + w));
+    return w;
+}
+
+TEST(DetectionRange, InVacuumItIsTheRootOfIntensityOverNoise) {
+    for (const double intensity : {1e-3, 20.0, 5e4})
+        for (const double threshold : {1.0, 5.0, 12.0}) {
+            const double nei = 3e-9;
+            const auto ratio = [&](double r) { return intensity / (r * r) / nei; };
+            const DetectionRange found =
+                detectionRange(ratio, threshold, {.nearest_m = 10.0, .farthest_m = 1e8});
+            EXPECT_EQ(found.found, Found::atRange);
+            EXPECT_EQ(found.crossings, 1);
+            EXPECT_NEAR(found.range_m / std::sqrt(intensity / (nei * threshold)), 1.0, 1e-6);
+            EXPECT_NEAR(found.slope, -2.0, 1e-6);
+        }
+}
+
+TEST(DetectionRange, InAirOfBeersLawItIsLambertsFunction) {
+    // exp(-k r) / r^2 = c has r = 2 W(k / (2 sqrt(c))) / k.
+    for (const double k : {1e-6, 2e-4, 1e-3, 5e-2}) {
+        const double intensity = 300.0, nei = 1e-9, threshold = 5.0;
+        const auto ratio = [&](double r) { return intensity * std::exp(-k * r) / (r * r) / nei; };
+        const DetectionRange found =
+            detectionRange(ratio, threshold, {.nearest_m = 10.0, .farthest_m = 1e7});
+        const double expected =
+            2.0 / k * lambert(0.5 * k / std::sqrt(nei * threshold / intensity));
+        EXPECT_NEAR(found.range_m / expected, 1.0, 1e-6) << k;
+        EXPECT_NEAR(found.slope, -2.0 - k * expected, 1e-3 * (2.0 + k * expected)) << k;
+    }
+}
+
+TEST(DetectionRange, TheFarthestOfSeveralCrossingsCounts) {
+    // A contrast that passes through zero at 3 km and comes back.
+    const auto ratio = [](double r) { return std::abs(1.0 - r / 3000.0) * 1e8 / (r * r); };
+    const DetectionRange found =
+        detectionRange(ratio, 1.0, {.nearest_m = 100.0, .farthest_m = 1e6, .looksPerDecade = 200});
+    EXPECT_EQ(found.crossings, 3);
+    EXPECT_NEAR(ratio(found.range_m), 1.0, 1e-4);
+    EXPECT_GT(found.range_m, 3000.0);
+}
+
+TEST(DetectionRange, WhatIsNeverOrAlwaysSeenIsSaid) {
+    const RangeLimits limits{.nearest_m = 100.0, .farthest_m = 1000.0};
+    EXPECT_EQ(detectionRange([](double) { return 0.0; }, 5.0, limits).found, Found::nowhere);
+    EXPECT_EQ(detectionRange([](double) { return 0.0; }, 5.0, limits).range_m, 0.0);
+    const DetectionRange far = detectionRange([](double) { return 9.0; }, 5.0, limits);
+    EXPECT_EQ(far.found, Found::beyond);
+    EXPECT_EQ(far.range_m, 1000.0);
+}
+
+TEST(DetectionRange, RefusesLimitsThatAreNone) {
+    const auto one = [](double) { return 1.0; };
+    EXPECT_THROW(detectionRange(one, 5.0, {.nearest_m = 0.0}), InputError);
+    EXPECT_THROW(detectionRange(one, 5.0, {.nearest_m = 10.0, .farthest_m = 10.0}), InputError);
+    EXPECT_THROW(detectionRange(one, 0.0, {}), InputError);
+    EXPECT_THROW(detectionRange(one, NAN, {}), InputError);
+}
+
+} // namespace
+
+} // namespace irsg
