@@ -6,6 +6,7 @@ void addCommands(CLI::App& app, smat::batch::Context& context) {
     using namespace smat::batch;
     addRunCommand(app, context);
     addAnalysisCommands(app, context);
+    addDetectionCommand(app, context);
     addExplainCommand(app, context);
     addCostAccuracyCommand(app, context);
     addReplayCommand(app, context);
@@ -18,6 +19,7 @@ void addCommands(CLI::App& app, smat::batch::Context& context) {
     addMtfCommand(app, context);
     addAtmosphereCommand(app, context);
     addSelfTestCommand(app, context);
+    addSensorCommand(app, context);
     addSettingsCommand(app, context);
     addSimulateCommand(app, context);
     addProjectCommand(app, context);

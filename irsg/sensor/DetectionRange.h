@@ -6,10 +6,10 @@ namespace irsg {
 
 /// Where a range is sought, m.
 struct RangeLimits {
-    double nearest_m = 100.0;    ///< > 0
-    double farthest_m = 1e6;     ///< above it
-    double tolerance = 1e-7;     ///< of the range, relative
-    int looksPerDecade = 16;     ///< places at which the signal to noise ratio is looked at first
+    double nearest_m = 100.0; ///< > 0
+    double farthest_m = 1e6;  ///< above it
+    double tolerance = 1e-7;  ///< of the range, relative
+    int looksPerDecade = 16;  ///< places at which the signal to noise ratio is looked at first
 };
 
 /// How far a target is seen.
@@ -24,16 +24,16 @@ struct DetectionRange {
     double range_m = 0.0;
     /// d ln(ratio) / d ln(range) at that range, -2 in vacuum; 0 where nothing was found.
     double slope = 0.0;
-    /// How often the ratio crosses the threshold between the limits, as far as it was looked at: more
-    /// than once where contrast passes through zero, say.
+    /// How often the ratio crosses the threshold between the limits, as far as it was looked at:
+    /// more than once where contrast passes through zero, say.
     int crossings = 0;
 };
 
-/// The farthest range at which a signal to noise ratio falls to a threshold > 0. The ratio is looked at
-/// at equal ratios of range from the nearest to the farthest one, and the root is found between the
-/// last two of these between which it falls below the threshold (Brent's method on the logarithms).
-/// `ratio` gives |SNR| at a range in m; it is called once for each. Throws InputError for limits that
-/// are none.
+/// The farthest range at which a signal to noise ratio falls to a threshold > 0. The ratio is
+/// looked at at equal ratios of range from the nearest to the farthest one, and the root is found
+/// between the last two of these between which it falls below the threshold (Brent's method on the
+/// logarithms). `ratio` gives |SNR| at a range in m; it is called once for each. Throws InputError
+/// for limits that are none.
 DetectionRange detectionRange(const std::function<double(double range_m)>& ratio, double threshold,
                               const RangeLimits& limits);
 

@@ -3,8 +3,8 @@
 namespace irsg {
 
 /// The standard normal number below which a number lies with this probability, in (0, 1): AS 241 of
-/// M. J. Wichura, Applied Statistics 37, 477 (1988), routine PPND16, right to about 1e-16. It is made
-/// of what IEEE 754 fixes to the bit, so that noise is equal on every machine.
+/// M. J. Wichura, Applied Statistics 37, 477 (1988), routine PPND16, right to about 1e-16. It is
+/// made of what IEEE 754 fixes to the bit, so that noise is equal on every machine.
 double normalQuantile(double probability);
 
 } // namespace irsg

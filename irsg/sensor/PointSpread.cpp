@@ -30,9 +30,10 @@ std::size_t sideFor(double spread_px, double cutoff_per_px) {
     while (static_cast<double>(side) < 2.0 * spread_px)
         side *= 2;
     if (side > largestSide)
-        throw InputError({"", "sensor", "a point spread over more than " +
-                                            numberText(std::round(spread_px)) + " pixels",
-                          "at most " + std::to_string(largestSide / 2)});
+        throw InputError(
+            {"", "sensor",
+             "a point spread over more than " + numberText(std::round(spread_px)) + " pixels",
+             "at most " + std::to_string(largestSide / 2)});
     return side;
 }
 
@@ -92,7 +93,8 @@ double PointSpread::transferAt(double x_per_px, double y_per_px) const {
 double PointSpread::energyAt(double columns_px, double rows_px) const {
     const GaussRule& rule = gaussLegendre(12);
     const auto panelsOf = [&](double length, double offset_px) {
-        return static_cast<std::size_t>(std::ceil(4.0 + 1.5 * length * (std::abs(offset_px) + 1.0)));
+        return static_cast<std::size_t>(
+            std::ceil(4.0 + 1.5 * length * (std::abs(offset_px) + 1.0)));
     };
     // x = cutoff sin(a), whose chord of the round pupil is cutoff cos(a).
     const std::size_t panels = panelsOf(cutoff_, columns_px);

@@ -19,8 +19,8 @@ namespace {
 /// What random numbers are for; each its own sequence.
 enum class Draw : std::uint32_t { pixel = 1, electrons, tv, th, t, vh, v, h, bad };
 
-/// Below so many electrons their number is drawn by Poisson's law, above as a normal one, whose third
-/// moment then is off by less than 0.15 of the deviation.
+/// Below so many electrons their number is drawn by Poisson's law, above as a normal one, whose
+/// third moment then is off by less than 0.15 of the deviation.
 constexpr double mostPoisson_e = 50.0;
 /// Of the frames that a pattern stays the same in.
 constexpr std::uint32_t everyFrame = 0xffffffffu;
@@ -66,8 +66,8 @@ std::vector<double> series(std::uint64_t seed, Draw draw, std::uint32_t frame, s
     return values;
 }
 
-/// The transform of kernel and image in one: the image as the real part, the kernel as the imaginary
-/// one. Adds the product of both to `sum`.
+/// The transform of kernel and image in one: the image as the real part, the kernel as the
+/// imaginary one. Adds the product of both to `sum`.
 void addProduct(const ComplexPlane& both, ComplexPlane& sum) {
     const std::size_t width = both.width, height = both.height;
     parallelFor(height, [&](std::size_t y) {
@@ -92,13 +92,12 @@ SensorChain::SensorChain(const SensorDescription& sensor, double source_K,
       spread_(sensor, source_K),
       response_(sensor, convention),
       offset_(response_.offset()),
-      patternUnit_(response_.noise(response_.signal(sensor.noise.referenceTemperature_K))
-                       .temporal()) {}
+      patternUnit_(
+          response_.noise(response_.signal(sensor.noise.referenceTemperature_K)).temporal()) {}
 
 void SensorChain::addPoint(const PointTarget& point, std::vector<double>& signal) const {
     const double column = std::floor(point.column_px), row = std::floor(point.row_px);
-    ComplexPlane plane =
-        spread_.spectrumOf(0.0, point.column_px - column, point.row_px - row);
+    ComplexPlane plane = spread_.spectrumOf(0.0, point.column_px - column, point.row_px - row);
     transformBack(plane);
     const auto side = static_cast<long>(spread_.side_px());
     const double scale =
@@ -216,15 +215,15 @@ std::vector<double> SensorChain::noisy(const std::vector<double>& signal, std::u
     return values;
 }
 
-SensorFrame SensorChain::read(const std::vector<double>& signal, std::uint64_t seed,
-                              std::uint32_t frame) const {
+SensorReading SensorChain::read(const std::vector<double>& signal, std::uint64_t seed,
+                                std::uint32_t frame) const {
     const std::vector<double> values = noisy(signal, seed, frame);
     const SensorElectronics& electronics = sensor_.electronics;
     const SensorNoise& parts = sensor_.noise;
     const double top = std::ldexp(1.0, electronics.bits) - 1.0;
     const double full = response_.fullSignal(), offset = offset_.offset();
     const bool hasBad = parts.deadPixelFraction > 0.0 || parts.hotPixelFraction > 0.0;
-    SensorFrame result;
+    SensorReading result;
     result.counts.resize(values.size());
     result.radiance_W_m2_sr.resize(values.size());
     for (std::size_t at = 0; at < values.size(); ++at) {
@@ -243,20 +242,19 @@ SensorFrame SensorChain::read(const std::vector<double>& signal, std::uint64_t s
         const double counts = std::clamp(
             std::floor(electronics.offset_counts + value / electronics.gain + 0.5), 0.0, top);
         result.counts[at] = static_cast<float>(counts);
-        result.radiance_W_m2_sr[at] = static_cast<float>(
-            ((counts - electronics.offset_counts) * electronics.gain - offset) /
-            response_.signalPerRadiance());
+        result.radiance_W_m2_sr[at] =
+            static_cast<float>(((counts - electronics.offset_counts) * electronics.gain - offset) /
+                               response_.signalPerRadiance());
     }
     return result;
 }
 
-SensorFrame readBySensor(RadianceImage& image, const SensorChain& chain, int samples,
-                         std::uint64_t seed, std::uint32_t frame) {
+SensorReading readBySensor(RadianceImage& image, const SensorChain& chain, int samples,
+                           std::uint64_t seed, std::uint32_t frame) {
     const SensorDetector& detector = chain.sensor().detector;
     if (image.width() != detector.columns * samples || image.height() != detector.rows * samples)
         throw LogicError("an image of another size than the sensor's grid");
-    SensorFrame result =
-        chain.read(chain.exposed(image.primary().values, samples), seed, frame);
+    SensorReading result = chain.read(chain.exposed(image.primary().values, samples), seed, frame);
     RadianceImage read(detector.columns, detector.rows, "counts", "");
     read.attributes = image.attributes;
     read.channels.front().values = result.counts;

@@ -18,7 +18,7 @@ struct PointTarget {
 };
 
 /// What a sensor makes of a frame, top row first.
-struct SensorFrame {
+struct SensorReading {
     std::vector<float> counts;
     std::vector<float> radiance_W_m2_sr; ///< apparent: what the counts stand for
     std::size_t saturated = 0;           ///< pixels at the end of the well or of the converter
@@ -39,14 +39,14 @@ class SensorChain {
     const PixelResponse& response() const { return response_; }
 
     /// The mean signal of each pixel (electrons, of a thermal detector watts), without noise or
-    /// offset. `radiance` has `samples` x `samples` values of band radiance (SensorDescription::band)
-    /// for each pixel, row by row; each is that of its whole square. Beyond the frame its outermost
-    /// values go on. LogicError for another size.
+    /// offset. `radiance` has `samples` x `samples` values of band radiance
+    /// (SensorDescription::band) for each pixel, row by row; each is that of its whole square.
+    /// Beyond the frame its outermost values go on. LogicError for another size.
     std::vector<double> exposed(const std::vector<float>& radiance_W_m2_sr, int samples,
                                 const std::vector<PointTarget>& points = {}) const;
     /// What is read of these signals.
-    SensorFrame read(const std::vector<double>& signal, std::uint64_t seed,
-                     std::uint32_t frame) const;
+    SensorReading read(const std::vector<double>& signal, std::uint64_t seed,
+                       std::uint32_t frame) const;
     /// The signal with noise of a pixel before the converter, offset included: for who studies the
     /// noise.
     std::vector<double> noisy(const std::vector<double>& signal, std::uint64_t seed,
@@ -63,9 +63,9 @@ class SensorChain {
 };
 
 /// Replaces an image of band radiance (channel `L`, `samples` squared values a pixel) by what the
-/// sensor reads: the planes `counts` and `L`, apparent radiance, and attributes with seed and numbers
-/// of bad pixels. `samples` divides its sides (LogicError). Returns the frame's report.
-SensorFrame readBySensor(RadianceImage& image, const SensorChain& chain, int samples,
-                         std::uint64_t seed, std::uint32_t frame);
+/// sensor reads: the planes `counts` and `L`, apparent radiance, and attributes with seed and
+/// numbers of bad pixels. `samples` divides its sides (LogicError). Returns the frame's report.
+SensorReading readBySensor(RadianceImage& image, const SensorChain& chain, int samples,
+                           std::uint64_t seed, std::uint32_t frame);
 
 } // namespace irsg

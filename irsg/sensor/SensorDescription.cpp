@@ -229,8 +229,8 @@ double SensorDescription::peakSignalPerJoule() const {
     for (std::size_t i = 0; i + 1 < axis.size(); ++i)
         for (int part = 0; part <= 8; ++part) {
             const double wavelength_um = std::lerp(axis[i], axis[i + 1], part / 8.0);
-            peak = std::max(peak, optics.transmission.at(wavelength_um) *
-                                      signalPerJoule(wavelength_um));
+            peak = std::max(peak,
+                            optics.transmission.at(wavelength_um) * signalPerJoule(wavelength_um));
         }
     return peak;
 }
@@ -250,7 +250,8 @@ Band SensorDescription::band() const {
                                                : 1.0 / elementaryCharge_C;
     relative = relative.mapped([&](double value) { return value * unit * scale; });
     if (relative.isConstant())
-        relative = Spectrum({range.min_um, range.max_um}, {relative.values()[0], relative.values()[0]});
+        relative =
+            Spectrum({range.min_um, range.max_um}, {relative.values()[0], relative.values()[0]});
     return Band::fromResponse(Spectrum(relative.wavelengths_um(), relative.values(),
                                        Spectrum::Outside::zero, "response of the sensor"),
                               title.empty() ? "sensor" : title);

@@ -30,7 +30,7 @@ struct SensorOptics {
     double obscuration = 0.0; ///< of an annulus: inner through outer diameter, 0 to 1, exclusive
     Spectrum transmission = Spectrum::constant(1.0); ///< 0 to 1
     double temperature_K = 0.0;                      ///< 0: cold, without emission
-    double emissivity = 0.0;           ///< 0 to 1; with the transmission at most 1
+    double emissivity = 0.0;                         ///< 0 to 1; with the transmission at most 1
     double coldShieldEfficiency = 1.0; ///< part of the hemisphere beside the cone that is shielded
     double housingTemperature_K = 0.0; ///< of what the detector sees past the shield
     double defocus_waves = 0.0;        ///< wavefront error at the edge of the pupil (W020)
@@ -46,7 +46,7 @@ struct SensorOptics {
 
 /// What the detector's response is a spectrum of.
 enum class ResponseKind {
-    quantumEfficiency,   ///< electrons per photon
+    quantumEfficiency, ///< electrons per photon
     responsivity_A_per_W,
     absorptance ///< of a thermal detector: absorbed per incident power
 };
@@ -81,23 +81,23 @@ struct SensorElectronics {
     int bits = 14;            ///< of the converter, 1 to 32
 };
 
-/// The seven components of three-dimensional noise (D'Agostino and Webb, Proc. SPIE 1488, 1991): time,
-/// vertical (rows) and horizontal (columns). tvh is the temporal noise that follows from all else;
-/// the others are standard deviations in parts of it at the reference background.
+/// The seven components of three-dimensional noise (D'Agostino and Webb, Proc. SPIE 1488, 1991):
+/// time, vertical (rows) and horizontal (columns). tvh is the temporal noise that follows from all
+/// else; the others are standard deviations in parts of it at the reference background.
 struct SensorNoise {
     double referenceTemperature_K = 300.0;
-    double tv = 0.0; ///< a row in a frame
-    double th = 0.0; ///< a column in a frame
-    double t = 0.0;  ///< a frame
-    double vh = 0.0; ///< a pixel: fixed pattern, what a correction leaves
-    double v = 0.0;  ///< a row
-    double h = 0.0;  ///< a column
+    double tv = 0.0;                ///< a row in a frame
+    double th = 0.0;                ///< a column in a frame
+    double t = 0.0;                 ///< a frame
+    double vh = 0.0;                ///< a pixel: fixed pattern, what a correction leaves
+    double v = 0.0;                 ///< a row
+    double h = 0.0;                 ///< a column
     double deadPixelFraction = 0.0; ///< give no signal
     double hotPixelFraction = 0.0;  ///< are always full
 };
 
-/// A sensor from its pupil to its counts, as a value. `Sensor` is the pinhole camera that its image is
-/// rendered with. Electrons stand for the signal of photon detectors, absorbed watts for that of
+/// A sensor from its pupil to its counts, as a value. `Sensor` is the pinhole camera that its image
+/// is rendered with. Electrons stand for the signal of photon detectors, absorbed watts for that of
 /// thermal ones.
 struct SensorDescription {
     std::string title;

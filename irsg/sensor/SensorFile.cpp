@@ -48,7 +48,8 @@ Spectrum spectrumOf(const JsonReader& value, const std::string& name) {
     Spectrum spectrum = Spectrum::constant(1.0);
     if (value.isAnyRefused())
         return spectrum;
-    value.check([&] { spectrum = Spectrum(wavelengths_um, values, Spectrum::Outside::hold, name); });
+    value.check(
+        [&] { spectrum = Spectrum(wavelengths_um, values, Spectrum::Outside::hold, name); });
     return spectrum;
 }
 
@@ -218,8 +219,7 @@ SensorDescription sensorFromJson(const std::string& text, const std::string& fil
         sensor.motion.lineOfSightRate_urad_per_s =
             motion.at("lineOfSightRate_urad_per_s").numberOr(0.0);
     }
-    sensor.electronics =
-        electronicsOf(root.section("electronics"), sensor.detector.isThermal());
+    sensor.electronics = electronicsOf(root.section("electronics"), sensor.detector.isThermal());
     if (const JsonReader noise = root.section("noise"); noise.exists() && noise.isObject())
         sensor.noise = noiseOf(noise);
     root.refuseUnknown();

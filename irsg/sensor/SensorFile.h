@@ -10,8 +10,8 @@ namespace irsg {
 /// The extension of such files.
 inline constexpr const char* sensorExtension = ".smatsensor";
 
-/// Reads a sensor (JSON, docs/sensor.md). Throws InputError with everything that is wrong with it, by
-/// key and line: unknown keys and values that cannot be (SensorDescription::check) included.
+/// Reads a sensor (JSON, docs/sensor.md). Throws InputError with everything that is wrong with it,
+/// by key and line: unknown keys and values that cannot be (SensorDescription::check) included.
 SensorDescription loadSensor(const std::filesystem::path& file);
 SensorDescription sensorFromJson(const std::string& text, const std::string& fileName);
 

@@ -66,8 +66,8 @@ double PixelResponse::blackBodySignal(double temperature_K, bool throughOptics,
 PixelSignal PixelResponse::offset() const {
     const SensorOptics& optics = sensor_.optics;
     const double beside_sr = pi - cone_sr_;
-    return {.optics = optics.emissivity * cone_sr_ *
-                      blackBodySignal(optics.temperature_K, false, false),
+    return {.optics =
+                optics.emissivity * cone_sr_ * blackBodySignal(optics.temperature_K, false, false),
             .housing = (1.0 - optics.coldShieldEfficiency) * beside_sr *
                        blackBodySignal(optics.housingTemperature_K, false, false),
             .dark = sensor_.detector.darkCurrent_e_per_s * sensor_.detector.integrationTime_s};
@@ -134,9 +134,8 @@ SensorNumbers sensorNumbers(const SensorDescription& sensor, double background_K
     numbers.totalNei_W_m2 = total / response.signalPerIrradiance() / ensquaredEnergy;
     numbers.wellFill = numbers.signal.total() / response.fullSignal();
     const PixelSignal dark = response.offset();
-    numbers.dynamicRange_dB =
-        20.0 * std::log10((response.fullSignal() - dark.offset()) /
-                          response.noise(dark).temporal());
+    numbers.dynamicRange_dB = 20.0 * std::log10((response.fullSignal() - dark.offset()) /
+                                                response.noise(dark).temporal());
     return numbers;
 }
 

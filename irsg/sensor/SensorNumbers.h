@@ -32,20 +32,20 @@ struct PixelNoise {
     double total() const;
 };
 
-/// The numbers of a sensor before a uniform background. Of bands: W m-2 and W m-2 sr-1 are weighted by
-/// the sensor's response relative to its peak (SensorDescription::band).
+/// The numbers of a sensor before a uniform background. Of bands: W m-2 and W m-2 sr-1 are weighted
+/// by the sensor's response relative to its peak (SensorDescription::band).
 struct SensorNumbers {
     ConeConvention convention = ConeConvention::exact;
     PixelSignal signal;
     PixelNoise noise;
-    double contrast_per_K = 0.0; ///< change of the signal with the background's temperature
-    double netd_K = 0.0;         ///< temporal noise / contrast_per_K
-    double totalNetd_K = 0.0;    ///< the same of the total noise
-    double ner_W_m2_sr = 0.0;    ///< radiance whose signal is the temporal noise
-    double nep_W = 0.0;          ///< power on the pixel at the response's peak, the same
-    double dStar_cm_sqrtHz_W = 0.0; ///< sqrt(active area / (2 integration time)) / nep
-    double ensquaredEnergy = 0.0;   ///< of a point in the middle of a pixel
-    double nei_W_m2 = 0.0;          ///< irradiance on the pupil of a point there, the same
+    double contrast_per_K = 0.0;     ///< change of the signal with the background's temperature
+    double netd_K = 0.0;             ///< temporal noise / contrast_per_K
+    double totalNetd_K = 0.0;        ///< the same of the total noise
+    double ner_W_m2_sr = 0.0;        ///< radiance whose signal is the temporal noise
+    double nep_W = 0.0;              ///< power on the pixel at the response's peak, the same
+    double dStar_cm_sqrtHz_W = 0.0;  ///< sqrt(active area / (2 integration time)) / nep
+    double ensquaredEnergy = 0.0;    ///< of a point in the middle of a pixel
+    double nei_W_m2 = 0.0;           ///< irradiance on the pupil of a point there, the same
     double neiWholePoint_W_m2 = 0.0; ///< with an ensquared energy of 1
     double totalNei_W_m2 = 0.0;      ///< of the total noise, with ensquared energy
     double wellFill = 0.0;           ///< part of the well, of a thermal detector of the converter
@@ -80,8 +80,8 @@ class PixelResponse {
     double thermalNoise_ = 0.0, patternNoise_ = 0.0;
 };
 
-/// Throws InputError for a background that is not above 0 K. A well that is more than full is reported
-/// as such (wellFill above 1); its numbers are those of a larger one.
+/// Throws InputError for a background that is not above 0 K. A well that is more than full is
+/// reported as such (wellFill above 1); its numbers are those of a larger one.
 SensorNumbers sensorNumbers(const SensorDescription& sensor, double background_K,
                             ConeConvention convention, double ensquaredEnergy);
 

@@ -24,10 +24,10 @@ double gaussianTransfer(double deviation_rad, double frequency_per_rad) {
 
 } // namespace
 
-SensorTransfer::SensorTransfer(const SensorDescription& sensor, double source_K)
-    : sensor_(sensor) {
+SensorTransfer::SensorTransfer(const SensorDescription& sensor, double source_K) : sensor_(sensor) {
     if (!(source_K > 0.0 && std::isfinite(source_K)))
-        throw InputError({"", "source temperature", numberText(source_K), "a temperature above 0 K"});
+        throw InputError(
+            {"", "source temperature", numberText(source_K), "a temperature above 0 K"});
     const SpectralRange& range = sensor.detector.band;
     const Spectrum* const spectra[] = {&sensor.optics.transmission, &sensor.detector.response};
     // Relative to the long end, so that a cold source does not underflow.
@@ -66,9 +66,9 @@ SensorTransfer::SensorTransfer(const SensorDescription& sensor, double source_K)
         if (sums[bin] <= 0.0)
             continue;
         const double wavelength_um = moments[bin] / sums[bin];
-        nodes_.push_back({1e-6 * wavelength_um, sums[bin] / total,
-                          sensor.optics.defocus_waves * sensor.optics.defocusWavelength_um /
-                              wavelength_um});
+        nodes_.push_back(
+            {1e-6 * wavelength_um, sums[bin] / total,
+             sensor.optics.defocus_waves * sensor.optics.defocusWavelength_um / wavelength_um});
     }
     cutoff_per_rad_ = sensor.optics.aperture_m / nodes_.front().wavelength_m;
 }
@@ -94,9 +94,11 @@ double SensorTransfer::optics(double x_per_rad, double y_per_rad) const {
 }
 
 double SensorTransfer::alongColumns(double y_per_rad) const {
-    const double active_rad = 1e-6 * sensor_.detector.activeWidth_um() / sensor_.optics.focalLength_m;
+    const double active_rad =
+        1e-6 * sensor_.detector.activeWidth_um() / sensor_.optics.focalLength_m;
     return gaussianTransfer(1e-6 * sensor_.optics.aberrationBlur_urad, y_per_rad) *
-           sinc(active_rad * y_per_rad) * gaussianTransfer(1e-6 * sensor_.motion.jitter_urad, y_per_rad);
+           sinc(active_rad * y_per_rad) *
+           gaussianTransfer(1e-6 * sensor_.motion.jitter_urad, y_per_rad);
 }
 
 double SensorTransfer::alongRows(double x_per_rad) const {
@@ -111,19 +113,20 @@ std::vector<SensorTransfer::Component> SensorTransfer::components(double x_per_r
     const double diffracted = diffraction(x_per_rad, y_per_rad);
     const double defocused =
         sensor_.optics.defocus_waves == 0.0 ? diffracted : optics(x_per_rad, y_per_rad);
-    const double active_rad = 1e-6 * sensor_.detector.activeWidth_um() / sensor_.optics.focalLength_m;
+    const double active_rad =
+        1e-6 * sensor_.detector.activeWidth_um() / sensor_.optics.focalLength_m;
     const double blur_rad = 1e-6 * sensor_.optics.aberrationBlur_urad;
     const double jitter_rad = 1e-6 * sensor_.motion.jitter_urad;
     const double rate_rad_per_s = 1e-6 * sensor_.motion.lineOfSightRate_urad_per_s;
-    return {{"diffraction", diffracted},
-            {"defocus", diffracted == 0.0 ? 1.0 : defocused / diffracted},
-            {"aberration", gaussianTransfer(blur_rad, std::hypot(x_per_rad, y_per_rad))},
-            {"detector", sinc(active_rad * x_per_rad) * sinc(active_rad * y_per_rad)},
-            {"jitter", gaussianTransfer(jitter_rad, std::hypot(x_per_rad, y_per_rad))},
-            {"motion", sinc(rate_rad_per_s * sensor_.detector.integrationTime_s * x_per_rad)},
-            {"time_constant", 1.0 / std::hypot(1.0, 2.0 * pi * rate_rad_per_s *
-                                                        sensor_.detector.timeConstant_s *
-                                                        x_per_rad)}};
+    return {
+        {"diffraction", diffracted},
+        {"defocus", diffracted == 0.0 ? 1.0 : defocused / diffracted},
+        {"aberration", gaussianTransfer(blur_rad, std::hypot(x_per_rad, y_per_rad))},
+        {"detector", sinc(active_rad * x_per_rad) * sinc(active_rad * y_per_rad)},
+        {"jitter", gaussianTransfer(jitter_rad, std::hypot(x_per_rad, y_per_rad))},
+        {"motion", sinc(rate_rad_per_s * sensor_.detector.integrationTime_s * x_per_rad)},
+        {"time_constant", 1.0 / std::hypot(1.0, 2.0 * pi * rate_rad_per_s *
+                                                    sensor_.detector.timeConstant_s * x_per_rad)}};
 }
 
 double SensorTransfer::at(double x_per_rad, double y_per_rad) const {
@@ -138,9 +141,9 @@ double SensorTransfer::spread_rad() const {
         4.0 * std::abs(nodes_.back().waves) * longest_m / sensor_.optics.aperture_m;
     const double gauss_rad =
         4e-6 * std::hypot(sensor_.optics.aberrationBlur_urad, sensor_.motion.jitter_urad);
-    const double smear_rad = 1e-6 * sensor_.motion.lineOfSightRate_urad_per_s *
-                             (0.5 * sensor_.detector.integrationTime_s +
-                              8.0 * sensor_.detector.timeConstant_s);
+    const double smear_rad =
+        1e-6 * sensor_.motion.lineOfSightRate_urad_per_s *
+        (0.5 * sensor_.detector.integrationTime_s + 8.0 * sensor_.detector.timeConstant_s);
     return 4.0 * airy_rad + defocus_rad + gauss_rad + smear_rad + 0.5 * sensor_.pixelAngle_rad();
 }
 

@@ -19,6 +19,7 @@
 #include "smatcore/analysis/CaseWarnings.h"
 #include "smatcore/analysis/ErrorColumns.h"
 #include "smatcore/analysis/ImageFiles.h"
+#include "smatcore/analysis/ImageSensor.h"
 #include "smatcore/analysis/SweepTable.h"
 #include "smatcore/analysis/SweepTarget.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -35,8 +36,14 @@ using Reports = std::vector<irsg::RenderReport>;
 void drawImage(AnalysisData& data, const PlacedCase& placed, const RenderDoor& door,
                const AnalysisPlan& plan, const Target& target, SweepTable& table,
                CaseWarnings& warnings) {
-    irsg::Rendered rendered = placed.render(
-        door, Outputs::imageWithReports().withErrors(plan.errors != ErrorColumns::none));
+    const bool errors = plan.errors != ErrorColumns::none;
+    const bool hasSensor = !data.settings[key::imageSensor].empty();
+    irsg::Rendered rendered =
+        hasSensor ? placed.render(door, Outputs::reports().withErrors(errors))
+                  : placed.render(door, Outputs::imageWithReports().withErrors(errors));
+    if (hasSensor)
+        for (const std::string& sentence : drawThroughSensor(rendered.image, data, placed, door))
+            warnings.add(sentence);
     const irsg::RenderReport& report = rendered.reports.front();
     if (report.all.errors)
         describeErrors(*report.all.errors, rendered.image);
@@ -178,6 +185,8 @@ PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan cases, SceneDescription 
     data.providedBy.clear();
     data.warnings.clear();
 
+    followSensor(data);
+    followSensor(data, scene);
     // A case of a sweep has the same numbers whatever was before it, and those of an image.
     scene.environment = irsg::onTheFly(scene.environment);
     std::optional<CasePlacer> placer;

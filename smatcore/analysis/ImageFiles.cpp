@@ -40,6 +40,10 @@ irsg::DisplayLimits limitsOf(const irsg::RadianceImage& image, const Settings& s
 std::string showQuantity(irsg::RadianceImage& image, const irsg::Sensor& sensor,
                          const Settings& settings) {
     const std::string& quantity = settings.text(key::imageQuantity);
+    if (quantity == "counts" && image.find("counts") == nullptr)
+        throw irsg::InputError({"", key::imageQuantity.name, quantity,
+                                "radiance, irradiance or apparent-temperature: no sensor that "
+                                "counts reads this image"});
     if (quantity == "irradiance") {
         irsg::showIrradiance(image, sensor);
     } else if (quantity == "apparent-temperature") {

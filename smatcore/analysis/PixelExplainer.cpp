@@ -23,6 +23,12 @@ SceneBuilder::DatabaseOverrides databasesOf(const AnalysisData& data) {
 PixelExplainer::PixelExplainer(AnalysisData image, SceneBuilder::ModelLoader models,
                                RenderDoor door, StageTimer* timer)
     : data_(std::move(image)), door_(door.isOpen() ? std::move(door) : openRenderDoor()) {
+    if (!data_.settings[key::imageSensor].empty())
+        throw irsg::InputError({.file = "",
+                                .position = key::imageSensor,
+                                .value = data_.settings.text(key::imageSensor),
+                                .expected = "none: a sensor mixes what its pixels see, which has "
+                                            "no terms"});
     data_.settings.set(key::imageQuantity, "radiance");
     if (bandsOf(data_.project, data_.settings).size() > 1)
         throw irsg::InputError({.file = "",

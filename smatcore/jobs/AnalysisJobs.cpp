@@ -9,6 +9,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReplacement.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
+#include "smatcore/analysis/ImageSensor.h"
 #include "smatcore/analysis/ResultFile.h"
 #include "smatcore/jobs/CaseTeam.h"
 #include "smatcore/support/PartialFile.h"
@@ -19,7 +20,8 @@ namespace {
 
 std::vector<Job> eachBandItsImage(const std::vector<Job>& jobs) {
     std::vector<Job> list;
-    for (const Job& job : jobs) {
+    for (Job job : jobs) {
+        followSensor(job.data);
         const std::vector<Settings> each = eachBand(job.data.settings);
         if (job.data.kind->form != AnalysisForm::image || each.size() < 2) {
             list.push_back(job);
@@ -182,6 +184,16 @@ void JobRunner::rehearse(AnalysisData& data, const CostAccuracyStudy::Options& o
 void JobRunner::run(AnalysisData& data, const CostAccuracyStudy::Options& options,
                     const JobControl& control) {
     CostAccuracyStudy::run(data, door(), factory(), options, control.progress, control.stop);
+}
+
+void JobRunner::run(AnalysisData& data, const DetectionRequest& request,
+                    const JobControl& control) {
+    runDetection(data, request, door(), factory(),
+                 {.progress = control.progress, .stop = control.stop, .timer = control.timer});
+}
+
+void JobRunner::rehearse(AnalysisData& data, const DetectionRequest& request) {
+    runDetection(data, request, door(), factory(), {.isRehearsal = true});
 }
 
 } // namespace smat

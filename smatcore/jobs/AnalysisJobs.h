@@ -9,6 +9,7 @@
 #include "smatcore/analysis/AnalysisGenerator.h"
 #include "smatcore/analysis/CaseFile.h"
 #include "smatcore/analysis/CostAccuracyStudy.h"
+#include "smatcore/analysis/Detection.h"
 #include "smatcore/data/RenderDoor.h"
 #include "smatcore/jobs/MonteCarloJob.h"
 #include "smatcore/jobs/SimulationJob.h"
@@ -101,6 +102,9 @@ class JobRunner {
     /// See CostAccuracyStudy; the result stays in the data.
     void run(AnalysisData& data, const CostAccuracyStudy::Options& options,
              const JobControl& control = {});
+    /// See runDetection; the result stays in the data.
+    void run(AnalysisData& data, const DetectionRequest& request, const JobControl& control = {});
+    void rehearse(AnalysisData& data, const DetectionRequest& request);
 
   private:
     SceneFactory factory() {

@@ -102,6 +102,9 @@ inline constexpr OptionalRealKey displayMaximum{"display.maximum"};
 
 inline constexpr TextKey imageQuantity{"image.quantity"};
 inline constexpr BooleanKey imageTruthLayers{"image.truthLayers"};
+inline constexpr PathsKey imageSensor{"image.sensor"};
+inline constexpr IntegerKey imageSensorSamples{"image.sensorSamples"};
+inline constexpr IntegerKey imageNoiseSeed{"image.noiseSeed"};
 
 inline constexpr OptionalRealKey polarStep{"polar.step"};
 inline constexpr BooleanKey rangeLog{"range.log"};

@@ -15,13 +15,14 @@ using Found = DetectionRange::Found;
 /// The branch of Lambert's function that is positive for x > 0, by Newton's method.
 double lambert(double x) {
     double w = std::log1p(x);
-    for (int i = 0; i < 50; ++i)
+    for (int i = 0; i < 50; ++i) {
         w -= (w * std::exp(w) - x) / (std::exp(w) * (1.0 + w));
+    }
     return w;
 }
 
 TEST(DetectionRange, InVacuumItIsTheRootOfIntensityOverNoise) {
-    for (const double intensity : {1e-3, 20.0, 5e4})
+    for (const double intensity : {1e-3, 20.0, 5e4}) {
         for (const double threshold : {1.0, 5.0, 12.0}) {
             const double nei = 3e-9;
             const auto ratio = [&](double r) { return intensity / (r * r) / nei; };
@@ -32,6 +33,7 @@ TEST(DetectionRange, InVacuumItIsTheRootOfIntensityOverNoise) {
             EXPECT_NEAR(found.range_m / std::sqrt(intensity / (nei * threshold)), 1.0, 1e-6);
             EXPECT_NEAR(found.slope, -2.0, 1e-6);
         }
+    }
 }
 
 TEST(DetectionRange, InAirOfBeersLawItIsLambertsFunction) {
@@ -41,8 +43,7 @@ TEST(DetectionRange, InAirOfBeersLawItIsLambertsFunction) {
         const auto ratio = [&](double r) { return intensity * std::exp(-k * r) / (r * r) / nei; };
         const DetectionRange found =
             detectionRange(ratio, threshold, {.nearest_m = 10.0, .farthest_m = 1e7});
-        const double expected =
-            2.0 / k * lambert(0.5 * k / std::sqrt(nei * threshold / intensity));
+        const double expected = 2.0 / k * lambert(0.5 * k / std::sqrt(nei * threshold / intensity));
         EXPECT_NEAR(found.range_m / expected, 1.0, 1e-6) << k;
         EXPECT_NEAR(found.slope, -2.0 - k * expected, 1e-3 * (2.0 + k * expected)) << k;
     }

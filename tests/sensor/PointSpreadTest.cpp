@@ -19,12 +19,13 @@ TEST(PointSpread, AirysPatternFallsIntoASquare) {
     const double scale = pi * 0.1 / 4e-6 * sensor.pixelAngle_rad(); // pi D / lambda times a pixel
     constexpr int steps = 2000;
     double sum = 0.0;
-    for (int i = 0; i < steps; ++i)
+    for (int i = 0; i < steps; ++i) {
         for (int j = 0; j <= i; ++j) {
             const double r = scale * std::hypot(0.5 * (i + 0.5) / steps, 0.5 * (j + 0.5) / steps);
             const double airy = 2.0 * std::cyl_bessel_j(1.0, r) / r;
             sum += (i == j ? 1.0 : 2.0) * airy * airy;
         }
+    }
     // Normalised to 1 over the plane: peak pi/4 (D / lambda)^2 per sr; four quadrants.
     const double peak = pi / 4.0 * std::pow(0.1 / 4e-6 * sensor.pixelAngle_rad(), 2);
     const double expected = 4.0 * peak * sum * std::pow(0.5 / steps, 2);
@@ -62,11 +63,13 @@ TEST(PointSpread, AllEnergyOfAPointIsOnThePixels) {
             EXPECT_NEAR(plane.re[0], 1.0, 1e-9);
             transformBack(plane);
             double sum = 0.0;
-            for (const double value : plane.re)
+            for (const double value : plane.re) {
                 sum += value;
+            }
             EXPECT_NEAR(sum, 1.0, 1e-9);
-            for (const double value : plane.im)
+            for (const double value : plane.im) {
                 ASSERT_NEAR(value, 0.0, 1e-12);
+            }
         }
     }
 }

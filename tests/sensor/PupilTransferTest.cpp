@@ -21,16 +21,19 @@ double byGrid(PupilShape shape, double obscuration, double waves, double shiftX,
     };
     constexpr int steps = 1500;
     double sum = 0.0, area = 0.0;
-    for (int i = 0; i < steps; ++i)
+    for (int i = 0; i < steps; ++i) {
         for (int j = 0; j < steps; ++j) {
             const double x = 4.0 * (i + 0.5) / steps - 2.0, y = 4.0 * (j + 0.5) / steps - 2.0;
-            if (isInside(x, y))
+            if (isInside(x, y)) {
                 area += 1.0;
+            }
             const double ax = x + 0.5 * shiftX, ay = y + 0.5 * shiftY;
             const double bx = x - 0.5 * shiftX, by = y - 0.5 * shiftY;
-            if (isInside(ax, ay) && isInside(bx, by))
+            if (isInside(ax, ay) && isInside(bx, by)) {
                 sum += std::cos(2.0 * pi * waves * (ax * ax + ay * ay - bx * bx - by * by));
+            }
         }
+    }
     return sum / area;
 }
 
@@ -47,7 +50,7 @@ TEST(PupilTransfer, AClearCircleHasItsClosedForm) {
 
 TEST(PupilTransfer, AnAnnulusHasOneillsClosedForm) {
     // E. L. O'Neill, "Transfer function for an annular aperture", J. Opt. Soc. Am. 46, 285 (1956).
-    for (const double e : {0.2, 0.5, 0.8})
+    for (const double e : {0.2, 0.5, 0.8}) {
         for (const double u : {0.0, 0.03, 0.2, 0.45, 0.6, 0.8, 0.97}) {
             const auto circle = [](double v) {
                 return v >= 1.0 ? 0.0 : std::acos(v) - v * std::sqrt(1.0 - v * v);
@@ -65,6 +68,7 @@ TEST(PupilTransfer, AnAnnulusHasOneillsClosedForm) {
             EXPECT_NEAR(pupilTransfer(annular, e, 0.0, 2.0 * u, 0.0), expected, 1e-8)
                 << e << " " << u;
         }
+    }
 }
 
 TEST(PupilTransfer, DefocusIsTheAutocorrelationItself) {
@@ -75,21 +79,22 @@ TEST(PupilTransfer, DefocusIsTheAutocorrelationItself) {
     for (const Row& row : {Row{circular, 0.0, 0.25, 0.6, 0.0}, Row{circular, 0.0, 1.0, 0.3, 0.4},
                            Row{circular, 0.0, 3.0, 0.2, 0.1}, Row{annular, 0.4, 0.5, 0.5, 0.2},
                            Row{annular, 0.3, 2.0, 0.3, 0.0}, Row{annular, 0.6, 1.0, 1.3, 0.0},
-                           Row{square, 0.0, 0.7, 0.4, 0.3}, Row{square, 0.0, 0.0, 1.5, 0.2}})
-        EXPECT_NEAR(
-            pupilTransfer(row.shape, row.obscuration, row.waves, row.x, row.y),
-            byGrid(row.shape, row.obscuration, row.waves, row.x, row.y), 1.5e-3)
+                           Row{square, 0.0, 0.7, 0.4, 0.3}, Row{square, 0.0, 0.0, 1.5, 0.2}}) {
+        EXPECT_NEAR(pupilTransfer(row.shape, row.obscuration, row.waves, row.x, row.y),
+                    byGrid(row.shape, row.obscuration, row.waves, row.x, row.y), 1.5e-3)
             << row.waves << " " << row.x;
+    }
 }
 
 TEST(PupilTransfer, DefocusOfACircleIsHopkinsSeriesOfBesselFunctions) {
     // H. H. Hopkins, Proc. Roy. Soc. A 231, 91 (1955), eq. 12, by its definition: a = 4 pi W s'.
-    for (const double waves : {0.1, 0.5, 1.0, 2.5})
+    for (const double waves : {0.1, 0.5, 1.0, 2.5}) {
         for (const double shift : {0.1, 0.3, 0.8, 1.4}) {
             const double a = 4.0 * pi * waves * shift, beta = std::acos(0.5 * shift);
             const double half = 0.5 * shift;
-            double h1 = beta * std::cyl_bessel_j(1.0, a) + 0.5 * std::sin(2.0 * beta) *
-                        (std::cyl_bessel_j(1.0, a) - std::cyl_bessel_j(3.0, a));
+            double h1 = beta * std::cyl_bessel_j(1.0, a) +
+                        0.5 * std::sin(2.0 * beta) *
+                            (std::cyl_bessel_j(1.0, a) - std::cyl_bessel_j(3.0, a));
             double h2 = std::sin(beta) * (std::cyl_bessel_j(0.0, a) - std::cyl_bessel_j(2.0, a));
             double sign = -1.0;
             for (int n = 2; n < 60; ++n, sign = -sign) {
@@ -108,6 +113,7 @@ TEST(PupilTransfer, DefocusOfACircleIsHopkinsSeriesOfBesselFunctions) {
             EXPECT_NEAR(pupilTransfer(circular, 0.0, waves, shift, 0.0), expected, 1e-8)
                 << waves << " " << shift;
         }
+    }
 }
 
 TEST(PupilTransfer, DefocusAndShiftHaveNoSign) {

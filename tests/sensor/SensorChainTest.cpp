@@ -26,8 +26,9 @@ double meanOf(const std::vector<double>& values) {
 double varianceOf(const std::vector<double>& values) {
     const double mean = meanOf(values);
     double sum = 0.0;
-    for (const double value : values)
+    for (const double value : values) {
         sum += (value - mean) * (value - mean);
+    }
     return sum / static_cast<double>(values.size());
 }
 
@@ -37,10 +38,11 @@ TEST(SensorChain, AUniformFieldIsItsSignalEverywhere) {
         sensor.detector.fillFactor = fill;
         const SensorChain chain(sensor);
         for (const int samples : {1, 3}) {
-            const std::vector<float> field(pixels(sensor) * static_cast<std::size_t>(samples * samples),
-                                           0.25f);
-            for (const double value : chain.exposed(field, samples))
+            const std::vector<float> field(
+                pixels(sensor) * static_cast<std::size_t>(samples * samples), 0.25f);
+            for (const double value : chain.exposed(field, samples)) {
                 ASSERT_NEAR(value / (0.25 * chain.response().signalPerRadiance()), 1.0, 1e-9);
+            }
         }
     }
 }
@@ -55,23 +57,26 @@ TEST(SensorChain, AFieldOfCellsIsTheSumOfTheirPointSpreads) {
     const std::size_t column = 31, row = 24; // in cells: right upper quarter of pixel 15, 12
     field[row * 96 + column] = 1.0f;
     const std::vector<double> signal = chain.exposed(field, 2);
-    for (const int x : {14, 15, 16, 18})
+    for (const int x : {14, 15, 16, 18}) {
         for (const int y : {11, 12}) {
             double sum = 0.0; // of 16 points in the cell
             const GaussRule& rule = gaussLegendre(4);
-            for (std::size_t i = 0; i < 4; ++i)
-                for (std::size_t j = 0; j < 4; ++j)
+            for (std::size_t i = 0; i < 4; ++i) {
+                for (std::size_t j = 0; j < 4; ++j) {
                     sum += rule.weights[i] * rule.weights[j] *
                            chain.pointSpread().energyAt(x - 15.0 - 0.5 * rule.nodes[i],
                                                         y - 12.0 + 0.5 * rule.nodes[j]);
+                }
+            }
             EXPECT_NEAR(signal[static_cast<std::size_t>(y * 48 + x)] /
                             chain.response().signalPerRadiance(),
                         0.25 * sum, 1e-6)
                 << x << " " << y;
         }
+    }
     // All but what falls beside a frame of 48 x 40.
-    const double seen = std::accumulate(signal.begin(), signal.end(), 0.0) /
-                        chain.response().signalPerRadiance();
+    const double seen =
+        std::accumulate(signal.begin(), signal.end(), 0.0) / chain.response().signalPerRadiance();
     EXPECT_LT(seen, 0.25);
     EXPECT_GT(seen, 0.2475);
     EXPECT_THROW((void)chain.exposed(field, 3), LogicError);
@@ -86,12 +91,11 @@ TEST(SensorChain, APointOverSixtyFourShiftsHasItsEnsquaredEnergy) {
         const double whole = 1e-6 * chain.response().signalPerIrradiance();
         for (int i = 0; i < 64; ++i) {
             const double u = (i % 8) / 8.0 - 0.5, v = (i / 8) / 8.0 - 0.5;
-            const auto signal =
-                chain.exposed(dark, 1, {{.column_px = 20.0 + u, .row_px = 17.0 + v, .irradiance_W_m2 = 1e-6}});
+            const auto signal = chain.exposed(
+                dark, 1, {{.column_px = 20.0 + u, .row_px = 17.0 + v, .irradiance_W_m2 = 1e-6}});
             // Middle, edge and corner of what it falls on.
             for (const auto& [x, y] : {std::pair{20, 17}, {21, 17}, {21, 18}, {23, 16}}) {
-                const double energy =
-                    chain.pointSpread().energyAt(x - 20.0 - u, y - 17.0 - v);
+                const double energy = chain.pointSpread().energyAt(x - 20.0 - u, y - 17.0 - v);
                 ASSERT_NEAR(signal[static_cast<std::size_t>(y * 48 + x)] / whole, energy, 1e-5)
                     << u << " " << v << " at " << x << ", " << y;
             }
@@ -142,8 +146,11 @@ TEST(SensorChain, NoiseHasItsMeanAndVariance) {
     EXPECT_NEAR(static_cast<double>(none) / static_cast<double>(few.size()), std::exp(-2.0), 0.005);
     EXPECT_NEAR(meanOf(few), 2.0, 0.02);
     double variance = 0.0;
-    for (std::uint32_t i = 0; i < 8; ++i)
-        variance += varianceOf(SensorChain(sensor).noisy(std::vector<double>(pixels(sensor), 2.0), 7, i)) / 8.0;
+    for (std::uint32_t i = 0; i < 8; ++i) {
+        variance +=
+            varianceOf(SensorChain(sensor).noisy(std::vector<double>(pixels(sensor), 2.0), 7, i)) /
+            8.0;
+    }
     EXPECT_NEAR(variance, 2.0, 0.015);
 }
 
@@ -168,7 +175,7 @@ Components analysed(const SensorChain& chain, int cubes, int frames) {
         for (std::size_t k = 0; k < depth; ++k) {
             const auto values = chain.noisy(signal, static_cast<std::uint64_t>(cube) + 11,
                                             static_cast<std::uint32_t>(k));
-            for (std::size_t y = 0; y < height; ++y)
+            for (std::size_t y = 0; y < height; ++y) {
                 for (std::size_t x = 0; x < width; ++x) {
                     const double value = values[y * width + x];
                     mean += value / (m * n * f);
@@ -180,6 +187,7 @@ Components analysed(const SensorChain& chain, int cubes, int frames) {
                     v[y] += value / (m * f);
                     h[x] += value / (n * f);
                 }
+            }
         }
         // Variances of the averages hold those of the others divided by what was averaged over.
         const double all = squares - mean * mean;
@@ -203,8 +211,13 @@ TEST(SensorChain, TheSevenComponentsOfNoiseAreRecovered) {
     sensor.detector.columns = 160;
     sensor.detector.rows = 160;
     sensor.electronics.readNoise_e = 100.0;
-    sensor.noise = {.referenceTemperature_K = 20.0, .tv = 0.6, .th = 0.5, .t = 0.8, .vh = 0.7,
-                    .v = 0.9, .h = 1.1};
+    sensor.noise = {.referenceTemperature_K = 20.0,
+                    .tv = 0.6,
+                    .th = 0.5,
+                    .t = 0.8,
+                    .vh = 0.7,
+                    .v = 0.9,
+                    .h = 1.1};
     sensor.check();
     const SensorChain chain(sensor);
     // 1000 frames; patterns that stay are drawn 25 times, since a frame has only 160 rows.
@@ -225,8 +238,9 @@ TEST(SensorChain, FramesAreEqualOnAnyNumberOfThreadsAndDifferBySeed) {
     sensor.noise.vh = 0.2;
     const SensorChain chain(sensor);
     std::vector<float> field(pixels(sensor) * 4);
-    for (std::size_t i = 0; i < field.size(); ++i)
+    for (std::size_t i = 0; i < field.size(); ++i) {
         field[i] = 0.1f + 0.01f * static_cast<float>(i % 7);
+    }
     const auto frame = [&](unsigned threads, std::uint64_t seed, std::uint32_t number) {
         setMostThreads(threads);
         auto read = chain.read(chain.exposed(field, 2), seed, number);
@@ -247,8 +261,9 @@ TEST(SensorChain, CountsAreTheSignalAndGiveTheRadianceBack) {
     sensor.electronics.gain = 2.0;
     const SensorChain chain(sensor);
     const double radiance = 5e-3;
-    const std::vector<double> signal(pixels(sensor), radiance * chain.response().signalPerRadiance());
-    const SensorFrame frame = chain.read(signal, 1, 0);
+    const std::vector<double> signal(pixels(sensor),
+                                     radiance * chain.response().signalPerRadiance());
+    const SensorReading frame = chain.read(signal, 1, 0);
     double counts = 0.0, back = 0.0;
     for (std::size_t i = 0; i < frame.counts.size(); ++i) {
         counts += frame.counts[i] / static_cast<double>(frame.counts.size());
@@ -264,9 +279,10 @@ TEST(SensorChain, FullAndBadPixelsAreCounted) {
     SensorDescription sensor = test::staringSensor();
     const SensorChain plain(sensor);
     std::vector<double> signal(pixels(sensor), 1000.0);
-    for (std::size_t i = 0; i < 10; ++i)
+    for (std::size_t i = 0; i < 10; ++i) {
         signal[i] = 8e6;
-    const SensorFrame frame = plain.read(signal, 1, 0);
+    }
+    const SensorReading frame = plain.read(signal, 1, 0);
     EXPECT_EQ(frame.saturated, 10u);
     EXPECT_EQ(frame.counts[3], 7e5f);
     sensor.electronics.bits = 8; // the converter ends before the well
@@ -276,7 +292,7 @@ TEST(SensorChain, FullAndBadPixelsAreCounted) {
     sensor.noise.deadPixelFraction = 0.1;
     sensor.noise.hotPixelFraction = 0.2;
     const SensorChain bad(sensor);
-    const SensorFrame first = bad.read(signal, 1, 0), second = bad.read(signal, 1, 1);
+    const SensorReading first = bad.read(signal, 1, 0), second = bad.read(signal, 1, 1);
     EXPECT_NEAR(static_cast<double>(first.dead), 192.0, 40.0);
     EXPECT_NEAR(static_cast<double>(first.hot), 384.0, 55.0);
     EXPECT_EQ(second.dead, first.dead); // they stay
@@ -288,9 +304,10 @@ TEST(SensorChain, AnImageBecomesOneOfCounts) {
     const SensorChain chain(sensor);
     RadianceImage image(96, 80);
     image.attributes["band"] = "of the sensor";
-    for (float& value : image.channels.front().values)
+    for (float& value : image.channels.front().values) {
         value = 0.01f;
-    const SensorFrame frame = readBySensor(image, chain, 2, 42, 0);
+    }
+    const SensorReading frame = readBySensor(image, chain, 2, 42, 0);
     EXPECT_EQ(image.width(), 48);
     EXPECT_EQ(image.height(), 40);
     EXPECT_EQ(image.primary().name, "counts");

@@ -27,11 +27,12 @@ TEST(SensorDescription, AConeHasBothConventions) {
     // Its exact cone, summed over the square: cos^4 / f^2.
     double sum = 0.0;
     constexpr int steps = 400;
-    for (int i = 0; i < steps; ++i)
+    for (int i = 0; i < steps; ++i) {
         for (int j = 0; j < steps; ++j) {
             const double x = 0.5 * ((i + 0.5) / steps - 0.5), y = 0.5 * ((j + 0.5) / steps - 0.5);
             sum += std::pow(1.0 + x * x + y * y, -2) * std::pow(0.5 / steps, 2);
         }
+    }
     EXPECT_NEAR(sensor.optics.cone_sr(ConeConvention::exact), sum, 1e-6);
 }
 
@@ -53,8 +54,8 @@ TEST(SensorDescription, ItsBandIsTheSignalPerJouleRelativeToItsPeak) {
     }
     EXPECT_NEAR(largest, 1.0, 1e-3);
     // One photon of 4 um carries h c / lambda.
-    EXPECT_NEAR(sensor.signalPerJoule(4.0),
-                0.9 * 4e-6 / (planckConstant_J_s * speedOfLight_m_s), 1e6);
+    EXPECT_NEAR(sensor.signalPerJoule(4.0), 0.9 * 4e-6 / (planckConstant_J_s * speedOfLight_m_s),
+                1e6);
 }
 
 TEST(SensorDescription, ItsPinholeHasTheDetectorsFieldOfView) {
@@ -78,25 +79,30 @@ TEST(SensorDescription, RefusesWhatCannotBeByItsKey) {
         {"optics.aperture_m", [](auto& s) { s.optics.aperture_m = NAN; }},
         {"optics.obscuration", [](auto& s) { s.optics.obscuration = 0.2; }},
         {"optics.obscuration", [](auto& s) { s.optics.pupil = PupilShape::annular; }},
+        {"optics.transmission", [](auto& s) { s.optics.transmission = Spectrum::constant(1.2); }},
         {"optics.transmission",
-         [](auto& s) { s.optics.transmission = Spectrum::constant(1.2); }},
-        {"optics.transmission",
-         [](auto& s) { s.optics.transmission = Spectrum({4.0, 5.0}, {0.5, 0.5}); }},
+         [](auto& s) {
+             s.optics.transmission = Spectrum({4.0, 5.0}, {0.5, 0.5});
+         }},
         {"optics.emissivity", [](auto& s) { s.optics.emissivity = 0.3; }},
         {"optics.defocusWavelength_um", [](auto& s) { s.optics.defocus_waves = 1.0; }},
         {"optics.coldShieldEfficiency", [](auto& s) { s.optics.coldShieldEfficiency = 1.5; }},
         {"detector.quantumEfficiency",
          [](auto& s) { s.detector.response = Spectrum::constant(1.1); }},
         {"detector.quantumEfficiency",
-         [](auto& s) { s.detector.response = Spectrum({3.0, 4.0}, {0.5, 0.5}); }},
+         [](auto& s) {
+             s.detector.response = Spectrum({3.0, 4.0}, {0.5, 0.5});
+         }},
         {"detector.pitch_um", [](auto& s) { s.detector.pitch_um = -1.0; }},
         {"detector.fillFactor", [](auto& s) { s.detector.fillFactor = 0.0; }},
         {"detector.columns", [](auto& s) { s.detector.columns = 0; }},
         {"detector.integrationTime_s", [](auto& s) { s.detector.integrationTime_s = 0.0; }},
-        {"detector.band_um", [](auto& s) { s.detector.band = {5.0, 3.0}; }},
+        {"detector.band_um",
+         [](auto& s) {
+             s.detector.band = {5.0, 3.0};
+         }},
         {"detector.netd_K", [](auto& s) { s.detector.thermalNetd_K = 0.05; }},
-        {"detector.netd_K",
-         [](auto& s) { s.detector.responseKind = ResponseKind::absorptance; }},
+        {"detector.netd_K", [](auto& s) { s.detector.responseKind = ResponseKind::absorptance; }},
         {"electronics.gain_e_per_count", [](auto& s) { s.electronics.gain = 0.0; }},
         {"electronics.bits", [](auto& s) { s.electronics.bits = 40; }},
         {"electronics.readNoise_e", [](auto& s) { s.electronics.readNoise_e = -1.0; }},
@@ -113,8 +119,9 @@ TEST(SensorDescription, RefusesWhatCannotBeByItsKey) {
             ADD_FAILURE() << row.key << " was taken";
         } catch (const InputError& error) {
             bool isNamed = false;
-            for (const Diagnostic& one : error.diagnostics())
+            for (const Diagnostic& one : error.diagnostics()) {
                 isNamed = isNamed || one.position == row.key;
+            }
             EXPECT_TRUE(isNamed) << row.key << ": " << error.what();
         }
     }

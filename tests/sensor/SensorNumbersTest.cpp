@@ -25,8 +25,9 @@ double photonRadiance(double from_um, double to_um, double temperature_K) {
         return 2.0 * speedOfLight_m_s / std::pow(metres, 4) / std::expm1(x);
     };
     double sum = at(from_um) + at(to_um);
-    for (int i = 1; i < steps; ++i)
+    for (int i = 1; i < steps; ++i) {
         sum += (i % 2 == 1 ? 4.0 : 2.0) * at(from_um + (to_um - from_um) * i / steps);
+    }
     return sum * 1e-6 * (to_um - from_um) / (3.0 * steps);
 }
 
@@ -41,6 +42,14 @@ TEST(SensorNumbers, ElectronsAreThePhotonIntegral) {
         EXPECT_NEAR(exactly.signal(background_K).scene / (electrons * pi / 17.0), 1.0, 1e-7);
         EXPECT_NEAR(small.signal(background_K).scene / (electrons * pi / 16.0), 1.0, 1e-7);
     }
+}
+
+TEST(SensorNumbers, ElectronsAreThoseOfPybsm) {
+    // pyBSM 0.16.1: blackbody_radiance, at_focal_plane_irradiance, photon_detection_rate, by the
+    // trapezoidal rule over 200001 wavelengths. Its cone is 1/(4F^2+1).
+    SensorDescription sensor = test::staringSensor();
+    sensor.detector.band = {3.0, 5.0};
+    EXPECT_NEAR(PixelResponse(sensor, exact).signal(300.0).scene / 1948045.686806198, 1.0, 1e-7);
 }
 
 TEST(SensorNumbers, SpectraOfTransmissionAndEfficiencyAreMultipliedThenIntegrated) {
@@ -85,8 +94,7 @@ TEST(SensorNumbers, ANarrowBandHasClosedForms) {
     EXPECT_NEAR(numbers.nei_W_m2 * pupil * 2e-3 * 0.8 * perJoule * ensquared / noise, 1.0, 1e-3);
     EXPECT_NEAR(numbers.neiWholePoint_W_m2, numbers.nei_W_m2 * ensquared, 1e-20);
     EXPECT_NEAR(numbers.nep_W * perJoule * 2e-3 / noise, 1.0, 1e-3);
-    EXPECT_NEAR(numbers.dStar_cm_sqrtHz_W * numbers.nep_W / (1.5e-3 * std::sqrt(250.0)), 1.0,
-                1e-9);
+    EXPECT_NEAR(numbers.dStar_cm_sqrtHz_W * numbers.nep_W / (1.5e-3 * std::sqrt(250.0)), 1.0, 1e-9);
     EXPECT_NEAR(numbers.wellFill, numbers.signal.total() / 7e6, 1e-12);
 }
 

@@ -16,9 +16,11 @@ namespace irsg {
 namespace {
 
 double named(const std::vector<SensorTransfer::Component>& components, const std::string& name) {
-    for (const auto& component : components)
-        if (component.name == name)
+    for (const auto& component : components) {
+        if (component.name == name) {
             return component.value;
+        }
+    }
     ADD_FAILURE() << "no component " << name;
     return NAN;
 }
@@ -33,8 +35,8 @@ TEST(SensorTransfer, EachComponentHasItsClosedForm) {
     const SensorTransfer transfer(sensor);
     const double f = 7000.0, u = f * 4e-6 / 0.1;
     const auto parts = transfer.components(f, 0.0);
-    EXPECT_NEAR(named(parts, "diffraction"),
-                2.0 / pi * (std::acos(u) - u * std::sqrt(1.0 - u * u)), 1e-6);
+    EXPECT_NEAR(named(parts, "diffraction"), 2.0 / pi * (std::acos(u) - u * std::sqrt(1.0 - u * u)),
+                1e-6);
     EXPECT_EQ(named(parts, "defocus"), 1.0);
     const auto sine = [](double x) { return std::sin(pi * x) / (pi * x); };
     EXPECT_NEAR(named(parts, "detector"), sine(0.9 * 15e-6 / 0.2 * f), 1e-12);
@@ -44,8 +46,9 @@ TEST(SensorTransfer, EachComponentHasItsClosedForm) {
     EXPECT_NEAR(named(parts, "time_constant"),
                 1.0 / std::sqrt(1.0 + std::pow(2.0 * pi * f * 0.03 * 1e-3, 2)), 1e-12);
     double product = 1.0;
-    for (const auto& part : parts)
+    for (const auto& part : parts) {
         product *= part.value;
+    }
     EXPECT_NEAR(transfer.at(f, 0.0), product, 1e-12);
     // Motion is along the rows.
     EXPECT_EQ(named(transfer.components(0.0, f), "motion"), 1.0);

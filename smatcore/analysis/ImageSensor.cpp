@@ -1,0 +1,76 @@
+#include "smatcore/analysis/ImageSensor.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "irsg/core/Errors.h"
+#include "irsg/radiometry/Units.h"
+#include "irsg/sensor/SensorChain.h"
+#include "irsg/sensor/SensorFile.h"
+#include "smatcore/analysis/AnalysisDefinition.h"
+#include "smatcore/settings/SettingKeys.h"
+
+namespace smat {
+
+namespace {
+
+std::optional<irsg::SensorDescription> sensorOfImage(const AnalysisData& data) {
+    if (data.kind->form != AnalysisForm::image)
+        return std::nullopt;
+    const auto file = data.settings[key::imageSensor];
+    if (file.empty())
+        return std::nullopt;
+    return irsg::loadSensor(data.project.resolve(file.front()));
+}
+
+} // namespace
+
+void followSensor(AnalysisData& data) {
+    const auto sensor = sensorOfImage(data);
+    if (!sensor)
+        return;
+    const irsg::Sensor pinhole = sensor->pinhole();
+    Settings& settings = data.settings;
+    settings.set(key::sensorWidth, pinhole.width_px);
+    settings.set(key::sensorHeight, pinhole.height_px);
+    settings.set(key::sensorFov, irsg::degrees(pinhole.horizontalFieldOfView_rad));
+    const irsg::SpectralRange range = pinhole.band.range();
+    settings.set(key::sensorBand,
+                 irsg::numberText(range.min_um) + "-" + irsg::numberText(range.max_um));
+    settings.reset(key::sensorResponse);
+}
+
+void followSensor(const AnalysisData& data, SceneDescription& scene) {
+    if (const auto sensor = sensorOfImage(data)) {
+        scene.sensor = sensor->pinhole();
+        scene.moreBands.clear();
+    }
+}
+
+std::vector<std::string> drawThroughSensor(irsg::RadianceImage& image, const AnalysisData& data,
+                                           const PlacedCase& placed, const RenderDoor& door) {
+    const irsg::SensorDescription sensor = sensorOfImage(data).value();
+    const int samples = data.settings[key::imageSensorSamples];
+    PlacedCase finer = placed;
+    finer.view.sensor.width_px *= samples;
+    finer.view.sensor.height_px *= samples;
+    if (std::max(finer.view.sensor.width_px, finer.view.sensor.height_px) >
+        irsg::largestResolution_px)
+        throw irsg::InputError({"", key::imageSensorSamples.name, std::to_string(samples),
+                                fmt::format("at most {} samples of the image along a side",
+                                            irsg::largestResolution_px)});
+    image = finer.render(door, irsg::Outputs::image()).image;
+    const irsg::SensorChain chain(sensor);
+    const auto seed = static_cast<std::uint64_t>(data.settings[key::imageNoiseSeed]);
+    const irsg::SensorReading reading = irsg::readBySensor(image, chain, samples, seed, 0);
+    if (data.settings.text(key::imageQuantity) != "counts")
+        std::rotate(image.channels.begin(), image.channels.begin() + 1, image.channels.end());
+    std::vector<std::string> sentences;
+    if (reading.saturated > 0)
+        sentences.push_back(fmt::format("{} pixels of the sensor are saturated", reading.saturated));
+    return sentences;
+}
+
+} // namespace smat

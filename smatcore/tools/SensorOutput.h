@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "irsg/sensor/SensorDescription.h"
+#include "smatcore/data/ResultTable.h"
+
+namespace smat {
+
+/// What is asked of the numbers of a sensor.
+struct SensorNumbersRequest {
+    double background_K = 300.0;       ///< > 0
+    double temperatureDifference_K = 0.0; ///< of an area, for its signal to noise ratio; 0: none
+    double pointIrradiance_W_m2 = 0.0; ///< of a point, the same
+};
+
+/// The numbers of a sensor as `smat-batch sensor info --json` prints them, with each convention in
+/// words. Throws InputError.
+nlohmann::ordered_json sensorNumbersJson(const irsg::SensorDescription& sensor,
+                                         const SensorNumbersRequest& request);
+/// The same for people.
+std::string sensorNumbersText(const nlohmann::ordered_json& numbers);
+
+/// The transfer function of a sensor at frequencies >= 0: `frequency [cycles rad-1]`, a column for each
+/// component, and `system`, their product. Throws InputError for a frequency that is none.
+ResultTable sensorTransferTable(const irsg::SensorDescription& sensor,
+                                const std::vector<double>& frequencies_per_rad, bool isVertical,
+                                double source_K);
+
+} // namespace smat
