@@ -11,6 +11,7 @@
 #include "irsg/image/ExrFile.h"
 #include "irsg/image/TiffFile.h"
 #include "irsg/karma/KarmaXml.h"
+#include "irsg/sensor/SensorFile.h"
 #include "irsg/signature/MaterialCsv.h"
 #include "irsg/signature/ReflectanceCsv.h"
 #include "irsg/signature/ScalingXml.h"
@@ -177,6 +178,14 @@ const std::vector<Writer>& otherWriters() {
              Scenario scenario;
              scenario.title = second ? "second" : "first";
              saveScenario(scenario, file);
+         },
+         bytesOf},
+        {"Sensor", "a.smatsensor",
+         [](const fs::path& file, bool second) {
+             irsg::SensorDescription sensor =
+                 irsg::loadSensor(source / "resources/sensors/cooled-mwir.smatsensor");
+             sensor.title = second ? "second" : "first";
+             irsg::saveSensor(sensor, file);
          },
          bytesOf},
         {"ImagingSensor", "a.xml",

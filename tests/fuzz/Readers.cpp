@@ -34,6 +34,7 @@
 #include "irsg/image/TiffFile.h"
 #include "irsg/karma/KarmaXml.h"
 #include "irsg/radiometry/Band.h"
+#include "irsg/sensor/SensorFile.h"
 #include "irsg/signature/MaterialCsv.h"
 #include "irsg/signature/ReflectanceCsv.h"
 #include "irsg/signature/ScalingXml.h"
@@ -275,6 +276,12 @@ const std::vector<FuzzedReader>& fuzzedReaders() {
          ".xml",
          [](File f) { imagingSensorFromKarma(irsg::KarmaXml::read(f)); },
          {"samples/flyby/ImagingSensor.xml"},
+         {}},
+        {"sensor",
+         ".smatsensor",
+         [](File f) { irsg::loadSensor(f); },
+         {"resources/sensors/uncooled-bolometer.smatsensor",
+          "resources/sensors/cooled-mwir.smatsensor"},
          {}},
         {"beer-lambert",
          ".csv",

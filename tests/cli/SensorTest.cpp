@@ -1,0 +1,210 @@
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "irsg/image/ImageFile.h"
+#include "irsg/sensor/SensorFile.h"
+#include "smatcore/data/ResultTable.h"
+#include "tests/cli/Program.h"
+#include "tests/support/TemporaryFolder.h"
+
+namespace smat::test {
+
+namespace {
+
+using testing::HasSubstr;
+
+/// A small sensor of a narrow band, without noise but photons and readout.
+irsg::SensorDescription smallSensor() {
+    irsg::SensorDescription sensor;
+    sensor.title = "small";
+    sensor.optics.aperture_m = 0.05;
+    sensor.optics.focalLength_m = 0.2;
+    sensor.optics.transmission = irsg::Spectrum::constant(0.8);
+    sensor.detector.pitch_um = 20.0;
+    sensor.detector.columns = 24;
+    sensor.detector.rows = 20;
+    sensor.detector.integrationTime_s = 1e-3;
+    sensor.detector.response = irsg::Spectrum::constant(0.7);
+    sensor.detector.band = {4.0, 4.1};
+    sensor.detector.well_e = 5e6;
+    sensor.electronics.gain = 50.0;
+    sensor.electronics.readNoise_e = 100.0;
+    sensor.electronics.bits = 18;
+    return sensor;
+}
+
+std::string sensorFile(const TemporaryFolder& folder) {
+    saveSensor(smallSensor(), folder / "small.smatsensor");
+    return folder / "small.smatsensor";
+}
+
+const std::vector<std::string> plain = {"--sun",     "off", "--ambient-reflection", "off",
+                                        "--bounces", "0",   "--shadows",            "off"};
+
+std::vector<std::string> with(std::vector<std::string> words, const std::vector<std::string>& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+double valueOf(const ResultTable& table, const char* column, std::size_t row) {
+    const ResultColumn* found = table.find(column);
+    return found == nullptr ? std::nan("") : found->values.at(row);
+}
+
+TEST(SmatBatchSensor, StatesNumbersByCauseAndConvention) {
+    const TemporaryFolder folder;
+    const Ran ran = smatBatch(
+        {"sensor", "info", sensorFile(folder), "--background-temperature", "290", "--json"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const auto json = nlohmann::json::parse(ran.out);
+    const auto& exact = json.at("by_convention").at("1/(4F^2+1)");
+    const auto& small = json.at("by_convention").at("1/(4F^2)");
+    EXPECT_NEAR(small.at("electrons").at("scene").get<double>() /
+                    exact.at("electrons").at("scene").get<double>(),
+                65.0 / 64.0, 1e-12);
+    EXPECT_EQ(json.at("electrons"), exact.at("electrons"));
+    EXPECT_EQ(json.at("noise_electrons").at("read"), 100.0);
+    EXPECT_EQ(json.at("background_temperature_K"), 290.0);
+    for (const char* key : {"netd_K", "nei_W_m2", "ner_W_m2_sr", "d_star_cm_sqrtHz_W"})
+        EXPECT_GT(json.at(key).get<double>(), 0.0) << key;
+    EXPECT_THAT(smatBatch({"sensor", "info", sensorFile(folder)}).out, HasSubstr("netd_K"));
+}
+
+TEST(SmatBatchSensor, TabulatesTransferByComponent) {
+    const TemporaryFolder folder;
+    const Ran ran = smatBatch({"sensor", "mtf", sensorFile(folder), "--frequencies",
+                               "0,500,6100,20000", "--out", folder / "m.csv"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const ResultTable table = ResultTable::load(folder / "m.csv");
+    ASSERT_EQ(table.rowCount(), 4u);
+    for (std::size_t row = 0; row < 4; ++row) {
+        double product = 1.0;
+        for (const ResultColumn& column : table.columns())
+            if (column.key != "frequency" && column.key != "system")
+                product *= column.values[row];
+        EXPECT_NEAR(product, valueOf(table, "system", row), 1e-12);
+    }
+    EXPECT_NEAR(valueOf(table, "diffraction", 2), 0.393, 0.005); // half the cutoff is 0.391
+    EXPECT_EQ(valueOf(table, "system", 3), 0.0);
+}
+
+TEST(SmatBatchSensor, RefusesByName) {
+    const TemporaryFolder folder;
+    const std::string good = sensorFile(folder);
+    std::string text = irsg::sensorToJson(smallSensor());
+    text.replace(text.find("\"focalLength_m\": 0.2"), 20, "\"focalLength_m\": 0.015");
+    write(folder / "fast.smatsensor", text);
+    const std::string project = sample("sphere/sphere.smat");
+    struct Row {
+        std::vector<std::string> words;
+        const char* said;
+    };
+    for (const Row& row : {
+             Row{{"sensor", "info", folder / "fast.smatsensor"}, "F/0.3"},
+             Row{{"sensor", "info", folder / "none.smatsensor"}, "none.smatsensor"},
+             Row{{"sensor", "info", good, "--background-temperature", "0"}, "above 0 K"},
+             Row{{"sensor", "mtf", good, "--frequencies", "0,-5", "--out", folder / "m.csv"}, "-5"},
+             Row{{"sensor", "mtf", good, "--out", folder / "m.csv"}, "--frequencies"},
+             Row{{"sensor", "mtf", good, "--frequencies", "0"}, "--out"},
+             Row{{"sensor", "mtf", good, "--frequencies", "0", "--direction", "up", "--out",
+                  folder / "m.csv"},
+                 "horizontal"},
+             Row{{"image", project, "--quantity", "counts", "--out", folder / "i.exr"},
+                 "image.quantity"},
+             Row{{"image", project, "--sensor", good, "--truth-layers", "--out", folder / "i.exr"},
+                 "image.truthLayers"},
+             Row{{"image", project, "--sensor", folder / "fast.smatsensor", "--out",
+                  folder / "i.exr"},
+                 "F/0.3"},
+             Row{{"explain", project, "--sensor", good, "--pixel", "1,1"}, "image.sensor"},
+             Row{{"detection", project, "--out", folder / "r.csv"}, "--sensor"},
+             Row{{"detection", project, "--sensor", good, "--snr", "0", "--out", folder / "r.csv"},
+                 "--snr"},
+             Row{{"detection", project, "--sensor", good, "--nearest", "500", "--farthest", "400",
+                  "--out", folder / "r.csv"},
+                 "--farthest"},
+             Row{{"detection", project, "--sensor", good, "--point", "side", "--out",
+                  folder / "r.csv"},
+                 "corner"},
+         }) {
+        const Ran ran = smatBatch(row.words);
+        EXPECT_EQ(ran.exitCode, 2) << row.words.at(0) << " " << row.said;
+        EXPECT_THAT(ran.err, HasSubstr(row.said));
+    }
+}
+
+TEST(SmatBatchSensor, AnImageInCountsIsKeptBySeedAndHasRadianceBeside) {
+    const TemporaryFolder folder;
+    const auto counted = [&](const char* name, const std::vector<std::string>& more) {
+        const Ran ran = smatBatch(with(with({"image", sample("sphere/sphere.smat"), "--sensor",
+                                             sensorFile(folder), "--range", "12000", "--quantity",
+                                             "counts", "--out", folder / name},
+                                            plain),
+                                       more));
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        return irsg::readImageFile(folder / name);
+    };
+    const irsg::RadianceImage one = counted("a.exr", {});
+    EXPECT_EQ(one.width(), 24);
+    EXPECT_EQ(one.height(), 20);
+    ASSERT_NE(one.find("counts"), nullptr);
+    ASSERT_NE(one.find("L"), nullptr);
+    EXPECT_EQ(one.primary().name, "counts");
+    const irsg::RadianceImage again = counted("b.exr", {"--threads", "1"});
+    EXPECT_EQ(again.find("counts")->values, one.find("counts")->values);
+    const irsg::RadianceImage other = counted("c.exr", {"--noise-seed", "2"});
+    EXPECT_NE(other.find("counts")->values, one.find("counts")->values);
+}
+
+TEST(SmatBatchSensor, InVacuumTheRangeIsTheRootOfIntensityOverNoise) {
+    const TemporaryFolder folder;
+    const Ran info = smatBatch(
+        {"sensor", "info", sensorFile(folder), "--background-temperature", "300", "--json"});
+    const double nei = nlohmann::json::parse(info.out).at("nei_total_W_m2");
+    const Ran ran = smatBatch(with({"detection", sample("sphere/sphere.smat"), "--sensor",
+                                    sensorFile(folder), "--step", "120", "--snr", "5",
+                                    "--background-temperature", "300", "--out", folder / "r.csv"},
+                                   plain));
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const ResultTable table = ResultTable::load(folder / "r.csv");
+    EXPECT_EQ(table.provenance.value("analysis"), "detection");
+    ASSERT_EQ(table.rowCount(), 3u);
+    for (std::size_t row = 0; row < 3; ++row) {
+        EXPECT_EQ(valueOf(table, "outcome", row), 0.0);
+        EXPECT_NEAR(valueOf(table, "nei", row) / nei, 1.0, 1e-9);
+        const double intensity = std::abs(valueOf(table, "contrast_intensity", row));
+        EXPECT_NEAR(valueOf(table, "detection_range", row) / std::sqrt(intensity / (nei * 5.0)),
+                    1.0, 1e-4);
+        EXPECT_LT(valueOf(table, "extent", row), 1.0);
+        EXPECT_GE(valueOf(table, "error_detection_range", row), 0.0);
+    }
+}
+
+TEST(SmatBatchSensor, InAirOfBeersLawTheRangeIsLambertsFunction) {
+    const TemporaryFolder folder;
+    // exp(-k r): a constant extinction, no path radiance that the sphere would not have.
+    write(folder / "air.csv", "# air_temperature [K]: 20\nwavelength [um],extinction [km-1]\n3,0.2\n5,0.2\n");
+    const Ran ran = smatBatch(with({"detection", sample("sphere/sphere.smat"), "--sensor",
+                                    sensorFile(folder), "--atmosphere", folder / "air.csv",
+                                    "--step", "180", "--background-temperature", "300", "--out",
+                                    folder / "r.csv"},
+                                   plain));
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const ResultTable table = ResultTable::load(folder / "r.csv");
+    const double range_m = valueOf(table, "detection_range", 0);
+    const double nei = valueOf(table, "nei", 0);
+    // The intensity without air.
+    const double source = std::abs(valueOf(table, "contrast_intensity", 0)) * std::exp(2e-4 * range_m);
+    const double x = 1e-4 / std::sqrt(5.0 * nei / source);
+    double w = std::log1p(x);
+    for (int i = 0; i < 50; ++i)
+        w -= (w * std::exp(w) - x) / (std::exp(w) * (1.0 + w));
+    EXPECT_NEAR(range_m / (1e4 * w), 1.0, 1e-4);
+}
+
+} // namespace
+
+} // namespace smat::test
