@@ -17,7 +17,8 @@ class SensorInfoCommand {
   public:
     explicit SensorInfoCommand(CLI::App& command) : numbers_(command) {
         command.add_option("FILE", file_, "Sensor (.smatsensor)")->required()->type_name("");
-        numbers_.add("--background-temperature", "K", "Of the background that fills the field, 300");
+        numbers_.add("--background-temperature", "K",
+                     "Of the background that fills the field, 300");
         numbers_.add("--temperature-difference", "K",
                      "Of an area before it, for its signal to noise ratio");
         numbers_.add("--point-irradiance", "W m-2",
@@ -31,8 +32,7 @@ class SensorInfoCommand {
         if (!(request.background_K > 0.0))
             throw refusal("--background-temperature", irsg::numberText(request.background_K),
                           "a temperature above 0 K");
-        request.temperatureDifference_K =
-            numbers_.value("--temperature-difference").value_or(0.0);
+        request.temperatureDifference_K = numbers_.value("--temperature-difference").value_or(0.0);
         request.pointIrradiance_W_m2 = numbers_.value("--point-irradiance").value_or(0.0);
         const auto json = sensorNumbersJson(irsg::loadSensor(file_), request);
         if (json.at("well_fill").get<double>() >= 1.0)
@@ -110,8 +110,8 @@ class SensorTransferCommand {
 } // namespace
 
 void addSensorCommand(CLI::App& app, Context& context) {
-    CLI::App* command =
-        app.add_subcommand("sensor", "What a sensor makes of radiance: numbers, transfer functions");
+    CLI::App* command = app.add_subcommand(
+        "sensor", "What a sensor makes of radiance: numbers, transfer functions");
     command->require_subcommand(1);
     addCommand<SensorInfoCommand>(*command, context, "info",
                                   "Signal, noise and sensitivity before a background");

@@ -92,8 +92,8 @@ class Aspect {
                            ? response_.signal(*request_.background_K).scene
                            : report.background_W_m2_sr * response_.signalPerRadiance();
         look.isFull = signal.total() >= response_.fullSignal();
-        look.nei_W_m2 = response_.noise(signal).total() /
-                        (response_.signalPerIrradiance() * energy_);
+        look.nei_W_m2 =
+            response_.noise(signal).total() / (response_.signalPerIrradiance() * energy_);
         return known_[key] = look;
     }
 
@@ -219,10 +219,9 @@ void runDetection(AnalysisData& data, const DetectionRequest& request, const Ren
         std::vector<double> row;
         for (const irsg::Quantity quantity : plan.columns)
             row.push_back(one.value(quantity));
-        row.insert(row.end(),
-                   {found.range_m, error_m, outcomeOf(found.found),
-                    static_cast<double>(found.crossings), look.ratio(), look.contrast_W_m2,
-                    look.contrast_W_sr, look.nei_W_m2, extent});
+        row.insert(row.end(), {found.range_m, error_m, outcomeOf(found.found),
+                               static_cast<double>(found.crossings), look.ratio(),
+                               look.contrast_W_m2, look.contrast_W_sr, look.nei_W_m2, extent});
         data.table.addRow(row);
         ++done;
     }
@@ -237,11 +236,11 @@ void runDetection(AnalysisData& data, const DetectionRequest& request, const Ren
                    "collects the whole target in one pixel, overstates it");
     tell(full, "have a background that fills the pixels: their noise is that of a larger well");
     if (!refusal.empty())
-        data.warnings.push_back(
-            fmt::format("nothing is seen over {} m or more: {}",
-                        irsg::roundedText(leastRefused_m, 3), refusal));
+        data.warnings.push_back(fmt::format("nothing is seen over {} m or more: {}",
+                                            irsg::roundedText(leastRefused_m, 3), refusal));
     if (done < plan.cases.size())
-        data.warnings.push_back(fmt::format("stopped after {} of {} cases", done, plan.cases.size()));
+        data.warnings.push_back(
+            fmt::format("stopped after {} of {} cases", done, plan.cases.size()));
     data.state = done == plan.cases.size() ? AnalysisState::complete : AnalysisState::partial;
     data.elapsed_s = elapsed_s();
     writeProvenance(data, scene);
@@ -253,9 +252,9 @@ void runDetection(AnalysisData& data, const DetectionRequest& request, const Ren
     provenance.add("detection.sensor", request.sensor.title);
     provenance.add("detection.snr", irsg::numberText(request.threshold));
     provenance.add("detection.ensquaredEnergy", irsg::numberText(energy));
-    provenance.add("detection.background",
-                   request.background_K ? irsg::numberText(*request.background_K) + " K"
-                                        : "of the scene");
+    provenance.add("detection.background", request.background_K
+                                               ? irsg::numberText(*request.background_K) + " K"
+                                               : "of the scene");
     summariseRanges(data);
 }
 

@@ -31,13 +31,13 @@ struct DetectionRequest {
 };
 
 /// Fills the table of `data`, whose kind is polar and whose settings place its cases. The signal is
-/// the contrast irradiance of all objects in the sensor's band, through the air at each range, times
-/// the ensquared energy; the noise is all of the sensor's, pattern included. Columns: where the case
-/// is, `detection_range` with its error at two standard deviations (that of the contrast, and of
-/// where the root lies), `outcome` (0 found, -1 below the threshold everywhere: range 0, 1 above it
-/// at the farthest range, which is given), `crossings`, then at that range `snr`,
-/// `contrast_irradiance`, `contrast_intensity`, `nei` with the total noise and ensquared energy, and
-/// `extent`, the side of the target's image in pixels, whose smallness the method asks for.
+/// the contrast irradiance of all objects in the sensor's band, through the air at each range,
+/// times the ensquared energy; the noise is all of the sensor's, pattern included. Columns: where
+/// the case is, `detection_range` with its error at two standard deviations (that of the contrast,
+/// and of where the root lies), `outcome` (0 found, -1 below the threshold everywhere: range 0, 1
+/// above it at the farthest range, which is given), `crossings`, then at that range `snr`,
+/// `contrast_irradiance`, `contrast_intensity`, `nei` with the total noise and ensquared energy,
+/// and `extent`, the side of the target's image in pixels, whose smallness the method asks for.
 /// Ranges that the scene refuses (a path into the ground) count as those without a signal, with a
 /// warning; the nearest must not be one. A stop keeps the cases that are done. Throws InputError.
 void runDetection(AnalysisData& data, const DetectionRequest& request, const RenderDoor& door,

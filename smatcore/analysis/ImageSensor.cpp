@@ -69,7 +69,8 @@ std::vector<std::string> drawThroughSensor(irsg::RadianceImage& image, const Ana
         std::rotate(image.channels.begin(), image.channels.begin() + 1, image.channels.end());
     std::vector<std::string> sentences;
     if (reading.saturated > 0)
-        sentences.push_back(fmt::format("{} pixels of the sensor are saturated", reading.saturated));
+        sentences.push_back(
+            fmt::format("{} pixels of the sensor are saturated", reading.saturated));
     return sentences;
 }
 

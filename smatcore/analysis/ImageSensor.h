@@ -9,8 +9,8 @@
 
 namespace smat {
 
-/// Of an image that is read by a sensor (`image.sensor`): puts columns, rows, field of view and band
-/// of its file in the place of those of the settings. Does nothing to other analyses. Throws
+/// Of an image that is read by a sensor (`image.sensor`): puts columns, rows, field of view and
+/// band of its file in the place of those of the settings. Does nothing to other analyses. Throws
 /// InputError.
 void followSensor(AnalysisData& data);
 /// The same of a scene, whose band becomes the sensor's response.

@@ -76,8 +76,7 @@ void addLines(std::string& text, const Json& json, const std::string& before) {
 
 } // namespace
 
-Json sensorNumbersJson(const irsg::SensorDescription& sensor,
-                       const SensorNumbersRequest& request) {
+Json sensorNumbersJson(const irsg::SensorDescription& sensor, const SensorNumbersRequest& request) {
     const irsg::PointSpread spread(sensor, request.background_K);
     const double centre = spread.energyAt(0.0, 0.0);
     const irsg::Sensor pinhole = sensor.pinhole();
@@ -87,8 +86,7 @@ Json sensorNumbersJson(const irsg::SensorDescription& sensor,
                  {"background_temperature_K", request.background_K},
                  {"f_number", sensor.optics.fNumber()},
                  {"pixel_angle_urad", 1e6 * sensor.pixelAngle_rad()},
-                 {"horizontal_field_of_view_deg",
-                  irsg::degrees(pinhole.horizontalFieldOfView_rad)},
+                 {"horizontal_field_of_view_deg", irsg::degrees(pinhole.horizontalFieldOfView_rad)},
                  {"vertical_field_of_view_deg", irsg::degrees(2.0 * std::atan(halfHeight))},
                  {"peak_signal_per_joule", sensor.peakSignalPerJoule()},
                  {"ensquared_energy",

@@ -12,9 +12,9 @@ namespace smat {
 
 /// What is asked of the numbers of a sensor.
 struct SensorNumbersRequest {
-    double background_K = 300.0;       ///< > 0
+    double background_K = 300.0;          ///< > 0
     double temperatureDifference_K = 0.0; ///< of an area, for its signal to noise ratio; 0: none
-    double pointIrradiance_W_m2 = 0.0; ///< of a point, the same
+    double pointIrradiance_W_m2 = 0.0;    ///< of a point, the same
 };
 
 /// The numbers of a sensor as `smat-batch sensor info --json` prints them, with each convention in
@@ -24,8 +24,8 @@ nlohmann::ordered_json sensorNumbersJson(const irsg::SensorDescription& sensor,
 /// The same for people.
 std::string sensorNumbersText(const nlohmann::ordered_json& numbers);
 
-/// The transfer function of a sensor at frequencies >= 0: `frequency [cycles rad-1]`, a column for each
-/// component, and `system`, their product. Throws InputError for a frequency that is none.
+/// The transfer function of a sensor at frequencies >= 0: `frequency [cycles rad-1]`, a column for
+/// each component, and `system`, their product. Throws InputError for a frequency that is none.
 ResultTable sensorTransferTable(const irsg::SensorDescription& sensor,
                                 const std::vector<double>& frequencies_per_rad, bool isVertical,
                                 double source_K);

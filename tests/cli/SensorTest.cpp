@@ -41,10 +41,11 @@ std::string sensorFile(const TemporaryFolder& folder) {
     return folder / "small.smatsensor";
 }
 
-const std::vector<std::string> plain = {"--sun",     "off", "--ambient-reflection", "off",
-                                        "--bounces", "0",   "--shadows",            "off"};
+const std::vector<std::string> plain = {
+    "--sun", "off", "--ambient-reflection", "off", "--bounces", "0", "--shadows", "off"};
 
-std::vector<std::string> with(std::vector<std::string> words, const std::vector<std::string>& more) {
+std::vector<std::string> with(std::vector<std::string> words,
+                              const std::vector<std::string>& more) {
     words.insert(words.end(), more.begin(), more.end());
     return words;
 }
@@ -68,8 +69,9 @@ TEST(SmatBatchSensor, StatesNumbersByCauseAndConvention) {
     EXPECT_EQ(json.at("electrons"), exact.at("electrons"));
     EXPECT_EQ(json.at("noise_electrons").at("read"), 100.0);
     EXPECT_EQ(json.at("background_temperature_K"), 290.0);
-    for (const char* key : {"netd_K", "nei_W_m2", "ner_W_m2_sr", "d_star_cm_sqrtHz_W"})
+    for (const char* key : {"netd_K", "nei_W_m2", "ner_W_m2_sr", "d_star_cm_sqrtHz_W"}) {
         EXPECT_GT(json.at(key).get<double>(), 0.0) << key;
+    }
     EXPECT_THAT(smatBatch({"sensor", "info", sensorFile(folder)}).out, HasSubstr("netd_K"));
 }
 
@@ -82,9 +84,11 @@ TEST(SmatBatchSensor, TabulatesTransferByComponent) {
     ASSERT_EQ(table.rowCount(), 4u);
     for (std::size_t row = 0; row < 4; ++row) {
         double product = 1.0;
-        for (const ResultColumn& column : table.columns())
-            if (column.key != "frequency" && column.key != "system")
+        for (const ResultColumn& column : table.columns()) {
+            if (column.key != "frequency" && column.key != "system") {
                 product *= column.values[row];
+            }
+        }
         EXPECT_NEAR(product, valueOf(table, "system", row), 1e-12);
     }
     EXPECT_NEAR(valueOf(table, "diffraction", 2), 0.393, 0.005); // half the cutoff is 0.391
@@ -139,11 +143,11 @@ TEST(SmatBatchSensor, RefusesByName) {
 TEST(SmatBatchSensor, AnImageInCountsIsKeptBySeedAndHasRadianceBeside) {
     const TemporaryFolder folder;
     const auto counted = [&](const char* name, const std::vector<std::string>& more) {
-        const Ran ran = smatBatch(with(with({"image", sample("sphere/sphere.smat"), "--sensor",
-                                             sensorFile(folder), "--range", "12000", "--quantity",
-                                             "counts", "--out", folder / name},
-                                            plain),
-                                       more));
+        const Ran ran = smatBatch(
+            with(with({"image", sample("sphere/sphere.smat"), "--sensor", sensorFile(folder),
+                       "--range", "12000", "--quantity", "counts", "--out", folder / name},
+                      plain),
+                 more));
         EXPECT_EQ(ran.exitCode, 0) << ran.err;
         return irsg::readImageFile(folder / name);
     };
@@ -164,10 +168,10 @@ TEST(SmatBatchSensor, InVacuumTheRangeIsTheRootOfIntensityOverNoise) {
     const Ran info = smatBatch(
         {"sensor", "info", sensorFile(folder), "--background-temperature", "300", "--json"});
     const double nei = nlohmann::json::parse(info.out).at("nei_total_W_m2");
-    const Ran ran = smatBatch(with({"detection", sample("sphere/sphere.smat"), "--sensor",
-                                    sensorFile(folder), "--step", "120", "--snr", "5",
-                                    "--background-temperature", "300", "--out", folder / "r.csv"},
-                                   plain));
+    const Ran ran = smatBatch(
+        with({"detection", sample("sphere/sphere.smat"), "--sensor", sensorFile(folder), "--step",
+              "120", "--snr", "5", "--background-temperature", "300", "--out", folder / "r.csv"},
+             plain));
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
     const ResultTable table = ResultTable::load(folder / "r.csv");
     EXPECT_EQ(table.provenance.value("analysis"), "detection");
@@ -186,22 +190,25 @@ TEST(SmatBatchSensor, InVacuumTheRangeIsTheRootOfIntensityOverNoise) {
 TEST(SmatBatchSensor, InAirOfBeersLawTheRangeIsLambertsFunction) {
     const TemporaryFolder folder;
     // exp(-k r): a constant extinction, no path radiance that the sphere would not have.
-    write(folder / "air.csv", "# air_temperature [K]: 20\nwavelength [um],extinction [km-1]\n3,0.2\n5,0.2\n");
-    const Ran ran = smatBatch(with({"detection", sample("sphere/sphere.smat"), "--sensor",
-                                    sensorFile(folder), "--atmosphere", folder / "air.csv",
-                                    "--step", "180", "--background-temperature", "300", "--out",
-                                    folder / "r.csv"},
-                                   plain));
+    write(folder / "air.csv",
+          "# air_temperature [K]: 20\nwavelength [um],extinction [km-1]\n3,0.2\n5,0.2\n");
+    const Ran ran =
+        smatBatch(with({"detection", sample("sphere/sphere.smat"), "--sensor", sensorFile(folder),
+                        "--atmosphere", folder / "air.csv", "--step", "180",
+                        "--background-temperature", "300", "--out", folder / "r.csv"},
+                       plain));
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
     const ResultTable table = ResultTable::load(folder / "r.csv");
     const double range_m = valueOf(table, "detection_range", 0);
     const double nei = valueOf(table, "nei", 0);
     // The intensity without air.
-    const double source = std::abs(valueOf(table, "contrast_intensity", 0)) * std::exp(2e-4 * range_m);
+    const double source =
+        std::abs(valueOf(table, "contrast_intensity", 0)) * std::exp(2e-4 * range_m);
     const double x = 1e-4 / std::sqrt(5.0 * nei / source);
     double w = std::log1p(x);
-    for (int i = 0; i < 50; ++i)
+    for (int i = 0; i < 50; ++i) {
         w -= (w * std::exp(w) - x) / (std::exp(w) * (1.0 + w));
+    }
     EXPECT_NEAR(range_m / (1e4 * w), 1.0, 1e-4);
 }
 
