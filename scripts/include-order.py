@@ -20,6 +20,7 @@ ORDER = [
     ["irsg/atmosphere/engine"],
     ["irsg/atmosphere/tables"],
     ["irsg/atmosphere", "irsg/atmosphere/ck", "irsg/atmosphere/import"],
+    ["irsg/gas"],
     ["irsg/signature", "irsg/signature/random"],
     ["irsg/image"],
     ["irsg/scattering"],

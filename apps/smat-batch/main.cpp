@@ -18,6 +18,7 @@ void addCommands(CLI::App& app, smat::batch::Context& context) {
     addMonteCarloCommand(app, context);
     addMtfCommand(app, context);
     addAtmosphereCommand(app, context);
+    addGasCommand(app, context);
     addSelfTestCommand(app, context);
     addSensorCommand(app, context);
     addSettingsCommand(app, context);

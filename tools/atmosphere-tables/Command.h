@@ -28,6 +28,10 @@ void makeGases(const Folders& folders);
 void makeTruth(const Folders& folders);
 /// The spectra of the samples' plumes; `out` is the folder of the samples.
 void makePlumes(const Folders& folders);
+/// Narrow-band tables of hot gas; the numbers of NIST lie beside `data`, in hotgas/.
+void makeHotGas(const Folders& folders);
+/// Cross sections of hot gas and air at the same wavenumbers.
+void makeHotGasSamples(const Folders& folders);
 /// Prints speed and error of a band model, of k-distributions and of spectral nodes; writes
 /// nothing.
 void makeStudy(const Folders& folders);

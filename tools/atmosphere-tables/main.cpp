@@ -14,17 +14,21 @@
 int main(int argc, char** argv) {
     using namespace smat::tables;
     const std::vector<std::pair<std::string, void (*)(const Folders&)>> kinds = {
-        {"profiles", makeProfiles},   {"particles", makeParticles}, {"solar", makeSolarSpectrum},
-        {"continuum", makeContinuum}, {"gases", makeGases},         {"truth", makeTruth},
-        {"study", makeStudy},         {"plumes", makePlumes}};
-    const std::vector<std::string> onlyIfNamed = {"truth", "study", "plumes"};
+        {"profiles", makeProfiles},   {"particles", makeParticles},
+        {"solar", makeSolarSpectrum}, {"continuum", makeContinuum},
+        {"gases", makeGases},         {"truth", makeTruth},
+        {"study", makeStudy},         {"plumes", makePlumes},
+        {"hotgas", makeHotGas},       {"hotgas-samples", makeHotGasSamples}};
+    const std::vector<std::string> onlyIfNamed = {"truth", "study", "plumes", "hotgas",
+                                                  "hotgas-samples"};
 
     CLI::App app{"Computes the atmosphere's tables from public data."};
     Folders folders;
     std::vector<std::string> wanted;
     app.add_option("kinds", wanted,
-                   "profiles, particles, solar, continuum, gases, truth, study, plumes; none: all "
-                   "but the last three");
+                   "profiles, particles, solar, continuum, gases, truth, study, plumes, hotgas, "
+                   "hotgas-samples; none: "
+                   "all but the last five");
     app.add_option("--data", folders.data,
                    "folder with lines/, lowtran/, continuum/, profiles/, solar/")
         ->required();
@@ -42,9 +46,10 @@ int main(int argc, char** argv) {
     try {
         for (const std::string& name : wanted)
             if (std::ranges::none_of(kinds, [&](const auto& kind) { return kind.first == name; }))
-                throw irsg::InputError(irsg::Diagnostic{
-                    "command line", "", name,
-                    "profiles, particles, solar, continuum, gases, truth, study or plumes"});
+                throw irsg::InputError(
+                    irsg::Diagnostic{"command line", "", name,
+                                     "profiles, particles, solar, continuum, "
+                                     "gases, truth, study, plumes, hotgas or hotgas-samples"});
         for (const auto& [name, make] : kinds)
             if ((wanted.empty() && std::ranges::find(onlyIfNamed, name) == onlyIfNamed.end()) ||
                 std::ranges::find(wanted, name) != wanted.end())

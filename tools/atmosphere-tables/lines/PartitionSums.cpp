@@ -3,11 +3,44 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Interpolation.h"
+#include "tools/atmosphere-tables/lines/Line.h"
 
 namespace irsg::lbl {
+
+namespace {
+
+/// Fundamentals, cm-1, each with its degeneracy, and the exponent of temperature of the rotation.
+struct HotMolecule {
+    Gas gas;
+    double rotation;
+    std::vector<std::pair<double, int>> fundamentals_per_cm;
+};
+
+/// Q as of a rigid rotor and harmonic vibrations, but for a factor that does not depend on
+/// temperature (G. Herzberg 1945, Infrared and Raman Spectra); 0 for a gas without constants.
+double harmonicSum(Gas gas, double temperature_K) {
+    static const std::vector<HotMolecule> molecules = {
+        {Gas::H2O, 1.5, {{3657.05, 1}, {1594.75, 1}, {3755.93, 1}}},
+        {Gas::CO2, 1.0, {{1388.18, 1}, {667.38, 2}, {2349.14, 1}}},
+        {Gas::CO, 1.0, {{2143.27, 1}}},
+        {Gas::CH4, 1.5, {{2916.5, 1}, {1533.3, 2}, {3019.5, 3}, {1310.8, 3}}}};
+    const auto found = std::ranges::find(molecules, gas, &HotMolecule::gas);
+    if (found == molecules.end())
+        return 0.0;
+    double sum = std::pow(temperature_K, found->rotation);
+    for (const auto& [fundamental_per_cm, degeneracy] : found->fundamentals_per_cm)
+        sum /= std::pow(
+            -std::expm1(-secondRadiationConstant_cm_K * fundamental_per_cm / temperature_K),
+            degeneracy);
+    return sum;
+}
+
+} // namespace
 
 PartitionSums PartitionSums::read(const std::filesystem::path& folder) {
     const CsvTable table = CsvTable::read(folder / "tips_12_molecules.csv");
@@ -84,7 +117,10 @@ double PartitionSums::ratioTo296(Gas gas, int isotopologue, double temperature_K
     auto index = static_cast<std::size_t>(std::max(isotopologue, 1) - 1);
     if (index >= own.size() || own[index].empty())
         index = 0;
+    const double last_K = temperatures_K_.back(), atLast = harmonicSum(gas, last_K);
     auto at = [&](double temperature) {
+        if (temperature > last_K && atLast > 0.0)
+            return own[index].back() * harmonicSum(gas, temperature) / atLast;
         return interpolate(temperatures_K_, own[index], temperature, Beyond::extrapolate);
     };
     return at(296.0) / at(temperature_K);

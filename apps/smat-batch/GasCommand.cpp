@@ -1,0 +1,142 @@
+#include <algorithm>
+#include <iterator>
+
+#include "apps/smat-batch/Command.h"
+#include "apps/smat-batch/NumberOptions.h"
+#include "irsg/core/Collect.h"
+#include "irsg/core/Errors.h"
+#include "irsg/radiometry/Band.h"
+#include "smatcore/project/EnvironmentInput.h"
+#include "smatcore/tools/GasLayerText.h"
+#include "smatcore/tools/GasOutput.h"
+
+namespace smat::batch {
+
+namespace {
+
+std::vector<std::string> sourceWords() {
+    return {irsg::gasSourceNames.begin(), irsg::gasSourceNames.end()};
+}
+
+/// `smat-batch gas --layer T_K=700,p_atm=1,length_m=0.5,CO2=0.033 --band 3-5 --out FILE.csv`.
+class GasCommand {
+  public:
+    explicit GasCommand(CLI::App& command) : numbers_(command), files_(command) {
+        const auto several = [](CLI::Option* option, const char* type) {
+            option->type_name(type)->expected(1)->take_all();
+        };
+        several(command.add_option("--layer", layers_,
+                                   "A uniform layer, T_K=700,p_atm=1,length_m=0.5 with mole "
+                                   "fractions CO2, H2O, CO, CH4, O2 and soot_ppmv, the rest is "
+                                   "nitrogen; may be given more than once, in order from the "
+                                   "sensor"),
+                "LAYER");
+        command.add_option("--band", band_, "Spectral band MIN-MAX")
+            ->type_name("um")
+            ->capture_default_str();
+        numbers_.add("--step", "cm-1", "Width of the spectral cells, 1 to 100; 5 when not given");
+        command
+            .add_option("--source", source_,
+                        oneOf(sourceWords(), "") + ": whose numbers say how a gas absorbs")
+            ->type_name("WORD")
+            ->capture_default_str();
+        numbers_.add("--background-temperature", "K",
+                     "Of a black body behind the layers; none when not given");
+        several(command.add_option("--atmosphere", atmosphere_,
+                                   "Atmosphere or Environment file between gas and sensor; of "
+                                   "several the first that has the band answers"),
+                "FILE");
+        numbers_.add("--altitude", "m", "Of the gas, with --atmosphere");
+        numbers_.add("--range", "m", "From sensor to gas, with --atmosphere");
+        numbers_.add("--sensor-altitude", "m", "With --atmosphere; that of the gas when not given");
+        command.footer("Transmittance and radiance of layers of hot gas: spectrum, band radiance, "
+                       "what each gas adds, the source of each and its stated error.");
+    }
+
+    int run(Context& context) const {
+        files_.check("gas.csv");
+        GasOutputRequest request = requestOf(context);
+        if (request.path) {
+            const StageTimer::Scope scope(&context.timer, "load");
+            addAtmosphere(request.path->environment, {atmosphere_.begin(), atmosphere_.end()});
+        }
+        GasOutput output;
+        {
+            const StageTimer::Scope scope(&context.timer, "compute");
+            output = gasOutput(request);
+        }
+        const StageTimer::Scope scope(&context.timer, "save");
+        files_.write("gas", output.table, output.summary, output.warnings, context.json);
+        return done;
+    }
+
+  private:
+    /// Every diagnostic of the options at once.
+    GasOutputRequest requestOf(const Context& context) const {
+        std::vector<irsg::Diagnostic> diagnostics;
+        const auto collect = [&](const auto& work) { irsg::collect(diagnostics, work); };
+        GasOutputRequest request;
+        request.commandLine = context.commandLine;
+        for (std::size_t i = 0; i < layers_.size(); ++i)
+            collect([&] {
+                request.gas.layers.push_back(
+                    gasLayerFromText(layers_[i], "--layer " + std::to_string(i + 1)));
+            });
+        if (layers_.empty())
+            diagnostics.push_back(
+                {"--layer", "", "nothing",
+                 "a layer, such as --layer T_K=700,p_atm=1,length_m=0.5,CO2=0.033,H2O=0.033"});
+        collect([&] { request.gas.band = irsg::Band::fromText(band_).range(); });
+        collect([&] { numbers_.check(); });
+        const std::vector<std::string> words = sourceWords();
+        const auto word = std::ranges::find(words, source_);
+        if (word == words.end())
+            diagnostics.push_back({"--source", "", source_, oneOf(words, source_)});
+        else
+            request.gas.source = static_cast<irsg::GasSource>(word - words.begin());
+        if (const auto step = numbers_.value("--step"))
+            request.gas.step_per_cm = *step;
+        request.gas.background_K = numbers_.value("--background-temperature");
+        addPath(request, diagnostics);
+        if (!diagnostics.empty())
+            throw irsg::InputError(std::move(diagnostics));
+        return request;
+    }
+
+    void addPath(GasOutputRequest& request, std::vector<irsg::Diagnostic>& diagnostics) const {
+        const auto altitude_m = numbers_.value("--altitude"), range_m = numbers_.value("--range");
+        if (atmosphere_.empty()) {
+            for (const char* option : {"--altitude", "--range", "--sensor-altitude"})
+                if (const auto value = numbers_.value(option))
+                    diagnostics.push_back({option, "", irsg::numberText(*value),
+                                           "nothing without --atmosphere FILE"});
+            return;
+        }
+        for (const char* option : {"--altitude", "--range"})
+            if (!numbers_.value(option))
+                diagnostics.push_back(
+                    {option, "", "nothing", "a number of metres with --atmosphere"});
+        if (!altitude_m || !range_m)
+            return;
+        request.path =
+            GasPath{.environment = {},
+                    .gasAltitude_m = *altitude_m,
+                    .sensorAltitude_m = numbers_.value("--sensor-altitude").value_or(*altitude_m),
+                    .range_m = *range_m};
+    }
+
+    NumberOptions numbers_;
+    std::vector<std::string> layers_, atmosphere_;
+    std::string band_ = "3-5", source_ = irsg::gasSourceNames.front();
+    TableFiles files_;
+};
+
+} // namespace
+
+void addGasCommand(CLI::App& app, Context& context) {
+    addCommand<GasCommand>(
+        app, context, "gas",
+        "Spectrum and band radiance of layers of hot gas, through an atmosphere");
+}
+
+} // namespace smat::batch
