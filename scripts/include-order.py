@@ -52,7 +52,7 @@ ORDER = [
     ["smatcore/jobs"],
     ["smatcore/selftest"],
     ["gui"],
-    ["apps", "tools"],
+    ["apps", "tools", "python"],
 ]
 # Headers, and the folders whose sources, with those in folders below them, must not name them.
 OSG = r"osg[A-Za-z]*/"
@@ -77,12 +77,12 @@ included, of_osg = {}, set()  # headers that a header of irsg includes; those th
 
 
 def level_of(folder):
-    """Of the folder, or of gui, apps and tools that it lies in."""
+    """Of the folder, or of gui, apps, tools and python that it lies in."""
     top = folder.split("/")[0]
-    return level.get(folder, level.get(top) if top in ("gui", "apps", "tools") else None)
+    return level.get(folder, level.get(top) if top in ("gui", "apps", "tools", "python") else None)
 
 
-for top in ("irsg", "smatcore", "gui", "apps", "tools"):
+for top in ("irsg", "smatcore", "gui", "apps", "tools", "python"):
     for place, _, names in os.walk(os.path.join(asked.tree, top)):
         folder = os.path.relpath(place, asked.tree)
         own = level_of(folder)

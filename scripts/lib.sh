@@ -46,7 +46,7 @@ is_available() {
 # configure_and_build PRESET [TARGET...]: cmake with what scripts/setup found out, then the build, of all
 # where no target is named; noise only where it fails.
 configure_and_build() {
-    local preset="$1" log="$root_dir/build/$1-configure.log" options=()
+    local preset="$1" log="$root_dir/build/$1-configure.log" options=("-DSMAT_PYTHON_ENVIRONMENT=$cache_dir/python")
     local targets=("${@:2}")
     if [ "${SMAT_BUILD_GUI:-ON}" = OFF ]; then
         options+=(-DSMAT_BUILD_GUI=OFF)

@@ -1,0 +1,309 @@
+"""Projects: models, signatures and settings, and the analyses that can be made of them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from typing import Any, Optional, Union
+
+from smat import _core
+from smat._core import Image, Model, Progress, Result, Scene, SensorView, SignatureDatabase
+from smat._settings import SettingResult, SettingValue, texts, texts_of_options, value_of
+from smat.errors import Diagnostic, InputError
+
+Path = Union[str, "os.PathLike[str]"]
+#: Called before the first case and after each; False stops the job.
+ProgressFunction = Callable[[Progress], Any]
+
+
+class Project:
+    """A project file (.smat), or a bare model with a signature database.
+
+    Settings that are changed here go before those of the file and of its named analyses, as those
+    of the command line do. The file stays as it is until save().
+
+    Parameters
+    ----------
+    file : str or os.PathLike
+        A project, or a model.
+    database : str or os.PathLike, optional
+        The signature database of a bare model; without, one of the same name beside it.
+
+    Raises
+    ------
+    InputError
+        For a file that is missing or wrong, with every key path and line.
+
+    Examples
+    --------
+    >>> project = smat.Project("samples/sphere/sphere.smat")
+    >>> image = project.image(width=64, height=64).image
+    """
+
+    def __init__(self, file: Path, database: Optional[Path] = None) -> None:
+        self._open = _core.OpenProject(os.fspath(file), os.fspath(database or ""))
+
+    @property
+    def file(self) -> str:
+        """The file; '' of a bare model."""
+        path = os.fspath(self._open.file)
+        return "" if path == "." else path
+
+    @property
+    def title(self) -> str:
+        """Its title."""
+        return self._open.title
+
+    @property
+    def notes(self) -> str:
+        """What its author noted."""
+        return self._open.notes
+
+    @property
+    def models(self) -> list[str]:
+        """Names of the models, the target first."""
+        return self._open.models
+
+    @property
+    def analyses(self) -> dict[str, str]:
+        """Kinds of the named analyses by name."""
+        return self._open.analyses
+
+    @property
+    def settings(self) -> dict[str, SettingResult]:
+        """Everything that the file or the caller has set, by key."""
+        return {
+            key: value_of(_core.find_setting(key), text) for key, text in self._open.texts.items()
+        }
+
+    def __getitem__(self, key: str) -> SettingResult:
+        """The value of a setting in effect, its default where it was not set.
+
+        Raises
+        ------
+        InputError
+            For a key that does not exist, with the nearest names.
+        """
+        return value_of(_core.find_setting(key), self._open.text(key))
+
+    def __setitem__(self, key: str, value: SettingValue) -> None:
+        """Set a setting, or 'models.NAME.KEY' of a model beside the target.
+
+        Raises
+        ------
+        InputError
+            For a key that does not exist and a value that it cannot have.
+        """
+        self._open.set_texts(texts({key: value}))
+
+    def with_settings(self, settings: Mapping[str, SettingValue]) -> Project:
+        """A copy with other settings; it shares the models that were loaded.
+
+        Parameters
+        ----------
+        settings : dict of str to object
+            Values by key: ``{'camera.range': 900, 'sensor.band': [(3, 5), (8, 12)]}``.
+
+        Raises
+        ------
+        InputError
+            With everything that is wrong with them.
+        """
+        copy = self._copy()
+        copy._open.set_texts(texts(settings))
+        return copy
+
+    def with_database(self, database: SignatureDatabase, model: str = "") -> Project:
+        """A copy in which a database in memory stands in for the file of a model.
+
+        Parameters
+        ----------
+        database : SignatureDatabase
+            What is rendered.
+        model : str
+            The name of the model; the target where it is empty.
+        """
+        copy = self._copy()
+        copy._open.set_database(database, model)
+        return copy
+
+    def database(self, model: str = "") -> SignatureDatabase:
+        """The signature database of a model, of the target where `model` is empty."""
+        return self._open.database(model)
+
+    def model(self, model: str = "") -> Model:
+        """The model of that name as its file has it, of the target where `model` is empty."""
+        return Model(self._open.model_file(model))
+
+    def save(self, file: Path) -> None:
+        """Write the project with the settings in effect, whole or not at all.
+
+        Databases in memory are not written.
+
+        Raises
+        ------
+        InputError
+            Where the file cannot be written.
+        """
+        self._open.save(os.fspath(file))
+
+    def view(self) -> tuple[Scene, SensorView]:
+        """Scene and view of an image with the project's own settings, for render()."""
+        return self._open.view()
+
+    def run(
+        self,
+        kind: str = "",
+        *,
+        analysis: str = "",
+        settings: Optional[Mapping[str, SettingValue]] = None,
+        progress: Optional[ProgressFunction] = None,
+        **options: SettingValue,
+    ) -> Result:
+        """Run an analysis, as `smat-batch KIND` does.
+
+        Parameters
+        ----------
+        kind : str
+            'image', 'spectrum', 'polar', 'time', 'range', 'condition' or 'table'.
+        analysis : str
+            A named analysis of the project, whose settings it takes; `kind` may then be left out.
+        settings : dict of str to object, optional
+            Settings by key for this run alone.
+        progress : callable, optional
+            Called with a Progress before the first case and after each; where it returns False the
+            job stops and the result holds what was done.
+        **options
+            The options of the command line with underscores: ``step=10``, ``band=(8, 12)``.
+
+        Returns
+        -------
+        Result
+            Equal to the last bit to what the command line gives.
+
+        Raises
+        ------
+        InputError
+            With everything that is wrong, before anything is rendered.
+        KeyboardInterrupt
+            After Ctrl-C, between two cases.
+
+        Warns
+        -----
+        SmatWarning
+            What the result warns of.
+        """
+        results = self._run(kind, analysis, settings, progress, options)
+        if len(results) != 1:
+            raise InputError(
+                [
+                    Diagnostic(
+                        "sensor.band",
+                        "",
+                        f"{len(results)} bands",
+                        "one band for one image; images() gives one for each",
+                    )
+                ]
+            )
+        return results[0]
+
+    def _run(
+        self,
+        kind: str,
+        analysis: str,
+        settings: Optional[Mapping[str, SettingValue]],
+        progress: Optional[ProgressFunction],
+        options: Mapping[str, SettingValue],
+    ) -> list[Result]:
+        effective = kind or self.analyses.get(analysis, "")
+        given = {**texts(settings or {}), **texts_of_options(effective, options)}
+        project = self._open
+        if given:
+            project = _core.OpenProject(self._open)
+            project.set_texts(given)
+        return project.run(kind, analysis, progress)
+
+    def image(
+        self, *, analysis: str = "", settings: Optional[Mapping[str, SettingValue]] = None,
+        progress: Optional[ProgressFunction] = None, **options: SettingValue
+    ) -> Result:
+        """The image of the sensor: run('image')."""
+        return self.run(
+            "image", analysis=analysis, settings=settings, progress=progress, **options
+        )
+
+    def images(
+        self, *, analysis: str = "", settings: Optional[Mapping[str, SettingValue]] = None,
+        progress: Optional[ProgressFunction] = None, **options: SettingValue
+    ) -> dict[str, Image]:
+        """An image for each band of the sensor, by the name of its result: 'image@3-5um'."""
+        images: dict[str, Image] = {}
+        for result in self._run("image", analysis, settings, progress, options):
+            if result.image is not None:
+                images[result.name] = result.image
+        return images
+
+    def spectrum(
+        self, *, analysis: str = "", settings: Optional[Mapping[str, SettingValue]] = None,
+        progress: Optional[ProgressFunction] = None, **options: SettingValue
+    ) -> Result:
+        """Radiant intensity over wavenumber: run('spectrum')."""
+        return self.run(
+            "spectrum", analysis=analysis, settings=settings, progress=progress, **options
+        )
+
+    def polar(
+        self, *, analysis: str = "", settings: Optional[Mapping[str, SettingValue]] = None,
+        progress: Optional[ProgressFunction] = None, **options: SettingValue
+    ) -> Result:
+        """Radiant intensity over the aspect angle: run('polar')."""
+        return self.run(
+            "polar", analysis=analysis, settings=settings, progress=progress, **options
+        )
+
+    def time(
+        self, *, analysis: str = "", settings: Optional[Mapping[str, SettingValue]] = None,
+        progress: Optional[ProgressFunction] = None, **options: SettingValue
+    ) -> Result:
+        """Radiant intensity over time: run('time')."""
+        return self.run(
+            "time", analysis=analysis, settings=settings, progress=progress, **options
+        )
+
+    def range(
+        self, *, analysis: str = "", settings: Optional[Mapping[str, SettingValue]] = None,
+        progress: Optional[ProgressFunction] = None, **options: SettingValue
+    ) -> Result:
+        """Radiant intensity and irradiance over range: run('range')."""
+        return self.run(
+            "range", analysis=analysis, settings=settings, progress=progress, **options
+        )
+
+    def condition(
+        self, *, analysis: str = "", settings: Optional[Mapping[str, SettingValue]] = None,
+        progress: Optional[ProgressFunction] = None, **options: SettingValue
+    ) -> Result:
+        """Radiant intensity over engine power, Mach number or altitude: run('condition')."""
+        return self.run(
+            "condition", analysis=analysis, settings=settings, progress=progress, **options
+        )
+
+    def table(
+        self, *, analysis: str = "", settings: Optional[Mapping[str, SettingValue]] = None,
+        progress: Optional[ProgressFunction] = None, **options: SettingValue
+    ) -> Result:
+        """Radiant intensity over azimuth and elevation: run('table')."""
+        return self.run(
+            "table", analysis=analysis, settings=settings, progress=progress, **options
+        )
+
+    def _copy(self) -> Project:
+        copy = Project.__new__(Project)
+        copy._open = _core.OpenProject(self._open)
+        return copy
+
+    def __copy__(self) -> Project:
+        return self._copy()
+
+    def __repr__(self) -> str:
+        return f"Project {self.file or self.models[0]!r}: {', '.join(self.models)}"
