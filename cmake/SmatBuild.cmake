@@ -269,6 +269,7 @@ function(smat_add_floor house floor)
     smat_configure_target(${name})
 
     if(ARG_PACKAGED)
+        set_property(GLOBAL APPEND PROPERTY SMAT_PACKAGED_FLOORS ${name})
         install(TARGETS ${name} EXPORT ${house}Targets COMPONENT ${house})
         file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
         install(DIRECTORY ./ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/${folder}" COMPONENT ${house}

@@ -105,10 +105,11 @@ def texts_of_options(kind: str, options: Mapping[str, Any]) -> dict[str, str]:
     """The same of keyword arguments, which are the options of the command line."""
     by_option = {info.option: info for info in settings() if info.concerns(kind)}
     found = {}
-    for option, value in options.items():
+    for keyword, value in options.items():
+        option = keyword.rstrip("_")
         if option not in by_option:
             raise TypeError(
-                f"{kind} has no option {option!r}; smat.settings() lists those there are, "
+                f"{kind} has no option {keyword!r}; smat.settings() lists those there are, "
                 "and settings={'section.name': value} takes them by key"
             )
         info = by_option[option]

@@ -27,7 +27,7 @@ def to_xarray(table: Table) -> Any:
 
     keys = table.keys()
     axes = [keys[0]]
-    if "azimuth" in keys and "elevation" in keys:
+    if axes[0] in ("azimuth", "elevation") and {"azimuth", "elevation"} <= set(keys):
         grid = np.unique(table["elevation"]).size * np.unique(table["azimuth"]).size
         directions = np.unique(np.stack([table["elevation"], table["azimuth"]]), axis=1).shape[1]
         if 0 < table.rows == grid == directions:

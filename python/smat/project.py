@@ -3,11 +3,20 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Optional, Union
 
 from smat import _core
-from smat._core import Image, Model, Progress, Result, Scene, SensorView, SignatureDatabase
+from smat._core import (
+    Image,
+    Model,
+    MonteCarloResult,
+    Progress,
+    Result,
+    Scene,
+    SensorView,
+    SignatureDatabase,
+)
 from smat._settings import SettingResult, SettingValue, texts, texts_of_options, value_of
 from smat.errors import Diagnostic, InputError
 
@@ -174,7 +183,8 @@ class Project:
             Called with a Progress before the first case and after each; where it returns False the
             job stops and the result holds what was done.
         **options
-            The options of the command line with underscores: ``step=10``, ``band=(8, 12)``.
+            The options of the command line with underscores: ``step=10``, ``band=(8, 12)``; words of
+            Python with one behind: ``from_=1000``.
 
         Returns
         -------
@@ -296,6 +306,84 @@ class Project:
         return self.run(
             "table", analysis=analysis, settings=settings, progress=progress, **options
         )
+
+    def monte_carlo(
+        self,
+        kind: str = "",
+        *,
+        analysis: str = "",
+        samples: int = 1024,
+        seed: Optional[int] = None,
+        sequence: str = "sobol",
+        quantity: str = "contrast_intensity",
+        statistic: str = "mean",
+        standard_error: Optional[float] = None,
+        percentiles: Sequence[float] = (5.0, 25.0, 50.0, 75.0, 95.0),
+        subpixel_shifts: int = 4,
+        ranking: bool = False,
+        ranking_pairs: int = 1024,
+        ranking_at: Optional[float] = None,
+        settings: Optional[Mapping[str, SettingValue]] = None,
+        progress: Optional[ProgressFunction] = None,
+    ) -> MonteCarloResult:
+        """Repeat an analysis over the scales of the scaling files beside its models.
+
+        Geometry is rendered once for each case; a draw is a few sums.
+
+        Parameters
+        ----------
+        kind, analysis : str
+            As those of run(); no image.
+        samples : int
+            Draws at most, 2 to 10,000,000.
+        seed : int, optional
+            In place of the setting scaling.seed.
+        sequence : {'sobol', 'plain'}
+            How scales are drawn.
+        quantity : {'contrast_intensity', 'intensity', 'irradiance'}
+            What is looked at.
+        statistic : str
+            Whose standard error is told: 'mean', 'standard-deviation', 'p95'.
+        standard_error : float, optional
+            Ends the draws once it is below this fraction of the largest magnitude.
+        percentiles : sequence of float
+            Columns of the table, 0 to 100.
+        subpixel_shifts : int
+            Drawings of each case for the numerical error, 1 to 64.
+        ranking : bool
+            Whether scales are ranked by their first-order Sobol' indices.
+        ranking_pairs : int
+            Draws of the ranking, 256 to 1,000,000.
+        ranking_at : float, optional
+            Where the ranking looks, in the unit of the abscissa.
+        settings, progress
+            As those of run().
+
+        Returns
+        -------
+        MonteCarloResult
+            Equal to the last bit to what `smat-batch montecarlo` gives.
+
+        Raises
+        ------
+        InputError
+            For options that cannot be, and where no model has a scaling file.
+        """
+        given = {**(settings or {}), **({} if seed is None else {"scaling.seed": seed})}
+        project = self.with_settings(given) if given else self
+        options = {
+            "samples": samples,
+            "sequence": sequence,
+            "quantity": quantity,
+            "statistic": statistic,
+            "standard_error": standard_error,
+            "percentiles": list(percentiles),
+            "subpixel_shifts": subpixel_shifts,
+            "ranking": ranking,
+            "ranking_pairs": ranking_pairs,
+            "ranking_at": ranking_at,
+        }
+        return project._open.monte_carlo(kind, analysis, options, progress)
 
     def _copy(self) -> Project:
         copy = Project.__new__(Project)

@@ -104,10 +104,11 @@ Raises
 InputError
     For files that cannot be read, each with what is wrong.
 )")
+        // Behind *args pybind11 converts no arguments, not even whole numbers to double.
         .def(py::init([](const py::args& atmospheres, std::optional<int> bins_per_cm,
-                         std::optional<double> sunAzimuth_deg,
-                         std::optional<double> sunElevation_deg) {
-                 const SunAngles sun{sunAzimuth_deg, sunElevation_deg};
+                         const py::object& sunAzimuth_deg, const py::object& sunElevation_deg) {
+                 const SunAngles sun{sunAzimuth_deg.cast<std::optional<double>>(),
+                                     sunElevation_deg.cast<std::optional<double>>()};
                  checkSun(sun);
                  const auto inputs = atmospheres.cast<std::vector<fs::path>>();
                  return withoutLock([&] { return environmentOf(inputs, bins_per_cm, sun); });

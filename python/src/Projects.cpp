@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "python/src/Pool.h"
+#include "python/src/OpenProjects.h"
 #include "python/src/Results.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
@@ -26,17 +26,6 @@ namespace {
 namespace fs = std::filesystem;
 using Database = std::shared_ptr<irsg::SignatureDatabase>;
 using Texts = std::map<std::string, std::string>;
-
-/// A project as its file has it, with what the caller has put on top: settings, which go before
-/// those of its analyses, too, and databases. Copies share the models that were loaded.
-struct OpenProject {
-    Project project;
-    Settings overrides = {};
-    SceneBuilder::DatabaseOverrides databases = {};
-    std::shared_ptr<Pool<JobRunner>> runners = std::make_shared<Pool<JobRunner>>();
-
-    Settings inEffect() const { return project.settings.with(overrides); }
-};
 
 OpenProject opened(const fs::path& file, const fs::path& database) {
     if (file.extension() != ".smat")
@@ -83,30 +72,11 @@ std::size_t modelOf(const OpenProject& open, const std::string& model) {
     throw badArgument("model", model, oneOf(names, model));
 }
 
-AnalysisData analysisOf(const OpenProject& open, const std::string& kind,
-                        const std::string& analysis) {
-    AnalysisData data;
-    if (!analysis.empty()) {
-        data = AnalysisData::of(open.project, analysis);
-        if (!kind.empty() && name(data.kind) != kind)
-            throw badArgument("analysis", analysis + ", which is of kind " + name(data.kind),
-                              "an analysis of kind " + kind);
-    } else {
-        const std::optional<AnalysisKind> known = analysisKindFromName(kind);
-        if (!known)
-            throw badArgument("kind", kind, oneOf(analysisKindWords(), kind));
-        data = AnalysisData::of(open.project, *known);
-    }
-    data.settings = data.settings.with(open.overrides);
-    data.commandLine = data.equivalentCommand(name(data.kind) + resultExtensions(data.kind)[0]);
-    return data;
-}
-
 std::vector<std::shared_ptr<AnalysisData>> runAnalyses(const OpenProject& open,
                                                        const std::string& kind,
                                                        const std::string& analysis,
                                                        const py::object& progress) {
-    [[maybe_unused]] static const bool once = (keepFreedMemory(), true);
+    prepareProcess();
     std::vector<std::shared_ptr<AnalysisData>> results;
     PythonProgress watch(progress);
     withoutLock([&] {
@@ -200,12 +170,35 @@ void addSettings(py::module_& module) {
 
 } // namespace
 
+AnalysisData analysisOf(const OpenProject& open, const std::string& kind,
+                        const std::string& analysis) {
+    AnalysisData data;
+    if (!analysis.empty()) {
+        data = AnalysisData::of(open.project, analysis);
+        if (!kind.empty() && name(data.kind) != kind)
+            throw badArgument("analysis", analysis + ", which is of kind " + name(data.kind),
+                              "an analysis of kind " + kind);
+    } else {
+        const std::optional<AnalysisKind> known = analysisKindFromName(kind);
+        if (!known)
+            throw badArgument("kind", kind, oneOf(analysisKindWords(), kind));
+        data = AnalysisData::of(open.project, *known);
+    }
+    data.settings = data.settings.with(open.overrides);
+    data.commandLine = data.equivalentCommand(name(data.kind) + resultExtensions(data.kind)[0]);
+    return data;
+}
+
+void prepareProcess() {
+    [[maybe_unused]] static const bool once = (keepFreedMemory(), true);
+}
+
 void addProjects(py::module_& module) {
     addSettings(module);
     addResults(module);
-    py::class_<OpenProject>(module, "OpenProject",
-                            "A project with settings on top; smat.Project wraps it.")
-        .def(py::init(&opened), py::arg("file"), py::arg("database") = fs::path())
+    ProjectClass project(module, "OpenProject",
+                         "A project with settings on top; smat.Project wraps it.");
+    project.def(py::init(&opened), py::arg("file"), py::arg("database") = fs::path())
         .def(py::init<const OpenProject&>(), py::arg("other"))
         .def_property_readonly("file", [](const OpenProject& open) { return open.project.file; })
         .def_property_readonly("title", [](const OpenProject& open) { return open.project.title; })
@@ -296,6 +289,8 @@ void addProjects(py::module_& module) {
                     open.databases[file.cast<fs::path>()] = database.cast<Database>();
                 return open;
             }));
+    addMonteCarlo(module, project);
+    addScenarios(module);
 }
 
 } // namespace smat::python

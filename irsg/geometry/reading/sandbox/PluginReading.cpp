@@ -76,7 +76,13 @@ void setAssimpReading(AssimpReading reading) {
 }
 
 void preparePlugins() {
-    osgDB::Registry::instance();
+    // A copy that brings its own plug-ins has them beside its libraries.
+    osgDB::Registry& registry = *osgDB::Registry::instance();
+    std::error_code failure;
+    const fs::path program = fs::read_symlink("/proc/self/exe", failure);
+    const fs::path libraries = program.parent_path().parent_path() / "lib";
+    if (fs::exists(libraries / registry.createLibraryNameForExtension("flt"), failure))
+        registry.getLibraryFilePathList().push_front(libraries.string());
 }
 
 LoadedGraph readModelHere(const fs::path& place, const fs::path& file) {
