@@ -14,7 +14,7 @@ endif()
 # relative to themselves.
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
-set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR};$ORIGIN")
+set(CMAKE_INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR};$ORIGIN;$ORIGIN/../${CMAKE_INSTALL_LIBDIR}/smat;$ORIGIN/smat")
 
 find_program(SMAT_CCACHE ccache)
 find_program(SMAT_ENV env)
@@ -264,15 +264,19 @@ function(smat_add_floor house floor)
     target_compile_features(${name} PUBLIC cxx_std_20)
     # A copy of a template that another library compiled lightly must not take the place of this library's own.
     target_link_options(${name} PRIVATE $<$<PLATFORM_ID:Linux>:LINKER:-Bsymbolic-functions>)
-    set_target_properties(${name} PROPERTIES EXPORT_NAME ${floor}
-                          VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+    set_target_properties(${name} PROPERTIES EXPORT_NAME ${floor} SOVERSION ${PROJECT_VERSION_MAJOR})
+    if(NOT DEFINED SKBUILD) # a wheel keeps no links, but a second file in place of each
+        set_target_properties(${name} PROPERTIES VERSION ${PROJECT_VERSION})
+    endif()
     smat_configure_target(${name})
 
     if(ARG_PACKAGED)
         set_property(GLOBAL APPEND PROPERTY SMAT_PACKAGED_FLOORS ${name})
-        install(TARGETS ${name} EXPORT ${house}Targets COMPONENT ${house})
+        install(TARGETS ${name} EXPORT ${house}Targets
+                LIBRARY COMPONENT ${house} NAMELINK_COMPONENT ${house}-dev
+                ARCHIVE COMPONENT ${house}-dev OBJECTS COMPONENT ${house}-dev)
         file(RELATIVE_PATH folder "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}")
-        install(DIRECTORY ./ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/${folder}" COMPONENT ${house}
+        install(DIRECTORY ./ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/${folder}" COMPONENT ${house}-dev
                 FILES_MATCHING PATTERN "*.h")
     else()
         install(TARGETS ${name} LIBRARY NAMELINK_SKIP)
@@ -285,12 +289,12 @@ function(smat_package house)
     cmake_parse_arguments(ARG "" "" "FILES" ${ARGN})
     include(CMakePackageConfigHelpers)
     set(folder "${CMAKE_INSTALL_LIBDIR}/cmake/${house}")
-    install(EXPORT ${house}Targets NAMESPACE ${house}:: DESTINATION "${folder}" COMPONENT ${house})
+    install(EXPORT ${house}Targets NAMESPACE ${house}:: DESTINATION "${folder}" COMPONENT ${house}-dev)
     configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/${house}Config.cmake.in" ${house}Config.cmake
                                   INSTALL_DESTINATION "${folder}"
                                   NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
     write_basic_package_version_file(${house}ConfigVersion.cmake COMPATIBILITY SameMinorVersion)
     install(FILES "${CMAKE_CURRENT_BINARY_DIR}/${house}Config.cmake"
                   "${CMAKE_CURRENT_BINARY_DIR}/${house}ConfigVersion.cmake" ${ARG_FILES}
-            DESTINATION "${folder}" COMPONENT ${house})
+            DESTINATION "${folder}" COMPONENT ${house}-dev)
 endfunction()

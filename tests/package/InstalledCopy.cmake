@@ -23,7 +23,8 @@ foreach(file share/doc/smat/LICENSE share/doc/smat/README.md share/smat/atmosphe
     endif()
 endforeach()
 if(WINDOW)
-    foreach(file share/applications/smat.desktop share/icons/hicolor/scalable/apps/smat.svg
+    foreach(file share/applications/smat.desktop share/mime/packages/smat.xml share/metainfo/smat.metainfo.xml
+                 share/icons/hicolor/scalable/apps/smat.svg
                  share/smat/samples/ship/ship.smat share/smat/docs/user-guide/README.md
                  share/smat/resources/atmospheres)
         if(NOT EXISTS "${prefix}/${file}")

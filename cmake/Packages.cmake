@@ -1,0 +1,74 @@
+# Debian packages of what is installed: cpack -G DEB in a build folder, or scripts/make-packages. The components of
+# install() become irsg (libraries, tables of the atmosphere), irsg-dev and smat-dev (headers, find_package), smat (programs,
+# window, samples, with Qwt where Debian has none) and python3-smat, for the Python that it was built with.
+
+if(DEFINED SKBUILD)
+    return() # a wheel
+endif()
+set(CPACK_PACKAGE_VENDOR "SMAT")
+set(SMAT_PACKAGE_CONTACT "SMAT maintainers <maintainers@example.org>" CACHE STRING "Who makes the packages")
+set(CPACK_PACKAGE_CONTACT "${SMAT_PACKAGE_CONTACT}")
+set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
+set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+set(CPACK_COMPONENTS_ALL irsg irsg-dev)
+if(SMAT_BUILD_WORKBENCH)
+    list(APPEND CPACK_COMPONENTS_ALL smat smat-dev)
+    if(smat_has_python)
+        list(APPEND CPACK_COMPONENTS_ALL python)
+    endif()
+endif()
+
+# smat_describe_package(COMPONENT NAME "Summary" "Text" OTHER_COMPONENT...)
+macro(smat_describe_package component name summary text)
+    string(TOUPPER "${component}" upper)
+    set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${name})
+    set(CPACK_COMPONENT_${upper}_DESCRIPTION "${summary}\n${text}")
+    set(CPACK_COMPONENT_${upper}_DEPENDS ${ARGN})
+    # Debian wants both of every package.
+    if("${component}" IN_LIST CPACK_COMPONENTS_ALL)
+        install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION share/doc/${name} RENAME copyright COMPONENT ${component})
+        install(FILES "${PROJECT_BINARY_DIR}/changelog.gz" DESTINATION share/doc/${name} COMPONENT ${component})
+    endif()
+endmacro()
+find_program(SMAT_GZIP gzip)
+if(SMAT_GZIP)
+    execute_process(COMMAND "${SMAT_GZIP}" -9nc "${PROJECT_SOURCE_DIR}/CHANGELOG.md"
+                    OUTPUT_FILE "${PROJECT_BINARY_DIR}/changelog.gz")
+else()
+    file(WRITE "${PROJECT_BINARY_DIR}/changelog.gz" "")
+endif()
+smat_describe_package(irsg irsg "Infrared scene generator, libraries"
+    " Images in physical units, radiant intensity and spectra of models with infrared codes.")
+smat_describe_package(irsg-dev irsg-dev "Infrared scene generator, headers"
+    " Headers and find_package(irsg) for programs that render infrared scenes." irsg)
+smat_describe_package(smat smat "Infrared signature modelling workbench"
+    " The window smat, the command line smat-batch, and samples to start from." irsg)
+smat_describe_package(smat-dev smat-dev "Infrared signature modelling, headers"
+    " Headers and find_package(smat) for programs that run analyses of projects." smat irsg-dev)
+smat_describe_package(python python3-smat "Infrared signatures from Python"
+    " Projects, analyses and scenes as NumPy arrays." smat)
+# Libraries are new to the loader.
+set(CPACK_DEBIAN_IRSG_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/resources/packages/triggers")
+set(CPACK_DEBIAN_SMAT_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/resources/packages/triggers")
+# What is opened at run time alone.
+set(CPACK_DEBIAN_IRSG_PACKAGE_DEPENDS "libegl1, libgl1-mesa-dri")
+if(smat_has_python)
+    math(EXPR next "${Python_VERSION_MINOR} + 1")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+        "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next}), python3-numpy")
+endif()
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_IRSG-DEV_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_SMAT-DEV_PACKAGE_SECTION libdevel)
+include(CPack)
