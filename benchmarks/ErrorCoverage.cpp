@@ -3,49 +3,31 @@
 // often what is chosen for a target error meets it.
 //
 //     bench_errors [SCENES] [FIRST] [targets|ck|times]
+//     bench_errors samples [ASPECTS] [SAMPLE]
 //
 // With ck all scenes have air by wideband-ck; with times nothing is judged, and only what errors
-// cost is told.
+// cost is told. With samples the scenes are the samples in two bands, from four elevations and
+// three ranges.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <limits>
 #include <string>
 #include <vector>
 
+#include "benchmarks/ErrorTally.h"
+#include "benchmarks/SampleErrors.h"
 #include "irsg/radiometry/Units.h"
 #include "smatcore/analysis/TargetChoice.h"
 #include "tests/support/RandomScenes.h"
 
 using namespace irsg;
 using namespace irsg::test;
+using irsg::bench::ErrorTally;
+using irsg::bench::median;
 
 namespace {
-
-double median(std::vector<double> values) {
-    if (values.empty())
-        return 0.0;
-    std::ranges::nth_element(values, values.begin() + static_cast<long>(values.size() / 2));
-    return values[values.size() / 2];
-}
-
-struct Tally {
-    int count = 0, covered = 0;
-    std::vector<double> ratios;
-
-    void add(const JudgedNumber& one) {
-        ++count;
-        covered += one.isCovered() ? 1 : 0;
-        ratios.push_back(one.wrong() > 0.0 ? one.error.sum() / one.wrong()
-                                           : std::numeric_limits<double>::infinity());
-    }
-    void print(const std::string& name) const {
-        std::printf("| %s | %d | %.1f %% | %.2f |\n", name.c_str(), count,
-                    count > 0 ? 100.0 * covered / count : 0.0, median(ratios));
-    }
-};
 
 double seconds(const std::vector<RandomScene>& scenes, bool errors) {
     // Of the processor: other work on the machine is not in it.
@@ -165,6 +147,10 @@ void judgeTargets(int first, int scenes) {
 } // namespace
 
 int main(int argc, char** argv) {
+    if (argc > 1 && std::string(argv[1]) == "samples") {
+        bench::judgeSamples(argc > 2 ? std::atoi(argv[2]) : 2, argc > 3 ? argv[3] : "");
+        return 0;
+    }
     const int scenes = argc > 1 ? std::atoi(argv[1]) : 200;
     const int first = argc > 2 ? std::atoi(argv[2]) : 0;
     if (argc > 3 && std::string(argv[3]) == "targets") {
@@ -175,7 +161,7 @@ int main(int argc, char** argv) {
     const bool isTimed = argc > 3 && std::string(argv[3]) == "times";
     Renderer renderer;
     const char* const names[] = {"no air", "computed air, spectral", "computed air, wideband-ck"};
-    Tally all, of[3], intensity, contrast;
+    ErrorTally all, of[3], intensity, contrast;
     std::vector<RandomScene> timed[3];
     for (int i = first; i < first + scenes; ++i) {
         const RandomAtmosphere air = isWideband ? RandomAtmosphere::wideband : atmosphereOf(i);
@@ -200,9 +186,7 @@ int main(int argc, char** argv) {
                          one.isCovered() ? "covered" : "MISSED", random.name.c_str());
     }
     if (!isTimed) {
-        std::printf(
-            "| numbers | count | within the error | error in terms of what is wrong, median |\n"
-            "|---|---|---|---|\n");
+        ErrorTally::printHead();
         intensity.print("intensity");
         contrast.print("contrast intensity");
         for (int k = 0; k < 3; ++k)
