@@ -1,20 +1,29 @@
 #include "irsg/scene/RenderErrorEstimator.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/core/Errors.h"
+#include "irsg/radiance/SublatticeDifferences.h"
 #include "irsg/render/rays/ExchangeMesh.h"
 
 namespace irsg {
 
 namespace {
 
-/// Of the root of the summed squares of all contrasts: two standard deviations of the sum, see
-/// docs/errors.md.
+/// Of the root of the energy of all differences (energyOf): two standard deviations of the sum,
+/// see docs/errors.md.
 constexpr double errorPerDifference = 1.25;
+/// Squares of differences over rows and columns at once in terms of those over rows, or over
+/// columns, of outlines in all directions: sums of k^-3 over the frequencies that each meets.
+constexpr double squareOfBoth = 0.707;
+/// What counts of the squares by which one kind of difference exceeds the others. Edges along rows
+/// or columns make it large, which rows that are sheared and tilted take out of the sum, but not
+/// out of a lattice of half their frequency: twice to four times what simulated edges have.
+constexpr double ofAligned = 0.25;
 /// The same of objects with directional surfaces. Their lobes are drawn at least as wide as samples
 /// lie apart, on all lattices alike, which contrasts do not show, and a few samples have most of a
 /// glint; measured, see docs/errors.md.
@@ -27,21 +36,42 @@ constexpr double ofExchange = 0.08;
 /// Standard deviations that an error is.
 constexpr double deviations = 2.0;
 
-/// Squares of contrasts.
+/// Squares of the differences of a view by their kind, and of what a range curve leaves wrong.
 struct Squares {
-    double intensity = 0.0, contrast = 0.0, irradiance = 0.0;
+    std::array<double, sublatticeDifferenceKinds + 1> byKind{};
 
-    void add(const ObjectRadiometry& sums) {
-        intensity += sums.intensity_W_sr * sums.intensity_W_sr;
-        contrast += sums.contrastIntensity_W_sr * sums.contrastIntensity_W_sr;
-        irradiance += sums.irradiance_W_m2 * sums.irradiance_W_m2;
+    void add(std::size_t difference, std::size_t count, double sum) {
+        const bool isOfRange = difference + 1 == count;
+        byKind[isOfRange ? sublatticeDifferenceKinds : difference % sublatticeDifferenceKinds] +=
+            sum * sum;
+    }
+    /// As if outlines went in all directions, all kinds have the middle one of the three, and a
+    /// part of what the largest has beyond that.
+    double energy() const {
+        std::array<double, sublatticeDifferenceKinds> kinds{};
+        std::copy_n(byKind.begin(), kinds.size(), kinds.begin());
+        kinds[static_cast<std::size_t>(SublatticeDifference::both)] /= squareOfBoth;
+        std::ranges::sort(kinds);
+        return (2.0 + squareOfBoth) * kinds[1] + ofAligned * (kinds[2] - kinds[1]) +
+               byKind[sublatticeDifferenceKinds];
+    }
+};
+
+struct SquaresOfSums {
+    Squares intensity, contrast, irradiance;
+
+    /// One of `count` differences of a view.
+    void add(std::size_t difference, std::size_t count, const ObjectRadiometry& sums) {
+        intensity.add(difference, count, sums.intensity_W_sr);
+        contrast.add(difference, count, sums.contrastIntensity_W_sr);
+        irradiance.add(difference, count, sums.irradiance_W_m2);
     }
     RadiometryErrors errors(bool haveLobes) const {
         const double scale = haveLobes ? errorPerDifferenceOfLobes : errorPerDifference;
         RadiometryErrors errors;
-        errors.intensity_W_sr.sampling = scale * std::sqrt(intensity);
-        errors.contrastIntensity_W_sr.sampling = scale * std::sqrt(contrast);
-        errors.irradiance_W_m2.sampling = scale * std::sqrt(irradiance);
+        errors.intensity_W_sr.sampling = scale * std::sqrt(intensity.energy());
+        errors.contrastIntensity_W_sr.sampling = scale * std::sqrt(contrast.energy());
+        errors.irradiance_W_m2.sampling = scale * std::sqrt(irradiance.energy());
         return errors;
     }
 };
@@ -60,16 +90,17 @@ ErrorsByOutput ofSamples(const Frame& frame, const ViewGeometry& factors, Evalua
                          SceneLight* light, const std::vector<int>& varying) {
     const SurfaceRows& rows = evaluated.radiometry.rows();
     const std::vector<double> ranges_m = frame.evaluation().ranges_m();
-    std::vector<std::vector<Squares>> squares(
-        varying.size(), std::vector<Squares>(frame.evaluation().geometry.size() + 1));
-    for (const std::vector<ObjectSums>& sums :
-         sublatticeDifferenceSums(factors, evaluated.radiances, light, rows, ranges_m, varying)) {
-        for (std::size_t output = 0; output < sums.size(); ++output) {
+    std::vector<std::vector<SquaresOfSums>> squares(
+        varying.size(), std::vector<SquaresOfSums>(frame.evaluation().geometry.size() + 1));
+    const auto differences =
+        sublatticeDifferenceSums(factors, evaluated.radiances, light, rows, ranges_m, varying);
+    for (std::size_t k = 0; k < differences.size(); ++k)
+        for (std::size_t output = 0; output < varying.size(); ++output) {
+            const ObjectSums& sums = differences[k][output];
             for (std::size_t e = 0; e < ranges_m.size(); ++e)
-                squares[output][e].add(sums[output].objects[e]);
-            squares[output].back().add(sums[output].all);
+                squares[output][e].add(k, differences.size(), sums.objects[e]);
+            squares[output].back().add(k, differences.size(), sums.all);
         }
-    }
     const std::vector<bool> lobes = haveLobes(rows, ranges_m.size());
     ErrorsByOutput errors(varying.size());
     for (std::size_t output = 0; output < errors.size(); ++output)
