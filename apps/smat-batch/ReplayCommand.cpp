@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,13 +11,15 @@
 #include "smatcore/analysis/AnalysisGenerator.h"
 #include "smatcore/analysis/Replay.h"
 #include "smatcore/analysis/ResultFile.h"
+#include "smatcore/project/ProjectFile.h"
 #include "smatcore/project/SceneBuilder.h"
 
 namespace smat::batch {
 
 namespace {
 
-/// `smat-batch replay RESULT [--previous FILE ...] [--tolerance PART] [--out FILE]`.
+/// `smat-batch replay RESULT [--project FILE] [--previous FILE ...] [--tolerance PART] [--out
+/// FILE]`.
 class ReplayCommand {
   public:
     explicit ReplayCommand(CLI::App& command) {
@@ -36,6 +39,11 @@ class ReplayCommand {
                         "none for the exit code; 0")
             ->type_name("PART")
             ->check(CLI::NonNegativeNumber);
+        command
+            .add_option("--project", project_,
+                        "The project of the result, where it lies neither beside it nor in the "
+                        "current folder; its name is that which the result tells")
+            ->type_name("FILE");
         command.add_option("--out", out_, "Writes the new result, too")->type_name("FILE");
         command.footer("Runs the analysis again with the settings that the result tells, of its "
                        "project beside it, beside its folder of results or in the current folder, "
@@ -52,12 +60,17 @@ class ReplayCommand {
                                           [&](const Project& project, const Settings& settings) {
                                               return builder.build(project, settings);
                                           });
+        std::optional<Project> project;
+        if (!project_.empty())
+            project = loadProject(project_);
         ProgressLine progress;
-        const Replay again =
-            replay(loaded, file_, {previous_.begin(), previous_.end()}, [&](AnalysisData& data) {
+        const Replay again = replay(
+            loaded, file_, {previous_.begin(), previous_.end()},
+            [&](AnalysisData& data) {
                 generator.run(
                     data, [&](const Progress& now) { progress.show(now); }, {}, &context.timer);
-            });
+            },
+            project);
         for (const std::string& remark : again.remarks)
             warn(remark);
         if (!out_.empty())
@@ -68,7 +81,7 @@ class ReplayCommand {
     }
 
   private:
-    std::string file_, out_;
+    std::string file_, project_, out_;
     std::vector<std::string> previous_;
     double tolerance_ = 0.0;
 };

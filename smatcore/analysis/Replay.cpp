@@ -227,9 +227,17 @@ std::vector<ReplayedDifference> differencesOf(const AnalysisData& a, const Analy
 }
 
 Replay replay(const AnalysisData& loaded, const std::filesystem::path& file,
-              const std::vector<std::filesystem::path>& former, const RunAnalysis& run) {
+              const std::vector<std::filesystem::path>& former, const RunAnalysis& run,
+              const std::optional<Project>& project) {
     Replay result;
-    const AnalysisData asked = analysisOfResult(loaded, file, {}, &result.remarks);
+    std::vector<Project> open;
+    if (project)
+        open.push_back(*project);
+    const AnalysisData asked = analysisOfResult(loaded, file, open, &result.remarks);
+    if (project && asked.project.displayName() != project->displayName())
+        throw irsg::InputError(
+            {file.string(), "project", project->displayName(),
+             "the project that the result names: " + asked.project.displayName()});
     result.again = asked;
     run(result.again);
     result.inputs = comparedInputs(loaded, result.again);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,11 +63,13 @@ using RunAnalysis = std::function<void(AnalysisData&)>;
 /// Runs a result again (analysisOfResult) and holds it against the file: number by number, and
 /// input by input. `former` are files as they were then, known by their content: each takes the
 /// place of the input that has changed since, one at a time, so that what that change did is seen.
-/// `loaded` is what loadResult gives of `file`. Throws InputError where analysisOfResult or `run`
-/// do, and for a former file that is none of those the result knows, or that cannot take the place
+/// `loaded` is what loadResult gives of `file`, `project` that of the result, where it does not lie
+/// beside it. Throws InputError where analysisOfResult or `run` do, for a project of another name,
+/// and for a former file that is none of those the result knows, or that cannot take the place
 /// of the other.
 Replay replay(const AnalysisData& loaded, const std::filesystem::path& file,
-              const std::vector<std::filesystem::path>& former, const RunAnalysis& run);
+              const std::vector<std::filesystem::path>& former, const RunAnalysis& run,
+              const std::optional<Project>& project = {});
 
 /// Every number of `a` that `b` has, too, and that is not the same there.
 std::vector<ReplayedDifference> differencesOf(const AnalysisData& a, const AnalysisData& b);

@@ -129,6 +129,30 @@ TEST_F(SmatBatchReplay, TellsSeveralChangesApartByTheFilesAsTheyWere) {
                                     "sphere.sigdb"));
 }
 
+TEST_F(SmatBatchReplay, IsToldWhereTheProjectLies) {
+    makePolar();
+    std::filesystem::create_directory(folder / "away");
+    std::filesystem::copy(folder / "polar.csv", folder / "away/polar.csv");
+    const auto replayed = [&](std::vector<std::string> options) {
+        std::vector<std::string> arguments = {"replay", "polar.csv"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        return smatBatch(arguments, folder / "away");
+    };
+    std::filesystem::create_directory(folder / "far");
+    std::filesystem::rename(folder / "sphere.smat", folder / "far/sphere.smat");
+    for (const char* name : {"sphere.flt", "sphere.sigdb", "response.csv"}) {
+        std::filesystem::copy(folder / name, folder / "far" / name);
+    }
+    EXPECT_EQ(replayed({}).exitCode, 2);
+    const Ran told = replayed({"--project", "../far/sphere.smat"});
+    EXPECT_EQ(told.exitCode, 0) << told.out << told.err;
+    // One of another name is not the result's.
+    std::filesystem::copy(folder / "far/sphere.smat", folder / "far/other.smat");
+    const Ran other = replayed({"--project", "../far/other.smat"});
+    EXPECT_EQ(other.exitCode, 2);
+    EXPECT_THAT(other.err, HasSubstr("sphere.smat"));
+}
+
 TEST_F(SmatBatchReplay, OfAnImageComparesItsPixels) {
     ASSERT_EQ(in({"image", "sphere.smat", "--width", "40", "--height", "32", "--sun", "off",
                   "--out", "a picture.exr"})
