@@ -18,8 +18,9 @@ std::optional<SweepTarget> SweepTarget::choose(const RenderDoor& door, const Cas
     TargetUse use{plan.cases.size(), linesOfSight(plan), false, true};
     const std::string& mode = settings[key::sensorMode];
     if (mode == "auto") {
-        use.mayTrain = plan.kind->form == AnalysisForm::sweep &&
-                       chooseCalculation(scene, plan).mode == irsg::CalculationMode::wideband;
+        if (plan.kind->form == AnalysisForm::sweep)
+            use.usualMode = chooseCalculation(scene, plan).mode;
+        use.mayTrain = use.usualMode == irsg::CalculationMode::wideband;
         scene.settings.mode = irsg::CalculationMode::spectral;
     }
     const std::vector<std::size_t> probed = probedCases(plan.cases.size());

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -32,6 +33,10 @@ constexpr double ofSkipped = 1.0 / 3.0; ///< of the target, for all that is left
 
 std::string percent(double part) {
     return irsg::roundedText(100.0 * part, 2) + " %";
+}
+
+std::string lookedAt(const ProbedViews& views) {
+    return views.count() == 1 ? "in its view" : fmt::format("in {} views", views.count());
 }
 
 /// A kind of light that may be left out.
@@ -261,6 +266,34 @@ std::vector<CalculationConfiguration> configurationsFrom(const CalculationConfig
     return configurations;
 }
 
+/// The scene as it is set, where that meets the target and no search is worth its time.
+std::optional<TargetChoice> asSet(ProbedViews& views, double target, const TargetUse& use) {
+    const SceneDescription& scene = views.scene();
+    CalculationConfiguration own = CalculationConfiguration::of(scene);
+    own.render.mode = use.usualMode.value_or(own.render.mode);
+    if (!use.mayStay || !own.render.usesAlignedTiles())
+        return std::nullopt;
+    constexpr double probes = 10.0; // eight for bounds of light, and two ways at least
+    const double cost = cost_s(own, scene, use);
+    const double cheapest = cost_s(configurationsFrom(own, scene, use).front(), scene, use);
+    if (static_cast<double>(use.cases) * (cost - cheapest) >
+        probes * static_cast<double>(views.count()) * cost)
+        return std::nullopt;
+    const std::vector<Reports> numbers = views.measured(own, true);
+    TargetChoice choice;
+    choice.reached = ProbedViews::stated(numbers).sum;
+    // With no margin for views that were not looked at: those that miss it are named.
+    if (choice.reached > target)
+        return std::nullopt;
+    choice.configuration = own;
+    choice.isMet = true;
+    choice.leastContrasts_W_sr = ProbedViews::leastContrasts_W_sr(numbers);
+    choice.sentences.push_back("target error " + percent(target) + ": " + own.words(scene) +
+                               ", as set, with errors of at most " + percent(choice.reached) + " " +
+                               lookedAt(views));
+    return choice;
+}
+
 } // namespace
 
 std::vector<std::size_t> probedCases(std::size_t count) {
@@ -272,6 +305,8 @@ std::vector<std::size_t> probedCases(std::size_t count) {
 }
 
 TargetChoice chooseForTarget(ProbedViews& views, double target, const TargetUse& use) {
+    if (std::optional<TargetChoice> found = asSet(views, target, use))
+        return std::move(*found);
     const SceneDescription& scene = views.scene();
     CalculationConfiguration start = CalculationConfiguration::of(scene);
     start.render.tileSide_samples = firstTile;
@@ -333,12 +368,10 @@ TargetChoice chooseForTarget(ProbedViews& views, double target, const TargetUse&
     }
     choice.reached = *expected.measured(choice.configuration) + choice.skipped;
     const std::string prefix = "target error " + percent(target) + ": ";
-    const std::string looked =
-        views.count() == 1 ? "in its view" : fmt::format("in {} views", views.count());
     choice.sentences.push_back(prefix + choice.configuration.words(scene) +
                                (choice.isMet ? ", the cheapest with errors of at most "
                                              : "; no way meets it, this one has errors of up to ") +
-                               percent(choice.reached) + " " + looked);
+                               percent(choice.reached) + " " + lookedAt(views));
     for (const std::string& sentence : lightSentences)
         choice.sentences.push_back(prefix + sentence);
     return choice;

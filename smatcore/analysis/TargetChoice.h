@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,11 @@ struct TargetUse {
     /// Quadrature points of wideband-ck may be trained, in place of bins of the spectral mode.
     bool mayTrain = false;
     bool mayUseBins = true;
+    /// What is set may stay where it meets the target; else the cheapest way is searched in any
+    /// case.
+    bool mayStay = true;
+    /// How bands are integrated without a target, where that is not as the scene has it.
+    std::optional<irsg::CalculationMode> usualMode = {};
 };
 
 /// The cheapest way whose stated errors are at most `target`, a part of intensity and contrast, in
@@ -33,6 +39,9 @@ struct TargetUse {
 /// wideband-ck, one or more rows of background. Light that is at most a part of the target is left
 /// out: sun, shadows, light between surfaces, that of sky and ground. Modes 0 to 2 of antialiasing
 /// are not among them: what their samples miss is in no stated error.
+///
+/// What is set is looked at first. Where it meets the target and a cheaper way would save less than
+/// the search for it takes, it is chosen.
 ///
 /// Cheap is what a model of costs says, not a clock, so that equal inputs have equal results. Where
 /// no way meets the target, the one with the least error is chosen and told so.
