@@ -81,7 +81,7 @@ void TableFiles::write(const std::string& kind, const ResultTable& table,
         using Json = nlohmann::ordered_json;
         Json items = Json::array();
         for (const SummaryItem& item : summary)
-            items.push_back({{"label", item.label}, {"value", item.value}, {"unit", item.unit}});
+            items.push_back(jsonOf(item));
         fmt::print("{}\n", jsonText(Json{{"kind", kind},
                                          {"files", files},
                                          {"warnings", warnings},
@@ -94,7 +94,7 @@ void TableFiles::write(const std::string& kind, const ResultTable& table,
         widest = std::max(widest, item.label.size() + 2);
     fmt::print("{}: {} rows\n", kind, table.rowCount());
     for (const SummaryItem& item : summary)
-        fmt::print("  {:<{}} {:>12.6g} {}\n", item.label, widest, item.value, item.unit);
+        fmt::print("{}", summaryLine(item, widest));
     for (const std::string& warning : warnings)
         fmt::print("  note: {}\n", warning);
     for (const std::string& file : files)

@@ -80,6 +80,18 @@ void ProgressLine::show(const Progress& progress) {
     width_ = std::max(width_, line.size());
 }
 
+std::string summaryLine(const SummaryItem& item, std::size_t widest) {
+    return fmt::format("  {:<{}} {:>12.6g} {}{}\n", item.label, widest, item.value,
+                       item.error ? fmt::format("± {:.2g} ", *item.error) : "", item.unit);
+}
+
+Json jsonOf(const SummaryItem& item) {
+    Json json = {{"label", item.label}, {"value", item.value}, {"unit", item.unit}};
+    if (item.error)
+        json["error"] = *item.error;
+    return json;
+}
+
 std::string summaryText(const std::vector<Outcome>& outcomes) {
     std::size_t widest = 20;
     for (const Outcome& outcome : outcomes)
@@ -91,10 +103,8 @@ std::string summaryText(const std::vector<Outcome>& outcomes) {
         const std::string heading =
             data.name == name(data.kind) ? data.name : data.name + " (" + name(data.kind) + ")";
         text += fmt::format("{}: {}, {:.2f} s\n", heading, stateName(data.state), data.elapsed_s);
-        for (const SummaryItem& item : data.summary) {
-            text +=
-                fmt::format("  {:<{}} {:>12.6g} {}\n", item.label, widest, item.value, item.unit);
-        }
+        for (const SummaryItem& item : data.summary)
+            text += summaryLine(item, widest);
         for (const std::string& warning : data.warnings)
             text += "  note: " + warning + "\n";
         for (const std::filesystem::path& file : outcome.files)
@@ -113,7 +123,7 @@ std::string summaryJson(const std::vector<Outcome>& outcomes) {
                 settings[setting.key] = data.settings.text(setting.key);
         Json summary = Json::array();
         for (const SummaryItem& item : data.summary)
-            summary.push_back({{"label", item.label}, {"value", item.value}, {"unit", item.unit}});
+            summary.push_back(jsonOf(item));
         Json files = Json::array();
         for (const std::filesystem::path& file : outcome.files)
             files.push_back(file.string());

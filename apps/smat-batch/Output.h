@@ -48,6 +48,12 @@ struct Outcome {
     std::vector<std::filesystem::path> files;
 };
 
+/// A line for people: what, value, its error where that is known, unit; labels fill `widest`
+/// characters.
+std::string summaryLine(const SummaryItem& item, std::size_t widest);
+/// The same as an object: label, value, unit and, where it is known, error.
+nlohmann::ordered_json jsonOf(const SummaryItem& item);
+
 /// A table for people: what, value, unit; then files and warnings.
 std::string summaryText(const std::vector<Outcome>& outcomes);
 /// The same as JSON, with the settings in effect.

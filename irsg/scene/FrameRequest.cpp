@@ -27,7 +27,7 @@ FrameRequest::FrameRequest(const Scene& ofScene, const SensorView& ofView, const
       centre(centreOf(ofView.viewpoint)),
       bands(outputs.bands().empty() ? std::vector<Band>{ofView.sensor.band} : outputs.bands()),
       withSources(outputs.hasSource() && !outputs.hasImage()),
-      withErrors(outputs.hasErrors() &&
+      withErrors(outputs.errors().value_or(ofScene.settings.errors) &&
                  (outputs.hasReports() || !outputs.wavenumbers_per_cm().empty())),
       withImage(outputs.hasImage()),
       alongRange(outputs.isAlongRange() && !outputs.hasImage()),

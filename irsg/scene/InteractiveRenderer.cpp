@@ -9,8 +9,8 @@ Vec3 InteractiveRenderer::referencePoint(std::size_t entity) const {
     return own.pose.toWorld(renderer_->referencePoint(own));
 }
 
-RenderedImage InteractiveRenderer::imageWithReport(bool errors) {
-    Rendered made = render(Outputs::imageWithReports().withErrors(errors));
+RenderedImage InteractiveRenderer::imageWithReport() {
+    Rendered made = render(Outputs::imageWithReports());
     return {std::move(made.image), std::move(made.reports.front())};
 }
 
@@ -32,8 +32,8 @@ std::vector<RenderReport> InteractiveRenderer::measure(const std::vector<Band>& 
 }
 
 IntensitySpectrum
-InteractiveRenderer::measureSpectrum(const std::vector<double>& wavenumbers_per_cm, bool errors) {
-    return render(Outputs::spectrum(wavenumbers_per_cm).withErrors(errors)).spectrum;
+InteractiveRenderer::measureSpectrum(const std::vector<double>& wavenumbers_per_cm) {
+    return render(Outputs::spectrum(wavenumbers_per_cm)).spectrum;
 }
 
 std::unique_ptr<const ScaledView>

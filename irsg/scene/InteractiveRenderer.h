@@ -30,8 +30,8 @@ class InteractiveRenderer {
     /// In the world, at the entity's present pose.
     Vec3 referencePoint(std::size_t entity) const;
 
-    /// Radiance image in W m-2 sr-1 with its report, whose sums have their errors on request.
-    RenderedImage imageWithReport(bool errors = false);
+    /// Radiance image in W m-2 sr-1 with its report.
+    RenderedImage imageWithReport();
     /// The image alone, and of its report how it was drawn: no sums.
     RenderedImage image();
     /// The image for a window that follows what is edited (Outputs::followedImage).
@@ -39,8 +39,7 @@ class InteractiveRenderer {
     /// The report alone (Outputs::reports).
     RenderReport measure();
     std::vector<RenderReport> measure(const std::vector<Band>& bands);
-    IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_per_cm,
-                                      bool errors = false);
+    IntensitySpectrum measureSpectrum(const std::vector<double>& wavenumbers_per_cm);
     /// What measure() would say of all objects together, as a function of scales.
     std::unique_ptr<const ScaledView> scaledView(const std::vector<ScalingInput>& inputs);
     /// The same of measureSpectrum().

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -49,7 +50,8 @@ class Outputs {
     bool hasReports() const { return reports_; }
     bool isAlongRange() const { return alongRange_; }
     bool hasSource() const { return source_; }
-    bool hasErrors() const { return errors_; }
+    /// Whether the sums come with their errors; not set: as RenderSettings::errors says.
+    std::optional<bool> errors() const { return errors_; }
     bool isByObject() const { return byObject_; }
     /// None: that of the sensor.
     const std::vector<Band>& bands() const { return bands_; }
@@ -63,7 +65,8 @@ class Outputs {
     Outputs() = default;
 
     bool image_ = false, followed_ = false, reports_ = false, alongRange_ = false, source_ = false,
-         errors_ = false, byObject_ = false;
+         byObject_ = false;
+    std::optional<bool> errors_;
     std::vector<Band> bands_;
     std::vector<double> wavenumbers_per_cm_;
     std::vector<ScalingInput> scalings_;
@@ -71,7 +74,7 @@ class Outputs {
 
 class Outputs::ImageWithReports : public Outputs {
   public:
-    /// The sums come with their errors (ErrorParts).
+    /// The sums come with their errors (ErrorParts) or without, whatever the settings say.
     ImageWithReports withErrors(bool on = true) const {
         ImageWithReports made = *this;
         made.errors_ = on;
@@ -104,7 +107,7 @@ class Outputs::Reports : public Outputs {
         made.source_ = on;
         return made;
     }
-    /// The sums come with their errors (ErrorParts).
+    /// The sums come with their errors (ErrorParts) or without, whatever the settings say.
     Reports withErrors(bool on = true) const {
         Reports made = *this;
         made.errors_ = on;
@@ -118,7 +121,7 @@ class Outputs::Reports : public Outputs {
 
 class Outputs::OfSpectrum : public Outputs {
   public:
-    /// Its numbers come with their errors (ErrorParts).
+    /// Its numbers come with their errors (ErrorParts) or without, whatever the settings say.
     OfSpectrum withErrors(bool on = true) const {
         OfSpectrum made = *this;
         made.errors_ = on;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct SummaryItem {
     std::string label;
     double value = 0.0;
     std::string unit;
+    std::optional<double> error = {}; ///< in the same unit, see docs/errors.md
 };
 
 /// One analysis: what it is asked, and, once AnalysisGenerator has run it, what came out.

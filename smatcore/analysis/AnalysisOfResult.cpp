@@ -8,6 +8,7 @@
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/Conditions.h"
+#include "smatcore/analysis/ErrorColumns.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/settings/SettingKeys.h"
 
@@ -126,13 +127,32 @@ AnalysisData analysisOf(const StatedProvenance& stated, const std::vector<Projec
     return data;
 }
 
+/// Earlier versions had no errors by default: a result that neither states nor has some is run
+/// without.
+void takeErrorsFrom(const AnalysisData& loaded, AnalysisData& data) {
+    const auto isError = [](const std::string& key) {
+        return key.starts_with(errorPrefixes(ErrorColumns::sum).front());
+    };
+    const bool hasErrors =
+        std::ranges::any_of(loaded.table.columns(), isError, &ResultColumn::key) ||
+        std::ranges::any_of(loaded.image.attributes,
+                            [&](const auto& attribute) { return isError(attribute.first); });
+    if (hasErrors || !data.settings.isDefault(key::renderErrors))
+        return;
+    data.settings.set(key::renderErrors, "off");
+    data.project.settings = data.settings;
+}
+
 } // namespace
 
 AnalysisData analysisOfResult(const AnalysisData& loaded, const std::filesystem::path& file,
                               const std::vector<Project>& open, std::vector<std::string>* remarks) {
-    return loaded.image.empty()
-               ? analysisOf(StatedProvenance(loaded.table.provenance, file), open, remarks)
-               : analysisOfImage(loaded.image, file, open, remarks);
+    AnalysisData data =
+        loaded.image.empty()
+            ? analysisOf(StatedProvenance(loaded.table.provenance, file), open, remarks)
+            : analysisOfImage(loaded.image, file, open, remarks);
+    takeErrorsFrom(loaded, data);
+    return data;
 }
 
 AnalysisData analysisOfImage(const irsg::RadianceImage& image, const std::filesystem::path& file,

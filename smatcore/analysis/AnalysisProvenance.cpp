@@ -9,6 +9,7 @@
 #include "irsg/core/ProgramVersion.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
+#include "smatcore/analysis/ErrorColumns.h"
 #include "smatcore/analysis/InputFiles.h"
 #include "smatcore/data/ColumnName.h"
 #include "smatcore/project/ModelFields.h"
@@ -22,6 +23,15 @@ namespace {
 
 using irsg::Quantity;
 
+/// What the table has beside a number.
+std::optional<double> errorBeside(const ResultTable& table, ColumnName name, std::size_t row) {
+    name.prefix = errorPrefixes(ErrorColumns::sum).front();
+    const ResultColumn* column = table.find(name.key());
+    if (column == nullptr || !std::isfinite(column->values.at(row)))
+        return std::nullopt;
+    return column->values[row];
+}
+
 void addColumnExtremes(AnalysisData& data, Quantity quantity, Quantity abscissa) {
     const ResultColumn* axis = data.table.find(abscissa);
     for (const ResultColumn* column : columnsOf(data.table, irsg::info(quantity).key)) {
@@ -33,12 +43,14 @@ void addColumnExtremes(AnalysisData& data, Quantity quantity, Quantity abscissa)
             std::minmax_element(column->values.begin(), column->values.end());
         const std::string band = parts.band.empty() ? "" : ", " + parts.which() + ",";
         const std::string label = std::string(irsg::info(quantity).label) + band;
-        const auto where = [&](std::vector<double>::const_iterator it) {
-            const double at = axis->values[static_cast<std::size_t>(it - column->values.begin())];
-            return fmt::format(" at {:.6g} {}", at, axis->unit);
+        const auto add = [&](const char* which, std::vector<double>::const_iterator it) {
+            const auto row = static_cast<std::size_t>(it - column->values.begin());
+            data.summary.push_back(
+                {fmt::format("{} {} at {:.6g} {}", which, label, axis->values[row], axis->unit),
+                 *it, column->unit, errorBeside(data.table, parts, row)});
         };
-        data.summary.push_back({"Largest " + label + where(most), *most, column->unit});
-        data.summary.push_back({"Least " + label + where(least), *least, column->unit});
+        add("Largest", most);
+        add("Least", least);
     }
 }
 
@@ -75,8 +87,9 @@ void addImageNumbers(AnalysisData& data) {
                                     Quantity::irradiance, Quantity::pixels}) {
         const ResultColumn* column = data.table.find(quantity);
         if (column != nullptr && !column->values.empty()) {
-            data.summary.push_back(
-                {std::string(irsg::info(quantity).label), column->values.front(), column->unit});
+            data.summary.push_back({std::string(irsg::info(quantity).label), column->values.front(),
+                                    column->unit,
+                                    errorBeside(data.table, ColumnName::of(column->key), 0)});
         }
     }
 }

@@ -192,6 +192,13 @@ irsg::RenderSettings renderSettingsOf(const Settings& settings) {
     render.widebandError = settings[key::renderWidebandError];
     render.ambientReflection =
         valueOf(reflectionWords, settings.text(key::renderAmbientReflection));
+    if (settings.isSet(key::renderBounces) && render.bounces != 0 &&
+        render.ambientReflection == irsg::ReflectionMode::approx)
+        throw irsg::InputError(
+            {"settings", key::renderBounces.name, settings.text(key::renderBounces),
+             std::string("0, or ") + key::renderAmbientReflection.name +
+                 " off or smart: approx is independent of geometry and has no light between "
+                 "surfaces"});
     render.mode = settings.text(key::sensorMode) == "ck" ? irsg::CalculationMode::wideband
                                                          : irsg::CalculationMode::spectral;
     render.fluxWeights = valueOf(fluxWeightWords, settings.text(key::renderFluxWeights));
@@ -213,6 +220,7 @@ irsg::RenderSettings renderSettingsOf(const Settings& settings) {
     render.terrainHides = settings[key::renderTerrainHides];
     render.maximumLayers = settings[key::renderLayers];
     render.truthLayers = settings[key::imageTruthLayers];
+    render.errors = settings.text(key::renderErrors) != "off";
     return render;
 }
 

@@ -57,8 +57,11 @@ int numberOf(const std::string& stem) {
 
 Json summaryJson(const std::vector<SummaryItem>& summary) {
     Json list = Json::array();
-    for (const SummaryItem& item : summary)
+    for (const SummaryItem& item : summary) {
         list.push_back({{"label", item.label}, {"value", item.value}, {"unit", item.unit}});
+        if (item.error)
+            list.back()["error"] = *item.error;
+    }
     return list;
 }
 
@@ -76,9 +79,12 @@ struct Words {
 std::vector<SummaryItem> summaryOf(const JsonReader& list) {
     std::vector<SummaryItem> summary;
     for (const JsonReader& item : list.listOrNone())
-        if (item.isObject("an object with label, value and unit"))
+        if (item.isObject("an object with label, value and unit")) {
             summary.push_back({item.at("label").textOr(""), item.at("value").numberOrNull(),
                                item.at("unit").textOr("")});
+            if (item.has("error"))
+                summary.back().error = item.at("error").number();
+        }
     return summary;
 }
 

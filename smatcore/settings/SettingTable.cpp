@@ -340,10 +340,10 @@ void addRendering(std::vector<SettingInfo>& table) {
              "Terrain hides what is behind it; otherwise it is a picture behind all objects.",
              SettingAudience::expert));
     samples.add(named(choice(key::renderErrors, "--errors", "Errors of results",
-                             {"off", "sum", "causes"}, "off",
+                             {"off", "sum", "causes"}, ofLibrary.errors ? "sum" : "off",
                              "Error bounds (95 %) beside the intensities, contrast and irradiance "
                              "of sweeps, spectra and images: their sum, or also by cause "
-                             "(sampling, air, background). Takes up to twice the time."),
+                             "(sampling, air, background, inter-reflection)."),
                       {"off", "sum of all causes", "by cause"}));
     samples.add(choiceOrNumber(
         key::renderTargetError, "--target-error", "Target error", "%", {"none"}, 0.001, 50, "none",

@@ -202,7 +202,7 @@ class ScenarioRun {
             return;
         const std::vector<irsg::Band> bands = run_.scenario.sensors[sensor].scene.allBands();
         const std::vector<irsg::RenderReport> reports =
-            placed.render(door_, irsg::Outputs::reports(bands)).reports;
+            placed.render(door_, irsg::Outputs::reports(bands).withErrors(false)).reports;
         Views views =
             placed.render(door_, irsg::Outputs::scaledView(inputs, bands).byObject()).scaled;
         const std::size_t perBand = 1 + static_cast<std::size_t>(drawn);

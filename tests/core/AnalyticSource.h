@@ -125,6 +125,7 @@ class AnalyticSource {
     irsg::Viewpoint viewpoint;
     std::vector<irsg::Vec3> positions; ///< of the camera in every view that was asked for
     int drawings = 0;
+    bool statesErrors = true; ///< where they are asked for
 
   protected:
     void inEachBand(const irsg::Outputs& outputs, const std::function<void()>& work) {
@@ -144,18 +145,35 @@ class AnalyticSource {
         scene.sensor = view.sensor;
         viewpoint = view.viewpoint;
         positions.push_back(viewpoint.position_m);
-        if (outputs.hasImage()) {
-            return image(outputs);
-        }
         irsg::Rendered made;
-        if (outputs.hasReports()) {
+        if (outputs.hasImage()) {
+            made = image(outputs);
+        } else if (outputs.hasReports()) {
             made.reports = reports(outputs);
         } else if (!outputs.scalings().empty()) {
             made.scaled = scaledViews(outputs);
         } else {
             made.spectrum = spectrum(outputs.wavenumbers_per_cm());
         }
+        if (statesErrors && outputs.errors().value_or(true)) {
+            addErrors(made);
+        }
         return made;
+    }
+    /// Of what an heir states none of: closed forms are exact.
+    static void addErrors(irsg::Rendered& made) {
+        const auto add = [](irsg::ObjectRadiometry& sums) {
+            if (!sums.errors) {
+                sums.errors.emplace();
+            }
+        };
+        for (irsg::RenderReport& report : made.reports) {
+            add(report.all);
+            for (irsg::ObjectRadiometry& object : report.objects) {
+                add(object);
+            }
+        }
+        made.spectrum.errors.resize(made.spectrum.wavelengths_um.size());
     }
 };
 

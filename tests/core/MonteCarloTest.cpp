@@ -223,7 +223,7 @@ TEST_F(MonteCarloTest, WritesBandsThatAscendWithTheirProvenance) {
                                            "standard_deviation [W sr-1]", "standard_error [W sr-1]",
                                            "minimum [W sr-1]", "p2.5 [W sr-1]", "p50 [W sr-1]",
                                            "p97.5 [W sr-1]", "maximum [W sr-1]",
-                                           "error_numerical [W sr-1]"));
+                                           "error_numerical [W sr-1]", "error_nominal [W sr-1]"));
     for (std::size_t k = 0; k < table.rowCount(); ++k) {
         for (std::size_t c = 6; c < 10; ++c) {
             EXPECT_GT(table.columns()[c].values[k], table.columns()[c - 1].values[k]);

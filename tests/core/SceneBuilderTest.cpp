@@ -109,6 +109,36 @@ TEST_F(SceneBuilderTest, TakesEveryNumberOverInTheUnitsOfTheRenderer) {
     EXPECT_EQ(scene.settings.background, irsg::BackgroundMode::constant);
     EXPECT_EQ(scene.settings.background_W_m2_sr, 2.5);
     EXPECT_EQ(scene.settings.maximumLayers, 3);
+    EXPECT_TRUE(scene.settings.errors);
+}
+
+TEST(RenderSettingsOf, AreWithoutErrorsOnlyWhereTheseAreOff) {
+    for (const auto& [word, expected] :
+         {std::pair("off", false), {"sum", true}, {"causes", true}}) {
+        Settings settings;
+        settings.set("render.errors", word);
+        EXPECT_EQ(renderSettingsOf(settings).errors, expected) << word;
+    }
+    EXPECT_TRUE(renderSettingsOf(Settings()).errors) << "as the library has it";
+}
+
+TEST(RenderSettingsOf, RefuseReflectionsBetweenSurfacesThatApproximateFluxesDoNotHave) {
+    struct Row {
+        const char *bounces, *ambient;
+        bool isRefused;
+    };
+    for (const Row& row : {Row{"converged", "approx", true}, Row{"2", "approx", true},
+                           Row{"0", "approx", false}, Row{nullptr, "approx", false},
+                           Row{"2", "smart", false}, Row{"converged", "off", false}}) {
+        Settings settings;
+        settings.set("render.ambientReflection", row.ambient);
+        if (row.bounces != nullptr) {
+            settings.set("render.bounces", row.bounces);
+        }
+        const std::string refusal = test::refusalOf([&] { (void)renderSettingsOf(settings); });
+        EXPECT_EQ(refusal.find("render.bounces") != std::string::npos, row.isRefused)
+            << row.ambient << " " << refusal;
+    }
 }
 
 TEST_F(SceneBuilderTest, LoadsEachFileOnceUntilItChanges) {

@@ -87,14 +87,15 @@ TEST(SweepTable, HasTheColumnsOfOneObjectInOneBandWithoutObjectOrBand) {
     AnalysisGenerator(sphere, test::sceneWithoutFiles).run(data);
     EXPECT_THAT(headers(data.table),
                 ElementsAre("range [m]", "intensity [W sr-1]", "contrast_intensity [W sr-1]",
-                            "irradiance [W m-2]", "pixels"));
+                            "irradiance [W m-2]", "pixels", "error_intensity [W sr-1]",
+                            "error_contrast_intensity [W sr-1]", "error_irradiance [W m-2]"));
 }
 
 /// A sphere whose numbers are known to 1, 2 and 2 % by cause.
 class Uncertain : public GreySphere {
   public:
     std::vector<irsg::RenderReport> reports(const irsg::Outputs& outputs) override {
-        asked = outputs.hasErrors();
+        asked = outputs.errors().value_or(true);
         std::vector<irsg::RenderReport> made = GreySphere::reports(outputs);
         for (irsg::RenderReport& report : made) {
             if (asked) {
@@ -106,7 +107,7 @@ class Uncertain : public GreySphere {
     irsg::Rendered image(const irsg::Outputs& outputs) override {
         irsg::Rendered rendered = GreySphere::image(outputs);
         irsg::ObjectRadiometry& all = rendered.reports.front().all;
-        if (outputs.hasErrors()) {
+        if (outputs.errors().value_or(true)) {
             all.errors = errorsOf(all);
         }
         return rendered;
@@ -155,6 +156,7 @@ TEST(SweepTable, HasTheErrorsOfItsNumbersBehindThemWhereTheyAreAskedFor) {
 
 TEST(SweepTable, SaysThatASourceDoesNotKnowItsErrors) {
     GreySphere sphere;
+    sphere.statesErrors = false;
     AnalysisData data =
         asked(AnalysisKind::range, {{"range.points", "2"}, {"render.errors", "sum"}});
     AnalysisGenerator(sphere, test::sceneWithoutFiles).run(data);
@@ -247,13 +249,18 @@ TEST(SweepTable, EveryObjectHasItsColumnsAtItsOwnRangeBesideTheirSum) {
     AnalysisData data = asked(
         AnalysisKind::range, {{"range.from", "1000"}, {"range.to", "2000"}, {"range.points", "2"}});
     AnalysisGenerator(spheres, twoSpheres).run(data);
-    EXPECT_THAT(headers(data.table),
-                ElementsAre("range [m]", "intensity [W sr-1]", "contrast_intensity [W sr-1]",
-                            "irradiance [W m-2]", "pixels", "ball.range [m]",
-                            "ball.intensity [W sr-1]", "ball.contrast_intensity [W sr-1]",
-                            "ball.irradiance [W m-2]", "ball.pixels", "ball-2.range [m]",
-                            "ball-2.intensity [W sr-1]", "ball-2.contrast_intensity [W sr-1]",
-                            "ball-2.irradiance [W m-2]", "ball-2.pixels"));
+    EXPECT_THAT(
+        headers(data.table),
+        ElementsAre("range [m]", "intensity [W sr-1]", "contrast_intensity [W sr-1]",
+                    "irradiance [W m-2]", "pixels", "error_intensity [W sr-1]",
+                    "error_contrast_intensity [W sr-1]", "error_irradiance [W m-2]",
+                    "ball.range [m]", "ball.intensity [W sr-1]", "ball.contrast_intensity [W sr-1]",
+                    "ball.irradiance [W m-2]", "ball.pixels", "error_ball.intensity [W sr-1]",
+                    "error_ball.contrast_intensity [W sr-1]", "error_ball.irradiance [W m-2]",
+                    "ball-2.range [m]", "ball-2.intensity [W sr-1]",
+                    "ball-2.contrast_intensity [W sr-1]", "ball-2.irradiance [W m-2]",
+                    "ball-2.pixels", "error_ball-2.intensity [W sr-1]",
+                    "error_ball-2.contrast_intensity [W sr-1]", "error_ball-2.irradiance [W m-2]"));
     const double one = irsg::pi * 0.9 * irsg::bandRadiance_W_m2_sr(irsg::Band::topHat(3, 5), 320.0);
     for (std::size_t row = 0; row < 2; ++row) {
         EXPECT_NEAR(column(data, "intensity")[row] / (2.0 * one), 1.0, 1e-9);

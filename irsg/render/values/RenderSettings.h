@@ -61,12 +61,13 @@ inline constexpr double largestPointSource_px = 1.0;
 /// from here.
 struct RenderSettings {
     /// Light that comes from one surface alone: without shadows of the sun and inter-reflection,
-    /// before a background of one row.
+    /// before a background of one row. Its numbers come without errors.
     static RenderSettings direct() {
         RenderSettings settings;
         settings.sunShadows = SunShadowMode::off;
         settings.bounces = 0;
         settings.backgroundRows = 1;
+        settings.errors = false;
         return settings;
     }
 
@@ -133,6 +134,9 @@ struct RenderSettings {
     /// cut into slices of range; else the air is that of their reference point and a bound of the
     /// error is reported. See AtmosphereSlices.
     double atmosphereSliceFrom = 0.02;
+    /// The sums over objects come with their errors (ErrorParts), which follow from the samples
+    /// that are there; see RenderErrorEstimator.
+    bool errors = true;
 
     bool operator==(const RenderSettings&) const = default;
 };
