@@ -30,6 +30,9 @@ class DetectionCommand {
         numbers_.add("--snr", "", "Signal to noise ratio at which the target is detected, 5");
         numbers_.add("--nearest", "m", "Where the search begins, 100");
         numbers_.add("--farthest", "m", "Where it ends, 1000000");
+        numbers_.add("--looks", "",
+                     "Ranges per decade at which the ratio is looked at before its root is found, "
+                     "4; more find crossings that lie closer");
         numbers_.add("--background-temperature", "K",
                      "Of the background whose photons make noise; when not given that of the "
                      "scene behind the target");
@@ -103,6 +106,7 @@ class DetectionCommand {
             throw refusal("--farthest", irsg::numberText(request.limits.farthest_m),
                           "a range beyond the nearest, " +
                               irsg::numberText(request.limits.nearest_m) + " m");
+        numbers_.takeWhole("--looks", request.limits.looksPerDecade, 1.0, 1000.0);
         if (numbers_.value("--background-temperature"))
             request.background_K = positive("--background-temperature", 300.0);
         const auto word = std::ranges::find(placeWords, place_);

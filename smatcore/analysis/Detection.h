@@ -24,7 +24,7 @@ enum class PointPlace {
 struct DetectionRequest {
     irsg::SensorDescription sensor;
     double threshold = 5.0; ///< signal to noise ratio, > 0
-    irsg::RangeLimits limits{.nearest_m = 100.0, .farthest_m = 1e6, .looksPerDecade = 10};
+    irsg::RangeLimits limits{.nearest_m = 100.0, .farthest_m = 1e6, .looksPerDecade = 4};
     PointPlace place = PointPlace::centre;
     /// Of the noise; none: that of the scene behind the target, at each range.
     std::optional<double> background_K;
