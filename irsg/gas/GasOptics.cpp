@@ -69,10 +69,10 @@ constexpr std::array<Stated, 9> radcalErrors = {{
 
 constexpr std::array<Stated, 6> linesErrors = {{
     {HotGas::CO2, 780.0, 1300.0, {0.10, 0.15, 0.30, 0.50, 0.60}},
-    {HotGas::CO2, 0.0, all_per_cm, {0.04, 0.05, 0.06, 0.12, 0.20}},
+    {HotGas::CO2, 0.0, all_per_cm, {0.05, 0.05, 0.06, 0.12, 0.20}},
     {HotGas::H2O, 0.0, 1300.0, {0.10, 0.12, 0.15, 0.40, 0.50}},
-    {HotGas::H2O, 0.0, all_per_cm, {0.05, 0.06, 0.10, 0.20, 0.25}},
-    {HotGas::CO, 0.0, all_per_cm, {0.03, 0.03, 0.04, 0.06, 0.08}},
+    {HotGas::H2O, 0.0, all_per_cm, {0.06, 0.06, 0.10, 0.20, 0.25}},
+    {HotGas::CO, 0.0, all_per_cm, {0.05, 0.05, 0.05, 0.06, 0.08}},
     {HotGas::CH4, 0.0, all_per_cm, {0.08, 0.20, 0.45, 1.0, 1.0}},
 }};
 

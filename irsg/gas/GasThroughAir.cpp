@@ -15,6 +15,8 @@ namespace irsg {
 namespace {
 
 constexpr double atmosphere_hPa = 1013.25;
+constexpr double narrowest_per_cm = 5.0; ///< means of fewer samples are chance
+constexpr std::size_t fewest = 20;
 
 const GasTable& samples() {
     static const std::shared_ptr<const GasTable> table =
@@ -93,20 +95,26 @@ std::vector<LineCorrelation> lineCorrelations(const GasRequest& request,
     std::vector<LineCorrelation> correlations(cells.size());
     if (cells.empty())
         return correlations;
-    const auto [first, last] = bins.range(cells.front().lower_per_cm, cells.back().upper_per_cm);
+    const auto [first, last] = bins.range(cells.front().lower_per_cm - narrowest_per_cm,
+                                          cells.back().upper_per_cm + narrowest_per_cm);
     std::vector<std::uint32_t> nodes;
     for (std::size_t b = first; b < last; ++b)
         nodes.insert(nodes.end(), bins.nodes.begin() + bins.bins[b].first,
                      bins.nodes.begin() + bins.bins[b].first + bins.bins[b].count);
     const Fine fine = fineSpectra(request, nodes, air, length_m);
+    std::vector<double> wavenumbers_per_cm;
+    for (const std::uint32_t node : nodes)
+        wavenumbers_per_cm.push_back(samples().wavenumber_per_cm(node));
     for (std::size_t c = 0; c < cells.size(); ++c) {
-        // All bins that the cell touches; narrow cells have the value of their bin.
-        const auto [from, to] =
-            bins.range(cells[c].lower_per_cm + 1e-6, cells[c].upper_per_cm - 1e-6);
-        std::size_t begin = 0, count = 0;
-        for (std::size_t b = first; b < to; ++b)
-            (b < from ? begin : count) += bins.bins[b].count;
-        if (count == 0)
+        // The samples of the cell, of a narrow one those around its middle.
+        const double middle = 0.5 * (cells[c].lower_per_cm + cells[c].upper_per_cm);
+        const double half =
+            0.5 * std::max(narrowest_per_cm, cells[c].upper_per_cm - cells[c].lower_per_cm);
+        const auto from = std::ranges::lower_bound(wavenumbers_per_cm, middle - half);
+        const auto to = std::ranges::lower_bound(wavenumbers_per_cm, middle + half);
+        const auto begin = static_cast<std::size_t>(from - wavenumbers_per_cm.begin());
+        const auto count = static_cast<std::size_t>(to - from);
+        if (count < fewest)
             continue;
         correlations[c] = {correlation(fine.air, fine.radiance, begin, count),
                            correlation(fine.air, fine.gas, begin, count)};

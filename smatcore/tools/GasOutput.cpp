@@ -93,6 +93,9 @@ class Output {
         return request_.path ? transmittance_[cell] * correlations_[cell].transmittance : 1.0;
     }
 
+    /// Stated, of the coincidence of lines: what samples differ from line by line by.
+    double correlationError() const { return isCorrelated_ ? 0.03 : 0.0; }
+
     bool isThere(std::size_t emitter) const {
         return std::ranges::any_of(request_.gas.layers, [&](const irsg::GasLayer& layer) {
             return emitter < irsg::hotGasCount ? layer.moleFraction[emitter] > 0.0
@@ -124,7 +127,7 @@ class Output {
             std::vector<double> row = {
                 cell.wavenumber_per_cm, irsg::wavelengthFromWavenumber_um(cell.wavenumber_per_cm),
                 cell.radiance_W_m2_sr_um * tau, cell.transmittance * beforeTransmittance(i),
-                cell.error_W_m2_sr_um * tau};
+                (cell.error_W_m2_sr_um + correlationError() * cell.radiance_W_m2_sr_um) * tau};
             for (std::size_t e = 0; e < irsg::gasEmitterCount; ++e)
                 if (isThere(e))
                     row.push_back(cell.added_W_m2_sr_um[e] * tau);

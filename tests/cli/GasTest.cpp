@@ -100,6 +100,30 @@ TEST_F(SmatBatchGas, IsSeenThroughAnAtmosphere) {
     EXPECT_EQ(near.provenance.value("range [m]"), "1000");
 }
 
+TEST_F(SmatBatchGas, KnowsThatItsLinesCoincideWithThoseOfAComputedAtmosphere) {
+    const std::string air = (std::filesystem::path(SMAT_SOURCE_DIR) / "resources" / "atmospheres" /
+                             "midlatitude-summer-rural-23km.xml")
+                                .string();
+    const std::string water = "T_K=700,p_atm=1,length_m=1,H2O=0.05";
+    const ResultTable table = made({"--layer", water, "--band", "4.55-5", "--atmosphere", air,
+                                    "--altitude", "20", "--range", "1000"});
+    const double radiance = number(table, "band_radiance [W m-2 sr-1]");
+    const double product = number(table, "band_radiance_product [W m-2 sr-1]");
+    EXPECT_GT(radiance, 0.25 * product);
+    EXPECT_LT(radiance, 0.5 * product);
+    EXPECT_GT(number(table, "error_band_radiance [W m-2 sr-1]"), 0.03 * radiance);
+    EXPECT_THAT(table.provenance.value("correlation of lines"), HasSubstr("line by line"));
+    EXPECT_EQ(table.provenance.value("warning"), "");
+    // An atmosphere that is a transmittance alone cannot tell.
+    write(folder / "haze.csv", "# name: haze\n# air_temperature [K]: 290\n"
+                               "wavelength [um],extinction [km-1]\n2.5,1\n6,1\n");
+    const ResultTable grey = made({"--layer", water, "--band", "4.55-5", "--atmosphere", "haze.csv",
+                                   "--altitude", "20", "--range", "1000"});
+    EXPECT_EQ(number(grey, "band_radiance [W m-2 sr-1]"),
+              number(grey, "band_radiance_product [W m-2 sr-1]"));
+    EXPECT_THAT(grey.provenance.value("warning"), HasSubstr("haze"));
+}
+
 struct Row {
     const char* name;
     std::vector<std::string> arguments, named;

@@ -195,7 +195,7 @@ void makeLines(const Folders& folders, const LinesTable& wanted, const irsg::lbl
             table.inverseSpacings[t][row] = bands[row].inverseSpacing_cm;
             squares += bands[row].rmsError * bands[row].rmsError;
         }
-        std::cout << name << " " << T << " K: fitted to "
+        std::cout << name << " " << T << " K: fitted to (relative) "
                   << std::sqrt(squares / static_cast<double>(bands.size())) << std::endl;
     }
     const auto grow = [&](double linesTo_K, double lower_per_cm, double upper_per_cm) {

@@ -10,9 +10,9 @@ namespace irsg::lbl {
 
 namespace {
 
-constexpr std::array<double, 6> depths = {0.1, 0.3, 1.0, 3.0, 10.0, 30.0};
+constexpr std::array<double, 7> depths = {0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0};
 
-/// Transmittances of a band at the depths, line by line.
+/// Mean transmittances of a band at the depths, line by line.
 std::array<double, depths.size()> transmittances(std::span<const double> relative) {
     std::array<double, depths.size()> means{};
     for (std::size_t d = 0; d < depths.size(); ++d) {
@@ -42,7 +42,8 @@ FittedBand fitBand(std::span<const double> crossSections_cm2, double centre_per_
             NarrowBandSum layer;
             layer.add({depths[d], task.collision_per_cm * inverse,
                        task.dopplerPerWavenumber * centre_per_cm * inverse});
-            const double difference = std::exp(-layer.opticalDepth(task.law)) - wanted[d];
+            const double difference =
+                -std::expm1(-layer.opticalDepth(task.law)) / (1.0 - wanted[d]) - 1.0;
             sum += difference * difference;
         }
         return sum;

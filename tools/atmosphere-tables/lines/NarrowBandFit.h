@@ -24,11 +24,12 @@ struct NarrowBandTask {
 struct FittedBand {
     double crossSection_cm2 = 0.0;
     double inverseSpacing_cm = 0.0;
-    double rmsError = 0.0; ///< of the transmittance at the depths of the fit
+    double rmsError = 0.0; ///< of the absorptance, relative, at the depths of the fit
 };
 
 /// The mean of each band is that of line by line, its spacing is the one with which the
-/// transmittance comes nearest to line by line at weak depths X of 0.1 to 30, by least squares.
+/// absorptance comes nearest to line by line at weak depths X of 0.03 to 30, by least squares of
+/// relative errors.
 std::vector<FittedBand> fitNarrowBands(const LineList& list, const PartitionSums& partition,
                                        const NarrowBandTask& task);
 
