@@ -162,6 +162,12 @@ class Output {
             if (isThere(e))
                 add("band_radiance_added_" + irsg::gasEmitterName(e),
                     integral("spectral_radiance_added_" + irsg::gasEmitterName(e)), unit);
+        if (request_.gas.source != irsg::GasSource::radcal) {
+            irsg::GasRequest other = request_.gas;
+            other.source = irsg::GasSource::radcal;
+            add("band_radiance_source_radcal", irsg::gasSpectrum(other).bandRadiance_W_m2_sr(),
+                unit);
+        }
         if (request_.path) {
             add("band_radiance_product", integral("spectral_radiance_product"), unit);
             add("band_radiance_source", integral("spectral_radiance_source"), unit);

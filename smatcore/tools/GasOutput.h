@@ -31,7 +31,7 @@ struct GasOutput {
     /// the product of means (without the coincidence of lines), the radiance before it, both
     /// transmittances and the path radiance.
     ResultTable table;
-    std::vector<SummaryItem> summary; ///< band radiance, its error, transmittance, parts
+    std::vector<SummaryItem> summary; ///< band radiance, its error, transmittance, parts, RADCAL's
     std::vector<std::string> warnings;
 };
 

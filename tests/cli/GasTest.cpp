@@ -66,6 +66,10 @@ TEST_F(SmatBatchGas, WritesJsonWithTheSameNumbers) {
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
     const ResultTable json = ResultTable::load(folder / "gas.json");
     EXPECT_EQ(json.columns(), csv.columns());
+    EXPECT_EQ(csv.provenance.value("band_radiance_source_radcal [W m-2 sr-1]"), "");
+    EXPECT_NEAR(number(made({"--layer", plume}), "band_radiance_source_radcal [W m-2 sr-1]"),
+                number(json, "band_radiance [W m-2 sr-1]"), 1e-9)
+        << "beside what lines say";
     EXPECT_EQ(number(json, "band_radiance [W m-2 sr-1]"),
               number(csv, "band_radiance [W m-2 sr-1]"));
 }
