@@ -20,6 +20,7 @@
 #include "irsg/geometry/reading/IrCodes.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
 #include "irsg/geometry/reading/OsgNotices.h"
+#include "irsg/geometry/reading/OwnPlugins.h"
 #include "irsg/geometry/reading/ProxyNodes.h"
 #include "irsg/geometry/reading/Utf8Names.h"
 #include "irsg/geometry/reading/sandbox/AxesCoding.h"
@@ -56,8 +57,9 @@ class FlightReader {
     FlightReader(const FlightScan& scan, LoadPurpose purpose)
         : scan_(scan),
           purpose_(purpose == LoadPurpose::visible ? FlightFile::Purpose::visible
-                                                   : FlightFile::Purpose::infrared),
-          plugin_(osgDB::Registry::instance()->getReaderWriterForExtension("flt")) {
+                                                   : FlightFile::Purpose::infrared) {
+        preferOwnPlugins();
+        plugin_ = osgDB::Registry::instance()->getReaderWriterForExtension("flt");
         if (!plugin_)
             throw InputError({scan.files.front().path.string(), "",
                               "an OpenFlight file and no OpenFlight plug-in of OpenSceneGraph",

@@ -11,6 +11,7 @@
 #include "irsg/geometry/reading/GuardedReading.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
 #include "irsg/geometry/reading/OsgNotices.h"
+#include "irsg/geometry/reading/OwnPlugins.h"
 #include "irsg/geometry/reading/ProxyNodes.h"
 #include "irsg/geometry/reading/sandbox/CompletenessCheck.h"
 #include "irsg/geometry/reading/text/ModelText.h"
@@ -76,13 +77,7 @@ void setAssimpReading(AssimpReading reading) {
 }
 
 void preparePlugins() {
-    // A copy that brings its own plug-ins has them beside its libraries.
-    osgDB::Registry& registry = *osgDB::Registry::instance();
-    std::error_code failure;
-    const fs::path program = fs::read_symlink("/proc/self/exe", failure);
-    const fs::path libraries = program.parent_path().parent_path() / "lib";
-    if (fs::exists(libraries / registry.createLibraryNameForExtension("flt"), failure))
-        registry.getLibraryFilePathList().push_front(libraries.string());
+    preferOwnPlugins();
 }
 
 LoadedGraph readModelHere(const fs::path& place, const fs::path& file) {
