@@ -212,6 +212,24 @@ TEST(SmatBatchSensor, InAirOfBeersLawTheRangeIsLambertsFunction) {
     EXPECT_NEAR(range_m / (1e4 * w), 1.0, 1e-4);
 }
 
+TEST(SmatBatchSensor, InAirOfABandADenseSearchFindsTheSameRange) {
+    const TemporaryFolder folder;
+    const auto rangeOf = [&](const char* looks) {
+        const Ran ran = smatBatch(with(
+            {"detection", sample("sphere/sphere.smat"), "--sensor", sensorFile(folder),
+             "--atmosphere", std::string(SMAT_SOURCE_DIR) + "/resources/atmospheres/haze-23km.csv",
+             "--step", "180", "--looks", looks, "--out", folder / "r.csv"},
+            plain));
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        const ResultTable table = ResultTable::load(folder / "r.csv");
+        EXPECT_EQ(valueOf(table, "outcome", 0), 0.0);
+        // The ratio is the threshold there, as an own look says.
+        EXPECT_NEAR(valueOf(table, "snr", 0), 5.0, 5e-3);
+        return valueOf(table, "detection_range", 0);
+    };
+    EXPECT_NEAR(rangeOf("4") / rangeOf("40"), 1.0, 1e-5);
+}
+
 } // namespace
 
 } // namespace smat::test
