@@ -49,7 +49,9 @@ extract_block(cpp ${program}.cpp)
 extract_block(cmake CMakeLists.txt)
 
 foreach(package ${packages})
-    run_step("Installing" "${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${WORK}/prefix" --component ${package})
+    foreach(component ${package} ${package}-dev)
+        run_step("Installing" "${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${WORK}/prefix" --component ${component})
+    endforeach()
 endforeach()
 run_step("Configuring" "${CMAKE_COMMAND}" -S . -B build -G "${GENERATOR}"
          "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_BUILD_TYPE=${CONFIGURATION}"

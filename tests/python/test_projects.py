@@ -73,13 +73,17 @@ def test_intensity_is_the_closed_form(sphere):
     assert result.image["L"].max() == pytest.approx(0.9 * smat.Band("3-5").radiance(320.0), rel=1e-6)
 
 
-def test_settings_are_read_and_set(sphere):
+def test_settings_are_read_and_set(sphere, tmp_path, monkeypatch):
     project = sphere.with_settings({"sensor.band": [(3, 5), (8, 12)], "camera.range": 250})
     assert project["camera.range"] == 250.0
     assert project["sensor.band"] == [(3.0, 5.0), (8.0, 12.0)]
     assert project["sensor.width"] == 48
     assert project["render.sun"] == "off"
     assert sphere["camera.range"] == 100.0
+    monkeypatch.chdir(tmp_path)
+    project["sensor.response"] = "filter.csv"
+    assert project["sensor.response"] in (str(tmp_path / "filter.csv"), [str(tmp_path / "filter.csv")])
+    project["sensor.response"] = "none"
     project["camera.azimuth"] = np.float64(30.0)
     project["sensor.band"] = smat.Band("4-5")
     assert project.settings["camera.azimuth"] == 30.0 and project["sensor.band"] == [(4.0, 5.0)]
@@ -90,6 +94,7 @@ def test_every_default_is_a_value():
         value = smat.project.value_of(info, info.default)
         assert smat.find_setting(info.key).key == info.key
         assert isinstance(value, (bool, int, float, str, list)), info.key
+        assert isinstance(value, bool) == (info.kind == "boolean"), info.key
         assert info.expected and info.help and info.label
 
 
@@ -136,6 +141,9 @@ def test_all_diagnostics_come_at_once(sphere):
     with pytest.raises(smat.InputError) as caught:
         sphere.with_settings({"camera.range": "far", "sensor.width": 0})
     assert [one.position for one in caught.value.diagnostics] == ["camera.range", "sensor.width"]
+    first = caught.value
+    assert (first.file, first.position, first.value) == ("settings", "camera.range", "far")
+    assert "number" in first.expected and isinstance(first, ValueError)
 
 
 def test_unknown_options_are_type_errors(sphere):

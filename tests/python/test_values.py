@@ -30,12 +30,10 @@ def test_everything_public_has_a_docstring():
     assert missing == []
 
 
-def test_import_is_quick_and_opens_no_renderer():
+def test_import_opens_no_renderer_and_needs_numpy_alone():
     script = (
-        "import sys, numpy, resource\n"
-        "def processor(): u = resource.getrusage(resource.RUSAGE_SELF); return u.ru_utime + u.ru_stime\n"
-        "start = processor(); import smat; assert 'pandas' not in sys.modules\n"
-        "assert processor() - start < 1.0\n"
+        "import sys, smat\n"
+        "assert not {'pandas', 'xarray', 'matplotlib'} & set(sys.modules)\n"
         "assert 'swrast' not in open('/proc/self/maps').read()\n"
     )
     subprocess.run([sys.executable, "-c", script], check=True, timeout=60)
