@@ -210,7 +210,7 @@ void MainMenus::makeViewMenu(QMenu* menu) {
     for (auto* dock :
          with_.window.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
         menu->addAction(dock->toggleViewAction());
-    add(menu, "collapseDocks", {}, tr("Hide or show &panels"), QKeySequence(Qt::Key_F6),
+    add(menu, "collapseDocks", {}, tr("&Hide or show panels"), QKeySequence(Qt::Key_F6),
         [this] { with_.layout.toggleDocks(); });
 }
 
