@@ -86,14 +86,13 @@ struct SampleViews {
 
 void judgeSamples(int aspects, const std::string& only) {
     // Sensors above the sea or ground that models stand on.
-    const SampleViews samples[] = {
-        {"turboprop4", {-20, 0, 12, 45}, {900, 2500, 10000}},
-        {"heron", {-10, 0, 14, 45}, {120, 1000, 5000}},
-        {"corvette", {1, 4.2, 15, 45}, {230, 1500, 6000}},
-        {"ship", {1, 8, 20, 45}, {400, 1500, 8000}},
-        {"box", {-30, 0, 30, 60}, {300, 1000, 5000}},
-        {"sphere", {-30, 0, 30, 60}, {40, 100, 1000}},
-        {"chessboard", {10, 25, 50, 80}, {60, 300, 2000}}};
+    const SampleViews samples[] = {{"turboprop4", {-20, 0, 12, 45}, {900, 2500, 10000}},
+                                   {"heron", {-10, 0, 14, 45}, {120, 1000, 5000}},
+                                   {"corvette", {1, 4.2, 15, 45}, {230, 1500, 6000}},
+                                   {"ship", {1, 8, 20, 45}, {400, 1500, 8000}},
+                                   {"box", {-30, 0, 30, 60}, {300, 1000, 5000}},
+                                   {"sphere", {-30, 0, 30, 60}, {40, 100, 1000}},
+                                   {"chessboard", {10, 25, 50, 80}, {60, 300, 2000}}};
     ErrorTally tuned, kept;
     std::map<std::string, ErrorTally> of;
     int number = 0;
@@ -109,8 +108,8 @@ void judgeSamples(int aspects, const std::string& only) {
                         // Azimuths that no two combinations share.
                         const double azimuth_deg =
                             360.0 * std::fmod(0.618034 * (number * aspects + k), 1.0);
-                        const auto found = sample.judged(radians(azimuth_deg),
-                                                         radians(elevation_deg), range_m);
+                        const auto found =
+                            sample.judged(radians(azimuth_deg), radians(elevation_deg), range_m);
                         for (const JudgedNumber& one : found) {
                             const bool isContrast = &one == &found[1];
                             (number % 3 == 0 ? kept : tuned).add(one);
