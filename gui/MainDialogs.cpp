@@ -18,6 +18,8 @@
 #include "gui/start/GuidePage.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
+#include "gui/workbench/FirstScene.h"
+#include "gui/workbench/ModelStore.h"
 #include "gui/workbench/PageTabs.h"
 #include "gui/workbench/UnsavedNote.h"
 #include "gui/workbench/Workbench.h"
@@ -99,7 +101,16 @@ void MainDialogs::makeFirstSignature() {
     if (!dialogs_.run(dialog))
         return;
     try {
+        // What was framed as it was opened is framed as it is placed, 12 m long in place of 1200.
+        const Project& project = workbench_.project();
+        const auto model =
+            workbench_.models()->model(ModelKey::of(project, project.models.front()));
+        const bool isFramed =
+            workbench_.chosenModel() == 0 &&
+            firstScene(model->bounds(), workbench_.settings()) == workbench_.settings();
         workbench_.edit(dialog.write(), tr("Make a first signature"));
+        if (const auto bounds = dialog.bounds(); isFramed && bounds)
+            workbench_.set(firstScene(*bounds, workbench_.settings()), tr("Show the whole model"));
         say(tr("Codes and database were written beside the model; refine them in the database"));
     } catch (const irsg::InputError& error) {
         dialogs_.tell(&window_, tr("The first signature cannot be written"), sentencesOf(error));

@@ -199,6 +199,10 @@ std::filesystem::path FirstSignatureDialog::newDatabase() const {
     return file;
 }
 
+std::optional<irsg::BoundingBox> FirstSignatureDialog::bounds() const {
+    return placing_->bounds();
+}
+
 Project FirstSignatureDialog::write() const {
     const auto first = irsg::firstSignatureOf(surfaces(), model_.stem().string());
     irsg::ModelCodes codes = first.codes;

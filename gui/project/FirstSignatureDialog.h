@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include <QDialog>
@@ -35,6 +36,8 @@ class FirstSignatureDialog : public QDialog {
     /// Writes the codes beside the model and a new database beside them; painted faces stay. Gives
     /// the project with both. Throws irsg::InputError.
     Project write() const;
+    /// Of the model as it is placed, in m; none until it is read.
+    std::optional<irsg::BoundingBox> bounds() const;
 
   private:
     struct Row {

@@ -28,7 +28,8 @@ Settings firstScene(const irsg::BoundingBox& bounds, Settings usual) {
     const double fov_rad = irsg::radians(usual[key::sensorFov]);
     usual.set(key::cameraRange, rounded(OrbitCamera::rangeToShow(radius_m, fov_rad)));
     // What is large stands higher: nothing of it below the ground.
-    usual.set(key::targetAltitude, rounded(std::max(usual[key::targetAltitude], 2.0 * radius_m)));
+    usual.set(key::targetAltitude,
+              rounded(std::max(Settings()[key::targetAltitude], 2.0 * radius_m)));
     const auto folder = dataFolder("resources/atmospheres");
     if (const auto file = folder / air; !folder.empty() && std::filesystem::exists(file))
         usual.set(key::environmentAtmospheres, file.string());
