@@ -32,9 +32,10 @@ std::string suffixOf(const QString& filter) {
     return filter.section('*', -1).chopped(1).toStdString();
 }
 
-/// That the disk is full, as the system or as we call it.
+/// That the disk is full, as the system, the terminal or the window calls it.
 bool saysWhy(const std::string& sentence) {
     return sentence.find("No space left on device") != std::string::npos ||
+           sentence.find("a full disk") != std::string::npos ||
            sentence.find("the disk is full") != std::string::npos;
 }
 
