@@ -108,9 +108,11 @@ void MainDialogs::makeFirstSignature() {
         const bool isFramed =
             workbench_.chosenModel() == 0 &&
             firstScene(model->bounds(), workbench_.settings()) == workbench_.settings();
-        workbench_.edit(dialog.write(), tr("Make a first signature"));
+        Project edited = dialog.write();
+        edited.settings = workbench_.settings();
         if (const auto bounds = dialog.bounds(); isFramed && bounds)
-            workbench_.set(firstScene(*bounds, workbench_.settings()), tr("Show the whole model"));
+            edited.settings = firstScene(*bounds, edited.settings);
+        workbench_.editWhole(edited, tr("Make a first signature"));
         say(tr("Codes and database were written beside the model; refine them in the database"));
     } catch (const irsg::InputError& error) {
         dialogs_.tell(&window_, tr("The first signature cannot be written"), sentencesOf(error));

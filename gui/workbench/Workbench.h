@@ -65,6 +65,8 @@ class Workbench : public QObject {
     void set(const Settings& settings, const QString& step = {});
     /// Changes everything else of a project; its file and settings are not touched.
     void edit(const Project& project, const QString& step);
+    /// Changes project and settings together, as a step; the file is not touched.
+    void editWhole(const Project& edited, const QString& step);
     /// The models of the project, as steps: see SceneModels.h and ModelFields.h. Throw
     /// irsg::InputError, and then nothing changes.
     void addModel(const ProjectModel& model);
@@ -154,8 +156,6 @@ class Workbench : public QObject {
     /// Lets go of models that the project no longer names.
     void keepModels();
     void followDatabase(bool anew);
-    /// Project and settings together, as a step.
-    void editWhole(const Project& edited, const QString& step);
     void chooseModelWith(const std::filesystem::path& database);
     /// Path of a model's database; empty where it has none.
     std::filesystem::path databaseFile(std::size_t model) const;
