@@ -179,6 +179,9 @@ void FirstSignatureDialog::fill(const irsg::ModelNames& names) {
             .arg(textOf(irsg::codesFileOf(model_).filename()), textOf(newDatabase().filename())));
     isReady_ = true;
     create_->setEnabled(placing_->isRight());
+    // While the model was read, Cancel was the only button that Enter could press.
+    if (create_->isEnabled())
+        create_->setFocus();
 }
 
 std::vector<irsg::FirstSurface> FirstSignatureDialog::surfaces() const {
