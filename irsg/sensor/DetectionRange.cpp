@@ -2,56 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <cstdint>
+#include <numeric>
 #include <vector>
+
+#include <boost/math/tools/toms748_solve.hpp>
 
 #include "irsg/core/Errors.h"
 
 namespace irsg {
-
-namespace {
-
-/// The root of f between a and b, where it has unlike signs (R. P. Brent, Algorithms for
-/// Minimization without Derivatives, chapter 4).
-template <typename Function>
-double rootBetween(double a, double fa, double b, double fb, double tolerance, const Function& f) {
-    double c = a, fc = fa, step = b - a, last = step;
-    for (int i = 0; i < 200 && fb != 0.0; ++i) {
-        if ((fb > 0.0) == (fc > 0.0)) {
-            c = a, fc = fa;
-            step = last = b - a;
-        }
-        if (std::abs(fc) < std::abs(fb)) {
-            a = b, b = c, c = a;
-            fa = fb, fb = fc, fc = fa;
-        }
-        const double middle = 0.5 * (c - b);
-        if (std::abs(middle) <= tolerance)
-            break;
-        if (std::abs(last) >= tolerance && std::abs(fa) > std::abs(fb)) {
-            const double s = fb / fa;
-            double p = 2.0 * middle * s, q = 1.0 - s; // a secant
-            if (a != c) {                             // a parabola through three points
-                const double r = fb / fc;
-                q = fa / fc;
-                p = s * (2.0 * middle * q * (q - r) - (b - a) * (r - 1.0));
-                q = (q - 1.0) * (r - 1.0) * (s - 1.0);
-            }
-            (p > 0.0 ? q : p) *= -1.0;
-            const double most =
-                std::min(3.0 * middle * q - std::abs(tolerance * q), std::abs(last * q));
-            last = 2.0 * p < most ? std::exchange(step, p / q) : (step = middle);
-        } else {
-            last = step = middle;
-        }
-        a = b, fa = fb;
-        b += std::abs(step) > tolerance ? step : std::copysign(tolerance, middle);
-        fb = f(b);
-    }
-    return b;
-}
-
-} // namespace
 
 DetectionRange detectionRange(const std::function<double(double)>& ratio, double threshold,
                               const RangeLimits& limits) {
@@ -92,8 +51,11 @@ DetectionRange detectionRange(const std::function<double(double)>& ratio, double
     }
     if (last == places.size())
         return found;
-    const double root = rootBetween(places[last], values[last], places[last + 1], values[last + 1],
-                                    limits.tolerance, excess);
+    const auto isNarrow = [&](double a, double b) { return b - a <= limits.tolerance; };
+    std::uintmax_t most = 200;
+    const auto [low, high] = boost::math::tools::toms748_solve(
+        excess, places[last], places[last + 1], values[last], values[last + 1], isNarrow, most);
+    const double root = std::midpoint(low, high);
     found.found = DetectionRange::Found::atRange;
     found.range_m = std::exp(root);
     const double width = 1e-3;

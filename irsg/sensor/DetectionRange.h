@@ -31,7 +31,7 @@ struct DetectionRange {
 
 /// The farthest range at which a signal to noise ratio falls to a threshold > 0. The ratio is
 /// looked at at equal ratios of range from the nearest to the farthest one, and the root is found
-/// between the last two of these between which it falls below the threshold (Brent's method on the
+/// between the last two of these between which it falls below the threshold (TOMS 748 on the
 /// logarithms). `ratio` gives |SNR| at a range in m; it is called once for each. Throws InputError
 /// for limits that are none.
 DetectionRange detectionRange(const std::function<double(double range_m)>& ratio, double threshold,
