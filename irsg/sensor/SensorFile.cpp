@@ -9,6 +9,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/core/FileReplacement.h"
+#include "irsg/core/JsonHead.h"
 #include "irsg/core/JsonReader.h"
 #include "irsg/core/ProgramVersion.h"
 
@@ -203,12 +204,7 @@ Json noiseJson(const SensorNoise& noise) {
 SensorDescription sensorFromJson(const std::string& text, const std::string& fileName) {
     const JsonForm form{.expected = "a sensor (JSON in UTF-8)", .deepest = 8};
     const JsonReader root(text, fileName, form, JsonErrors::collect);
-    root.at("format").word({formatName});
-    root.at("program");
-    const JsonReader version = root.at("version");
-    if (version.number() != newestVersion)
-        version.refuse(std::to_string(newestVersion));
-    root.throwRefused();
+    readJsonHead(root, formatName, newestVersion);
     SensorDescription sensor;
     sensor.title = root.at("title").textOr("");
     sensor.source = root.at("source").textOr("");

@@ -9,6 +9,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/core/FileReplacement.h"
+#include "irsg/core/JsonHead.h"
 #include "irsg/core/JsonReader.h"
 #include "irsg/core/ProgramVersion.h"
 
@@ -108,12 +109,7 @@ std::filesystem::path codesFileOf(const std::filesystem::path& model) {
 ModelCodes modelCodesFromJson(const std::string& text, const std::string& fileName) {
     const JsonForm form{.expected = "codes of a model (JSON in UTF-8)", .deepest = 8};
     const JsonReader root(text, fileName, form, JsonErrors::collect);
-    root.at("format").word({formatName});
-    root.at("program");
-    const JsonReader version = root.at("version");
-    if (version.number() != newestVersion)
-        version.refuse(std::to_string(newestVersion));
-    root.throwRefused();
+    readJsonHead(root, formatName, newestVersion);
     ModelCodes codes;
     for (const JsonReader& rule : root.at("rules").listOrNone())
         codes.rules.push_back(ruleOf(rule));
