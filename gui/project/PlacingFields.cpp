@@ -181,9 +181,8 @@ irsg::ModelPlacing PlacingFields::placing() const {
     return placing;
 }
 
-irsg::BoundingBox PlacingFields::placedBox() const {
-    const irsg::Matrix4 turned =
-        irsg::turnAndScale(irsg::completed(placing(), shape_->axes, file_.filename().string()));
+irsg::BoundingBox PlacingFields::placedBox(const irsg::ModelPlacing& completed) const {
+    const irsg::Matrix4 turned = irsg::turnAndScale(completed);
     irsg::BoundingBox box = irsg::BoundingBox::nowhere();
     for (const irsg::Float3& corner : shape_->corners)
         box.include(turned.place(irsg::toVec3(corner)));
@@ -191,7 +190,9 @@ irsg::BoundingBox PlacingFields::placedBox() const {
 }
 
 std::optional<irsg::BoundingBox> PlacingFields::bounds() const {
-    return shape_ && isRight() ? std::optional(placedBox()) : std::nullopt;
+    if (!shape_ || !isRight())
+        return std::nullopt;
+    return placedBox(irsg::completed(placing(), shape_->axes, file_.filename().string()));
 }
 
 bool PlacingFields::isRight() const {
@@ -222,9 +223,9 @@ void PlacingFields::refresh() {
     otherUnit_->setVisible(unit_->currentIndex() == unit_->count() - 1);
     if (shape_) {
         try {
-            picture_->show(shape_,
-                           irsg::completed(placing(), shape_->axes, file_.filename().string()));
-            const irsg::BoundingBox box = placedBox();
+            const auto whole = irsg::completed(placing(), shape_->axes, file_.filename().string());
+            picture_->show(shape_, whole);
+            const irsg::BoundingBox box = placedBox(whole);
             const irsg::Vec3 size = box.max - box.min;
             said_->setText(tr("%1 m long, %2 m wide, %3 m high%4")
                                .arg(formattedNumber(std::abs(size.y)),

@@ -48,7 +48,7 @@ class PlacingFields : public QWidget {
 
   private:
     void refresh();
-    irsg::BoundingBox placedBox() const;
+    irsg::BoundingBox placedBox(const irsg::ModelPlacing& completed) const;
     bool isMade_ = false;
 
     std::filesystem::path file_;

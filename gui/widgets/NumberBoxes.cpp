@@ -1,6 +1,9 @@
 #include "gui/widgets/NumberBoxes.h"
 
 #include <cmath>
+#include <type_traits>
+
+#include <QCoreApplication>
 
 #include "gui/widgets/NumberText.h"
 #include "gui/widgets/RefusedText.h"
@@ -8,85 +11,76 @@
 namespace smat::gui {
 namespace {
 
-/// What stands before the suffix, which Qt hands over with the text.
-template <typename Box>
-QString typedIn(const Box& box, QString text) {
-    const QString suffix = box.suffix();
-    if (!suffix.isEmpty() && text.endsWith(suffix))
-        text.chop(suffix.size());
-    return text.trimmed();
-}
-
-template <typename Box>
-QString problemIn(const TypedNumber& typed, double least, double most) {
-    if (!typed.value)
-        return typed.problem;
-    if (*typed.value < least || *typed.value > most)
-        return Box::tr("has to be from %1 to %2")
-            .arg(QString::number(least, 'g', 15), QString::number(most, 'g', 15));
-    return {};
+QString trBox(const char* text) {
+    return QCoreApplication::translate("smat::gui::NumberBoxes", text);
 }
 
 } // namespace
 
-RealBox::RealBox(const QString& name, const QString& unit, QWidget* parent)
-    : QDoubleSpinBox(parent), unit_(unit) {
-    setObjectName(name);
-    setSuffix((unit == QChar(0x00b0) ? QString() : QStringLiteral(" ")) + unit);
-    setKeyboardTracking(false);
-    setCorrectionMode(QAbstractSpinBox::CorrectToPreviousValue);
+template <typename Box>
+TypedBox<Box>::TypedBox(const QString& name, const QString& unit, QWidget* parent)
+    : Box(parent), unit_(unit) {
+    this->setObjectName(name);
+    this->setKeyboardTracking(false);
+    this->setCorrectionMode(QAbstractSpinBox::CorrectToPreviousValue);
 }
 
-QString RealBox::problemOf(const QString& text) const {
-    return problemIn<RealBox>(typedNumber(typedIn(*this, text), unit_), minimum(), maximum());
+/// What stands before the suffix, which Qt hands over with the text.
+template <typename Box>
+QString TypedBox<Box>::typedIn(const QString& text) const {
+    const QString suffix = this->suffix();
+    return (suffix.isEmpty() || !text.endsWith(suffix) ? text : text.chopped(suffix.size()))
+        .trimmed();
 }
 
-QValidator::State RealBox::validate(QString& text, int&) const {
-    return problemOf(text).isEmpty() ? QValidator::Acceptable : QValidator::Intermediate;
+template <typename Box>
+QString TypedBox<Box>::problemOf(const QString& text) const {
+    const TypedNumber typed = typedNumber(typedIn(text), unit_);
+    if (!typed.value)
+        return typed.problem;
+    if (std::is_integral_v<Value> && *typed.value != std::trunc(*typed.value))
+        return trBox("'%1' is not a whole number").arg(typedIn(text));
+    const double least = this->minimum(), most = this->maximum();
+    if (*typed.value < least || *typed.value > most)
+        return trBox("has to be from %1 to %2")
+            .arg(QString::number(least, 'g', 15), QString::number(most, 'g', 15));
+    return {};
 }
 
-double RealBox::valueFromText(const QString& text) const {
-    return typedNumber(typedIn(*this, text), unit_).value.value_or(value());
+template <typename Box>
+bool TypedBox<Box>::isSpecial(const QString& text) const {
+    return !this->specialValueText().isEmpty() && text == this->specialValueText();
 }
 
-void RealBox::fixup(QString& text) const {
-    sayRefused(*const_cast<RealBox*>(this), problemOf(text), textFromValue(value()) + suffix());
-    text = textFromValue(value()) + suffix();
+template <typename Box>
+QValidator::State TypedBox<Box>::validate(QString& text, int&) const {
+    return isSpecial(text) || problemOf(text).isEmpty() ? QValidator::Acceptable
+                                                        : QValidator::Intermediate;
 }
 
-WholeBox::WholeBox(const QString& name, QWidget* parent) : QSpinBox(parent) {
-    setObjectName(name);
-    setKeyboardTracking(false);
-    setCorrectionMode(QAbstractSpinBox::CorrectToPreviousValue);
+template <typename Box>
+typename TypedBox<Box>::Value TypedBox<Box>::valueFromText(const QString& text) const {
+    if (isSpecial(text))
+        return this->minimum();
+    return static_cast<Value>(typedNumber(typedIn(text), unit_).value.value_or(this->value()));
 }
 
-QString WholeBox::problemOf(const QString& text) const {
-    const TypedNumber typed = typedNumber(typedIn(*this, text));
-    if (typed.value && *typed.value != std::trunc(*typed.value))
-        return tr("'%1' is not a whole number").arg(typedIn(*this, text));
-    return problemIn<WholeBox>(typed, minimum(), maximum());
-}
-
-QValidator::State WholeBox::validate(QString& text, int&) const {
-    if (!specialValueText().isEmpty() && text == specialValueText())
-        return QValidator::Acceptable;
-    return problemOf(text).isEmpty() ? QValidator::Acceptable : QValidator::Intermediate;
-}
-
-int WholeBox::valueFromText(const QString& text) const {
-    if (!specialValueText().isEmpty() && text == specialValueText())
-        return minimum();
-    return static_cast<int>(typedNumber(typedIn(*this, text)).value.value_or(value()));
-}
-
-void WholeBox::fixup(QString& text) const {
-    const QString stays = value() == minimum() && !specialValueText().isEmpty()
-                              ? specialValueText()
-                              : textFromValue(value()) + suffix();
-    sayRefused(*const_cast<WholeBox*>(this), problemOf(text), stays);
+template <typename Box>
+void TypedBox<Box>::fixup(QString& text) const {
+    const bool isAtSpecial =
+        this->value() == this->minimum() && !this->specialValueText().isEmpty();
+    const QString stays = isAtSpecial ? this->specialValueText()
+                                      : this->textFromValue(this->value()) + this->suffix();
+    sayRefused(*const_cast<TypedBox*>(this), problemOf(text), stays);
     text = stays;
 }
 
-} // namespace smat::gui
+template class TypedBox<QDoubleSpinBox>;
+template class TypedBox<QSpinBox>;
 
-#include "moc_NumberBoxes.cpp"
+RealBox::RealBox(const QString& name, const QString& unit, QWidget* parent)
+    : TypedBox(name, unit, parent) {
+    setSuffix((unit == QChar(0x00b0) ? QString() : QStringLiteral(" ")) + unit);
+}
+
+} // namespace smat::gui
