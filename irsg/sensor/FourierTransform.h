@@ -1,28 +1,32 @@
 #pragma once
 
+#include <complex>
 #include <cstddef>
 #include <vector>
 
 namespace irsg {
 
-/// Complex numbers on a grid, top row first, real and imaginary parts apart.
-struct ComplexPlane {
-    ComplexPlane(std::size_t columns, std::size_t rows)
-        : width(columns), height(rows), re(columns * rows), im(columns * rows) {}
+/// The discrete Fourier transform of real numbers on a grid: sum of f exp(-2 pi i (k x / width +
+/// l y / height)). Frequencies 0 to width / 2 along the rows, for each of `height` along the
+/// columns; the others are the conjugates of these.
+struct HalfSpectrum {
+    HalfSpectrum(std::size_t columns, std::size_t rows)
+        : width(columns), height(rows), values((columns / 2 + 1) * rows) {}
 
-    std::size_t width, height;
-    std::vector<double> re, im;
+    std::size_t columns() const { return width / 2 + 1; }
+
+    std::size_t width, height; ///< of the grid
+    std::vector<std::complex<double>> values;
 };
 
 /// The least number from `size` on with no prime factor but 2, 3 and 5; at least 1.
 std::size_t smoothSize(std::size_t size);
 
-/// The discrete Fourier transform in both directions, in place: sum of f exp(-2 pi i k x / n), of
-/// the inverse exp(+...) and divided by the number of points. Sides have the factors 2, 3 and 5
-/// alone (LogicError). Stockham's order, so that nothing is permuted (van Loan, Computational
-/// Frameworks for the Fast Fourier Transform, 1.7). The result does not depend on the number of
-/// threads.
-void transform(ComplexPlane& plane);
-void transformBack(ComplexPlane& plane);
+/// Of width x height numbers, row by row (at least one; LogicError for another number of them).
+/// Quick where sides have the factors 2, 3 and 5 alone. The result does not depend on the number of
+/// threads. One-dimensional transforms are KISS FFT's.
+HalfSpectrum transformOf(const std::vector<double>& values, std::size_t width, std::size_t height);
+/// The numbers of which this is the transform.
+std::vector<double> transformBack(HalfSpectrum spectrum);
 
 } // namespace irsg

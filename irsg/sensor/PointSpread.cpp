@@ -124,43 +124,38 @@ double PointSpread::energyAt(double columns_px, double rows_px) const {
     return 4.0 * fillFactor_ * sum;
 }
 
-ComplexPlane PointSpread::spectrumOf(double cell_px, double column_px, double row_px) const {
-    ComplexPlane plane(side_, side_);
-    const std::size_t count = frequencies_.size();
+HalfSpectrum PointSpread::spectrumOf(double cell_px, double column_px, double row_px) const {
+    HalfSpectrum spectrum(side_, side_);
+    const std::size_t count = frequencies_.size(), columns = spectrum.columns();
     const auto most = static_cast<long>(count) - 1;
     const auto side = static_cast<long>(side_);
     struct Turn {
-        double re, im;
+        std::complex<double> factor;
         std::size_t bin, at;
     };
-    const auto turnsOf = [&](double shift_px) {
+    const auto turnsOf = [&](double shift_px, std::size_t bins) {
         std::vector<Turn> turns;
         for (long i = -most; i <= most; ++i) {
+            const auto bin = static_cast<std::size_t>(((i % side) + side) % side);
             const auto at = static_cast<std::size_t>(std::abs(i));
             const double frequency = static_cast<double>(i) / static_cast<double>(side_);
-            const double angle = -2.0 * pi * frequency * shift_px, size = sinc(cell_px * frequency);
-            turns.push_back({size * std::cos(angle), size * std::sin(angle),
-                             static_cast<std::size_t>(((i % side) + side) % side), at});
+            if (bin < bins)
+                turns.push_back(
+                    {std::polar(1.0, -2.0 * pi * frequency * shift_px) * sinc(cell_px * frequency),
+                     bin, at});
         }
         return turns;
     };
-    const std::vector<Turn> alongX = turnsOf(column_px), alongY = turnsOf(row_px);
-    std::vector<double> re(side_), im(side_);
+    const std::vector<Turn> alongX = turnsOf(column_px, columns), alongY = turnsOf(row_px, side_);
+    std::vector<std::complex<double>> row(columns);
     for (const Turn& y : alongY) {
-        std::ranges::fill(re, 0.0);
-        std::ranges::fill(im, 0.0);
-        for (const Turn& x : alongX) {
-            const double value = wide_[y.at * count + x.at];
-            re[x.bin] += value * x.re;
-            im[x.bin] += value * x.im;
-        }
-        const std::size_t row = y.bin * side_;
-        for (std::size_t k = 0; k < side_; ++k) {
-            plane.re[row + k] += re[k] * y.re - im[k] * y.im;
-            plane.im[row + k] += re[k] * y.im + im[k] * y.re;
-        }
+        std::ranges::fill(row, 0.0);
+        for (const Turn& x : alongX)
+            row[x.bin] += wide_[y.at * count + x.at] * x.factor;
+        for (std::size_t k = 0; k < columns; ++k)
+            spectrum.values[y.bin * columns + k] += row[k] * y.factor;
     }
-    return plane;
+    return spectrum;
 }
 
 } // namespace irsg

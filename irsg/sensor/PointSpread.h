@@ -27,7 +27,7 @@ class PointSpread {
     /// receives the mean over its active area, energyAt of a point divided by the fill factor. At
     /// frequency 0 it is 1 where pixels have no gaps: no energy is lost, whatever the place. Of a
     /// point between active areas that is less, and more of one on them.
-    ComplexPlane spectrumOf(double cell_px, double column_px, double row_px) const;
+    HalfSpectrum spectrumOf(double cell_px, double column_px, double row_px) const;
 
   private:
     double opticsAt(double x_per_px, double y_per_px) const;

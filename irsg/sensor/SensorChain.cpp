@@ -66,22 +66,9 @@ std::vector<double> series(std::uint64_t seed, Draw draw, std::uint32_t frame, s
     return values;
 }
 
-/// The transform of kernel and image in one: the image as the real part, the kernel as the
-/// imaginary one. Adds the product of both to `sum`.
-void addProduct(const ComplexPlane& both, ComplexPlane& sum) {
-    const std::size_t width = both.width, height = both.height;
-    parallelFor(height, [&](std::size_t y) {
-        const std::size_t mirrored = (height - y) % height;
-        for (std::size_t x = 0; x < width; ++x) {
-            const std::size_t at = y * width + x, other = mirrored * width + (width - x) % width;
-            const double ar = 0.5 * (both.re[at] + both.re[other]);
-            const double ai = 0.5 * (both.im[at] - both.im[other]);
-            const double br = 0.5 * (both.im[at] + both.im[other]);
-            const double bi = 0.5 * (both.re[other] - both.re[at]);
-            sum.re[at] += ar * br - ai * bi;
-            sum.im[at] += ar * bi + ai * br;
-        }
-    });
+void addProduct(const HalfSpectrum& a, const HalfSpectrum& b, HalfSpectrum& sum) {
+    for (std::size_t i = 0; i < sum.values.size(); ++i)
+        sum.values[i] += a.values[i] * b.values[i];
 }
 
 } // namespace
@@ -97,8 +84,8 @@ SensorChain::SensorChain(const SensorDescription& sensor, double source_K,
 
 void SensorChain::addPoint(const PointTarget& point, std::vector<double>& signal) const {
     const double column = std::floor(point.column_px), row = std::floor(point.row_px);
-    ComplexPlane plane = spread_.spectrumOf(0.0, point.column_px - column, point.row_px - row);
-    transformBack(plane);
+    const std::vector<double> image =
+        transformBack(spread_.spectrumOf(0.0, point.column_px - column, point.row_px - row));
     const auto side = static_cast<long>(spread_.side_px());
     const double scale =
         point.irradiance_W_m2 * response_.signalPerIrradiance() * sensor_.detector.fillFactor;
@@ -111,7 +98,7 @@ void SensorChain::addPoint(const PointTarget& point, std::vector<double>& signal
                 inY >= sensor_.detector.rows)
                 continue;
             signal[static_cast<std::size_t>(inY * sensor_.detector.columns + inX)] +=
-                scale * plane.re[static_cast<std::size_t>(y * side + x)];
+                scale * image[static_cast<std::size_t>(y * side + x)];
         }
 }
 
@@ -124,16 +111,22 @@ std::vector<double> SensorChain::exposed(const std::vector<float>& radiance_W_m2
         throw LogicError("radiance of another size than the sensor's grid");
     const std::size_t side = spread_.side_px(), margin = side / 2;
     const std::size_t wide = smoothSize(width + side), high = smoothSize(height + side);
-    ComplexPlane sum(wide, high);
+    HalfSpectrum sum(wide, high);
     // Each place within a pixel is an image of its own, with its own kernel.
     for (std::size_t v = 0; v < cells; ++v)
         for (std::size_t u = 0; u < cells; ++u) {
             const auto placeOf = [&](std::size_t i) {
                 return (static_cast<double>(i) + 0.5) / samples - 0.5;
             };
-            ComplexPlane kernel = spread_.spectrumOf(1.0 / samples, placeOf(u), placeOf(v));
-            transformBack(kernel);
-            ComplexPlane both(wide, high);
+            const std::vector<double> spread =
+                transformBack(spread_.spectrumOf(1.0 / samples, placeOf(u), placeOf(v)));
+            std::vector<double> kernel(wide * high), image(wide * high);
+            for (std::size_t y = 0; y < side; ++y)
+                for (std::size_t x = 0; x < side; ++x) {
+                    const std::size_t toX = x < margin ? x : wide - side + x;
+                    const std::size_t toY = y < margin ? y : high - side + y;
+                    kernel[toY * wide + toX] = spread[y * side + x];
+                }
             parallelFor(high, [&](std::size_t y) {
                 // Half of what is added goes on behind the end, half stands before the beginning.
                 const std::size_t past = height + (high - height) / 2;
@@ -141,26 +134,19 @@ std::vector<double> SensorChain::exposed(const std::vector<float>& radiance_W_m2
                 const std::size_t pastX = width + (wide - width) / 2;
                 for (std::size_t x = 0; x < wide; ++x) {
                     const std::size_t column = x < width ? x : x < pastX ? width - 1 : 0;
-                    both.re[y * wide + x] =
+                    image[y * wide + x] =
                         radiance_W_m2_sr[(row * cells + v) * width * cells + column * cells + u];
                 }
             });
-            for (std::size_t y = 0; y < side; ++y)
-                for (std::size_t x = 0; x < side; ++x) {
-                    const std::size_t toX = x < margin ? x : wide - side + x;
-                    const std::size_t toY = y < margin ? y : high - side + y;
-                    both.im[toY * wide + toX] = kernel.re[y * side + x];
-                }
-            transform(both);
-            addProduct(both, sum);
+            addProduct(transformOf(image, wide, high), transformOf(kernel, wide, high), sum);
         }
-    transformBack(sum);
+    const std::vector<double> blurred = transformBack(std::move(sum));
     std::vector<double> signal(width * height);
     // A cell sends the part of the pixel's radiance that its area is.
     const double scale = response_.signalPerRadiance() / (samples * samples);
     parallelFor(height, [&](std::size_t y) {
         for (std::size_t x = 0; x < width; ++x)
-            signal[y * width + x] = scale * sum.re[y * wide + x];
+            signal[y * width + x] = scale * blurred[y * wide + x];
     });
     for (const PointTarget& point : points)
         addPoint(point, signal);
