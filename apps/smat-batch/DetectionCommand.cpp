@@ -15,7 +15,12 @@ namespace smat::batch {
 
 namespace {
 
-const std::vector<std::string> placeWords = {"centre", "mean", "corner"};
+std::vector<std::string> taskWords() {
+    std::vector<std::string> words;
+    for (const irsg::JohnsonTask& task : irsg::johnsonTasks())
+        words.emplace_back(task.name);
+    return words;
+}
 
 /// `smat-batch detection PROJECT --sensor FILE --step 10 --snr 5 --out FILE`.
 class DetectionCommand {
@@ -27,7 +32,21 @@ class DetectionCommand {
           files_(command) {
         command.add_option("--sensor", sensor_, "Sensor (.smatsensor) that looks for the target")
             ->type_name("FILE");
-        numbers_.add("--snr", "", "Signal to noise ratio at which the target is detected, 5");
+        command
+            .add_option("--criterion", criterion_,
+                        "point: the whole light of the target in one pixel, by --snr; johnson: "
+                        "cycles across its image, by --task and --probability")
+            ->type_name("WORD")
+            ->capture_default_str();
+        numbers_.add("--snr", "", "Signal to noise ratio at which a point is detected, 5");
+        command
+            .add_option("--task", task_,
+                        "Of johnson: detection, recognition or identification, which need 0.75, 3 "
+                        "and 6 cycles for a probability of 50 %")
+            ->type_name("WORD")
+            ->capture_default_str();
+        numbers_.add("--cycles", "", "In place of a task: its cycles for 50 %");
+        numbers_.add("--probability", "%", "Of the task, 50");
         numbers_.add("--nearest", "m", "Where the search begins, 100");
         numbers_.add("--farthest", "m", "Where it ends, 1000000");
         numbers_.add("--looks", "",
@@ -63,9 +82,11 @@ class DetectionCommand {
             settings_.requireNamed(data.settings);
             data.commandLine = context.commandLine;
             request.sensor = irsg::loadSensor(sensor_);
+            request.sensorFile = sensor_;
         }
         const std::string description =
-            planAnalysis(data.kind, data.project, withFixedSteps(data.kind, data.settings))
+            planAnalysis(AnalysisKind::polar, data.project,
+                         withFixedSteps(AnalysisKind::polar, data.settings))
                 .description;
         files_.checkWritable();
         if (dryRun_) {
@@ -99,7 +120,15 @@ class DetectionCommand {
                 throw refusal(option, irsg::numberText(value), "a number above 0");
             return value;
         };
+        request.criterion =
+            static_cast<RangeCriterion>(chosen("--criterion", criterion_, criterionWords()));
         request.threshold = positive("--snr", request.threshold);
+        if (request.criterion == RangeCriterion::bars)
+            takeTask(request.task);
+        else
+            refuseWith("point", {"--cycles", "--probability"});
+        if (request.criterion == RangeCriterion::bars)
+            refuseWith("johnson", {"--snr"});
         request.limits.nearest_m = positive("--nearest", request.limits.nearest_m);
         request.limits.farthest_m = positive("--farthest", request.limits.farthest_m);
         if (request.limits.farthest_m <= request.limits.nearest_m)
@@ -109,18 +138,46 @@ class DetectionCommand {
         numbers_.takeWhole("--looks", request.limits.looksPerDecade, 1.0, 1000.0);
         if (numbers_.value("--background-temperature"))
             request.background_K = positive("--background-temperature", 300.0);
-        const auto word = std::ranges::find(placeWords, place_);
-        if (word == placeWords.end())
-            throw wordRefusal("--point", place_, placeWords);
-        request.place = static_cast<PointPlace>(word - placeWords.begin());
+        request.place = static_cast<PointPlace>(chosen("--point", place_, pointPlaceWords()));
         return request;
+    }
+
+    static std::size_t chosen(const char* option, const std::string& word,
+                              const std::vector<std::string>& words) {
+        const auto found = std::ranges::find(words, word);
+        if (found == words.end())
+            throw wordRefusal(option, word, words);
+        return static_cast<std::size_t>(found - words.begin());
+    }
+
+    void takeTask(RangeTask& task) const {
+        task.cyclesOfHalf =
+            irsg::johnsonTasks().at(chosen("--task", task_, taskWords())).cyclesOfHalf;
+        if (const auto cycles = numbers_.value("--cycles")) {
+            if (!(*cycles > 0.0))
+                throw refusal("--cycles", irsg::numberText(*cycles), "a number above 0");
+            task.cyclesOfHalf = *cycles;
+        }
+        const double percent = numbers_.value("--probability").value_or(50.0);
+        if (!(percent > 0.0 && percent < 100.0))
+            throw refusal("--probability", irsg::numberText(percent),
+                          "a number between 0 and 100 %, both exclusive");
+        task.probability = 0.01 * percent;
+    }
+
+    /// An option that would do nothing.
+    void refuseWith(const char* criterion, std::initializer_list<const char*> options) const {
+        for (const char* option : options)
+            if (numbers_.value(option))
+                throw refusal(option, irsg::numberText(*numbers_.value(option)),
+                              fmt::format("nothing: --criterion {} has none", criterion));
     }
 
     ProjectInput project_;
     SettingOptions settings_;
     NumberOptions numbers_;
     TableFiles files_;
-    std::string sensor_, place_ = "centre";
+    std::string sensor_, place_ = "centre", criterion_ = "point", task_ = "detection";
     bool dryRun_ = false;
 };
 

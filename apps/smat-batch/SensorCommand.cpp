@@ -12,6 +12,29 @@ namespace smat::batch {
 
 namespace {
 
+std::vector<double> frequenciesOf(const std::string& text) {
+    std::vector<double> list;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::string word = text.substr(begin, end - begin);
+        const auto value = irsg::parseNumber(irsg::trimmed(word));
+        if (!value || *value < 0.0)
+            throw refusal("--frequencies", word.empty() ? "nothing" : word,
+                          "numbers of at least 0, separated by commas");
+        list.push_back(*value);
+        begin = end + 1;
+    }
+    return list;
+}
+
+double positive(const NumberOptions& numbers, const char* option, double otherwise,
+                const char* expected) {
+    const double value = numbers.value(option).value_or(otherwise);
+    if (!(value > 0.0))
+        throw refusal(option, irsg::numberText(value), expected);
+    return value;
+}
+
 /// `smat-batch sensor info FILE.smatsensor --background-temperature 300`.
 class SensorInfoCommand {
   public:
@@ -28,10 +51,8 @@ class SensorInfoCommand {
     int run(Context& context) const {
         numbers_.check();
         SensorNumbersRequest request;
-        request.background_K = numbers_.value("--background-temperature").value_or(300.0);
-        if (!(request.background_K > 0.0))
-            throw refusal("--background-temperature", irsg::numberText(request.background_K),
-                          "a temperature above 0 K");
+        request.background_K =
+            positive(numbers_, "--background-temperature", 300.0, "a temperature above 0 K");
         request.temperatureDifference_K = numbers_.value("--temperature-difference").value_or(0.0);
         request.pointIrradiance_W_m2 = numbers_.value("--point-irradiance").value_or(0.0);
         const auto json = sensorNumbersJson(irsg::loadSensor(file_), request);
@@ -72,37 +93,63 @@ class SensorTransferCommand {
     int run(Context& context) const {
         files_.check("mtf.csv");
         numbers_.check();
-        const double source_K = numbers_.value("--source-temperature").value_or(300.0);
-        if (!(source_K > 0.0))
-            throw refusal("--source-temperature", irsg::numberText(source_K),
-                          "a temperature above 0 K");
+        const double source_K =
+            positive(numbers_, "--source-temperature", 300.0, "a temperature above 0 K");
         if (direction_ != "horizontal" && direction_ != "vertical")
             throw wordRefusal("--direction", direction_, {"horizontal", "vertical"});
-        const std::vector<double> frequencies = frequencies_per_rad();
-        ResultTable table = sensorTransferTable(irsg::loadSensor(file_), frequencies,
-                                                direction_ == "vertical", source_K);
+        ResultTable table =
+            sensorTransferTable(irsg::loadSensor(file_), frequenciesOf(frequencies_),
+                                direction_ == "vertical", source_K);
         table.provenance.add("sensor file", file_);
         files_.write("sensor mtf", table, {}, {}, context.json);
         return done;
     }
 
   private:
-    std::vector<double> frequencies_per_rad() const {
-        std::vector<double> list;
-        for (std::size_t begin = 0; begin <= frequencies_.size();) {
-            const std::size_t end = std::min(frequencies_.find(',', begin), frequencies_.size());
-            const std::string text = frequencies_.substr(begin, end - begin);
-            const auto value = irsg::parseNumber(irsg::trimmed(text));
-            if (!value || *value < 0.0)
-                throw refusal("--frequencies", text.empty() ? "nothing" : text,
-                              "numbers of at least 0, separated by commas");
-            list.push_back(*value);
-            begin = end + 1;
-        }
-        return list;
+    std::string file_, frequencies_, direction_ = "horizontal";
+    NumberOptions numbers_;
+    TableFiles files_;
+};
+
+/// `smat-batch sensor mrtd FILE.smatsensor --frequencies 500,1000 --out mrtd.csv`.
+class SensorResolvableCommand {
+  public:
+    explicit SensorResolvableCommand(CLI::App& command) : numbers_(command), files_(command) {
+        command.add_option("FILE", file_, "Sensor (.smatsensor)")->required()->type_name("");
+        command
+            .add_option("--frequencies", frequencies_,
+                        "Spatial frequencies, separated by commas: 500,1000")
+            ->type_name("cycles/rad");
+        numbers_.add("--background-temperature", "K",
+                     "Of the background that fills the field, 300");
+        numbers_.add("--threshold", "",
+                     "Perceived signal to noise ratio at which bars are seen, "
+                     "2.5");
+        numbers_.add("--eye-time", "s", "Time over which the eye takes the mean of frames, 0.2");
+        command.footer("Columns: frequency, the minimum resolvable temperature difference along "
+                       "rows and columns and of both together; the convention stands in "
+                       "docs/sensor.md.");
     }
 
-    std::string file_, frequencies_, direction_ = "horizontal";
+    int run(Context& context) const {
+        files_.check("mrtd.csv");
+        numbers_.check();
+        irsg::Observer observer;
+        observer.threshold =
+            positive(numbers_, "--threshold", observer.threshold, "a number above 0");
+        observer.integration_s =
+            positive(numbers_, "--eye-time", observer.integration_s, "a time above 0 s");
+        ResultTable table = resolvableTemperatureTable(
+            irsg::loadSensor(file_), frequenciesOf(frequencies_),
+            positive(numbers_, "--background-temperature", 300.0, "a temperature above 0 K"),
+            observer);
+        table.provenance.add("sensor file", file_);
+        files_.write("sensor mrtd", table, {}, {}, context.json);
+        return done;
+    }
+
+  private:
+    std::string file_, frequencies_;
     NumberOptions numbers_;
     TableFiles files_;
 };
@@ -117,6 +164,9 @@ void addSensorCommand(CLI::App& app, Context& context) {
                                   "Signal, noise and sensitivity before a background");
     addCommand<SensorTransferCommand>(*command, context, "mtf",
                                       "Transfer function by component over spatial frequency");
+    addCommand<SensorResolvableCommand>(
+        *command, context, "mrtd",
+        "Minimum resolvable temperature difference over spatial frequency");
 }
 
 } // namespace smat::batch

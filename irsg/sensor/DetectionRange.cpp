@@ -4,6 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <optional>
+#include <span>
+#include <unordered_map>
 #include <vector>
 
 #include <boost/math/tools/toms748_solve.hpp>
@@ -11,6 +14,150 @@
 #include "irsg/core/Errors.h"
 
 namespace irsg {
+
+namespace {
+
+/// How often an interval between two looks is halved at most.
+constexpr int mostHalvings = 30;
+/// ln(SNR / threshold) where there is no contrast: far below.
+constexpr double unseen = -700.0;
+
+struct Point {
+    double x, y;
+};
+
+/// The part of one of these points in the polynomial through them at x (Lagrange).
+double weightOf(std::span<const Point> points, const Point& one, double x) {
+    double weight = 1.0;
+    for (const Point& other : points)
+        if (&other != &one)
+            weight *= (x - other.x) / (one.x - other.x);
+    return weight;
+}
+
+double polynomial(std::span<const Point> points, double x) {
+    double sum = 0.0;
+    for (const Point& one : points)
+        sum += one.y * weightOf(points, one, x);
+    return sum;
+}
+
+/// Where it is 0 between two of the points, whose values have different signs.
+double rootBetween(std::span<const Point> points, const Point& a, const Point& b) {
+    if (a.y == 0.0)
+        return a.x;
+    if (b.y == 0.0)
+        return b.x;
+    std::uintmax_t most = 100;
+    const auto isNarrow = [](double low, double high) { return high - low <= 1e-14; };
+    const auto [low, high] = boost::math::tools::toms748_solve(
+        [&](double x) { return polynomial(points, x); }, a.x, b.x, a.y, b.y, isNarrow, most);
+    return std::midpoint(low, high);
+}
+
+/// ln(SNR / threshold) over ln(range), at places of one grid.
+class Excess {
+  public:
+    Excess(const std::function<double(double)>& ratio, double threshold, const RangeLimits& limits)
+        : ratio_(ratio),
+          threshold_(threshold),
+          from_(std::log(limits.nearest_m)),
+          to_(std::log(limits.farthest_m)),
+          looks_(std::max<std::uint64_t>(
+              1, static_cast<std::uint64_t>(std::ceil((to_ - from_) / std::log(10.0) *
+                                                      std::max(1, limits.looksPerDecade))))) {}
+
+    /// Intervals between the looks.
+    std::uint64_t looks() const { return looks_; }
+    std::uint64_t end() const { return looks_ << mostHalvings; }
+
+    double rangeAt(std::uint64_t place) const { return std::exp(logRangeAt(place)); }
+
+    Point at(std::uint64_t place) {
+        const double x = logRangeAt(place);
+        const auto [known, isNew] = known_.try_emplace(place);
+        if (isNew) {
+            const double value = ratio_(std::exp(x)) / threshold_;
+            known->second = value > 0.0 ? std::max(unseen, std::log(value)) : unseen;
+        }
+        return {x, known->second};
+    }
+
+  private:
+    double logRangeAt(std::uint64_t place) const {
+        return std::lerp(from_, to_, static_cast<double>(place) / static_cast<double>(end()));
+    }
+
+    const std::function<double(double)>& ratio_;
+    double threshold_, from_, to_;
+    std::uint64_t looks_;
+    std::unordered_map<std::uint64_t, double> known_;
+};
+
+/// The places about an interval, from the one before it to the one behind it.
+struct Neighbours {
+    std::vector<Point> points;
+    std::size_t low = 0; ///< where the interval begins
+
+    const Point& from() const { return points[low]; }
+    const Point& to() const { return points[low + 1]; }
+    double width() const { return to().x - from().x; }
+    double root() const { return rootBetween(points, from(), to()); }
+    /// A step, through which no polynomial goes.
+    bool isStep() const {
+        return std::ranges::any_of(points, [](const Point& one) { return one.y <= unseen; });
+    }
+    /// By how much the roots of polynomials of one degree less differ from that.
+    double error() const {
+        const std::span<const Point> all = points;
+        const auto differs = [&](std::span<const Point> fewer) {
+            return std::abs(rootBetween(fewer, from(), to()) - root());
+        };
+        if (isStep() || all.size() < 3)
+            return width();
+        if (all.size() == 3) // at an end of the grid
+            return differs(all.subspan(low, 2));
+        return std::max(differs(all.first(3)), differs(all.last(3)));
+    }
+};
+
+Neighbours neighboursOf(Excess& excess, std::uint64_t left, std::uint64_t step) {
+    Neighbours made;
+    if (left >= step) {
+        made.points.push_back(excess.at(left - step));
+        made.low = 1;
+    }
+    made.points.push_back(excess.at(left));
+    made.points.push_back(excess.at(left + step));
+    if (left + 2 * step <= excess.end())
+        made.points.push_back(excess.at(left + 2 * step));
+    return made;
+}
+
+/// Sets what is known of the root between place `left` and the next look.
+void findRoot(Excess& excess, std::uint64_t left, double tolerance, DetectionRange& found) {
+    std::uint64_t step = std::uint64_t{1} << mostHalvings;
+    Neighbours near = neighboursOf(excess, left, step);
+    while (step > 1 && near.error() > tolerance) {
+        step /= 2;
+        if (excess.at(left + step).y >= 0.0)
+            left += step;
+        near = neighboursOf(excess, left, step);
+    }
+    if (near.isStep()) { // the last range at which it is seen
+        found.range_m = std::exp(near.from().x);
+        found.around = {{found.range_m, 1.0}};
+        return;
+    }
+    const double root = near.root(), width = 1e-3 * near.width();
+    found.range_m = std::exp(root);
+    found.slope = (polynomial(near.points, root + width) - polynomial(near.points, root - width)) /
+                  (2.0 * width);
+    for (const Point& point : near.points)
+        found.around.push_back({std::exp(point.x), weightOf(near.points, point, root)});
+}
+
+} // namespace
 
 DetectionRange detectionRange(const std::function<double(double)>& ratio, double threshold,
                               const RangeLimits& limits) {
@@ -21,45 +168,32 @@ DetectionRange detectionRange(const std::function<double(double)>& ratio, double
                           "two ascending ranges above 0 m"});
     if (!(threshold > 0.0 && std::isfinite(threshold)))
         throw InputError({"", "threshold", numberText(threshold), "a number above 0"});
-    // ln(SNR / threshold) over ln(range); a contrast of zero is far below.
-    const auto excess = [&](double logRange) {
-        constexpr double least = -700.0;
-        const double value = ratio(std::exp(logRange)) / threshold;
-        return value > 0.0 ? std::max(least, std::log(value)) : least;
-    };
-    const double from = std::log(limits.nearest_m), to = std::log(limits.farthest_m);
-    const int looks =
-        std::max(2, 1 + static_cast<int>(std::ceil((to - from) / std::log(10.0) *
-                                                   std::max(1, limits.looksPerDecade))));
-    std::vector<double> places, values;
-    for (int i = 0; i < looks; ++i) {
-        places.push_back(std::lerp(from, to, static_cast<double>(i) / (looks - 1)));
-        values.push_back(excess(places.back()));
-    }
+    Excess excess(ratio, threshold, limits);
     DetectionRange found;
-    std::size_t last = places.size();
-    for (std::size_t i = 0; i + 1 < places.size(); ++i)
-        if ((values[i] >= 0.0) != (values[i + 1] >= 0.0)) {
+    std::optional<std::uint64_t> last;
+    const auto isSeen = [&](std::uint64_t look) {
+        return excess.at(look << mostHalvings).y >= 0.0;
+    };
+    bool before = isSeen(0);
+    for (std::uint64_t look = 1; look <= excess.looks(); ++look) {
+        const bool here = isSeen(look);
+        if (before != here) {
             ++found.crossings;
-            if (values[i] >= 0.0)
-                last = i;
+            if (before)
+                last = look - 1;
         }
-    if (values.back() >= 0.0) {
+        before = here;
+    }
+    if (before) {
         found.found = DetectionRange::Found::beyond;
         found.range_m = limits.farthest_m;
-        return found;
+        found.around = {{excess.rangeAt(excess.end()), 1.0}};
+    } else if (last) {
+        found.found = DetectionRange::Found::atRange;
+        findRoot(excess, *last << mostHalvings, limits.tolerance, found);
+    } else {
+        found.around = {{excess.rangeAt(0), 1.0}};
     }
-    if (last == places.size())
-        return found;
-    const auto isNarrow = [&](double a, double b) { return b - a <= limits.tolerance; };
-    std::uintmax_t most = 200;
-    const auto [low, high] = boost::math::tools::toms748_solve(
-        excess, places[last], places[last + 1], values[last], values[last + 1], isNarrow, most);
-    const double root = std::midpoint(low, high);
-    found.found = DetectionRange::Found::atRange;
-    found.range_m = std::exp(root);
-    const double width = 1e-3;
-    found.slope = (excess(root + width) - excess(root - width)) / (2.0 * width);
     return found;
 }
 

@@ -197,6 +197,7 @@ void SensorDescription::check() const {
         checks.refuse("electronics.readNoise_e", numberText(electronics.readNoise_e),
                       "nothing: a thermal detector's noise is its netd_K");
     checks.range("electronics.bits", electronics.bits, 1, 32);
+    checks.positive("electronics.frameRate_Hz", electronics.frameRate_Hz, 1e9);
     checkNoise(noise, checks);
     checks.end();
     // What the rendered image needs: the field of view, and a response with an area.

@@ -77,8 +77,9 @@ struct SensorMotion {
 struct SensorElectronics {
     double gain = 0.0; ///< electrons, of thermal detectors absorbed watts, per count
     double offset_counts = 0.0;
-    double readNoise_e = 0.0; ///< of photon detectors, standard deviation
-    int bits = 14;            ///< of the converter, 1 to 32
+    double readNoise_e = 0.0;   ///< of photon detectors, standard deviation
+    int bits = 14;              ///< of the converter, 1 to 32
+    double frameRate_Hz = 30.0; ///< of the frames that an observer sees, > 0
 };
 
 /// The seven components of three-dimensional noise (D'Agostino and Webb, Proc. SPIE 1488, 1991):

@@ -118,6 +118,7 @@ SensorElectronics electronicsOf(const JsonReader& object, bool isThermal) {
     electronics.offset_counts = object.at("offset_counts").numberOr(0.0);
     electronics.readNoise_e = object.at("readNoise_e").numberOr(0.0);
     electronics.bits = object.at("bits").index();
+    electronics.frameRate_Hz = object.at("frameRate_Hz").numberOr(electronics.frameRate_Hz);
     return electronics;
 }
 
@@ -248,6 +249,8 @@ std::string sensorToJson(const SensorDescription& sensor) {
     put(electronics, "offset_counts", sensor.electronics.offset_counts, 0.0);
     put(electronics, "readNoise_e", sensor.electronics.readNoise_e, 0.0);
     electronics["bits"] = sensor.electronics.bits;
+    put(electronics, "frameRate_Hz", sensor.electronics.frameRate_Hz,
+        SensorElectronics().frameRate_Hz);
     root["electronics"] = std::move(electronics);
     if (Json noise = noiseJson(sensor.noise); !noise.empty())
         root["noise"] = std::move(noise);

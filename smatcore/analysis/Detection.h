@@ -1,11 +1,14 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "irsg/sensor/DetectionRange.h"
+#include "irsg/sensor/ResolvableTemperature.h"
 #include "irsg/sensor/SensorDescription.h"
 #include "smatcore/analysis/AnalysisData.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
@@ -19,25 +22,56 @@ enum class PointPlace {
     corner  ///< where four pixels meet: the least
 };
 
+/// What it means that a sensor sees the target.
+enum class RangeCriterion {
+    point, ///< signal to noise of its whole light in one pixel
+    bars   ///< Johnson: its mean contrast resolves as many cycles across it as a task needs
+};
+
+/// A task of Johnson's criterion.
+struct RangeTask {
+    double cyclesOfHalf = 0.75; ///< for a probability of 50 %; > 0
+    double probability = 0.5;   ///< 0 to 1, both exclusive
+};
+
 /// How far a sensor sees the target over aspect: an analysis of the cases of a polar plot, in which
 /// the range of each is sought.
 struct DetectionRequest {
     irsg::SensorDescription sensor;
-    double threshold = 5.0; ///< signal to noise ratio, > 0
+    std::filesystem::path sensorFile; ///< that it is from; for provenance and command
+    RangeCriterion criterion = RangeCriterion::point;
+    double threshold = 5.0; ///< of points: signal to noise ratio, > 0
+    RangeTask task;         ///< of bars
+    irsg::Observer observer;
     irsg::RangeLimits limits{.nearest_m = 100.0, .farthest_m = 1e6, .looksPerDecade = 4};
     PointPlace place = PointPlace::centre;
     /// Of the noise; none: that of the scene behind the target, at each range.
     std::optional<double> background_K;
 };
 
-/// Fills the table of `data`, whose kind is polar and whose settings place its cases. The signal is
-/// the contrast irradiance of all objects in the sensor's band, through the air at each range,
-/// times the ensquared energy; the noise is all of the sensor's, pattern included. Columns: where
+/// The kind of its results.
+AnalysisKind detectionKind();
+
+/// Words of places and tasks, as commands have them.
+const std::vector<std::string>& pointPlaceWords(); ///< "centre", ... by PointPlace
+const std::vector<std::string>& criterionWords();  ///< "point", "johnson", by RangeCriterion
+
+/// The command that does the same from a terminal, for a project with these settings in effect.
+std::string detectionCommand(const Project& project, const Settings& settings,
+                             const DetectionRequest& request, const std::string& outputFile);
+
+/// Fills the table of `data`, whose settings place its cases as those of a polar plot do. The
+/// signal is the contrast irradiance of all objects in the sensor's band, through the air at each
+/// range, times the ensquared energy; the noise is all of the sensor's, pattern included. Of bars
+/// the mean contrast radiance over the target's solid angle becomes a temperature difference of the
+/// background, whose resolved frequency times the root of that solid angle is the number of
+/// cycles (ResolvableTemperature). Columns: where
 /// the case is, `detection_range` with its error at two standard deviations (that of the contrast,
 /// and of where the root lies), `outcome` (0 found, -1 below the threshold everywhere: range 0, 1
 /// above it at the farthest range, which is given), `crossings`, then at that range `snr`,
 /// `contrast_irradiance`, `contrast_intensity`, `nei` with the total noise and ensquared energy,
-/// and `extent`, the side of the target's image in pixels, whose smallness the method asks for.
+/// and `extent`, the side of the target's image in pixels, whose smallness the ratio of a point
+/// asks for; of bars `temperature_difference`, `cycles` and `probability` as well.
 /// Ranges that the scene refuses (a path into the ground) count as those without a signal, with a
 /// warning; the nearest must not be one. A stop keeps the cases that are done. Throws InputError.
 void runDetection(AnalysisData& data, const DetectionRequest& request, const RenderDoor& door,

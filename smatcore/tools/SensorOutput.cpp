@@ -1,6 +1,8 @@
 #include "smatcore/tools/SensorOutput.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -17,6 +19,31 @@
 namespace smat {
 
 namespace {
+
+using Direction = irsg::ResolvableTemperature::Direction;
+
+/// The temperature difference at which both directions together resolve a frequency.
+double mrtdOfBoth_K(const irsg::ResolvableTemperature& resolvable, double frequency_per_rad) {
+    if (frequency_per_rad == 0.0)
+        return 0.0;
+    double low_K = 0.0, high_K = 1e-9;
+    while (resolvable.frequency_per_rad(high_K) < frequency_per_rad) {
+        high_K *= 4.0;
+        if (high_K > 1e9)
+            return std::numeric_limits<double>::infinity();
+    }
+    for (int i = 0; i < 60; ++i) {
+        const double middle_K = 0.5 * (low_K + high_K);
+        (resolvable.frequency_per_rad(middle_K) < frequency_per_rad ? low_K : high_K) = middle_K;
+    }
+    return high_K;
+}
+
+void requireFrequency(double frequency_per_rad) {
+    if (!(frequency_per_rad >= 0.0 && std::isfinite(frequency_per_rad)))
+        throw irsg::InputError({"", "frequency", irsg::numberText(frequency_per_rad),
+                                "a number of at least 0 cycles/rad"});
+}
 
 using Json = nlohmann::ordered_json;
 
@@ -142,9 +169,7 @@ ResultTable sensorTransferTable(const irsg::SensorDescription& sensor,
         table.add(component.name, "");
     table.add("system", "");
     for (const double frequency : frequencies_per_rad) {
-        if (!(frequency >= 0.0 && std::isfinite(frequency)))
-            throw irsg::InputError({"", "frequency", irsg::numberText(frequency),
-                                    "a number of at least 0 cycles/rad"});
+        requireFrequency(frequency);
         const double x = isVertical ? 0.0 : frequency, y = isVertical ? frequency : 0.0;
         std::vector<double> row{frequency};
         for (const auto& component : transfer.components(x, y))
@@ -157,6 +182,35 @@ ResultTable sensorTransferTable(const irsg::SensorDescription& sensor,
     table.provenance.add("sensor", sensor.title);
     table.provenance.add("direction", isVertical ? "vertical" : "horizontal");
     table.provenance.add("source temperature", irsg::numberText(source_K) + " K");
+    return table;
+}
+
+ResultTable resolvableTemperatureTable(const irsg::SensorDescription& sensor,
+                                       const std::vector<double>& frequencies_per_rad,
+                                       double background_K, const irsg::Observer& observer) {
+    const irsg::ResolvableTemperature resolvable(sensor, background_K, observer);
+    ResultTable table;
+    table.add("frequency", "cycles rad-1");
+    table.add("mrtd_horizontal", "K");
+    table.add("mrtd_vertical", "K");
+    table.add("mrtd", "K");
+    for (const double frequency : frequencies_per_rad) {
+        requireFrequency(frequency);
+        std::vector<double> row = {frequency, resolvable.mrtd_K(frequency, Direction::horizontal),
+                                   resolvable.mrtd_K(frequency, Direction::vertical),
+                                   mrtdOfBoth_K(resolvable, frequency)};
+        std::ranges::replace_if(
+            row, [](double value) { return std::isinf(value); },
+            std::numeric_limits<double>::quiet_NaN());
+        table.addRow(row);
+    }
+    table.provenance.add("program", irsg::programWithVersion());
+    table.provenance.add("analysis", "sensor mrtd");
+    table.provenance.add("sensor", sensor.title);
+    table.provenance.add("background temperature", irsg::numberText(background_K) + " K");
+    table.provenance.add("observer threshold", irsg::numberText(observer.threshold));
+    table.provenance.add("eye integration time", irsg::numberText(observer.integration_s) + " s");
+    table.provenance.add("frame rate", irsg::numberText(sensor.electronics.frameRate_Hz) + " Hz");
     return table;
 }
 

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "irsg/sensor/ResolvableTemperature.h"
 #include "irsg/sensor/SensorDescription.h"
 #include "smatcore/data/ResultTable.h"
 
@@ -29,5 +30,13 @@ std::string sensorNumbersText(const nlohmann::ordered_json& numbers);
 ResultTable sensorTransferTable(const irsg::SensorDescription& sensor,
                                 const std::vector<double>& frequencies_per_rad, bool isVertical,
                                 double source_K);
+
+/// The minimum resolvable temperature difference before a background, at frequencies >= 0:
+/// `frequency [cycles rad-1]`, `mrtd_horizontal`, `mrtd_vertical` and `mrtd` (of both directions,
+/// at the geometric mean of their frequencies) in K, NaN where bars are not resolved. Throws
+/// InputError.
+ResultTable resolvableTemperatureTable(const irsg::SensorDescription& sensor,
+                                       const std::vector<double>& frequencies_per_rad,
+                                       double background_K, const irsg::Observer& observer);
 
 } // namespace smat

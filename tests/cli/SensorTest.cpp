@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "irsg/image/ImageFile.h"
+#include "irsg/sensor/ResolvableTemperature.h"
 #include "irsg/sensor/SensorFile.h"
 #include "smatcore/data/ResultTable.h"
 #include "tests/cli/Program.h"
@@ -185,6 +186,79 @@ TEST(SmatBatchSensor, InVacuumTheRangeIsTheRootOfIntensityOverNoise) {
         EXPECT_LT(valueOf(table, "extent", row), 1.0);
         EXPECT_GE(valueOf(table, "error_detection_range", row), 0.0);
     }
+}
+
+TEST(SmatBatchSensor, BarsAreResolvedWhereTheSensorSaysAndNearerForMore) {
+    const TemporaryFolder folder;
+    const auto rangesOf = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words = {"detection",
+                                          sample("sphere/sphere.smat"),
+                                          "--sensor",
+                                          sensorFile(folder),
+                                          "--step",
+                                          "180",
+                                          "--nearest",
+                                          "10",
+                                          "--farthest",
+                                          "10000",
+                                          "--background-temperature",
+                                          "290",
+                                          "--criterion",
+                                          "johnson",
+                                          "--out",
+                                          folder / "bars.csv"};
+        const Ran ran = smatBatch(with(with(std::move(words), plain), more));
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        return ResultTable::load(folder / "bars.csv");
+    };
+    const ResultTable recognised = rangesOf({"--task", "recognition"});
+    // The mean contrast of a sphere does not change with range in vacuum: cycles fall with it.
+    const double range_m = valueOf(recognised, "detection_range", 0);
+    const double difference_K = valueOf(recognised, "temperature_difference", 0);
+    const irsg::ResolvableTemperature resolvable(irsg::loadSensor(sensorFile(folder)), 290.0);
+    EXPECT_NEAR(valueOf(recognised, "cycles", 0), 3.0, 3e-3);
+    EXPECT_NEAR(valueOf(recognised, "probability", 0), 0.5, 1e-3);
+    const double extent_rad =
+        valueOf(recognised, "extent", 0) * irsg::loadSensor(sensorFile(folder)).pixelAngle_rad();
+    EXPECT_NEAR(resolvable.frequency_per_rad(difference_K) * extent_rad, 3.0, 3e-3);
+    const ResultTable identified = rangesOf({"--task", "identification"});
+    EXPECT_NEAR(valueOf(identified, "detection_range", 0) / range_m, 0.5, 2e-3);
+    const ResultTable surely = rangesOf({"--cycles", "3", "--probability", "95"});
+    EXPECT_NEAR(valueOf(surely, "detection_range", 0) / range_m, 3.0 / irsg::taskCycles(0.95, 3.0),
+                2e-3);
+    // What does not belong to the criterion is refused.
+    const Ran mixed =
+        smatBatch({"detection", sample("sphere/sphere.smat"), "--sensor", sensorFile(folder),
+                   "--criterion", "johnson", "--snr", "3", "--out", folder / "x.csv"});
+    EXPECT_EQ(mixed.exitCode, 2);
+    EXPECT_THAT(mixed.err, HasSubstr("--snr"));
+    const Ran vacuum =
+        smatBatch({"detection", sample("sphere/sphere.smat"), "--sensor", sensorFile(folder),
+                   "--criterion", "johnson", "--out", folder / "x.csv"});
+    EXPECT_EQ(vacuum.exitCode, 2) << "before a background of 0 K";
+    EXPECT_THAT(vacuum.err, HasSubstr("background"));
+}
+
+TEST(SmatBatchSensor, TabulatesWhatIsResolved) {
+    const TemporaryFolder folder;
+    const Ran ran = smatBatch({"sensor", "mrtd", sensorFile(folder), "--frequencies",
+                               "0,1000,3000,1e6", "--out", folder / "mrtd.csv"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const ResultTable table = ResultTable::load(folder / "mrtd.csv");
+    const irsg::ResolvableTemperature resolvable(irsg::loadSensor(sensorFile(folder)), 300.0);
+    using Direction = irsg::ResolvableTemperature::Direction;
+    EXPECT_EQ(valueOf(table, "mrtd", 0), 0.0);
+    for (const std::size_t row : {1u, 2u}) {
+        const double f = valueOf(table, "frequency", row);
+        EXPECT_NEAR(valueOf(table, "mrtd_vertical", row), resolvable.mrtd_K(f, Direction::vertical),
+                    1e-12);
+        EXPECT_NEAR(resolvable.frequency_per_rad(valueOf(table, "mrtd", row)) / f, 1.0, 1e-9);
+    }
+    EXPECT_TRUE(std::isnan(valueOf(table, "mrtd", 3)));
+    const Ran refused = smatBatch({"sensor", "mrtd", sensorFile(folder), "--frequencies", "100",
+                                   "--threshold", "0", "--out", folder / "x.csv"});
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_THAT(refused.err, HasSubstr("--threshold"));
 }
 
 TEST(SmatBatchSensor, InAirOfBeersLawTheRangeIsLambertsFunction) {

@@ -1,6 +1,8 @@
 #include "irsg/sensor/DetectionRange.h"
 
 #include <cmath>
+#include <cstddef>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -57,6 +59,35 @@ TEST(DetectionRange, TheFarthestOfSeveralCrossingsCounts) {
     EXPECT_EQ(found.crossings, 3);
     EXPECT_NEAR(ratio(found.range_m), 1.0, 1e-4);
     EXPECT_GT(found.range_m, 3000.0);
+}
+
+TEST(DetectionRange, AStepInTheRatioIsFound) {
+    // Behind the horizon nothing is seen.
+    const auto ratio = [](double r) { return r < 18123.0 ? 1e10 / (r * r) : 0.0; };
+    const DetectionRange found = detectionRange(ratio, 1.0, {});
+    EXPECT_EQ(found.found, Found::atRange);
+    EXPECT_NEAR(found.range_m, 18123.0, 0.5);
+}
+
+TEST(DetectionRange, AllTargetsAreLookedAtAtRangesOfOneGrid) {
+    std::set<double> ranges;
+    std::size_t calls = 0;
+    for (int target = 0; target < 200; ++target) {
+        const double intensity = 100.0 * std::pow(1.01, target);
+        std::set<double> own;
+        const auto ratio = [&](double r) {
+            ++calls;
+            EXPECT_TRUE(own.insert(r).second) << "twice";
+            ranges.insert(r);
+            return intensity * std::exp(-2e-4 * r) / (r * r) / 1e-9;
+        };
+        const DetectionRange found = detectionRange(ratio, 5.0, {.looksPerDecade = 4});
+        const double expected =
+            2.0 / 2e-4 * lambert(0.5 * 2e-4 / std::sqrt(1e-9 * 5.0 / intensity));
+        EXPECT_NEAR(found.range_m / expected, 1.0, 1e-6);
+    }
+    EXPECT_LT(ranges.size(), 120u);
+    EXPECT_LT(calls / 200, 40u);
 }
 
 TEST(DetectionRange, WhatIsNeverOrAlwaysSeenIsSaid) {
