@@ -106,6 +106,7 @@ void AnalysisJob::work(std::stop_token stop) {
                          : order_.simulation   ? simulate(progress, stop)
                          : order_.monteCarlo   ? sampleScales(progress, stop)
                          : order_.costAccuracy ? measureConfigurations(progress, stop)
+                         : order_.detection    ? findRanges(progress, stop)
                                                : analyse(progress, stop);
     } catch (const irsg::InputError& error) {
         outcome.sentences << sentencesOf(error);
@@ -125,7 +126,7 @@ void AnalysisJob::work(std::stop_token stop) {
             if (!answered_)
                 answer(outcome);
             else if (outcome.result.monteCarlo || outcome.result.simulation ||
-                     (order_.costAccuracy && outcome.result.data))
+                     (isOfTool() && outcome.result.data))
                 emit finished(outcome.result);
             emit ended();
         },
@@ -189,6 +190,14 @@ JobResult AnalysisJob::measureConfigurations(const ProgressCallback& progress,
                                              std::stop_token stop) {
     auto data = std::make_shared<AnalysisData>(order_.analysis);
     engine_->run(*data, *order_.costAccuracy, {.progress = progress, .stop = std::move(stop)});
+    if (data->table.rowCount() == 0)
+        return {};
+    return {data};
+}
+
+JobResult AnalysisJob::findRanges(const ProgressCallback& progress, std::stop_token stop) {
+    auto data = std::make_shared<AnalysisData>(order_.analysis);
+    engine_->run(*data, *order_.detection, {.progress = progress, .stop = std::move(stop)});
     if (data->table.rowCount() == 0)
         return {};
     return {data};

@@ -14,12 +14,13 @@
 
 namespace smat::gui {
 
-/// What is asked of a job: an analysis and, with options, its Monte Carlo run or time
-/// against error of its view; the frames of a scenario, or a film of them.
+/// What is asked of a job: an analysis and, with options, its Monte Carlo run, time against error
+/// of its view, or ranges of detection; the frames of a scenario, or a film of them.
 struct JobOrder {
     AnalysisData analysis;
     std::optional<MonteCarloOptions> monteCarlo = {};
     std::optional<CostAccuracyStudy::Options> costAccuracy = {};
+    std::optional<DetectionRequest> detection = {};
     std::shared_ptr<const SimulationJob> simulation = {};
     std::shared_ptr<const FilmOrder> film = {};
 };
@@ -92,6 +93,8 @@ class AnalysisJob : public QObject {
     JobResult simulate(const ProgressCallback& progress, std::stop_token stop);
     JobResult makeFilm(const ProgressCallback& progress, const std::stop_token& stop) const;
     JobResult measureConfigurations(const ProgressCallback& progress, std::stop_token stop);
+    JobResult findRanges(const ProgressCallback& progress, std::stop_token stop);
+    bool isOfTool() const { return order_.costAccuracy || order_.detection; }
     JobResult sampleScales(const ProgressCallback& progress, std::stop_token stop);
     void keep(const AnalysisData& data, const Progress& now);
     Outcome keptSoFar();

@@ -8,6 +8,7 @@
 #include <QMenu>
 
 #include "gui/tools/CostAccuracyPage.h"
+#include "gui/tools/DetectionPage.h"
 #include "gui/tools/MonteCarloPage.h"
 #include "gui/tools/RadiativePage.h"
 #include "gui/tools/TemperatureProfilePage.h"
@@ -37,6 +38,8 @@ constexpr std::array pages = {
               made<RadiativePage>},
     MenuEntry{"temperature-profile", "temperatureProfile", QT_TR_NOOP("&Temperature profile…"),
               true, made<TemperatureProfilePage>},
+    MenuEntry{"detection", "detectionRange", QT_TR_NOOP("&Detection range…"), false,
+              made<DetectionPage>},
     MenuEntry{"montecarlo", "monteCarlo", QT_TR_NOOP("&Monte Carlo"), false, made<MonteCarloPage>},
     MenuEntry{"cost-accuracy", "frontier", QT_TR_NOOP("Time against &error"), false,
               made<CostAccuracyPage>}};

@@ -45,7 +45,8 @@ Workbench::Workbench(DoorMaker makeDoor, QObject* parent, std::shared_ptr<ModelS
         const auto asker = askers_.find(number);
         if (result.monteCarlo)
             results_.add(result.monteCarlo, asker != askers_.end() && !asker->second.isNull());
-        else if (result.data && result.data->kind == CostAccuracyStudy::kind())
+        else if (result.data && (result.data->kind == CostAccuracyStudy::kind() ||
+                                 result.data->kind == detectionKind()))
             results_.addTable(
                 QString::fromStdString(title(result.data->kind)) +
                     (result.data->state == AnalysisState::partial ? tr(" (partial)") : QString()),
@@ -357,21 +358,28 @@ int Workbench::start(AnalysisData data) {
     return jobs_.add({std::move(data)}, database_.edited());
 }
 
-int Workbench::start(const MonteCarloData& asked, QObject* asker) {
-    const int number = jobs_.add({asked.analysis, asked.options}, database_.edited());
+int Workbench::start(JobOrder job, QObject* asker) {
+    const int number = jobs_.add(std::move(job), database_.edited());
     if (asker != nullptr)
         askers_[number] = asker;
     return number;
+}
+
+int Workbench::start(const MonteCarloData& asked, QObject* asker) {
+    return start(JobOrder{asked.analysis, asked.options}, asker);
+}
+
+int Workbench::start(const AnalysisData& view, const DetectionRequest& request, QObject* asker) {
+    JobOrder job{view};
+    job.detection = request;
+    return start(std::move(job), asker);
 }
 
 int Workbench::start(const AnalysisData& view, const CostAccuracyStudy::Options& options,
                      QObject* asker) {
     JobOrder job{view};
     job.costAccuracy = options;
-    const int number = jobs_.add(std::move(job), database_.edited());
-    if (asker != nullptr)
-        askers_[number] = asker;
-    return number;
+    return start(std::move(job), asker);
 }
 
 int Workbench::start(SimulationJob order) {

@@ -109,9 +109,10 @@ class Workbench : public QObject {
     /// one runs. Returns its number. An `asker` that is still there then shows the result itself.
     int start(AnalysisData data);
     int start(const MonteCarloData& asked, QObject* asker = nullptr);
-    /// Time against error of a view: what was measured is a table of a tool.
+    /// Time against error of a view, and ranges of detection: they come to a table of a tool.
     int start(const AnalysisData& view, const CostAccuracyStudy::Options& options,
               QObject* asker = nullptr);
+    int start(const AnalysisData& view, const DetectionRequest& request, QObject* asker = nullptr);
     /// The same for the frames of a scenario, or a film of them, of which jobs().finished() tells.
     int start(SimulationJob order);
     int start(FilmOrder order);
@@ -151,6 +152,7 @@ class Workbench : public QObject {
     void jobFailed(const QStringList& sentences, bool ourFault);
 
   private:
+    int start(JobOrder job, QObject* asker);
     void apply(const Project& edited);
     void take(const Project& project, const Project& saved);
     /// Lets go of models that the project no longer names.

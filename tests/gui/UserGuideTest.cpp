@@ -74,10 +74,11 @@ class UserGuideTest : public test::WindowFixture {
                                  "analysisSettings", "compareImages",
                                  "radiativeOutput",  "temperatureProfile",
                                  "newAir",           "projectAir",
-                                 "importAir",        "monteCarlo",
-                                 "frontier",         "menuLibrary",
-                                 "showShortcuts",    "findCommand",
-                                 "selfTest",         "showAbout"}) {
+                                 "importAir",        "detectionRange",
+                                 "monteCarlo",       "frontier",
+                                 "menuLibrary",      "showShortcuts",
+                                 "findCommand",      "selfTest",
+                                 "showAbout"}) {
             trigger(name);
         }
         auto* tabs = window->findChild<QTabWidget*>("tabs");

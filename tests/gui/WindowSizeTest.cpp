@@ -36,8 +36,8 @@ TEST_F(WindowSizeTest, EveryPageAndDockFitsASmallScreen) {
         runAnalysis(word);
         fits(word);
     }
-    for (const char* tool : {"compareImages", "radiativeOutput", "temperatureProfile", "monteCarlo",
-                             "frontier", "newAir", "projectAir"}) {
+    for (const char* tool : {"compareImages", "radiativeOutput", "temperatureProfile",
+                             "detectionRange", "monteCarlo", "frontier", "newAir", "projectAir"}) {
         trigger(tool);
         fits(tool);
         test::keepScreenshot(*window, std::string("small-") + tool);
@@ -85,8 +85,8 @@ TEST_F(WindowSizeTest, ToolPagesNeedNoScrollingOnASmallScreen) {
     openSample();
     auto* centre = window->findChild<QScrollArea*>("centre");
     ASSERT_NE(centre, nullptr);
-    for (const char* tool :
-         {"compareImages", "radiativeOutput", "temperatureProfile", "monteCarlo", "frontier"}) {
+    for (const char* tool : {"compareImages", "radiativeOutput", "temperatureProfile",
+                             "detectionRange", "monteCarlo", "frontier"}) {
         trigger(tool);
         QTest::qWait(30);
         EXPECT_LE(centre->widget()->minimumSizeHint().width(), centre->viewport()->width()) << tool;

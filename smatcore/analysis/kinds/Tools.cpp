@@ -35,6 +35,13 @@ extern constinit const AnalysisDefinition simulationTool{
     .icon = "time",
     .form = AnalysisForm::table};
 
+extern constinit const AnalysisDefinition detectionTool{
+    .name = "detection",
+    .title = "Detection range",
+    .help = "How far a sensor sees the target, over one turn",
+    .icon = "sensor",
+    .form = AnalysisForm::table};
+
 extern constinit const AnalysisDefinition frontierTool{
     .name = "cost-accuracy",
     .title = "Time against error",

@@ -1,0 +1,132 @@
+// Tools, Detection range: a sensor is chosen, the rose is drawn, kept, exported, and is that of the
+// command line.
+#include "gui/tools/DetectionPage.h"
+
+#include <fstream>
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalSpy>
+
+#include "gui/analysis/ResultPage.h"
+#include "gui/plot/PlotPanel.h"
+#include "gui/plot/PolarPlot.h"
+#include "gui/widgets/NumberBoxes.h"
+#include "gui/widgets/Theme.h"
+#include "smatcore/jobs/AnalysisJobs.h"
+#include "tests/gui/WindowFixture.h"
+
+namespace smat::gui {
+namespace {
+
+class DetectionPageTest : public test::WindowFixture {
+  protected:
+    void openPage() {
+        openSample();
+        workbench.set("render.bounces", "0");
+        trigger("detectionRange");
+        page = window->findChild<DetectionPage*>();
+        ASSERT_NE(page, nullptr);
+        find<RealBox>("aspectStep")->setValue(60.0);
+    }
+    template <typename Widget>
+    Widget* find(const char* name) {
+        return page->findChild<Widget*>(name);
+    }
+    void run() {
+        QSignalSpy ended(page, &DetectionPage::ended);
+        find<QPushButton>("run")->click();
+        ASSERT_TRUE(test::waitUntil([&] { return !ended.isEmpty(); }, 120.0));
+        ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+    }
+
+    DetectionPage* page = nullptr;
+};
+
+TEST_F(DetectionPageTest, DrawsTheRoseOfTheCommandLineAndKeepsIt) {
+    openPage();
+    EXPECT_GE(find<QComboBox>("sensorFile")->count(), 7) << "six that ship, and a file";
+    EXPECT_TRUE(find<QLabel>("sensorText")->text().contains("NETD"));
+    find<RealBox>("snr")->setValue(7.5);
+    const QString command = find<QLineEdit>("command")->text();
+    EXPECT_TRUE(command.startsWith("smat-batch detection ")) << command.toStdString();
+    EXPECT_TRUE(command.contains("--snr 7.5") && command.contains("--step=60"))
+        << command.toStdString();
+    run();
+    const PolarData& rose = page->plot().polar()->data();
+    ASSERT_EQ(rose.curves.size(), 1u);
+    ASSERT_EQ(rose.curves[0].y.size(), 6u);
+
+    AnalysisData same = page->asked();
+    JobRunner().run(same, page->request());
+    EXPECT_EQ(rose.curves[0].y, same.table.find("detection_range")->values);
+    EXPECT_GT(rose.curves[0].y[0], 100.0);
+
+    ASSERT_EQ(workbench.results().size(), 1u);
+    const ResultEntry& kept = workbench.results().front();
+    EXPECT_EQ(kept.data->kind, detectionKind());
+    ResultPage again({kept});
+    ASSERT_NE(again.polarPlot(), nullptr);
+    window->resize(1280, 800);
+    test::keepScreenshot(*window, "detection-light");
+    for (const char* suffix : {".csv", ".json", ".png", ".svg"}) {
+        const auto file = folder / (std::string("rose") + suffix);
+        page->exportTo(file);
+        EXPECT_GT(std::filesystem::file_size(file), 500u) << suffix;
+    }
+    EXPECT_EQ(ResultTable::load(folder / "rose.csv").rowCount(), 6u);
+}
+
+TEST_F(DetectionPageTest, ATaskShowsItsOwnFieldsAndResolvesCloser) {
+    openPage();
+    EXPECT_TRUE(find<RealBox>("snr")->isVisibleTo(page));
+    EXPECT_FALSE(find<QComboBox>("task")->isVisibleTo(page));
+    find<QComboBox>("criterion")->setCurrentIndex(1);
+    EXPECT_FALSE(find<RealBox>("snr")->isVisibleTo(page));
+    EXPECT_TRUE(find<QComboBox>("task")->isVisibleTo(page));
+    find<RealBox>("backgroundTemperature")->setValue(290.0);
+    find<RealBox>("nearest")->setValue(20.0);
+    find<RealBox>("probability")->setValue(80.0);
+    find<QComboBox>("task")->setCurrentIndex(0);
+    EXPECT_TRUE(find<QLineEdit>("command")->text().contains(
+        "--criterion johnson --task detection --probability 80"))
+        << find<QLineEdit>("command")->text().toStdString();
+    run();
+    const std::vector<double> detected = page->plot().polar()->data().curves[0].y;
+    find<QComboBox>("task")->setCurrentIndex(2);
+    run();
+    const std::vector<double> identified = page->plot().polar()->data().curves[0].y;
+    ASSERT_EQ(identified.size(), detected.size());
+    for (std::size_t i = 0; i < detected.size(); ++i) {
+        EXPECT_LT(identified[i], 0.5 * detected[i]);
+    }
+}
+
+TEST_F(DetectionPageTest, SaysWhatIsWrongWithASensorAndWithLimits) {
+    openPage();
+    const std::filesystem::path bad = folder / "bad.smatsensor";
+    std::ofstream(bad) << "{\"format\": \"smat-sensor\", \"version\": 1}";
+    chosen = QString::fromStdString(bad.string());
+    auto* sensors = find<QComboBox>("sensorFile");
+    sensors->setCurrentIndex(sensors->count() - 1);
+    emit sensors->activated(sensors->count() - 1);
+    EXPECT_FALSE(find<QPushButton>("run")->isEnabled());
+    EXPECT_EQ(find<QLabel>("sensorText")->text(), "This sensor cannot be used.");
+    EXPECT_THROW((void)page->request(), irsg::InputError);
+    sensors->setCurrentIndex(0);
+    emit sensors->activated(0);
+    EXPECT_TRUE(find<QPushButton>("run")->isEnabled());
+    find<RealBox>("farthest")->setValue(50.0);
+    EXPECT_FALSE(find<QPushButton>("run")->isEnabled());
+    // A question that is not answered changes nothing.
+    chosen.clear();
+    sensors->setCurrentIndex(sensors->count() - 1);
+    emit sensors->activated(sensors->count() - 1);
+    EXPECT_EQ(sensors->currentIndex(), 0);
+}
+
+} // namespace
+} // namespace smat::gui
