@@ -380,6 +380,42 @@ class Renderer:
 
 def render(scene: Scene, view: SensorView, outputs: Outputs = ...) -> Rendered: ...
 
+class SensorDescription:
+    def __init__(self, file: _Path) -> None: ...
+    @property
+    def title(self) -> str: ...
+    @property
+    def source(self) -> str: ...
+    @property
+    def shape(self) -> tuple[int, int]: ...
+    @property
+    def pixel_angle_rad(self) -> float: ...
+    @property
+    def band(self) -> Band: ...
+    def numbers(
+        self,
+        background_temperature_K: float = 300.0,
+        *,
+        temperature_difference_K: float = 0.0,
+        point_irradiance_W_m2: float = 0.0,
+    ) -> dict[str, Any]: ...
+    def transfer(
+        self,
+        frequencies_per_rad: ArrayLike,
+        *,
+        direction: str = "horizontal",
+        source_temperature_K: float = 300.0,
+    ) -> Table: ...
+    def resolvable_temperature(
+        self,
+        frequencies_per_rad: ArrayLike,
+        *,
+        background_temperature_K: float = 300.0,
+        threshold: float = 2.5,
+        eye_time_s: float = 0.2,
+    ) -> Table: ...
+    def read(self, radiance: ArrayLike, *, seed: int = 1, frame: int = 0) -> Image: ...
+
 class SettingInfo:
     @property
     def key(self) -> str: ...
@@ -536,4 +572,10 @@ class OpenProject:
         options: dict[str, Any],
         progress: Optional[Callable[[Progress], Any]],
     ) -> MonteCarloResult: ...
+    def detection(
+        self,
+        sensor: SensorDescription,
+        options: dict[str, Any],
+        progress: Optional[Callable[[Progress], Any]],
+    ) -> Result: ...
     def view(self) -> tuple[Scene, SensorView]: ...

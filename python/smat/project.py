@@ -14,6 +14,7 @@ from smat._core import (
     Progress,
     Result,
     Scene,
+    SensorDescription,
     SensorView,
     SignatureDatabase,
 )
@@ -306,6 +307,76 @@ class Project:
         return self.run(
             "table", analysis=analysis, settings=settings, progress=progress, **options
         )
+
+    def detection(
+        self,
+        sensor: SensorDescription,
+        *,
+        criterion: str = "point",
+        snr: Optional[float] = None,
+        point: str = "centre",
+        task: str = "detection",
+        cycles: Optional[float] = None,
+        probability: Optional[float] = None,
+        nearest_m: Optional[float] = None,
+        farthest_m: Optional[float] = None,
+        background_temperature_K: Optional[float] = None,
+        settings: Optional[Mapping[str, SettingValue]] = None,
+        progress: Optional[ProgressFunction] = None,
+        **options: SettingValue,
+    ) -> Result:
+        """How far a sensor sees the target over aspect, as `smat-batch detection` does.
+
+        Parameters
+        ----------
+        sensor : SensorDescription
+            What looks for the target.
+        criterion : {'point', 'johnson'}
+            By the signal to noise ratio of the target as a point, or by cycles across it.
+        snr : float, optional
+            Of a point: the ratio at which it is seen, 5.
+        point : {'centre', 'mean', 'corner'}
+            Where the image of the point lies on a pixel.
+        task : {'detection', 'recognition', 'identification'}
+            Of 'johnson': 0.75, 3 or 6 cycles for a probability of 50 %.
+        cycles : float, optional
+            In place of a task: its cycles.
+        probability : float, optional
+            Of the task, 0 to 1, both exclusive; 0.5.
+        nearest_m, farthest_m : float, optional
+            Where the range is sought, m: 100 and 1e6.
+        background_temperature_K : float, optional
+            Of the background whose photons make noise; without, that of the scene.
+        settings, progress, **options
+            As those of polar(), which place the cases.
+
+        Returns
+        -------
+        Result
+            'detection_range' with its error over the aspect.
+
+        Raises
+        ------
+        InputError
+            For values that cannot be.
+        """
+        given = {**texts(settings or {}), **texts_of_options("polar", options)}
+        project = self._open
+        if given:
+            project = _core.OpenProject(self._open)
+            project.set_texts(given)
+        request = {
+            "criterion": criterion,
+            "snr": snr,
+            "point": point,
+            "task": task,
+            "cycles": cycles,
+            "probability": probability,
+            "nearest_m": nearest_m,
+            "farthest_m": farthest_m,
+            "background_temperature_K": background_temperature_K,
+        }
+        return project.detection(sensor, request, progress)
 
     def monte_carlo(
         self,

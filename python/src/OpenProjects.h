@@ -34,5 +34,6 @@ void prepareProcess();
 using ProjectClass = py::class_<OpenProject>;
 void addMonteCarlo(py::module_& module, ProjectClass& project);
 void addScenarios(py::module_& module);
+void addSensors(py::module_& module, ProjectClass& project);
 
 } // namespace smat::python

@@ -291,6 +291,7 @@ void addProjects(py::module_& module) {
             }));
     addMonteCarlo(module, project);
     addScenarios(module);
+    addSensors(module, project);
 }
 
 } // namespace smat::python

@@ -1,5 +1,7 @@
 """Each example runs, quickly, in a folder of its own, and mypy finds nothing in it."""
 
+import ast
+import json
 import pathlib
 import subprocess
 import sys
@@ -15,13 +17,17 @@ FILES = {
     "hyperspectral_cube": ["cube.npy"],
     "plume_spectrum": ["plume.png"],
     "compare_camera": ["difference.exr"],
+    "detection_rose": ["rose.png"],
+    "sensor_noise": ["counts.exr"],
 }
+NOTEBOOKS = sorted(EXAMPLES[0].parent.glob("*.ipynb"))
 
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda file: file.stem)
 def test_example_runs(example, tmp_path):
-    if "import matplotlib" in example.read_text():
-        pytest.importorskip("matplotlib")
+    for module in ("matplotlib", "dask"):
+        if f"import {module}" in example.read_text() or f"from {module}" in example.read_text():
+            pytest.importorskip(module)
     done = subprocess.run(
         [sys.executable, example, "--quick"],
         cwd=tmp_path,
@@ -34,9 +40,25 @@ def test_example_runs(example, tmp_path):
     assert sorted(file.name for file in tmp_path.iterdir()) == FILES.get(example.stem, [])
 
 
+@pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda file: file.stem)
+def test_notebook_runs(notebook, monkeypatch):
+    monkeypatch.chdir(pathlib.Path(__file__).resolve().parents[2])
+    names, shown = {}, []
+    for cell in json.loads(notebook.read_text())["cells"]:
+        if cell["cell_type"] == "code":
+            *lines, last = ast.parse("".join(cell["source"])).body
+            exec(compile(ast.Module(lines, []), notebook.name, "exec"), names)
+            if isinstance(last, ast.Expr):
+                shown.append(eval(compile(ast.Expression(last.value), notebook.name, "eval"), names))
+            else:
+                exec(compile(ast.Module([last], []), notebook.name, "exec"), names)
+    assert shown[0]._repr_png_().startswith(b"\x89PNG")
+    assert len(shown) == 3
+
+
 def test_every_example_is_in_the_readme():
     readme = (EXAMPLES[0].parent / "README.md").read_text()
-    for example in EXAMPLES:
+    for example in EXAMPLES + NOTEBOOKS:
         assert f"`{example.name}`" in readme
 
 

@@ -1,0 +1,275 @@
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "irsg/sensor/SensorChain.h"
+#include "irsg/sensor/SensorFile.h"
+#include "python/src/OpenProjects.h"
+#include "python/src/Results.h"
+#include "smatcore/analysis/Detection.h"
+#include "smatcore/support/NearestNames.h"
+#include "smatcore/tools/SensorOutput.h"
+
+namespace smat::python {
+
+namespace {
+
+using irsg::SensorDescription;
+using Plane = py::array_t<float, py::array::c_style | py::array::forcecast>;
+using Table = std::shared_ptr<ResultTable>;
+
+/// A sensor with the file that it is from.
+struct FileSensor {
+    SensorDescription description;
+    std::filesystem::path file;
+};
+
+double positive(const char* argument, double value, const char* expected) {
+    if (!(value > 0.0))
+        throw badArgument(argument, irsg::numberText(value), expected);
+    return value;
+}
+
+std::size_t wordOf(const char* argument, const std::string& word,
+                   const std::vector<std::string>& words) {
+    const auto found = std::ranges::find(words, word);
+    if (found == words.end())
+        throw badArgument(argument, word, oneOf(words, word));
+    return static_cast<std::size_t>(found - words.begin());
+}
+
+py::object numbersOf(const FileSensor& sensor, double background_K, double difference_K,
+                     double irradiance_W_m2) {
+    const std::string text = withoutLock([&] {
+        return sensorNumbersJson(sensor.description, {background_K, difference_K, irradiance_W_m2})
+            .dump();
+    });
+    return py::module_::import("json").attr("loads")(text);
+}
+
+Table transferOf(const FileSensor& sensor, const Numbers& frequencies_per_rad,
+                 const std::string& direction, double source_K) {
+    const bool isVertical = wordOf("direction", direction, {"horizontal", "vertical"}) == 1;
+    const std::vector<double> list = python::vectorOf(frequencies_per_rad, "frequencies_per_rad");
+    return withoutLock([&] {
+        return std::make_shared<ResultTable>(
+            sensorTransferTable(sensor.description, list, isVertical, source_K));
+    });
+}
+
+Table resolvableOf(const FileSensor& sensor, const Numbers& frequencies_per_rad,
+                   double background_K, double threshold, double eyeTime_s) {
+    const std::vector<double> list = python::vectorOf(frequencies_per_rad, "frequencies_per_rad");
+    return withoutLock([&] {
+        return std::make_shared<ResultTable>(resolvableTemperatureTable(
+            sensor.description, list, background_K, {threshold, eyeTime_s}));
+    });
+}
+
+std::shared_ptr<irsg::RadianceImage> readingOf(const FileSensor& sensor, const Plane& radiance,
+                                               std::uint64_t seed, std::uint32_t frame) {
+    const irsg::SensorDetector& detector = sensor.description.detector;
+    const bool isPlane = radiance.ndim() == 2;
+    const py::ssize_t samples = isPlane ? radiance.shape(1) / detector.columns : 0;
+    if (!isPlane || samples < 1 || radiance.shape(1) != samples * detector.columns ||
+        radiance.shape(0) != samples * detector.rows)
+        throw badArgument(
+            "radiance",
+            isPlane ? std::to_string(radiance.shape(0)) + " x " + std::to_string(radiance.shape(1))
+                    : std::to_string(radiance.ndim()) + " dimensions",
+            "rows and columns of the detector, " + std::to_string(detector.rows) + " x " +
+                std::to_string(detector.columns) + ", or the same whole multiple of both");
+    auto image = std::make_shared<irsg::RadianceImage>(static_cast<int>(radiance.shape(1)),
+                                                       static_cast<int>(radiance.shape(0)), "L",
+                                                       "W m-2 sr-1");
+    image->channels.front().values.assign(radiance.data(), radiance.data() + radiance.size());
+    withoutLock([&] {
+        irsg::readBySensor(*image, irsg::SensorChain(sensor.description), static_cast<int>(samples),
+                           seed, frame);
+    });
+    return image;
+}
+
+DetectionRequest requestOf(const FileSensor& sensor, const py::dict& given) {
+    DetectionRequest request;
+    request.sensor = sensor.description;
+    request.sensorFile = sensor.file;
+    const auto number = [&](const char* key, double otherwise) {
+        return given[key].is_none() ? otherwise
+                                    : positive(key, given[key].cast<double>(), "a number above 0");
+    };
+    request.criterion = static_cast<RangeCriterion>(
+        wordOf("criterion", given["criterion"].cast<std::string>(), criterionWords()));
+    request.place = static_cast<PointPlace>(
+        wordOf("point", given["point"].cast<std::string>(), pointPlaceWords()));
+    request.threshold = number("snr", request.threshold);
+    std::vector<std::string> tasks;
+    for (const irsg::JohnsonTask& task : irsg::johnsonTasks())
+        tasks.emplace_back(task.name);
+    request.task.cyclesOfHalf = number(
+        "cycles", irsg::johnsonTasks()[wordOf("task", given["task"].cast<std::string>(), tasks)]
+                      .cyclesOfHalf);
+    request.task.probability = number("probability", request.task.probability);
+    request.limits.nearest_m = number("nearest_m", request.limits.nearest_m);
+    request.limits.farthest_m = number("farthest_m", request.limits.farthest_m);
+    if (!given["background_temperature_K"].is_none())
+        request.background_K = number("background_temperature_K", 0.0);
+    return request;
+}
+
+std::shared_ptr<AnalysisData> detectionOf(const OpenProject& open, const FileSensor& sensor,
+                                          const py::dict& given, const py::object& progress) {
+    prepareProcess();
+    const DetectionRequest request = requestOf(sensor, given);
+    auto data = std::make_shared<AnalysisData>(analysisOf(open, name(AnalysisKind::polar), ""));
+    data->name = name(detectionKind());
+    data->commandLine = detectionCommand(data->project, data->settings, request, "detection.csv");
+    PythonProgress watch(progress);
+    withoutLock([&] {
+        const Pool<JobRunner>::Lease runner(*open.runners);
+        runner->scenes().setDatabaseOverrides(open.databases);
+        runner->run(*data, request, {.progress = watch.callback(), .stop = watch.stop()});
+    });
+    watch.finish();
+    warnOf(data->warnings);
+    return data;
+}
+
+} // namespace
+
+void addSensors(py::module_& module, ProjectClass& project) {
+    py::class_<FileSensor>(module, "SensorDescription",
+                           R"(A sensor from its pupil to its counts, as docs/sensor.md describes it.
+
+Parameters
+----------
+file : str or os.PathLike
+    A sensor (.smatsensor).
+
+Raises
+------
+InputError
+    For a file that is none, and a sensor that cannot be, with key and line.
+)")
+        .def(py::init([](const std::filesystem::path& file) {
+                 return withoutLock([&] { return FileSensor{irsg::loadSensor(file), file}; });
+             }),
+             py::arg("file"))
+        .def_property_readonly(
+            "title", [](const FileSensor& sensor) { return sensor.description.title; }, "Its name.")
+        .def_property_readonly(
+            "source", [](const FileSensor& sensor) { return sensor.description.source; },
+            "Where its numbers come from.")
+        .def_property_readonly(
+            "shape",
+            [](const FileSensor& sensor) {
+                return py::make_tuple(sensor.description.detector.rows,
+                                      sensor.description.detector.columns);
+            },
+            "Rows and columns of the detector.")
+        .def_property_readonly(
+            "pixel_angle_rad",
+            [](const FileSensor& sensor) { return sensor.description.pixelAngle_rad(); },
+            "The angle of a pixel, rad.")
+        .def_property_readonly(
+            "band", [](const FileSensor& sensor) { return sensor.description.band(); },
+            "Its response relative to the peak, as a Band.")
+        .def("numbers", &numbersOf, py::arg("background_temperature_K") = 300.0, py::kw_only(),
+             py::arg("temperature_difference_K") = 0.0, py::arg("point_irradiance_W_m2") = 0.0,
+             R"(What `smat-batch sensor info --json` states before a background.
+
+Parameters
+----------
+background_temperature_K : float
+    Of a black body that fills the field, K, above 0.
+temperature_difference_K : float
+    Of an area before it, K; with one there is 'snr_area'.
+point_irradiance_W_m2 : float
+    Of a point on the pupil, W m-2 in the band; with one there is 'snr_point'.
+
+Returns
+-------
+dict
+    'netd_K', 'nei_W_m2', 'electrons' and more, with each convention in words ('conventions').
+)")
+        .def("transfer", &transferOf, py::arg("frequencies_per_rad"), py::kw_only(),
+             py::arg("direction") = "horizontal", py::arg("source_temperature_K") = 300.0,
+             R"(The modulation transfer function.
+
+Parameters
+----------
+frequencies_per_rad : array_like, shape (n,)
+    Spatial frequencies, cycles/rad, at least 0.
+direction : {'horizontal', 'vertical'}
+    Along the rows, or the columns.
+source_temperature_K : float
+    Of the black body whose spectrum weighs the wavelengths, K.
+
+Returns
+-------
+Table
+    'frequency', a column for each component, and their product, 'system'.
+)")
+        .def("resolvable_temperature", &resolvableOf, py::arg("frequencies_per_rad"), py::kw_only(),
+             py::arg("background_temperature_K") = 300.0, py::arg("threshold") = 2.5,
+             py::arg("eye_time_s") = 0.2,
+             R"(The minimum resolvable temperature difference (MRTD), K.
+
+Parameters
+----------
+frequencies_per_rad : array_like, shape (n,)
+    Spatial frequencies, cycles/rad, at least 0.
+background_temperature_K : float
+    Of a black body that fills the field, K.
+threshold : float
+    Perceived signal to noise ratio at which an observer sees bars.
+eye_time_s : float
+    Over which his eye takes the mean of frames, s.
+
+Returns
+-------
+Table
+    'mrtd_horizontal', 'mrtd_vertical' and 'mrtd', NaN where bars are not resolved.
+)")
+        .def("read", &readingOf, py::arg("radiance"), py::kw_only(), py::arg("seed") = 1,
+             py::arg("frame") = 0,
+             R"(What the sensor makes of a picture: blur, noise, counts.
+
+Parameters
+----------
+radiance : array_like, shape (n rows, n columns)
+    Band radiance, W m-2 sr-1, of n squared samples for each pixel, top row first.
+seed, frame : int
+    The noise follows from them and the place of a pixel alone.
+
+Returns
+-------
+Image
+    Planes 'counts' and 'L', the apparent radiance that the counts stand for.
+
+Raises
+------
+InputError
+    For an array of another size.
+)")
+        .def("__repr__",
+             [](const FileSensor& sensor) {
+                 return "SensorDescription '" + sensor.description.title + "'";
+             })
+        .def(py::pickle(
+            [](const FileSensor& sensor) {
+                return py::make_tuple(sensorToJson(sensor.description), sensor.file);
+            },
+            [](const py::tuple& state) {
+                const auto file = state[1].cast<std::filesystem::path>();
+                return FileSensor{irsg::sensorFromJson(state[0].cast<std::string>(), file.string()),
+                                  file};
+            }));
+    project.def("detection", &detectionOf, py::arg("sensor"), py::arg("options"),
+                py::arg("progress"));
+}
+
+} // namespace smat::python

@@ -1,0 +1,89 @@
+"""Sensors: numbers of the command line, pictures in counts, ranges of detection."""
+
+import json
+import pickle
+
+import numpy as np
+import pytest
+
+import smat
+
+
+@pytest.fixture
+def file(samples):
+    return samples.parent / "resources" / "sensors" / "cooled-mwir.smatsensor"
+
+
+@pytest.fixture
+def sensor(file):
+    return smat.SensorDescription(file)
+
+
+def test_numbers_are_those_of_the_command_line(sensor, file, batch):
+    theirs = json.loads(batch("sensor", "info", file, "--background-temperature", 290, "--json"))
+    assert sensor.numbers(290.0) == theirs
+    assert sensor.title == theirs["title"] and sensor.source == theirs["source"]
+    assert sensor.shape == (512, 640)
+    assert 1e6 * sensor.pixel_angle_rad == pytest.approx(theirs["pixel_angle_urad"], rel=1e-12)
+    assert "snr_area" in sensor.numbers(290.0, temperature_difference_K=1.0)
+    assert sensor.band.range_um == pytest.approx((3.7, 4.8))
+
+
+def test_tables_are_those_of_the_command_line(sensor, file, batch, tmp_path):
+    batch("sensor", "mtf", file, "--frequencies", "0,500,2000", "--direction", "vertical", "--out", tmp_path / "m.csv")
+    batch("sensor", "mrtd", file, "--frequencies", "0,500,20000", "--eye-time", 0.1, "--out", tmp_path / "r.csv")
+    theirs = smat.Table.load(tmp_path / "m.csv")
+    ours = sensor.transfer([0, 500, 2000], direction="vertical")
+    assert ours.keys() == theirs.keys() and np.array_equal(ours.to_numpy(), theirs.to_numpy())
+    theirs = smat.Table.load(tmp_path / "r.csv")
+    ours = sensor.resolvable_temperature([0, 500, 20000], eye_time_s=0.1)
+    assert ours.keys() == theirs.keys() and np.array_equal(ours.to_numpy(), theirs.to_numpy(), equal_nan=True)
+    assert ours["mrtd"][0] == 0 and np.isnan(ours["mrtd"][-1])
+    with pytest.raises(smat.InputError, match="horizontal"):
+        sensor.transfer([0], direction="diagonal")
+
+
+def test_a_uniform_picture_is_read_with_the_noise_of_the_numbers(sensor):
+    level = sensor.band.radiance(300.0)
+    read = sensor.read(np.full(sensor.shape, level), seed=3)
+    again = sensor.read(np.full((1024, 1280), level), seed=3)
+    assert read["counts"].shape == again["counts"].shape == (512, 640)
+    numbers = sensor.numbers(300.0)
+    per_K = sensor.band.radiance(300.5) - sensor.band.radiance(299.5)
+    differences_K = (read["L"].astype(float) - level) / per_K
+    alive = np.abs(differences_K) < 10 * numbers["netd_total_K"]  # bad pixels are 0 or full
+    assert 0.99 < alive.mean() <= 1.0
+    assert differences_K[alive].mean() == pytest.approx(0.0, abs=0.2 * numbers["netd_total_K"])
+    assert differences_K[alive].std() == pytest.approx(numbers["netd_total_K"], rel=0.05)
+    with pytest.raises(smat.InputError, match="512 x 640"):
+        sensor.read(np.zeros((10, 10)))
+    with pytest.raises(smat.InputError, match="512 x 640"):
+        sensor.read(np.zeros(5))
+
+
+def test_ranges_are_those_of_the_command_line(sensor, file, samples, batch, tmp_path):
+    project = samples / "sphere" / "sphere.smat"
+    batch("detection", project, "--sensor", file, "--step", 120, "--snr", 8, "--farthest", 1e7, "--out", tmp_path / "d.csv")
+    theirs = smat.Table.load(tmp_path / "d.csv")
+    asked = []
+    result = smat.Project(project).detection(sensor, snr=8, step=120, farthest_m=1e7, progress=lambda now: asked.append(now.done))
+    assert result.kind == "detection" and result.is_complete and asked[0] == 0
+    assert np.array_equal(result.table.to_numpy(), theirs.to_numpy())
+    assert dict(result.table.provenance)["analysis"] == "detection"
+    again = pickle.loads(pickle.dumps(sensor))
+    near = smat.Project(project).detection(
+        again, criterion="johnson", cycles=2, probability=0.9, step=180, background_temperature_K=290
+    )
+    assert np.all(near.table["detection_range"] < result.table["detection_range"][0])
+    assert near.table["probability"] == pytest.approx(0.9, abs=1e-4)
+
+
+@pytest.mark.parametrize(
+    "wrong, named",
+    [({"snr": 0}, "snr"), ({"criterion": "luck"}, "johnson"), ({"point": "side"}, "corner"),
+     ({"task": "guess", "criterion": "johnson"}, "recognition"), ({"probability": 1.0, "criterion": "johnson"}, "probability"),
+     ({"nearest_m": 10, "farthest_m": 5}, "range"), ({"background_temperature_K": -1}, "background_temperature_K")],
+)
+def test_wrong_questions_are_refused_by_name(sensor, samples, wrong, named):
+    with pytest.raises(smat.InputError, match=named):
+        smat.Project(samples / "sphere" / "sphere.smat").detection(sensor, step=180, **wrong)
