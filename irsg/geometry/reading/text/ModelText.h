@@ -7,7 +7,7 @@
 namespace irsg {
 
 /// The text of a model as readers take it: in UTF-8 without a byte order mark, its lines ended by
-/// \n. A text that begins with the mark of UTF-16 or UTF-32 is converted; \r and \r\n become \n,
+/// LF. A text that begins with the mark of UTF-16 or UTF-32 is converted; CR and CR LF become LF,
 /// and so the numbers of lines stay; the end mark of DOS (0x1A) is cut off. Other bytes stay as
 /// they are. `file` is used in messages. Throws InputError for UTF-16 or UTF-32 that ends within a
 /// character or has one that there is not.

@@ -29,8 +29,8 @@ struct PlyHead {
     std::size_t lines = 0;             ///< in the head
 };
 
-/// Reads the head. A byte order mark before it is passed over; its lines may end in \n, \r\n or \r.
-/// Throws InputError, with the line, where it is none.
+/// Reads the head. A byte order mark before it is passed over; its lines may end in LF, CR LF or
+/// CR. Throws InputError, with the line, where it is none.
 PlyHead readPlyHead(std::string_view bytes, const std::string& file);
 
 /// Bytes of a number of this type.
