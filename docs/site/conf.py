@@ -22,6 +22,7 @@ nitpicky = False  # types of Python in docstrings are words, not links
 napoleon_numpy_docstring = True
 napoleon_google_docstring = False
 napoleon_use_rtype = False
+napoleon_use_ivar = True
 autodoc_member_order = "groupwise"
 autodoc_typehints = "none"
 python_use_unqualified_type_names = True
