@@ -37,7 +37,7 @@ void takeNewRows(ResultTable& table, const ResultTable& grown) {
         std::vector<double> values;
         for (const auto& column : grown.columns())
             values.push_back(column.values[row]);
-        table.addRow(values);
+        table.addRow(values, grown.warningOf(row));
     }
 }
 

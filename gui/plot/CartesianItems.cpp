@@ -86,6 +86,12 @@ void SampledCurve::drawSeries(QPainter* painter, const QwtScaleMap& xMap, const 
         painter->setBrush(Qt::NoBrush);
         drawLine(*painter, chosen(line, pointsOf(line, column)), area);
     }
+    QPolygonF hollow;
+    for (std::size_t i = 0; i < curve_.warnings.size(); ++i)
+        if (!curve_.warnings[i].isEmpty() && drawable(static_cast<int>(i)))
+            hollow << QPointF(xMap.transform(curve_.x[i]), yMap.transform(curve_.y[i]));
+    painter->setPen(pen());
+    drawHollowPoints(*painter, hollow, hollowFill(), area);
     painter->restore();
 }
 

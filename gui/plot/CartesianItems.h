@@ -15,7 +15,7 @@ namespace smat::gui {
 std::vector<SampleRun> numbersOf(const Curve& curve);
 
 /// Draws the samples of a Curve: nothing for missing points, a dot for one between gaps, a band
-/// where the curve has errors.
+/// where the curve has errors, a hollow point where it warns of something.
 class SampledCurve : public CurveItemOf<QwtPlotCurve> {
   public:
     /// Keeps a reference to `curve`, which outlives it.

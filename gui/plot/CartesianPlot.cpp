@@ -48,9 +48,14 @@ std::optional<Interval> logarithmicRange(const std::vector<Curve>& curves) {
     return range;
 }
 
-/// Whether a sample stands by itself, and so is drawn as a dot, where x begins or ends.
+/// Whether a sample is drawn as a dot where x begins or ends: one that stands by itself or warns of
+/// something.
 bool hasDotAt(const Interval& range, const std::vector<Curve>& curves) {
     const auto isDotOf = [&](const Curve& curve) {
+        for (std::size_t i = 0; i < curve.warnings.size(); ++i)
+            if (!curve.warnings[i].isEmpty() &&
+                (curve.x[i] == range.minimum || curve.x[i] == range.maximum))
+                return true;
         return std::ranges::any_of(numbersOf(curve), [&](const SampleRun& run) {
             const double x = curve.x[static_cast<std::size_t>(run.first)];
             return run.first == run.last && (x == range.minimum || x == range.maximum);

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include <QImage>
+#include <QLineF>
 #include <QPaintEngine>
 #include <QPainter>
 #include <QwtClipper>
@@ -231,6 +232,24 @@ void drawBand(QPainter& painter, const QPolygonF& upper, const QPolygonF& lower,
     raster.add(back.front(), there.front());
     raster.paint(painter.brush().color(),
                  painter.hasClipping() ? toPixels.map(painter.clipRegion()) : QRegion(seen));
+}
+
+void drawHollowPoints(QPainter& painter, const QPolygonF& points, const QColor& fill,
+                      const QRectF& area) {
+    constexpr double radius_px = 3.6, least_px = 2.0;
+    painter.save();
+    QPen pen = painter.pen();
+    pen.setWidthF(1.6);
+    painter.setPen(pen);
+    painter.setBrush(fill);
+    const QPointF* last = nullptr;
+    for (const QPointF& point : points) {
+        if (!area.contains(point) || (last != nullptr && QLineF(*last, point).length() < least_px))
+            continue;
+        painter.drawEllipse(point, radius_px, radius_px);
+        last = &point;
+    }
+    painter.restore();
 }
 
 void drawOnPicture(QPainter& painter, const QSize& size, const QColor& background,

@@ -55,6 +55,11 @@ void drawLine(QPainter& painter, const QPolygonF& line, const QRectF& area);
 void drawBand(QPainter& painter, const QPolygonF& upper, const QPolygonF& lower,
               const QRectF& area);
 
+/// Draws hollow points in `area` with the painter's pen, in the order of the line that they lie on;
+/// one that would hide most of the last is left out.
+void drawHollowPoints(QPainter& painter, const QPolygonF& points, const QColor& fill,
+                      const QRectF& area);
+
 /// Lets `draw` draw on a sheet of `size` in `background` at the painter's finest, and puts it at
 /// the painter's origin: in such a picture drawLine is at its fastest. A painter of a picture or of
 /// paper is handed on as it is.

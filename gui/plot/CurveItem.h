@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QColor>
 #include <QPen>
 #include <QwtText>
 
@@ -19,8 +20,13 @@ class CurveItem {
     void setBandVisible(bool visible) { bandVisible_ = visible; }
     bool isBandVisible() const { return bandVisible_; }
 
+    /// The colour inside the points that warn of something: that of the canvas.
+    void setHollowFill(const QColor& color) { hollowFill_ = color; }
+    const QColor& hollowFill() const { return hollowFill_; }
+
   private:
     bool bandVisible_ = true;
+    QColor hollowFill_;
 };
 
 /// A curve of Qwt as such an item.

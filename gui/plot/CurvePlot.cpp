@@ -10,6 +10,22 @@
 
 namespace smat::gui {
 
+namespace {
+
+/// A sentence in lines of a box beside the cursor.
+QStringList wrapped(const QString& sentence) {
+    constexpr qsizetype longest = 64;
+    QStringList lines{QString()};
+    for (const QString& word : sentence.split(' ')) {
+        if (!lines.back().isEmpty() && lines.back().size() + word.size() >= longest)
+            lines << QString();
+        lines.back() += (lines.back().isEmpty() ? "" : " ") + word;
+    }
+    return lines;
+}
+
+} // namespace
+
 void CurvePlot::setCurveVisible(int curve, bool visible) {
     CurveItem* item = items_.at(static_cast<std::size_t>(curve));
     item->setShown(visible);
@@ -41,6 +57,7 @@ QPen CurvePlot::penOf(std::size_t curve) const {
 
 void CurvePlot::adopt(CurveItem* item) {
     item->setLine(penOf(items_.size()));
+    item->setHollowFill(style_.canvas);
     item->setBandVisible(errorBands_);
     items_.push_back(item);
 }
@@ -48,6 +65,7 @@ void CurvePlot::adopt(CurveItem* item) {
 void CurvePlot::dressItems() {
     for (std::size_t i = 0; i < items_.size(); ++i) {
         items_[i]->setLine(penOf(i));
+        items_[i]->setHollowFill(style_.canvas);
         setCurveVisible(static_cast<int>(i), items_[i]->isShown());
     }
 }
@@ -70,7 +88,23 @@ QString CurvePlot::readoutsAt(double at, double period) const {
     for (std::size_t i = 0; i < items_.size(); ++i)
         if (items_[i]->isShown())
             text += "   " + curves()[i].name + ": " + curves()[i].readoutAt(at, period);
+    for (const QString& sentence : warningsAt(at, period))
+        text += "   " + QObject::tr("warning: %1").arg(sentence);
     return text;
+}
+
+QStringList CurvePlot::warningsAt(double at, double period) const {
+    QStringList sentences;
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+        const Curve& curve = curves()[i];
+        const QString own =
+            items_[i]->isShown() && (period > 0.0 ? curve.valueAt(at, period) : curve.valueAt(at))
+                ? curve.warningAt(at, period)
+                : QString();
+        if (!own.isEmpty() && !sentences.contains(own))
+            sentences << own;
+    }
+    return sentences;
 }
 
 void CurvePlot::paintReadouts(
@@ -89,6 +123,9 @@ void CurvePlot::paintReadouts(
             painter.drawEllipse(*point, 4.5, 4.5);
         lines.push_back({color, curve.name + "  " + curve.readoutAt(at, period)});
     }
+    for (const QString& sentence : warningsAt(at, period))
+        for (const QString& line : wrapped(QObject::tr("warning: %1").arg(sentence)))
+            lines.push_back({QColor(), line});
     drawReadoutBox(painter, cursor, sheet()->rect(), lines, style_.background, style_.frame,
                    style_.text);
 }

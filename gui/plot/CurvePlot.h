@@ -41,11 +41,13 @@ class CurvePlot : public PlotSurface {
     /// Shows the curves and the bands that another plot of the same curves shows.
     void showAsIn(const CurvePlot& other);
 
+    /// What the visible curves' samples next to `at` warn of, each sentence once.
+    QStringList warningsAt(double at, double period) const;
     /// "   idle: 12.5   full power: 30.1" of the visible curves, `period` 0 for an axis that does
     /// not repeat.
     QString readoutsAt(double at, double period) const;
     /// A dot on each visible curve, where `place` has one for its value, and a box beside the
-    /// cursor with `heading` and all values.
+    /// cursor with `heading`, all values and what they warn of.
     void paintReadouts(QPainter& painter, const QPointF& cursor, const QString& heading, double at,
                        double period,
                        const std::function<std::optional<QPointF>(double value)>& place) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include <QStringList>
 
@@ -13,7 +14,8 @@
 namespace smat::gui {
 
 void Curve::check() const {
-    if (x.size() != y.size() || (!error.empty() && error.size() != y.size()))
+    if (x.size() != y.size() || (!error.empty() && error.size() != y.size()) ||
+        (!warnings.empty() && warnings.size() != y.size()))
         throw irsg::LogicError("curve " + name.toStdString() + ": its columns differ in length");
 }
 
@@ -85,11 +87,15 @@ Curve Curve::drawn(double period) const {
         more.y.push_back(value);
         if (!error.empty())
             more.error.push_back(half);
+        if (!warnings.empty())
+            more.warnings.emplace_back();
     };
     const auto errorOf = [&](std::size_t i) { return error.empty() ? 0.0 : error[i]; };
     auto run = runs.begin();
     for (std::size_t i = 0; i < x.size(); ++i) {
         add(x[i], y[i], errorOf(i));
+        if (!warnings.empty())
+            more.warnings.back() = warnings[i];
         if (run != runs.end() && i > run->last)
             ++run;
         const bool closes = i + 1 == x.size() && goesRound(period) && runs.size() == 1 &&
@@ -152,6 +158,37 @@ QString Curve::readoutAt(double at, double period) const {
     return text;
 }
 
+QString Curve::warningAt(double at, double period) const {
+    if (warnings.empty())
+        return {};
+    double nearest = std::numeric_limits<double>::infinity();
+    QString text;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        double distance = std::abs(at - x[i]);
+        if (period > 0.0)
+            distance = std::abs(std::remainder(at - x[i], period));
+        if (!std::isfinite(y[i]) || !(distance < nearest))
+            continue;
+        nearest = distance;
+        text = warnings[i];
+    }
+    return text;
+}
+
+QString warningNote(const std::vector<Curve>& curves) {
+    QStringList sentences;
+    for (const Curve& curve : curves)
+        for (std::size_t i = 0; i < curve.warnings.size(); ++i)
+            if (std::isfinite(curve.y[i]) && !curve.warnings[i].isEmpty() &&
+                !sentences.contains(curve.warnings[i]))
+                sentences << curve.warnings[i];
+    if (sentences.isEmpty())
+        return {};
+    return QStringLiteral("hollow points: ") +
+           (sentences.size() == 1 ? sentences.front()
+                                  : QStringLiteral("%1 warnings").arg(sentences.size()));
+}
+
 std::optional<Interval> rangeOf(const std::vector<Curve>& curves,
                                 std::vector<double> Curve::*values, bool positiveOnly) {
     std::optional<Interval> range;
@@ -211,6 +248,9 @@ QString toCsv(const std::vector<Curve>& curves, const QString& xTitle, const QSt
         header << quotedField(title);
         if (!curves[i].error.empty())
             header << quotedField(QStringLiteral("Error of ") + title);
+        if (!curves[i].warnings.empty())
+            header << quotedField(curves.size() == 1 ? QStringLiteral("warning")
+                                                     : QStringLiteral("Warning of ") + title);
         rows = std::max(rows, curves[i].x.size());
     }
 
@@ -229,6 +269,8 @@ QString toCsv(const std::vector<Curve>& curves, const QString& xTitle, const QSt
             cells << (there ? exactNumber(curve.y[row]) : QString());
             if (!curve.error.empty())
                 cells << (there ? exactNumber(curve.error[row]) : QString());
+            if (!curve.warnings.empty())
+                cells << (there ? quotedField(curve.warnings[row]) : QString());
         }
         if (any)
             lines << cells.join(separator);

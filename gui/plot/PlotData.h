@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <QString>
+#include <QStringList>
 
 namespace smat::gui {
 
@@ -15,6 +16,7 @@ struct Curve {
     /// Its samples follow it, so that it is AkimaInterpolant between them, not straight lines;
     /// where x ascends.
     bool isSmooth = false;
+    std::vector<QString> warnings = {}; ///< of each sample, "" for nothing; empty for none at all
 
     /// LogicError where the columns differ in length.
     void check() const;
@@ -32,6 +34,12 @@ struct Curve {
     std::optional<double> valueAt(double at, double period) const;
     /// "12.5 ± 0.3", or "no value"; `period` 0 for an axis that does not repeat.
     QString readoutAt(double at, double period = 0.0) const;
+
+    /// What sample `i` warns of, "" for nothing.
+    QString warningOf(std::size_t i) const { return warnings.empty() ? QString() : warnings[i]; }
+    /// What the sample next to `at` warns of that is drawn, "" for nothing; `period` as of
+    /// readoutAt.
+    QString warningAt(double at, double period = 0.0) const;
 };
 
 /// What a Cartesian plot shows. Titles hold their units.
@@ -40,6 +48,7 @@ struct PlotData {
     QString conditions = {}; ///< a line below the title: band, range, aspect, ...
     std::vector<Curve> curves;
     bool xLogarithmic = false, yLogarithmic = false;
+    QStringList warnings = {}; ///< of the results, for the head of their values
 };
 
 /// What a polar plot shows: x of the curves is the angle in degrees, 0 drawn at the top.
@@ -50,6 +59,7 @@ struct PolarData {
     QString directionNote; ///< "angle grows clockwise, seen from above"
     bool clockwise = true;
     std::vector<Curve> curves;
+    QStringList warnings = {}; ///< as of PlotData
 };
 
 /// A closed interval; empty when there is nothing to enclose.
@@ -63,9 +73,14 @@ std::optional<Interval> rangeOf(const std::vector<Curve>& curves,
 /// The same of y, with the errors about it.
 std::optional<Interval> rangeWithErrors(const std::vector<Curve>& curves, bool positiveOnly);
 
+/// "Hollow points: SENTENCE" where the curves have samples that warn of something, or how many
+/// sentences there are; else "".
+QString warningNote(const std::vector<Curve>& curves);
+
 /// CSV of the curves: a column pair per curve where their x differ, one x column where all agree.
-/// Errors follow their curve. `within` keeps the part of x that is visible. Cells are separated by
-/// `separator`: spreadsheets take tabs from the clipboard. Numbers read back exactly.
+/// Errors follow their curve, then its warnings where it has any. `within` keeps the part of x that
+/// is visible. Cells are separated by `separator`: spreadsheets take tabs from the clipboard.
+/// Numbers read back exactly.
 QString toCsv(const std::vector<Curve>& curves, const QString& xTitle, const QString& yTitle,
               std::optional<Interval> within = {}, QChar separator = ',');
 

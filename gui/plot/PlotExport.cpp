@@ -181,10 +181,24 @@ QByteArray plotSvg(const PolarPlot& plot, QSize size) {
                    [&](const Draw& draw) { return asSvg(plot.data().title, size, draw); });
 }
 
+namespace {
+
+/// What the results warn of, as lines above their values in a file: a spreadsheet gets cells alone.
+QString headOf(const QStringList& warnings, QChar separator) {
+    QString head;
+    for (const QString& warning : warnings)
+        if (separator == ',')
+            head += QStringLiteral("# warning: %1\n").arg(QString(warning).replace('\n', ' '));
+    return head;
+}
+
+} // namespace
+
 QString plotValues(const CartesianPlot& plot, PlotPart part, QChar separator) {
     const auto within =
         part == PlotPart::visible ? std::optional(plot.view().x) : std::optional<Interval>();
-    return toCsv(curvesOf(plot, part), plot.data().xTitle, plot.data().yTitle, within, separator);
+    return headOf(plot.data().warnings, separator) +
+           toCsv(curvesOf(plot, part), plot.data().xTitle, plot.data().yTitle, within, separator);
 }
 
 QString plotValues(const PolarPlot& plot, PlotPart part, QChar separator) {
@@ -201,11 +215,14 @@ QString plotValues(const PolarPlot& plot, PlotPart part, QChar separator) {
                 seen.y.push_back(curve.y[i]);
                 if (!curve.error.empty())
                     seen.error.push_back(curve.error[i]);
+                if (!curve.warnings.empty())
+                    seen.warnings.push_back(curve.warnings[i]);
             }
             curve = std::move(seen);
         }
     }
-    return toCsv(curves, QStringLiteral("Angle (°)"), plot.data().radiusTitle, {}, separator);
+    return headOf(plot.data().warnings, separator) +
+           toCsv(curves, QStringLiteral("Angle (°)"), plot.data().radiusTitle, {}, separator);
 }
 
 } // namespace smat::gui

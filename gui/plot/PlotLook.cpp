@@ -90,7 +90,7 @@ QwtText plotTitle(const QString& text, const QString& conditions, const PlotStyl
                                       "<span style=\"color:%2; font-size:%3px\">%4</span></div>")
                            .arg(text.toHtmlEscaped(), style.faintText.name())
                            .arg(plotFont(0.9).pixelSize())
-                           .arg(conditions.toHtmlEscaped()),
+                           .arg(conditions.toHtmlEscaped().replace('\n', "<br>")),
                        QwtText::RichText);
         result.setFont(plotFont(1.1));
     }

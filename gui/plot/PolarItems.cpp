@@ -101,6 +101,13 @@ void GappedPolarCurve::draw(QPainter* painter, const QwtScaleMap& azimuthMap,
         painter->setBrush(Qt::NoBrush);
         drawLine(*painter, rolled(line, pointsOf(line, column)), area);
     }
+    QPolygonF hollow;
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+        if (samples_[i].isHollow && drawable(static_cast<int>(i)))
+            hollow << pole + directionsFor(azimuthMap)[i] *
+                                 std::max(0.0, radialMap.transform(samples_[i].radius));
+    painter->setPen(pen());
+    drawHollowPoints(*painter, hollow, hollowFill(), area);
     painter->restore();
 }
 

@@ -19,6 +19,7 @@ struct PolarSample {
     double angle_deg = 0.0;
     double radius = 0.0; ///< not finite for a gap
     double low = 0.0, high = 0.0;
+    bool isHollow = false; ///< warns of something
 };
 
 /// Draws runs of finite samples one by one, so that a missing point leaves a gap; a dot for a

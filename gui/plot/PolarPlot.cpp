@@ -204,7 +204,8 @@ void PolarPlot::addCurve(std::size_t index) {
     const auto add = [&](double angle_deg, std::size_t k) {
         const double error = curve.error.empty() ? 0.0 : curve.error[k];
         const double y = curve.y[k];
-        PolarSample sample{angle_deg, radiusOf(y), radiusOf(y), radiusOf(y)};
+        PolarSample sample{angle_deg, radiusOf(y), radiusOf(y), radiusOf(y),
+                           !curve.warningOf(k).isEmpty()};
         if (std::isfinite(error) && std::isfinite(sample.radius)) {
             // A lower end without logarithm reaches the middle.
             const double low = radiusOf(y - error);

@@ -81,6 +81,28 @@ std::vector<double> part(const std::vector<double>& values, const Turn& turn) {
             values.begin() + static_cast<std::ptrdiff_t>(turn.last)};
 }
 
+/// Of the samples of a turn; empty where none warns of anything.
+std::vector<QString> warningsOf(const ResultTable& table, const Turn& turn) {
+    std::vector<QString> warnings;
+    bool isAny = false;
+    for (std::size_t row = turn.first; row < turn.last && !table.warnings().empty(); ++row) {
+        warnings.push_back(QString::fromStdString(table.warnings()[row]));
+        isAny = isAny || !warnings.back().isEmpty();
+    }
+    return isAny ? warnings : std::vector<QString>();
+}
+
+/// What the results warn of, with their names where there are several.
+QStringList headWarnings(const std::vector<NamedResult>& results) {
+    QStringList all;
+    for (const NamedResult& result : results)
+        for (const auto& [key, value] : result.table->provenance.entries)
+            if (key == "warning")
+                all << (results.size() > 1 ? result.name + ": " : QString()) +
+                           QString::fromStdString(value);
+    return all;
+}
+
 QString joined(const QString& a, const QString& b) {
     return a.isEmpty() || b.isEmpty() ? a + b : a + ", " + b;
 }
@@ -101,6 +123,7 @@ void addCurves(std::vector<Curve>& curves, const NamedResult& result, const std:
                         part(abscissaOf(*result.table).values, turn), part(column->values, turn)};
             if (error != nullptr)
                 curve.error = part(error->values, turn);
+            curve.warnings = warningsOf(*result.table, turn);
             curve.isSmooth = isAdaptive(*result.table);
             curves.push_back(std::move(curve));
         }
@@ -138,11 +161,14 @@ QString titleOf(const std::vector<NamedResult>& results, const std::vector<Curve
     return title;
 }
 
-QString conditionsLine(const std::vector<NamedResult>& results) {
+/// What all share, and below what hollow points warn of.
+QString conditionsLine(const std::vector<NamedResult>& results, const std::vector<Curve>& curves) {
     std::vector<const ResultTable*> tables;
     for (const NamedResult& result : results)
         tables.push_back(result.table);
-    return QString::fromStdString(lineOf(sharedConditions(tables)));
+    const QString line = QString::fromStdString(lineOf(sharedConditions(tables)));
+    const QString note = warningNote(curves);
+    return line.isEmpty() || note.isEmpty() ? line + note : line + '\n' + note;
 }
 
 QString plainLabel(const ResultColumn& column) {
@@ -221,7 +247,8 @@ PlotData cartesianData(const std::vector<NamedResult>& results, const std::strin
     const auto& x = abscissaOf(first);
     const ResultColumn y = titled(first, quantity);
     data.title = titleOf(results, data.curves, y, plainLabel(x));
-    data.conditions = conditionsLine(results);
+    data.conditions = conditionsLine(results, data.curves);
+    data.warnings = headWarnings(results);
     data.xTitle = QString::fromStdString(x.axisTitle());
     data.yTitle = QString::fromStdString(y.axisTitle());
 
@@ -261,7 +288,8 @@ PolarData polarData(const std::vector<NamedResult>& results, const std::string& 
         data.directionNote = QStringLiteral("yaw counter-clockwise, camera at the top");
     }
     data.title = titleOf(results, data.curves, y, mode);
-    data.conditions = conditionsLine(results);
+    data.conditions = conditionsLine(results, data.curves);
+    data.warnings = headWarnings(results);
     return data;
 }
 

@@ -218,7 +218,7 @@ void FramesPanel::drawTable() {
                                   quantity_->currentData().toString().toStdString());
     // The field above says what is drawn, and aspect and range are the scenario's.
     data.title.clear();
-    data.conditions.clear();
+    data.conditions = warningNote(data.curves);
     plot_->cartesian()->setData(std::move(data));
     plot_->refresh();
 }

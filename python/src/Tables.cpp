@@ -106,6 +106,9 @@ InputError
         .def_property_readonly(
             "provenance", [](const ResultTable& table) { return table.provenance.entries; },
             "How the numbers came to be: pairs of key and value in their order; a key may repeat.")
+        .def_property_readonly(
+            "warnings", &ResultTable::warnings,
+            "What each row warns of, '' for nothing; an empty list where no row warns of anything.")
         .def("to_csv", &ResultTable::toCsv, "The text of the .csv file.")
         .def("to_json", &ResultTable::toJson, "The text of the .json file.")
         .def(
@@ -147,7 +150,7 @@ InputError
                 py::list columns;
                 for (const ResultColumn& column : table.columns())
                     columns.append(py::make_tuple(column.key, column.unit, arrayOf(column.values)));
-                return py::make_tuple(columns, table.provenance.entries);
+                return py::make_tuple(columns, table.provenance.entries, table.warnings());
             },
             [](const py::tuple& state) {
                 auto table = std::make_shared<ResultTable>();
@@ -155,6 +158,9 @@ InputError
                     table->add(key, unit).values = vectorOf(values, "column");
                 table->provenance.entries =
                     state[1].cast<std::vector<std::pair<std::string, std::string>>>();
+                const auto warnings = state[2].cast<std::vector<std::string>>();
+                for (std::size_t row = 0; row < warnings.size(); ++row)
+                    table->setWarning(row, warnings[row]);
                 return table;
             }))
         .attr("__hash__") = py::none();

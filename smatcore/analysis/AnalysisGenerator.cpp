@@ -51,7 +51,7 @@ void drawImage(AnalysisData& data, const PlacedCase& placed, const RenderDoor& d
     warnings.addReport(report, data.settings[key::renderLayers]);
     if (target)
         target->check(rendered.reports, warnings);
-    table.addCase(plan.cases.front(), rendered.reports);
+    table.addCase(plan.cases.front(), rendered.reports, rowWarning(warnings.remarks()));
     data.image = std::move(rendered.image);
     const std::string sentence = showQuantity(data.image, placed.view.sensor, data.settings);
     if (!sentence.empty())
@@ -236,7 +236,8 @@ PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan cases, SceneDescription 
             irsg::appendUnique(data.warnings, warnings.sentences());
         };
         const auto take = [&](const CaseRecord& record) {
-            data.table.insertRow(adaptive ? adaptive->add(record.row) : done, record.row);
+            data.table.insertRow(adaptive ? adaptive->add(record.row) : done, record.row,
+                                 rowWarning(record.remarks));
             irsg::addProvider(data.providedBy, record.providedBy);
             tellWarnings();
             ++done;

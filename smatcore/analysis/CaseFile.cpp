@@ -420,7 +420,7 @@ AnalysisData joinedCases(const std::vector<fs::path>& files) {
             continue;
         }
         if (!found->row.empty())
-            table.addRow(found->row);
+            table.addRow(found->row, rowWarning(found->remarks));
         irsg::addProvider(providedBy, found->providedBy);
         warnings.addCase(found->place, found->remarks);
     }

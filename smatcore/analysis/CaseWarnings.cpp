@@ -4,9 +4,29 @@
 
 #include <fmt/format.h>
 
+#include "irsg/core/AppendUnique.h"
 #include "smatcore/analysis/CaseChecks.h"
 
 namespace smat {
+
+namespace {
+
+/// A sentence with the number of its cases in its place.
+std::string counted(std::string sentence, std::size_t cases) {
+    const std::string word = "{cases}";
+    if (const std::size_t at = sentence.find(word); at != std::string::npos)
+        sentence.replace(at, word.size(), std::to_string(cases));
+    return sentence;
+}
+
+} // namespace
+
+std::string rowWarning(const std::vector<CaseRemark>& remarks) {
+    std::vector<std::string> sentences;
+    for (const CaseRemark& remark : remarks)
+        irsg::appendUnique(sentences, {counted(remark.sentence, 1)});
+    return fmt::format("{}", fmt::join(sentences, "; "));
+}
 
 void CaseWarnings::beginCase(std::string name) {
     case_ = std::move(name);
@@ -76,13 +96,8 @@ std::vector<std::string> CaseWarnings::sentencesOnce() const {
         return isOfKind(entry) ? entry.kind : std::string();
     });
     std::vector<std::string> all;
-    for (Entry& entry : entries) {
-        const std::string word = "{cases}";
-        if (const std::size_t at = entry.sentence.find(word);
-            isOfKind(entry) && at != std::string::npos)
-            entry.sentence.replace(at, word.size(), std::to_string(entry.cases));
-        all.push_back(entry.sentence);
-    }
+    for (Entry& entry : entries)
+        all.push_back(isOfKind(entry) ? counted(entry.sentence, entry.cases) : entry.sentence);
     return all;
 }
 

@@ -15,6 +15,9 @@ struct CaseRemark {
     double value = 0.0;
     bool operator==(const CaseRemark&) const = default;
 };
+/// What a row of a table warns of: the sentences of its case, each once, joined by semicolons; ""
+/// where there are none.
+std::string rowWarning(const std::vector<CaseRemark>& remarks);
 
 /// What the cases of a sweep warn of, each sentence once with the cases it holds for: "at 500 m
 /// (and 3 more): ...". A sentence that holds for every case so far stands alone. Frames of a

@@ -240,6 +240,15 @@ void addColumns(ResultTable& table, const AnalysisPlan& plan, RangeCriterion cri
     }
 }
 
+/// What an aspect warns of, "" for nothing.
+std::string warningOf(const std::vector<std::pair<bool, const char*>>& all) {
+    std::string text;
+    for (const auto& [isSo, words] : all)
+        if (isSo)
+            text += (text.empty() ? "" : "; ") + std::string(words);
+    return text;
+}
+
 double outcomeOf(Found found) {
     return found == Found::atRange ? 0.0 : found == Found::beyond ? 1.0 : -1.0;
 }
@@ -386,10 +395,16 @@ void runDetection(AnalysisData& data, const DetectionRequest& request, const Ren
         }
         const double extent =
             std::sqrt(std::max(0.0, look.solidAngle_sr)) / request.sensor.pixelAngle_rad();
+        const bool isResolved = !isOfBars && found.found != Found::nowhere && extent > 1.0;
         never += found.found == Found::nowhere;
         beyond += found.found == Found::beyond;
         full += look.isFull;
-        resolved += !isOfBars && found.found != Found::nowhere && extent > 1.0;
+        resolved += isResolved;
+        const std::string warning =
+            warningOf({{found.found == Found::nowhere, "below the threshold at every range"},
+                       {found.found == Found::beyond, "above the threshold at the farthest range"},
+                       {isResolved, "an image larger than a pixel: the range is overstated"},
+                       {look.isFull, "a background that fills the pixels"}});
         std::vector<double> row;
         for (const irsg::Quantity quantity : plan.columns)
             row.push_back(one.value(quantity));
@@ -399,7 +414,7 @@ void runDetection(AnalysisData& data, const DetectionRequest& request, const Ren
         if (isOfBars)
             row.insert(row.end(), {look.difference_K, look.cycles,
                                    irsg::taskProbability(look.cycles, request.task.cyclesOfHalf)});
-        data.table.addRow(row);
+        data.table.addRow(row, warning);
         ++done;
     }
     irsg::appendUnique(data.warnings, warnings.sentences());

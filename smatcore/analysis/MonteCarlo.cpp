@@ -162,7 +162,7 @@ class Run {
                 warnings.addCase(record->place, record->remarks);
                 store.add(i, *record);
             }
-            analysis.table.addRow(record->row);
+            analysis.table.addRow(record->row, rowWarning(record->remarks));
             irsg::addProvider(analysis.providedBy, record->providedBy);
             ++done_;
         }

@@ -69,6 +69,7 @@ struct MonteCarloData {
     /// At scales of 1: as stated of the drawing, or what subpixel shifts show, whichever is more.
     std::vector<double> numericalError;
     ErrorColumns errors = ErrorColumns::none;
+    std::vector<std::string> caseWarnings;       ///< of a sweep, by abscissa; "" for nothing
     std::vector<irsg::ErrorParts> nominalErrors; ///< stated ones at scales of 1; NaN where unknown
     std::vector<Estimate> statistic;             ///< by place
     std::vector<RankedScaling> ranking;

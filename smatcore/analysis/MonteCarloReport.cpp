@@ -135,7 +135,8 @@ std::vector<double> rowOfRealisations(const MonteCarloData& data, const MonteCar
 void reportRealisations(MonteCarloData& data, const MonteCarloAxis& axis) {
     addColumns(data, axis);
     for (std::size_t i = 0; i < data.abscissae.size(); ++i)
-        data.analysis.table.addRow(rowOfRealisations(data, axis, i));
+        data.analysis.table.addRow(rowOfRealisations(data, axis, i),
+                                   data.caseWarnings.empty() ? "" : data.caseWarnings.at(i));
     summarise(data);
     tellRealisations(data, axis, data.realisations());
 }

@@ -76,6 +76,8 @@ void MonteCarloViews::draw(const Telling& tell, const std::stop_token& stop) {
         for (const std::string& sentence : placed.clampedTables())
             warnings_.add(sentence);
         renderPhases(one, std::move(placed), tell, stop);
+        if (plan_.kind->form != AnalysisForm::spectrum)
+            data_.caseWarnings.push_back(rowWarning(warnings_.remarks()));
     }
     irsg::appendUnique(analysis.warnings, warnings_.sentences());
     for (std::size_t band = 0; band < bands_.size(); ++band) {

@@ -1,6 +1,7 @@
 #include "smatcore/analysis/SweepTable.h"
 
 #include <optional>
+#include <utility>
 
 #include "irsg/core/Errors.h"
 #include "smatcore/data/ColumnName.h"
@@ -101,8 +102,9 @@ void SweepTable::append(std::vector<double>& row, const irsg::ObjectRadiometry& 
         row.push_back(source->intensity_W_sr);
 }
 
-void SweepTable::addCase(const AnalysisCase& one, const std::vector<irsg::RenderReport>& reports) {
-    table_.addRow(rowOf(one, reports));
+void SweepTable::addCase(const AnalysisCase& one, const std::vector<irsg::RenderReport>& reports,
+                         std::string warning) {
+    table_.addRow(rowOf(one, reports), std::move(warning));
 }
 
 std::vector<double> SweepTable::rowOf(const AnalysisCase& one,

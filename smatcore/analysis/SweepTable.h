@@ -22,8 +22,9 @@ class SweepTable {
     SweepTable(const AnalysisPlan& plan, const SceneDescription& scene, ResultTable& table);
 
     /// One case of an image or a sweep, with a report for each band, and then one for each source
-    /// where the plan asks for it.
-    void addCase(const AnalysisCase& one, const std::vector<irsg::RenderReport>& reports);
+    /// where the plan asks for it, and what it warns of.
+    void addCase(const AnalysisCase& one, const std::vector<irsg::RenderReport>& reports,
+                 std::string warning = {});
     std::vector<double> rowOf(const AnalysisCase& one,
                               const std::vector<irsg::RenderReport>& reports) const;
     void addSpectrum(const irsg::IntensitySpectrum& spectrum);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/Interpolation.h"
 #include "irsg/core/ProgramVersion.h"
@@ -115,6 +116,39 @@ std::vector<double> commonAxis(const DifferenceSide& a, const ResultColumn& ofA,
     return {axis.begin(), axis.end()};
 }
 
+/// What the value of a table at `x` warns of: its row there, or both of those that it lies between.
+std::string warningAt(const ResultTable& table, const ResultColumn& axis, double x) {
+    std::vector<std::string> all;
+    for (std::size_t i = 0; i < axis.values.size() && !table.warnings().empty(); ++i) {
+        const double from = axis.values[i];
+        const bool isLast = i + 1 == axis.values.size();
+        const std::size_t next = isLast ? 0 : i + 1;
+        // A polar table goes on with its first row after the last.
+        const double to = !isLast                ? axis.values[next]
+                          : isRound(table, axis) ? axis.values[next] + turn_deg
+                                                 : from;
+        if (x == from || (x - from) * (x - to) < 0.0)
+            irsg::appendUnique(all, table.warnings()[i]);
+        if ((x - from) * (x - to) < 0.0)
+            irsg::appendUnique(all, table.warnings()[next]);
+    }
+    std::string text;
+    for (const std::string& one : all)
+        if (!one.empty())
+            text += (text.empty() ? "" : "; ") + one;
+    return text;
+}
+
+/// The same of both tables, with their names.
+std::string warningAt(const DifferenceSide& a, const ResultColumn& axisA, const DifferenceSide& b,
+                      const ResultColumn& axisB, double x) {
+    std::string text;
+    for (const auto& [side, axis] : {std::pair(&a, &axisA), std::pair(&b, &axisB)})
+        if (const std::string own = warningAt(*side->table, *axis, x); !own.empty())
+            text += (text.empty() ? "" : "; ") + side->name + ": " + own;
+    return text;
+}
+
 std::string measuredKeys(const ResultTable& table) {
     std::string keys;
     for (const ResultColumn& column : table.columns())
@@ -217,7 +251,7 @@ ResultTable differenceOf(const DifferenceSide& a, const DifferenceSide& b) {
         std::vector<double> values;
         for (const auto& column : columns)
             values.push_back(column[row]);
-        result.addRow(values);
+        result.addRow(values, warningAt(a, axisA, b, axisB, axis[row]));
     }
 
     result.provenance.add("program", irsg::programWithVersion());

@@ -24,6 +24,22 @@ std::pair<std::string, std::string> splitHeader(const std::string& header) {
     return {header.substr(0, open), header.substr(open + 2, header.size() - open - 3)};
 }
 
+/// The name of the column of texts.
+constexpr std::string_view warningColumn = "warning";
+
+/// A text as one cell on one line.
+std::string quotedCell(const std::string& text) {
+    if (text.empty())
+        return text;
+    std::string cell = "\"";
+    for (const char letter : text) {
+        if (letter == '"')
+            cell += '"';
+        cell += letter == '\n' || letter == '\r' ? ' ' : letter;
+    }
+    return cell + '"';
+}
+
 } // namespace
 
 std::string ResultColumn::header() const {
@@ -83,30 +99,49 @@ const ResultColumn* ResultTable::find(irsg::Quantity quantity) const {
     return find(irsg::info(quantity).key);
 }
 
-void ResultTable::addRow(const std::vector<double>& values) {
-    insertRow(rowCount(), values);
+void ResultTable::addRow(const std::vector<double>& values, std::string warning) {
+    insertRow(rowCount(), values, std::move(warning));
 }
 
-void ResultTable::insertRow(std::size_t at, const std::vector<double>& values) {
+void ResultTable::insertRow(std::size_t at, const std::vector<double>& values,
+                            std::string warning) {
     if (values.size() != columns_.size() || at > rowCount())
         throw irsg::LogicError("a row of a result table needs one value per column, and a place");
     for (std::size_t i = 0; i < values.size(); ++i) {
         std::vector<double>& column = columns_[i].values;
         column.insert(column.begin() + static_cast<std::ptrdiff_t>(at), values[i]);
     }
+    if (!warnings_.empty())
+        warnings_.insert(warnings_.begin() + static_cast<std::ptrdiff_t>(at), std::string());
+    setWarning(at, std::move(warning));
+}
+
+std::string ResultTable::warningOf(std::size_t row) const {
+    if (row >= rowCount())
+        throw irsg::LogicError("a result table has no such row");
+    return warnings_.empty() ? std::string() : warnings_[row];
+}
+
+void ResultTable::setWarning(std::size_t row, std::string warning) {
+    if (row >= rowCount())
+        throw irsg::LogicError("a result table has no such row");
+    if (warnings_.empty() && warning.empty())
+        return;
+    warnings_.resize(rowCount());
+    warnings_[row] = std::move(warning);
 }
 
 std::string ResultTable::toCsv() const {
     std::string text = provenance.toCsvLines();
     for (std::size_t i = 0; i < columns_.size(); ++i)
         text += (i == 0 ? "" : ",") + columns_[i].header();
-    text += "\n";
+    text += warnings_.empty() ? "\n" : fmt::format(",{}\n", warningColumn);
     for (std::size_t row = 0; row < rowCount(); ++row) {
         for (std::size_t i = 0; i < columns_.size(); ++i) {
             // The shortest digits that read back as the same double.
             text += fmt::format("{}{}", i == 0 ? "" : ",", columns_[i].values[row]);
         }
-        text += "\n";
+        text += warnings_.empty() ? "\n" : "," + quotedCell(warnings_[row]) + "\n";
     }
     return text;
 }
@@ -134,7 +169,11 @@ ResultTable ResultTable::fromCsv(const std::filesystem::path& file) {
         throw irsg::InputError(csv.diagnostic("no rows", "a header row of names with units"));
 
     // A header row names columns; one made of a number was meant as data.
-    for (const irsg::CsvCell& cell : csv.rows().front().cells) {
+    const std::vector<irsg::CsvCell>& header = csv.rows().front().cells;
+    const bool hasWarnings = header.size() > 1 && header.back().text == warningColumn;
+    for (const irsg::CsvCell& cell : header) {
+        if (hasWarnings && &cell == &header.back())
+            continue;
         if (cell.text.empty() || irsg::parseNumber(cell.text))
             diagnostics.push_back(csv.diagnostic(cell, "the name of a column"));
         else if (table.find(splitHeader(cell.text).first) != nullptr)
@@ -144,13 +183,13 @@ ResultTable ResultTable::fromCsv(const std::filesystem::path& file) {
     }
     for (std::size_t row = 1; row < csv.rows().size(); ++row) {
         const irsg::CsvRow& line = csv.rows()[row];
-        if (line.cells.size() != table.columns_.size()) {
+        if (line.cells.size() != header.size()) {
             diagnostics.push_back(csv.diagnostic(line.line,
                                                  fmt::format("{} cells", line.cells.size()),
-                                                 fmt::format("{} cells", table.columns_.size())));
+                                                 fmt::format("{} cells", header.size())));
             continue;
         }
-        for (std::size_t i = 0; i < line.cells.size(); ++i) {
+        for (std::size_t i = 0; i < table.columns_.size(); ++i) {
             const irsg::CsvCell& cell = line.cells[i];
             // A quantity without a value (a temperature of no radiance) is written as nan.
             const std::optional<double> value = cell.text == "nan"
@@ -158,6 +197,8 @@ ResultTable ResultTable::fromCsv(const std::filesystem::path& file) {
                                                     : csv.number(cell, diagnostics, "a number");
             table.columns_[i].values.push_back(value.value_or(0.0));
         }
+        if (hasWarnings)
+            table.setWarning(table.rowCount() - 1, line.cells.back().text);
     }
     if (!diagnostics.empty())
         throw irsg::InputError(diagnostics);

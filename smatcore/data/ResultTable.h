@@ -42,12 +42,19 @@ class ResultTable {
     /// Null where there is none.
     const ResultColumn* find(std::string_view key) const;
     const ResultColumn* find(irsg::Quantity quantity) const;
-    /// One value per column (LogicError otherwise).
-    void addRow(const std::vector<double>& values);
+    /// One value per column (LogicError otherwise), and what the row warns of, "" for nothing.
+    void addRow(const std::vector<double>& values, std::string warning = {});
     /// The same before row `at`; behind all where it is the number of rows.
-    void insertRow(std::size_t at, const std::vector<double>& values);
+    void insertRow(std::size_t at, const std::vector<double>& values, std::string warning = {});
+    /// What each row warns of, "" for nothing; empty where no row warns of anything.
+    const std::vector<std::string>& warnings() const { return warnings_; }
+    /// That of one row. LogicError for a row that is not there.
+    std::string warningOf(std::size_t row) const;
+    /// Changes it.
+    void setWarning(std::size_t row, std::string warning);
 
-    /// `# key: value` lines, a header row, then numbers that read back exactly.
+    /// `# key: value` lines, a header row, then numbers that read back exactly. Rows that warn of
+    /// something give a last column `warning` of texts.
     std::string toCsv() const;
     std::string toJson() const;
     /// Writes .json for that extension, CSV for any other. Throws InputError.
@@ -64,6 +71,7 @@ class ResultTable {
     static ResultTable fromCsv(const std::filesystem::path& file);
 
     std::vector<ResultColumn> columns_;
+    std::vector<std::string> warnings_; // as of warnings()
 };
 
 } // namespace smat

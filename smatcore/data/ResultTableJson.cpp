@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -26,9 +27,10 @@ std::string ResultTable::toJson() const {
             values.push_back(std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr));
         columnsJson.push_back({{"name", column.key}, {"unit", column.unit}, {"values", values}});
     }
-    return OrderedJson{{"provenance", provenanceJson}, {"columns", columnsJson}}.dump(
-               1, ' ', false, OrderedJson::error_handler_t::replace) +
-           "\n";
+    OrderedJson json{{"provenance", provenanceJson}, {"columns", columnsJson}};
+    if (!warnings_.empty())
+        json["warnings"] = warnings_;
+    return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 ResultTable ResultTable::fromJson(const JsonReader& json) {
@@ -47,6 +49,14 @@ ResultTable ResultTable::fromJson(const JsonReader& json) {
             values.refuse(std::to_string(column.values.size()) + " values",
                           std::to_string(table.rowCount()) + " values");
         table.columns_.push_back(std::move(column));
+    }
+    if (const JsonReader warnings = json.at("warnings"); warnings.exists()) {
+        const std::vector<std::string> texts = warnings.texts("a list of texts");
+        if (texts.size() != table.rowCount())
+            warnings.refuse(std::to_string(texts.size()) + " texts",
+                            std::to_string(table.rowCount()) + " texts, one for each row");
+        for (std::size_t row = 0; row < std::min(texts.size(), table.rowCount()); ++row)
+            table.setWarning(row, texts[row]);
     }
     return table;
 }

@@ -156,7 +156,7 @@ void takeStep(SensorResult& sensor, const CaseRecord& record, std::size_t bands)
     if (record.row.empty()) {
         ++sensor.framesMissing;
     } else {
-        sensor.table.addRow(record.row);
+        sensor.table.addRow(record.row, rowWarning(record.remarks));
         sensor.frames += bands;
     }
 }

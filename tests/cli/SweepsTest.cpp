@@ -111,6 +111,10 @@ TEST(SmatBatchSweep, TellsOfATargetThatReachesOutOfTheFrame) {
     const std::string sentence = "at 10 m (and 1 more): the bounding box of ";
     EXPECT_THAT(ran.err, HasSubstr("warning: range: " + sentence));
     EXPECT_THAT(contentOf(folder / "a.csv"), HasSubstr("# warning: " + sentence));
+    const ResultTable table = ResultTable::load(folder / "a.csv");
+    for (std::size_t row = 0; row < 4; ++row) {
+        EXPECT_EQ(table.warningOf(row).empty(), row > 1) << row;
+    }
 }
 
 // The aircraft at 500 m in 2 degrees: what reaches out of the frame is missing from the sums, and

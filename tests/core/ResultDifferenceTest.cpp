@@ -47,6 +47,21 @@ std::string refusal(const ResultTable& a, const ResultTable& b) {
     return "";
 }
 
+TEST(ResultDifferenceTest, ADifferenceWarnsOfWhatEitherSideDoesThere) {
+    auto a = over(Quantity::range, {0.0, 10.0}, {0.0, 20.0});
+    auto b = over(Quantity::range, {5.0, 8.0, 20.0}, {6.0, 9.0, 21.0});
+    EXPECT_TRUE(differenceOf({"a", &a}, {"b", &b}).warnings().empty());
+    a.setWarning(1, "far");
+    b.setWarning(0, "cut");
+    EXPECT_THAT(differenceOf({"a", &a}, {"b", &b}).warnings(),
+                testing::ElementsAre("a: far; b: cut", "a: far", "a: far"));
+    // The last row of a turn goes on with its first.
+    auto first = polar(90.0, 1.0, "camera-azimuth"), second = polar(45.0, 1.0, "camera-azimuth");
+    first.setWarning(0, "cut");
+    EXPECT_THAT(differenceOf({"a", &first}, {"b", &second}).warnings(),
+                testing::ElementsAre("a: cut", "a: cut", "", "", "", "", "", "a: cut"));
+}
+
 TEST(ResultDifferenceTest, SubtractsLinesExactlyOnTheNodesOfBoth) {
     // 2 x on [0, 10] minus x + 1 on [5, 20]: x - 1 on [5, 10].
     const auto a = over(Quantity::range, {0.0, 10.0}, {0.0, 20.0});

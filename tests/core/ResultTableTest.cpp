@@ -57,6 +57,37 @@ TEST(ResultTable, AValueThatIsNotThereIsNan) {
     }
 }
 
+TEST(ResultTable, RowsThatWarnOfSomethingHaveAColumnOfTexts) {
+    ResultTable table = someTable();
+    EXPECT_TRUE(table.warnings().empty());
+    table.insertRow(1, {150.0, 0.0, 1.0}, "at 150 m: \"hull\", 1,5; out\nof the frame");
+    EXPECT_EQ(table.toCsv(), "# program: smat 1\n"
+                             "# warning: one\n"
+                             "# warning: two: with a colon\n"
+                             "range [m],contrast_intensity [W sr-1],pixels,warning\n"
+                             "100,0.30000000000000004,1e-300,\n"
+                             "150,0,1,\"at 150 m: \"\"hull\"\", 1,5; out of the frame\"\n"
+                             "200,-0.3333333333333333,12345678.901234567,\n");
+    EXPECT_EQ(table.warningOf(0), "");
+    EXPECT_THROW(table.warningOf(3), irsg::LogicError);
+}
+
+TEST(ResultTable, WarningsOfRowsReadBack) {
+    const test::TemporaryFolder folder;
+    ResultTable table = someTable();
+    table.insertRow(1, {150.0, 0.0, 1.0}, "\"hull\", 1,5; 2 m: out of the frame");
+    table.addRow({300.0, 1.0, 2.0}, "µ");
+    for (const char* name : {"table.csv", "table.json"}) {
+        table.save(folder / name);
+        EXPECT_EQ(ResultTable::load(folder / name), table) << name;
+    }
+    for (std::size_t row = 0; row < table.rowCount(); ++row) {
+        table.setWarning(row, "all, 3,5");
+    }
+    table.save(folder / "all.csv");
+    EXPECT_EQ(ResultTable::load(folder / "all.csv"), table);
+}
+
 TEST(ResultTable, ColumnsKnowTheirAxisTitle) {
     EXPECT_EQ(someTable().columns()[1].axisTitle(), "Contrast intensity (W·sr⁻¹)");
     EXPECT_EQ((ResultColumn{"total_power", "W", {}}.axisTitle()), "Total power (W)");
@@ -110,6 +141,12 @@ INSTANTIATE_TEST_SUITE_P(
                                    {"name": "a", "unit": "", "values": [1]},
                                    {"name": "b", "unit": "", "values": []}]})",
                                 "columns.1.values"},
+                    BadTableRow{"RaggedWarnings", ".csv", "a,warning\n1,x\n3\n", "line 3"},
+                    BadTableRow{"WarningsOfOtherRows", ".json",
+                                R"({"provenance": [], "columns": [
+                                   {"name": "a", "unit": "", "values": [1]}],
+                                   "warnings": ["x", ""]})",
+                                "warnings, line 3"},
                     BadTableRow{"NameTwiceInJson", ".json",
                                 R"({"provenance": [], "columns": [
                                    {"name": "a", "unit": "", "values": [1]},

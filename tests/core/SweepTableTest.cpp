@@ -288,6 +288,15 @@ TEST(SweepTable, AWarningIsToldOnceWithTheCasesItHoldsFor) {
     AnalysisGenerator(spheres, test::sceneWithoutFiles).run(data);
     EXPECT_THAT(data.warnings, ElementsAre("at 500 m (and 3 more): too near"));
     EXPECT_EQ(data.table.provenance.value("warning"), "at 500 m (and 3 more): too near");
+    for (std::size_t row = 0; row < 10; ++row) {
+        EXPECT_EQ(data.table.warningOf(row), row < 4 ? "too near" : "") << row;
+    }
+    EXPECT_THAT(data.table.toCsv(), HasSubstr(",warning\n500,"));
+
+    spheres.warnsBelow_m = 0.0;
+    AnalysisGenerator(spheres, test::sceneWithoutFiles).run(data);
+    EXPECT_TRUE(data.table.warnings().empty());
+    EXPECT_THAT(data.table.toCsv(), testing::Not(HasSubstr("warning")));
 }
 
 TEST(SweepTable, PublishedTilesAreRefusedInSweepsWithTheReason) {

@@ -9,10 +9,12 @@
 #include <QwtPlotCanvas>
 #include <QwtScaleWidget>
 #include <QwtText>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "gui/plot/CartesianItems.h"
 #include "gui/plot/PlotLook.h"
+#include "gui/plot/PlotNavigator.h"
 #include "irsg/core/Errors.h"
 #include "tests/gui/GuiEnvironment.h"
 
@@ -241,6 +243,29 @@ TEST(SampledCurve, HasADotInTheLegendWhereThereAreDotsAlone) {
     };
     EXPECT_EQ(edgeOf(dots), 0);
     EXPECT_GT(edgeOf(line), 200);
+}
+
+TEST_F(CartesianPlotTest, APointThatWarnsOfSomethingIsHollow) {
+    PlotData data{.title = "", .xTitle = "x", .yTitle = "y", .curves = {}};
+    data.curves = {{"a", {0.0, 1.0, 2.0, 3.0}, {1.0, 1.0, 1.0, 2.0}}};
+    const auto colorAt = [&](double x, int right) {
+        return plot.canvas()->grab().toImage().pixelColor(at(x, 1.0) + QPoint(right, 0));
+    };
+    plot.navigator().setCrosshairVisible(false);
+    plot.setData(data);
+    EXPECT_NE(colorAt(1.0, 0), plot.look().canvas) << "the line";
+    data.curves[0].warnings = {"", "cut by the frame", "", ""};
+    plot.setData(data);
+    EXPECT_EQ(colorAt(1.0, 0), plot.look().canvas);
+    EXPECT_NE(colorAt(1.0, 4), plot.look().canvas);
+    EXPECT_NE(colorAt(2.0, 0), plot.look().canvas);
+    EXPECT_THAT(plot.readoutAt(at(1.2, 1.0)).toStdString(),
+                testing::HasSubstr("warning: cut by the frame"));
+    EXPECT_THAT(plot.readoutAt(at(1.8, 1.0)).toStdString(),
+                testing::Not(testing::HasSubstr("warning")));
+    plot.setCurveVisible(0, false);
+    EXPECT_THAT(plot.readoutAt(at(1.2, 1.0)).toStdString(),
+                testing::Not(testing::HasSubstr("warning")));
 }
 
 TEST_F(CartesianPlotTest, RefusesACurveWithMissingOrdinates) {

@@ -72,5 +72,51 @@ TEST(PlotDataTest, WritesTheVisiblePartAlone) {
     EXPECT_EQ(toCsv(curves, "t", "I", Interval{1.5, 2.5}), "t,I: a\n2,4\n");
 }
 
+/// Three samples, of which the middle one warns of something.
+Curve warnedCurve() {
+    Curve curve{"a", {0.0, 10.0, 30.0}, {3.0, 4.0, 5.0}};
+    curve.warnings = {"", "cut, by the frame", ""};
+    return curve;
+}
+
+TEST(PlotDataTest, ASampleIsAskedForItsWarningFromAsNearAsIsNearest) {
+    Curve curve = warnedCurve();
+    EXPECT_EQ(curve.warningAt(4.9), "");
+    EXPECT_EQ(curve.warningAt(5.1), "cut, by the frame");
+    EXPECT_EQ(curve.warningAt(19.9), "cut, by the frame");
+    EXPECT_EQ(curve.warningAt(20.1), "");
+    curve.x = {0.0, 350.0, 200.0};
+    EXPECT_EQ(curve.warningAt(-11.0, 360.0), "cut, by the frame");
+    curve.y[1] = gap;
+    EXPECT_EQ(curve.warningAt(-11.0, 360.0), "");
+    EXPECT_EQ((Curve{"b", {1.0}, {2.0}}).warningAt(1.0), "");
+}
+
+TEST(PlotDataTest, WarningsStandBesideTheirValues) {
+    EXPECT_EQ(toCsv({warnedCurve()}, "t", "I"),
+              "t,I: a,warning\n0,3,\n10,4,\"cut, by the frame\"\n30,5,\n");
+    const Curve other{"b", {0.0, 10.0, 30.0}, {1.0, 1.0, 1.0}};
+    EXPECT_EQ(toCsv({warnedCurve(), other}, "t", "I", Interval{5.0, 15.0}),
+              "t,I: a,Warning of I: a,I: b\n10,4,\"cut, by the frame\",1\n");
+}
+
+TEST(PlotDataTest, ASmoothCurveWarnsAtItsSamplesAlone) {
+    Curve curve = warnedCurve();
+    curve.isSmooth = true;
+    const Curve drawn = curve.drawn();
+    ASSERT_GT(drawn.x.size(), 3u);
+    for (std::size_t i = 0; i < drawn.x.size(); ++i) {
+        EXPECT_EQ(drawn.warnings[i].isEmpty(), drawn.x[i] != 10.0) << drawn.x[i];
+    }
+}
+
+TEST(PlotDataTest, ANoteStatesTheOneWarningOrHowManyThereAre) {
+    EXPECT_EQ(warningNote({warnedCurve(), warnedCurve()}), "hollow points: cut, by the frame");
+    Curve other = warnedCurve();
+    other.warnings[0] = "too near";
+    EXPECT_EQ(warningNote({warnedCurve(), other}), "hollow points: 2 warnings");
+    EXPECT_EQ(warningNote({{"a", {1.0}, {2.0}}}), "");
+}
+
 } // namespace
 } // namespace smat::gui

@@ -84,6 +84,22 @@ TEST_F(PlotExportTest, CsvHoldsTheVisiblePart) {
     EXPECT_EQ(contents(folder / "b.csv").count('\n'), 1 + 36);
 }
 
+TEST_F(PlotExportTest, ValuesCarryWhatTheyWarnOf) {
+    angles.setWarning(9, "cut by the frame");
+    angles.provenance.add("warning", "at 90 deg: cut by the frame");
+    polar.setData(polarData({{"run", &angles}}, "contrast_intensity"));
+    for (const PlotPart part : {PlotPart::all, PlotPart::visible}) {
+        const QString values = plotValues(polar, part, ',');
+        EXPECT_TRUE(values.startsWith("# warning: at 90 deg: cut by the frame\n"));
+        EXPECT_TRUE(values.contains(",warning\n"));
+        EXPECT_TRUE(values.contains("\n90,190,cut by the frame\n"));
+        EXPECT_TRUE(values.contains("\n100,200,\n"));
+    }
+    EXPECT_FALSE(plotValues(polar, PlotPart::all, '\t').contains('#'));
+    const QByteArray svg = plotSvg(polar, {500, 520});
+    EXPECT_TRUE(svg.contains("hollow points: cut by the frame"));
+}
+
 TEST_F(PlotExportTest, RefusesUnknownSuffixesAndUnwritablePlaces) {
     EXPECT_THROW(exportPlot(cartesian, folder / "a.bmp"), irsg::InputError);
     EXPECT_THROW(exportPlot(cartesian, folder / "none"), irsg::InputError);

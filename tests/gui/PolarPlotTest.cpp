@@ -10,6 +10,7 @@
 #include <QwtPolarCanvas>
 #include <gtest/gtest.h>
 
+#include "gui/plot/PlotNavigator.h"
 #include "tests/gui/GuiEnvironment.h"
 
 namespace smat::gui {
@@ -85,6 +86,25 @@ TEST_F(PolarPlotTest, LegendHasTheColourOfEachCurveFromTheStart) {
         const QColor middle = icon.pixelColor(icon.width() / 2, icon.height() / 2);
         EXPECT_EQ(middle.name(), PlotStyle::screen(QPalette()).curve(i).name());
     }
+}
+
+TEST_F(PolarPlotTest, APointThatWarnsOfSomethingIsHollow) {
+    PolarData data = camera({rose("a", 100.0)});
+    data.curves[0].warnings.resize(data.curves[0].x.size());
+    data.curves[0].warnings[9] = "cut by the frame";
+    plot.navigator().setCrosshairVisible(false);
+    plot.setData(data);
+    showIt();
+    const auto colorAt = [&](std::size_t sample) {
+        const Curve& curve = plot.data().curves[0];
+        const QPointF point = plot.canvasPoint(curve.x[sample], curve.y[sample]);
+        return plot.canvas()->grab().toImage().pixelColor(point.toPoint());
+    };
+    EXPECT_EQ(colorAt(9), plot.look().canvas);
+    EXPECT_NE(colorAt(12), plot.look().canvas);
+    const QString there = plot.readoutAt(plot.canvasPoint(46.0, 50.0));
+    EXPECT_TRUE(there.contains("warning: cut by the frame")) << there.toStdString();
+    EXPECT_FALSE(plot.readoutAt(plot.canvasPoint(49.0, 50.0)).contains("warning"));
 }
 
 TEST_F(PolarPlotTest, ClosesACurveThatGoesRound) {

@@ -160,6 +160,28 @@ TEST(ResultPlotTest, HasALogarithmicAxisWhereValuesStandByEqualRatios) {
     }
 }
 
+TEST(ResultPlotTest, SamplesWarnOfWhatTheirRowsDo) {
+    ResultTable table = test::polarTable();
+    table.setWarning(3, "cut by the frame");
+    table.provenance.add("warning", "at 30 deg: cut by the frame");
+    const PolarData polar = polarData({{"a", &table}}, "contrast_intensity");
+    EXPECT_EQ(polar.curves[0].warningOf(3), "cut by the frame");
+    EXPECT_EQ(polar.curves[0].warningOf(4), "");
+    EXPECT_EQ(polar.warnings, QStringList{"at 30 deg: cut by the frame"});
+    EXPECT_TRUE(polar.conditions.endsWith("hollow points: cut by the frame"));
+
+    ResultTable range = test::rangeTable();
+    const PlotData plain = cartesianData({{"a", &range}}, "contrast_intensity");
+    EXPECT_TRUE(plain.curves[0].warnings.empty());
+    range.setWarning(0, "too near");
+    range.provenance.add("warning", "too near");
+    const ResultTable other = test::rangeTable();
+    const PlotData both = cartesianData({{"a", &range}, {"b", &other}}, "contrast_intensity");
+    EXPECT_EQ(both.curves[0].warningOf(0), "too near");
+    EXPECT_TRUE(both.curves[1].warnings.empty());
+    EXPECT_EQ(both.warnings, QStringList{"a: too near"});
+}
+
 TEST(ResultPlotTest, LabelsAxesWithUnits) {
     const auto table = test::rangeTable();
     const auto data = cartesianData({{"run", &table}}, "contrast_intensity");

@@ -139,6 +139,19 @@ TEST_F(PlotsWalkTest, ZoomReadExportAndOverlay) {
     EXPECT_EQ(named(0), "as delivered");
     workbench.database().discard();
 
+    walk.step("Points with a warning are hollow: the target reaches out of the frame, for "
+              "example. The crosshair shows the sentence, the line below the title repeats it, and "
+              "saved values have a column for it.");
+    workbench.set("sensor.fov", "1");
+    runAnalysis("range");
+    const CartesianPlot& cut = *window->currentPage()->cartesianPlot();
+    const QString sentence = cut.data().curves[0].warningOf(0);
+    EXPECT_TRUE(sentence.contains("beyond the frame")) << sentence.toStdString();
+    EXPECT_TRUE(cut.data().conditions.contains("hollow points: " + sentence));
+    EXPECT_TRUE(cut.readoutAt(QPointF(2.0, 40.0)).contains(sentence));
+    EXPECT_TRUE(plotValues(cut, PlotPart::all, ',').contains(",warning\n"));
+    workbench.set("sensor.fov", "10");
+
     walk.step("Missing points leave a gap. If a result has an error");
     EXPECT_FALSE(page->panel()->action("errorBands")->isEnabled());
     workbench.set("render.errors", "sum");
