@@ -47,6 +47,8 @@ void ImageCanvas::setPlane(int width, int height, SharedValues values,
         colorTask_.cancel();
         second_ = {};
         secondShown_ = false;
+        isoLines_.clear();
+        line_.reset();
         placement_.setImage({width, height});
         chosen_.setImage({width, height});
         fit();
@@ -61,6 +63,8 @@ void ImageCanvas::setPlane(int width, int height, const std::vector<float>& valu
 void ImageCanvas::clear() {
     plane_ = second_ = {};
     secondShown_ = false;
+    isoLines_.clear();
+    line_.reset();
     awaitsColors_ = false;
     colorTask_.cancel();
     placement_.setImage({});
@@ -92,6 +96,41 @@ void ImageCanvas::setMarks(std::vector<std::uint8_t> marks) {
 void ImageCanvas::setOutlines(std::vector<QRectF> outlines) {
     outlines_ = std::move(outlines);
     update();
+}
+
+void ImageCanvas::setIsoLines(std::vector<IsoLine> lines) {
+    if (lines == isoLines_)
+        return;
+    isoLines_ = std::move(lines);
+    update();
+}
+
+void ImageCanvas::setLineMode(bool on) {
+    lineMode_ = on;
+    setLine(std::nullopt);
+}
+
+void ImageCanvas::setLine(const std::optional<QLine>& line) {
+    if (line == line_)
+        return;
+    line_ = line;
+    update();
+    emit lineChanged();
+}
+
+void ImageCanvas::drawLineTo(const QPointF& from, const QPointF& to) {
+    const auto pixelOf = [this](const QPointF& point) {
+        const QPointF at = placement_.inImage(point);
+        return QPoint(std::clamp(static_cast<int>(std::floor(at.x())), 0, plane_.width() - 1),
+                      std::clamp(static_cast<int>(std::floor(at.y())), 0, plane_.height() - 1));
+    };
+    if (!hasImage())
+        return;
+    const bool isDrag = (to - from).manhattanLength() > leastDrag_px;
+    if (!isDrag && !pixelAt(from))
+        setLine(std::nullopt);
+    else
+        setLine(QLine(pixelOf(from), pixelOf(isDrag ? to : from)));
 }
 
 void ImageCanvas::setSecond(SharedValues values) {
@@ -206,6 +245,23 @@ void ImageCanvas::drawOutlines(QPainter& painter) const {
     }
 }
 
+void ImageCanvas::drawLine(QPainter& painter) const {
+    const QPointF middle(0.5, 0.5);
+    const bool isPoint = line_->p1() == line_->p2();
+    std::vector<QLineF> lines{QLineF(line_->p1() + middle, line_->p2() + middle)};
+    if (isPoint) {
+        const QPointF at = line_->p1() + middle;
+        lines = {QLineF(0.0, at.y(), plane_.width(), at.y()),
+                 QLineF(at.x(), 0.0, at.x(), plane_.height())};
+    }
+    for (const auto& [color, width] :
+         {std::pair{colors::imageMarkSeam(), 3.0}, {colors::imageMark(), 1.4}}) {
+        painter.setPen(QPen(color, width));
+        for (const QLineF& line : lines)
+            painter.drawLine(placement_.inRoom(line.p1()), placement_.inRoom(line.p2()));
+    }
+}
+
 void ImageCanvas::printValues(QPainter& painter) const {
     const QRectF seen = placement_.imageInRoom() & QRectF(rect());
     const auto first = pixelAt(seen.topLeft() + QPointF(0.01, 0.01));
@@ -256,6 +312,11 @@ void ImageCanvas::paintEvent(QPaintEvent*) {
     if (zoom() >= printingZoom())
         printValues(painter);
     drawOutlines(painter);
+    if (!isoLines_.empty())
+        drawIsoLines(painter, isoLines_,
+                     [this](const QPointF& point) { return placement_.inRoom(point); });
+    if (line_)
+        drawLine(painter);
     if (const auto& box = chosen_.rectangle())
         drawFrame(painter, QRectF(box->x, box->y, box->width, box->height));
     if (const auto cursor = chosen_.cursor()) {
@@ -316,6 +377,10 @@ void ImageCanvas::leaveEvent(QEvent*) {
 }
 
 void ImageCanvas::select(const QPointF& from, const QPointF& to) {
+    if (lineMode_) {
+        drawLineTo(from, to);
+        return;
+    }
     // A click without a drag takes the selection away.
     std::optional<QRectF> box;
     if ((to - from).manhattanLength() > leastDrag_px)
@@ -338,12 +403,18 @@ void ImageCanvas::setCursorPixel(std::optional<QPoint> pixel) {
 
 void ImageCanvas::moveCursor(const QPoint& step, bool selecting) {
     const QPointF centre = view().centre;
-    chosen_.step(step, {static_cast<int>(centre.x()), static_cast<int>(centre.y())}, selecting);
+    const QPoint before = cursorPixel().value_or(line_ ? line_->p2() : QPoint(-1, -1));
+    chosen_.step(step, {static_cast<int>(centre.x()), static_cast<int>(centre.y())},
+                 selecting && !lineMode_);
     // The pixel stays in sight.
     const QPoint to = *cursorPixel();
     if (!rect().contains(widgetPoint(QPointF(to) + QPointF(0.5, 0.5)).toPoint()))
         centreOn(to, zoom());
-    if (selecting)
+    if (lineMode_ && selecting && before.x() >= 0)
+        setLine(QLine(line_ ? line_->p1() : before, to));
+    else if (lineMode_)
+        setLine(QLine(to, to));
+    else if (selecting)
         emit selectionChanged();
     update();
     emit hovered(to);
@@ -385,9 +456,10 @@ bool ImageCanvas::handleKey(int key, Qt::KeyboardModifiers modifiers) {
         showActualSize();
         return true;
     case Qt::Key_Escape:
-        if (chosen_.isEmpty())
+        if (chosen_.isEmpty() && !line_)
             return false;
         chosen_.clear();
+        setLine(std::nullopt);
         update();
         emit selectionChanged();
         emit hovered(std::nullopt);
@@ -402,7 +474,7 @@ bool ImageCanvas::event(QEvent* event) {
         // Plain keys are the image's while it has the focus, whatever the window uses them for.
         const auto* key = static_cast<QKeyEvent*>(event);
         const bool arrow = key->key() >= Qt::Key_Left && key->key() <= Qt::Key_Down;
-        const bool clears = key->key() == Qt::Key_Escape && !chosen_.isEmpty();
+        const bool clears = key->key() == Qt::Key_Escape && (!chosen_.isEmpty() || line_);
         if (arrow || clears) {
             event->accept();
             return true;

@@ -2,10 +2,12 @@
 
 #include <optional>
 
+#include <QLine>
 #include <QWidget>
 
 #include "gui/image/CanvasPlacement.h"
 #include "gui/image/ColoredPlane.h"
+#include "gui/image/IsoLine.h"
 #include "gui/image/PixelSelection.h"
 #include "gui/widgets/LatestTask.h"
 
@@ -46,6 +48,12 @@ class ImageCanvas : public QWidget {
     /// Rectangles drawn over the image, in image pixels.
     void setOutlines(std::vector<QRectF> outlines);
     const std::vector<QRectF>& outlines() const { return outlines_; }
+    void setIsoLines(std::vector<IsoLine> lines);
+    const std::vector<IsoLine>& isoLines() const { return isoLines_; }
+    /// From now on a drag of the left button draws a line from pixel to pixel instead of a
+    /// rectangle, and a click is a line of one pixel; arrows move that, with Shift its end.
+    void setLineMode(bool on);
+    std::optional<QLine> line() const { return line_; }
     /// Another plane of the same size, to be shown in place of the first, or beside it.
     void setSecond(SharedValues values);
     void setSecondShown(bool shown);
@@ -80,6 +88,7 @@ class ImageCanvas : public QWidget {
   signals:
     void hovered(std::optional<QPoint> pixel);
     void selectionChanged();
+    void lineChanged();
     /// On a pixel, without a drag.
     void clicked(const QPoint& pixel);
     void viewChanged();
@@ -103,6 +112,9 @@ class ImageCanvas : public QWidget {
     void refreshColors();
     void drawFrame(QPainter& painter, const QRectF& pixels) const;
     void drawOutlines(QPainter& painter) const;
+    void drawLine(QPainter& painter) const;
+    void drawLineTo(const QPointF& from, const QPointF& to);
+    void setLine(const std::optional<QLine>& line);
     void printValues(QPainter& painter) const;
     void onPlaced();
     void zoomAt(const QPointF& point, double zoom);
@@ -115,6 +127,9 @@ class ImageCanvas : public QWidget {
     irsg::DisplayLimits limits_;
     QString hint_;
     std::vector<QRectF> outlines_;
+    std::vector<IsoLine> isoLines_;
+    bool lineMode_ = false;
+    std::optional<QLine> line_;
     bool secondShown_ = false;
     bool awaitsColors_ = false;
     unsigned revision_ = 0; ///< of values, colours and marks

@@ -15,6 +15,7 @@
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ImageExport.h"
 #include "gui/image/ImageInspector.h"
+#include "gui/image/ImageLines.h"
 #include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "irsg/core/Errors.h"
@@ -130,6 +131,7 @@ void ImageView::showPlane() {
     colors_->setEnabled(!showsColors());
     colorBar_->setTitle(titleWithUnit(shown));
     inspector_->show(image_, shown, titleWithUnit(shown), formattedUnit(shown.unit));
+    lines_->show(image_, shown, titleWithUnit(shown));
     updateColors();
     updateStatistics();
 }
@@ -174,6 +176,7 @@ void ImageView::useLimits(const FoundLimits& found) {
     colorBar_->setOutOfRange(found.outside);
     canvas_->setColors(*map_, found.limits);
     inspector_->setLimits(found.limits);
+    lines_->setLimits(found.limits);
 }
 
 void ImageView::setLimits(std::optional<double> low, std::optional<double> high) {
@@ -266,7 +269,7 @@ void ImageView::updateStatistics() {
 
 bool ImageView::isBusy() const {
     return figuresTask_.isBusy() || temperatureTask_.isBusy() || limitsTask_.isBusy() ||
-           canvas_->isBusy() || inspector_->isBusy() || pixels_->isBusy();
+           canvas_->isBusy() || lines_->isBusy() || inspector_->isBusy() || pixels_->isBusy();
 }
 
 QStringList ImageView::exportFilters() const {
@@ -278,9 +281,11 @@ QStringList ImageView::exportFilters() const {
 QImage ImageView::picture(bool withColorBar) const {
     if (showsColors())
         return canvas_->picture();
-    if (withColorBar)
-        return onPaper(
-            {enlargedPlane(*image_, plane(), *colorBar_), title_, conditions_->text(), colorBar_});
+    if (withColorBar) {
+        QImage enlarged = enlargedPlane(*image_, plane(), *colorBar_);
+        lines_->drawOn(enlarged);
+        return onPaper({enlarged, title_, conditions_->text(), colorBar_});
+    }
     irsg::PngViewOptions options;
     options.colorMap = map_->name();
     options.limits = colorBar_->limits();
@@ -362,6 +367,10 @@ void ImageView::keyPressEvent(QKeyEvent* event) {
             colors_->itemText((colors_->currentIndex() + step) % colors_->count()).toStdString());
     } else if (key == Qt::Key_H) {
         histogram_->toggle();
+    } else if (key == Qt::Key_P) {
+        lines_->profileButton()->click();
+    } else if (key == Qt::Key_I) {
+        lines_->isoButton()->click();
     } else if (key == Qt::Key_W) {
         tilesShown_->click();
     } else if (key == Qt::Key_X && pixels_->canExplain()) {
@@ -389,6 +398,8 @@ QList<std::pair<QString, QString>> imageKeys() {
         {ImageView::tr("E, O (Shift: back)"), ImageView::tr("Exposure, offset of the colours")},
         {ImageView::tr("N, L"), ImageView::tr("Limits of the colours automatic, locked")},
         {ImageView::tr("H"), ImageView::tr("Histogram and statistics")},
+        {ImageView::tr("P"), ImageView::tr("Profile: drag a line, or click a pixel")},
+        {ImageView::tr("I"), ImageView::tr("Isotherms: lines of equal value")},
         {ImageView::tr("W"),
          ImageView::tr("Antialiasing windows: objects and hot spots with samples of their own")},
         {ImageView::tr("X"), ImageView::tr("What a pixel is made of: click it, or Return")},

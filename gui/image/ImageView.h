@@ -25,6 +25,8 @@ namespace smat::gui {
 class ColorBar;
 class ImageCanvas;
 class ImageInspector;
+class ImageLines;
+class ProfilePanel;
 struct FoundLimits;
 struct PlaneFigures;
 
@@ -59,6 +61,7 @@ class ImageView : public QWidget, public Exportable {
     ImageCanvas* canvas() const { return canvas_; }
     ColorBar* colorBar() const { return colorBar_; }
     ImageInspector* inspector() const { return inspector_; }
+    ProfilePanel* profile() const { return profile_; }
     const irsg::ColorMap& colorMap() const { return *map_; }
     void setColorScale(irsg::ColorScale scale, bool marksOutside = false);
     /// A picture in visible light, in its own colours.
@@ -119,6 +122,8 @@ class ImageView : public QWidget, public Exportable {
     ColorBar* colorBar_ = nullptr;
     ImageInspector* inspector_ = nullptr;
     PixelPanel* pixels_ = nullptr;
+    ProfilePanel* profile_ = nullptr;
+    ImageLines* lines_ = nullptr;
     QComboBox* plane_ = nullptr;
     QComboBox* colors_ = nullptr;
     QToolButton* histogram_ = nullptr;

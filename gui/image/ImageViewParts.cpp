@@ -1,7 +1,10 @@
+#include <initializer_list>
+
 #include <QComboBox>
 #include <QFocusEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QSplitter>
 #include <QToolButton>
@@ -11,7 +14,9 @@
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ImageExport.h"
 #include "gui/image/ImageInspector.h"
+#include "gui/image/ImageLines.h"
 #include "gui/image/ImageView.h"
+#include "gui/image/ProfilePanel.h"
 #include "gui/widgets/FlowBar.h"
 #include "gui/widgets/Widgets.h"
 
@@ -26,6 +31,19 @@ ImageView::ImageView(QWidget* parent, Dialogs dialogs)
     inspector_->hide();
     pixels_ = new PixelPanel(this);
     pixels_->hide();
+    // Through those of the view, which may be given others.
+    Dialogs through = dialogs_;
+    through.saveFile = [this](QWidget* over, const QString& title, const QStringList& filters,
+                              const QString& suggestion) {
+        return dialogs_.saveFile(over, title, filters, suggestion);
+    };
+    through.tell = [this](QWidget* over, const QString& title, const QStringList& sentences) {
+        dialogs_.tell(over, title, sentences);
+    };
+    through.run = [this](QDialog& dialog) { return dialogs_.run(dialog); };
+    profile_ = new ProfilePanel(through, this);
+    profile_->hide();
+    lines_ = new ImageLines(*canvas_, *profile_, this);
     conditions_ = new QLabel(this);
     conditions_->setObjectName("conditions");
     conditions_->setForegroundRole(QPalette::PlaceholderText);
@@ -54,8 +72,10 @@ ImageView::ImageView(QWidget* parent, Dialogs dialogs)
     splitter->setChildrenCollapsible(false);
     splitter->addWidget(picture);
     splitter->addWidget(inspector_);
+    splitter->addWidget(profile_);
     splitter->setStretchFactor(0, 3);
     splitter->setStretchFactor(1, 1);
+    splitter->setStretchFactor(2, 2);
     auto* across = new QSplitter(Qt::Horizontal, this);
     across->setChildrenCollapsible(false);
     across->addWidget(splitter);
@@ -139,8 +159,10 @@ QHBoxLayout* ImageView::makeBar() {
     auto* flow = new FlowBar(this);
     flow->first()->addWidget(plane_);
     flow->first()->addWidget(colors_);
-    for (QToolButton* button : {histogram_, tilesShown_, explains_, copy, write, fit, actual})
-        flow->second()->addWidget(button);
+    for (QWidget* widget : std::initializer_list<QWidget*>{
+             histogram_, lines_->profileButton(), lines_->isoButton(), lines_->levelsField(),
+             tilesShown_, explains_, copy, write, fit, actual})
+        flow->second()->addWidget(widget);
     auto* bar = new QHBoxLayout;
     bar->addWidget(flow);
     return bar;

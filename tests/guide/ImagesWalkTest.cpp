@@ -11,6 +11,9 @@
 #include "gui/image/ImageInspector.h"
 #include "gui/image/ImageView.h"
 #include "gui/image/PixelPanel.h"
+#include "gui/image/ProfilePanel.h"
+#include "gui/plot/CartesianPlot.h"
+#include "gui/plot/PlotPanel.h"
 #include "irsg/image/CsvImage.h"
 #include "irsg/image/ExrFile.h"
 #include "tests/guide/GuideFixture.h"
@@ -135,6 +138,29 @@ TEST_F(ImagesWalkTest, OpenReadAndColour) {
         EXPECT_TRUE(figures.contains(word)) << word << " in " << figures.toStdString();
     }
     press(Qt::Key_H);
+
+    walk.step("see values along a line | Profile (P), then drag a line, or click a pixel for its "
+              "row and column; the plot below is exported like any other");
+    press(Qt::Key_P);
+    QTest::qWait(20);
+    drag(&canvas, Qt::LeftButton, at(view, 30.5, 20.5),
+         at(view, 60.5, 50.5) - at(view, 30.5, 20.5));
+    PlotPanel& profile = *view.profile()->plot();
+    ASSERT_EQ(profile.cartesian()->data().curves.size(), 1U);
+    EXPECT_EQ(profile.cartesian()->data().curves[0].y.size(), 31U);
+    QTest::mouseClick(&canvas, Qt::LeftButton, {}, at(view, 44.5, 35.5).toPoint());
+    EXPECT_EQ(profile.cartesian()->data().curves.size(), 2U);
+    chosen = path("profile.csv");
+    profile.action("saveAllValues")->trigger();
+    EXPECT_GT(std::filesystem::file_size(folder / "profile.csv"), 1000U);
+    press(Qt::Key_P);
+    walk.step("see isotherms | Isotherms (I): lines of equal value in the plane that is shown, at "
+              "round levels inside the limits or at those that are typed; exported pictures with "
+              "a colour bar have them");
+    press(Qt::Key_I);
+    ASSERT_TRUE(test::waitUntil([&] { return !view.isBusy(); }));
+    EXPECT_FALSE(canvas.isoLines().empty());
+    press(Qt::Key_I);
 
     walk.step("change colours | white-hot, black-hot, ironbow, inferno, viridis; they are never "
               "part of saved data");
