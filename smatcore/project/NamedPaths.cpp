@@ -4,6 +4,7 @@
 
 #include "irsg/core/AppendUnique.h"
 #include "smatcore/project/AtmosphereInput.h"
+#include "smatcore/project/ShippedFiles.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat {
@@ -19,8 +20,12 @@ irsg::WrittenPath namedPath(const std::filesystem::path& document,
     if (std::filesystem::exists(plain, failure))
         return {plain, ""};
     irsg::WrittenPath found = irsg::findWritten(folder, path.string());
-    if (found.file.empty())
+    if (found.file.empty()) {
+        if (const std::filesystem::path shipped = shippedFile(path); !shipped.empty())
+            return {shipped, path.string() + ": not found there; the file of that name that comes "
+                                             "with the program is read"};
         return {plain, ""};
+    }
     if (!isFree)
         found.file = found.file.lexically_normal();
     return found;

@@ -10,8 +10,9 @@
 namespace smat {
 
 /// What a path in a project or a scenario means, seen from the file that it stands in (the working
-/// folder where that is empty), with the remark of irsg::findWritten. Where nothing is found it is
-/// the path as it is written.
+/// folder where that is empty), with the remark of irsg::findWritten. What lies nowhere but came
+/// with the program is that (shippedFile), with a remark. Where nothing is found it is the path as
+/// it is written.
 irsg::WrittenPath namedPath(const std::filesystem::path& document,
                             const std::filesystem::path& path);
 
