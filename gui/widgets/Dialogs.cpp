@@ -7,6 +7,7 @@
 #include <QRegularExpression>
 #include <QStyle>
 
+#include "gui/widgets/DialogFolders.h"
 #include "gui/widgets/Theme.h"
 
 namespace smat::gui {
@@ -35,17 +36,22 @@ void usePicture(QMessageBox& box, const QString& name) {
 Dialogs Dialogs::ofDesktop() {
     Dialogs dialogs;
     dialogs.openFile = [](QWidget* parent, const QString& title, const QStringList& filters) {
-        return QFileDialog::getOpenFileName(parent, title, {}, filters.join(";;"));
+        return remembered(title, QFileDialog::getOpenFileName(parent, title, lastFolder(title),
+                                                              filters.join(";;")));
     };
     dialogs.saveFile = [](QWidget* parent, const QString& title, const QStringList& filters,
                           const QString& suggestion) {
         QString chosen;
-        const QString file =
-            QFileDialog::getSaveFileName(parent, title, suggestion, filters.join(";;"), &chosen);
-        return withSuffix(file, chosen);
+        const QString file = QFileDialog::getSaveFileName(parent, title, startOf(title, suggestion),
+                                                          filters.join(";;"), &chosen);
+        return remembered(title, withSuffix(file, chosen));
     };
     dialogs.chooseFolder = [](QWidget* parent, const QString& title, const QString& suggestion) {
-        return QFileDialog::getExistingDirectory(parent, title, suggestion);
+        const QString folder =
+            QFileDialog::getExistingDirectory(parent, title, startOf(title, suggestion));
+        // What lies in it is what is remembered of files.
+        remembered(title, folder.isEmpty() ? folder : folder + "/.");
+        return folder;
     };
     dialogs.tell = [](QWidget* parent, const QString& title, const QStringList& sentences) {
         QMessageBox box(QMessageBox::Warning, title, sentences.mid(0, 8).join("\n\n"),
