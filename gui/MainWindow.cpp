@@ -5,15 +5,18 @@
 #include <QDragEnterEvent>
 #include <QLabel>
 #include <QMimeData>
-#include <QPointer>
 #include <QScrollArea>
 #include <QStatusBar>
+#include <QToolButton>
+#include <QUndoView>
 
 #include "gui/FileOpening.h"
 #include "gui/MainDialogs.h"
 #include "gui/MainMenus.h"
 #include "gui/ManipulatorsDock.h"
+#include "gui/MessagesDock.h"
 #include "gui/WindowLayout.h"
+#include "gui/WindowMessages.h"
 #include "gui/analysis/JobBar.h"
 #include "gui/analysis/ResultPages.h"
 #include "gui/analysis/ResultsDock.h"
@@ -35,7 +38,6 @@
 #include "gui/view/ProjectView.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/Widgets.h"
-#include "irsg/core/Remarks.h"
 
 namespace smat::gui {
 
@@ -45,6 +47,8 @@ MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     setWindowTitle("SMAT");
     setWindowIcon(icon("smat"));
     setAcceptDrops(true);
+    messages_ = new WindowMessages(workbench_, this);
+    messages_->follow(dialogs_);
     QStringList problems;
     preferences_ = Preferences::load(&problems);
     files_ = new ProjectFiles(workbench_, dialogs_, preferences_, this);
@@ -60,11 +64,11 @@ MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     opening_ =
         new FileOpening(this, workbench_, dialogs_, *files_, *images_, *results_, *scenarios);
     auto* air = new AtmospherePages(workbench_, dialogs_, *tabs_);
+    makeMessages(*air);
     openWith({"xml"}, [air](const std::filesystem::path& file) { return air->open(file); });
     layout_ = new WindowLayout(*this);
-    menus_ =
-        new MainMenus({*this, workbench_, dialogs_, *ask_, *files_, *opening_, *tabs_, *images_,
-                       view_, *results_, *databaseDock_, *air, *layout_, *models_, *tree_});
+    menus_ = new MainMenus({*this, workbench_, dialogs_, *ask_, *files_, *opening_, *tabs_,
+                            *images_, view_, *results_, *databaseDock_, *air, *layout_, *models_, *tree_});
     connect(tabs_, &PageTabs::shownChanged, menus_, &MainMenus::refresh);
     say(problems.isEmpty() ? tr("Open a project (Ctrl+O), or drop one here")
                            : problems.join("   "));
@@ -74,22 +78,11 @@ MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     layout_->restore();
     menus_->refresh();
     keepTabOrder();
-    // What readers of files take for granted, in whatever thread, stands in the status bar for a
-    // while.
-    irsg::setRemarkListener([window = QPointer<MainWindow>(this)](const std::string& sentence) {
-        const QString text = QString::fromStdString(sentence);
-        QMetaObject::invokeMethod(
-            qApp,
-            [window, text] {
-                if (window)
-                    window->say(text, 20000);
-            },
-            Qt::QueuedConnection);
-    });
+    for (const QString& problem : problems)
+        messages_->remark(problem);
 }
 
 MainWindow::~MainWindow() {
-    irsg::setRemarkListener({});
     delete menus_; // parts that go change nothing that can be done
 }
 
@@ -104,6 +97,7 @@ void MainWindow::makeCentre() {
     if (const QString problem = SceneView::problem(); problem.isEmpty()) {
         view_ = new ProjectView(workbench_, dialogs_, *loading_, tabs_);
         connect(view_, &ProjectView::said, this, &MainWindow::say);
+        connect(view_, &ProjectView::remarked, messages_, &WindowMessages::remark);
         tabs_->setFirst(view_->page(), tr("Model"));
     } else {
         auto* notice = new QLabel(problem, tabs_);
@@ -134,6 +128,7 @@ void MainWindow::makeDocks() {
     databaseDock_ = new DatabaseDock(workbench_, dialogs_, this);
     addDockWidget(Qt::RightDockWidgetArea, databaseDock_);
     tabifyDockWidget(results_, databaseDock_);
+    makeHistory();
     results_->raise();
     for (QDockWidget* dock :
          {static_cast<QDockWidget*>(results_), static_cast<QDockWidget*>(databaseDock_)})
@@ -243,6 +238,7 @@ void MainWindow::connectWorkbench() {
             [this](const QString& name) { say(tr("%1 was not opened").arg(name)); });
     connect(files_, &ProjectFiles::said, this,
             [this](const QString& sentence) { say(sentence, 10000); });
+    connect(files_, &ProjectFiles::remarked, messages_, &WindowMessages::remark);
     connect(&workbench_, &Workbench::projectOpened, this, &MainWindow::onProjectOpened);
     connect(&workbench_, &Workbench::projectChanged, this, &MainWindow::onProjectChanged);
     connect(&workbench_, &Workbench::modifiedChanged, this, &MainWindow::refreshTitle);
@@ -253,9 +249,9 @@ void MainWindow::connectWorkbench() {
     connect(&workbench_.database(), &DatabaseSession::opened, menus_, &MainMenus::refresh);
     connect(&workbench_, &Workbench::jobFailed, this,
             [this](const QStringList& sentences, bool ourFault) {
-                dialogs_.tell(this,
-                              ourFault ? tr("Internal error") : tr("The analysis cannot be run"),
-                              sentences);
+                messages_->tellRefusal(
+                    dialogs_, this,
+                    ourFault ? tr("Internal error") : tr("The analysis cannot be run"), sentences);
             });
 }
 
@@ -265,13 +261,69 @@ void MainWindow::connectResults() {
                 dialogs_.tell(this, tr("Results of the project"), sentences);
             });
     statusBar()->addPermanentWidget(new JobBar(workbench_, this));
-    auto* pages = new ResultPages(workbench_, dialogs_, tabs_);
-    connect(results_, &ResultsDock::showRequested, pages, &ResultPages::show);
+    resultPages_ = new ResultPages(workbench_, dialogs_, tabs_);
+    connect(results_, &ResultsDock::showRequested, resultPages_, &ResultPages::show);
     connect(results_, &ResultsDock::comparisonRequested, images_, &ImagePages::compareResults);
-    connect(pages, &ResultPages::said, this, [this](const QString& sentence) { say(sentence); });
-    connect(pages, &ResultPages::passed, this, [this](const QString& sentence) {
+    connect(resultPages_, &ResultPages::said, this,
+            [this](const QString& sentence) { say(sentence); });
+    connect(resultPages_, &ResultPages::passed, this, [this](const QString& sentence) {
         if (statusBar()->currentMessage() == sentence)
             statusBar()->clearMessage();
+    });
+}
+
+void MainWindow::makeMessages(AtmospherePages& air) {
+    auto* dock = new MessagesDock(messages_->log(), this);
+    addDockWidget(Qt::BottomDockWidgetArea, dock);
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    dock->hide();
+    statusBar()->addPermanentWidget(dock->counter());
+    messages_->setPlaces(
+        {.result =
+             [this](int id) {
+                 if (workbench_.result(id) == nullptr)
+                     say(tr("That result is no longer open"), 8000);
+                 resultPages_->show({id});
+             },
+         .model =
+             [this](std::size_t model) {
+                 workbench_.chooseModel(model);
+                 tabs_->setCurrentIndex(0);
+             },
+         .database =
+             [this](std::size_t model) {
+                 workbench_.chooseModel(model);
+                 databaseDock_->show();
+                 databaseDock_->raise();
+             },
+         .atmosphere = [&air] { air.showProjectAtmosphere(); },
+         .settings = [this] { ask_->showSettings(SettingsDialog::tr("Band and mode")); }});
+    const auto sayNewest = [this] {
+        const Message& newest = messages_->log().messages().back();
+        say(newest.source.isEmpty() ? newest.sentence
+                                    : tr("%1: %2").arg(newest.source, newest.sentence),
+            20000);
+    };
+    connect(&messages_->log(), &MessageLog::added, this, sayNewest);
+    connect(&messages_->log(), &MessageLog::repeated, this, sayNewest);
+}
+
+void MainWindow::makeHistory() {
+    auto* dock = new QDockWidget(tr("History"), this);
+    dock->setObjectName("historyDock");
+    auto* list = new QUndoView(&workbench_.undoStack(), dock);
+    list->setObjectName("undoHistory");
+    list->setEmptyLabel(tr("As it was opened"));
+    list->setToolTip(tr("Steps that can be undone: choose one to go to where it was done"));
+    dock->setWidget(list);
+    addDockWidget(Qt::RightDockWidgetArea, dock);
+    tabifyDockWidget(databaseDock_, dock);
+    keepKeysFromHiddenTab(*dock);
+    dock->hide();
+    connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool on) {
+        if (on)
+            dock->raise();
     });
 }
 
@@ -372,8 +424,22 @@ ComparisonWindow* MainWindow::compareResults(int a, int b) {
     return images_->compareResults(a, b);
 }
 
+bool MainWindow::mayEndRuns() {
+    const AnalysisJob* job = workbench_.job();
+    if (job == nullptr)
+        return true;
+    const QString running = job->title();
+    const std::size_t waiting = workbench_.jobs().waiting().size();
+    const QString sentence =
+        waiting == 0 ? tr("%1 is still running. What it has computed so far is lost.").arg(running)
+                     : tr("%1 is still running, %2 more waiting. What is computed so far is lost.")
+                           .arg(running)
+                           .arg(waiting);
+    return dialogs_.ask(this, tr("Quit during a run"), sentence, {tr("Stay"), tr("Quit")}) == 1;
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!tabs_->mayCloseAll() || !files_->settle()) {
+    if (!mayEndRuns() || !tabs_->mayCloseAll() || !files_->settle()) {
         event->ignore();
         return;
     }

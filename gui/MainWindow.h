@@ -12,6 +12,7 @@
 
 namespace smat::gui {
 
+class AtmospherePages;
 class ComparisonWindow;
 class DatabaseDock;
 class FileOpening;
@@ -23,12 +24,14 @@ class PaintDock;
 class ProjectFiles;
 class ProjectView;
 class ResultPage;
+class ResultPages;
 class ResultsDock;
 class SceneModelActs;
 class SceneTreeDock;
 class SceneView;
 class StartPage;
 class WindowLayout;
+class WindowMessages;
 
 /// The window of the workbench: the 3-D view and the results as tabs, docks beside them. It puts
 /// them together; everything it does goes through a Workbench.
@@ -54,6 +57,7 @@ class MainWindow : public QMainWindow {
     ProjectFiles& files() { return *files_; }
     SceneTreeDock& tree() { return *tree_; }
     DatabaseDock& databaseEditor() { return *databaseDock_; }
+    WindowMessages& messages() { return *messages_; }
     /// Null where the desktop has no OpenGL.
     SceneView* sceneView() const;
     /// While the models of the view are being read, off this thread.
@@ -79,10 +83,13 @@ class MainWindow : public QMainWindow {
     void connectTree();
     void joinTreeAndView();
     void joinTreeAndEditor();
+    void makeMessages(AtmospherePages& air);
+    void makeHistory();
     void makeStartPage();
     void connectWorkbench();
     void connectResults();
     void keepTabOrder();
+    bool mayEndRuns();
     void onProjectOpened();
     void onProjectChanged();
     void refreshTitle();
@@ -91,12 +98,14 @@ class MainWindow : public QMainWindow {
     Workbench& workbench_;
     Dialogs dialogs_;
     Preferences preferences_;
+    WindowMessages* messages_ = nullptr;
     PageTabs* tabs_ = nullptr;
     ProjectView* view_ = nullptr; ///< null where the desktop has no OpenGL
     LoadingBar* loading_ = nullptr;
     StartPage* start_ = nullptr;
     SceneTreeDock* tree_ = nullptr;
     ResultsDock* results_ = nullptr;
+    ResultPages* resultPages_ = nullptr;
     DatabaseDock* databaseDock_ = nullptr;
     ProjectFiles* files_ = nullptr;
     SceneModelActs* models_ = nullptr;

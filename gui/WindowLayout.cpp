@@ -12,7 +12,7 @@ namespace smat::gui {
 namespace {
 
 /// Of the docks there are: a layout that knows others is not taken.
-constexpr int layoutVersion = 3;
+constexpr int layoutVersion = 4;
 constexpr QSize usualSize(1360, 840);
 /// Title bar and borders of the desktop.
 constexpr QSize frame(8, 40);

@@ -183,9 +183,9 @@ bool ProjectFiles::load(const std::filesystem::path& file) {
     for (const auto& key : unknownKeys(workbench_.project()))
         unknown << QString::fromStdString(key);
     if (!unknown.isEmpty())
-        emit said(tr("Not known to this version, and kept: %1").arg(unknown.join(", ")));
+        emit remarked(tr("Not known to this version, and kept: %1").arg(unknown.join(", ")));
     for (const std::string& remark : remarks)
-        emit said(tr("Former name, saved as of today: %1").arg(QString::fromStdString(remark)));
+        emit remarked(tr("Former name, saved as of today: %1").arg(QString::fromStdString(remark)));
     recoverPaint();
     return true;
 }

@@ -58,6 +58,8 @@ class ProjectFiles : public QObject {
   signals:
     /// Something to say in passing.
     void said(const QString& sentence);
+    /// What was taken for granted in a project, to be kept.
+    void remarked(const QString& sentence);
 
   private:
     /// Of a project that is begun with a model, whose extent may not be known yet.

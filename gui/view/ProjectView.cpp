@@ -45,7 +45,7 @@ void ProjectView::connectLoader() {
     connect(loader_, &SceneLoader::loaded, this,
             [this](const std::shared_ptr<DisplayScene>& scene) {
                 for (const auto& remark : scene->remarks)
-                    emit said(remark, 8000);
+                    emit remarked(remark);
                 view()->setScene(std::move(*scene));
                 // Places may have changed in the meantime.
                 view()->placeModels(workbench_.project(), workbench_.settings());

@@ -43,6 +43,8 @@ class ProjectView : public QObject {
     void shown();
     /// For a moment, or until something else is said.
     void said(const QString& sentence, int time_ms);
+    /// What was taken for granted in a model, to be kept.
+    void remarked(const QString& sentence);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -157,7 +157,12 @@ TEST_F(MainWindowTest, ClosesCleanlyWhileAnAnalysisRuns) {
     window->findChild<QAction*>("new-polar")->trigger();
     QTest::qWait(50);
     EXPECT_TRUE(workbench.isRunning());
-    window->close();
+    answers = {0}; // stay
+    EXPECT_FALSE(window->close());
+    EXPECT_EQ(asked, QStringList{"Quit during a run"});
+    EXPECT_TRUE(workbench.isRunning());
+    answers = {1};
+    EXPECT_TRUE(window->close());
     window.reset();
 }
 

@@ -291,6 +291,7 @@ TEST_F(WindowAndBatchTest, ClosesWhileTheRealRendererDraws) {
         AnalysisData::of(workbench.project(), AnalysisKind::image, workbench.settings()));
     QTest::qWait(30);
     EXPECT_TRUE(workbench.isRunning());
+    answer = 1; // quit
     EXPECT_TRUE(window->close());
     window.reset();
 }

@@ -148,7 +148,8 @@ TEST_F(PlotsWalkTest, ZoomReadExportAndOverlay) {
     const QString sentence = cut.data().curves[0].warningOf(0);
     EXPECT_TRUE(sentence.contains("beyond the frame")) << sentence.toStdString();
     EXPECT_TRUE(cut.data().conditions.contains("hollow points: " + sentence));
-    EXPECT_TRUE(cut.readoutAt(QPointF(2.0, 40.0)).contains(sentence));
+    const double first = cut.transform(QwtPlot::xBottom, cut.data().curves[0].x[0]);
+    EXPECT_TRUE(cut.readoutAt(QPointF(first + 1.0, 40.0)).contains(sentence));
     EXPECT_TRUE(plotValues(cut, PlotPart::all, ',').contains(",warning\n"));
     workbench.set("sensor.fov", "10");
 

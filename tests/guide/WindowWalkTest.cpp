@@ -1,8 +1,10 @@
 #include <QCheckBox>
 #include <QDockWidget>
 #include <QPlainTextEdit>
+#include <QStatusBar>
 #include <QTreeWidget>
 #include <QTreeWidgetItemIterator>
+#include <QUndoView>
 
 #include "gui/project/SceneTreeDock.h"
 #include "gui/start/GuidePage.h"
@@ -84,6 +86,49 @@ TEST_F(WindowWalkTest, StartPageAndDocks) {
                     one->features().testFlag(QDockWidget::DockWidgetClosable))
             << one->objectName().toStdString();
     }
+}
+
+TEST_F(WindowWalkTest, Messages) {
+    test::GuideWalk walk("window", "Messages");
+    walk.step("The status line shows the newest warning or remark, and the panel Messages (View "
+              "menu, or the number at the right of the status line) keeps all of the session");
+    openSample();
+    workbench.set("sensor.fov", "1");
+    runAnalysis("range");
+    auto* list = get<QTreeWidget>("messages");
+    ASSERT_GE(list->topLevelItemCount(), 1);
+    QTreeWidgetItem* last = list->topLevelItem(list->topLevelItemCount() - 1);
+    EXPECT_TRUE(window->statusBar()->currentMessage().contains(last->text(2)));
+    EXPECT_FALSE(get<QDockWidget>("messagesDock")->isVisible());
+    get<QToolButton>("messageCount")->click();
+    EXPECT_TRUE(get<QDockWidget>("messagesDock")->isVisible());
+    tabs()->setCurrentIndex(0);
+    list->setFocus();
+    list->setCurrentItem(last);
+    QTest::keyClick(list, Qt::Key_Return);
+    EXPECT_NE(window->currentPage(), nullptr);
+    get<QToolButton>("clearMessages")->click();
+    EXPECT_EQ(list->topLevelItemCount(), 0);
+
+    walk.step("The panel History lists the steps that Undo takes back, by their names. A click on "
+              "one goes to the state behind it, back or forth.");
+    workbench.set("camera.azimuth", "11");
+    workbench.set("sensor.band", "8-12");
+    get<QDockWidget>("historyDock")->toggleViewAction()->trigger();
+    EXPECT_TRUE(get<QDockWidget>("historyDock")->isVisible());
+    auto* history = get<QUndoView>("undoHistory");
+    const int steps = workbench.undoStack().count();
+    EXPECT_EQ(history->model()->rowCount(), steps + 1);
+    EXPECT_EQ(history->model()->index(0, 0).data().toString(), "As it was opened");
+    const auto click = [&](int row) {
+        QTest::mouseClick(history->viewport(), Qt::LeftButton, {},
+                          history->visualRect(history->model()->index(row, 0)).center());
+    };
+    click(0);
+    EXPECT_EQ(workbench.undoStack().index(), 0);
+    EXPECT_NE(workbench.settings().text("sensor.band"), "8-12");
+    click(steps);
+    EXPECT_EQ(workbench.settings().text("sensor.band"), "8-12");
 }
 
 TEST_F(WindowWalkTest, TheView) {
