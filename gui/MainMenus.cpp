@@ -22,6 +22,7 @@
 #include "gui/project/ProjectFiles.h"
 #include "gui/project/SceneModelActs.h"
 #include "gui/project/SceneTreeDock.h"
+#include "gui/scenario/ScenarioPages.h"
 #include "gui/settings/SettingsDialog.h"
 #include "gui/start/DataFolder.h"
 #include "gui/tools/SelfTestDialog.h"
@@ -67,6 +68,11 @@ QAction* MainMenus::add(QMenu* menu, const QString& name, const QString& drawing
 void MainMenus::makeFileMenu(QMenu* menu) {
     add(menu, "newProject", "new", tr("&New project…"), QKeySequence::New,
         [this] { with_.files.newProject(); });
+    auto* scenario = add(menu, "newScenario", "scenario", tr("New scenario…"), {},
+                         [this] { with_.scenarios.begin(); });
+    scenario->setToolTip(tr("Begins a scenario with the models of the project where they stand and "
+                            "a sensor where the camera is"));
+    needProject_.append(scenario);
     auto* open = add(menu, "openProject", "open", tr("&Open…"), QKeySequence::Open,
                      [this] { with_.opening.choose(); });
     open->setToolTip(tr("Open a project, a model, a scenario, a result or an image (Ctrl+O)"));

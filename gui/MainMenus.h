@@ -27,6 +27,7 @@ class ProjectView;
 class ResultsDock;
 class SceneModelActs;
 class SceneTreeDock;
+class ScenarioPages;
 class WindowLayout;
 class Workbench;
 
@@ -47,6 +48,7 @@ struct MainParts {
     WindowLayout& layout;
     SceneModelActs& models;
     SceneTreeDock& tree;
+    ScenarioPages& scenarios;
 };
 
 /// The menus and the tool bar of the window: what they offer, and what of it can be done now.

@@ -68,7 +68,8 @@ MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     openWith({"xml"}, [air](const std::filesystem::path& file) { return air->open(file); });
     layout_ = new WindowLayout(*this);
     menus_ = new MainMenus({*this, workbench_, dialogs_, *ask_, *files_, *opening_, *tabs_,
-                            *images_, view_, *results_, *databaseDock_, *air, *layout_, *models_, *tree_});
+                            *images_, view_, *results_, *databaseDock_, *air, *layout_, *models_,
+                            *tree_, *scenarios});
     connect(tabs_, &PageTabs::shownChanged, menus_, &MainMenus::refresh);
     say(problems.isEmpty() ? tr("Open a project (Ctrl+O), or drop one here")
                            : problems.join("   "));

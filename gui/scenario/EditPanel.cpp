@@ -4,6 +4,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -19,49 +20,13 @@
 #include "gui/scenario/TrajectoryModel.h"
 #include "gui/scenario/TrajectoryView.h"
 #include "gui/widgets/NumberFormat.h"
+#include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/ThemeColors.h"
 #include "gui/widgets/Widgets.h"
+#include "irsg/core/Errors.h"
 
 namespace smat::gui {
-namespace {
-
-constexpr double newEntityBeside_m = 50.0;
-
-/// The name, or "sphere-2" where another entity has it.
-std::string freeName(const Scenario& scenario, const std::string& wanted) {
-    std::string name = wanted;
-    for (int number = 2; scenario.findEntity(name); ++number)
-        name = wanted + "-" + std::to_string(number);
-    return name;
-}
-
-/// Beside the first of the scenario, where it begins.
-irsg::Pose placeOfNew(const EditedScenario& state) {
-    const ScenarioEntity& first = state.scenario.entities.front();
-    irsg::Pose pose = first.pose;
-    if (const TrajectoryTable* table = state.table(first.trajectory);
-        !first.trajectory.empty() && table != nullptr)
-        pose = Trajectory(*table).points().front().pose;
-    pose.position_m.x += newEntityBeside_m;
-    return pose;
-}
-
-/// Who else follows the same trajectory.
-QStringList followersOf(const Scenario& scenario, const std::filesystem::path& trajectory,
-                        const QString& but) {
-    QStringList names;
-    const auto take = [&](const auto& parts) {
-        for (const auto& part : parts)
-            if (part.trajectory == trajectory && textOf(part.name) != but)
-                names << textOf(part.name);
-    };
-    take(scenario.entities);
-    take(scenario.sensors);
-    return names;
-}
-
-} // namespace
 
 EditPanel::EditPanel(ScenarioDocument& document, Dialogs dialogs, QWidget* parent)
     : QWidget(parent), document_(document), dialogs_(std::move(dialogs)) {
@@ -76,15 +41,22 @@ EditPanel::EditPanel(ScenarioDocument& document, Dialogs dialogs, QWidget* paren
     add_ = textButton(tr("Add entity…"), "addEntity",
                       tr("Choose a model and its signature database; it stands beside the first "
                          "entity and can be moved from there"));
-    remove_ = textButton(tr("Remove"), "removeEntity", tr("Remove this entity"));
+    addSensor_ = textButton(tr("Add sensor"), "addSensor",
+                            tr("Add a copy of the sensor that is edited, or of the first one, "
+                               "under another name"));
+    remove_ = textButton(tr("Remove"), "removeEntity", tr("Remove this entity or sensor"));
     auto* first = new QHBoxLayout;
     first->addWidget(part_, 1);
     first->addWidget(settings_);
-    first->addWidget(add_);
-    first->addWidget(remove_);
+    auto* second = new QHBoxLayout;
+    second->addWidget(add_);
+    second->addWidget(addSensor_);
+    second->addWidget(remove_);
+    second->addStretch(1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(10, 8, 10, 8);
     column->addLayout(first);
+    column->addLayout(second);
     makeWhole(column);
     makePart(column);
     message_ = new QLabel(this);
@@ -104,7 +76,8 @@ EditPanel::EditPanel(ScenarioDocument& document, Dialogs dialogs, QWidget* paren
         editScenarioSettings(document_, part().sensor, dialogs_, this);
     });
     connect(add_, &QToolButton::clicked, this, &EditPanel::addEntity);
-    connect(remove_, &QToolButton::clicked, this, &EditPanel::removeEntity);
+    connect(addSensor_, &QToolButton::clicked, this, &EditPanel::addSensor);
+    connect(remove_, &QToolButton::clicked, this, &EditPanel::removeChosen);
     connect(&document_, &ScenarioDocument::changed, this, &EditPanel::follow);
     follow();
 }
@@ -139,6 +112,18 @@ void EditPanel::makePart(QVBoxLayout* column) {
     form->addRow(tr("Name"), name_);
     mount_ = new MountFields(ofPart_);
     form->addRow(mount_);
+    newTrajectory_ = textButton(tr("New trajectory"), "newTrajectory",
+                                tr("A trajectory of its own, which begins where it is now: a file "
+                                   "beside the scenario"));
+    trajectoryFile_ =
+        textButton(tr("Trajectory file…"), "trajectoryFile", tr("Follow the rows of a file"));
+    standStill_ = textButton(tr("Stand still"), "standStill",
+                             tr("Stay where the trajectory begins, without it"));
+    auto* motion = new QHBoxLayout;
+    for (QToolButton* button : {newTrajectory_, trajectoryFile_, standStill_})
+        motion->addWidget(button);
+    motion->addStretch(1);
+    form->addRow(tr("Motion"), motion);
     where_ = new QLabel(ofPart_);
     where_->setObjectName("partPlace");
     where_->setWordWrap(true);
@@ -195,12 +180,15 @@ void EditPanel::makePart(QVBoxLayout* column) {
                 finish();
                 say(problem);
             });
+    connect(newTrajectory_, &QToolButton::clicked, this, [this] { takeTrajectory(false); });
+    connect(trajectoryFile_, &QToolButton::clicked, this, [this] { takeTrajectory(true); });
+    connect(standStill_, &QToolButton::clicked, this, &EditPanel::letEntityStand);
     connect(name_, &QLineEdit::textEdited, this, &EditPanel::rename);
     connect(name_, &QLineEdit::editingFinished, this, &EditPanel::finish);
     connect(place_, &PlaceFields::finished, this, &EditPanel::finish);
     connect(place_, &PlaceFields::edited, this,
             [this](const irsg::Pose& pose, const QString& what) {
-                const Part part = this->part();
+                const ScenarioPart part = this->part();
                 change(tr("Set %1 of %2").arg(what, partName()), [&](EditedScenario& state) {
                     if (part.entity)
                         state.scenario.entities[*part.entity].pose = pose;
@@ -209,7 +197,7 @@ void EditPanel::makePart(QVBoxLayout* column) {
                 });
             });
     connect(hold_, &QCheckBox::clicked, this, [this](bool hold) {
-        const Part part = this->part();
+        const ScenarioPart part = this->part();
         change(tr("Change the ends of %1").arg(partName()), [&](EditedScenario& state) {
             if (part.entity)
                 state.scenario.entities[*part.entity].hold = hold;
@@ -218,17 +206,19 @@ void EditPanel::makePart(QVBoxLayout* column) {
         });
         finish();
     });
-    connect(rows_, &TrajectoryModel::edited, this,
-            [this](const TrajectoryTable& table, const QString& step) {
-                change(tr("%1: %2").arg(step, partName()), [&](EditedScenario& state) {
-                    state.trajectories[state.scenario.resolve(trajectoryOf(state))] = table;
-                });
-                finish();
+    connect(
+        rows_, &TrajectoryModel::edited, this,
+        [this](const TrajectoryTable& table, const QString& step) {
+            change(tr("%1: %2").arg(step, partName()), [&](EditedScenario& state) {
+                state.trajectories[state.scenario.resolve(trajectoryOf(state.scenario, part()))] =
+                    table;
             });
+            finish();
+        });
     connect(table_, &TrajectoryView::problem, this, &EditPanel::say);
 }
 
-EditPanel::Part EditPanel::part() const {
+ScenarioPart EditPanel::part() const {
     const int chosen = part_->currentIndex() - 1;
     const int entities = static_cast<int>(document_.scenario().entities.size());
     if (chosen < 0)
@@ -238,18 +228,8 @@ EditPanel::Part EditPanel::part() const {
     return {.entity = {}, .sensor = static_cast<std::size_t>(chosen - entities)};
 }
 
-std::filesystem::path EditPanel::trajectoryOf(const EditedScenario& state) const {
-    const Part part = this->part();
-    if (part.entity)
-        return state.scenario.entities[*part.entity].trajectory;
-    return part.sensor ? state.scenario.sensors[*part.sensor].trajectory : std::filesystem::path();
-}
-
 QString EditPanel::partName() const {
-    const Part part = this->part();
-    if (part.entity)
-        return textOf(document_.scenario().entities[*part.entity].name);
-    return part.sensor ? textOf(document_.scenario().sensors[*part.sensor].name) : QString();
+    return nameOf(document_.scenario(), part());
 }
 
 void EditPanel::follow() {
@@ -274,13 +254,15 @@ void EditPanel::follow() {
 }
 
 void EditPanel::followPart() {
-    const Part part = this->part();
+    const ScenarioPart part = this->part();
     const Scenario& scenario = document_.scenario();
     whole_->setVisible(!part.entity && !part.sensor);
     settings_->setEnabled(!part.entity);
     mount_->setVisible(part.sensor.has_value());
     ofPart_->setVisible(part.entity || part.sensor);
-    remove_->setEnabled(part.entity.has_value());
+    remove_->setEnabled(part.entity || part.sensor);
+    standStill_->setVisible(part.entity.has_value());
+    standStill_->setEnabled(!trajectoryOf(scenario, part).empty());
     if (name_->text() != partName())
         name_->setText(partName());
     if (part.entity) {
@@ -350,7 +332,7 @@ void EditPanel::finish() {
 }
 
 void EditPanel::rename(const QString& text) {
-    const Part part = this->part();
+    const ScenarioPart part = this->part();
     const std::string name = text.trimmed().toStdString();
     if (name.empty())
         return say(tr("A name is needed"));
@@ -371,6 +353,13 @@ void EditPanel::rename(const QString& text) {
            });
 }
 
+void EditPanel::choosePart(const ScenarioPart& part) {
+    const auto entities = document_.scenario().entities.size();
+    const std::size_t row = part.entity ? *part.entity + 1 : *part.sensor + entities + 1;
+    part_->setCurrentIndex(static_cast<int>(row));
+    followPart();
+}
+
 void EditPanel::addEntity() {
     const QString model = dialogs_.openFile(this, tr("Model of the entity"),
                                             {ProjectFiles::modelFilter(), tr("All files (*)")});
@@ -388,41 +377,65 @@ void EditPanel::addEntity() {
             return;
         database = chosen.toStdString();
     }
-    const std::string name = freeName(document_.scenario(), file.stem().string());
-    change(tr("Add %1").arg(textOf(name)), [&](EditedScenario& state) {
-        ScenarioEntity entity;
-        entity.name = name;
-        entity.model = file;
-        entity.database = database;
-        entity.pose = placeOfNew(state);
-        state.scenario.entities.push_back(entity);
-    });
-    if (const auto place = document_.scenario().findEntity(name))
-        part_->setCurrentIndex(static_cast<int>(*place) + 1);
+    std::size_t added = 0;
+    change(tr("Add %1").arg(textOf(file.stem().string())),
+           [&](EditedScenario& state) { added = smat::gui::addEntity(state, file, database); });
+    const QString problem = message_->text();
+    finish();
+    if (problem.isEmpty())
+        choosePart({.entity = added, .sensor = {}});
+}
+
+void EditPanel::addSensor() {
+    const std::size_t like = part().sensor.value_or(0);
+    std::size_t added = 0;
+    change(tr("Add a sensor like %1").arg(textOf(document_.scenario().sensors[like].name)),
+           [&](EditedScenario& state) { added = smat::gui::addSensor(state, like); });
+    finish();
+    choosePart({.entity = {}, .sensor = added});
+    name_->setFocus();
+    name_->selectAll();
+}
+
+void EditPanel::removeChosen() {
+    const ScenarioPart part = this->part();
+    if (!part.entity && !part.sensor)
+        return;
+    if (const QString why = whyNotRemoved(document_.scenario(), part); !why.isEmpty())
+        return say(why);
+    change(tr("Remove %1").arg(partName()),
+           [&](EditedScenario& state) { removePart(state, part); });
     finish();
 }
 
-void EditPanel::removeEntity() {
-    const Part part = this->part();
+void EditPanel::takeTrajectory(bool fromFile) {
+    const ScenarioPart part = this->part();
+    QString problem;
+    if (!fromFile) {
+        change(tr("Give %1 a trajectory").arg(partName()),
+               [&](EditedScenario& state) { giveTrajectory(state, part); });
+        problem = message_->text();
+    } else if (const QString file = dialogs_.openFile(this, tr("Trajectory of %1").arg(partName()),
+                                                      {tr("Trajectories (*.csv)")});
+               !file.isEmpty()) {
+        try {
+            change(tr("Let %1 follow %2").arg(partName(), QFileInfo(file).fileName()),
+                   [&](EditedScenario& state) { followFile(state, part, file.toStdString()); });
+            problem = message_->text();
+        } catch (const irsg::InputError& error) {
+            problem = sentencesOf(error).join('\n');
+        }
+    }
+    finish();
+    say(problem);
+}
+
+void EditPanel::letEntityStand() {
+    const ScenarioPart part = this->part();
     if (!part.entity)
         return;
-    const Scenario& scenario = document_.scenario();
-    const std::string name = scenario.entities[*part.entity].name;
-    if (scenario.entities.size() == 1)
-        return say(tr("A scenario needs at least one entity"));
-    for (const ScenarioSensor& sensor : scenario.sensors) {
-        if (sensor.carrier == name)
-            return say(tr("%1 rides on it").arg(textOf(sensor.name)));
-        if (sensor.track == name)
-            return say(tr("%1 looks at it").arg(textOf(sensor.name)));
-    }
-    change(tr("Remove %1").arg(textOf(name)), [&](EditedScenario& state) {
-        const std::filesystem::path path = trajectoryOf(state);
-        state.scenario.entities.erase(state.scenario.entities.begin() +
-                                      static_cast<std::ptrdiff_t>(*part.entity));
-        if (followersOf(state.scenario, path, {}).isEmpty())
-            state.trajectories.erase(state.scenario.resolve(path));
-    });
+    change(tr("Let %1 stand still").arg(partName()),
+           [&](EditedScenario& state) { letStand(state, *part.entity); });
     finish();
 }
 

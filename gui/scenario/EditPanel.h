@@ -1,11 +1,10 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 
 #include <QWidget>
 
-#include "gui/scenario/ScenarioDocument.h"
+#include "gui/scenario/ScenarioParts.h"
 #include "gui/widgets/Dialogs.h"
 
 class QCheckBox;
@@ -34,20 +33,14 @@ class EditPanel : public QWidget {
     TrajectoryView* table() const { return table_; }
 
   private:
-    /// What the fields are about: an entity, a sensor or, with neither, the scenario.
-    struct Part {
-        std::optional<std::size_t> entity, sensor;
-    };
-
     void makeWhole(QVBoxLayout* column);
     void makePart(QVBoxLayout* column);
     QToolButton* tableButton(const char* drawing, const char* name, const QString& tip);
     void follow();
     void followPart();
     void showPlace(const std::filesystem::path& trajectory, bool hold, const irsg::Pose& pose);
-    Part part() const;
-    /// The trajectory of the chosen part; empty where it has none.
-    std::filesystem::path trajectoryOf(const EditedScenario& state) const;
+    ScenarioPart part() const;
+    void choosePart(const ScenarioPart& part);
     QString partName() const;
 
     /// An edit in the fields; says below why it cannot be.
@@ -58,14 +51,19 @@ class EditPanel : public QWidget {
     void finish();
     void rename(const QString& name);
     void addEntity();
-    void removeEntity();
+    void addSensor();
+    void removeChosen();
+    /// A new one, or one from a file, for the chosen part.
+    void takeTrajectory(bool fromFile);
+    void letEntityStand();
 
     ScenarioDocument& document_;
     Dialogs dialogs_;
     int gesture_ = ScenarioDocument::noGesture;
     std::shared_ptr<const EditedScenario> before_; ///< the typing that goes on
     QComboBox* part_ = nullptr;
-    QToolButton *add_ = nullptr, *remove_ = nullptr;
+    QToolButton *add_ = nullptr, *addSensor_ = nullptr, *remove_ = nullptr;
+    QToolButton *newTrajectory_ = nullptr, *trajectoryFile_ = nullptr, *standStill_ = nullptr;
     QToolButton* settings_ = nullptr;
     QWidget *ofPart_ = nullptr, *ofTable_ = nullptr;
     ScenarioFields* whole_ = nullptr;

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QFormLayout>
 
+#include "gui/scenario/ScenarioParts.h"
 #include "gui/widgets/NumberFormat.h"
 
 namespace smat::gui {
@@ -13,39 +14,10 @@ namespace {
 /// Entity numbers stand behind these.
 enum Mount { still, trajectory, firstEntity };
 
-/// Where an entity is at the start of the scenario, or where it begins to be.
-irsg::Pose poseAtStart(const EditedScenario& state, const std::filesystem::path& path,
-                       const irsg::Pose& otherwise) {
-    const TrajectoryTable* table = path.empty() ? nullptr : state.table(path);
-    if (table == nullptr)
-        return otherwise;
-    return Trajectory(*table).at(state.scenario.start_s, true)->pose;
-}
-
-irsg::Pose poseOf(const EditedScenario& state, const std::string& entity) {
-    const ScenarioEntity& one = state.scenario.entities.at(*state.scenario.findEntity(entity));
-    return poseAtStart(state, one.trajectory, one.pose);
-}
-
-/// What the place of a sensor is in the axes of.
-irsg::Pose mountOf(const EditedScenario& state, const ScenarioSensor& sensor) {
-    if (sensor.mount == MountKind::entity)
-        return poseOf(state, sensor.carrier);
-    return sensor.mount == MountKind::trajectory
-               ? poseAtStart(state, sensor.trajectory, irsg::Pose())
-               : irsg::Pose();
-}
-
 /// To a nanometre: without the rounding of turning there and back.
 irsg::Vec3 rounded(const irsg::Vec3& point) {
     const auto one = [](double value) { return std::round(value * 1e9) / 1e9; };
     return {one(point.x), one(point.y), one(point.z)};
-}
-
-/// Nose towards a direction, wings level.
-irsg::Attitude attitudeTowards(const irsg::Vec3& direction) {
-    const irsg::Vec3 ahead = irsg::normalized(direction);
-    return {std::atan2(-ahead.x, ahead.y), std::asin(std::clamp(ahead.z, -1.0, 1.0)), 0.0};
 }
 
 } // namespace
@@ -134,7 +106,7 @@ void MountFields::changeTrack(int chosen) {
             return;
         const irsg::Pose axes = mountOf(to, sensor);
         const irsg::Vec3 ahead = axes.attitude.rotation().transposed() *
-                                     (poseOf(to, before).position_m - axes.position_m) -
+                                     (poseAtStart(to, before).position_m - axes.position_m) -
                                  sensor.offset.position_m;
         if (irsg::length(ahead) > 0.0)
             sensor.offset.attitude = attitudeTowards(ahead);

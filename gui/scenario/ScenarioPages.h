@@ -5,6 +5,7 @@
 #include <QObject>
 
 #include "gui/widgets/Dialogs.h"
+#include "smatcore/simulate/Scenario.h"
 
 namespace smat::gui {
 
@@ -22,8 +23,12 @@ class ScenarioPages : public QObject {
     /// True for a file that is a scenario: it is opened, or shown where it is open already, or what
     /// is wrong with it is told.
     bool open(const std::filesystem::path& file);
+    /// Begins a scenario with the models and the view of the project (scenarioOf): asks for its
+    /// file, writes and opens it.
+    void begin();
 
   private:
+    void write(const Scenario& scenario, const std::filesystem::path& file);
     ScenarioPage* pageOf(const std::filesystem::path& file) const;
 
     Workbench& workbench_;

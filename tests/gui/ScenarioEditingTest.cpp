@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
@@ -356,6 +358,149 @@ TEST_F(ScenarioEditingTest, EntitiesAreAddedAndRemoved) {
     workbench.undoStack().undo();
     workbench.undoStack().undo();
     EXPECT_FALSE(page->document().isModified());
+}
+
+TEST_F(ScenarioEditingTest, SensorsAreAddedNamedAndRemoved) {
+    edits("lwir (sensor)");
+    const Scenario before = page->document().scenario();
+    page->findChild<QToolButton*>("addSensor")->click();
+    ASSERT_EQ(page->document().scenario().sensors.size(), 3U);
+    ScenarioSensor copy = page->document().scenario().sensors[2];
+    EXPECT_EQ(copy.name, "lwir-2");
+    copy.name = "lwir";
+    EXPECT_EQ(copy, before.sensors[1]);
+    EXPECT_EQ(page->findChild<QComboBox*>("editedPart")->currentText(), "lwir-2 (sensor)");
+    typeField("partName", "wide");
+    EXPECT_EQ(page->findChild<QComboBox*>("scenarioSensor")->count(), 3);
+    page->showSensor(2);
+    ASSERT_TRUE(settles(*page));
+    EXPECT_EQ(page->picture().moment.sensor, 2U);
+    auto* remove = page->findChild<QToolButton*>("removeEntity");
+    for (int left = 2; left > 0; --left) {
+        remove->click();
+        ASSERT_EQ(page->document().scenario().sensors.size(), static_cast<std::size_t>(left));
+        choosePart(QString::fromStdString(page->document().scenario().sensors[0].name) +
+                   " (sensor)");
+    }
+    remove->click();
+    EXPECT_EQ(message(), "A scenario needs at least one sensor");
+    while (workbench.undoStack().canUndo()) {
+        workbench.undoStack().undo();
+    }
+    EXPECT_EQ(page->document().scenario(), before);
+}
+
+TEST_F(ScenarioEditingTest, ASensorIsGivenATrajectoryOfItsOwn) {
+    edits("lwir (sensor)");
+    const auto sensor = [&]() -> const ScenarioSensor& {
+        return page->document().scenario().sensors[1];
+    };
+    write("lwir.csv", "what somebody else keeps here");
+    page->findChild<QToolButton*>("newTrajectory")->click();
+    EXPECT_EQ(message(), "");
+    EXPECT_EQ(sensor().mount, MountKind::trajectory);
+    EXPECT_EQ(sensor().trajectory, "lwir-2.csv") << "the other name is taken";
+    EXPECT_EQ(sensor().offset, irsg::Pose());
+    ASSERT_EQ(table().model()->rowCount(), 3) << "two rows and the empty one";
+    EXPECT_EQ(cell(0, t), "0");
+    EXPECT_EQ(cell(1, t), "2");
+    EXPECT_EQ(cell(1, z), "50");
+    typeCell(1, x, "40");
+    ASSERT_TRUE(settles(*page));
+    page->showSensor(1);
+    page->timeLine().setStep(8);
+    ASSERT_TRUE(settles(*page));
+    // From (40, 0) to the mover at (6, 100), 2 m above it.
+    EXPECT_NEAR(page->picture().objects[0]->range_m, std::hypot(34.0, 100.0, 2.0), 1.0);
+    trigger("saveProject");
+    QUndoStack stack;
+    EXPECT_EQ(*ScenarioDocument(folder / "pass.json", stack).now(), *page->document().now());
+    EXPECT_EQ(fileText("lwir.csv"), "what somebody else keeps here");
+    EXPECT_NE(fileText("lwir-2.csv").find("\n2,40,0,50,"), std::string::npos);
+}
+
+TEST_F(ScenarioEditingTest, ASensorThatLooksAlongItsNoseGoesOnLookingThere) {
+    edits("mwir (sensor)");
+    auto* mount = page->findChild<QComboBox*>("sensorMount");
+    mount->setFocus();
+    QTest::keyClick(mount, Qt::Key_Down); // on the mover, whose nose points east
+    const ScenarioSensor riding = page->document().scenario().sensors[0];
+    ASSERT_EQ(riding.mount, MountKind::entity);
+    page->findChild<QToolButton*>("newTrajectory")->click();
+    const ScenarioSensor& flying = page->document().scenario().sensors[0];
+    const TrajectoryTable& rows = *page->document().now()->table(flying.trajectory);
+    EXPECT_EQ(rows.rows[0][TrajectoryTable::x], 0.0);
+    EXPECT_EQ(rows.rows[0][TrajectoryTable::y], 0.0);
+    // The nose of the mover is yaw 270; the sensor looked along it.
+    EXPECT_NEAR(std::remainder(rows.rows[0][TrajectoryTable::yaw] - 270.0, 360.0), 0.0, 1e-9);
+}
+
+TEST_F(ScenarioEditingTest, AnEntityBeginsToMoveFollowsAFileAndStandsStillAgain) {
+    edits("buoy");
+    const EditedScenario before = *page->document().now();
+    EXPECT_FALSE(page->findChild<QToolButton*>("standStill")->isEnabled());
+    page->findChild<QToolButton*>("newTrajectory")->click();
+    const auto buoy = [&]() -> const ScenarioEntity& {
+        return page->document().scenario().entities[1];
+    };
+    EXPECT_EQ(buoy().trajectory, "buoy.csv");
+    EXPECT_EQ(cell(0, x), "4");
+    EXPECT_EQ(cell(1, y), "110");
+    EXPECT_FALSE(std::filesystem::exists(folder / "buoy.csv")) << "not before it is saved";
+    chosen = QString::fromStdString((folder / "flight.csv").string());
+    page->findChild<QToolButton*>("trajectoryFile")->click();
+    EXPECT_EQ(buoy().trajectory, "flight.csv");
+    EXPECT_EQ(page->document().now()->trajectories.size(), 1U) << "nobody follows the other one";
+    EXPECT_EQ(cell(0, x), "-6");
+    page->findChild<QToolButton*>("standStill")->click();
+    EXPECT_TRUE(buoy().trajectory.empty());
+    EXPECT_EQ(buoy().pose.position_m, (irsg::Vec3{-6, 100, 50}));
+    EXPECT_EQ(page->document().now()->trajectories.size(), 1U) << "the mover follows it";
+    EXPECT_EQ(buoy().power, 0.2);
+    write("bad.csv", "t [s],x [m]\n0,1\n");
+    chosen = QString::fromStdString((folder / "bad.csv").string());
+    page->findChild<QToolButton*>("trajectoryFile")->click();
+    EXPECT_TRUE(message().contains("bad.csv")) << message().toStdString();
+    EXPECT_TRUE(buoy().trajectory.empty());
+    while (workbench.undoStack().canUndo()) {
+        workbench.undoStack().undo();
+    }
+    EXPECT_EQ(*page->document().now(), before);
+}
+
+TEST_F(ScenarioEditingTest, AScenarioIsBegunWithTheModelsAndTheViewOfTheProject) {
+    openSample();
+    workbench.set("camera.range", "321");
+    workbench.set("sensor.band", "8-12");
+    workbench.set("state.power", "0.5");
+    chosen = QString::fromStdString((folder / "begun.json").string());
+    trigger("newScenario");
+    page = shownPage();
+    ASSERT_NE(page, nullptr) << told.join('\n').toStdString();
+    ASSERT_TRUE(settles(*page));
+    const Scenario& scenario = page->document().scenario();
+    ASSERT_EQ(scenario.entities.size(), 1U);
+    EXPECT_EQ(scenario.entities[0].name, "ship");
+    EXPECT_EQ(scenario.entities[0].power, 0.5);
+    EXPECT_EQ(scenario.entities[0].pose.position_m, (irsg::Vec3{0, 0, 100}));
+    EXPECT_EQ(scenario.settings.text("sensor.band"), "8-12");
+    EXPECT_FALSE(scenario.settings.isSet("camera.range"));
+    ASSERT_EQ(page->picture().entities.size(), 1U);
+    EXPECT_NEAR(page->picture().objects[0]->range_m, 321.0, 2e-3);
+    EXPECT_FALSE(page->document().isModified());
+    // What is open is not written over.
+    trigger("newScenario");
+    ASSERT_EQ(told.size(), 1);
+    EXPECT_TRUE(told.front().contains("a scenario that is open")) << told.front().toStdString();
+    told.clear();
+    // Nor is there one of a model without signatures.
+    Project bare = workbench.editedProject();
+    bare.models[0].database.clear();
+    workbench.edit(bare, "Take the database away");
+    trigger("newScenario");
+    ASSERT_EQ(told.size(), 1);
+    EXPECT_TRUE(told.front().contains("no signature database")) << told.front().toStdString();
+    told.clear();
 }
 
 TEST_F(ScenarioEditingTest, ClosingAsksForWhatIsNotSaved) {

@@ -101,7 +101,17 @@ class ScenariosWalkTest : public test::GuideFixture {
 
 TEST_F(ScenariosWalkTest, SeePlayAndKeepIt) {
     test::GuideWalk walk("scenarios", "");
-    walk.step("File → Open… opens it as a page; the sample flyby is one.");
+    walk.step("File → Open… opens it as a page; the sample flyby is one. File → New scenario… "
+              "begins one: the models of the project where they stand, one sensor where the camera "
+              "is, ten steps of a second.");
+    openSample();
+    chosen = path("begun.json");
+    act("newScenario");
+    ASSERT_NE(page<ScenarioPage>(), nullptr) << said();
+    const Scenario begun = page<ScenarioPage>()->document().scenario();
+    EXPECT_EQ(begun.entities.size(), workbench.project().models.size());
+    EXPECT_EQ(begun.sensors.size(), 1U);
+    EXPECT_EQ(begun.times_s().size(), 11U);
     chosen = SMAT_SOURCE_DIR "/samples/flyby/flyby.json";
     act("openProject");
     ASSERT_NE(page<ScenarioPage>(), nullptr) << said();
@@ -287,6 +297,23 @@ TEST_F(ScenariosWalkTest, EditIt) {
     QTest::keyClick(track, Qt::Key_End); // the buoy
     EXPECT_EQ(two().track, "buoy");
 
+    walk.step("the motion of either | New trajectory: one of its own, from where it is at the "
+              "start, in a file beside the scenario; Trajectory file…: the rows of a file; Stand "
+              "still: an entity stays where its trajectory begins");
+    get<QToolButton>("newTrajectory", shown)->click();
+    EXPECT_EQ(two().mount, MountKind::trajectory);
+    EXPECT_EQ(two().trajectory, "two.csv");
+    EXPECT_EQ(table().model()->rowCount(), 3) << "with the empty one";
+    act("undo");
+    choosePart("buoy");
+    chosen = path("flight.csv");
+    get<QToolButton>("trajectoryFile", shown)->click();
+    EXPECT_EQ(shown->document().scenario().entities[1].trajectory, "flight.csv");
+    get<QToolButton>("standStill", shown)->click();
+    EXPECT_TRUE(shown->document().scenario().entities[1].trajectory.empty());
+    act("undo");
+    act("undo");
+
     walk.step("what moves | Name and a table of its trajectory: time, position, attitude and, "
               "where the file has them, power and Mach number; Stays at its ends holds it there");
     choosePart("mover");
@@ -346,6 +373,11 @@ TEST_F(ScenariosWalkTest, EditIt) {
     choosePart("buoy");
     get<QToolButton>("removeEntity", shown)->click();
     EXPECT_TRUE(message().contains("two looks at it")) << message().toStdString();
+    choosePart("lwir (sensor)");
+    get<QToolButton>("addSensor", shown)->click();
+    EXPECT_EQ(shown->document().scenario().sensors.back().name, "lwir-2");
+    get<QToolButton>("removeEntity", shown)->click();
+    EXPECT_EQ(shown->document().scenario().sensors.size(), 2U);
 
     walk.step("A sensor that is newly fixed to something else keeps its position at the start; one "
               "that no longer looks at an entity keeps its direction.");
