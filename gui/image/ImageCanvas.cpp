@@ -48,6 +48,7 @@ void ImageCanvas::setPlane(int width, int height, SharedValues values,
         second_ = {};
         secondShown_ = false;
         isoLines_.clear();
+        spots_.clear();
         line_.reset();
         placement_.setImage({width, height});
         chosen_.setImage({width, height});
@@ -64,6 +65,7 @@ void ImageCanvas::clear() {
     plane_ = second_ = {};
     secondShown_ = false;
     isoLines_.clear();
+    spots_.clear();
     line_.reset();
     awaitsColors_ = false;
     colorTask_.cancel();
@@ -103,6 +105,31 @@ void ImageCanvas::setIsoLines(std::vector<IsoLine> lines) {
         return;
     isoLines_ = std::move(lines);
     update();
+}
+
+void ImageCanvas::setSpots(std::vector<QPoint> spots) {
+    spots_ = std::move(spots);
+    update();
+}
+
+void ImageCanvas::drawSpots(QPainter& painter) const {
+    constexpr double ring_px = 7.0;
+    painter.setBrush(Qt::NoBrush);
+    for (std::size_t i = 0; i < spots_.size(); ++i) {
+        const QPointF at = placement_.inRoom(QPointF(spots_[i]) + QPointF(0.5, 0.5));
+        for (const auto& [color, width] :
+             {std::pair{colors::imageMarkSeam(), 3.0}, {colors::imageMark(), 1.4}}) {
+            painter.setPen(QPen(color, width));
+            painter.drawEllipse(at, ring_px, ring_px);
+        }
+        const QString number = QString::number(i + 1);
+        QRectF box(0.0, 0.0, QFontMetricsF(font()).horizontalAdvance(number) + 6.0,
+                   QFontMetricsF(font()).height());
+        box.moveBottomLeft(at + QPointF(ring_px, -ring_px));
+        painter.fillRect(box, colors::imageMarkSeam());
+        painter.setPen(colors::imageMark());
+        painter.drawText(box, Qt::AlignCenter, number);
+    }
 }
 
 void ImageCanvas::setLineMode(bool on) {
@@ -315,6 +342,7 @@ void ImageCanvas::paintEvent(QPaintEvent*) {
     if (!isoLines_.empty())
         drawIsoLines(painter, isoLines_,
                      [this](const QPointF& point) { return placement_.inRoom(point); });
+    drawSpots(painter);
     if (line_)
         drawLine(painter);
     if (const auto& box = chosen_.rectangle())

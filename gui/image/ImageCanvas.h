@@ -50,6 +50,9 @@ class ImageCanvas : public QWidget {
     const std::vector<QRectF>& outlines() const { return outlines_; }
     void setIsoLines(std::vector<IsoLine> lines);
     const std::vector<IsoLine>& isoLines() const { return isoLines_; }
+    /// Pixels that are marked with their numbers, from 1.
+    void setSpots(std::vector<QPoint> spots);
+    const std::vector<QPoint>& spots() const { return spots_; }
     /// From now on a drag of the left button draws a line from pixel to pixel instead of a
     /// rectangle, and a click is a line of one pixel; arrows move that, with Shift its end.
     void setLineMode(bool on);
@@ -113,6 +116,7 @@ class ImageCanvas : public QWidget {
     void drawFrame(QPainter& painter, const QRectF& pixels) const;
     void drawOutlines(QPainter& painter) const;
     void drawLine(QPainter& painter) const;
+    void drawSpots(QPainter& painter) const;
     void drawLineTo(const QPointF& from, const QPointF& to);
     void setLine(const std::optional<QLine>& line);
     void printValues(QPainter& painter) const;
@@ -128,6 +132,7 @@ class ImageCanvas : public QWidget {
     QString hint_;
     std::vector<QRectF> outlines_;
     std::vector<IsoLine> isoLines_;
+    std::vector<QPoint> spots_;
     bool lineMode_ = false;
     std::optional<QLine> line_;
     bool secondShown_ = false;

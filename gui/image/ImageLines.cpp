@@ -9,6 +9,7 @@
 #include <QRegularExpression>
 #include <QToolButton>
 
+#include "gui/image/HotSpotsPanel.h"
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ProfilePanel.h"
 #include "gui/widgets/NumberFormat.h"
@@ -70,8 +71,9 @@ std::optional<std::vector<double>> numbersOf(const QString& text) {
 
 } // namespace
 
-ImageLines::ImageLines(ImageCanvas& canvas, ProfilePanel& profile, QObject* parent)
-    : QObject(parent), canvas_(canvas), panel_(profile) {
+ImageLines::ImageLines(ImageCanvas& canvas, ProfilePanel& profile, HotSpotsPanel& spots,
+                       QObject* parent)
+    : QObject(parent), canvas_(canvas), panel_(profile), spotsPanel_(spots) {
     profiles_ = textButton(tr("Profile"), "showProfile",
                            tr("Values along a line that is dragged, or along the row and the "
                               "column of a pixel that is clicked (P)"));
@@ -87,6 +89,20 @@ ImageLines::ImageLines(ImageCanvas& canvas, ProfilePanel& profile, QObject* pare
                            "blanks; none for automatic ones"));
     levels_->setMaximumWidth(150);
     levels_->hide();
+
+    spots_ = textButton(tr("Hot spots"), "showHotSpots",
+                        tr("The largest values of the plane that is shown, as a list with their "
+                           "places and what the other planes have there (G)"));
+    spots_->setCheckable(true);
+    connect(spots_, &QToolButton::toggled, this, [this](bool on) {
+        spotsPanel_.setVisible(on);
+        refreshSpots();
+    });
+    connect(&spotsPanel_, &HotSpotsPanel::chosen, this, [this](const QPoint& pixel) {
+        canvas_.centreOn(pixel, canvas_.zoom());
+        canvas_.setCursorPixel(pixel);
+        emit canvas_.hovered(pixel);
+    });
 
     connect(profiles_, &QToolButton::toggled, this, &ImageLines::followProfile);
     connect(isoLines_, &QToolButton::toggled, this, [this](bool on) {
@@ -104,6 +120,30 @@ void ImageLines::show(std::shared_ptr<const irsg::RadianceImage> image,
     title_ = title;
     showProfile();
     refreshIsoLines();
+    refreshSpots();
+}
+
+void ImageLines::refreshSpots() {
+    spotsTask_.cancel();
+    if (!spots_->isChecked() || plane_ == nullptr) {
+        canvas_.setSpots({});
+        spotsPanel_.clear();
+        return;
+    }
+    const auto take = [this](const std::vector<irsg::HotSpot>& spots) {
+        std::vector<QPoint> places;
+        for (const irsg::HotSpot& spot : spots)
+            places.emplace_back(spot.x, spot.y);
+        canvas_.setSpots(std::move(places));
+        spotsPanel_.show(*image_, *plane_, spots);
+    };
+    const auto work = [image = image_, plane = plane_] {
+        return irsg::hottestSpots(*image, *plane);
+    };
+    if (image_->pixelCount() <= quickPixels)
+        take(work());
+    else
+        spotsTask_.run<std::vector<irsg::HotSpot>>(work, take);
 }
 
 void ImageLines::setLimits(const irsg::DisplayLimits& limits) {

@@ -15,21 +15,23 @@ class QToolButton;
 
 namespace smat::gui {
 
+class HotSpotsPanel;
 class ImageCanvas;
 class ProfilePanel;
 struct IsoLine;
 
-/// Lines over an image: the one along which it is profiled, and those of equal value (isotherms,
-/// where temperatures are shown).
+/// Marks over an image: the line along which it is profiled, lines of equal value (isotherms, where
+/// temperatures are shown), and its hottest spots.
 class ImageLines : public QObject {
     Q_OBJECT
 
   public:
-    ImageLines(ImageCanvas& canvas, ProfilePanel& profile, QObject* parent);
+    ImageLines(ImageCanvas& canvas, ProfilePanel& profile, HotSpotsPanel& spots, QObject* parent);
 
     /// Buttons of a bar, and the field of the levels beside the second.
     QToolButton* profileButton() const { return profiles_; }
     QToolButton* isoButton() const { return isoLines_; }
+    QToolButton* spotsButton() const { return spots_; }
     QLineEdit* levelsField() const { return levels_; }
 
     /// `plane` belongs to `image`; `title` is its quantity with unit.
@@ -37,7 +39,7 @@ class ImageLines : public QObject {
               const QString& title);
     /// Automatic levels are round numbers inside these.
     void setLimits(const irsg::DisplayLimits& limits);
-    bool isBusy() const { return task_.isBusy(); }
+    bool isBusy() const { return task_.isBusy() || spotsTask_.isBusy(); }
     /// The lines of equal value upon a picture of the whole image, of any size.
     void drawOn(QImage& picture) const;
 
@@ -45,18 +47,20 @@ class ImageLines : public QObject {
     void followProfile();
     void showProfile();
     void refreshIsoLines();
+    void refreshSpots();
     /// Those that were typed, or automatic ones; none where the text is refused.
     std::vector<double> levels() const;
 
     ImageCanvas& canvas_;
     ProfilePanel& panel_;
-    QToolButton *profiles_ = nullptr, *isoLines_ = nullptr;
+    HotSpotsPanel& spotsPanel_;
+    QToolButton *profiles_ = nullptr, *isoLines_ = nullptr, *spots_ = nullptr;
     QLineEdit* levels_ = nullptr;
     std::shared_ptr<const irsg::RadianceImage> image_;
     const irsg::ImageChannel* plane_ = nullptr;
     QString title_;
     irsg::DisplayLimits limits_;
-    LatestTask task_;
+    LatestTask task_, spotsTask_;
 };
 
 } // namespace smat::gui

@@ -369,6 +369,8 @@ void ImageView::keyPressEvent(QKeyEvent* event) {
         histogram_->toggle();
     } else if (key == Qt::Key_P) {
         lines_->profileButton()->click();
+    } else if (key == Qt::Key_G) {
+        lines_->spotsButton()->click();
     } else if (key == Qt::Key_I) {
         lines_->isoButton()->click();
     } else if (key == Qt::Key_W) {
@@ -400,6 +402,7 @@ QList<std::pair<QString, QString>> imageKeys() {
         {ImageView::tr("H"), ImageView::tr("Histogram and statistics")},
         {ImageView::tr("P"), ImageView::tr("Profile: drag a line, or click a pixel")},
         {ImageView::tr("I"), ImageView::tr("Isotherms: lines of equal value")},
+        {ImageView::tr("G"), ImageView::tr("Hot spots: a list of the largest values")},
         {ImageView::tr("W"),
          ImageView::tr("Antialiasing windows: objects and hot spots with samples of their own")},
         {ImageView::tr("X"), ImageView::tr("What a pixel is made of: click it, or Return")},

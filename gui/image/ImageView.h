@@ -23,6 +23,7 @@ class QToolButton;
 namespace smat::gui {
 
 class ColorBar;
+class HotSpotsPanel;
 class ImageCanvas;
 class ImageInspector;
 class ImageLines;
@@ -62,6 +63,7 @@ class ImageView : public QWidget, public Exportable {
     ColorBar* colorBar() const { return colorBar_; }
     ImageInspector* inspector() const { return inspector_; }
     ProfilePanel* profile() const { return profile_; }
+    HotSpotsPanel* hotSpots() const { return hotSpots_; }
     const irsg::ColorMap& colorMap() const { return *map_; }
     void setColorScale(irsg::ColorScale scale, bool marksOutside = false);
     /// A picture in visible light, in its own colours.
@@ -123,6 +125,7 @@ class ImageView : public QWidget, public Exportable {
     ImageInspector* inspector_ = nullptr;
     PixelPanel* pixels_ = nullptr;
     ProfilePanel* profile_ = nullptr;
+    HotSpotsPanel* hotSpots_ = nullptr;
     ImageLines* lines_ = nullptr;
     QComboBox* plane_ = nullptr;
     QComboBox* colors_ = nullptr;

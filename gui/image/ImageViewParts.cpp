@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "gui/image/ColorBar.h"
+#include "gui/image/HotSpotsPanel.h"
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ImageExport.h"
 #include "gui/image/ImageInspector.h"
@@ -43,7 +44,9 @@ ImageView::ImageView(QWidget* parent, Dialogs dialogs)
     through.run = [this](QDialog& dialog) { return dialogs_.run(dialog); };
     profile_ = new ProfilePanel(through, this);
     profile_->hide();
-    lines_ = new ImageLines(*canvas_, *profile_, this);
+    hotSpots_ = new HotSpotsPanel(this);
+    hotSpots_->hide();
+    lines_ = new ImageLines(*canvas_, *profile_, *hotSpots_, this);
     conditions_ = new QLabel(this);
     conditions_->setObjectName("conditions");
     conditions_->setForegroundRole(QPalette::PlaceholderText);
@@ -73,6 +76,7 @@ ImageView::ImageView(QWidget* parent, Dialogs dialogs)
     splitter->addWidget(picture);
     splitter->addWidget(inspector_);
     splitter->addWidget(profile_);
+    splitter->addWidget(hotSpots_);
     splitter->setStretchFactor(0, 3);
     splitter->setStretchFactor(1, 1);
     splitter->setStretchFactor(2, 2);
@@ -161,7 +165,7 @@ QHBoxLayout* ImageView::makeBar() {
     flow->first()->addWidget(colors_);
     for (QWidget* widget : std::initializer_list<QWidget*>{
              histogram_, lines_->profileButton(), lines_->isoButton(), lines_->levelsField(),
-             tilesShown_, explains_, copy, write, fit, actual})
+             lines_->spotsButton(), tilesShown_, explains_, copy, write, fit, actual})
         flow->second()->addWidget(widget);
     auto* bar = new QHBoxLayout;
     bar->addWidget(flow);

@@ -3,6 +3,8 @@
 #include <QLineEdit>
 
 #include "gui/image/ColorBar.h"
+#include "gui/image/FiguresTable.h"
+#include "gui/image/HotSpotsPanel.h"
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ProfilePanel.h"
 #include "gui/plot/CartesianPlot.h"
@@ -143,6 +145,25 @@ TEST_F(ImageLinesTest, AnExportedPictureHasTheIsotherms) {
     EXPECT_NE(view.picture(true), plain);
     press(Qt::Key_I);
     EXPECT_EQ(view.picture(true), plain);
+}
+
+TEST_F(ImageLinesTest, HotSpotsAreListedWithWhatOtherPlanesHaveThere) {
+    view.setImage(small());
+    EXPECT_FALSE(view.hotSpots()->isVisible());
+    press(Qt::Key_G);
+    ASSERT_TRUE(view.hotSpots()->isVisible());
+    FiguresTable& table = *view.hotSpots()->table();
+    ASSERT_EQ(table.rowCount(), 1) << table.allText().toStdString();
+    EXPECT_EQ(view.canvas()->spots(), std::vector<QPoint>{QPoint(2, 0)});
+    EXPECT_EQ(table.item(0, 1)->text(), "5");
+    EXPECT_EQ(table.item(0, 2)->text(), "2");
+    EXPECT_EQ(table.item(0, 3)->text(), "0");
+    EXPECT_EQ(table.item(0, 4)->text(), "7") << "the temperature index";
+    emit table.cellClicked(0, 0);
+    EXPECT_EQ(view.canvas()->cursorPixel(), QPoint(2, 0));
+    press(Qt::Key_G);
+    EXPECT_TRUE(view.canvas()->spots().empty());
+    EXPECT_EQ(table.rowCount(), 0);
 }
 
 TEST_F(ImageLinesTest, AnImageOfAnotherSizeHasNoLineYet) {

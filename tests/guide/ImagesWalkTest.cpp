@@ -7,6 +7,7 @@
 
 #include "gui/image/ColorBar.h"
 #include "gui/image/FiguresTable.h"
+#include "gui/image/HotSpotsPanel.h"
 #include "gui/image/ImageCanvas.h"
 #include "gui/image/ImageInspector.h"
 #include "gui/image/ImageView.h"
@@ -161,6 +162,20 @@ TEST_F(ImagesWalkTest, OpenReadAndColour) {
     ASSERT_TRUE(test::waitUntil([&] { return !view.isBusy(); }));
     EXPECT_FALSE(canvas.isoLines().empty());
     press(Qt::Key_I);
+
+    walk.step("list the hottest spots | Hot spots (G): the ten largest maxima of the plane that is "
+              "shown, at least 8 pixels apart, with what the other planes have there: temperature "
+              "and, with truth layers, indices and range; a click on a row goes there");
+    press(Qt::Key_G);
+    FiguresTable& spots = *view.hotSpots()->table();
+    ASSERT_GE(spots.rowCount(), 2);
+    EXPECT_LE(spots.rowCount(), 10);
+    for (const char* word : {"emperature index", "ange", "Apparent temperature"}) {
+        EXPECT_TRUE(spots.allText().contains(word)) << spots.allText().toStdString();
+    }
+    emit spots.cellClicked(0, 0);
+    EXPECT_EQ(canvas.cursorPixel(), canvas.spots().front());
+    press(Qt::Key_G);
 
     walk.step("change colours | white-hot, black-hot, ironbow, inferno, viridis; they are never "
               "part of saved data");
