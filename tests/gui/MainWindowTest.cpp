@@ -161,7 +161,7 @@ TEST_F(MainWindowTest, ClosesCleanlyWhileAnAnalysisRuns) {
     EXPECT_FALSE(window->close());
     EXPECT_EQ(asked, QStringList{"Quit during a run"});
     EXPECT_TRUE(workbench.isRunning());
-    answers = {1};
+    answers = {1, 1}; // quit, and discard the changed step
     EXPECT_TRUE(window->close());
     window.reset();
 }
