@@ -35,7 +35,7 @@ LightSources sourcesOf(const Scene& scene) {
     return sources;
 }
 
-/// The mean of what opaque surfaces emit, by output, W m-2 sr-1, with their areas by row.
+/// The mean of what surfaces emit, by output, W m-2 sr-1, with their areas by row.
 std::vector<double> emissionOf(const std::map<int, double>& areas_m2, double whole_m2,
                                const SceneRadiometry& radiometry) {
     std::vector<double> means(radiometry.outputs().size());
@@ -65,7 +65,8 @@ LightExchange::Extent InterReflection::extentOf(const Entity& entity,
     double whole_m2 = 0.0;
     const std::vector<double>& ofPieces_m2 = prepared_.of(entity).areasOfPieces_m2();
     for (std::size_t piece = 0; piece < ofPieces_m2.size(); ++piece)
-        if (!caster.uses[piece].transparent && ofPieces_m2[piece] > 0.0) {
+        if ((!caster.uses[piece].transparent || caster.uses[piece].pane > 0) &&
+            ofPieces_m2[piece] > 0.0) {
             areas_m2[caster.rows[piece]] += ofPieces_m2[piece];
             whole_m2 += ofPieces_m2[piece];
         }

@@ -3,9 +3,21 @@
 #include <algorithm>
 #include <utility>
 
+#include "irsg/radiometry/Units.h"
+
 namespace irsg {
 
 namespace {
+
+/// What is transparent and reflects less everywhere is gas, which has no surface: inter-reflection
+/// passes it unchanged.
+constexpr double leastReflectivityOfPanes = 1e-4;
+
+bool reflects(const SurfaceSpectra& surface) {
+    return std::ranges::any_of(surface.reflectance, [](double value_per_sr) {
+        return pi * value_per_sr > leastReflectivityOfPanes;
+    });
+}
 
 /// Which triangles the samples of a drawing lie in.
 SunShadows::LightPlaces placesOf(const InterReflected& between, const SurfaceRows& rows) {
@@ -25,7 +37,8 @@ SunShadows::LightPlaces placesOf(const InterReflected& between, const SurfaceRow
 } // namespace
 
 std::vector<SunShadows::Caster> SurfaceShader::casters(const Scene& scene,
-                                                       const SurfaceRows& rows) {
+                                                       const SceneEvaluation& evaluation) {
+    const SurfaceRows& rows = evaluation.surfaceRows();
     return clock_.timed("ray trees", [&] {
         std::vector<SunShadows::Caster> casters;
         for (int e = 0; e < static_cast<int>(scene.entities.size()); ++e) {
@@ -43,7 +56,13 @@ std::vector<SunShadows::Caster> SurfaceShader::casters(const Scene& scene,
                 const auto row = static_cast<int>(key - rows.keys().begin());
                 caster.rows.push_back(row);
                 caster.materials.push_back(rows.material(row).second);
-                caster.uses.set(i, {true, rows.isTransparent(row), part.culled, part.layer});
+                const bool isTransparent = rows.isTransparent(row);
+                const bool isPane =
+                    isTransparent &&
+                    reflects(
+                        evaluation.evaluated->radiometry.surfaces()[static_cast<std::size_t>(row)]);
+                caster.uses.set(i, {true, isTransparent, part.culled, part.layer,
+                                    isPane ? caster.materials.back() + 1 : 0});
             }
         }
         if (scene.terrain && scene.settings.terrainHides) {
@@ -107,7 +126,7 @@ SurfaceShading SurfaceShader::shade(const FrameRequest& request,
             shading.warnings.push_back("light between surfaces is left out: " + whyNoRays());
         return shading;
     }
-    std::vector<SunShadows::Caster> all = casters(scene, evaluation.surfaceRows());
+    std::vector<SunShadows::Caster> all = casters(scene, evaluation);
     if (hasLight)
         shading.between = interReflection_.of(scene, evaluation, all);
     if (!hasShadows && !shading.between.exchange)

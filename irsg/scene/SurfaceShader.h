@@ -35,7 +35,7 @@ class SurfaceShader {
 
   private:
     /// What stands in the way of light, entity by entity, and the terrain.
-    std::vector<SunShadows::Caster> casters(const Scene& scene, const SurfaceRows& rows);
+    std::vector<SunShadows::Caster> casters(const Scene& scene, const SceneEvaluation& evaluation);
     /// What is known without rays, for the directions of factors.
     std::vector<SunShadows::Sunlit> sunlitOf(const Scene& scene, const std::vector<int>& shadowed,
                                              const SunShadows& shadows);

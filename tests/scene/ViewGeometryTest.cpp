@@ -24,12 +24,12 @@ class ViewGeometryTest : public RaysTest {};
 /// View factors between the surfaces of a mesh by the material of their codes.
 class Factors {
   public:
-    Factors(const Triangles& mesh, double error, int transparent = 0) {
+    Factors(const Triangles& mesh, double error, int transparent = 0, bool isPane = false) {
         mesh_ = modelOf(mesh)->mesh();
         PieceUses uses(mesh_->pieces.size());
         for (std::size_t i = 0; i < mesh_->pieces.size(); ++i) {
             const bool isTransparent = codeOfPiece(i) == transparent;
-            uses.set(i, {true, isTransparent, !isTransparent, 0});
+            uses.set(i, {true, isTransparent, !isTransparent, 0, isTransparent && isPane ? 1 : 0});
         }
         const ExchangeResolution resolution;
         light_ = std::make_unique<BodyLight>(
@@ -49,7 +49,7 @@ class Factors {
     }
     double areaOf_m2(std::uint32_t receiver) const { return light_->nodes().areaOf_m2(receiver); }
     /// From the fronts of one to the fronts of another.
-    double between(int from, int to) const {
+    double between(int from, int to, int passage = 0) const {
         double sum_m2 = 0.0, area_m2 = 0.0;
         for (std::uint32_t r = 0; r < light_->nodes().nodes(); ++r) {
             if (codeOf(r) != from) {
@@ -57,7 +57,7 @@ class Factors {
             }
             const double own_m2 = areaOf_m2(r);
             area_m2 += own_m2;
-            const auto [pair, end] = light_->balance().pairs->of(r);
+            const auto [pair, end] = light_->balance(passage).pairs->of(r);
             for (const LightPair* p = pair; p != end; ++p) {
                 if (codeOfSender(p->sender) == to) {
                     sum_m2 += own_m2 * static_cast<double>(p->factor);
@@ -217,6 +217,17 @@ TEST_F(ViewGeometryTest, GasGetsLightAndStandsInNobodysWay) {
     EXPECT_NEAR(gas.between(2, 1) / clear.between(2, 1), 1.0, 5e-3);
     EXPECT_GT(gas.between(3, 1), 0.001);
     EXPECT_EQ(gas.between(1, 3), 0.0);
+}
+
+TEST_F(ViewGeometryTest, PanesAreSeenAndSeenThrough) {
+    const Triangles plates = joined(plateMesh({}, {0.5, 0, 0}, {0, 0.5, 0}, {1, 1}),
+                                    plateMesh({0, 0, 1}, {0, 0.5, 0}, {0.5, 0, 0}, {2, 2}));
+    const Factors clear(plates, 0.001);
+    const Factors pane(joined(plates, plateMesh({0, 0, 0.5}, {0.5, 0, 0}, {0, 0.5, 0}, {3, 3})),
+                       0.001, 3, true);
+    EXPECT_EQ(pane.between(1, 2), 0.0);
+    EXPECT_NEAR(pane.between(1, 2, 1) / clear.between(1, 2), 1.0, 5e-3);
+    EXPECT_NEAR(pane.between(1, 3), 0.41525, 2e-3);
 }
 
 TEST_F(ViewGeometryTest, NobodyGetsLightOfWhatLiesInsideOfABody) {

@@ -4,7 +4,9 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <tuple>
 
 #include "irsg/core/ParallelFor.h"
 
@@ -101,7 +103,7 @@ BodyLight::BodyLight(std::shared_ptr<const ExchangeNodes> nodes, const PieceUses
     refine(sendings, Uses{uses},
            error * std::max(std::sqrt(perSender),
                             1.0 / std::sqrt(std::sqrt(0.5 * nodes_->fineness()))));
-    gather(sendings);
+    gather(sendings, uses);
 }
 
 void BodyLight::refine(std::vector<Sending>& sendings, const Uses& uses, double error) {
@@ -193,8 +195,8 @@ std::vector<std::uint32_t> BodyLight::fewestOf(const std::vector<std::uint32_t>&
 void BodyLight::send(Sending& sending, std::uint32_t patch, const Uses& uses,
                      std::uint32_t wanted) const {
     const Rays rays(*nodes_, patch);
-    const bool isTransparent =
-        uses.own[static_cast<std::size_t>(nodes_->pieceOf(patch))].transparent;
+    const PieceUse& use = uses.own[static_cast<std::size_t>(nodes_->pieceOf(patch))];
+    const bool isGas = use.transparent && use.pane == 0;
     RayHit hit;
     std::vector<RayHit> through;
     sending.weights.resize(nodes_->near(patch).size());
@@ -206,25 +208,36 @@ void BodyLight::send(Sending& sending, std::uint32_t patch, const Uses& uses,
                 sending.weights[nodes_->placeNear(patch, own.node)] +=
                     static_cast<double>(own.part);
             bool isMet = mesh().rays().meet(start.ray, uses.withBacks, 0.0, hit, through);
-            bool isCulled = isMet && uses.own.isCulled(hit);
-            if (isCulled) {
+            double back_m = std::numeric_limits<double>::infinity();
+            if (isMet && uses.own.isCulled(hit)) {
                 // A wall of two facets, one for each side, has no back to go out through.
-                const double back_m = hit.distance_m;
+                back_m = hit.distance_m + mesh().lift_m();
                 isMet = mesh().rays().meet(start.ray, uses.own, 0.0, hit, through);
-                isCulled = !isMet || hit.distance_m > back_m + mesh().lift_m();
             }
-            const ExchangeMesh::Place place = isMet ? mesh().placeOf(hit) : ExchangeMesh::Place{};
-            if (place.cell == ExchangeMesh::none)
-                continue;
-            sending.hits.push_back({static_cast<std::uint16_t>(sending.sent),
-                                    isCulled || isTransparent, static_cast<float>(hit.distance_m),
-                                    place});
-            sending.moments[0] += 1.0;
-            sending.moments[1] += start.ray.direction.x;
-            sending.moments[2] += start.ray.direction.y;
-            sending.moments[3] += start.ray.direction.z;
-            for (std::size_t i = 0; i < Sending::halves; ++i)
-                sending.moments[4 + i] += (hit.piece >> i) % 2;
+            const auto index = static_cast<std::uint16_t>(sending.sent);
+            const std::size_t before = sending.hits.size();
+            const auto add = [&](const RayHit& one) {
+                const ExchangeMesh::Place place = mesh().placeOf(one);
+                if (place.cell == ExchangeMesh::none)
+                    return false;
+                if (sending.hits.size() == before) {
+                    sending.moments[0] += 1.0;
+                    sending.moments[1] += start.ray.direction.x;
+                    sending.moments[2] += start.ray.direction.y;
+                    sending.moments[3] += start.ray.direction.z;
+                    for (std::size_t i = 0; i < Sending::halves; ++i)
+                        sending.moments[4 + i] += (one.piece >> i) % 2;
+                }
+                sending.hits.push_back({index, isGas || one.distance_m > back_m, 0,
+                                        static_cast<float>(one.distance_m), place});
+                return true;
+            };
+            sortPassed(uses.own, through);
+            for (const RayHit& passed : through)
+                add(passed);
+            if (!(isMet && add(hit)) && sending.hits.size() > before)
+                sending.hits.push_back(
+                    {index, false, 0, std::numeric_limits<float>::infinity(), {}});
         }
     };
     sendUpTo(wanted / 2);
@@ -232,7 +245,45 @@ void BodyLight::send(Sending& sending, std::uint32_t patch, const Uses& uses,
     sendUpTo(wanted);
 }
 
-void BodyLight::gather(std::vector<Sending>& sendings) {
+void BodyLight::sortPassed(const PieceUses& uses, std::vector<RayHit>& through) {
+    std::erase_if(through, [&](const RayHit& one) {
+        return uses[static_cast<std::size_t>(one.piece)].pane == 0;
+    });
+    if (through.empty())
+        return;
+    std::ranges::sort(through, [](const RayHit& a, const RayHit& b) {
+        return std::tie(a.distance_m, a.piece, a.facet) < std::tie(b.distance_m, b.piece, b.facet);
+    });
+    through.resize(std::min(through.size(), mostPassed));
+}
+
+void BodyLight::numberPassages(std::vector<LightRay>& hits, const PieceUses& uses) {
+    if (!uses.areAnyPanes())
+        return;
+    std::size_t kept = 0;
+    int passed = 0;
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        LightRay ray = hits[i];
+        const bool isFirst = kept == 0 || hits[kept - 1].index != ray.index;
+        passed = isFirst ? 0 : passed;
+        ray.passage = static_cast<std::uint8_t>(passed);
+        if (ray.meetsAnything()) {
+            const PieceUse& use = uses[mesh().pieceOf(ray.place.cell)];
+            if (use.pane > 0) {
+                const int behind = passages_.behind(passed, {0, use.pane - 1});
+                if (behind > static_cast<int>(mostPassages))
+                    continue;
+                passed = behind;
+            }
+        } else if (isFirst) {
+            continue;
+        }
+        hits[kept++] = ray;
+    }
+    hits.resize(kept);
+}
+
+void BodyLight::gather(std::vector<Sending>& sendings, const PieceUses& uses) {
     // The surface that a receiver's numbers come from: nodes that no ray has begun near are not
     // known there.
     std::vector<double> known_m2(nodes_->nodes(), 0.0);
@@ -254,7 +305,8 @@ void BodyLight::gather(std::vector<Sending>& sendings) {
         hits += sending.hits.size();
     rays_.reserve(hits);
     for (std::uint32_t patch = 0; patch < sendings.size(); ++patch) {
-        const Sending sending = std::move(sendings[patch]);
+        Sending sending = std::move(sendings[patch]);
+        numberPassages(sending.hits, uses);
         sent_.push_back(sending.sent);
         rays_.insert(rays_.end(), sending.hits.begin(), sending.hits.end());
         first_.push_back(rays_.size());
@@ -266,28 +318,36 @@ void BodyLight::gather(std::vector<Sending>& sendings) {
         }
         firstScale_.push_back(scales_.size());
     }
-    std::vector<std::vector<LightPart>> parts(sendings.size()), oneWay(sendings.size());
+    using Lists = std::vector<std::vector<LightPart>>; // by patch
+    const std::size_t passages = std::min(passages_.size(), mostPassages + 1);
+    std::vector<Lists> parts(passages, Lists(sendings.size())), oneWay = parts;
     parallelForSmall(sendings.size(), [&](std::uint32_t patch) {
         const Rays rays(*nodes_, patch);
         for (const LightRay& ray : raysOf(patch)) {
+            if (!ray.meetsAnything())
+                continue;
             const auto senders = ExchangeNodes::OfPlace(*nodes_, ray.place).ofSenders(*nodes_);
             for (const ExchangeNodes::Share& own :
                  ExchangeNodes::OfPlace(*nodes_, rays.at(ray.index).from.place)) {
                 const float scale = own.part * scalesOf(patch)[nodes_->placeNear(patch, own.node)];
                 for (const ExchangeNodes::Share& sender : senders)
-                    (ray.isOneWay ? oneWay : parts)[patch].push_back(
+                    (ray.isOneWay ? oneWay : parts)[ray.passage][patch].push_back(
                         {own.node, sender.node, scale * sender.part});
             }
         }
-        mergeParts(parts[patch]);
-        mergeParts(oneWay[patch]);
+        for (std::size_t passage = 0; passage < passages; ++passage) {
+            mergeParts(parts[passage][patch]);
+            mergeParts(oneWay[passage][patch]);
+        }
     });
     std::vector<ReceiverRays> receivers;
     for (std::uint32_t r = 0; r < nodes_->nodes(); ++r)
         receivers.push_back({nodes_->areaOf_m2(r), raysFrom_[r]});
-    balance_ = balancedOfSenders(LightPairs(nodes_->nodes(), std::move(parts)),
-                                 LightPairs(nodes_->nodes(), std::move(oneWay)), receivers,
-                                 nodes_->senderOfAll(), nodes_->senders());
+    for (std::size_t passage = 0; passage < passages; ++passage)
+        balances_.push_back(
+            balancedOfSenders(LightPairs(nodes_->nodes(), std::move(parts[passage])),
+                              LightPairs(nodes_->nodes(), std::move(oneWay[passage])), receivers,
+                              nodes_->senderOfAll(), nodes_->senders()));
 }
 
 } // namespace irsg

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "irsg/radiance/OccluderStacks.h"
 #include "irsg/radiance/exchange/ExchangeNodes.h"
 #include "irsg/radiance/exchange/LightBalance.h"
 #include "irsg/render/rays/LightDirections.h"
@@ -15,18 +16,22 @@ namespace irsg {
 /// What the surfaces of one model see of it: rays from points spread evenly over each
 /// patch, along the cosine-weighted hemisphere of the facet there. What they meet counts for the
 /// nodes that have a part of the place where they begin. As many rays as are needed until their
-/// halves agree. Facets are met as a sensor would meet them; what is transparent is not there.
-/// Without a place in the world: made once for a model.
+/// halves agree. Facets are met as a sensor would meet them; a ray goes on behind what is
+/// transparent. Without a place in the world: made once for a model.
 class BodyLight {
   public:
-    /// A ray that meets the body.
+    /// A ray that meets the body. One that meets something transparent is followed by itself
+    /// behind that; its place has no cell where it meets nothing more.
     struct LightRay {
         std::uint16_t index;
         /// Not what a ray the other way would find: it went out through the back of a facet that
-        /// is seen from its front, or began on what is transparent.
+        /// is seen from its front, or began on gas, which nobody sees.
         bool isOneWay;
-        float distance_m; ///< where it meets the place
+        std::uint8_t passage; ///< what it has passed, by number (passages)
+        float distance_m;     ///< where it meets the place
         ExchangeMesh::Place place;
+
+        bool meetsAnything() const { return place.cell != ExchangeMesh::none; }
     };
     /// Where a ray begins, and where it goes.
     struct LightStart {
@@ -36,6 +41,9 @@ class BodyLight {
     static constexpr std::uint32_t fewestInside = 32, fewestRays = 128, mostRays = mostLightPoints;
     /// Of all patches together: where it does not do, each gets fewer.
     static constexpr std::size_t mostSent = std::size_t{1} << 22;
+    /// Transparent surfaces that a ray is followed through, and sets of their materials. More is
+    /// not there.
+    static constexpr std::size_t mostPassed = 8, mostPassages = 255;
 
     /// `error`: of the part of its hemisphere that a node sees of the body, root mean square over
     /// the surface that sees anything.
@@ -43,8 +51,12 @@ class BodyLight {
 
     const ExchangeNodes& nodes() const { return *nodes_; }
     const ExchangeMesh& mesh() const { return nodes_->mesh(); }
-    /// By node and by sender.
-    const LightBalance& balance() const { return balance_; }
+    /// By node and by sender, of what is seen through nothing, and through others of `passages`.
+    const LightBalance& balance(int passage = 0) const {
+        return balances_[static_cast<std::size_t>(passage)];
+    }
+    /// What rays pass: sets of materials as PieceUse has them, of an entity 0.
+    const OccluderStacks& passages() const { return passages_; }
 
     /// Ray `index` of a patch, in the axes of the mesh; `mostRays` of them.
     class Rays {
@@ -59,7 +71,7 @@ class BodyLight {
     };
     /// How many rays a patch has sent: none where it sees nothing of the body.
     std::uint32_t sent(std::uint32_t patch) const { return sent_[patch]; }
-    /// Of these the ones that meet the body.
+    /// Of these the ones that meet the body, each from place to place.
     std::span<const LightRay> raysOf(std::uint32_t patch) const {
         return std::span(rays_).subspan(first_[patch], first_[patch + 1] - first_[patch]);
     }
@@ -80,6 +92,9 @@ class BodyLight {
     /// Whether patches got fewer rays than the error that was asked for takes.
     bool isLimited() const { return isLimited_; }
 
+    /// Orders the panes that a ray passes from where it begins, no more of them than count.
+    static void sortPassed(const PieceUses& uses, std::vector<RayHit>& through);
+
   private:
     struct Sending;
     class Errors;
@@ -88,7 +103,9 @@ class BodyLight {
     /// By patch: rays that it sends at least.
     std::vector<std::uint32_t> fewestOf(const std::vector<std::uint32_t>& active) const;
     void refine(std::vector<Sending>& sendings, const Uses& uses, double error);
-    void gather(std::vector<Sending>& sendings);
+    void gather(std::vector<Sending>& sendings, const PieceUses& uses);
+    /// Numbers what the rays of a patch pass.
+    void numberPassages(std::vector<LightRay>& hits, const PieceUses& uses);
 
     std::shared_ptr<const ExchangeNodes> nodes_;
     std::vector<std::uint32_t> sent_; // by patch
@@ -97,7 +114,8 @@ class BodyLight {
     std::vector<std::size_t> firstScale_; // by patch
     std::vector<float> scales_;
     std::vector<double> raysFrom_; // by receiver
-    LightBalance balance_;
+    OccluderStacks passages_;
+    std::vector<LightBalance> balances_; // by passage
     std::size_t allSent_ = 0;
     double error_ = 0.0;
     bool isLimited_ = false;

@@ -81,7 +81,7 @@ class ExchangeNodes {
     std::span<const std::uint32_t> cellsOf(std::uint32_t patch) const {
         return std::span(cells_).subspan(first_[patch], first_[patch + 1] - first_[patch]);
     }
-    /// Whether anything opaque stands before a patch.
+    /// Whether anything stands before a patch.
     bool seesAnything(std::uint32_t patch) const;
     /// Whether a patch turns to a space inside of the model; see ExchangeMesh.
     bool isInside(std::uint32_t patch) const {

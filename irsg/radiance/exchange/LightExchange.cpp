@@ -36,6 +36,10 @@ struct Sphere {
     }
 };
 
+void mergeInto(std::vector<LightPart>& all, const std::vector<LightPart>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+}
+
 } // namespace
 
 /// What is at hand while an exchange is made.
@@ -62,6 +66,21 @@ struct LightExchange::Making {
     std::vector<std::vector<Told>> told{};                 ///< by patch and near node
     std::vector<float> sunOnCells{};                ///< as factors; none: it lights all alike
     std::vector<std::vector<LightPart>> sunParts{}; ///< by patch, of receivers and rows
+    std::vector<FoundThrough> found{};              ///< by patch; none without panes
+    /// By cell: what the sun gives it through sets of materials, as factors.
+    std::vector<std::vector<std::pair<std::vector<OccluderMaterial>, float>>> sunThrough{};
+
+    /// The material of a transparent piece.
+    OccluderMaterial paneOf(std::size_t body, std::size_t piece) const {
+        return {casters[body].entity, casters[body].materials[piece]};
+    }
+    bool isPane(std::size_t body, std::size_t piece) const {
+        return casters[body].uses[piece].pane > 0;
+    }
+    /// What a ray has passed with one more.
+    static void pass(std::vector<OccluderMaterial>& set, const OccluderMaterial& material) {
+        set.insert(std::ranges::upper_bound(set, material), material);
+    }
 
     /// Height of the highest place of the terrain, m.
     double terrainTop_m() const {
@@ -126,6 +145,8 @@ LightExchange::LightExchange(std::vector<Body> bodies,
         making.meetsTerrain.push_back(making.terrain &&
                                       top_m > sphere.centre_m.z - sphere.radius_m);
     number(casters);
+    if (std::ranges::any_of(paneOf_, [](int pane) { return pane >= 0; }))
+        making.sunThrough.resize(corners_.size());
     takeSun(making);
     takePairs(making);
     takeLight(making);
@@ -137,7 +158,7 @@ LightExchange::LightExchange(std::vector<Body> bodies,
 
 void LightExchange::addReflected() {
     firstReflected_ = static_cast<std::uint32_t>(corners_.size());
-    const std::size_t count = senders() + rows();
+    const std::size_t count = senders() + (1 + through_.size()) * rows();
     for (std::uint32_t i = 0; i < count; ++i) {
         const auto number = static_cast<std::uint32_t>(receivers() + i);
         const auto vertex = static_cast<std::uint32_t>(firstShare_.size() - 1);
@@ -200,6 +221,15 @@ void LightExchange::number(const std::vector<SunShadows::Caster>& casters) {
             std::vector<std::uint32_t>& ofRow = ofRow_[static_cast<std::size_t>(row)];
             local_.push_back(static_cast<std::uint32_t>(ofRow.size()));
             ofRow.push_back(static_cast<std::uint32_t>(rows_.size() - 1));
+            const auto piece = static_cast<std::size_t>(nodes.pieceOf(r));
+            paneOf_.resize(rowOfSender_.size(), -1);
+            if (casters[b].uses[piece].pane == 0)
+                continue;
+            const OccluderMaterial material{casters[b].entity, casters[b].materials[piece]};
+            const auto pane = std::ranges::find(panes_, material);
+            paneOf_[senderOf_.back()] = static_cast<int>(pane - panes_.begin());
+            if (pane == panes_.end())
+                panes_.push_back(material);
         }
         allNodes += static_cast<std::uint32_t>(nodes.nodes());
         vertices += static_cast<std::uint32_t>(mesh.vertices().size());
@@ -240,6 +270,7 @@ void LightExchange::takePairs(Making& making) {
     making.oneWay.resize(rows_.size());
     making.told.resize(rows_.size());
     making.sunParts.resize(making.sunOnCells.empty() ? 0 : rows_.size());
+    making.found.resize(panes_.empty() ? 0 : rows_.size());
     std::vector<ReceiverRays> known;
     for (const Body& body : bodies_)
         for (std::uint32_t r = 0; r < body.light->nodes().nodes(); ++r)
@@ -256,7 +287,7 @@ void LightExchange::takePairs(Making& making) {
                 takeWithOthers(making, b, patch);
         });
         if (bodies_.size() > 1 && making.isApart(b))
-            copyPairs(making, b);
+            copyPairs(*bodies_[b].light->balance().pairs, b, making.oneWay);
         for (std::uint32_t patch = 0; patch < nodes.nodes(); ++patch) {
             const auto near = nodes.near(patch);
             for (std::size_t i = 0; i < near.size(); ++i) {
@@ -274,6 +305,8 @@ void LightExchange::takePairs(Making& making) {
         balance_ = balancedOfSenders(LightPairs(rows_.size(), std::move(making.parts)),
                                      LightPairs(rows_.size(), std::move(making.oneWay)), known,
                                      senderOf_, rowOfSender_.size());
+    if (!panes_.empty())
+        takeThrough(making, known);
     sunBesideMean_ = LightPairs(rows_.size(), std::move(making.sunParts));
     sees_.assign(ofRow_.size(), false);
     isSeen_.assign(rowOfSender_.size(), hasLobes_);
@@ -283,7 +316,170 @@ void LightExchange::takePairs(Making& making) {
             sees_[static_cast<std::size_t>(rows_[r])] = true;
         for (const LightPair* pair = first; pair != last; ++pair)
             isSeen_[pair->sender] = true;
+        for (const LightThrough& one : through_) {
+            const auto [begin, end] = one.balance.pairs->of(r);
+            for (const LightPair* pair = begin; pair != end; ++pair)
+                isSeen_[pair->sender] = true;
+        }
     }
+}
+
+LightThrough& LightExchange::throughOf(const std::vector<OccluderMaterial>& set) {
+    const auto number = static_cast<std::size_t>(passages_.numberOf(set));
+    if (number > through_.size()) {
+        LightThrough& made = through_.emplace_back();
+        for (const OccluderMaterial& material : set)
+            made.panes.push_back(
+                static_cast<std::size_t>(std::ranges::find(panes_, material) - panes_.begin()));
+    }
+    return through_[number - 1];
+}
+
+void LightExchange::takeThrough(Making& making, const std::vector<ReceiverRays>& known) {
+    using Lists = std::vector<std::vector<LightPart>>;
+    struct Found {
+        Lists parts, oneWay;
+    };
+    std::vector<Found> found; // by passage, without the first
+    const auto foundOf = [&](std::vector<OccluderMaterial> set) -> Found& {
+        throughOf(set);
+        found.resize(through_.size());
+        Found& own = found[static_cast<std::size_t>(passages_.find(set)) - 1];
+        own.parts.resize(rows_.size());
+        own.oneWay.resize(rows_.size());
+        return own;
+    };
+    const bool isOne = bodies_.size() == 1 && making.isAlone(0);
+    std::vector<std::pair<std::size_t, LightBalance>> ofBody; // of the only one, by passage
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        if (!isOne && !(bodies_.size() > 1 && making.isApart(b)))
+            continue;
+        const BodyLight& light = *bodies_[b].light;
+        const auto count = std::min(light.passages().size(), BodyLight::mostPassages + 1);
+        for (std::size_t p = 1; p < count; ++p) {
+            std::vector<OccluderMaterial> set = light.passages().materials(static_cast<int>(p));
+            for (OccluderMaterial& material : set)
+                material.first = making.casters[b].entity;
+            Found& own = foundOf(set);
+            if (isOne)
+                ofBody.emplace_back(static_cast<std::size_t>(passages_.find(set)),
+                                    light.balance(static_cast<int>(p)));
+            else
+                copyPairs(*light.balance(static_cast<int>(p)).pairs, b, own.oneWay);
+        }
+    }
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const ExchangeNodes& nodes = bodies_[b].light->nodes();
+        for (std::uint32_t patch = 0; patch < nodes.nodes(); ++patch)
+            for (auto& [set, behind] : making.found[firstReceiver_[b] + patch].bySet) {
+                const std::uint32_t number = firstReceiver_[b] + patch;
+                Found& own = foundOf(set);
+                const auto passage = static_cast<std::size_t>(passages_.find(set));
+                if (!isOne) {
+                    mergeInto(own.parts[number], behind.parts);
+                    mergeInto(own.oneWay[number], behind.oneWay);
+                }
+                for (LightPart& part : behind.sun)
+                    part.sender += static_cast<std::uint32_t>(passage * rows());
+                if (!behind.sun.empty())
+                    mergeInto(making.sunParts[number], behind.sun);
+                if (behind.leaving.empty())
+                    continue;
+                LightThrough& one = through_[passage - 1];
+                one.leaving.resize(rows_.size());
+                const auto near = nodes.near(patch);
+                for (std::size_t i = 0; i < near.size(); ++i) {
+                    SkyAndGround& sum = one.leaving[firstReceiver_[b] + near[i].node];
+                    sum.sky += behind.leaving[i].sky;
+                    sum.ground += behind.leaving[i].ground;
+                }
+            }
+    }
+    making.found.clear();
+    for (const auto& [passage, balance] : ofBody)
+        through_[passage - 1].balance = balance;
+    for (std::size_t i = 0; i < through_.size(); ++i) {
+        LightThrough& one = through_[i];
+        one.leaving.resize(rows_.size());
+        one.sun.resize(senders());
+        if (one.balance.pairs)
+            continue;
+        Found none{Lists(rows_.size()), Lists(rows_.size())};
+        Found& own = i < found.size() && !found[i].parts.empty() && !isOne ? found[i] : none;
+        one.balance = balancedOfSenders(LightPairs(rows_.size(), std::move(own.parts)),
+                                        LightPairs(rows_.size(), std::move(own.oneWay)), known,
+                                        senderOf_, senders());
+    }
+    addMissing(known);
+    std::vector<double> isUp(rows_.size());
+    parallelForSmall(rows_.size(), [&](std::uint32_t r) {
+        const double lost = losses_[r].sky + losses_[r].ground;
+        isUp[r] = lost > 0.0 ? std::clamp(losses_[r].sky / lost, 0.0, 1.0) : 0.5;
+    });
+    PaneClosure(passages_, panes_, paneOf_).closeReceivers(pairs(), isUp, through_);
+}
+
+/// Sets behind each transparent surface that is seen, even where no ray of its own went on there.
+void LightExchange::addMissing(const std::vector<ReceiverRays>& known) {
+    const auto look = [&](const LightPairs& pairs, const std::vector<OccluderMaterial>& set) {
+        std::vector<bool> meets(panes_.size());
+        for (std::uint32_t r = 0; r < pairs.receivers(); ++r) {
+            const auto [first, last] = pairs.of(r);
+            for (const LightPair* pair = first; pair != last; ++pair)
+                if (paneOf_[pair->sender] >= 0)
+                    meets[static_cast<std::size_t>(paneOf_[pair->sender])] = true;
+        }
+        for (std::size_t pane = 0; pane < panes_.size(); ++pane) {
+            std::vector<OccluderMaterial> next = set;
+            Making::pass(next, panes_[pane]);
+            if (!meets[pane] || passages_.find(next) >= 0)
+                continue;
+            LightThrough& made = throughOf(next);
+            const LightPairs nobody(rows_.size(), {});
+            made.balance = balancedOfSenders(nobody, nobody, known, senderOf_, senders());
+            made.leaving.resize(rows_.size());
+            made.sun.resize(senders());
+        }
+    };
+    look(pairs(), {});
+    for (std::size_t i = 0; i < through_.size(); ++i) {
+        const std::shared_ptr<const LightPairs> of = through_[i].balance.pairs;
+        const std::vector<OccluderMaterial> set = passages_.materials(static_cast<int>(i + 1));
+        look(*of, set);
+    }
+}
+
+void LightExchange::weighLeaving(std::span<const SkyAndGround> weights) {
+    for (LightThrough& one : through_) {
+        std::vector<float> values(2 * rows_.size());
+        for (std::size_t r = 0; r < rows_.size(); ++r) {
+            SkyAndGround& leaving = one.leaving[r];
+            leaving.sky *= weights[r].sky;
+            leaving.ground *= weights[r].ground;
+            values[2 * r] = static_cast<float>(leaving.sky);
+            values[2 * r + 1] = static_cast<float>(leaving.ground);
+        }
+        one.sky = meansOverSenders([&](std::size_t r) { return one.leaving[r].sky; });
+        one.ground = meansOverSenders([&](std::size_t r) { return one.leaving[r].ground; });
+        sharpen(values, 2);
+        for (std::size_t r = 0; r < rows_.size(); ++r)
+            one.leaving[r] = {static_cast<double>(values[2 * r]),
+                              static_cast<double>(values[2 * r + 1])};
+    }
+}
+
+std::vector<double>
+LightExchange::meansOverSenders(const std::function<double(std::size_t)>& of) const {
+    std::vector<double> sums(senders()), areas_m2(senders());
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        for (std::uint32_t r = firstReceiver_[b]; r < firstReceiver_[b + 1]; ++r) {
+            const double own_m2 = bodies_[b].light->nodes().areaOf_m2(r - firstReceiver_[b]);
+            areas_m2[senderOf_[r]] += own_m2;
+            sums[senderOf_[r]] += own_m2 * of(r);
+        }
+    for (std::size_t s = 0; s < senders(); ++s)
+        sums[s] = areas_m2[s] > 0.0 ? sums[s] / areas_m2[s] : 0.0;
+    return sums;
 }
 
 void LightExchange::takeOwn(Making& making, std::size_t body, std::uint32_t patch) const {
@@ -292,16 +488,39 @@ void LightExchange::takeOwn(Making& making, std::size_t body, std::uint32_t patc
     const std::uint32_t first = firstReceiver_[body];
     const BodyLight::Rays rays(nodes, patch);
     const std::span<const float> scales = light.scalesOf(patch);
+    std::vector<OccluderMaterial> passed;
     for (const BodyLight::LightRay& ray : light.raysOf(patch)) {
         const BodyLight::LightStart start = rays.at(ray.index);
         const bool isUp = (making.toWorld[body] * start.ray.direction).z > 0.0;
         const ExchangeNodes::OfPlace from(nodes, start.from.place);
+        if (ray.passage > 0) {
+            passed = light.passages().materials(ray.passage);
+            for (OccluderMaterial& material : passed)
+                material.first = making.casters[body].entity;
+        } else {
+            passed.clear();
+        }
+        if (!ray.meetsAnything()) {
+            for (const ExchangeNodes::Share& own : from) {
+                const std::size_t near = nodes.placeNear(patch, own.node);
+                leave(making, first + patch, passed, nodes.near(patch).size(), near, isUp,
+                      static_cast<double>(own.part * scales[near]));
+            }
+            continue;
+        }
+        if (ray.passage > 0) {
+            tellOfSun(making, first + patch, passed, body, ray.place, [&](auto add) {
+                for (const ExchangeNodes::Share& own : from)
+                    add(first + own.node, own.part * scales[nodes.placeNear(patch, own.node)]);
+            });
+            continue;
+        }
         for (const ExchangeNodes::Share& own : from) {
             const std::size_t near = nodes.placeNear(patch, own.node);
             Making::Told& told = making.told[first + patch][near];
             (isUp ? told.sky : told.ground) += static_cast<double>(own.part * scales[near]);
         }
-        tellOfSun(making, first + patch, body, ray.place, [&](auto add) {
+        tellOfSun(making, first + patch, passed, body, ray.place, [&](auto add) {
             for (const ExchangeNodes::Share& own : from)
                 add(first + own.node, own.part * scales[nodes.placeNear(patch, own.node)]);
         });
@@ -310,23 +529,53 @@ void LightExchange::takeOwn(Making& making, std::size_t body, std::uint32_t patc
         mergeParts(making.sunParts[first + patch]);
 }
 
+void LightExchange::leave(Making& making, std::uint32_t number,
+                          const std::vector<OccluderMaterial>& passed, std::size_t nearCount,
+                          std::size_t near, bool isUp, double part) {
+    std::vector<SkyAndGround>& leaving = making.found[number].bySet[passed].leaving;
+    leaving.resize(nearCount);
+    (isUp ? leaving[near].sky : leaving[near].ground) += part;
+}
+
 template <typename ForEachOwn>
-void LightExchange::tellOfSun(Making& making, std::uint32_t number, std::size_t metBody,
+void LightExchange::tellOfSun(Making& making, std::uint32_t number,
+                              const std::vector<OccluderMaterial>& passed, std::size_t metBody,
                               const ExchangeMesh::Place& met, ForEachOwn forEachOwn) const {
     if (making.sunParts.empty())
         return;
     const ExchangeNodes& nodes = bodies_[metBody].light->nodes();
-    float beside = making.sunOnCells[firstCell_[metBody] + met.cell];
+    const std::uint32_t cell = firstCell_[metBody] + met.cell;
+    float beside = making.sunOnCells[cell];
     std::uint32_t sender = 0;
-    for (const ExchangeNodes::Share& share : ExchangeNodes::OfPlace(nodes, met).ofSenders(nodes)) {
+    const auto senders = ExchangeNodes::OfPlace(nodes, met).ofSenders(nodes);
+    for (const ExchangeNodes::Share& share : senders) {
         sender = firstSender_[metBody] + share.node;
         beside -= share.part * static_cast<float>(sun_[sender]);
     }
     const auto row = static_cast<std::uint32_t>(rowOfSender_[sender]);
+    std::vector<LightPart>& parts =
+        passed.empty() ? making.sunParts[number] : making.found[number].bySet[passed].sun;
     if (beside != 0.0f)
         forEachOwn([&](std::uint32_t receiver, float part) {
-            making.sunParts[number].push_back({receiver, row, part * beside});
+            parts.push_back({receiver, row, part * beside});
         });
+    for (std::size_t i = 0; i < through_.size(); ++i) {
+        if (through_[i].sunOnCells.empty())
+            continue;
+        float more = through_[i].sunOnCells[cell];
+        for (const ExchangeNodes::Share& share : senders)
+            more -= share.part *
+                    static_cast<float>(through_[i].sun[firstSender_[metBody] + share.node]);
+        if (more == 0.0f)
+            continue;
+        std::vector<OccluderMaterial> all = passed;
+        for (const OccluderMaterial& material : passages_.materials(static_cast<int>(i + 1)))
+            Making::pass(all, material);
+        std::vector<LightPart>& behind = making.found[number].bySet[all].sun;
+        forEachOwn([&](std::uint32_t receiver, float part) {
+            behind.push_back({receiver, row, part * more});
+        });
+    }
 }
 
 /// What falls on cells, and its means over senders.
@@ -365,9 +614,37 @@ void LightExchange::takeSun(Making& making) {
     }
     for (std::size_t s = 0; s < senders(); ++s)
         sun_[s] = area_m2[s] > 0.0 ? sun_[s] / area_m2[s] : 0.0;
+    takeSunThrough(making);
 }
 
-double LightExchange::sunOn(const Making& making, std::size_t body, std::uint32_t cell) const {
+void LightExchange::takeSunThrough(const Making& making) {
+    for (std::size_t cell = 0; cell < making.sunThrough.size(); ++cell)
+        for (const auto& [set, sun] : making.sunThrough[cell]) {
+            std::vector<float>& onCells = throughOf(set).sunOnCells;
+            onCells.resize(corners_.size());
+            onCells[cell] = sun;
+        }
+    std::vector<double> areas_m2(senders());
+    for (std::size_t b = 0; b < bodies_.size() && !through_.empty(); ++b) {
+        const ExchangeMesh& mesh = bodies_[b].light->mesh();
+        for (std::uint32_t cell = 0; cell < mesh.cells(); ++cell)
+            forEachReceiver(
+                firstCell_[b] + cell, [&](std::uint32_t receiver, std::size_t, float part) {
+                    const double own_m2 = static_cast<double>(part) * mesh.area_m2(cell) / 3.0;
+                    areas_m2[senderOf_[receiver]] += own_m2;
+                    for (LightThrough& one : through_) {
+                        one.sun.resize(senders());
+                        one.sun[senderOf_[receiver]] +=
+                            own_m2 * static_cast<double>(one.sunOnCells[firstCell_[b] + cell]);
+                    }
+                });
+    }
+    for (LightThrough& one : through_)
+        for (std::size_t s = 0; s < senders(); ++s)
+            one.sun[s] = areas_m2[s] > 0.0 ? one.sun[s] / areas_m2[s] : 0.0;
+}
+
+double LightExchange::sunOn(Making& making, std::size_t body, std::uint32_t cell) const {
     const ExchangeMesh& mesh = bodies_[body].light->nodes().mesh();
     const Vec3& towardsSun = making.sources.towardsSun;
     const double cosine = dot(making.toWorld[body] * mesh.normal(cell), towardsSun);
@@ -375,38 +652,50 @@ double LightExchange::sunOn(const Making& making, std::size_t body, std::uint32_
         return std::max(cosine, 0.0);
     const std::array<Vec3, 3> c = mesh.cornersAt_m(cell);
     const Vec3 middle = (c[0] + c[1] + c[2]) * (1.0 / 3.0);
+    const bool isOne = corners_.size() > fewCells;
+    const double each = isOne ? 1.0 : 0.25;
     thread_local std::vector<int> through;
-    const auto isLit = [&](const Vec3& place) {
+    double lit = 0.0;
+    const auto look = [&](const Vec3& place) {
         const Vec3 from_m =
             making.casters[body].pose.toWorld(place + mesh.normal(cell) * mesh.lift_m());
+        std::vector<OccluderMaterial> passed;
         for (const std::size_t i : making.shading[body]) {
             const SunShadows::Caster& other = making.casters[i];
             through.clear();
             if (!other.mesh->letsPass({making.toMesh[i] * (from_m - other.pose.position_m),
                                        making.toMesh[i] * towardsSun},
                                       other.uses, nullptr, through))
-                return false;
+                return;
+            for (const int piece : through)
+                if (making.isPane(i, static_cast<std::size_t>(piece)))
+                    Making::pass(passed, making.paneOf(i, static_cast<std::size_t>(piece)));
         }
-        return true;
+        if (passed.empty()) {
+            lit += each;
+            return;
+        }
+        auto& known = making.sunThrough[firstCell_[body] + cell];
+        auto own = std::ranges::find(known, passed,
+                                     &std::pair<std::vector<OccluderMaterial>, float>::first);
+        if (own == known.end())
+            own = known.insert(known.end(), {passed, 0.0f});
+        own->second += static_cast<float>(each * cosine);
     };
-    double lit = isLit(middle) ? 1.0 : 0.0;
-    if (corners_.size() <= fewCells) {
-        // The middles of the four triangles between corners and middles of edges.
-        for (std::size_t i = 0; i < 3; ++i)
-            lit += isLit(middle * 0.5 + c[i] * 0.5) ? 1.0 : 0.0;
-        lit *= 0.25;
-    }
+    look(middle);
+    // The middles of the four triangles between corners and middles of edges.
+    for (std::size_t i = 0; i < 3 && !isOne; ++i)
+        look(middle * 0.5 + c[i] * 0.5);
     return cosine * lit;
 }
 
-void LightExchange::copyPairs(Making& making, std::size_t body) const {
-    const LightPairs& pairs = *bodies_[body].light->balance().pairs;
+void LightExchange::copyPairs(const LightPairs& pairs, std::size_t body,
+                              std::vector<std::vector<LightPart>>& to) const {
     const std::uint32_t before = firstReceiver_[body], sendersBefore = firstSender_[body];
     for (std::uint32_t r = 0; r < pairs.receivers(); ++r) {
         const auto [first, last] = pairs.of(r);
         for (const LightPair* pair = first; pair != last; ++pair)
-            making.oneWay[before + r].push_back(
-                {before + r, sendersBefore + pair->sender, pair->factor});
+            to[before + r].push_back({before + r, sendersBefore + pair->sender, pair->factor});
     }
 }
 
@@ -441,6 +730,7 @@ bool LightExchange::hasOthersAbove(const Making& making, std::size_t body,
 void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32_t patch) const {
     const BodyLight& light = *bodies_[body].light;
     const ExchangeNodes& nodes = light.nodes();
+    const ExchangeMesh& mesh = nodes.mesh();
     const SunShadows::Caster& caster = making.casters[body];
     const std::uint32_t number = firstReceiver_[body] + patch;
     const auto near = nodes.near(patch);
@@ -461,10 +751,18 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
                                  : 0.0));
         }
     }
-    const bool isTransparent =
-        caster.uses[static_cast<std::size_t>(nodes.pieceOf(patch))].transparent;
+    const PieceUse& use = caster.uses[static_cast<std::size_t>(nodes.pieceOf(patch))];
+    const bool isGas = use.transparent && use.pane == 0;
     RayHit hit;
     std::vector<RayHit> through;
+    struct Pane {
+        double distance_m = 0.0;
+        std::size_t body = 0;
+        ExchangeMesh::Place place;
+        bool isOneWay = false; ///< of its own body
+    };
+    std::vector<Pane> panes; // that the ray passes
+    std::vector<OccluderMaterial> passed;
     auto met = light.raysOf(patch).begin();
     const auto lastMet = light.raysOf(patch).end();
     const bool isApart = making.isApart(body);
@@ -482,11 +780,18 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
         ExchangeMesh::Place place;
         std::size_t metBody = body;
         bool isOneWay = false;
-        if (met != lastMet && met->index == i) {
-            place = met->place;
+        panes.clear();
+        for (; met != lastMet && met->index == i; ++met) {
+            if (!met->meetsAnything())
+                continue;
             isOneWay = met->isOneWay;
             nearest_m = static_cast<double>(met->distance_m);
-            ++met;
+            if (making.isPane(body, mesh.pieceOf(met->place.cell))) {
+                panes.push_back({nearest_m, body, met->place, met->isOneWay});
+                nearest_m = std::numeric_limits<double>::infinity();
+            } else {
+                place = met->place;
+            }
         }
         const auto isBefore = [&](std::size_t c) {
             const SunShadows::Caster& other = making.casters[c];
@@ -500,12 +805,28 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
             }
             return isMet && hit.distance_m < nearest_m;
         };
-        for (const std::size_t other : making.near[body])
-            if (making.spheres[other].isMetBy(from_m, along) && isBefore(other)) {
+        for (const std::size_t other : making.near[body]) {
+            if (!making.spheres[other].isMetBy(from_m, along))
+                continue;
+            if (isBefore(other)) {
                 nearest_m = hit.distance_m;
                 place = bodies_[other].light->mesh().placeOf(hit);
                 metBody = other;
             }
+            BodyLight::sortPassed(making.casters[other].uses, through);
+            for (const RayHit& pane : through)
+                panes.push_back(
+                    {pane.distance_m, other, bodies_[other].light->mesh().placeOf(pane), false});
+        }
+        const bool isTerrain =
+            making.meetsTerrain[body] && along.z > 0.0 && isBefore(making.terrainNumber);
+        if (isTerrain)
+            nearest_m = hit.distance_m;
+        std::erase_if(panes, [&](const Pane& pane) {
+            return pane.distance_m >= nearest_m || pane.place.cell == ExchangeMesh::none;
+        });
+        std::ranges::stable_sort(panes, {}, &Pane::distance_m);
+        panes.resize(std::min(panes.size(), BodyLight::mostPassed));
         const auto tell = [&](auto add) {
             for (const ExchangeNodes::Share& share :
                  ExchangeNodes::OfPlace(nodes, start.from.place)) {
@@ -513,7 +834,7 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
                 add(share.node, making.told[number][n], share.part * scales[n]);
             }
         };
-        if (making.meetsTerrain[body] && along.z > 0.0 && isBefore(making.terrainNumber)) {
+        if (isTerrain && panes.empty()) {
             // Terrain is ground, wherever it stands.
             tell([](std::uint32_t, Making::Told& told, float part) {
                 told.sky += static_cast<double>(part);
@@ -521,31 +842,52 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
             });
             continue;
         }
-        if (place.cell == ExchangeMesh::none)
+        if (panes.empty() && place.cell == ExchangeMesh::none)
             continue;
-        if (metBody != body)
-            isOneWay = isTransparent || leavesThroughBack(making, body, start.ray, nearest_m);
-        isOneWay = isOneWay || nearestBack_m < nearest_m;
-        std::vector<LightPart>& parts = (isOneWay ? making.oneWay : making.parts)[number];
-        tellOfSun(making, number, metBody, place, [&](auto add) {
-            tell([&](std::uint32_t node, Making::Told&, float part) {
-                add(firstReceiver_[body] + node, part);
-            });
+        tell([&](std::uint32_t, Making::Told& told, float part) {
+            (along.z > 0.0 ? told.sky : told.ground) += static_cast<double>(part);
         });
-        if (metBody == body && isApart) { // its pairs are known
-            tell([&](std::uint32_t, Making::Told& told, float part) {
-                (along.z > 0.0 ? told.sky : told.ground) += static_cast<double>(part);
+        passed.clear();
+        const auto meet = [&](std::size_t there, const ExchangeMesh::Place& at, bool isSeenAlone) {
+            tellOfSun(making, number, passed, there, at, [&](auto add) {
+                tell([&](std::uint32_t node, Making::Told&, float part) {
+                    add(firstReceiver_[body] + node, part);
+                });
+            });
+            if (there == body && isApart) // its pairs are known
+                return;
+            FoundThrough::Behind* const behind =
+                passed.empty() ? nullptr : &making.found[number].bySet[passed];
+            std::vector<LightPart>& parts = isSeenAlone
+                                                ? (behind ? behind->oneWay : making.oneWay[number])
+                                                : (behind ? behind->parts : making.parts[number]);
+            const ExchangeNodes& nodesThere = bodies_[there].light->nodes();
+            const auto senders = ExchangeNodes::OfPlace(nodesThere, at).ofSenders(nodesThere);
+            tell([&](std::uint32_t node, Making::Told&, float part) {
+                for (const ExchangeNodes::Share& sender : senders)
+                    parts.push_back({firstReceiver_[body] + node, firstSender_[there] + sender.node,
+                                     part * sender.part});
+            });
+        };
+        for (const Pane& pane : panes) {
+            const bool isOut =
+                pane.isOneWay || nearestBack_m < pane.distance_m ||
+                (pane.body != body && leavesThroughBack(making, body, start.ray, pane.distance_m));
+            meet(pane.body, pane.place, isGas || isOut);
+            Making::pass(passed, making.paneOf(pane.body, bodies_[pane.body].light->mesh().pieceOf(
+                                                              pane.place.cell)));
+        }
+        if (place.cell == ExchangeMesh::none || isTerrain) {
+            // Terrain is ground.
+            tell([&](std::uint32_t node, Making::Told&, float part) {
+                leave(making, number, passed, near.size(), nodes.placeNear(patch, node),
+                      along.z > 0.0 && !isTerrain, static_cast<double>(part));
             });
             continue;
         }
-        const ExchangeNodes& nodesThere = bodies_[metBody].light->nodes();
-        const auto senders = ExchangeNodes::OfPlace(nodesThere, place).ofSenders(nodesThere);
-        tell([&](std::uint32_t node, Making::Told& told, float part) {
-            (along.z > 0.0 ? told.sky : told.ground) += static_cast<double>(part);
-            for (const ExchangeNodes::Share& sender : senders)
-                parts.push_back({firstReceiver_[body] + node, firstSender_[metBody] + sender.node,
-                                 part * sender.part});
-        });
+        if (metBody != body)
+            isOneWay = leavesThroughBack(making, body, start.ray, nearest_m);
+        meet(metBody, place, isGas || isOneWay || nearestBack_m < nearest_m);
     }
     mergeParts(making.parts[number]);
     mergeParts(making.oneWay[number]);
@@ -575,6 +917,7 @@ void LightExchange::takeLight(Making& making) {
     sky_.assign(senders(), 0.0);
     ground_.assign(senders(), 0.0);
     std::vector<double> area_m2(senders());
+    std::vector<SkyAndGround> weights(rows_.size()); // of parts of the hemisphere
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         for (std::uint32_t r = firstReceiver_[b]; r < firstReceiver_[b + 1]; ++r) {
             const double own_m2 = bodies_[b].light->nodes().areaOf_m2(r - firstReceiver_[b]);
@@ -589,8 +932,10 @@ void LightExchange::takeLight(Making& making) {
             const double up = lost > 1e-9 ? std::clamp(loss.sky / lost, 0.0, 1.0) : open;
             loss.sky += up * more;
             loss.ground += (1.0 - up) * more;
-            loss.sky *= open > 0.0 ? weighted / open : 0.0;
-            loss.ground *= open < 1.0 ? (1.0 - weighted) / (1.0 - open) : 0.0;
+            weights[r] = {open > 0.0 ? weighted / open : 0.0,
+                          open < 1.0 ? (1.0 - weighted) / (1.0 - open) : 0.0};
+            loss.sky *= weights[r].sky;
+            loss.ground *= weights[r].ground;
             const std::uint32_t sender = senderOf_[r];
             area_m2[sender] += own_m2;
             sky_[sender] += own_m2 * (weighted - loss.sky);
@@ -610,6 +955,10 @@ void LightExchange::takeLight(Making& making) {
         sky_[s] = isLit ? sky_[s] / area_m2[s] : 0.0;
         ground_[s] = isLit ? ground_[s] / area_m2[s] : 0.0;
     }
+    if (through_.empty())
+        return;
+    weighLeaving(weights);
+    PaneClosure(passages_, panes_, paneOf_).closeSenders(between(), through_);
 }
 
 void LightExchange::lightSide(Making& making, std::size_t body, std::uint32_t patch) const {

@@ -4,11 +4,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "irsg/geometry/view/Pose.h"
 #include "irsg/radiance/exchange/BodyLight.h"
+#include "irsg/radiance/exchange/LightThrough.h"
 #include "irsg/render/rays/SunShadows.h"
 
 namespace irsg {
@@ -41,9 +44,7 @@ class LightExchange {
         Extent extent;
     };
     /// What a receiver loses of sky and ground to what stands before it.
-    struct Loss {
-        double sky = 0.0, ground = 0.0;
-    };
+    using Loss = SkyAndGround;
 
     /// `casters`: as SunShadows has them, of the bodies in their order, and of the terrain behind
     /// them. `error`: of view factors; what is farther away than that is seen is left out.
@@ -55,9 +56,19 @@ class LightExchange {
     const LightPairs& pairs() const { return *balance_.pairs; }
     /// Of senders, by sender.
     const LightPairs& between() const { return *balance_.between; }
+    /// The same through sets of transparent materials, in any order; none without such surfaces.
+    const std::vector<LightThrough>& through() const { return through_; }
+    /// Those materials: their entities and indices.
+    const std::vector<OccluderMaterial>& panes() const { return panes_; }
     std::size_t receivers() const { return rows_.size(); }
     std::size_t senders() const { return rowOfSender_.size(); }
     int rowOfSender(std::size_t sender) const { return rowOfSender_[sender]; }
+    /// The body of a receiver.
+    std::size_t bodyOf(std::size_t receiver) const {
+        const auto behind = std::ranges::upper_bound(firstReceiver_, receiver);
+        return static_cast<std::size_t>(behind - firstReceiver_.begin()) - 1;
+    }
+    std::size_t bodyOfRow(int row) const { return bodyOf(ofRow(row).front()); }
     /// The drawn row of a receiver, and its number among those of the row.
     int rowOf(std::size_t receiver) const { return rows_[receiver]; }
     std::uint32_t localOf(std::size_t receiver) const { return local_[receiver]; }
@@ -78,7 +89,8 @@ class LightExchange {
     double ground(std::size_t sender) const { return ground_[sender]; }
     double sun(std::size_t sender) const { return sun_[sender]; }
     /// What a receiver gets of the sun on others beside the means over senders, by their drawn row
-    /// in place of a sender: shadows have edges, and rays meet places.
+    /// in place of a sender: shadows have edges, and rays meet places. What passes `through()[i]`
+    /// has the numbers from (i + 1) * rows() on.
     const LightPairs& sunBesideMean() const { return sunBesideMean_; }
     /// Adds to what receivers have, `width` numbers by receiver, what two means took of it: that of
     /// the places that a node has a part of, and that of the nodes that a place has a part of.
@@ -91,7 +103,8 @@ class LightExchange {
 
     /// What lobes reflect of a place is what leaves the senders there. These have numbers behind
     /// those of receivers, and behind them one for each drawn row: the sun on it at a radiance of
-    /// 1. None without lobes. Cells that stand for them are named as places of samples are.
+    /// 1, then the same of the sun through each of through(). None without lobes. Cells that stand
+    /// for them are named as places of samples are.
     const std::vector<std::uint32_t>& reflected() const { return reflected_; }
     std::uint32_t cellOfReflected(std::size_t number) const {
         return firstReflected_ + static_cast<std::uint32_t>(number);
@@ -109,6 +122,17 @@ class LightExchange {
         });
         if (beside != 0.0f && !sunOnCells_.empty())
             visit(static_cast<std::uint32_t>(senders() + row), beside);
+        for (std::size_t i = 0; i < through_.size(); ++i) {
+            const LightThrough& one = through_[i];
+            if (one.sunOnCells.empty())
+                continue;
+            float more = one.sunOnCells[cell];
+            forEachReceiver(cell, u, v, [&](std::uint32_t receiver, float part) {
+                more -= part * static_cast<float>(one.sun[senderOf_[receiver]]);
+            });
+            if (more != 0.0f)
+                visit(static_cast<std::uint32_t>(senders() + (i + 1) * rows() + row), more);
+        }
     }
 
     /// Cells of a body's mesh begin at this number.
@@ -145,7 +169,9 @@ class LightExchange {
     void number(const std::vector<SunShadows::Caster>& casters);
     void takePairs(Making& making);
     void takeOwn(Making& making, std::size_t body, std::uint32_t patch) const;
-    void copyPairs(Making& making, std::size_t body) const;
+    /// Adds the pairs of a body to those of the scene.
+    void copyPairs(const LightPairs& pairs, std::size_t body,
+                   std::vector<std::vector<LightPart>>& to) const;
     void takeWithOthers(Making& making, std::size_t body, std::uint32_t patch) const;
     /// Whether rays from a patch may meet other bodies: their spheres are not below its horizon.
     bool hasOthersAbove(const Making& making, std::size_t body, std::uint32_t patch) const;
@@ -153,12 +179,30 @@ class LightExchange {
     static bool leavesThroughBack(const Making& making, std::size_t body, Ray ray, double upTo_m);
     /// Tells those who get what a ray brings, by `forEachOwn(add(receiver, part))`, what the sun
     /// gives where it ends beside the mean of the senders there.
+    /// `passed`: what it has passed on its way.
     template <typename ForEachOwn>
-    void tellOfSun(Making& making, std::uint32_t number, std::size_t metBody,
+    void tellOfSun(Making& making, std::uint32_t number,
+                   const std::vector<OccluderMaterial>& passed, std::size_t metBody,
                    const ExchangeMesh::Place& met, ForEachOwn forEachOwn) const;
+    /// Tells a node near a patch of a ray that leaves behind what it has passed.
+    static void leave(Making& making, std::uint32_t number,
+                      const std::vector<OccluderMaterial>& passed, std::size_t nearCount,
+                      std::size_t near, bool isUp, double part);
     void takeSun(Making& making);
+    /// The same through transparent surfaces.
+    void takeSunThrough(const Making& making);
     /// On a cell, as a factor: cosine times how much of it is lit.
-    double sunOn(const Making& making, std::size_t body, std::uint32_t cell) const;
+    double sunOn(Making& making, std::size_t body, std::uint32_t cell) const;
+    /// A number for a set of transparent materials.
+    LightThrough& throughOf(const std::vector<OccluderMaterial>& set);
+    /// Pairs of what rays find behind transparent surfaces.
+    void takeThrough(Making& making, const std::vector<ReceiverRays>& known);
+    void addMissing(const std::vector<ReceiverRays>& known);
+    /// Sky and ground that leave through them; `weights`: by receiver, of what it sees above and
+    /// below the horizon.
+    void weighLeaving(std::span<const SkyAndGround> weights);
+    /// Means over senders of what is known of receivers.
+    std::vector<double> meansOverSenders(const std::function<double(std::size_t)>& of) const;
     void takeLight(Making& making);
     void addReflected();
     /// Light that falls on the nodes near a patch.
@@ -179,6 +223,10 @@ class LightExchange {
     std::vector<std::uint32_t> reflected_; // as receivers
     std::vector<float> sunOnCells_;        // as factors, where lobes may meet them
     LightBalance balance_;
+    std::vector<OccluderMaterial> panes_;
+    std::vector<int> paneOf_; // by sender: number of its material; -1: opaque
+    OccluderStacks passages_;
+    std::vector<LightThrough> through_; // by passage, without the first
     LightPairs sunBesideMean_;
     std::vector<Loss> losses_;
     std::vector<double> sky_, ground_, sun_;

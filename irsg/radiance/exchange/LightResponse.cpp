@@ -74,19 +74,25 @@ LightResponse::LightResponse(const SceneLight& light, const SceneRadiometry& rad
         for (std::size_t i = 0; i < sent.size(); ++i)
             if (largest_W_m2[i % width] > 0.0f)
                 sent[i] /= largest_W_m2[i % width];
-        std::vector<double> reflectivities;
+        LightKnot knot;
         for (const SurfaceSpectra& surface : radiometry.surfaces())
-            reflectivities.push_back(
+            knot.reflectivities.push_back(
                 pi / static_cast<double>(own.size()) *
                 std::accumulate(own.begin(), own.end(), 0.0, [&](double sum, std::size_t i) {
                     return surface.reflectance.empty() ? 0.0 : sum + surface.reflectance[i];
                 }));
+        for (const auto& [entity, material] : exchange.panes()) {
+            const std::vector<double>& passes = radiometry.transmissivity(entity, material);
+            double& mean = knot.transmissivities.emplace_back();
+            for (const std::size_t i : own)
+                mean += passes[i] / static_cast<double>(own.size());
+        }
         // What a row reflects once more has one bounce less to go.
         const int bounces = light.bounces() > 0 ? light.bounces() - 1 : light.bounces();
         std::vector<float>& more = more_W_m2_.emplace_back(light.solution().places() * width, 0.0f);
         if (bounces == 0)
             continue;
-        more = light.solution().arriving(exchange, reflectivities, sent, width, bounces, error);
+        more = light.solution().arriving(exchange, knot, sent, width, bounces, error);
         for (std::size_t i = 0; i < more.size(); ++i)
             more[i] *= largest_W_m2[i % width];
     }

@@ -14,20 +14,6 @@ namespace {
 constexpr std::size_t receiverParts = 16;
 constexpr int mostIterations = 20'000;
 
-double patternOf(const LightExchange& exchange, std::size_t sender, LightPattern pattern) {
-    switch (pattern) {
-    case LightPattern::emission:
-        return 1.0;
-    case LightPattern::sun:
-        return exchange.sun(sender);
-    case LightPattern::sky:
-        return exchange.sky(sender);
-    case LightPattern::ground:
-        return exchange.ground(sender);
-    }
-    return 0.0;
-}
-
 /// Calls work(i, part) for numbers i below a count, on all cores; a part is one at a time.
 template <typename Work>
 void forEachInParts(std::size_t count, Work work) {
@@ -38,11 +24,83 @@ void forEachInParts(std::size_t count, Work work) {
     });
 }
 
+/// What is sent through nothing and through transparent surfaces.
+std::shared_ptr<const LightPairs> summed(const LightExchange& exchange,
+                                         std::span<const double> passing,
+                                         std::shared_ptr<const LightPairs> LightBalance::*which,
+                                         const LightPairs& base) {
+    std::vector<std::vector<LightPart>> parts(base.receivers());
+    parallelForSmall(base.receivers(), [&](std::uint32_t r) {
+        const auto add = [&](const LightPairs& pairs, float by) {
+            const auto [first, last] = pairs.of(r);
+            for (const LightPair* pair = first; pair != last && by > 0.0f; ++pair)
+                parts[r].push_back({r, pair->sender, by * pair->factor});
+        };
+        add(base, 1.0f);
+        for (std::size_t i = 0; i < passing.size(); ++i)
+            add(*(exchange.through()[i].balance.*which), static_cast<float>(passing[i]));
+    });
+    return std::make_shared<const LightPairs>(base.receivers(), std::move(parts));
+}
+
+/// Of a list that belongs to someone else.
+std::shared_ptr<const LightPairs> lent(const LightPairs& pairs) {
+    return {std::shared_ptr<const LightPairs>(), &pairs};
+}
+
 } // namespace
 
+LightFactors::LightFactors(const LightExchange& exchange, std::span<const double> transmissivities)
+    : exchange_(exchange), pairs_(lent(exchange.pairs())), between_(lent(exchange.between())) {
+    if (exchange.through().empty())
+        return;
+    for (const LightThrough& one : exchange.through()) {
+        double& passes = passing_.emplace_back(1.0);
+        for (const std::size_t pane : one.panes)
+            passes *= transmissivities[pane];
+    }
+    const bool isOne = pairs_ == between_;
+    pairs_ = summed(exchange, passing_, &LightBalance::pairs, exchange.pairs());
+    between_ =
+        isOne ? pairs_ : summed(exchange, passing_, &LightBalance::between, exchange.between());
+}
+
+double LightFactors::patternOf(std::size_t sender, LightPattern pattern) const {
+    const auto sumOf = [&](double free, std::vector<double> LightThrough::*through) {
+        for (std::size_t i = 0; i < passing_.size(); ++i)
+            free += passing_[i] * (exchange_.through()[i].*through)[sender];
+        return free;
+    };
+    switch (pattern) {
+    case LightPattern::emission:
+        return 1.0;
+    case LightPattern::sun:
+        return sumOf(exchange_.sun(sender), &LightThrough::sun);
+    case LightPattern::sky:
+        return sumOf(exchange_.sky(sender), &LightThrough::sky);
+    case LightPattern::ground:
+        return sumOf(exchange_.ground(sender), &LightThrough::ground);
+    case LightPattern::passedSky:
+    case LightPattern::passedGround:
+        return 0.0; // sent by no surface
+    }
+    return 0.0;
+}
+
+double LightFactors::passedTo(std::size_t receiver, const LightColumn& column) const {
+    double sum = 0.0;
+    if (!column.isPassed() || exchange_.bodyOf(receiver) != exchange_.bodyOfRow(column.row))
+        return sum;
+    for (std::size_t i = 0; i < passing_.size(); ++i) {
+        const SkyAndGround& leaving = exchange_.through()[i].leaving[receiver];
+        sum += passing_[i] *
+               (column.pattern == LightPattern::passedSky ? leaving.sky : leaving.ground);
+    }
+    return sum;
+}
+
 LightSolution::LightSolution(const LightExchange& exchange, const std::vector<LightColumn>& columns,
-                             const std::vector<std::vector<double>>& knots, int bounces,
-                             double error)
+                             const std::vector<LightKnot>& knots, int bounces, double error)
     : columns_(columns.size()),
       knots_(knots.size()),
       places_(exchange.receivers() + exchange.reflected().size(), none) {
@@ -57,63 +115,71 @@ LightSolution::LightSolution(const LightExchange& exchange, const std::vector<Li
     gathered_.resize(places() * columns_ * knots_);
     ofSenders_.resize(senders * columns_ * knots_);
     std::vector<float> sent(senders * columns_);
-    for (std::size_t s = 0; s < senders; ++s)
-        for (std::size_t c = 0; c < columns_; ++c)
-            if (exchange.isSeen(s) && columns[c].row == exchange.rowOfSender(s))
-                sent[s * columns_ + c] =
-                    static_cast<float>(patternOf(exchange, s, columns[c].pattern));
     // Each knot begins with what the last one ended with: reflectivities differ little.
     std::vector<float> leaving;
     for (std::size_t knot = 0; knot < knots_; ++knot) {
         if (bounces > 0)
             leaving.clear();
-        iterate(exchange, knots[knot], sent, columns_, bounces, error, leaving);
-        const std::vector<float> all = arriving(exchange, leaving, columns_);
+        const LightFactors factors(exchange, knots[knot].transmissivities);
+        for (std::size_t s = 0; s < senders; ++s)
+            for (std::size_t c = 0; c < columns_; ++c)
+                if (exchange.isSeen(s) && columns[c].row == exchange.rowOfSender(s))
+                    sent[s * columns_ + c] =
+                        static_cast<float>(factors.patternOf(s, columns[c].pattern));
+        iterate(factors, knots[knot].reflectivities, sent, columns_, bounces, error, leaving);
+        const std::vector<float> all = arriving(factors, leaving, columns_);
+        const auto rows = static_cast<int>(exchange.rows());
+        const auto passes = [&](std::size_t number) { // of the sun beside means
+            const std::size_t set = number / static_cast<std::size_t>(rows);
+            return set == 0 ? 1.0f : static_cast<float>(factors.passing()[set - 1]);
+        };
         for (std::size_t p = 0; p < receiver_.size(); ++p) {
             float* const own = &gathered_[(p * knots_ + knot) * columns_];
             std::copy_n(&all[p * columns_], columns_, own);
+            for (std::size_t c = 0; c < columns_ && !factors.passing().empty(); ++c)
+                own[c] += static_cast<float>(factors.passedTo(receiver_[p], columns[c]));
             if (exchange.sunBesideMean().size() == 0)
                 continue;
             const auto [first, last] = exchange.sunBesideMean().of(receiver_[p]);
             for (const LightPair* pair = first; pair != last; ++pair)
                 for (std::size_t c = 0; c < columns_; ++c)
                     if (columns[c].pattern == LightPattern::sun &&
-                        columns[c].row == static_cast<int>(pair->sender))
-                        own[c] += pair->factor;
+                        columns[c].row == static_cast<int>(pair->sender) % rows)
+                        own[c] += passes(pair->sender) * pair->factor;
         }
         for (std::size_t i = 0; i < reflected_; ++i) {
             float* const own = &gathered_[((receiver_.size() + i) * knots_ + knot) * columns_];
             for (std::size_t c = 0; c < columns_; ++c)
                 own[c] = i < senders ? leaving[i * columns_ + c]
                          : columns[c].pattern == LightPattern::sun &&
-                                 columns[c].row == static_cast<int>(i - senders)
-                             ? 1.0f
+                                 columns[c].row == static_cast<int>(i - senders) % rows
+                             ? passes(i - senders)
                              : 0.0f;
         }
         forEachInParts(senders, [&](std::size_t s, std::size_t) {
-            exchange.between().gather(s, leaving, columns_,
-                                      &ofSenders_[(s * knots_ + knot) * columns_]);
+            factors.between().gather(s, leaving, columns_,
+                                     &ofSenders_[(s * knots_ + knot) * columns_]);
         });
     }
 }
 
-std::vector<float> LightSolution::arriving(const LightExchange& exchange,
-                                           const std::vector<double>& reflectivities,
+std::vector<float> LightSolution::arriving(const LightExchange& exchange, const LightKnot& knot,
                                            const std::vector<float>& sent, std::size_t width,
                                            int bounces, double error) const {
+    const LightFactors factors(exchange, knot.transmissivities);
     std::vector<float> leaving;
-    iterate(exchange, reflectivities, sent, width, bounces, error, leaving);
-    return arriving(exchange, leaving, width);
+    iterate(factors, knot.reflectivities, sent, width, bounces, error, leaving);
+    return arriving(factors, leaving, width);
 }
 
-std::vector<float> LightSolution::arriving(const LightExchange& exchange,
+std::vector<float> LightSolution::arriving(const LightFactors& factors,
                                            const std::vector<float>& leaving,
                                            std::size_t width) const {
-    std::vector<float> all(exchange.receivers() * width);
+    std::vector<float> all(factors.exchange().receivers() * width);
     forEachInParts(receiver_.size(), [&](std::size_t p, std::size_t) {
-        exchange.pairs().gather(receiver_[p], leaving, width, &all[receiver_[p] * width]);
+        factors.pairs().gather(receiver_[p], leaving, width, &all[receiver_[p] * width]);
     });
-    exchange.sharpen(all, width);
+    factors.exchange().sharpen(all, width);
     std::vector<float> arrives(places() * width);
     for (std::size_t p = 0; p < receiver_.size(); ++p)
         std::copy_n(&all[receiver_[p] * width], width, &arrives[p * width]);
@@ -122,8 +188,7 @@ std::vector<float> LightSolution::arriving(const LightExchange& exchange,
     return arrives;
 }
 
-void LightSolution::iterate(const LightExchange& exchange,
-                            const std::vector<double>& reflectivities,
+void LightSolution::iterate(const LightFactors& factors, const std::vector<double>& reflectivities,
                             const std::vector<float>& sent, std::size_t width, int bounces,
                             double error, std::vector<float>& leaving) {
     // A change from the last knot's is that of a first iteration, too.
@@ -131,6 +196,7 @@ void LightSolution::iterate(const LightExchange& exchange,
     if (leaving.empty())
         leaving = sent;
     std::vector<float> next = leaving;
+    const LightExchange& exchange = factors.exchange();
     std::vector<std::size_t> reflecting;
     for (std::size_t s = 0; s < exchange.senders(); ++s)
         if (exchange.isSeen(s) && !exchange.between().isEmpty(s))
@@ -143,7 +209,7 @@ void LightSolution::iterate(const LightExchange& exchange,
         forEachInParts(reflecting.size(), [&](std::size_t i, std::size_t part) {
             const std::size_t s = reflecting[i];
             float* own = rooms[part].data();
-            exchange.between().gather(s, leaving, width, own);
+            factors.between().gather(s, leaving, width, own);
             const auto rho = static_cast<float>(
                 reflectivities[static_cast<std::size_t>(exchange.rowOfSender(s))]);
             for (std::size_t c = 0; c < width; ++c) {
@@ -166,8 +232,8 @@ void LightSolution::iterate(const LightExchange& exchange,
 
 std::shared_ptr<const LightSolution>
 LightSolutions::of(const std::shared_ptr<const LightExchange>& exchange,
-                   const std::vector<LightColumn>& columns,
-                   const std::vector<std::vector<double>>& knots, int bounces, double error) {
+                   const std::vector<LightColumn>& columns, const std::vector<LightKnot>& knots,
+                   int bounces, double error) {
     return known_
         .of(
             [&](const Known& one) {

@@ -11,27 +11,60 @@
 namespace irsg {
 
 /// What a column of sources gives every sender of a drawn row.
-enum class LightPattern { emission, sun, sky, ground };
+/// What is passed comes through transparent surfaces to the receivers of the row's body.
+enum class LightPattern { emission, sun, sky, ground, passedSky, passedGround };
 
 /// Light of one kind that the surfaces of one drawn row send of themselves, or reflect at first.
 struct LightColumn {
     int row = 0;
     std::size_t term = 0; ///< of RadianceTerms
     LightPattern pattern = LightPattern::emission;
+    bool isPassed() const {
+        return pattern == LightPattern::passedSky || pattern == LightPattern::passedGround;
+    }
     bool operator==(const LightColumn&) const = default;
+};
+
+/// By drawn row, and by material of LightExchange::panes.
+struct LightKnot {
+    std::vector<double> reflectivities, transmissivities;
+    bool operator==(const LightKnot&) const = default;
+};
+
+/// An exchange at the transmissivities of its panes.
+class LightFactors {
+  public:
+    /// `exchange` must live as long.
+    LightFactors(const LightExchange& exchange, std::span<const double> transmissivities);
+
+    const LightExchange& exchange() const { return exchange_; }
+    /// As the exchange has them, of receivers and between senders.
+    const LightPairs& pairs() const { return *pairs_; }
+    const LightPairs& between() const { return *between_; }
+    /// How much passes each set of LightExchange::through.
+    std::span<const double> passing() const { return passing_; }
+    /// What a column of sources gives a sender.
+    double patternOf(std::size_t sender, LightPattern pattern) const;
+    /// What a receiver gets of it that no sender sends.
+    double passedTo(std::size_t receiver, const LightColumn& column) const;
+
+  private:
+    const LightExchange& exchange_;
+    std::vector<double> passing_;
+    std::shared_ptr<const LightPairs> pairs_, between_;
 };
 
 /// What receivers get of each column, at a radiance of 1: directly, after some reflections, or
 /// after all of them. With F the view factors, rho the reflectivities of the rows and S a column,
 ///   L = S + rho F L,  G = F L,
-/// the linear system of pairs, by iteration. Reflectivities come as knots, sets of one for each row
+/// the linear system of pairs, by iteration. Reflectivities and transmissivities come as knots,
 /// between which G is linear.
 class LightSolution {
   public:
     /// `bounces`: 1 is light that comes from where it was sent or first reflected; -1 is all.
     /// `error`: of all, as a part of the largest.
     LightSolution(const LightExchange& exchange, const std::vector<LightColumn>& columns,
-                  const std::vector<std::vector<double>>& knots, int bounces, double error);
+                  const std::vector<LightKnot>& knots, int bounces, double error);
 
     /// The number of a receiver among those that get anything; `none` for one that gets nothing.
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -51,16 +84,15 @@ class LightSolution {
     }
     /// What arrives at the places, after `bounces` or after all, of columns that senders send, by
     /// sender; by place, columns first.
-    std::vector<float> arriving(const LightExchange& exchange,
-                                const std::vector<double>& reflectivities,
+    std::vector<float> arriving(const LightExchange& exchange, const LightKnot& knot,
                                 const std::vector<float>& sent, std::size_t width, int bounces,
                                 double error) const;
 
   private:
-    std::vector<float> arriving(const LightExchange& exchange, const std::vector<float>& leaving,
+    std::vector<float> arriving(const LightFactors& factors, const std::vector<float>& leaving,
                                 std::size_t width) const;
     /// What leaves senders in the end, beginning with `leaving` unless it is empty.
-    static void iterate(const LightExchange& exchange, const std::vector<double>& reflectivities,
+    static void iterate(const LightFactors& factors, const std::vector<double>& reflectivities,
                         const std::vector<float>& sent, std::size_t width, int bounces,
                         double error, std::vector<float>& leaving);
 
@@ -77,14 +109,14 @@ class LightSolutions {
   public:
     std::shared_ptr<const LightSolution> of(const std::shared_ptr<const LightExchange>& exchange,
                                             const std::vector<LightColumn>& columns,
-                                            const std::vector<std::vector<double>>& knots,
-                                            int bounces, double error);
+                                            const std::vector<LightKnot>& knots, int bounces,
+                                            double error);
 
   private:
     struct Known {
         std::shared_ptr<const LightExchange> exchange;
         std::vector<LightColumn> columns;
-        std::vector<std::vector<double>> knots;
+        std::vector<LightKnot> knots;
         int bounces = 0;
         double error = 0.0;
         std::shared_ptr<const LightSolution> solution;

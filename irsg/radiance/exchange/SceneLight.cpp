@@ -15,6 +15,8 @@ namespace {
 
 /// Bands in which integrals are kept, some kB a kind and band; a spectrum has too many outputs.
 constexpr std::size_t mostOutputsCached = 128;
+/// Of transmissivities more than these are not told apart.
+constexpr std::size_t mostKnotsOfPanes = 48;
 /// What reflects less, sr-1, is black.
 constexpr double leastReflectance_per_sr = 1e-9;
 
@@ -40,20 +42,20 @@ class CurveDivision {
     /// `curve[i]`: all of equal length. `off`: most distance from a straight line, `step`: most
     /// change along one, in any coordinate.
     CurveDivision(const std::vector<std::vector<double>>& curve, double off, double step)
-        : curve_(curve), off_(off), step_(step) {}
+        : curve_(&curve), off_(off), step_(step) {}
 
     std::vector<std::size_t> places() {
         places_.push_back(0);
-        if (curve_.size() > 1)
-            divide(0, curve_.size() - 1);
+        if (curve_->size() > 1)
+            divide(0, curve_->size() - 1);
         return std::move(places_);
     }
     /// Where between two points of the curve another lies, 0 to 1.
     double partOf(std::size_t a, std::size_t b, std::size_t i) const {
         double along = 0.0, square = 0.0;
-        for (std::size_t k = 0; k < curve_[a].size(); ++k) {
-            const double step = curve_[b][k] - curve_[a][k];
-            along += step * (curve_[i][k] - curve_[a][k]);
+        for (std::size_t k = 0; k < (*curve_)[a].size(); ++k) {
+            const double step = (*curve_)[b][k] - (*curve_)[a][k];
+            along += step * ((*curve_)[i][k] - (*curve_)[a][k]);
             square += step * step;
         }
         return square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
@@ -63,13 +65,13 @@ class CurveDivision {
     void divide(std::size_t a, std::size_t b) {
         double worst = 0.0, length = 0.0;
         std::size_t at = a + (b - a) / 2;
-        for (std::size_t k = 0; k < curve_[a].size(); ++k)
-            length = std::max(length, std::abs(curve_[b][k] - curve_[a][k]));
+        for (std::size_t k = 0; k < (*curve_)[a].size(); ++k)
+            length = std::max(length, std::abs((*curve_)[b][k] - (*curve_)[a][k]));
         for (std::size_t i = a + 1; i < b; ++i) {
             const double part = partOf(a, b, i);
-            for (std::size_t k = 0; k < curve_[i].size(); ++k) {
-                const double line = curve_[a][k] + part * (curve_[b][k] - curve_[a][k]);
-                const double off = std::abs(curve_[i][k] - line);
+            for (std::size_t k = 0; k < (*curve_)[i].size(); ++k) {
+                const double line = (*curve_)[a][k] + part * ((*curve_)[b][k] - (*curve_)[a][k]);
+                const double off = std::abs((*curve_)[i][k] - line);
                 if (off > worst) {
                     worst = off;
                     at = i;
@@ -86,7 +88,7 @@ class CurveDivision {
         places_.push_back(b);
     }
 
-    const std::vector<std::vector<double>>& curve_;
+    const std::vector<std::vector<double>>* curve_;
     double off_, step_;
     std::vector<std::size_t> places_;
 };
@@ -154,6 +156,23 @@ void SceneLight::findColumns() {
                 columns_.push_back({row, t, patternOf(terms[t].origin)});
         }
     }
+    addPassedColumns();
+}
+
+/// Sky and ground through transparent surfaces: in the air of each body that sees any.
+void SceneLight::addPassedColumns() {
+    if (exchange_->through().empty())
+        return;
+    std::vector<bool> isKnown(exchange_->bodies().size());
+    for (int row = 0; row < static_cast<int>(exchange_->rows()); ++row) {
+        if (exchange_->ofRow(row).empty() || isKnown[exchange_->bodyOfRow(row)])
+            continue;
+        isKnown[exchange_->bodyOfRow(row)] = true;
+        for (const auto& [term, pattern] : {std::pair{skyTerm_, LightPattern::passedSky},
+                                            std::pair{groundTerm_, LightPattern::passedGround}})
+            if (term >= 0)
+                columns_.push_back({row, static_cast<std::size_t>(term), pattern});
+    }
 }
 
 void SceneLight::findKnots(const RenderSettings& settings) {
@@ -161,8 +180,9 @@ void SceneLight::findKnots(const RenderSettings& settings) {
     knotsOfNodes_.between.assign(nodes, {});
     knotsOfNodes_.parts.assign(nodes, 0.0);
     const std::vector<double> black(radiometry_.surfaces().size(), 0.0);
-    if (settings.bounces == 1) {
-        knots_.push_back(black);
+    const std::vector<OccluderMaterial>& panes = exchange_->panes();
+    if (settings.bounces == 1 && panes.empty()) {
+        knots_.push_back({black, {}});
         return;
     }
     // Rows that light is reflected at on its way, and how much of what they send comes back at
@@ -175,7 +195,7 @@ void SceneLight::findKnots(const RenderSettings& settings) {
         }
     std::vector<std::pair<std::size_t, double>> rows;
     for (std::size_t row = 0; row < most.size(); ++row)
-        if (most[row] > 0.0)
+        if (most[row] > 0.0 && settings.bounces != 1)
             rows.emplace_back(row, std::min(most[row], 1.0));
     const auto reflectivity = [&](std::size_t row, std::size_t node) {
         return pi * radiometry_.surfaces()[row].reflectance[node];
@@ -191,19 +211,30 @@ void SceneLight::findKnots(const RenderSettings& settings) {
         std::vector<double> at;
         for (const auto& [row, most] : rows)
             at.push_back(-std::log(1.0 - std::min(reflectivity(row, node), 0.9999) * most));
+        for (const auto& [entity, material] : panes)
+            at.push_back(radiometry_.transmissivity(entity, material)[node]);
         if (curve.empty() || curve.back() != at) {
             curve.push_back(std::move(at));
             first.push_back(node);
         }
         places[node] = curve.size() - 1;
     }
-    CurveDivision division(curve, 0.1 * settings.lightError, std::sqrt(settings.lightError));
-    const std::vector<std::size_t> divided = division.places();
+    double off = 0.1 * settings.lightError, step = std::sqrt(settings.lightError);
+    CurveDivision division(curve, off, step);
+    std::vector<std::size_t> divided = division.places();
+    // Gas may transmit otherwise at each wavelength.
+    while (!panes.empty() && divided.size() > mostKnotsOfPanes) {
+        division = CurveDivision(curve, off *= 2.0, step *= 2.0);
+        divided = division.places();
+    }
     std::vector<std::size_t> knotOf; // by division
     for (const std::size_t place : divided) {
-        std::vector<double> own = black;
+        LightKnot own{black, {}};
         for (const auto& [row, most] : rows)
-            own[row] = reflectivity(row, first[place]);
+            own.reflectivities[row] = reflectivity(row, first[place]);
+        for (const auto& [entity, material] : panes)
+            own.transmissivities.push_back(
+                radiometry_.transmissivity(entity, material)[first[place]]);
         const auto known = std::ranges::find(knots_, own);
         knotOf.push_back(static_cast<std::size_t>(known - knots_.begin()));
         if (known == knots_.end())
@@ -238,6 +269,10 @@ void SceneLight::fillSources() {
             return;
         }
         const std::vector<double>& light = lightOn(column.row, static_cast<int>(column.term));
+        if (column.isPassed()) {
+            source = light;
+            return;
+        }
         for (std::size_t i = 0; i < source.size(); ++i)
             source[i] = pi * surface.reflectance[i] * light[i];
     });
@@ -393,6 +428,12 @@ SceneLight::Falling SceneLight::fallsOn(int row, std::span<const double> contrac
     falling.perReflectivity.resize(exchange_->rows());
     for (std::size_t c = 0; c < columns_.size(); ++c) {
         const LightColumn& column = columns_[c];
+        if (column.isPassed()) {
+            for (std::size_t i = 0; i < count; ++i)
+                falling.lost[i] +=
+                    sources_W_m2_um_[c][first + i] * partOf(contracted, c, first + i);
+            continue;
+        }
         const bool isEmission = column.pattern == LightPattern::emission;
         const std::vector<double>& source =
             isEmission ? sources_W_m2_um_[c] : lightOn(column.row, static_cast<int>(column.term));

@@ -70,7 +70,7 @@ class SceneLight {
     /// What falls on receivers of a row, by where it was emitted or first reflected: node by node,
     /// W m-2 um-1 times the unit of the sums.
     struct Falling {
-        std::vector<double> lost; ///< of sky and ground, at most 0
+        std::vector<double> lost; ///< of sky and ground, beside what comes through panes
         /// By the sender's drawn row, empty where there is none: of its emission, and of what it
         /// reflects, at a reflectivity of 1.
         std::vector<std::vector<double>> emitted, perReflectivity;
@@ -97,6 +97,7 @@ class SceneLight {
 
   private:
     void findColumns();
+    void addPassedColumns();
     void findKnots(const RenderSettings& settings);
     void fillSources();
     LightIntegrals integrator() const {
@@ -118,7 +119,7 @@ class SceneLight {
     int bounces_;
     int skyTerm_ = -1, groundTerm_ = -1;
     std::vector<LightColumn> columns_;
-    std::vector<std::vector<double>> knots_; // reflectivities by row
+    std::vector<LightKnot> knots_;
     LightKnots knotsOfNodes_;
     std::vector<std::vector<double>> sources_W_m2_um_; // by column: pi times its radiance, by node
     std::shared_ptr<const LightSolution> solution_;

@@ -56,7 +56,7 @@ struct ExchangeMesh::Making {
         std::uint32_t piece = 0;
         Vec3 normal;
         double area_m2 = 0.0, longest_m = 0.0;
-        bool isOpaque = false, isCulled = false;
+        bool isMet = false, isOpaque = false, isCulled = false;
         std::array<bool, 3> isOutline{true, true, true}; ///< by edge: its surface ends there
 
         Vec3 at(const FacetPlace& place) const {
@@ -73,13 +73,12 @@ struct ExchangeMesh::Making {
     };
     /// What is seen of places of a part of a side.
     struct Probe {
-        double least_m = 0.0; ///< nothing counts as nearer
-        std::uint32_t rays = 1;
+        double least_m = 0.0;                ///< nothing counts as nearer
+        std::uint32_t rays = 1, stopped = 0; ///< stopped: by what is opaque
         std::vector<Vec3> seen_m;
 
-        float open() const {
-            return 1.0f - static_cast<float>(seen_m.size()) / static_cast<float>(rays);
-        }
+        bool isOpen() const { return stopped < rays; }
+        float open() const { return 1.0f - static_cast<float>(stopped) / static_cast<float>(rays); }
         double nearnessAt_per_m2(const Vec3& place_m) const {
             double sum_per_m2 = 0.0;
             for (const Vec3& seen : seen_m) {
@@ -173,7 +172,8 @@ ExchangeMesh::ExchangeMesh(std::shared_ptr<const RayMesh> mesh, const PieceUses&
             facet.area_m2 = 0.5 * length(across);
             facet.longest_m = longestEdgeOf(c);
             facet.isOpaque = uses[piece].isThere && !uses[piece].transparent;
-            facet.isCulled = uses[piece].cullsBackFaces;
+            facet.isMet = facet.isOpaque || uses[piece].pane > 0;
+            facet.isCulled = uses[piece].cullsBackFaces && !uses[piece].transparent;
             making.area_m2 += facet.area_m2;
             for (const Vec3& corner : c)
                 all.include(corner);
@@ -286,7 +286,7 @@ std::vector<FacetDivision::Line> ExchangeMesh::Making::wallsOn(std::uint32_t sid
     return walls;
 }
 
-/// Whether there is anything opaque beyond the plane of a side that does not turn its culled back
+/// Whether there is anything beyond the plane of a side that does not turn its culled back
 /// to all of it. On a convex body there is nothing.
 bool ExchangeMesh::Making::seesAny(std::uint32_t side, const FacetTree& tree,
                                    double extent_m) const {
@@ -351,7 +351,7 @@ void ExchangeMesh::Making::numberPlaces(double step_m) {
 void ExchangeMesh::divide(Making& making) {
     std::vector<BoundingBox> boxes(making.facets.size(), BoundingBox::nowhere());
     for (std::size_t f = 0; f < boxes.size(); ++f)
-        if (making.facets[f].isOpaque && making.facets[f].area_m2 > 0.0)
+        if (making.facets[f].isMet && making.facets[f].area_m2 > 0.0)
             for (const Vec3& corner : making.facets[f].corners_m)
                 boxes[f].include(corner);
     const std::size_t sides = 2 * making.facets.size();
@@ -441,7 +441,7 @@ void ExchangeMesh::findSpaces(Making& making) const {
                     parts.join(part, beyond);
     std::vector<bool> isOpen(making.probeOf.size());
     for (std::uint32_t part = 0; part < making.probeOf.size(); ++part)
-        if (making.probeAt(part).seen_m.size() < making.probeAt(part).rays)
+        if (making.probeAt(part).isOpen())
             isOpen[parts.of(part)] = true;
     for (std::uint32_t part = 0; part < making.probeOf.size(); ++part)
         making.spaces[part] = isOpen[parts.of(part)] ? 0 : parts.of(part) + 1;
@@ -467,8 +467,16 @@ void ExchangeMesh::Making::probe(std::uint32_t side, std::uint32_t part, const R
         const double u = root * (1.0 - point[1]), v = root * point[1];
         const Vec3 at = c[0] * (1.0 - u - v) + c[1] * u + c[2] * v;
         const Ray ray{at + up * lift_m, cosineDirection(up, point[2], point[3])};
-        if (mesh.meet(ray, uses, 0.0, hit, through))
-            own.seen_m.push_back(ray.origin_m + ray.direction * hit.distance_m);
+        const bool isStopped = mesh.meet(ray, uses, 0.0, hit, through);
+        own.stopped += isStopped ? 1 : 0;
+        std::erase_if(through, [&](const RayHit& one) {
+            return uses[static_cast<std::size_t>(one.piece)].pane == 0;
+        });
+        const auto nearest = std::ranges::min_element(through, {}, &RayHit::distance_m);
+        if (isStopped || nearest != through.end())
+            own.seen_m.push_back(ray.origin_m + ray.direction * (nearest != through.end()
+                                                                     ? nearest->distance_m
+                                                                     : hit.distance_m));
     }
 }
 
@@ -639,7 +647,7 @@ ExchangeMesh::Making::Passage ExchangeMesh::Making::passageFrom(
     Passage next;
     for (const auto& [facet, ofEdge] : about) {
         const Facet& other = facets[facet];
-        if (facet == side / 2 || !(other.isOpaque || other.piece == own.piece))
+        if (facet == side / 2 || !(other.isMet || other.piece == own.piece))
             continue;
         const Vec3 there = inward(other, ofEdge);
         double angle = std::atan2(product(there, up), product(there, right));

@@ -62,7 +62,7 @@ class ExchangeMesh {
         Vec3 at_m, normal; ///< to the side; the mean of those of the cells, as areas count
         /// Mean square of 1 / distance of what is seen from there.
         double nearness_per_m2 = 0.0;
-        /// Part of the rays about it that leave the model.
+        /// Part of the rays about it that leave the model, through transparent surfaces or not.
         float open = 1.0f;
         /// 0, or the number of the space inside that the side turns to: one from which no ray was
         /// found to leave the model.
@@ -84,10 +84,11 @@ class ExchangeMesh {
         const auto& c = corners_[cell];
         return {vertices_[c[0]].at_m, vertices_[c[1]].at_m, vertices_[c[2]].at_m};
     }
+    std::size_t pieceOf(std::uint32_t cell) const { return vertices_[corners_[cell][0]].piece; }
     double area_m2(std::uint32_t cell) const;
     /// Unit, to its side.
     const Vec3& normal(std::uint32_t cell) const { return sides_[sideOf_[cell]].normal; }
-    /// Whether anything opaque stands before the side of the facet.
+    /// Whether anything stands before the side of the facet.
     bool seesAnything(std::uint32_t cell) const { return sees_[cell]; }
     /// Whether it turns to a space inside, which the outside sees through small holes at most.
     bool isInside(std::uint32_t cell) const { return vertices_[corners_[cell][0]].space != 0; }

@@ -37,6 +37,8 @@ struct PieceUse {
     bool transparent = false;    ///< rays go on behind it; both sides of it count
     bool cullsBackFaces = false; ///< of an opaque one
     int layer = 0;               ///< of a subface, which lies in the plane of the layer below
+    /// Above 0 a transparent one that inter-reflection sees; those of equal numbers transmit alike.
+    int pane = 0;
     bool operator==(const PieceUse&) const = default;
 };
 
@@ -48,6 +50,7 @@ class PieceUses {
         pieces_[piece] = use;
         layers_ = std::max(layers_, use.layer);
         isPlain_ = isPlain_ && !use.transparent && !use.cullsBackFaces;
+        areAnyPanes_ = areAnyPanes_ || use.pane > 0;
         ++known_;
     }
 
@@ -56,6 +59,7 @@ class PieceUses {
     int layers() const { return layers_; }
     /// The first facet of any piece ends a ray.
     bool arePlain() const { return isPlain_ && known_ == pieces_.size(); }
+    bool areAnyPanes() const { return areAnyPanes_; }
     /// The same with the backs of all facets there.
     PieceUses withBacks() const {
         PieceUses same = *this;
@@ -77,7 +81,7 @@ class PieceUses {
     std::vector<PieceUse> pieces_;
     std::size_t known_ = 0;
     int layers_ = 0;
-    bool isPlain_ = true;
+    bool isPlain_ = true, areAnyPanes_ = false;
 };
 
 /// The triangles of a mesh as rays meet them, piece by piece. Which facets a ray meets is found in
