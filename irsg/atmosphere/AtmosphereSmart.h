@@ -9,6 +9,7 @@
 
 #include "irsg/atmosphere/Atmosphere.h"
 #include "irsg/atmosphere/AtmosphereSmartParameters.h"
+#include "irsg/atmosphere/ReflectingGround.h"
 #include "irsg/atmosphere/engine/RadiativeTransfer.h"
 #include "irsg/atmosphere/tables/AtmosphereTables.h"
 
@@ -23,7 +24,7 @@ namespace irsg {
 /// looking into a file costs little. In IrradianceMode 1 quantities are kept in tables over range,
 /// altitude and elevation that refine themselves to `tableTolerance`, in mode 2 everything is
 /// computed on the fly. Const members may be called from several threads.
-class AtmosphereSmart : public Atmosphere {
+class AtmosphereSmart : public Atmosphere, public ReflectingGround {
   public:
     /// Of the tables: in transmittance, and relative for everything else.
     static constexpr double tableTolerance = 1e-3;
@@ -69,6 +70,7 @@ class AtmosphereSmart : public Atmosphere {
                property == AtmosphereProperty::pathRadiance;
     }
     AtmosphereDescription describe() const override;
+    Spectrum groundReflectivity() const override { return air_.groundAlbedo; }
 
     /// See AtmosphereNodes.h.
     std::shared_ptr<const SpectralSampling> nodesOf(const std::vector<Band>& bands) const override;

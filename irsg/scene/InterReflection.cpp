@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "irsg/atmosphere/ReflectingGround.h"
 #include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/KeyNumbers.h"
@@ -21,6 +22,23 @@ double publishedSkyFactor(double cosine) {
     return 1.0 - std::acos(std::clamp(cosine, -1.0, 1.0)) / pi;
 }
 
+/// Of the atmosphere that answers for the light of the ground; nothing where it is not known, or
+/// the ground is black.
+std::optional<Spectrum> groundReflectivityOf(const Environment& environment) {
+    for (const auto& atmosphere : environment.atmospheres()) {
+        if (!atmosphere->supports(AtmosphereProperty::upwardFlux))
+            continue;
+        const auto* ground = dynamic_cast<const ReflectingGround*>(atmosphere.get());
+        if (ground == nullptr)
+            return std::nullopt;
+        Spectrum reflectivity = ground->groundReflectivity();
+        const bool isBlack =
+            std::ranges::none_of(reflectivity.values(), [](double value) { return value > 1e-4; });
+        return isBlack ? std::nullopt : std::optional(std::move(reflectivity));
+    }
+    return std::nullopt;
+}
+
 LightSources sourcesOf(const Scene& scene) {
     const RenderSettings& settings = scene.settings;
     LightSources sources;
@@ -32,6 +50,8 @@ LightSources sourcesOf(const Scene& scene) {
     sources.isSunShadowed = settings.sunShadows != SunShadowMode::off;
     if (settings.sun == ReflectionMode::approx)
         sources.sunAlways = 0.25;
+    if (settings.ambientReflection == ReflectionMode::smart && !scene.terrain)
+        sources.groundReflectivity = groundReflectivityOf(scene.environment);
     return sources;
 }
 
@@ -94,7 +114,10 @@ InterReflection::exchangeOf(const Scene& scene, const SceneEvaluation& evaluatio
     bool isPlaceOfMatter = scene.terrain != nullptr;
     for (std::size_t e = 0; e < scene.entities.size(); ++e) {
         const Entity& entity = scene.entities[e];
-        bool isAmongOthers = false;
+        bool isAmongOthers = sources.groundReflectivity &&
+                             LightExchange::isNearGround(extents[e], settings.lightError,
+                                                         *sources.groundReflectivity);
+        isPlaceOfMatter = isPlaceOfMatter || isAmongOthers;
         for (std::size_t o = 0; o < extents.size(); ++o) {
             if (o == e)
                 continue;
@@ -130,10 +153,12 @@ InterReflection::exchangeOf(const Scene& scene, const SceneEvaluation& evaluatio
                         static_cast<double>(settings.fluxWeights)});
     key.hasLobes = !evaluation.surfaceRows().lobes().empty();
     key.terrain = scene.terrain;
+    key.ground = sources.groundReflectivity;
     key.keys = evaluation.surfaceRows().keys();
     const auto isAsked = [&](const Known& one) {
         return one.numbers == key.numbers && one.bodies == key.bodies &&
-               one.terrain == key.terrain && one.keys == key.keys && one.hasLobes == key.hasLobes;
+               one.terrain == key.terrain && one.ground == key.ground && one.keys == key.keys &&
+               one.hasLobes == key.hasLobes;
     };
     if (const Known* known = exchanges_.find(isAsked))
         return known->exchange;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,7 @@ class InterReflection {
         std::vector<double> numbers;
         std::vector<std::shared_ptr<const BodyLight>> bodies;
         std::shared_ptr<const Terrain> terrain;
+        std::optional<Spectrum> ground;
         std::vector<SurfaceKey> keys;
         bool hasLobes = false;
         std::shared_ptr<const LightExchange> exchange;

@@ -8,6 +8,7 @@
 
 #include "irsg/core/ParallelFor.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/render/rays/LightDirections.h"
 
 namespace irsg {
 
@@ -15,6 +16,8 @@ namespace {
 
 /// Rays of a patch that sees nothing of its own body, but of others, at the usual error.
 constexpr double raysToOthers = 128.0, usualError = 0.005;
+/// Rays that are followed behind the ground, of a body, and of a patch.
+constexpr std::size_t raysToGround = 500'000, fewestToGround = 128, mostToGround = 1024;
 /// Cells of which each is divided in four to see how much of it the sun lights.
 constexpr std::size_t fewCells = 60'000;
 /// Of the error that is asked for: bodies that fill less of a hemisphere, as bright as they are
@@ -53,14 +56,15 @@ struct LightExchange::Making {
     };
     const std::vector<SunShadows::Caster>& casters;
     const LightSources& sources;
-    std::vector<Rotation> toWorld{}, toMesh{};       ///< by caster
-    std::vector<Sphere> spheres{};                   ///< by body
-    std::vector<std::vector<std::size_t>> near{};    ///< bodies that a body may see
-    std::vector<std::vector<std::size_t>> shading{}; ///< casters that may shade a body
-    std::vector<bool> meetsTerrain{};                ///< by body
+    std::vector<Rotation> toWorld{}, toMesh{};        ///< by caster
+    std::vector<Sphere> spheres{};                    ///< by body
+    std::vector<std::vector<std::size_t>> near{};     ///< bodies that a body may see
+    std::vector<std::vector<std::size_t>> shading{};  ///< casters that may shade a body
+    std::vector<bool> meetsTerrain{}, isNearGround{}; ///< by body
     const SunShadows::Caster* terrain = nullptr;
     std::size_t terrainNumber = 0;
     std::uint32_t raysToOthers = 0;
+    double error = 0.0;                                    ///< of view factors
     std::vector<PieceUses> withBacks{};                    ///< by caster, see PieceUses
     std::vector<std::vector<LightPart>> parts{}, oneWay{}; ///< by patch
     std::vector<std::vector<Told>> told{};                 ///< by patch and near node
@@ -91,7 +95,9 @@ struct LightExchange::Making {
                     top_m = std::max(top_m, terrain->pose.toWorld(corner).z);
         return top_m;
     }
-    bool isAlone(std::size_t body) const { return near[body].empty() && !meetsTerrain[body]; }
+    bool isAlone(std::size_t body) const {
+        return near[body].empty() && !meetsTerrain[body] && !isNearGround[body];
+    }
     /// Whether what a body sees of itself is what it sees of itself alone: others are outside of
     /// its sphere.
     bool isApart(std::size_t body) const {
@@ -144,7 +150,16 @@ LightExchange::LightExchange(std::vector<Body> bodies,
     for (const Sphere& sphere : making.spheres)
         making.meetsTerrain.push_back(making.terrain &&
                                       top_m > sphere.centre_m.z - sphere.radius_m);
+    for (const Body& body : bodies_)
+        making.isNearGround.push_back(
+            sources.groundReflectivity && !making.terrain &&
+            isNearGround(body.extent, error, *sources.groundReflectivity));
+    making.error = error;
     number(casters);
+    if (std::ranges::find(making.isNearGround, true) != making.isNearGround.end()) {
+        panes_.push_back(groundMaterial);
+        groundReflectivity_ = sources.groundReflectivity;
+    }
     if (std::ranges::any_of(paneOf_, [](int pane) { return pane >= 0; }))
         making.sunThrough.resize(corners_.size());
     takeSun(making);
@@ -181,6 +196,12 @@ bool LightExchange::isNear(const Extent& body, const Extent& other, double error
             brighter = body.emits[i] > 0.0 ? other.emits[i] / body.emits[i]
                                            : std::numeric_limits<double>::infinity();
     return other.crossSection_m2 * brighter > negligiblePart * error * pi * apart_m * apart_m;
+}
+
+bool LightExchange::isNearGround(const Extent& body, double error, const Spectrum& reflectivity) {
+    const double height_m = std::max(body.centre_m.z, 0.0);
+    return std::ranges::max(reflectivity.values()) * body.radius_m * body.radius_m >
+           negligiblePart * error * height_m * height_m;
 }
 
 bool LightExchange::mayShade(const Extent& body, const Extent& other, const Vec3& towardsSun) {
@@ -286,7 +307,7 @@ void LightExchange::takePairs(Making& making) {
             else
                 takeWithOthers(making, b, patch);
         });
-        if (bodies_.size() > 1 && making.isApart(b))
+        if ((bodies_.size() > 1 || !making.isAlone(b)) && making.isApart(b))
             copyPairs(*bodies_[b].light->balance().pairs, b, making.oneWay);
         for (std::uint32_t patch = 0; patch < nodes.nodes(); ++patch) {
             const auto near = nodes.near(patch);
@@ -309,10 +330,15 @@ void LightExchange::takePairs(Making& making) {
         takeThrough(making, known);
     sunBesideMean_ = LightPairs(rows_.size(), std::move(making.sunParts));
     sees_.assign(ofRow_.size(), false);
+    getsLight_.assign(rows_.size(), false);
     isSeen_.assign(rowOfSender_.size(), hasLobes_);
     for (std::size_t r = 0; r < rows_.size(); ++r) {
         const auto [first, last] = pairs().of(r);
-        if (first != last || losses_[r].sky != 0.0)
+        getsLight_[r] = first != last;
+        for (const LightThrough& one : through_)
+            getsLight_[r] = getsLight_[r] || !one.balance.pairs->isEmpty(r) ||
+                            one.leaving[r].sky != 0.0 || one.leaving[r].sun != 0.0;
+        if (getsLight_[r] || losses_[r].sky != 0.0)
             sees_[static_cast<std::size_t>(rows_[r])] = true;
         for (const LightPair* pair = first; pair != last; ++pair)
             isSeen_[pair->sender] = true;
@@ -352,7 +378,7 @@ void LightExchange::takeThrough(Making& making, const std::vector<ReceiverRays>&
     const bool isOne = bodies_.size() == 1 && making.isAlone(0);
     std::vector<std::pair<std::size_t, LightBalance>> ofBody; // of the only one, by passage
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        if (!isOne && !(bodies_.size() > 1 && making.isApart(b)))
+        if (!isOne && !making.isApart(b))
             continue;
         const BodyLight& light = *bodies_[b].light;
         const auto count = std::min(light.passages().size(), BodyLight::mostPassages + 1);
@@ -389,9 +415,10 @@ void LightExchange::takeThrough(Making& making, const std::vector<ReceiverRays>&
                 one.leaving.resize(rows_.size());
                 const auto near = nodes.near(patch);
                 for (std::size_t i = 0; i < near.size(); ++i) {
-                    SkyAndGround& sum = one.leaving[firstReceiver_[b] + near[i].node];
+                    OutsideLight& sum = one.leaving[firstReceiver_[b] + near[i].node];
                     sum.sky += behind.leaving[i].sky;
                     sum.ground += behind.leaving[i].ground;
+                    sum.sun += behind.leaving[i].sun;
                 }
             }
     }
@@ -449,22 +476,32 @@ void LightExchange::addMissing(const std::vector<ReceiverRays>& known) {
     }
 }
 
-void LightExchange::weighLeaving(std::span<const SkyAndGround> weights) {
+void LightExchange::weighLeaving(std::span<const OutsideLight> weights) {
     for (LightThrough& one : through_) {
-        std::vector<float> values(2 * rows_.size());
+        const bool isOfGround = std::ranges::any_of(
+            one.panes, [&](std::size_t pane) { return panes_[pane] == groundMaterial; });
+        std::vector<float> values(3 * rows_.size());
         for (std::size_t r = 0; r < rows_.size(); ++r) {
-            SkyAndGround& leaving = one.leaving[r];
-            leaving.sky *= weights[r].sky;
-            leaving.ground *= weights[r].ground;
-            values[2 * r] = static_cast<float>(leaving.sky);
-            values[2 * r + 1] = static_cast<float>(leaving.ground);
+            OutsideLight& leaving = one.leaving[r];
+            if (!isOfGround) {
+                leaving.sky *= weights[r].sky;
+                leaving.ground *= weights[r].ground;
+            }
+            values[3 * r] = static_cast<float>(leaving.sky);
+            values[3 * r + 1] = static_cast<float>(leaving.ground);
+            values[3 * r + 2] = static_cast<float>(leaving.sun);
         }
+        const std::vector<double> ofGround =
+            meansOverSenders([&](std::size_t r) { return one.leaving[r].sun; });
+        for (std::size_t s = 0; s < senders(); ++s)
+            one.sun[s] += ofGround[s];
         one.sky = meansOverSenders([&](std::size_t r) { return one.leaving[r].sky; });
         one.ground = meansOverSenders([&](std::size_t r) { return one.leaving[r].ground; });
-        sharpen(values, 2);
+        sharpen(values, 3);
         for (std::size_t r = 0; r < rows_.size(); ++r)
-            one.leaving[r] = {static_cast<double>(values[2 * r]),
-                              static_cast<double>(values[2 * r + 1])};
+            one.leaving[r] = {static_cast<double>(values[3 * r]),
+                              static_cast<double>(values[3 * r + 1]),
+                              static_cast<double>(values[3 * r + 2])};
     }
 }
 
@@ -532,7 +569,7 @@ void LightExchange::takeOwn(Making& making, std::size_t body, std::uint32_t patc
 void LightExchange::leave(Making& making, std::uint32_t number,
                           const std::vector<OccluderMaterial>& passed, std::size_t nearCount,
                           std::size_t near, bool isUp, double part) {
-    std::vector<SkyAndGround>& leaving = making.found[number].bySet[passed].leaving;
+    std::vector<OutsideLight>& leaving = making.found[number].bySet[passed].leaving;
     leaving.resize(nearCount);
     (isUp ? leaving[near].sky : leaving[near].ground) += part;
 }
@@ -734,7 +771,14 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
     const SunShadows::Caster& caster = making.casters[body];
     const std::uint32_t number = firstReceiver_[body] + patch;
     const auto near = nodes.near(patch);
-    const std::uint32_t count = light.sent(patch) > 0 ? light.sent(patch) : making.raysToOthers;
+    const bool seesGround = making.isNearGround[body] && looksDown(making, body, patch);
+    const bool isMetByOthers = making.meetsTerrain[body] || hasOthersAbove(making, body, patch);
+    const auto wantedToGround = static_cast<std::uint32_t>(
+        seesGround ? std::clamp(raysToGround / nodes.nodes(), fewestToGround, mostToGround) : 0);
+    const std::uint32_t count =
+        light.sent(patch) > 0 ? light.sent(patch) : std::max(making.raysToOthers, wantedToGround);
+    // As many as do for what the ground reflects, each for some of all.
+    const std::uint32_t toGround = std::min(count, wantedToGround);
     const BodyLight::Rays rays(nodes, patch);
     std::vector<float> scales(light.scalesOf(patch).begin(), light.scalesOf(patch).end());
     if (scales.empty()) {
@@ -751,6 +795,10 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
                                  : 0.0));
         }
     }
+    std::vector<float> scalesOfGround;
+    for (const float scale : scales)
+        scalesOfGround.push_back(
+            toGround > 0 ? scale * static_cast<float>(count) / static_cast<float>(toGround) : 0.0f);
     const PieceUse& use = caster.uses[static_cast<std::size_t>(nodes.pieceOf(patch))];
     const bool isGas = use.transparent && use.pane == 0;
     RayHit hit;
@@ -766,12 +814,12 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
     auto met = light.raysOf(patch).begin();
     const auto lastMet = light.raysOf(patch).end();
     const bool isApart = making.isApart(body);
-    const bool isMetByOthers = making.meetsTerrain[body] || hasOthersAbove(making, body, patch);
     for (std::uint32_t i = 0; i < count; ++i) {
-        if (!isMetByOthers && met == lastMet)
-            break;
-        if (!isMetByOthers)
+        if (!isMetByOthers && i >= toGround) {
+            if (met == lastMet)
+                break;
             i = met->index; // other rays meet nothing
+        }
         const BodyLight::LightStart start = rays.at(i);
         const Vec3 from_m = caster.pose.toWorld(start.ray.origin_m);
         const Vec3 along = making.toWorld[body] * start.ray.direction;
@@ -842,8 +890,13 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
             });
             continue;
         }
-        if (panes.empty() && place.cell == ExchangeMesh::none)
+        const bool meetsGround =
+            i < toGround && along.z < 0.0 && place.cell == ExchangeMesh::none && !isTerrain;
+        if (panes.empty() && place.cell == ExchangeMesh::none) {
+            if (meetsGround)
+                reflectOnGround(making, body, patch, start, i, {}, scalesOfGround);
             continue;
+        }
         tell([&](std::uint32_t, Making::Told& told, float part) {
             (along.z > 0.0 ? told.sky : told.ground) += static_cast<double>(part);
         });
@@ -883,6 +936,8 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
                 leave(making, number, passed, near.size(), nodes.placeNear(patch, node),
                       along.z > 0.0 && !isTerrain, static_cast<double>(part));
             });
+            if (meetsGround)
+                reflectOnGround(making, body, patch, start, i, passed, scalesOfGround);
             continue;
         }
         if (metBody != body)
@@ -893,6 +948,106 @@ void LightExchange::takeWithOthers(Making& making, std::size_t body, std::uint32
     mergeParts(making.oneWay[number]);
     if (!making.sunParts.empty())
         mergeParts(making.sunParts[number]);
+}
+
+bool LightExchange::looksDown(const Making& making, std::size_t body, std::uint32_t patch) const {
+    constexpr double levelCosine = 0.999;
+    const ExchangeMesh& mesh = bodies_[body].light->mesh();
+    return std::ranges::any_of(
+        bodies_[body].light->nodes().cellsOf(patch), [&](std::uint32_t cell) {
+            return (making.toWorld[body] * mesh.normal(cell)).z < levelCosine;
+        });
+}
+
+void LightExchange::reflectOnGround(Making& making, std::size_t body, std::uint32_t patch,
+                                    const BodyLight::LightStart& start, std::uint32_t index,
+                                    std::vector<OccluderMaterial> passed,
+                                    std::span<const float> scales) const {
+    const SunShadows::Caster& caster = making.casters[body];
+    const Vec3 from_m = caster.pose.toWorld(start.ray.origin_m);
+    const Vec3 along = making.toWorld[body] * start.ray.direction;
+    if (!(from_m.z > 0.0) || !(along.z < 0.0))
+        return;
+    Vec3 place_m = from_m - along * (from_m.z / along.z);
+    place_m.z = 1e-6 * from_m.z;
+    std::vector<std::size_t> above = making.near[body];
+    above.push_back(body);
+    if (std::ranges::none_of(above, [&](std::size_t other) {
+            const Vec3 to_m = making.spheres[other].centre_m - place_m;
+            return making.spheres[other].radius_m * making.spheres[other].radius_m >
+                   negligiblePart * making.error * dot(to_m, to_m);
+        }))
+        return;
+    Making::pass(passed, groundMaterial);
+    const ExchangeNodes& nodes = bodies_[body].light->nodes();
+    const std::uint32_t number = firstReceiver_[body] + patch;
+    const ExchangeNodes::OfPlace own(nodes, start.from.place);
+    const auto tell = [&](auto add) {
+        for (const ExchangeNodes::Share& share : own)
+            add(share.node, share.part * scales[nodes.placeNear(patch, share.node)]);
+    };
+    const auto takeAway = [&](double OutsideLight::*which, double most) {
+        std::vector<OutsideLight>& leaving = making.found[number].bySet[passed].leaving;
+        leaving.resize(nodes.near(patch).size());
+        tell([&](std::uint32_t node, float part) {
+            leaving[nodes.placeNear(patch, node)].*which -= most * static_cast<double>(part);
+        });
+    };
+    // Another sequence than that of the ray, turned by the patch (Roberts).
+    const auto coordinate = [&](double step, double turn) {
+        const double at = 0.5 + step * index + turn * number;
+        return at - std::floor(at);
+    };
+    const Vec3 up = cosineDirection({0, 0, 1}, coordinate(0.7548776662466927, 0.6180339887498949),
+                                    coordinate(0.5698402909980532, 0.4142135623730950));
+    double nearest_m = std::numeric_limits<double>::infinity();
+    std::size_t metBody = body;
+    ExchangeMesh::Place met;
+    RayHit hit;
+    std::vector<RayHit> through;
+    for (const std::size_t other : above) {
+        const SunShadows::Caster& there = making.casters[other];
+        const Rotation& toMesh = making.toMesh[other];
+        if (!making.spheres[other].isMetBy(place_m, up) ||
+            !there.mesh->meet(
+                {toMesh * (place_m - there.pose.position_m), toMesh * up, 0.0, nearest_m},
+                there.uses, 0.0, hit, through) ||
+            hit.distance_m >= nearest_m)
+            continue;
+        nearest_m = hit.distance_m;
+        met = bodies_[other].light->mesh().placeOf(hit);
+        metBody = other;
+    }
+    if (met.cell != ExchangeMesh::none) {
+        takeAway(&OutsideLight::sky, 1.0);
+        tellOfSun(making, number, passed, metBody, met, [&](auto add) {
+            tell([&](std::uint32_t node, float part) { add(firstReceiver_[body] + node, part); });
+        });
+        const ExchangeNodes& nodesThere = bodies_[metBody].light->nodes();
+        std::vector<LightPart>& parts = making.found[number].bySet[passed].oneWay;
+        for (const ExchangeNodes::Share& sender :
+             ExchangeNodes::OfPlace(nodesThere, met).ofSenders(nodesThere))
+            tell([&](std::uint32_t node, float part) {
+                parts.push_back({firstReceiver_[body] + node, firstSender_[metBody] + sender.node,
+                                 part * sender.part});
+            });
+    }
+    const LightSources& sources = making.sources;
+    if (!sources.isSunOn || !sources.isSunShadowed || sources.sunAlways >= 0.0 ||
+        !(sources.towardsSun.z > 0.0))
+        return;
+    std::vector<int> pieces;
+    for (const std::size_t other : above) {
+        const SunShadows::Caster& there = making.casters[other];
+        const Rotation& toMesh = making.toMesh[other];
+        pieces.clear();
+        if (there.mesh->letsPass(
+                {toMesh * (place_m - there.pose.position_m), toMesh * sources.towardsSun},
+                there.uses, nullptr, pieces))
+            continue;
+        takeAway(&OutsideLight::sun, sources.towardsSun.z);
+        return;
+    }
 }
 
 void LightExchange::takeLight(Making& making) {
@@ -917,7 +1072,7 @@ void LightExchange::takeLight(Making& making) {
     sky_.assign(senders(), 0.0);
     ground_.assign(senders(), 0.0);
     std::vector<double> area_m2(senders());
-    std::vector<SkyAndGround> weights(rows_.size()); // of parts of the hemisphere
+    std::vector<OutsideLight> weights(rows_.size()); // of parts of the hemisphere
     for (std::size_t b = 0; b < bodies_.size(); ++b)
         for (std::uint32_t r = firstReceiver_[b]; r < firstReceiver_[b + 1]; ++r) {
             const double own_m2 = bodies_[b].light->nodes().areaOf_m2(r - firstReceiver_[b]);
@@ -933,7 +1088,7 @@ void LightExchange::takeLight(Making& making) {
             loss.sky += up * more;
             loss.ground += (1.0 - up) * more;
             weights[r] = {open > 0.0 ? weighted / open : 0.0,
-                          open < 1.0 ? (1.0 - weighted) / (1.0 - open) : 0.0};
+                          open < 1.0 ? (1.0 - weighted) / (1.0 - open) : 0.0, 1.0};
             loss.sky *= weights[r].sky;
             loss.ground *= weights[r].ground;
             const std::uint32_t sender = senderOf_[r];
@@ -949,7 +1104,8 @@ void LightExchange::takeLight(Making& making) {
     sharpen(lost, 2);
     for (std::size_t r = 0; r < losses_.size(); ++r)
         if (!pairs().isEmpty(r)) // else it gets nothing in their place
-            losses_[r] = {static_cast<double>(lost[2 * r]), static_cast<double>(lost[2 * r + 1])};
+            losses_[r] = {static_cast<double>(lost[2 * r]), static_cast<double>(lost[2 * r + 1]),
+                          0.0};
     for (std::size_t s = 0; s < senders(); ++s) {
         const bool isLit = sources.isSkyOn && isSeen(s) && area_m2[s] > 0.0;
         sky_[s] = isLit ? sky_[s] / area_m2[s] : 0.0;

@@ -6,12 +6,14 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "irsg/geometry/view/Pose.h"
 #include "irsg/radiance/exchange/BodyLight.h"
 #include "irsg/radiance/exchange/LightThrough.h"
+#include "irsg/radiometry/Spectrum.h"
 #include "irsg/render/rays/SunShadows.h"
 
 namespace irsg {
@@ -24,6 +26,9 @@ struct LightSources {
     double (*skyOf)(double cosine) = nullptr;
     bool isSkyOn = true, isSunOn = true, isSunShadowed = true;
     double sunAlways = -1.0; ///< factor of the sun whatever the surface, where not negative
+    /// Of level ground at altitude 0, where bodies near it shade it and are seen in it; none: they
+    /// are not.
+    std::optional<Spectrum> groundReflectivity;
 };
 
 /// The surfaces of a scene and what they see of each other, of sky, ground and sun, as numbers
@@ -44,7 +49,7 @@ class LightExchange {
         Extent extent;
     };
     /// What a receiver loses of sky and ground to what stands before it.
-    using Loss = SkyAndGround;
+    using Loss = OutsideLight;
 
     /// `casters`: as SunShadows has them, of the bodies in their order, and of the terrain behind
     /// them. `error`: of view factors; what is farther away than that is seen is left out.
@@ -60,7 +65,10 @@ class LightExchange {
     const std::vector<LightThrough>& through() const { return through_; }
     /// Those materials: their entities and indices.
     const std::vector<OccluderMaterial>& panes() const { return panes_; }
+    const std::optional<Spectrum>& groundReflectivity() const { return groundReflectivity_; }
     std::size_t receivers() const { return rows_.size(); }
+    /// Whether a receiver gets light of others, or less of outside for them.
+    bool getsLight(std::size_t receiver) const { return getsLight_[receiver]; }
     std::size_t senders() const { return rowOfSender_.size(); }
     int rowOfSender(std::size_t sender) const { return rowOfSender_[sender]; }
     /// The body of a receiver.
@@ -161,6 +169,9 @@ class LightExchange {
 
     /// Whether another body is so near, so large or so much brighter that what it sends counts.
     static bool isNear(const Extent& body, const Extent& other, double error);
+    /// Whether the ground below a body is so near and bright that what the body takes of its light
+    /// counts.
+    static bool isNearGround(const Extent& body, double error, const Spectrum& reflectivity);
     /// Whether one may stand in the light of the sun on a body.
     static bool mayShade(const Extent& body, const Extent& other, const Vec3& towardsSun);
 
@@ -188,6 +199,13 @@ class LightExchange {
     static void leave(Making& making, std::uint32_t number,
                       const std::vector<OccluderMaterial>& passed, std::size_t nearCount,
                       std::size_t near, bool isUp, double part);
+    /// Whether rays from a patch may go down.
+    bool looksDown(const Making& making, std::size_t body, std::uint32_t patch) const;
+    /// Follows a ray that meets the ground at a place near bodies from there on: what it meets, and
+    /// what is in the way of sky and sun there.
+    void reflectOnGround(Making& making, std::size_t body, std::uint32_t patch,
+                         const BodyLight::LightStart& start, std::uint32_t index,
+                         std::vector<OccluderMaterial> passed, std::span<const float> scales) const;
     void takeSun(Making& making);
     /// The same through transparent surfaces.
     void takeSunThrough(const Making& making);
@@ -200,7 +218,7 @@ class LightExchange {
     void addMissing(const std::vector<ReceiverRays>& known);
     /// Sky and ground that leave through them; `weights`: by receiver, of what it sees above and
     /// below the horizon.
-    void weighLeaving(std::span<const SkyAndGround> weights);
+    void weighLeaving(std::span<const OutsideLight> weights);
     /// Means over senders of what is known of receivers.
     std::vector<double> meansOverSenders(const std::function<double(std::size_t)>& of) const;
     void takeLight(Making& making);
@@ -217,7 +235,8 @@ class LightExchange {
     std::vector<std::uint32_t> senderOf_; // by receiver
     std::vector<std::uint32_t> local_;
     std::vector<std::vector<std::uint32_t>> ofRow_;
-    std::vector<bool> sees_, isSeen_;
+    std::vector<bool> sees_, isSeen_, getsLight_;
+    std::optional<Spectrum> groundReflectivity_;
     bool hasLobes_;
     std::uint32_t firstReflected_ = 0;     // cell
     std::vector<std::uint32_t> reflected_; // as receivers

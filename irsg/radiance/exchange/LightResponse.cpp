@@ -81,8 +81,8 @@ LightResponse::LightResponse(const SceneLight& light, const SceneRadiometry& rad
                 std::accumulate(own.begin(), own.end(), 0.0, [&](double sum, std::size_t i) {
                     return surface.reflectance.empty() ? 0.0 : sum + surface.reflectance[i];
                 }));
-        for (const auto& [entity, material] : exchange.panes()) {
-            const std::vector<double>& passes = radiometry.transmissivity(entity, material);
+        for (const OccluderMaterial& pane : exchange.panes()) {
+            const std::vector<double> passes = passingOf(pane, exchange, radiometry);
             double& mean = knot.transmissivities.emplace_back();
             for (const std::size_t i : own)
                 mean += passes[i] / static_cast<double>(own.size());

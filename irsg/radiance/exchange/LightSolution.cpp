@@ -82,6 +82,7 @@ double LightFactors::patternOf(std::size_t sender, LightPattern pattern) const {
         return sumOf(exchange_.ground(sender), &LightThrough::ground);
     case LightPattern::passedSky:
     case LightPattern::passedGround:
+    case LightPattern::passedSun:
         return 0.0; // sent by no surface
     }
     return 0.0;
@@ -92,9 +93,10 @@ double LightFactors::passedTo(std::size_t receiver, const LightColumn& column) c
     if (!column.isPassed() || exchange_.bodyOf(receiver) != exchange_.bodyOfRow(column.row))
         return sum;
     for (std::size_t i = 0; i < passing_.size(); ++i) {
-        const SkyAndGround& leaving = exchange_.through()[i].leaving[receiver];
-        sum += passing_[i] *
-               (column.pattern == LightPattern::passedSky ? leaving.sky : leaving.ground);
+        const OutsideLight& leaving = exchange_.through()[i].leaving[receiver];
+        sum += passing_[i] * (column.pattern == LightPattern::passedSky      ? leaving.sky
+                              : column.pattern == LightPattern::passedGround ? leaving.ground
+                                                                             : leaving.sun);
     }
     return sum;
 }
@@ -105,7 +107,7 @@ LightSolution::LightSolution(const LightExchange& exchange, const std::vector<Li
       knots_(knots.size()),
       places_(exchange.receivers() + exchange.reflected().size(), none) {
     for (std::size_t r = 0; r < exchange.receivers(); ++r)
-        if (!exchange.pairs().isEmpty(r)) {
+        if (exchange.getsLight(r)) {
             places_[r] = receiver_.size();
             receiver_.push_back(r);
         }
@@ -199,7 +201,7 @@ void LightSolution::iterate(const LightFactors& factors, const std::vector<doubl
     const LightExchange& exchange = factors.exchange();
     std::vector<std::size_t> reflecting;
     for (std::size_t s = 0; s < exchange.senders(); ++s)
-        if (exchange.isSeen(s) && !exchange.between().isEmpty(s))
+        if (exchange.isSeen(s) && !factors.between().isEmpty(s))
             reflecting.push_back(s);
     std::vector<std::vector<float>> rooms(receiverParts, std::vector<float>(width));
     double before = 0.0;

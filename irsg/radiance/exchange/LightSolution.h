@@ -11,8 +11,9 @@
 namespace irsg {
 
 /// What a column of sources gives every sender of a drawn row.
-/// What is passed comes through transparent surfaces to the receivers of the row's body.
-enum class LightPattern { emission, sun, sky, ground, passedSky, passedGround };
+/// What is passed comes through transparent surfaces, or by the ground, to the receivers of the
+/// row's body.
+enum class LightPattern { emission, sun, sky, ground, passedSky, passedGround, passedSun };
 
 /// Light of one kind that the surfaces of one drawn row send of themselves, or reflect at first.
 struct LightColumn {
@@ -20,7 +21,8 @@ struct LightColumn {
     std::size_t term = 0; ///< of RadianceTerms
     LightPattern pattern = LightPattern::emission;
     bool isPassed() const {
-        return pattern == LightPattern::passedSky || pattern == LightPattern::passedGround;
+        return pattern == LightPattern::passedSky || pattern == LightPattern::passedGround ||
+               pattern == LightPattern::passedSun;
     }
     bool operator==(const LightColumn&) const = default;
 };

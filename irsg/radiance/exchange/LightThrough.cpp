@@ -32,13 +32,16 @@ PaneClosure::PaneClosure(const OccluderStacks& passages,
         return passages.materials(static_cast<int>(passage)).size();
     };
     std::ranges::stable_sort(order_, {}, sizeOf);
-    for (std::size_t passage = 0; passage < passages_; ++passage)
+    for (std::size_t passage = 0; passage < passages_; ++passage) {
+        const auto& own = passages.materials(static_cast<int>(passage));
+        isOfGround_.push_back(std::ranges::find(own, groundMaterial) != own.end());
         for (std::vector<int>& of = next_.emplace_back();
              const OccluderMaterial& material : materials) {
             std::vector<OccluderMaterial> set = passages.materials(static_cast<int>(passage));
             set.insert(std::ranges::upper_bound(set, material), material);
             of.push_back(passages.find(set));
         }
+    }
 }
 
 void PaneClosure::addReaching(std::size_t passage, const LightPairs& pairs, std::size_t receiver,
@@ -61,18 +64,18 @@ void PaneClosure::closeReceivers(const LightPairs& base, std::span<const double>
         std::vector<double> reaching(passages_);
         addReaching(0, base, r, 1.0, reaching);
         for (const std::size_t passage : order_) {
-            if (passage == 0)
+            if (passage == 0 || isOfGround_[passage])
                 continue;
             LightThrough& own = through[passage - 1];
             const LightPairs& pairs = *own.balance.pairs;
-            SkyAndGround& leaving = own.leaving[r];
+            OutsideLight& leaving = own.leaving[r];
             const double met = pairs.sumOf(r), left = leaving.sky + leaving.ground;
             double scale = 1.0;
             if (met > 0.0 && (left <= 0.0 || met > reaching[passage]))
                 scale = std::min(reaching[passage] / met, mostScaleBehind);
             const double rest = std::max(reaching[passage] - scale * met, 0.0);
             const double up = left > 0.0 ? leaving.sky / left : isUp[r];
-            leaving = {up * rest, (1.0 - up) * rest};
+            leaving = {up * rest, (1.0 - up) * rest, 0.0};
             scales[passage - 1][r] = static_cast<float>(scale);
             addReaching(passage, pairs, r, scale, reaching);
         }
@@ -93,7 +96,7 @@ void PaneClosure::closeSenders(const LightPairs& base, std::vector<LightThrough>
         std::vector<double> reaching(passages_);
         addReaching(0, base, s, 1.0, reaching);
         for (const std::size_t passage : order_) {
-            if (passage == 0)
+            if (passage == 0 || isOfGround_[passage])
                 continue;
             const LightThrough& own = through[passage - 1];
             const LightPairs& pairs = *own.balance.between;

@@ -95,6 +95,16 @@ class CurveDivision {
 
 } // namespace
 
+std::vector<double> passingOf(const OccluderMaterial& pane, const LightExchange& exchange,
+                              const SceneRadiometry& radiometry) {
+    if (pane != groundMaterial)
+        return radiometry.transmissivity(pane.first, pane.second);
+    std::vector<double> reflectivity;
+    for (const double wavelength_um : radiometry.wavelengths_um())
+        reflectivity.push_back(exchange.groundReflectivity()->at(wavelength_um));
+    return reflectivity;
+}
+
 const std::vector<std::uint32_t>& receiversOf(int row, const SurfaceRows& rows,
                                               const LightExchange& exchange) {
     static const std::vector<std::uint32_t> none;
@@ -150,6 +160,8 @@ void SceneLight::findColumns() {
                 skyTerm_ = static_cast<int>(t);
             if (terms[t].origin == LightOrigin::ground)
                 groundTerm_ = static_cast<int>(t);
+            if (terms[t].origin == LightOrigin::sun)
+                sunTerm_ = static_cast<int>(t);
             const bool reflects = std::ranges::any_of(
                 surface.reflectance, [](double value) { return value > leastReflectance_per_sr; });
             if (sends && reflects)
@@ -159,7 +171,8 @@ void SceneLight::findColumns() {
     addPassedColumns();
 }
 
-/// Sky and ground through transparent surfaces: in the air of each body that sees any.
+/// Sky and ground through transparent surfaces, and what shadows on the ground take: in the air of
+/// each body that sees any.
 void SceneLight::addPassedColumns() {
     if (exchange_->through().empty())
         return;
@@ -169,8 +182,10 @@ void SceneLight::addPassedColumns() {
             continue;
         isKnown[exchange_->bodyOfRow(row)] = true;
         for (const auto& [term, pattern] : {std::pair{skyTerm_, LightPattern::passedSky},
-                                            std::pair{groundTerm_, LightPattern::passedGround}})
-            if (term >= 0)
+                                            std::pair{groundTerm_, LightPattern::passedGround},
+                                            std::pair{sunTerm_, LightPattern::passedSun}})
+            if (term >= 0 &&
+                (pattern != LightPattern::passedSun || exchange_->groundReflectivity()))
                 columns_.push_back({row, static_cast<std::size_t>(term), pattern});
     }
 }
@@ -180,7 +195,9 @@ void SceneLight::findKnots(const RenderSettings& settings) {
     knotsOfNodes_.between.assign(nodes, {});
     knotsOfNodes_.parts.assign(nodes, 0.0);
     const std::vector<double> black(radiometry_.surfaces().size(), 0.0);
-    const std::vector<OccluderMaterial>& panes = exchange_->panes();
+    std::vector<std::vector<double>> panes; // transmissivities
+    for (const OccluderMaterial& pane : exchange_->panes())
+        panes.push_back(passingOf(pane, *exchange_, radiometry_));
     if (settings.bounces == 1 && panes.empty()) {
         knots_.push_back({black, {}});
         return;
@@ -191,7 +208,10 @@ void SceneLight::findKnots(const RenderSettings& settings) {
     for (std::size_t s = 0; s < exchange_->senders(); ++s)
         if (exchange_->isSeen(s)) {
             double& own = most[static_cast<std::size_t>(exchange_->rowOfSender(s))];
-            own = std::max(own, exchange_->between().sumOf(s));
+            double sum = exchange_->between().sumOf(s);
+            for (const LightThrough& one : exchange_->through())
+                sum += one.balance.between->sumOf(s);
+            own = std::max(own, sum);
         }
     std::vector<std::pair<std::size_t, double>> rows;
     for (std::size_t row = 0; row < most.size(); ++row)
@@ -211,8 +231,8 @@ void SceneLight::findKnots(const RenderSettings& settings) {
         std::vector<double> at;
         for (const auto& [row, most] : rows)
             at.push_back(-std::log(1.0 - std::min(reflectivity(row, node), 0.9999) * most));
-        for (const auto& [entity, material] : panes)
-            at.push_back(radiometry_.transmissivity(entity, material)[node]);
+        for (const std::vector<double>& passes : panes)
+            at.push_back(passes[node]);
         if (curve.empty() || curve.back() != at) {
             curve.push_back(std::move(at));
             first.push_back(node);
@@ -232,9 +252,8 @@ void SceneLight::findKnots(const RenderSettings& settings) {
         LightKnot own{black, {}};
         for (const auto& [row, most] : rows)
             own.reflectivities[row] = reflectivity(row, first[place]);
-        for (const auto& [entity, material] : panes)
-            own.transmissivities.push_back(
-                radiometry_.transmissivity(entity, material)[first[place]]);
+        for (const std::vector<double>& passes : panes)
+            own.transmissivities.push_back(passes[first[place]]);
         const auto known = std::ranges::find(knots_, own);
         knotOf.push_back(static_cast<std::size_t>(known - knots_.begin()));
         if (known == knots_.end())

@@ -24,6 +24,10 @@ namespace irsg {
 /// neither wavelengths nor reflectivities.
 using LightSums = std::map<std::pair<int, int>, std::vector<double>>; // by front and row
 
+/// How much a material of LightExchange::panes lets through, or the ground reflects, by node.
+std::vector<double> passingOf(const OccluderMaterial& pane, const LightExchange& exchange,
+                              const SceneRadiometry& radiometry);
+
 /// The receivers that a row has: those of its surface, or for what lobes reflect of others those
 /// that stand for what leaves these.
 const std::vector<std::uint32_t>& receiversOf(int row, const SurfaceRows& rows,
@@ -117,7 +121,7 @@ class SceneLight {
     const SceneRadiometry& radiometry_;
     const OccluderStacks& occluderStacks_;
     int bounces_;
-    int skyTerm_ = -1, groundTerm_ = -1;
+    int skyTerm_ = -1, groundTerm_ = -1, sunTerm_ = -1;
     std::vector<LightColumn> columns_;
     std::vector<LightKnot> knots_;
     LightKnots knotsOfNodes_;
