@@ -231,4 +231,12 @@ std::shared_ptr<const SensorCkData> AtmosphereSmart::prepareCk(const CkRequest& 
                            [&] { return SensorCkData::prepare(transfer(), request); });
 }
 
+std::optional<AtmosphericState> airOfPath(const Atmosphere* atmosphere,
+                                          const AtmosphericPath& path) {
+    const auto* const computed = dynamic_cast<const AtmosphereSmart*>(atmosphere);
+    if (!computed)
+        return std::nullopt;
+    return computed->air().profile.at(0.5 * (path.targetAltitude_m + path.sensorAltitude_m));
+}
+
 } // namespace irsg

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -111,5 +112,10 @@ class AtmosphereSmart : public Atmosphere, public ReflectingGround {
     mutable std::mutex tablesMutex_;
     mutable std::map<std::vector<std::uint32_t>, std::unique_ptr<AtmosphereTables>> tables_;
 };
+
+/// The air in the middle of a path, at the mean altitude of its ends, of an atmosphere that tells
+/// what it is made of; no value for others and for null.
+std::optional<AtmosphericState> airOfPath(const Atmosphere* atmosphere,
+                                          const AtmosphericPath& path);
 
 } // namespace irsg

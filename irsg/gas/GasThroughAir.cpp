@@ -34,44 +34,6 @@ AtmosphericState stateOf(const GasLayer& layer) {
     return state;
 }
 
-/// What is known at single wavenumbers.
-struct Fine {
-    std::vector<double> air, gas, radiance; ///< transmittances, radiance
-};
-
-Fine fineSpectra(const GasRequest& request, const std::vector<std::uint32_t>& nodes,
-                 const AtmosphericState& air, double length_m) {
-    std::vector<float> absorption_per_m(nodes.size());
-    samples().absorption_per_m(air, nodes, absorption_per_m);
-    Fine fine;
-    for (const float value : absorption_per_m)
-        fine.air.push_back(std::exp(-static_cast<double>(value) * length_m));
-    fine.gas.assign(nodes.size(), 1.0);
-    fine.radiance.assign(nodes.size(), 0.0);
-    const auto wavelength_um = [&](std::size_t i) {
-        return wavelengthFromWavenumber_um(samples().wavenumber_per_cm(nodes[i]));
-    };
-    for (const GasLayer& layer : request.layers) {
-        samples().absorption_per_m(stateOf(layer), nodes, absorption_per_m);
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            const double soot_per_m =
-                layer.soot_ppmv > 0.0
-                    ? sootAbsorption_per_m(wavelength_um(i), layer.soot_ppmv * 1e-6)
-                    : 0.0;
-            const double depth =
-                (static_cast<double>(absorption_per_m[i]) + soot_per_m) * layer.length_m;
-            fine.radiance[i] += fine.gas[i] * -std::expm1(-depth) *
-                                planckRadiance_W_m2_sr_um(wavelength_um(i), layer.temperature_K);
-            fine.gas[i] *= std::exp(-depth);
-        }
-    }
-    if (request.background_K)
-        for (std::size_t i = 0; i < nodes.size(); ++i)
-            fine.radiance[i] +=
-                fine.gas[i] * planckRadiance_W_m2_sr_um(wavelength_um(i), *request.background_K);
-    return fine;
-}
-
 /// Mean of a b over the product of the means of a and b.
 double correlation(const std::vector<double>& a, const std::vector<double>& b, std::size_t first,
                    std::size_t count) {
@@ -88,38 +50,90 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b, s
 
 } // namespace
 
-std::vector<LineCorrelation> lineCorrelations(const GasRequest& request,
-                                              const std::vector<GasSpectrum::Cell>& cells,
-                                              const AtmosphericState& air, double length_m) {
+GasColumnsThroughAir::GasColumnsThroughAir(const std::vector<GasLayer>& gases,
+                                           const std::vector<double>& wavenumbers_per_cm,
+                                           const std::vector<double>& widths_per_cm,
+                                           const AtmosphericState& air, double length_m)
+    : cells_(wavenumbers_per_cm.size()) {
+    if (wavenumbers_per_cm.empty())
+        return;
+    const auto reachOf_per_cm = [&](std::size_t cell) {
+        return 0.5 * std::max(narrowest_per_cm, widths_per_cm[cell]);
+    };
     const BinSet& bins = samples().bins(5);
-    std::vector<LineCorrelation> correlations(cells.size());
-    if (cells.empty())
-        return correlations;
-    const auto [first, last] = bins.range(cells.front().lower_per_cm - narrowest_per_cm,
-                                          cells.back().upper_per_cm + narrowest_per_cm);
+    const auto [first, last] = bins.range(
+        wavenumbers_per_cm.front() - reachOf_per_cm(0) - narrowest_per_cm,
+        wavenumbers_per_cm.back() + reachOf_per_cm(cells_.size() - 1) + narrowest_per_cm);
     std::vector<std::uint32_t> nodes;
     for (std::size_t b = first; b < last; ++b)
         nodes.insert(nodes.end(), bins.nodes.begin() + bins.bins[b].first,
                      bins.nodes.begin() + bins.bins[b].first + bins.bins[b].count);
-    const Fine fine = fineSpectra(request, nodes, air, length_m);
-    std::vector<double> wavenumbers_per_cm;
-    for (const std::uint32_t node : nodes)
-        wavenumbers_per_cm.push_back(samples().wavenumber_per_cm(node));
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-        // The samples of the cell, of a narrow one those around its middle.
-        const double middle = 0.5 * (cells[c].lower_per_cm + cells[c].upper_per_cm);
-        const double half =
-            0.5 * std::max(narrowest_per_cm, cells[c].upper_per_cm - cells[c].lower_per_cm);
-        const auto from = std::ranges::lower_bound(wavenumbers_per_cm, middle - half);
-        const auto to = std::ranges::lower_bound(wavenumbers_per_cm, middle + half);
-        const auto begin = static_cast<std::size_t>(from - wavenumbers_per_cm.begin());
-        const auto count = static_cast<std::size_t>(to - from);
-        if (count < fewest)
-            continue;
-        correlations[c] = {correlation(fine.air, fine.radiance, begin, count),
-                           correlation(fine.air, fine.gas, begin, count)};
+    std::vector<double> places_per_cm;
+    for (const std::uint32_t node : nodes) {
+        places_per_cm.push_back(samples().wavenumber_per_cm(node));
+        wavelengths_um_.push_back(wavelengthFromWavenumber_um(places_per_cm.back()));
     }
+    std::vector<float> values(nodes.size());
+    samples().absorption_per_m(air, nodes, values);
+    for (const float value : values)
+        air_.push_back(std::exp(-static_cast<double>(value) * length_m));
+    for (const GasLayer& gas : gases) {
+        samples().absorption_per_m(stateOf(gas), nodes, values);
+        std::vector<double>& absorption = absorption_.emplace_back(values.begin(), values.end());
+        for (std::size_t i = 0; gas.soot_ppmv > 0.0 && i < nodes.size(); ++i)
+            absorption[i] += sootAbsorption_per_m(wavelengths_um_[i], gas.soot_ppmv * 1e-6);
+        planckRadiances_W_m2_sr_um(wavelengths_um_, gas.temperature_K,
+                                   planck_.emplace_back(nodes.size()));
+    }
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+        const double middle = wavenumbers_per_cm[c], reach = reachOf_per_cm(c);
+        const auto from = std::ranges::lower_bound(places_per_cm, middle - reach);
+        const auto to = std::ranges::lower_bound(places_per_cm, middle + reach);
+        Cell& cell = cells_[c];
+        cell.first = static_cast<std::size_t>(from - places_per_cm.begin());
+        cell.count = static_cast<std::size_t>(to - from);
+    }
+}
+
+std::vector<LineCorrelation> GasColumnsThroughAir::of(std::span<const GasStretch> column,
+                                                      std::size_t first,
+                                                      double background_K) const {
+    std::vector<double> through(air_.size(), 1.0), radiance(air_.size(), 0.0);
+    for (std::size_t k = 0; k < column.size(); ++k) {
+        const std::vector<double>& absorption = absorption_[column[k].gas];
+        const std::vector<double>& planck = planck_[column[k].gas];
+        const double length_m = column[k].length_m, emits = k >= first ? 1.0 : 0.0;
+        for (std::size_t i = 0; i < through.size(); ++i) {
+            constexpr double thin = 1e-5; // below it a difference to 1 has too few digits
+            const double depth = absorption[i] * length_m, passes = std::exp(-depth);
+            const double stops = depth < thin ? depth : 1.0 - passes;
+            radiance[i] += emits * through[i] * stops * planck[i];
+            through[i] *= passes;
+        }
+    }
+    for (std::size_t i = 0; background_K > 0.0 && i < through.size(); ++i)
+        radiance[i] += through[i] * planckRadiance_W_m2_sr_um(wavelengths_um_[i], background_K);
+    std::vector<LineCorrelation> correlations(cells_.size());
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+        if (cells_[c].count >= fewest)
+            correlations[c] = {correlation(air_, radiance, cells_[c].first, cells_[c].count),
+                               correlation(air_, through, cells_[c].first, cells_[c].count)};
     return correlations;
+}
+
+std::vector<LineCorrelation> lineCorrelations(const GasRequest& request,
+                                              const std::vector<GasSpectrum::Cell>& cells,
+                                              const AtmosphericState& air, double length_m) {
+    std::vector<double> middles_per_cm, widths_per_cm;
+    for (const GasSpectrum::Cell& cell : cells) {
+        middles_per_cm.push_back(0.5 * (cell.lower_per_cm + cell.upper_per_cm));
+        widths_per_cm.push_back(cell.upper_per_cm - cell.lower_per_cm);
+    }
+    std::vector<GasStretch> column;
+    for (std::size_t i = 0; i < request.layers.size(); ++i)
+        column.push_back({i, request.layers[i].length_m});
+    return GasColumnsThroughAir(request.layers, middles_per_cm, widths_per_cm, air, length_m)
+        .of(column, 0, request.background_K.value_or(0.0));
 }
 
 } // namespace irsg

@@ -20,9 +20,13 @@ struct NarrowBandLayer {
 class NarrowBandSum {
   public:
     void add(const NarrowBandLayer& layer) {
-        depth_ += layer.depth;
-        collision_ += layer.depth * layer.collision;
-        doppler_ += layer.depth * layer.doppler;
+        add(layer.depth, layer.depth * layer.collision, layer.depth * layer.doppler);
+    }
+    /// The same of X, X times collision and X times doppler.
+    void add(double depth, double byCollision, double byDoppler) {
+        depth_ += depth;
+        collision_ += byCollision;
+        doppler_ += byDoppler;
     }
     double weakDepth() const { return depth_; }
     /// -ln of the mean transmittance: at most weakDepth(), by curves of growth for collisions and

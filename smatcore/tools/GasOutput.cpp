@@ -70,18 +70,17 @@ class Output {
         correlations_.resize(spectrum_.cells.size());
         const irsg::Atmosphere* const answering =
             path.environment.find(band(), AtmosphereProperty::transmittance);
-        const auto* const computed = dynamic_cast<const irsg::AtmosphereSmart*>(answering);
-        if (!computed) {
+        const auto air = irsg::airOfPath(answering, {.sensorAltitude_m = path.sensorAltitude_m,
+                                                     .targetAltitude_m = path.gasAltitude_m,
+                                                     .range_m = path.range_m});
+        if (!air) {
             result_.warnings.push_back(
                 "radiance and transmittance are products with means of the atmosphere: " +
                 std::string(answering ? answering->name() : "it") +
                 " does not tell which gases it holds, so the coincidence of lines is left out");
             return;
         }
-        // Between the ends of a slant path: the air of its middle.
-        const irsg::AtmosphericState air =
-            computed->air().profile.at(0.5 * (path.gasAltitude_m + path.sensorAltitude_m));
-        correlations_ = irsg::lineCorrelations(request_.gas, spectrum_.cells, air, path.range_m);
+        correlations_ = irsg::lineCorrelations(request_.gas, spectrum_.cells, *air, path.range_m);
         isCorrelated_ = true;
     }
 
