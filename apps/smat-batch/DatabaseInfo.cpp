@@ -61,7 +61,9 @@ void addFields(ordered_json& json, const Entry& entry,
                std::span<const irsg::EntryField<Entry>> fields,
                std::string Entry::*toldOtherwise = nullptr) {
     for (const auto& field : fields)
-        if (const auto text = field.template as<std::string>()) {
+        if (std::string_view(field.page) == "gas" && !field.saysSomething(entry))
+            continue; // few materials are one
+        else if (const auto text = field.template as<std::string>()) {
             if (text != toldOtherwise)
                 json[field.column] = entry.*text;
         } else if (const auto number = field.template as<double>())

@@ -26,6 +26,7 @@ MaterialPanel::MaterialPanel(EditorContext& context, QWidget* parent)
     tabs_->addTab(transmissivity_, tr("Transmissivity"));
     tabs_->addTab(makeAngle(), tr("N angle factor"));
     tabs_->addTab(makeSurface(), tr("Surface"));
+    tabs_->addTab(makeGas(), tr("Gas"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 8, 0, 0);
     column->setSpacing(4);
@@ -119,6 +120,30 @@ QWidget* MaterialPanel::makeSurface() {
     return surface_;
 }
 
+QWidget* MaterialPanel::makeGas() {
+    auto* holder = new QWidget(this);
+    auto* words = new QLabel(tr("With a pressure above 0, closed meshes of this material are zones "
+                                "of gas at the temperature of their faces. Fractions are of moles; "
+                                "the rest is nitrogen."),
+                             holder);
+    words->setWordWrap(true);
+    words->setForegroundRole(QPalette::PlaceholderText);
+    using Row = irsg::EntryField<irsg::Material>;
+    gas_.emplace(
+        irsg::materialFields(), holder,
+        [this](const Row& row, double value) { setNumber(row, value); }, [this] { endGesture(); },
+        [](const Row& row) { return std::string_view(row.page) == "gas"; });
+    auto* form = new QGridLayout;
+    gas_->addTo(*form, 2);
+    auto* column = new QVBoxLayout(holder);
+    column->setContentsMargins(0, 10, 0, 0);
+    column->setSpacing(10);
+    column->addLayout(form);
+    column->addWidget(words);
+    column->addStretch(1);
+    return holder;
+}
+
 void MaterialPanel::setNumber(const irsg::EntryField<irsg::Material>& row, double value) {
     edit(tr("Set %1 of material %2").arg(tr(row.word)).arg(key_ ? key_->index : 0), row.key,
          [&](irsg::SignatureDatabase& database) {
@@ -134,6 +159,7 @@ void MaterialPanel::refresh() {
     emissivity_->setValue(material.emissivity, material.transmissivity, context_.band());
     transmissivity_->setValue(material.transmissivity, material.emissivity, context_.band());
     numbers_->show(material);
+    gas_->show(material);
     curve_->showFactor(material.nAngleFactor);
     surface_->show(material, context_.band());
 }

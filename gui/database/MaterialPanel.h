@@ -11,7 +11,7 @@ class AngleCurve;
 class SpectralProperty;
 class SurfacePage;
 
-/// One material: emissivity, transmissivity, N angle factor, surface model and notes.
+/// One material: emissivity, transmissivity, N angle factor, surface model, gas and notes.
 class MaterialPanel : public EntryPanel {
     Q_OBJECT
 
@@ -30,11 +30,12 @@ class MaterialPanel : public EntryPanel {
     SpectralProperty* makeProperty(bool emissivity);
     QWidget* makeAngle();
     QWidget* makeSurface();
+    QWidget* makeGas();
     void setNumber(const irsg::EntryField<irsg::Material>& row, double value);
 
     QTabWidget* tabs_ = nullptr;
     SpectralProperty *emissivity_ = nullptr, *transmissivity_ = nullptr;
-    std::optional<EntryNumbers<irsg::Material>> numbers_;
+    std::optional<EntryNumbers<irsg::Material>> numbers_, gas_;
     AngleCurve* curve_ = nullptr;
     SurfacePage* surface_ = nullptr;
 };

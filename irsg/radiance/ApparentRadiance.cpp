@@ -139,6 +139,29 @@ std::vector<SharedValues> lobeAmounts(const DirectionalSpectra& directional) {
     return amounts;
 }
 
+namespace {
+
+/// A black body at the temperature of a gas.
+SurfaceSpectra gasSpectra(const SurfaceInput& gas, const std::vector<double>& wavelengths_um) {
+    const std::size_t count = wavelengths_um.size();
+    SurfaceSpectra result;
+    result.isGas = true;
+    result.temperature_K = gas.temperature_K;
+    result.transmissivity.assign(count, 0.0);
+    result.reflectance = result.transmissivity;
+    result.opacity.assign(count, 1.0);
+    result.emissivity = result.opacity;
+    std::vector<double> emission(count);
+    planckRadiances_W_m2_sr_um(wavelengths_um, gas.temperature_K, emission);
+    const double scale = std::clamp(gas.emissivityScale, 0.0, 1.0);
+    for (double& value : emission)
+        value *= scale;
+    result.emission.push_back({1.0, std::move(emission)});
+    return result;
+}
+
+} // namespace
+
 SurfaceSpectra surfaceSpectra(const SurfaceInput& surface,
                               const std::vector<double>& wavelengths_um,
                               const SpectrumSampler& sample,
@@ -148,6 +171,8 @@ SurfaceSpectra surfaceSpectra(const SurfaceInput& surface,
     if (usesSpectrum && !surface.userSpectrum)
         throw LogicError("a surface in spectrum mode came without its spectrum");
 
+    if (surface.material->isGas())
+        return gasSpectra(surface, wavelengths_um);
     SurfaceSpectra result;
     result.nAngleFactor = directional.model ? 0.0 : surface.material->nAngleFactor;
     result.transmissivity = sample(surface.material->transmissivity);
@@ -193,7 +218,7 @@ SurfaceSpectra surfaceSpectra(const SurfaceInput& surface,
 bool SurfaceSpectra::isWithout(SurfaceQuantity quantity) const {
     switch (quantity) {
     case SurfaceQuantity::reflectance:
-        return reflectance.empty() || reflectsSurfacesAlone;
+        return reflectance.empty() || reflectsSurfacesAlone || isGas;
     case SurfaceQuantity::opacity:
         return opacity.empty();
     case SurfaceQuantity::specular:

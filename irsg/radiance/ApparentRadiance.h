@@ -60,6 +60,9 @@ struct SurfaceSpectra {
     SharedValues lobeLight, lobeAmount;
     /// Reflectance counts for what other surfaces send alone, and no term has it.
     bool reflectsSurfacesAlone = false;
+    /// A gas: what it sends and hides is that of a black body times the part of the light that a
+    /// column of it takes away (GasColumnSpectra).
+    bool isGas = false;
     bool emissionPassesAtmosphere = true; ///< false: measured from farther away, with all its air
     std::vector<double> reflectance, opacity; ///< empty: 0
     std::vector<double> transmissivity;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "irsg/radiance/GasWalk.h"
 #include "irsg/radiance/GeometryBuffer.h"
 #include "irsg/radiance/OccluderStacks.h"
 #include "irsg/radiance/SurfaceRows.h"
@@ -17,7 +18,8 @@ namespace irsg {
 /// each thread: its numbers of fronts are its own.
 class LayerWalk {
   public:
-    explicit LayerWalk(const SurfaceRows& rows) : rows_(rows), drawn_(rows.keys().size()) {}
+    explicit LayerWalk(const SurfaceRows& rows)
+        : rows_(rows), drawn_(rows.keys().size()), hasGas_(rows.hasGas()), gas_(rows) {}
 
     const OccluderStacks& occluderStacks() const { return occluderStacks_; }
 
@@ -26,6 +28,10 @@ class LayerWalk {
     /// with no coverage: what materials let through is multiplied, wherever they stand. Lobes of
     /// directional surfaces come after their layer in the same way, place by place of what they
     /// mirror.
+    /// Walls of gases are not visited: in their place come the columns of gas before each layer,
+    /// and behind all, each as a layer of the gas's row with the column last in its stack and a
+    /// part of the sample for coverage. What is behind gas is visited once for each column,
+    /// likewise.
     template <typename Visit>
     void forEachPlace(const GeometrySamples& samples, std::size_t sample, const Visit& visit) {
         forEachPlace(samples, sample, visit,
@@ -47,47 +53,16 @@ class LayerWalk {
     template <typename Visit, typename VisitSpecular>
     void forEachPlace(const GeometrySamples& samples, std::size_t sample, const Visit& visit,
                       const VisitSpecular& visitSpecular) {
+        if (hasGas_)
+            return forEachPlaceInGas(samples, sample, visit, visitSpecular);
         if (samples.through.empty() && samples.lobes.empty() && samples.speculars.empty() &&
             samples.reflected.empty())
             return forEachLayerAlone(samples, sample, visit);
         int stack = 0;
-        OfLayers<GeometrySamples::Through> light(samples.through, sample, lightFrom_);
-        OfLayers<GeometrySamples::Lobe> lobes(samples.lobes, sample, lobesFrom_);
-        OfLayers<GeometrySamples::Specular> mirrors(samples.speculars, sample, specularsFrom_);
-        OfLayers<GeometrySamples::Reflected> reflected(samples.reflected, sample, reflectedFrom_);
+        LightOfLayers light(*this, samples, sample);
         samples.forEachLayer(sample, [&](const GeometrySamples::Layer& layer) {
-            const SurfaceRows::Between between = rows_.at(layer.row, layer.distance_m);
-            visit(stack, between, layer);
-            const auto throughOf = [&](const GeometrySamples::Layer& of,
-                                       const SurfaceRows::Between& at, double scale) {
-                light.ofThisLayer([&](const GeometrySamples::Through& one) {
-                    visit(behindSet(stack, samples.throughSets[one.set]), at,
-                          lightAlone(of, one, static_cast<float>(scale)));
-                });
-            };
-            throughOf(layer, between, 1.0);
-            lobes.ofThisLayer([&](const GeometrySamples::Lobe& one) {
-                const GeometrySamples::Layer lobe = lobeOf(samples, layer, one);
-                const SurfaceRows::Between at = rows_.at(lobe.row, lobe.distance_m);
-                visit(stack, at, lobe);
-                if (one.sun != 0.0f)
-                    throughOf(lobe, at, static_cast<double>(one.sun));
-            });
-            mirrors.ofThisLayer(
-                [&](const GeometrySamples::Specular& one) { visitSpecular(stack, layer, one); });
-            reflected.ofThisLayer([&](const GeometrySamples::Reflected& one) {
-                visit(stack, rows_.at(one.row, layer.distance_m),
-                      GeometrySamples::Layer{one.row,
-                                             layer.distance_m,
-                                             {noFactors.data(), layer.factors.size()},
-                                             one.weight,
-                                             &one.from,
-                                             true});
-            });
+            visitLayer(samples, stack, layer, light, visit, visitSpecular);
             light.goOn();
-            lobes.goOn();
-            mirrors.goOn();
-            reflected.goOn();
             if (rows_.isTransparent(layer.row))
                 stack = behind(stack, layer.row);
         });
@@ -124,6 +99,99 @@ class LayerWalk {
 
   private:
     static constexpr std::array<float, mostFactors> noFactors{};
+
+    /// A layer with all that belongs to it.
+    template <typename Light, typename Visit, typename VisitSpecular>
+    void visitLayer(const GeometrySamples& samples, int stack, const GeometrySamples::Layer& layer,
+                    const Light& all, const Visit& visit, const VisitSpecular& visitSpecular) {
+        const SurfaceRows::Between between = rows_.at(layer.row, layer.distance_m);
+        visit(stack, between, layer);
+        const auto throughOf = [&](const GeometrySamples::Layer& of, const SurfaceRows::Between& at,
+                                   double scale) {
+            all.light.ofThisLayer([&](const GeometrySamples::Through& one) {
+                visit(behindSet(stack, samples.throughSets[one.set]), at,
+                      lightAlone(of, one, static_cast<float>(scale)));
+            });
+        };
+        throughOf(layer, between, 1.0);
+        all.lobes.ofThisLayer([&](const GeometrySamples::Lobe& one) {
+            const GeometrySamples::Layer lobe = lobeOf(samples, layer, one);
+            const SurfaceRows::Between at = rows_.at(lobe.row, lobe.distance_m);
+            visit(stack, at, lobe);
+            if (one.sun != 0.0f)
+                throughOf(lobe, at, static_cast<double>(one.sun));
+        });
+        all.mirrors.ofThisLayer(
+            [&](const GeometrySamples::Specular& one) { visitSpecular(stack, layer, one); });
+        all.reflected.ofThisLayer([&](const GeometrySamples::Reflected& one) {
+            visit(stack, rows_.at(one.row, layer.distance_m),
+                  GeometrySamples::Layer{one.row,
+                                         layer.distance_m,
+                                         {noFactors.data(), layer.factors.size()},
+                                         one.weight,
+                                         &one.from,
+                                         true});
+        });
+    }
+
+    template <typename Visit, typename VisitSpecular>
+    void forEachPlaceInGas(const GeometrySamples& samples, std::size_t sample, const Visit& visit,
+                           const VisitSpecular& visitSpecular) {
+        int stack = 0; // of materials that are no gas
+        LightOfLayers light(*this, samples, sample);
+        gas_.begin(samples.gasesAboutEye);
+        samples.forEachLayer(sample, [&](const GeometrySamples::Layer& layer) {
+            gas_.goTo(layer.distance_m);
+            if (rows_.gas(layer.row) != nullptr) {
+                gas_.cross(layer.row);
+                return light.goOn();
+            }
+            emitGas(stack, samples.factorCount, visit);
+            for (const GasWalk::Branch& branch : gas_.branches()) {
+                const int here = behindSet(stack, branch.columns);
+                const auto part = static_cast<float>(branch.weight);
+                visitLayer(
+                    samples, here, layer, light,
+                    [&](int own, const SurfaceRows::Between& between,
+                        const GeometrySamples::Layer& whole) {
+                        visit(own, between, partOf(whole, part));
+                    },
+                    [&](int own, const GeometrySamples::Layer& whole,
+                        GeometrySamples::Specular mirror) {
+                        for (float& weight : mirror.weights)
+                            weight *= part;
+                        visitSpecular(own, whole, mirror);
+                    });
+            }
+            light.goOn();
+            if (rows_.isTransparent(layer.row))
+                stack = behind(stack, layer.row);
+        });
+        emitGas(stack, samples.factorCount, visit);
+    }
+    /// Visits what gas emits since the last layer that was none.
+    template <typename Visit>
+    void emitGas(int stack, std::size_t factorCount, const Visit& visit) {
+        if (!gas_.hasNew())
+            return;
+        for (const GasWalk::Emission& one : gas_.takeEmission()) {
+            const auto part = static_cast<float>(one.branch.weight);
+            part_.fill(part);
+            visit(behindSet(stack, one.branch.columns), rows_.at(one.row, one.distance_m),
+                  GeometrySamples::Layer{
+                      one.row, one.distance_m, {part_.data(), factorCount}, part, nullptr, false});
+        }
+    }
+    GeometrySamples::Layer partOf(const GeometrySamples::Layer& whole, float part) {
+        for (std::size_t f = 0; f < whole.factors.size(); ++f)
+            part_[f] = part * whole.factors[f];
+        return {whole.row,
+                whole.distance_m,
+                {part_.data(), whole.factors.size()},
+                part * whole.coverage,
+                whole.place,
+                whole.isLobe};
+    }
 
     /// Of samples that nothing of the light belongs to.
     template <typename Visit>
@@ -191,6 +259,25 @@ class LayerWalk {
         std::uint32_t layer_ = 0;
     };
 
+    /// What the lists of light have of a sample's layers.
+    struct LightOfLayers {
+        LightOfLayers(LayerWalk& walk, const GeometrySamples& samples, std::size_t sample)
+            : light(samples.through, sample, walk.lightFrom_),
+              lobes(samples.lobes, sample, walk.lobesFrom_),
+              mirrors(samples.speculars, sample, walk.specularsFrom_),
+              reflected(samples.reflected, sample, walk.reflectedFrom_) {}
+        void goOn() {
+            light.goOn();
+            lobes.goOn();
+            mirrors.goOn();
+            reflected.goOn();
+        }
+        OfLayers<GeometrySamples::Through> light;
+        OfLayers<GeometrySamples::Lobe> lobes;
+        OfLayers<GeometrySamples::Specular> mirrors;
+        OfLayers<GeometrySamples::Reflected> reflected;
+    };
+
     GeometrySamples::Layer lightAlone(const GeometrySamples::Layer& layer,
                                       const GeometrySamples::Through& light, float scale) {
         light_.fill(0.0f);
@@ -236,7 +323,9 @@ class LayerWalk {
     std::size_t drawn_; // rows of the drawing
     OccluderStacks occluderStacks_;
     std::vector<int> next_; // by front and drawn row
-    std::array<float, mostFactors> light_{}, lobe_{};
+    bool hasGas_;
+    GasWalk gas_;
+    std::array<float, mostFactors> light_{}, lobe_{}, part_{};
     std::size_t lightFrom_ = 0, lobesFrom_ = 0, specularsFrom_ = 0, reflectedFrom_ = 0;
 };
 

@@ -38,14 +38,15 @@ class PixelSurfaceSums {
     void add(int stack, const SurfaceRows::Between& between, const GeometrySamples::Layer& layer) {
         const float* factors = layer.factors.data();
         const auto next = static_cast<double>(between.next);
-        addTo({stack, between.row}, 1.0 - next, factors);
+        const auto coverage = static_cast<double>(layer.coverage);
+        addTo({stack, between.row}, 1.0 - next, factors, coverage);
         if (next > 0.0)
-            addTo({stack, between.row + 1}, next, factors);
+            addTo({stack, between.row + 1}, next, factors, coverage);
         if (!layer.place || layer.place->cell == GeometrySamples::Place::none)
             return;
-        addReceivers({stack, between.row}, 1.0 - next, *layer.place);
+        addReceivers({stack, between.row}, coverage * (1.0 - next), *layer.place);
         if (next > 0.0)
-            addReceivers({stack, between.row + 1}, next, *layer.place);
+            addReceivers({stack, between.row + 1}, coverage * next, *layer.place);
     }
 
     void addLight(int stack, const SurfaceRows::Between& between,

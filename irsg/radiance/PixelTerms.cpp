@@ -7,6 +7,16 @@
 
 namespace irsg {
 
+namespace {
+
+/// Columns stand for one gas at several lengths.
+std::vector<OccluderMaterial> withoutGas(std::vector<OccluderMaterial> materials) {
+    std::erase_if(materials, [](const OccluderMaterial& one) { return isGasColumn(one.second); });
+    return materials;
+}
+
+} // namespace
+
 PixelTerms::PixelTerms(const SceneRadiometry& radiometry, SurfaceRadianceTable& radiances,
                        OccluderStacks& occluderStacks, SceneLight* light, double background_W_m2_sr)
     : radiometry_(radiometry),
@@ -65,18 +75,25 @@ void PixelTerms::addKind(const SurfaceStackId& kind, Sums& sums, double coverage
 
 void PixelTerms::add(const GeometrySamples& samples, std::size_t sample, double share) {
     const SurfaceRows& rows = radiometry_.rows();
-    int number = 0, ofLayer = 0;
+    int number = 0, ofLayer = 0, lastRow = -1;
+    float last_m = 0.0f;
     walk_.forEachPlace(
         samples, sample,
         [&](int stack, const SurfaceRows::Between& between, const GeometrySamples::Layer& layer) {
             // A lobe belongs to its surface.
             const bool isLightAlone = layer.isLobe ? stack != ofLayer : layer.coverage == 0.0f;
             if (!isLightAlone && !layer.isLobe) {
-                ++number;
+                // Behind gas, and of gas itself, a layer comes once for each column.
+                if (layer.row != lastRow || layer.distance_m != last_m)
+                    ++number;
+                lastRow = layer.row;
+                last_m = layer.distance_m;
                 ofLayer = stack;
             }
-            const int shared = occluderStacks_.numberOf(walk_.occluderStacks().materials(stack));
-            Sums& sums = sumsOf({number, isLightAlone, rows.surfaceOf(layer.row), shared},
+            const std::vector<OccluderMaterial>& front = walk_.occluderStacks().materials(stack);
+            const int shared = occluderStacks_.numberOf(front);
+            Sums& sums = sumsOf({number, isLightAlone, rows.surfaceOf(layer.row),
+                                 occluderStacks_.numberOf(withoutGas(front))},
                                 layer.isLobe ? rows.first(rows.surfaceOf(layer.row)) : between.row);
             const auto addRow = [&](int row, double part) {
                 const SurfaceStackId kind{shared, row};

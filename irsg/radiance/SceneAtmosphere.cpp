@@ -4,7 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "irsg/atmosphere/AtmosphereSmart.h"
 #include "irsg/atmosphere/NearestRun.h"
+#include "irsg/atmosphere/Vacuum.h"
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
 
 namespace irsg {
@@ -83,7 +86,8 @@ bool areEqual(const std::map<std::string, SharedValues>& a,
 
 bool ObjectAtmosphere::operator==(const ObjectAtmosphere& other) const {
     return ambient_K == other.ambient_K && insideReference == other.insideReference &&
-           nodes == other.nodes && areEqual(toReference, other.toReference) &&
+           beforeGas == other.beforeGas && nodes == other.nodes &&
+           areEqual(toReference, other.toReference) &&
            std::ranges::equal(
                specular, other.specular,
                [](const SharedValues& a, const SharedValues& b) { return irsg::areEqual(a, b); });
@@ -142,6 +146,31 @@ std::vector<AtmosphericQueryKey> atmosphereQueries(const Environment& environmen
 Provided<double> ambientOf(const AtmosphericQueryCache& answers, const ObjectGeometry& geometry) {
     return answers.environment().ambientTemperature_K(geometry.path.targetAltitude_m);
 }
+
+namespace {
+
+bool hasGas(const Entity& entity) {
+    return std::ranges::any_of(entity.model->codes(), [&](const auto& use) {
+        const Material* material = materialEntry(entity, use.first.material);
+        return material != nullptr && material->isGas();
+    });
+}
+
+/// The air whose lines coincide with those of the entity's gases.
+void takeAirBeforeGas(const Environment& environment, const SpectralRange& range,
+                      const AtmosphericPath& path, ObjectAtmosphere& air,
+                      std::vector<std::string>& warnings) {
+    const Atmosphere* const atmosphere = environment.find(range, AtmosphereProperty::transmittance);
+    if (const auto state = airOfPath(atmosphere, path))
+        air.beforeGas = {*state, path.range_m};
+    else if (atmosphere && dynamic_cast<const Vacuum*>(atmosphere) == nullptr)
+        appendUnique(warnings,
+                     {"gas is seen through means of the atmosphere: " + atmosphere->name() +
+                      " does not tell which gases it holds, so the coincidence of lines "
+                      "is left out"});
+}
+
+} // namespace
 
 SceneAtmosphere sceneAtmosphere(AtmosphericQueryCache& answers, const RadianceTerms& terms,
                                 const std::vector<Entity>& entities,
@@ -217,6 +246,8 @@ SceneAtmosphere sceneAtmosphere(AtmosphericQueryCache& answers, const RadianceTe
                                 *divisor);
             air.toReference.emplace(name, std::move(divisor));
         }
+        if (hasGas(entities[e]))
+            takeAirBeforeGas(answers.environment(), sampling->range(), path, air, scene.warnings);
         scene.objects.push_back(std::move(air));
     }
     if (settings.background == BackgroundMode::environment)

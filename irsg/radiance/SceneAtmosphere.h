@@ -3,6 +3,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "irsg/geometry/Entity.h"
 #include "irsg/radiance/ApparentRadiance.h"
 #include "irsg/radiance/AtmosphericQueryCache.h"
+#include "irsg/radiance/GasColumnSpectra.h"
 #include "irsg/radiance/RadianceTerms.h"
 #include "irsg/radiance/SpecularEnvironmentGrid.h"
 #include "irsg/radiance/SurfaceRows.h"
@@ -66,6 +68,8 @@ struct ObjectAtmosphere {
     /// Transmittance to the reference distance of a user-defined spectrum, by its name.
     std::map<std::string, SharedValues> toReference;
     std::set<std::string> insideReference; ///< names of spectra measured from farther away
+    /// Before its gases: none where it has none, or where the air does not tell what it holds.
+    std::optional<AirBeforeGas> beforeGas;
     std::vector<SharedValues>
         specular; ///< radiance onto it, by place of its SpecularEnvironmentGrid
     bool operator==(const ObjectAtmosphere& other) const;

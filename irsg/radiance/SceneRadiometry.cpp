@@ -63,10 +63,12 @@ SceneRadiometry::SceneRadiometry(const RadianceTerms& terms, const std::vector<E
             throw LogicError("a surface without an entry reached the radiometry");
         const auto place = transmissivities_.try_emplace({e, codes.material}).first;
         if (place->second.empty())
-            place->second = sampled(material->transmissivity, bands);
+            place->second = material->isGas() ? std::vector<double>(wavelengths_um_.size(), 1.0)
+                                              : sampled(material->transmissivity, bands);
         transparent.push_back(std::ranges::any_of(place->second, [](double t) { return t > 0.0; }));
-        models_.push_back(surfaceModelOf(*material));
+        models_.push_back(material->isGas() ? nullptr : surfaceModelOf(*material));
     }
+    std::map<int, GasZone> gases = gasZones(keys, entities);
     std::vector<LobeQuadratureRow> lobes;
     for (std::size_t drawn = 0; drawn < keys.size(); ++drawn) {
         const SurfaceModel* model = models_[drawn].get();
@@ -84,8 +86,8 @@ SceneRadiometry::SceneRadiometry(const RadianceTerms& terms, const std::vector<E
         for (std::size_t k = 0; model && k < model->components() && model->hasLobe(k); ++k)
             add(k, LobeQuadratureRow::surfaces);
     }
-    rows_ =
-        SurfaceRows(std::move(keys), std::move(transparent), std::move(slices), std::move(lobes));
+    rows_ = SurfaceRows(std::move(keys), std::move(transparent), std::move(slices),
+                        std::move(lobes), std::move(gases));
 
     surfaces_.resize(rows_.renderedCount());
     thermal_W_m2_sr_.resize(surfaces_.size());
@@ -93,7 +95,54 @@ SceneRadiometry::SceneRadiometry(const RadianceTerms& terms, const std::vector<E
         fillSurface(static_cast<int>(drawn), entities, geometry, bands);
     });
     parallelFor(surfaces_.size(), [&](std::size_t drawn) { fillThermal(static_cast<int>(drawn)); });
+    if (rows_.hasGas())
+        takeGases(entities, bands);
     samples_.clear();
+}
+
+std::map<int, GasZone> SceneRadiometry::gasZones(const std::vector<SurfaceKey>& keys,
+                                                 const std::vector<Entity>& entities) {
+    std::map<int, std::vector<int>> ofEntities; // drawn rows
+    for (std::size_t drawn = 0; drawn < keys.size(); ++drawn) {
+        const auto& [e, codes] = keys[drawn];
+        if (materialEntry(entities[static_cast<std::size_t>(e)], codes.material)->isGas())
+            ofEntities[e].push_back(static_cast<int>(drawn));
+    }
+    std::map<int, GasZone> gases;
+    for (const auto& [e, rows] : ofEntities)
+        for (const int drawn : rows)
+            gases.emplace(drawn,
+                          gasZone(gasZoneShape(entities[static_cast<std::size_t>(e)].model->mesh(),
+                                               keys[static_cast<std::size_t>(drawn)].second),
+                                  rows.size()));
+    return gases;
+}
+
+void SceneRadiometry::takeGases(const std::vector<Entity>& entities,
+                                const std::vector<SampledBand>& bands) {
+    std::map<int, GasColumnSpectra::OfEntity> gases;
+    for (const auto& [drawn, zone] : rows_.gases()) {
+        const auto& [e, codes] = rows_.keyOf(drawn);
+        const auto entity = static_cast<std::size_t>(e);
+        GasColumnSpectra::OfEntity& of = gases[e];
+        of.gases.emplace(codes, gasOf(*materialEntry(entities[entity], codes.material),
+                                      surfaces_[static_cast<std::size_t>(drawn)].temperature_K));
+        of.air = bands.front().air.objects[entity].beforeGas;
+    }
+    const auto [least, most] = std::ranges::minmax(wavelengths_um_);
+    std::vector<std::pair<SpectrumSampler, bool>> samplers; // and whether air follows
+    for (const SampledBand& band : bands)
+        samplers.emplace_back([sampling = band.sampling](
+                                  const Spectrum& spectrum) { return sampling->sampled(spectrum); },
+                              !band.isSource);
+    gasColumns_ = std::make_unique<GasColumnSpectra>(
+        std::move(gases), SpectralRange{least, most},
+        [samplers = std::move(samplers)](const Spectrum& plain, const Spectrum& throughAir) {
+            std::vector<double> values;
+            for (const auto& [sample, hasAir] : samplers)
+                append(values, sample(hasAir ? throughAir : plain));
+            return values;
+        });
 }
 
 void SceneRadiometry::joinAtmosphere(const std::vector<SampledBand>& bands) {
@@ -190,6 +239,8 @@ void SceneRadiometry::fillLobes(int drawn, const DirectionalSpectra& directional
 void SceneRadiometry::fillThermal(int drawn) {
     const SurfaceSpectra& surface = surfaces_[static_cast<std::size_t>(drawn)];
     const AtmosphereSamples& samples = air(rows_.first(drawn));
+    // A gas is no hot spot: how much it emits is known by column alone.
+    const double counts = surface.isGas ? 0.0 : 1.0;
     std::vector<double>& all = thermal_W_m2_sr_[static_cast<std::size_t>(drawn)];
     for (const SurfaceSpectra::Emission& part : surface.emission) {
         SurfaceSpectra alone;
@@ -201,7 +252,7 @@ void SceneRadiometry::fillThermal(int drawn) {
                 continue;
             const std::vector<double> sent = apparentTerm(alone, *terms_, k, samples);
             for (std::size_t output = 0; output < outputs_.size() && !sent.empty(); ++output)
-                ofPart[output] += integrate(sent, output);
+                ofPart[output] += counts * integrate(sent, output);
         }
         append(all, ofPart);
     }
@@ -262,10 +313,32 @@ const std::vector<double>& SceneRadiometry::transmissivity(int entity, int mater
 }
 
 void SceneRadiometry::fillPassed(const std::vector<OccluderMaterial>& front, std::size_t first,
-                                 std::size_t count, double* values) const {
+                                 std::size_t count, double* values, bool throughAir,
+                                 int drawn) const {
     std::copy_n(weights_um_.data() + first, count, values);
-    for (const auto& [entity, material] : front)
-        fillProducts(values, transmissivity(entity, material).data() + first, count, values);
+    const auto multiply = [&](const GasColumnSpectra::Values& of) {
+        const bool isChanged = throughAir && !of.throughAir.empty();
+        fillProducts(values, (isChanged ? of.throughAir : of.plain).data() + first, count, values);
+    };
+    bool isWithoutOwn = drawn >= 0 && isGas(drawn);
+    for (const auto& [entity, material] : front) {
+        if (!isGasColumn(material)) {
+            fillProducts(values, transmissivity(entity, material).data() + first, count, values);
+            continue;
+        }
+        const GasColumnSpectra::Column& column = gasColumns_->of(entity, material);
+        if (!isWithoutOwn || rows_.keyOf(drawn).first != entity) {
+            multiply(column.transmittance);
+            continue;
+        }
+        const auto share = column.shares.find(rows_.keyOf(drawn).second);
+        if (share == column.shares.end())
+            break;
+        multiply(share->second);
+        isWithoutOwn = false;
+    }
+    if (isWithoutOwn)
+        std::fill_n(values, count, 0.0);
 }
 
 double SceneRadiometry::integrate(const std::vector<double>& values, std::size_t output) const {

@@ -2,12 +2,14 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "irsg/radiance/ApparentRadiance.h"
+#include "irsg/radiance/GasColumnSpectra.h"
 #include "irsg/radiance/RadianceTerms.h"
 #include "irsg/radiance/SceneSampling.h"
 #include "irsg/radiance/SurfaceRows.h"
@@ -55,9 +57,14 @@ class SceneRadiometry {
     /// Spectral transmissivity of a material of an entity.
     const std::vector<double>& transmissivity(int entity, int material) const;
 
-    /// Weights times what materials in front let through, for `count` nodes from `first` on.
+    /// Weights times what materials in front let through, for `count` nodes from `first` on. With
+    /// `throughAir` of light that passes the air afterwards, whose lines coincide with those of
+    /// gas. Of a gas `drawn` the column in front is its own, and what passes is the part of the
+    /// light that it takes away; nothing where there is none.
     void fillPassed(const std::vector<OccluderMaterial>& front, std::size_t first,
-                    std::size_t count, double* values) const;
+                    std::size_t count, double* values, bool throughAir = false,
+                    int drawn = -1) const;
+    bool isGas(int drawn) const { return surfaces_[static_cast<std::size_t>(drawn)].isGas; }
     /// Sum of weight times value over an output.
     double integrate(const std::vector<double>& values, std::size_t output = 0) const;
     /// In-band emission of a drawn row as it arrives from its first row, W m-2 sr-1.
@@ -67,6 +74,10 @@ class SceneRadiometry {
 
   private:
     void joinAtmosphere(const std::vector<SampledBand>& bands);
+    /// The gases among the rows, by drawn row.
+    static std::map<int, GasZone> gasZones(const std::vector<SurfaceKey>& keys,
+                                           const std::vector<Entity>& entities);
+    void takeGases(const std::vector<Entity>& entities, const std::vector<SampledBand>& bands);
     void fillSurface(int drawn, const std::vector<Entity>& entities,
                      const std::vector<ObjectGeometry>& geometry,
                      const std::vector<SampledBand>& bands);
@@ -92,6 +103,7 @@ class SceneRadiometry {
     /// By drawn row: in-band emission of every part at a factor of 1, output by output.
     std::vector<std::vector<double>> thermal_W_m2_sr_;
     std::map<std::pair<int, int>, std::vector<double>> transmissivities_;
+    std::unique_ptr<const GasColumnSpectra> gasColumns_; // where there is gas
     std::vector<std::string> warnings_;
     std::mutex sampling_;
     std::map<const Spectrum*, std::vector<double>> samples_;

@@ -6,6 +6,7 @@
 
 #include "irsg/atmosphere/AtmosphereNodes.h"
 #include "irsg/core/Errors.h"
+#include "irsg/radiance/GasColumnSpectra.h"
 #include "irsg/radiance/SurfaceTemperatures.h"
 #include "irsg/radiometry/Quadrature.h"
 #include "irsg/signature/SurfaceModels.h"
@@ -29,6 +30,10 @@ void addSurfaceSpectra(const std::vector<Entity>& entities, std::vector<const Sp
     for (const auto& [e, codes] : surfaceKeys(entities)) {
         const Entity& entity = entities[static_cast<std::size_t>(e)];
         if (const Material* material = materialEntry(entity, codes.material)) {
+            if (material->isGas()) {
+                spectra.push_back(&gasKinks());
+                continue; // its temperature is no measured spectrum
+            }
             spectra.push_back(&material->emissivity);
             spectra.push_back(&material->transmissivity);
             if (const auto model = surfaceModelOf(*material))

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <span>
+#include <tuple>
 
 #include "irsg/core/Errors.h"
 #include "irsg/radiometry/Planck.h"
@@ -114,7 +115,8 @@ void SceneScaledView::gather(const ViewGeometry& view, const SceneRadiometry& ra
                              std::vector<Surface>& surfaces) const {
     const std::size_t count = wavelengths_um_.size();
     const std::vector<RadianceTerm>& terms = radiometry.terms().terms;
-    std::map<int, std::vector<double>> passed; // by front
+    // By front, whether air follows, and the gas that it is a column of, or -1.
+    std::map<std::tuple<int, bool, int>, std::vector<double>> passed;
     view.field.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
         const SurfaceStackId& kind = view.field.kinds()[number];
         const int drawn = radiometry.rows().renderedOf(kind.row);
@@ -124,9 +126,13 @@ void SceneScaledView::gather(const ViewGeometry& view, const SceneRadiometry& ra
         const double range_m =
             ranges_m[static_cast<std::size_t>(radiometry.rows().keyOf(drawn).first)];
         const double square_m2 = range_m * range_m;
-        const auto [stack, isNew] = passed.try_emplace(kind.stack);
-        if (isNew)
-            stack->second = radiances.passed(kind.stack, nodes_);
+        const auto passedBy = [&](bool throughAir) -> const std::vector<double>& {
+            const int gas = spectra.isGas ? drawn : -1;
+            const auto [stack, isNew] = passed.try_emplace({kind.stack, throughAir, gas});
+            if (isNew)
+                stack->second = radiances.passed(kind.stack, nodes_, throughAir, gas);
+            return stack->second;
+        };
         for (Surface::Drive* drive : {&surface.emitted, &surface.reflected}) {
             drive->intensity.resize(count);
             drive->irradiance.resize(count);
@@ -137,7 +143,8 @@ void SceneScaledView::gather(const ViewGeometry& view, const SceneRadiometry& ra
             const bool isEmission = term.surface == SurfaceQuantity::emission;
             const bool isMirror = term.surface == SurfaceQuantity::specular;
             if (term.surface == SurfaceQuantity::opacity || spectra.reflectsSurfacesAlone ||
-                (term.light && !air.light[k]) || isMirror != (spectra.lobeLight != nullptr))
+                (spectra.isGas && !isEmission) || (term.light && !air.light[k]) ||
+                isMirror != (spectra.lobeLight != nullptr))
                 continue;
             // Coverage, a factor, or what is left of the coverage beside it.
             const auto sumOf = [&](std::size_t coverage) {
@@ -151,7 +158,10 @@ void SceneScaledView::gather(const ViewGeometry& view, const SceneRadiometry& ra
             const double plain_sr = sumOf(view.layout.coverage());
             const double cosine_sr = sumOf(view.layout.withCosine(view.layout.coverage()));
             Surface::Drive& drive = isEmission ? surface.emitted : surface.reflected;
-            const std::vector<double> unit = unitOf(spectra, term, air, k, stack->second);
+            const std::vector<double> unit =
+                unitOf(spectra, term, air, k,
+                       passedBy(term.passesAtmosphere ||
+                                (isEmission && spectra.emissionPassesAtmosphere)));
             for (std::size_t i = 0; i < count; ++i) {
                 drive.intensity[i] += unit[i] * plain_sr * square_m2;
                 drive.irradiance[i] += unit[i] * cosine_sr;

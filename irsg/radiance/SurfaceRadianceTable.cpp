@@ -118,11 +118,26 @@ SurfaceRadianceTable::HiddenPlace& SurfaceRadianceTable::hiddenPlaceOf(int stack
 }
 
 std::vector<double> SurfaceRadianceTable::passed(int stack,
-                                                 std::pair<std::size_t, std::size_t> nodes) const {
+                                                 std::pair<std::size_t, std::size_t> nodes,
+                                                 bool throughAir, int drawn) const {
     const auto& [first, last] = nodes;
     std::vector<double> product(last - first);
-    radiometry_.fillPassed(occluderStacks_.materials(stack), first, product.size(), product.data());
+    radiometry_.fillPassed(occluderStacks_.materials(stack), first, product.size(), product.data(),
+                           throughAir, drawn);
     return product;
+}
+
+bool SurfaceRadianceTable::hasGas(int stack) const {
+    return std::ranges::any_of(occluderStacks_.materials(stack),
+                               [](const OccluderMaterial& one) { return isGasColumn(one.second); });
+}
+
+SurfaceRadianceTable::Passed SurfaceRadianceTable::passedBy(int stack, int drawn) const {
+    const std::pair<std::size_t, std::size_t> all{0, radiometry_.weights_um().size()};
+    Passed result{passed(stack, all, false, drawn), {}};
+    if (hasGas(stack))
+        result.throughAir = passed(stack, all, true, drawn);
+    return result;
 }
 
 std::map<std::pair<int, int>, SurfaceRadianceTable::Work>
@@ -157,19 +172,22 @@ SurfaceRadianceTable::plan(const std::vector<SurfaceStackId>& kinds) {
 
 void SurfaceRadianceTable::prepare(const std::vector<SurfaceStackId>& kinds) {
     const std::map<std::pair<int, int>, Work> wanted = plan(kinds);
-    std::vector<std::pair<int, std::vector<double>>> through; // by front
+    std::vector<std::pair<int, Passed>> through; // by front
     std::vector<std::pair<std::size_t, const std::pair<const std::pair<int, int>, Work>*>> all;
     for (const auto& one : wanted) {
         if (through.empty() || through.back().first != one.first.first)
-            through.emplace_back(one.first.first, std::vector<double>());
+            through.emplace_back(one.first.first, Passed());
         all.emplace_back(through.size() - 1, &one);
     }
-    parallelFor(through.size(), [&](std::size_t i) {
-        through[i].second = passed(through[i].first, {0, radiometry_.weights_um().size()});
-    });
+    parallelFor(through.size(),
+                [&](std::size_t i) { through[i].second = passedBy(through[i].first); });
     parallelFor(all.size(), [&](std::size_t i) {
         const auto& [surface, work] = *all[i].second;
-        evaluate(surface.first, surface.second, work, through[all[i].first].second);
+        const auto& [stack, drawn] = surface;
+        if (radiometry_.isGas(drawn))
+            evaluate(stack, drawn, work, passedBy(stack, drawn));
+        else
+            evaluate(stack, drawn, work, through[all[i].first].second);
     });
     std::vector<SurfaceStackId> changed;
     for (const SurfaceStackId& kind : kinds)
@@ -182,10 +200,9 @@ void SurfaceRadianceTable::prepare(const std::vector<SurfaceStackId>& kinds) {
     });
 }
 
-void SurfaceRadianceTable::evaluate(int stack, int drawn, const Work& work,
-                                    const std::vector<double>& passed) {
+void SurfaceRadianceTable::evaluate(int stack, int drawn, const Work& work, const Passed& passed) {
     if (work.hidden)
-        evaluateHidden(drawn, passed, &hidden_[hiddenPlaceOf(stack, drawn).at]);
+        evaluateHidden(drawn, passed.plain, &hidden_[hiddenPlaceOf(stack, drawn).at]);
     if (work.rows.empty())
         return;
     const std::size_t groups = termGroups_[static_cast<std::size_t>(drawn)].size();
@@ -220,14 +237,14 @@ void SurfaceRadianceTable::evaluate(int stack, int drawn, const Work& work,
     }
 }
 
-void SurfaceRadianceTable::addBlock(int drawn, const std::vector<int>& rows,
-                                    const std::vector<double>& passed, std::size_t begin,
-                                    std::size_t count, std::vector<double>& sums) const {
+void SurfaceRadianceTable::addBlock(int drawn, const std::vector<int>& rows, const Passed& passed,
+                                    std::size_t begin, std::size_t count,
+                                    std::vector<double>& sums) const {
     double values[nodesOfBlock], through[nodesOfBlock];
     const std::vector<TermGroup>& groups = termGroups_[static_cast<std::size_t>(drawn)];
     for (std::size_t s = 0; s < groups.size(); ++s) {
         const TermGroup& group = groups[s];
-        fillGroup(drawn, group, &passed[begin], begin, count, values);
+        fillGroup(drawn, group, &passed.of(group.passesAtmosphere)[begin], begin, count, values);
         for (std::size_t r = 0; r < rows.size(); ++r) {
             const AtmosphereSamples& air = radiometry_.air(rows[r]);
             const double* of = group.passesAtmosphere ? air.transmittance->data() + begin : nullptr;
@@ -338,9 +355,17 @@ SurfaceRadianceTable::InOutputs SurfaceRadianceTable::inOutputs(const SurfaceSta
 std::vector<double> SurfaceRadianceTable::terms(const SurfaceStackId& kind,
                                                 std::size_t output) const {
     const auto& [first, last] = radiometry_.outputs()[output];
-    const std::vector<double> through = passed(kind.stack, {first, last});
+    const int drawn = radiometry_.rows().renderedOf(kind.row);
+    const std::vector<double> plain = passed(kind.stack, {first, last}, false, drawn);
+    const std::vector<double> throughAir =
+        hasGas(kind.stack) ? passed(kind.stack, {first, last}, true, drawn) : plain;
     std::vector<double> sums;
     for (std::size_t k = 0; k < radiometry_.terms().terms.size(); ++k) {
+        const RadianceTerm& term = radiometry_.terms().terms[k];
+        const bool passesAtmosphere =
+            term.passesAtmosphere || (term.surface == SurfaceQuantity::emission &&
+                                      radiometry_.surface(kind.row).emissionPassesAtmosphere);
+        const std::vector<double>& through = passesAtmosphere ? throughAir : plain;
         const std::vector<double> sent = apparentTerm(
             radiometry_.surface(kind.row), radiometry_.terms(), k, radiometry_.air(kind.row));
         sums.push_back(sent.empty() ? 0.0 : dotProduct(through.data(), &sent[first], last - first));

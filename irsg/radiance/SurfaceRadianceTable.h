@@ -71,10 +71,22 @@ class SurfaceRadianceTable {
 
     /// In an output: one value for each term at factor 1 (truth layers).
     std::vector<double> terms(const SurfaceStackId& kind, std::size_t output = 0) const;
-    /// By node, first and before last: weight times what the materials in front let through.
-    std::vector<double> passed(int stack, std::pair<std::size_t, std::size_t> nodes) const;
+    /// By node, first and before last: weight times what the materials in front let through; see
+    /// SceneRadiometry::fillPassed.
+    std::vector<double> passed(int stack, std::pair<std::size_t, std::size_t> nodes,
+                               bool throughAir = false, int drawn = -1) const;
 
   private:
+    /// What passes all that is in front, by node; the second of what passes the air as well, empty
+    /// where that is the same.
+    struct Passed {
+        std::vector<double> plain, throughAir;
+        const std::vector<double>& of(bool passesAtmosphere) const {
+            return passesAtmosphere && !throughAir.empty() ? throughAir : plain;
+        }
+    };
+    Passed passedBy(int stack, int drawn = -1) const;
+    bool hasGas(int stack) const;
     /// Terms of the radiance that one sum over nodes serves: they share their drawn factor, their
     /// part of the emission and the air that they pass.
     struct TermGroup {
@@ -106,10 +118,10 @@ class SurfaceRadianceTable {
     HiddenPlace& hiddenPlaceOf(int stack, int drawn);
     /// Gives new kinds their places, and lists what they need, by front and drawn row.
     std::map<std::pair<int, int>, Work> plan(const std::vector<SurfaceStackId>& kinds);
-    void evaluate(int stack, int drawn, const Work& work, const std::vector<double>& passed);
+    void evaluate(int stack, int drawn, const Work& work, const Passed& passed);
     /// Adds a block of nodes to the sums of rows of a surface, group by group.
-    void addBlock(int drawn, const std::vector<int>& rows, const std::vector<double>& passed,
-                  std::size_t begin, std::size_t count, std::vector<double>& sums) const;
+    void addBlock(int drawn, const std::vector<int>& rows, const Passed& passed, std::size_t begin,
+                  std::size_t count, std::vector<double>& sums) const;
     void fillGroup(int drawn, const TermGroup& group, const double* passed, std::size_t begin,
                    std::size_t count, double* values) const;
     void evaluateHidden(int drawn, const std::vector<double>& passed, double* into) const;

@@ -13,8 +13,12 @@ SliceBetween sliceBetween(int node, int step, int last) {
 }
 
 SurfaceRows::SurfaceRows(std::vector<SurfaceKey> keys, const std::vector<bool>& transparent,
-                         std::vector<SliceNodes> slices, std::vector<LobeQuadratureRow> lobes)
-    : keys_(std::move(keys)), lobes_(std::move(lobes)), slices_(std::move(slices)) {
+                         std::vector<SliceNodes> slices, std::vector<LobeQuadratureRow> lobes,
+                         std::map<int, GasZone> gases)
+    : keys_(std::move(keys)),
+      lobes_(std::move(lobes)),
+      slices_(std::move(slices)),
+      gases_(std::move(gases)) {
     isSliced_ =
         std::ranges::any_of(slices_, [](const SliceNodes& nodes) { return nodes.size() > 1; });
     for (std::size_t drawn = 0; drawn < keys_.size() + lobes_.size(); ++drawn) {

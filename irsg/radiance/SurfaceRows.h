@@ -1,10 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <utility>
 #include <vector>
 
 #include "irsg/geometry/reading/ModelValues.h"
+#include "irsg/radiance/GasZones.h"
 #include "irsg/radiance/OccluderStacks.h"
 
 namespace irsg {
@@ -43,9 +45,11 @@ struct LobeQuadratureRow {
 class SurfaceRows {
   public:
     SurfaceRows() = default;
-    /// `transparent`: by key. `slices`: by entity.
+    /// `transparent`: by key. `slices`: by entity. `gases`: by drawn row, of those that are the
+    /// boundary of one.
     SurfaceRows(std::vector<SurfaceKey> keys, const std::vector<bool>& transparent,
-                std::vector<SliceNodes> slices, std::vector<LobeQuadratureRow> lobes = {});
+                std::vector<SliceNodes> slices, std::vector<LobeQuadratureRow> lobes = {},
+                std::map<int, GasZone> gases = {});
 
     /// Of the surfaces that are drawn.
     const std::vector<SurfaceKey>& keys() const { return keys_; }
@@ -72,6 +76,15 @@ class SurfaceRows {
     bool isTransparent(int drawn) const {
         return rendered_[static_cast<std::size_t>(drawn)].isTransparent;
     }
+    /// Null for a surface.
+    const GasZone* gas(int drawn) const {
+        const auto found = gases_.find(drawn);
+        return found == gases_.end() ? nullptr : &found->second;
+    }
+    const std::map<int, GasZone>& gases() const { return gases_; }
+    bool hasGas() const { return !gases_.empty(); }
+    /// Whether samples need the distance of what they show.
+    bool needsDistances() const { return isSliced_ || hasGas(); }
     OccluderMaterial material(int drawn) const {
         const auto& [entity, codes] = keyOf(drawn);
         return {entity, codes.material};
@@ -121,7 +134,8 @@ class SurfaceRows {
     std::vector<SurfaceKey> keys_;
     std::vector<LobeQuadratureRow> lobes_;
     std::vector<SliceNodes> slices_;
-    std::vector<int> renderedOf_; // by row
+    std::map<int, GasZone> gases_; // by drawn row
+    std::vector<int> renderedOf_;  // by row
     bool isSliced_ = false;
     /// What the walk through samples asks of a drawn row.
     struct Rendered {

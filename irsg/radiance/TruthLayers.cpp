@@ -129,6 +129,8 @@ void TruthLayers::add(const SampleTile& tile, const GeometrySamples& samples) {
                                    background_.at(x, y);
                 });
 
+            if (!nearest) // a gas that it only touches
+                continue;
             // GL's rows run from the bottom up.
             const std::size_t drawn = i - tile.firstSample;
             const int row = tile.height() - 1 - static_cast<int>(drawn / tile.stride());

@@ -63,13 +63,15 @@ class ViewSurfaceSums {
                                     const GeometrySamples::Layer& layer) {
         const std::size_t place = placeOf(stack, between.row);
         const float* factors = layer.factors.data();
+        const auto coverage = static_cast<double>(layer.coverage);
         if (layer.place && layer.place->cell != GeometrySamples::Place::none) {
-            addReceivers(place, between.row, 1.0 - static_cast<double>(between.next), *layer.place);
+            addReceivers(place, between.row, coverage * (1.0 - static_cast<double>(between.next)),
+                         *layer.place);
             if (between.next > 0.0f)
-                addReceivers(place + 1, between.row, static_cast<double>(between.next),
+                addReceivers(place + 1, between.row, coverage * static_cast<double>(between.next),
                              *layer.place);
         }
-        addToRun(place, static_cast<double>(between.next), factors,
+        addToRun(place, static_cast<double>(between.next), coverage, factors,
                  std::make_index_sequence<Factors>());
     }
 
@@ -267,17 +269,17 @@ class ViewSurfaceSums {
     /// Each number in a register of its own: an array would go through memory twice, in pieces of
     /// different sizes, for which processors wait.
     template <std::size_t... I>
-    [[gnu::always_inline]] void addToRun(std::size_t place, double next, const float* factors,
-                                         std::index_sequence<I...>) {
+    [[gnu::always_inline]] void addToRun(std::size_t place, double next, double coverage,
+                                         const float* factors, std::index_sequence<I...>) {
         const std::size_t slot = slotOf(place);
         OfRun& run = ofRun_[slot];
         if (run.all[0] == 0.0)
             noteSeen(slot);
-        run.all[0] += 1.0;
+        run.all[0] += coverage;
         ((run.all[1 + I] += static_cast<double>(factors[I])), ...);
         if (next == 0.0)
             return;
-        run.next[0] += next;
+        run.next[0] += next * coverage;
         ((run.next[1 + I] += next * static_cast<double>(factors[I])), ...);
     }
     [[gnu::noinline]] void noteSeen(std::size_t slot) { seen_.push_back(slot); }

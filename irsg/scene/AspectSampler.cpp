@@ -21,7 +21,7 @@ SurfaceRows renderedRows(const SurfaceRows& rows, std::size_t entities, int slic
     std::vector<SliceNodes> slices(entities);
     if (sliced >= 0)
         slices[static_cast<std::size_t>(sliced)] = std::move(slices_m);
-    return {rows.keys(), transparent, std::move(slices), rows.lobes()};
+    return {rows.keys(), transparent, std::move(slices), rows.lobes(), rows.gases()};
 }
 
 /// Slices about a distance of what reaches so far before and behind it.
@@ -103,6 +103,8 @@ PointAspect AspectSampler::aspectOf(const Frame& frame, int entity, const Vec3& 
                 static_cast<double>(frame.evaluation().rows[row].nAngleFactor));
             aspect.numbers.push_back(rows.isTransparent(static_cast<int>(row)) ? 1.0 : 0.0);
             aspect.numbers.push_back(frame.evaluation().hot[row] ? 1.0 : 0.0);
+            const GasZone* gas = rows.gas(static_cast<int>(row));
+            aspect.numbers.push_back(gas ? static_cast<double>(gas->knots_m.size()) : 0.0);
         }
     }
     return aspect;
@@ -133,8 +135,8 @@ ViewGeometry AspectSampler::sampleAlone(const Frame& frame, int entity, const Ca
             alone.terrain = {};
             alone.groundBefore.clear();
             frame.surfaces.engine.engine.sampleGeometry(
-                {SampleSheet::of(tile), {alone}}, rows.isSliced() || frame.shading().isNeeded(),
-                samples);
+                {SampleSheet::of(tile), {alone}},
+                rows.needsDistances() || frame.shading().isNeeded(), samples);
             clock_.timed("layer sorting", [&] {
                 frame.shading().sortAndApply({SampleSheet::of(tile), {alone}}, frame.settings(),
                                              samples);

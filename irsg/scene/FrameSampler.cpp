@@ -63,8 +63,8 @@ class SurfaceRttPass : public RttPass {
             std::ranges::none_of(scene.scenes, &SurfaceScene::hasTransparent))
             return frame_.surfaces.engine.engine.renderRadiance(scene, samples);
         GeometrySamples& factors = room_;
-        frame_.surfaces.engine.engine.sampleGeometry(scene, isSliced || frame_.shading().isNeeded(),
-                                                     factors);
+        frame_.surfaces.engine.engine.sampleGeometry(
+            scene, isSliced || frame_.rows().hasGas() || frame_.shading().isNeeded(), factors);
         {
             Stopwatch sorting(sortSeconds);
             frame_.shading().sortAndApply(scene, frame_.settings(), factors);
@@ -144,7 +144,7 @@ std::shared_ptr<ViewSampling> FrameSampler::begin(const Frame& frame) {
     auto sampling = std::make_shared<ViewSampling>(std::move(key), frame, terms_.factorCount());
     // It outlives what is begun here: it waits for that when it goes.
     sampling->tiles_ = surfaces_.begin(
-        frame.surfaces, frame.request.camera, tilesOfSums(frame), frame.rows().isSliced(),
+        frame.surfaces, frame.request.camera, tilesOfSums(frame), frame.rows().needsDistances(),
         [own = sampling.get()](const SampleTile& tile, const GeometrySamples& samples) {
             own->sums_.addToView(tile, samples, own->factors_);
         });
@@ -248,7 +248,7 @@ PixelGeometry FrameSampler::pixelFactors(const Frame& frame) {
                       frame.exchange());
     PixelGeometry factors = sums.emptyPixels();
     surfaces_.sample(frame.surfaces, frame.request.camera, tilesOf(frame, frame.plan.drawn),
-                     frame.rows().isSliced(), "factors of pixels",
+                     frame.rows().needsDistances(), "factors of pixels",
                      [&](const SampleTile& tile, const GeometrySamples& samples) {
                          sums.addToPixels(tile, samples, factors);
                      });

@@ -9,6 +9,8 @@
 #include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/Wording.h"
+#include "irsg/gas/GasLayer.h"
+#include "irsg/radiance/SceneSampling.h"
 #include "irsg/radiance/SurfaceTemperatures.h"
 #include "irsg/render/rays/RaysBuilt.h"
 #include "irsg/scene/scattering/SceneScattering.h"
@@ -32,6 +34,39 @@ constexpr double hottest_K = 1e5;
 
 std::string faces(int count) {
     return std::to_string(count) + (count == 1 ? " face" : " faces");
+}
+
+/// A gas fills closed meshes, and its tables reach what it holds at its temperature.
+void checkGases(const Entity& entity, const ObjectGeometry& geometry, double ambient_K,
+                std::vector<Diagnostic>& diagnostics) {
+    for (const auto& [codes, use] : entity.model->codes()) {
+        const Material* material = materialEntry(entity, codes.material);
+        const TemperatureEntry* temperature = temperatureEntry(entity, codes.temperature);
+        if (!material || !temperature || !material->isGas())
+            continue;
+        const std::string place = "gas of material index " + std::to_string(codes.material) + " (" +
+                                  material->name + ") and temperature index " +
+                                  std::to_string(codes.temperature);
+        if (temperature->mode == EmissionMode::userSpectrum) {
+            diagnostics.push_back({entity.name, place,
+                                   "the spectrum '" + temperature->userSpectrum + "'",
+                                   "a temperature of eq. 7: a gas has no spectrum of its own"});
+            continue;
+        }
+        GasLayer gas =
+            gasOf(*material, surfaceInput(entity, codes, geometry, ambient_K).temperature_K);
+        gas.length_m = 1.0;
+        for (Diagnostic& one : gasLayerDiagnostics(gas, entity.name)) {
+            one.position = place + ", " + one.position;
+            diagnostics.push_back(std::move(one));
+        }
+        const GasZoneShape shape = gasZoneShape(entity.model->mesh(), codes);
+        if (shape.openEdges > 0)
+            diagnostics.push_back({entity.name, place,
+                                   std::to_string(shape.openEdges) +
+                                       " edges of an open mesh, or of faces that are turned over",
+                                   "closed meshes, whose faces all look outwards"});
+    }
 }
 
 void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double ambient_K,
@@ -81,7 +116,10 @@ void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double am
                                    "at most " + roundedText(hottest_K) +
                                        " K: no surface is hotter; is a unit or a factor wrong?"});
     }
+    checkGases(entity, geometry, ambient_K, diagnostics);
     for (const auto& [index, material] : materials) {
+        if (material->isGas())
+            continue;
         collect(
             diagnostics, [&, &of = *material] { surfaceModelOf(of); },
             [&, index = index, &of = *material](Diagnostic& one) {
@@ -204,6 +242,15 @@ void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeo
     if (settings.mode == CalculationMode::wideband)
         for (const Band& band : bands)
             collect(diagnostics, [&] { environment.requireWideband(band.range()); });
+
+    if (settings.mode == CalculationMode::wideband)
+        for (const Entity& entity : entities)
+            if (std::ranges::any_of(entity.model->codes(), [&](const auto& use) {
+                    const Material* material = materialEntry(entity, use.first.material);
+                    return material != nullptr && material->isGas();
+                }))
+                diagnostics.push_back({entity.name, "gas", "the wideband mode",
+                                       "the spectral mode: its points are not trained for gas"});
 
     for (std::size_t e = 0; e < entities.size(); ++e) {
         const double ambient_K =

@@ -31,6 +31,25 @@ GeometryFactors SurfaceSampler::geometryFactors(const SceneSurfaces& surfaces,
     return making;
 }
 
+namespace {
+
+/// The gases of a tile's entities that the eye is in.
+void addGasesAboutEye(const SceneSurfaces& surfaces, const CameraFrame& camera,
+                      const SampleTile& tile, SurfaceScene& scene) {
+    for (const auto& [row, zone] : surfaces.rows().gases()) {
+        const auto& [e, codes] = surfaces.rows().keyOf(row);
+        if (!std::ranges::binary_search(tile.entities, e))
+            continue;
+        const Entity& entity = surfaces.entity(e);
+        const Vec3 eye_m = entity.pose.attitude.rotation().transposed() *
+                           (camera.viewpoint().position_m - entity.pose.position_m);
+        if (isInGasZone(*entity.model->mesh(), codes, eye_m))
+            scene.gasesAboutEye.push_back(row);
+    }
+}
+
+} // namespace
+
 SurfaceScene SurfaceSampler::sceneOf(const SceneSurfaces& surfaces, const CameraFrame& camera,
                                      const SampleTile& tile) const {
     const auto stands = [&](int entity) {
@@ -61,6 +80,8 @@ SurfaceScene SurfaceSampler::sceneOf(const SceneSurfaces& surfaces, const Camera
         scene.items.push_back(item);
         scene.items.back().body = scene.bodies.size() - 1;
     }
+
+    addGasesAboutEye(surfaces, camera, tile, scene);
 
     bool isFirst = true;
     for (int e : tile.entities) {

@@ -61,7 +61,8 @@ std::vector<SunShadows::Caster> SurfaceShader::casters(const Scene& scene,
                     isTransparent &&
                     reflects(
                         evaluation.evaluated->radiometry.surfaces()[static_cast<std::size_t>(row)]);
-                caster.uses.set(i, {true, isTransparent, part.culled, part.layer,
+                // Gas takes away nothing of the light that surfaces get.
+                caster.uses.set(i, {rows.gas(row) == nullptr, isTransparent, part.culled, part.layer,
                                     isPane ? caster.materials.back() + 1 : 0});
             }
         }

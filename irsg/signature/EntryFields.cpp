@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "irsg/gas/GasLayer.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/signature/SurfaceModels.h"
 
@@ -26,6 +27,12 @@ constexpr NumberRules opticalConstant{
     .expected = "a number of at least 0", .least = 0.0, .step = 0.1};
 constexpr NumberRules reflectivity{
     .expected = "a number of at least 0", .least = 0.0, .step = 0.01, .isFraction = true};
+
+constexpr NumberRules moleFraction{.expected = "a mole fraction from 0 to 1",
+                                   .least = 0.0,
+                                   .most = 1.0,
+                                   .step = 0.01,
+                                   .isFraction = true};
 
 template <typename Entry>
 bool always(const Entry& /*entry*/) {
@@ -360,6 +367,80 @@ const auto materialRows = std::to_array<EntryField<Material>>({
      .help = "Measured reflectance over directions",
      .page = "surface",
      .since = 6},
+    {.key = "gasPressure_atm",
+     .column = "gas_pressure_atm",
+     .member = &Material::gasPressure_atm,
+     .label = "Gas pressure",
+     .word = "gas pressure",
+     .unit = "atm",
+     .help = "Above 0, closed meshes of this material are filled with a gas of this total pressure "
+             "and of the temperature of their faces; emissivity, transmissivity and surface model "
+             "then say nothing",
+     .page = "gas",
+     .number = {.expected = "0, or a pressure up to 10 atm",
+                .least = 0.0,
+                .most = GasLayerLimits::densest_atm,
+                .step = 0.1},
+     .since = 7},
+    {.key = "gasCO2",
+     .column = "gas_co2",
+     .member = &Material::gasCO2,
+     .label = "CO2",
+     .word = "CO2",
+     .help = "Mole fraction of carbon dioxide; the rest of the gas is nitrogen",
+     .page = "gas",
+     .number = moleFraction,
+     .since = 7},
+    {.key = "gasH2O",
+     .column = "gas_h2o",
+     .member = &Material::gasH2O,
+     .label = "H2O",
+     .word = "H2O",
+     .help = "Mole fraction of water vapour; the rest of the gas is nitrogen",
+     .page = "gas",
+     .number = moleFraction,
+     .since = 7},
+    {.key = "gasCO",
+     .column = "gas_co",
+     .member = &Material::gasCO,
+     .label = "CO",
+     .word = "CO",
+     .help = "Mole fraction of carbon monoxide; the rest of the gas is nitrogen",
+     .page = "gas",
+     .number = moleFraction,
+     .since = 7},
+    {.key = "gasCH4",
+     .column = "gas_ch4",
+     .member = &Material::gasCH4,
+     .label = "CH4",
+     .word = "CH4",
+     .help = "Mole fraction of methane; the rest of the gas is nitrogen",
+     .page = "gas",
+     .number = moleFraction,
+     .since = 7},
+    {.key = "gasO2",
+     .column = "gas_o2",
+     .member = &Material::gasO2,
+     .label = "O2",
+     .word = "O2",
+     .help = "Mole fraction of oxygen, which emits nothing but broadens lines; the rest of the gas "
+             "is nitrogen",
+     .page = "gas",
+     .number = moleFraction,
+     .since = 7},
+    {.key = "gasSoot_ppmv",
+     .column = "gas_soot_ppmv",
+     .member = &Material::gasSoot_ppmv,
+     .label = "Soot",
+     .word = "soot",
+     .unit = "ppmv",
+     .help = "Volume fraction of soot in the gas, times 1e6",
+     .page = "gas",
+     .number = {.expected = "a number from 0 to 1000",
+                .least = 0.0,
+                .most = GasLayerLimits::mostSoot_ppmv,
+                .step = 0.01},
+     .since = 7},
 });
 
 const auto spectrumRows = std::to_array<EntryField<UserSpectrum>>({

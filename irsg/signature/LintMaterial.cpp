@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "irsg/gas/GasLayer.h"
 #include "irsg/signature/Findings.h"
 #include "irsg/signature/LintAxis.h"
 #include "irsg/signature/LintEntries.h"
@@ -146,6 +147,26 @@ bool lintAxis(int index, const std::string& place, const Material& material, Pro
     return false;
 }
 
+/// A gas is in the reach of the tables, and no fraction of it stands without a pressure.
+void lintGas(const Material& material, Findings& findings) {
+    const double sum =
+        material.gasCO2 + material.gasH2O + material.gasCO + material.gasCH4 + material.gasO2;
+    if (sum > 1.0 + sumTolerance)
+        findings.error(".gasCO2", "mole fractions of " + numberText(sum) + " in sum",
+                       "a sum of at most 1: the rest is nitrogen");
+    if (material.isGas() && material.gasPressure_atm < GasLayerLimits::thinnest_atm)
+        findings.error(".gasPressure_atm", numberText(material.gasPressure_atm),
+                       "0 for a surface, or a pressure from 0.05 to 10 atm");
+    if (!material.isGas() && (sum > 0.0 || material.gasSoot_ppmv > 0.0))
+        findings
+            .warning(".gasPressure_atm", "0 beside what a gas holds",
+                     "a pressure: without one the material is a surface")
+            .remedy = "set the pressure, 1 atm at sea level";
+    if (material.isGas() && sum - material.gasO2 == 0.0 && material.gasSoot_ppmv == 0.0)
+        findings.warning(".gasPressure_atm", "a gas of nitrogen and oxygen alone",
+                         "CO2, H2O, CO, CH4 or soot: nothing else emits");
+}
+
 } // namespace
 
 void lintMaterial(int index, const Material& material, const std::vector<SpectralRange>& bands,
@@ -170,6 +191,7 @@ void lintMaterial(int index, const Material& material, const std::vector<Spectra
     if (sound)
         lintSum(index, material, findings);
     lintSurface(index, material, findings);
+    lintGas(material, findings);
 }
 
 } // namespace irsg

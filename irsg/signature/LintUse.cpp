@@ -74,6 +74,27 @@ void lintUnusedSpectra(const SignatureDatabase& database, std::vector<Finding>& 
     }
 }
 
+/// A gas has a temperature, so that its absorption is known.
+void lintGasUse(const SignatureDatabase& database, const ModelUse& model,
+                std::vector<Finding>& into) {
+    for (const auto& [index, temperatures] : model.temperaturesOfMaterial) {
+        const auto material = database.materials.find(index);
+        if (material == database.materials.end() || !material->second.isGas())
+            continue;
+        for (const int temperature : temperatures) {
+            const auto entry = database.temperatures.find(temperature);
+            if (entry != database.temperatures.end() &&
+                entry->second.mode == EmissionMode::userSpectrum) {
+                Findings findings(into, materialPath(index));
+                findings.error("",
+                               "faces of temperature index " + std::to_string(temperature) +
+                                   ", a user-defined spectrum",
+                               "a gas with the temperature of eq. 7");
+            }
+        }
+    }
+}
+
 } // namespace
 
 void lintUse(const SignatureDatabase& database, const std::vector<ModelUse>& models,
@@ -92,6 +113,7 @@ void lintUse(const SignatureDatabase& database, const std::vector<ModelUse>& mod
             temperatures.insert(index);
         for (const auto& [index, faces] : model.materialFaces)
             materials.insert(index);
+        lintGasUse(database, model, findings);
         if (model.fallbackTemperature)
             temperatures.insert(*model.fallbackTemperature);
         if (model.fallbackMaterial)

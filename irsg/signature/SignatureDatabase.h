@@ -51,8 +51,15 @@ struct Material {
     /// Of Maxwell and Beard's shadowing.
     double shadowTau_deg = 15.0, shadowOmega_deg = 40.0;
     ReflectanceTable reflectanceTable = {}; ///< of the model "tabulated"
+    /// Total pressure of a gas that fills closed meshes of this material, atm; 0: a surface. It has
+    /// the temperature of their faces; the spectra above say nothing of it.
+    double gasPressure_atm = 0.0;
+    /// Its mole fractions; the rest is nitrogen.
+    double gasCO2 = 0.0, gasH2O = 0.0, gasCO = 0.0, gasCH4 = 0.0, gasO2 = 0.0;
+    double gasSoot_ppmv = 0.0; ///< volume fraction of soot times 1e6
 
-    bool isOpaque() const { return transmissivity.maximum() <= 0.0; }
+    bool isGas() const { return gasPressure_atm > 0.0; }
+    bool isOpaque() const { return !isGas() && transmissivity.maximum() <= 0.0; }
     /// Whether its model takes n and k.
     bool hasIndex() const {
         return !surfaceModel.empty() && surfaceModel != "sandfordRobertson" &&

@@ -129,7 +129,7 @@ std::vector<std::vector<double>> LightIntegrals::sumsOf(std::span<const SurfaceS
             const bool isBehindSame = k > 0 && kinds[k].stack == kinds[k - 1].stack;
             if (!isBehindSame)
                 radiometry_.fillPassed(occluderStacks_.materials(kinds[k].stack), first, count,
-                                       passed.data());
+                                       passed.data(), true);
             const SurfaceSpectra& surface = radiometry_.surface(kinds[k].row);
             if (!isBehindSame || &surface != &radiometry_.surface(kinds[k - 1].row))
                 fillProducts(passed.data(), surface.reflectance.data() + first, count,

@@ -122,7 +122,7 @@ void ScaledLight::gather(Making& making, int stack, int row, std::span<const dou
         making.radiometry.rows().keyOf(static_cast<int>(drawn)).first)];
     const SurfaceSpectra& own = making.surface(drawn);
     const std::vector<double>& through = *making.radiometry.air(row).transmittance;
-    std::vector<double> unit = making.radiances.passed(stack, making.nodes);
+    std::vector<double> unit = making.radiances.passed(stack, making.nodes, true);
     std::vector<double> reflectivity(unit.size());
     for (std::size_t i = 0; i < unit.size(); ++i) {
         unit[i] *= through[first + i] / pi;

@@ -328,6 +328,7 @@ void SurfacePass::sampleGeometry(const SheetScene& sheet, bool withDistance,
     samples.factorCount = factors.factorCount;
     samples.wordsPerFragment = static_cast<std::size_t>(4 * vectorsOf(factors));
     samples.forgetLight();
+    samples.gasesAboutEye = sheet.gasesAboutEye();
     Stopwatch watch(p.readSeconds);
     const auto read = [&](int plane, bool isThere, std::vector<float>& into) {
         if (isThere)

@@ -24,6 +24,7 @@ void makeRoom(const SheetScene& sheet, bool withDistance, GeometrySamples& sampl
     const std::size_t count =
         static_cast<std::size_t>(samples.width) * static_cast<std::size_t>(samples.height);
     samples.forgetLight();
+    samples.gasesAboutEye = sheet.gasesAboutEye();
     samples.opaque.assign(4 * count, 0.0f);
     samples.moreFactors.assign(factorCount > 3 ? 4 * count : 0, 0.0f);
     samples.distances_m.assign(withDistance ? count : 0, 0.0f);

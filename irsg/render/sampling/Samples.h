@@ -64,6 +64,9 @@ struct GeometrySamples {
     std::uint32_t maximumLayers = 0;
     int layersLeftOver = 0; ///< samples that have more
 
+    /// Rows of gases that the eye is in.
+    std::vector<int> gasesAboutEye;
+
     /// Light that a layer gets through transparent surfaces between it and the sun: what it adds to
     /// one of the layer's factors, times what those materials let through.
     struct Through {

@@ -67,6 +67,7 @@ struct SurfaceScene {
     /// What the earth's curve hides of the entities of the scene behind it; as the terrain.
     std::vector<SurfaceBody> groundBefore;
     std::vector<SurfaceRow> rows;
+    std::vector<int> gasesAboutEye; ///< rows of gases that the eye is in
 
     const SurfaceBody& bodyOf(const SurfaceItem& item) const { return bodies[item.body]; }
     const Mesh::Piece& pieceOf(const SurfaceItem& item) const {
@@ -83,6 +84,16 @@ struct SurfaceScene {
 struct SheetScene {
     SampleSheet sheet;
     std::vector<SurfaceScene> scenes;
+
+    /// Of all tiles, which one eye sees.
+    std::vector<int> gasesAboutEye() const {
+        std::vector<int> all;
+        for (const SurfaceScene& scene : scenes)
+            for (const int row : scene.gasesAboutEye)
+                if (std::ranges::find(all, row) == all.end())
+                    all.push_back(row);
+        return all;
+    }
 };
 
 } // namespace irsg

@@ -1,0 +1,199 @@
+#include "irsg/radiance/GasZones.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+#include "irsg/core/Errors.h"
+#include "irsg/core/RecentlyUsed.h"
+
+namespace irsg {
+
+namespace {
+
+template <typename Visit>
+void forEachFacet(const Mesh& mesh, const IrCodes& codes, Visit visit) {
+    for (const Mesh::Part& part : mesh.parts)
+        for (std::size_t i = 0; part.codes == codes && i + 2 < part.triangles.size(); i += 3)
+            visit(std::array{part.vertices[part.triangles[i]], part.vertices[part.triangles[i + 1]],
+                             part.vertices[part.triangles[i + 2]]});
+}
+
+double determinant(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return dot(a, cross(b, c));
+}
+
+/// Numbers for places, the same for those that rounding alone sets apart.
+class PlaceNumbers {
+  public:
+    explicit PlaceNumbers(double apart_m) : apart_m_(apart_m) {}
+
+    int of(const Vec3& place_m) {
+        const Cell own = cellOf(place_m);
+        for (long x = own[0] - 1; x <= own[0] + 1; ++x)
+            for (long y = own[1] - 1; y <= own[1] + 1; ++y)
+                for (long z = own[2] - 1; z <= own[2] + 1; ++z)
+                    if (const auto found = cells_.find({x, y, z}); found != cells_.end())
+                        for (const int number : found->second)
+                            if (length(places_m_[static_cast<std::size_t>(number)] - place_m) <=
+                                apart_m_)
+                                return number;
+        cells_[own].push_back(static_cast<int>(places_m_.size()));
+        places_m_.push_back(place_m);
+        return static_cast<int>(places_m_.size()) - 1;
+    }
+
+  private:
+    using Cell = std::array<long, 3>;
+    Cell cellOf(const Vec3& place_m) const {
+        return {std::lround(place_m.x / apart_m_), std::lround(place_m.y / apart_m_),
+                std::lround(place_m.z / apart_m_)};
+    }
+
+    double apart_m_;
+    std::vector<Vec3> places_m_;
+    std::map<Cell, std::vector<int>> cells_;
+};
+
+GasZoneShape shapeOf(const Mesh& mesh, const IrCodes& codes) {
+    constexpr double rounding = 1e-6; // of the size
+    GasZoneShape shape;
+    BoundingBox box = BoundingBox::nowhere();
+    double six_m3 = 0.0, radius_m = 0.0;
+    std::map<std::pair<int, int>, int> edges; // how often in one sense less in the other
+    for (const Mesh::Part& part : mesh.parts)
+        if (part.codes == codes)
+            box.include(part.bounds);
+    if (!box.valid())
+        return shape;
+    const Vec3 centre = box.centre();
+    PlaceNumbers numbers(std::max(rounding * box.diagonal_m(), 1e-12));
+    forEachFacet(mesh, codes, [&](const std::array<Float3, 3>& facet) {
+        six_m3 += determinant(toVec3(facet[0]) - centre, toVec3(facet[1]) - centre,
+                              toVec3(facet[2]) - centre);
+        std::array<int, 3> corners{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            radius_m = std::max(radius_m, length(toVec3(facet[k]) - centre));
+            corners[k] = numbers.of(toVec3(facet[k]) - centre);
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int from = corners[k], to = corners[(k + 1) % 3];
+            if (from != to)
+                edges[{std::min(from, to), std::max(from, to)}] += from < to ? 1 : -1;
+        }
+    });
+    shape.volume_m3 = std::abs(six_m3) / 6.0;
+    shape.longest_m = 2.0 * radius_m;
+    shape.openEdges = static_cast<int>(
+        std::ranges::count_if(edges, [](const auto& edge) { return edge.second != 0; }));
+    return shape;
+}
+
+struct KnownShape {
+    std::weak_ptr<const Mesh> mesh;
+    IrCodes codes;
+    GasZoneShape shape;
+};
+
+struct KnownColumns {
+    std::mutex mutex;
+    std::unordered_map<int, GasColumnKey> byNumber; // whose entries stay where they are
+};
+KnownColumns& knownColumns() {
+    static KnownColumns known;
+    return known;
+}
+
+/// FNV-1a over the column's numbers.
+std::uint32_t hashOf(const GasColumnKey& column) {
+    std::uint64_t hash = 14695981039346656037ull;
+    const auto take = [&](std::uint64_t word) {
+        for (int byte = 0; byte < 8; ++byte, word >>= 8)
+            hash = (hash ^ (word & 0xff)) * 1099511628211ull;
+    };
+    take(column.before);
+    for (const GasColumnKey::Stretch& stretch : column.stretches) {
+        take(static_cast<std::uint64_t>(stretch.codes.temperature));
+        take(static_cast<std::uint64_t>(stretch.codes.material));
+        take(std::bit_cast<std::uint64_t>(stretch.length_m));
+    }
+    return static_cast<std::uint32_t>(hash ^ (hash >> 32));
+}
+
+} // namespace
+
+GasZoneShape gasZoneShape(const std::shared_ptr<const Mesh>& mesh, const IrCodes& codes) {
+    static std::mutex mutex;
+    static RecentlyUsed<KnownShape> known{256};
+    const std::lock_guard lock(mutex);
+    const auto isIt = [&](const KnownShape& one) {
+        return one.codes == codes && one.mesh.lock() == mesh;
+    };
+    if (const KnownShape* found = known.find(isIt))
+        return found->shape;
+    return known.add({mesh, codes, shapeOf(*mesh, codes)}).shape;
+}
+
+bool isInGasZone(const Mesh& mesh, const IrCodes& codes, const Vec3& place_m) {
+    // Solid angle of the faces as seen from there: 4 pi inside, 0 outside (A. Van Oosterom and J.
+    // Strackee 1983, IEEE Trans. Biomed. Eng. 30, 125).
+    double half_sr = 0.0;
+    forEachFacet(mesh, codes, [&](const std::array<Float3, 3>& facet) {
+        const Vec3 a = toVec3(facet[0]) - place_m, b = toVec3(facet[1]) - place_m,
+                   c = toVec3(facet[2]) - place_m;
+        const double la = length(a), lb = length(b), lc = length(c);
+        half_sr += std::atan2(determinant(a, b, c),
+                              la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+    });
+    return std::abs(half_sr) > std::acos(-1.0);
+}
+
+GasZone gasZone(const GasZoneShape& shape, std::size_t zones) {
+    constexpr std::size_t fewest = 5, mostOfAll = 36, most = 32;
+    const std::size_t steps = std::clamp(mostOfAll / std::max<std::size_t>(zones, 1), fewest, most);
+    GasZone zone{shape, {}};
+    for (std::size_t i = 0; i <= steps; ++i) {
+        const double part = static_cast<double>(i) / static_cast<double>(steps);
+        zone.knots_m.push_back(shape.longest_m * part * part);
+    }
+    return zone;
+}
+
+int gasColumnNumber(const GasColumnKey& column) {
+    KnownColumns& known = knownColumns();
+    constexpr std::uint32_t numbers = (1u << 30) - 1;
+    std::uint32_t place = hashOf(column) % numbers;
+    const std::lock_guard lock(known.mutex);
+    while (true) {
+        const int number = -(1 << 30) - 1 - static_cast<int>(place);
+        const auto [found, isNew] = known.byNumber.try_emplace(number, column);
+        if (isNew || found->second == column)
+            return number;
+        place = (place + 1) % numbers;
+    }
+}
+
+const GasColumnKey& gasColumn(int number) {
+    KnownColumns& known = knownColumns();
+    const std::lock_guard lock(known.mutex);
+    const auto found = known.byNumber.find(number);
+    if (found == known.byNumber.end())
+        throw LogicError("a column of gas was asked for that nobody has met");
+    return found->second;
+}
+
+const OccluderMaterial* gasColumnOf(const std::vector<OccluderMaterial>& materials, int entity) {
+    const auto found = std::ranges::find_if(materials, [&](const OccluderMaterial& material) {
+        return material.first == entity && isGasColumn(material.second);
+    });
+    return found == materials.end() ? nullptr : &*found;
+}
+
+} // namespace irsg
