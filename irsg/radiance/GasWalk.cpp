@@ -81,25 +81,31 @@ std::vector<GasWalk::OfEntity::Vertex> GasWalk::simplex(const OfEntity& gas) {
     return vertices;
 }
 
-int GasWalk::numberOf(const OfEntity& gas, const OfEntity::Vertex& vertex,
-                      std::size_t before) const {
+void GasWalk::makeColumn(const OfEntity& gas, const OfEntity::Vertex& vertex, std::size_t before) {
     // Without stretches of no length, and with neighbours of one gas as one: equal columns have
     // equal numbers.
-    GasColumnKey column;
+    std::vector<GasColumnKey::Stretch>& stretches = column_.stretches;
+    stretches.clear();
+    column_.before = 0;
     for (std::size_t i = 0; i < gas.stretches.size(); ++i) {
         if (i == before)
-            column.before = column.stretches.size();
+            column_.before = stretches.size();
         if (vertex.lengths_m[i] == 0.0)
             continue;
         const IrCodes& codes = rows_.keyOf(gas.stretches[i].row).second;
-        const bool isSame = column.stretches.size() > (i < before ? 0 : column.before) &&
-                            column.stretches.back().codes == codes;
-        if (isSame)
-            column.stretches.back().length_m += vertex.lengths_m[i];
+        const std::size_t first = i < before ? 0 : column_.before;
+        if (stretches.size() > first && stretches.back().codes == codes)
+            stretches.back().length_m += vertex.lengths_m[i];
         else
-            column.stretches.push_back({codes, vertex.lengths_m[i]});
+            stretches.push_back({codes, vertex.lengths_m[i]});
     }
-    return gasColumnNumber(column);
+}
+
+int GasWalk::numberOfColumn() {
+    const auto found = numbers_.find(column_);
+    return found != numbers_.end()
+               ? found->second
+               : numbers_.emplace(column_, gasColumnNumber(column_)).first->second;
 }
 
 const std::vector<GasWalk::Emission>& GasWalk::takeEmission() {
@@ -108,37 +114,42 @@ const std::vector<GasWalk::Emission>& GasWalk::takeEmission() {
     for (OfEntity& gas : gases_) {
         if (gas.told == gas.stretches.size())
             continue;
-        gas.vertices = simplex(gas);
-        for (OfEntity::Vertex& vertex : gas.vertices)
-            vertex.number = numberOf(gas, vertex, gas.told);
+        // Behind the others, whose columns the branches have, and before none of its own.
+        gas.vertices.clear();
         fillBranches();
-        addEmission(gas);
-        for (OfEntity::Vertex& vertex : gas.vertices)
-            vertex.number = numberOf(gas, vertex, 0);
+        gas.vertices = simplex(gas);
+        for (std::size_t v = 0; v < gas.vertices.size(); ++v) {
+            OfEntity::Vertex& vertex = gas.vertices[v];
+            makeColumn(gas, vertex, gas.told);
+            vertex.number = numberOfColumn();
+            addEmission(gas, v);
+            if (column_.before == 0)
+                continue;
+            makeColumn(gas, vertex, 0);
+            vertex.number = numberOfColumn();
+        }
         gas.told = gas.stretches.size();
     }
     fillBranches();
     return emission_;
 }
 
-void GasWalk::addEmission(const OfEntity& gas) {
-    std::vector<std::pair<int, float>> rows; // with where the gas begins
-    for (std::size_t i = gas.told; i < gas.stretches.size(); ++i)
-        if (std::ranges::find(rows, gas.stretches[i].row, &std::pair<int, float>::first) ==
-            rows.end())
-            rows.emplace_back(gas.stretches[i].row, gas.stretches[i].from_m);
-    for (const Branch& branch : branches_)
-        for (const auto& [row, from_m] : rows) {
-            const GasColumnKey& column = gasColumn(gasColumnOf(branch.columns, gas.entity)->second);
-            const IrCodes& codes = rows_.keyOf(row).second;
-            const bool emits =
-                std::any_of(column.stretches.begin() + static_cast<std::ptrdiff_t>(column.before),
-                            column.stretches.end(), [&](const GasColumnKey::Stretch& stretch) {
-                                return stretch.codes == codes;
-                            });
-            if (emits)
-                emission_.push_back({row, from_m, branch});
+void GasWalk::addEmission(const OfEntity& gas, std::size_t vertex) {
+    const OfEntity::Vertex& own = gas.vertices[vertex];
+    for (const Branch& branch : branches_) {
+        const std::size_t first = emission_.size();
+        for (std::size_t i = gas.told; i < gas.stretches.size(); ++i) {
+            const auto& [row, length_m, from_m] = gas.stretches[i];
+            const auto isIt = [row = row](const Emission& one) { return one.row == row; };
+            if (own.lengths_m[i] == 0.0 ||
+                std::any_of(emission_.begin() + static_cast<std::ptrdiff_t>(first), emission_.end(),
+                            isIt))
+                continue;
+            Emission& one = emission_.emplace_back(Emission{row, from_m, branch});
+            one.branch.columns.emplace_back(gas.entity, own.number);
+            one.branch.weight *= own.weight;
         }
+    }
 }
 
 void GasWalk::fillBranches() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -65,8 +66,10 @@ class GasWalk {
     OfEntity& ofEntity(int entity);
     /// The vertices of the simplex that holds all lengths.
     std::vector<OfEntity::Vertex> simplex(const OfEntity& gas);
-    int numberOf(const OfEntity& gas, const OfEntity::Vertex& vertex, std::size_t before) const;
-    void addEmission(const OfEntity& gas);
+    /// Fills in `column_`.
+    void makeColumn(const OfEntity& gas, const OfEntity::Vertex& vertex, std::size_t before);
+    int numberOfColumn();
+    void addEmission(const OfEntity& gas, std::size_t vertex);
     void fillBranches();
 
     const SurfaceRows& rows_;
@@ -75,6 +78,8 @@ class GasWalk {
     bool hasNew_ = false;
     std::vector<OfEntity> gases_; ///< in the order in which they were met
     std::vector<Branch> branches_;
+    GasColumnKey column_;
+    std::map<GasColumnKey, int> numbers_; ///< of those that this walk has met
     std::vector<Emission> emission_;
 };
 

@@ -7,12 +7,14 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <numbers>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/RecentlyUsed.h"
+#include "irsg/radiance/GasCrossing.h"
 
 namespace irsg {
 
@@ -96,6 +98,45 @@ GasZoneShape shapeOf(const Mesh& mesh, const IrCodes& codes) {
     return shape;
 }
 
+/// Half the solid angle of the faces as seen from a place: 2 pi inside, 0 outside (A. Van Oosterom
+/// and J. Strackee 1983, IEEE Trans. Biomed. Eng. 30, 125).
+double halfAngleOf_sr(const Mesh& mesh, const IrCodes& codes, const Vec3& place_m) {
+    double half_sr = 0.0;
+    forEachFacet(mesh, codes, [&](const std::array<Float3, 3>& facet) {
+        const Vec3 a = toVec3(facet[0]) - place_m, b = toVec3(facet[1]) - place_m,
+                   c = toVec3(facet[2]) - place_m;
+        const double la = length(a), lb = length(b), lc = length(c);
+        half_sr += std::atan2(determinant(a, b, c),
+                              la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+    });
+    return half_sr;
+}
+
+/// Whether some corners of one gas are in another and some are not; those on its walls are neither.
+bool isPartlyIn(const Mesh& mesh, const IrCodes& one, const IrCodes& other) {
+    constexpr std::size_t looks = 64;
+    constexpr double clear = 0.1; // of the angle: nearer to a wall is on it
+    std::vector<Vec3> corners_m;
+    forEachFacet(mesh, one, [&](const std::array<Float3, 3>& facet) {
+        corners_m.push_back(toVec3(facet[0]));
+    });
+    bool isIn = false, isOut = false;
+    const std::size_t step = std::max<std::size_t>(corners_m.size() / looks, 1);
+    for (std::size_t i = 0; i < corners_m.size() && !(isIn && isOut); i += step) {
+        const double part =
+            std::abs(halfAngleOf_sr(mesh, other, corners_m[i])) / (2.0 * std::numbers::pi);
+        isIn = isIn || part > 1.0 - clear;
+        isOut = isOut || part < clear;
+    }
+    return isIn && isOut;
+}
+
+struct KnownCrossing {
+    std::weak_ptr<const Mesh> mesh;
+    IrCodes one, other;
+    bool cross = false;
+};
+
 struct KnownShape {
     std::weak_ptr<const Mesh> mesh;
     IrCodes codes;
@@ -142,27 +183,33 @@ GasZoneShape gasZoneShape(const std::shared_ptr<const Mesh>& mesh, const IrCodes
 }
 
 bool isInGasZone(const Mesh& mesh, const IrCodes& codes, const Vec3& place_m) {
-    // Solid angle of the faces as seen from there: 4 pi inside, 0 outside (A. Van Oosterom and J.
-    // Strackee 1983, IEEE Trans. Biomed. Eng. 30, 125).
-    double half_sr = 0.0;
-    forEachFacet(mesh, codes, [&](const std::array<Float3, 3>& facet) {
-        const Vec3 a = toVec3(facet[0]) - place_m, b = toVec3(facet[1]) - place_m,
-                   c = toVec3(facet[2]) - place_m;
-        const double la = length(a), lb = length(b), lc = length(c);
-        half_sr += std::atan2(determinant(a, b, c),
-                              la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
-    });
-    return std::abs(half_sr) > std::acos(-1.0);
+    return std::abs(halfAngleOf_sr(mesh, codes, place_m)) > std::numbers::pi;
+}
+
+bool doGasZonesCross(const std::shared_ptr<const Mesh>& mesh, const IrCodes& one,
+                     const IrCodes& other) {
+    static std::mutex mutex;
+    static RecentlyUsed<KnownCrossing> known{1024};
+    const std::lock_guard lock(mutex);
+    const auto isIt = [&](const KnownCrossing& of) {
+        return of.one == one && of.other == other && of.mesh.lock() == mesh;
+    };
+    if (const KnownCrossing* found = known.find(isIt))
+        return found->cross;
+    return known.add({mesh, one, other, isPartlyIn(*mesh, one, other)}).cross;
 }
 
 GasZone gasZone(const GasZoneShape& shape, std::size_t zones) {
-    constexpr std::size_t fewest = 5, mostOfAll = 36, most = 32;
+    constexpr std::size_t fewest = 8, mostOfAll = 72, most = 32;
     const std::size_t steps = std::clamp(mostOfAll / std::max<std::size_t>(zones, 1), fewest, most);
+    // Half of the knots lie within about the width of the zone, which may be long and thin.
+    constexpr double leastPower = 2.0, mostPower = 4.0;
+    const double width_m = 1.2 * std::sqrt(shape.volume_m3 / shape.longest_m);
+    const double power = std::clamp(std::log2(shape.longest_m / width_m), leastPower, mostPower);
     GasZone zone{shape, {}};
-    for (std::size_t i = 0; i <= steps; ++i) {
-        const double part = static_cast<double>(i) / static_cast<double>(steps);
-        zone.knots_m.push_back(shape.longest_m * part * part);
-    }
+    for (std::size_t i = 0; i <= steps; ++i)
+        zone.knots_m.push_back(
+            shape.longest_m * std::pow(static_cast<double>(i) / static_cast<double>(steps), power));
     return zone;
 }
 

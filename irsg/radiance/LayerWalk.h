@@ -174,10 +174,16 @@ class LayerWalk {
     void emitGas(int stack, std::size_t factorCount, const Visit& visit) {
         if (!gas_.hasNew())
             return;
+        const std::vector<OccluderMaterial>* columns = nullptr; // of the gases of one column
+        int behindColumns = stack;
         for (const GasWalk::Emission& one : gas_.takeEmission()) {
             const auto part = static_cast<float>(one.branch.weight);
             part_.fill(part);
-            visit(behindSet(stack, one.branch.columns), rows_.at(one.row, one.distance_m),
+            if (columns == nullptr || *columns != one.branch.columns) {
+                columns = &one.branch.columns;
+                behindColumns = behindSet(stack, *columns);
+            }
+            visit(behindColumns, rows_.at(one.row, one.distance_m),
                   GeometrySamples::Layer{
                       one.row, one.distance_m, {part_.data(), factorCount}, part, nullptr, false});
         }

@@ -9,6 +9,7 @@
 #include "irsg/atmosphere/Vacuum.h"
 #include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
+#include "irsg/radiance/GasCrossing.h"
 
 namespace irsg {
 
@@ -149,11 +150,29 @@ Provided<double> ambientOf(const AtmosphericQueryCache& answers, const ObjectGeo
 
 namespace {
 
-bool hasGas(const Entity& entity) {
-    return std::ranges::any_of(entity.model->codes(), [&](const auto& use) {
-        const Material* material = materialEntry(entity, use.first.material);
-        return material != nullptr && material->isGas();
-    });
+/// The codes of its gases.
+std::vector<IrCodes> gasesOf(const Entity& entity) {
+    std::vector<IrCodes> gases;
+    for (const auto& [codes, use] : entity.model->codes())
+        if (const Material* material = materialEntry(entity, codes.material);
+            material != nullptr && material->isGas())
+            gases.push_back(codes);
+    return gases;
+}
+
+/// Names gases whose zones go through each other.
+void nameCrossing(const Entity& entity, const std::vector<IrCodes>& gases,
+                  std::vector<std::string>& warnings) {
+    const auto wordsOf = [](const IrCodes& gas) {
+        return "material " + std::to_string(gas.material) + " and temperature " +
+               std::to_string(gas.temperature);
+    };
+    for (const IrCodes& one : gases)
+        for (const IrCodes& other : gases)
+            if (one != other && doGasZonesCross(entity.model->mesh(), one, other))
+                appendUnique(warnings, {"the gas of " + wordsOf(one) + " of '" + entity.name +
+                                        "' crosses that of " + wordsOf(other) +
+                                        ": where both are, that of the smaller volume counts"});
 }
 
 /// The air whose lines coincide with those of the entity's gases.
@@ -246,8 +265,10 @@ SceneAtmosphere sceneAtmosphere(AtmosphericQueryCache& answers, const RadianceTe
                                 *divisor);
             air.toReference.emplace(name, std::move(divisor));
         }
-        if (hasGas(entities[e]))
+        if (const std::vector<IrCodes> gases = gasesOf(entities[e]); !gases.empty()) {
             takeAirBeforeGas(answers.environment(), sampling->range(), path, air, scene.warnings);
+            nameCrossing(entities[e], gases, scene.warnings);
+        }
         scene.objects.push_back(std::move(air));
     }
     if (settings.background == BackgroundMode::environment)

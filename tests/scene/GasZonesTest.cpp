@@ -346,6 +346,29 @@ TEST(GasZones, ArriveThroughAirWithTheCoincidenceOfLines) {
     EXPECT_GT(std::abs(product / expected - 1.0), 0.05) << "lines matter here";
 }
 
+TEST(GasZones, ThatCrossEachOtherAreNamed) {
+    const auto warningsOf = [](double apart_m) {
+        Triangles other = sphereMesh(0.5, 24, 48, warm);
+        for (Triangle& triangle : other) {
+            for (Vec3& corner : triangle.vertex) {
+                corner.y += apart_m;
+            }
+        }
+        InteractiveRenderer irsg = sceneOf(joined(sphereMesh(1.0, 24, 48, hot), other), gases(),
+                                           EngineChoice::opengl, farView());
+        irsg.scene.environment = Environment::vacuum();
+        std::string all;
+        for (const std::string& warning : irsg.measure().warnings) {
+            all += warning + "\n";
+        }
+        return all;
+    };
+    EXPECT_EQ(warningsOf(0.0), "") << "one holds the other";
+    EXPECT_EQ(warningsOf(3.0), "") << "they are apart";
+    EXPECT_NE(warningsOf(1.0).find("crosses that of material 1 and temperature 1"),
+              std::string::npos);
+}
+
 TEST(GasZones, ThatAreOpenOrOutOfReachAreRefusedByName) {
     const auto refusal = [](const Triangles& mesh, const SignatureDatabase& database) {
         InteractiveRenderer irsg = sceneOf(mesh, database, EngineChoice::opengl, farView());

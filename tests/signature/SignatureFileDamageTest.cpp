@@ -173,8 +173,8 @@ const Unusable unusable[] = {
     {"WrongApplicationId",
      [](const auto& file) { change(file, "PRAGMA application_id = 252006673"); },
      "application id 252006673", "application id 1397571924"},
-    {"NewerVersion", [](const auto& file) { change(file, "PRAGMA user_version = 7"); },
-     "schema version 7", "a newer version of this program"},
+    {"NewerVersion", [](const auto& file) { change(file, "PRAGMA user_version = 8"); },
+     "schema version 8", "a newer version of this program"},
     {"VersionZero", [](const auto& file) { change(file, "PRAGMA user_version = 0"); },
      "schema version 0", "schema version 1"},
 };

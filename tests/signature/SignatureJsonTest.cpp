@@ -163,8 +163,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "format", "\"gltf\"", "smat-signature"},
         BadJson{
             "NewerVersion",
-            R"({"format": "smat-signature", "version": 7, "temperatures": {}, "materials": {}})",
-            "version", "7", "1 to 6"},
+            R"({"format": "smat-signature", "version": 8, "temperatures": {}, "materials": {}})",
+            "version", "8", "1 to 7"},
         BadJson{"NoMaterials", R"({"format": "smat-signature", "version": 1, "temperatures": {}})",
                 "materials", "nothing", "an object of entries by index"},
         BadJson{"UnknownTopKey",
