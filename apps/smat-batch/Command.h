@@ -87,6 +87,7 @@ void addCostAccuracyCommand(CLI::App& app, Context& context);
 void addDetectionCommand(CLI::App& app, Context& context);
 void addExplainCommand(CLI::App& app, Context& context);
 void addGasCommand(CLI::App& app, Context& context);
+void addPlumeCommand(CLI::App& app, Context& context);
 void addReplayCommand(CLI::App& app, Context& context);
 void addModelCommand(CLI::App& app, Context& context);
 void addModelCodesCommand(CLI::App& model, Context& context); ///< of `model`

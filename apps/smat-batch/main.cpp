@@ -19,6 +19,7 @@ void addCommands(CLI::App& app, smat::batch::Context& context) {
     addMtfCommand(app, context);
     addAtmosphereCommand(app, context);
     addGasCommand(app, context);
+    addPlumeCommand(app, context);
     addSelfTestCommand(app, context);
     addSensorCommand(app, context);
     addSettingsCommand(app, context);

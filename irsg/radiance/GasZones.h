@@ -29,7 +29,7 @@ bool isInGasZone(const Mesh& mesh, const IrCodes& codes, const Vec3& place_m);
 struct GasZone {
     GasZoneShape shape;
     /// Lengths between which radiance is taken as linear in the length, m, from 0 to beyond the
-    /// longest: by squares, since what is thin is linear and lines grow as the square root.
+    /// longest: by squares at least, as what is thin is linear and lines grow as the square root.
     std::vector<double> knots_m;
     bool operator==(const GasZone&) const = default;
 };

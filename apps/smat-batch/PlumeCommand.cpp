@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "apps/smat-batch/Command.h"
+#include "apps/smat-batch/NumberOptions.h"
+#include "apps/smat-batch/Output.h"
+#include "irsg/core/Collect.h"
+#include "irsg/radiometry/Band.h"
+#include "smatcore/tools/PlumeModel.h"
+
+namespace smat::batch {
+
+namespace {
+
+/// `smat-batch plume TABLE.csv --out plume.obj`.
+class PlumeCommand {
+  public:
+    explicit PlumeCommand(CLI::App& command) : numbers_(command) {
+        command
+            .add_option("TABLE", table_,
+                        "CSV with the columns x [m], r [m], T [K], and of p [atm], CO2, H2O, CO, "
+                        "CH4, O2, soot [ppmv] those that there are")
+            ->required()
+            ->type_name("");
+        command.add_option("--out", out_, "Model to write, with its codes and its database")
+            ->type_name("FILE.obj");
+        command.add_option("--band", band_, "Spectral band MIN-MAX of the bound")
+            ->type_name("um")
+            ->capture_default_str();
+        numbers_.add("--bound", "",
+                     "Error of the radiant intensity, relative; 0.01 when not given");
+        numbers_.add("--most-zones", "", "Zones at most, 1 to 40; 16 when not given");
+        numbers_.add("--first-index", "",
+                     "Temperature and material index of the outermost zone; 1 when not given");
+        command.footer("Makes zones of gas from a plume about an axis: a model, its codes and its "
+                       "signature database, so many zones that the radiant intensity from beside, "
+                       "from the quarter and from behind is within the bound.");
+    }
+
+    int run(Context& context) const {
+        const PlumeRequest request = requestOf();
+        PlumeModel plume;
+        {
+            const StageTimer::Scope scope(&context.timer, "compute");
+            plume = plumeModel(irsg::PlumeTable::read(table_), request);
+        }
+        const StageTimer::Scope scope(&context.timer, "save");
+        const auto files = savePlume(plume, out_);
+        if (context.json)
+            printJson(plume, files);
+        else
+            print(plume, files);
+        return done;
+    }
+
+  private:
+    PlumeRequest requestOf() const {
+        std::vector<irsg::Diagnostic> diagnostics;
+        PlumeRequest request;
+        irsg::collect(diagnostics, [&] { numbers_.check(); });
+        irsg::collect(diagnostics, [&] { request.band = irsg::Band::fromText(band_).range(); });
+        if (std::filesystem::path(out_).extension() != ".obj")
+            diagnostics.push_back({"--out", "", out_.empty() ? "nothing" : out_, "FILE.obj"});
+        request.bound = numbers_.value("--bound").value_or(request.bound);
+        if (!(request.bound > 0.0 && request.bound <= 1.0))
+            diagnostics.push_back({"--bound", "", irsg::numberText(request.bound),
+                                   "a part of the radiant intensity above 0, up to 1"});
+        irsg::collect(diagnostics,
+                      [&] { numbers_.takeWhole("--most-zones", request.most, 1.0, 40.0); });
+        irsg::collect(diagnostics,
+                      [&] { numbers_.takeWhole("--first-index", request.firstIndex, 0.0, 1e6); });
+        if (!diagnostics.empty())
+            throw irsg::InputError(std::move(diagnostics));
+        return request;
+    }
+
+    static void print(const PlumeModel& plume, const std::vector<std::filesystem::path>& files) {
+        fmt::print("{} zones\n", plume.zones.size());
+        for (const irsg::PlumeZonesError& error : plume.errors)
+            fmt::print("  {:<8} {:.5g} W sr-1, of the table {:.5g}: {:+.2f} %\n", error.view,
+                       error.zones_W_sr, error.table_W_sr, 100.0 * error.relative());
+        for (const std::filesystem::path& file : files)
+            fmt::print("  {}\n", file.string());
+    }
+
+    static void printJson(const PlumeModel& plume,
+                          const std::vector<std::filesystem::path>& files) {
+        nlohmann::ordered_json json{{"zones", plume.zones.size()}};
+        for (const irsg::PlumeZonesError& error : plume.errors)
+            json["views"].push_back({{"view", error.view},
+                                     {"intensity_W_sr", error.zones_W_sr},
+                                     {"intensity_table_W_sr", error.table_W_sr},
+                                     {"error", error.relative()}});
+        for (const std::filesystem::path& file : files)
+            json["files"].push_back(file.string());
+        fmt::print("{}\n", jsonText(json));
+    }
+
+    NumberOptions numbers_;
+    std::string table_, out_, band_ = "3-5";
+};
+
+} // namespace
+
+void addPlumeCommand(CLI::App& app, Context& context) {
+    addCommand<PlumeCommand>(app, context, "plume",
+                             "Makes zones of hot gas from a table of a plume");
+}
+
+} // namespace smat::batch

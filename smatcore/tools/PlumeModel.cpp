@@ -1,0 +1,165 @@
+#include "smatcore/tools/PlumeModel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "irsg/core/Errors.h"
+#include "irsg/core/FileReplacement.h"
+#include "irsg/radiometry/Units.h"
+#include "irsg/signature/SignatureFile.h"
+
+namespace smat {
+
+namespace {
+
+/// Surfaces of revolution as a Wavefront file, whose y is up and whose -z is our nose.
+class ObjectText {
+  public:
+    explicit ObjectText(int sides)
+        // A polygon as large as the circle.
+        : sides_(sides),
+          wider_(std::sqrt(2.0 * irsg::pi / (sides * std::sin(2.0 * irsg::pi / sides)))) {}
+
+    void add(const std::string& material, const std::vector<std::array<double, 2>>& outline) {
+        text_ += "g " + material + "\nusemtl " + material + "\n";
+        std::vector<int> first; // vertex of each ring
+        for (const auto& [x_m, r_m] : outline) {
+            first.push_back(count_ + 1);
+            for (int side = 0; side < (r_m > 0.0 ? sides_ : 1); ++side)
+                addVertex(x_m, r_m, side);
+        }
+        const auto isRing = [&](std::size_t i) { return outline[i][1] > 0.0; };
+        for (std::size_t i = 0; i + 1 < outline.size(); ++i)
+            for (int side = 0; side < sides_; ++side) {
+                const int a = first[i] + side, b = first[i] + (side + 1) % sides_;
+                const int c = first[i + 1] + side, d = first[i + 1] + (side + 1) % sides_;
+                if (isRing(i))
+                    addFace(a, b, isRing(i + 1) ? d : first[i + 1]);
+                if (isRing(i + 1))
+                    addFace(isRing(i) ? a : first[i], d, c);
+            }
+        for (const std::size_t end : {std::size_t{0}, outline.size() - 1})
+            for (int side = 1; isRing(end) && side + 1 < sides_; ++side)
+                end == 0 ? addFace(first[end], first[end] + side + 1, first[end] + side)
+                         : addFace(first[end], first[end] + side, first[end] + side + 1);
+    }
+    const std::string& text() const { return text_; }
+
+  private:
+    void addVertex(double x_m, double r_m, int side) {
+        const double angle = 2.0 * irsg::pi * side / sides_;
+        ++count_;
+        text_ += fmt::format("v {:.6f} {:.6f} {:.6f}\n", wider_ * r_m * std::cos(angle),
+                             wider_ * r_m * std::sin(angle), x_m);
+    }
+    void addFace(int a, int b, int c) { text_ += fmt::format("f {} {} {}\n", a, b, c); }
+
+    int sides_, count_ = 0;
+    double wider_;
+    std::string text_;
+};
+
+irsg::Material materialOf(const irsg::GasLayer& gas, const std::string& name) {
+    irsg::Material material;
+    material.name = name;
+    material.gasPressure_atm = gas.pressure_atm;
+    material.gasCO2 = gas.fraction(irsg::HotGas::CO2);
+    material.gasH2O = gas.fraction(irsg::HotGas::H2O);
+    material.gasCO = gas.fraction(irsg::HotGas::CO);
+    material.gasCH4 = gas.fraction(irsg::HotGas::CH4);
+    material.gasO2 = gas.oxygenFraction;
+    material.gasSoot_ppmv = gas.soot_ppmv;
+    material.notes = "mean of the plume's nodes in this zone, weighted with what they emit";
+    return material;
+}
+
+/// Moves flat ends inwards, at most half of the way to the next ring.
+void insetEnds(std::vector<std::array<double, 2>>& outline, double by_m) {
+    const std::size_t last = outline.size() - 1;
+    if (outline.front()[1] > 0.0)
+        outline.front()[0] += std::min(by_m, 0.5 * (outline[1][0] - outline[0][0]));
+    if (outline.back()[1] > 0.0)
+        outline.back()[0] -= std::min(by_m, 0.5 * (outline[last][0] - outline[last - 1][0]));
+}
+
+void fill(PlumeModel& plume, const PlumeRequest& request) {
+    ObjectText object(request.sides);
+    nlohmann::ordered_json rules = nlohmann::ordered_json::array();
+    // Ends of zones at the ends of the table do not lie in one plane. The first zone is all of it.
+    const auto& whole = plume.zones.front().outlines_m.front();
+    const double apart_m = 2e-4 * (whole.back()[0] - whole.front()[0]);
+    for (std::size_t i = 0; i < plume.zones.size(); ++i) {
+        const irsg::PlumeZone& zone = plume.zones[i];
+        const int index = request.firstIndex + static_cast<int>(i);
+        const std::string name = "zone_" + std::to_string(index);
+        for (std::vector<std::array<double, 2>> outline : zone.outlines_m) {
+            insetEnds(outline, static_cast<double>(i) * apart_m);
+            object.add(name, outline);
+        }
+        rules.push_back(
+            {{"material", name}, {"temperatureIndex", index}, {"materialIndex", index}});
+        irsg::TemperatureEntry temperature;
+        temperature.name = name;
+        temperature.terms.base_K = zone.gas.temperature_K;
+        temperature.notes =
+            "mean of the plume's nodes from " + irsg::numberText(std::round(zone.from_K)) + " K on";
+        plume.database.temperatures.emplace(index, std::move(temperature));
+        plume.database.materials.emplace(index, materialOf(zone.gas, name));
+    }
+    plume.database.title = "plume";
+    plume.object = object.text();
+    const nlohmann::ordered_json codes{{"format", "smat-codes"}, {"version", 1}, {"rules", rules}};
+    plume.codes = codes.dump(1) + "\n";
+}
+
+} // namespace
+
+double PlumeModel::largestError() const {
+    double largest = 0.0;
+    for (const irsg::PlumeZonesError& error : errors)
+        largest = std::max(largest, std::abs(error.relative()));
+    return largest;
+}
+
+PlumeModel plumeModel(const irsg::PlumeTable& table, const PlumeRequest& request) {
+    irsg::plumeZones(table, request.fewest); // what is refused is refused at once
+    const irsg::PlumeIntensities intensities(table, request.band);
+    PlumeModel best;
+    for (std::size_t count = request.fewest; count <= request.most; ++count) {
+        PlumeModel plume;
+        plume.zones = irsg::plumeZones(table, count);
+        plume.errors = intensities.errorsOf(plume.zones);
+        if (best.zones.empty() || plume.largestError() < best.largestError())
+            best = std::move(plume);
+        if (best.largestError() <= request.bound)
+            break;
+    }
+    if (!(best.largestError() <= request.bound))
+        throw irsg::InputError(
+            {"plume", "bound",
+             fmt::format("an error of {:.2g} with {} zones, the best of {} to {}",
+                         best.largestError(), best.zones.size(), request.fewest, request.most),
+             fmt::format("at most {:.2g}: allow more zones or a larger bound; gas of one "
+                         "temperature is taken as alike all along the axis",
+                         request.bound)});
+    fill(best, request);
+    return best;
+}
+
+std::vector<std::filesystem::path> savePlume(const PlumeModel& plume,
+                                             const std::filesystem::path& object) {
+    std::filesystem::path codes = object, database = object;
+    codes.replace_extension(".codes.json");
+    database.replace_extension(".sigdb");
+    for (const std::filesystem::path& file : {object, codes, database})
+        irsg::checkWritable(file);
+    irsg::writeFileDurably(object, plume.object);
+    irsg::writeFileDurably(codes, plume.codes);
+    irsg::saveSignatureFile(plume.database, database);
+    return {object, codes, database};
+}
+
+} // namespace smat
