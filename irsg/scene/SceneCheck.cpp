@@ -69,6 +69,41 @@ void checkGases(const Entity& entity, const ObjectGeometry& geometry, double amb
     }
 }
 
+/// The states that an entity's surfaces are evaluated in: the present one, then the others of its
+/// sweep.
+std::vector<EntityState> statesInPlace(const Entity& entity, const ObjectGeometry& geometry,
+                                       double ambient_K) {
+    std::vector<EntityState> states{stateInPlace(entity, geometry, ambient_K)};
+    Entity other = entity;
+    for (const EntityState& state : entity.otherStates) {
+        other.state = state;
+        states.push_back(stateInPlace(other, geometry, ambient_K));
+    }
+    return states;
+}
+
+/// A temperature that no surface has, in the first of the states that has one.
+void checkTemperature(const Entity& entity, int index, const std::string& place,
+                      const std::vector<EntityState>& states,
+                      std::vector<Diagnostic>& diagnostics) {
+    for (const EntityState& state : states) {
+        const double temperature_K = surfaceTemperature_K(entity, index, state);
+        const std::string when = place + " at time " + roundedText(state.time_s) + " s";
+        const std::string found = roundedText(temperature_K) + " K";
+        if (!(temperature_K > 0.0) || !std::isfinite(temperature_K))
+            diagnostics.push_back({entity.name, when, found,
+                                   "a positive temperature at power " + roundedText(state.power) +
+                                       ", Mach " + roundedText(state.mach)});
+        else if (temperature_K > hottest_K)
+            diagnostics.push_back({entity.name, when, found,
+                                   "at most " + roundedText(hottest_K) +
+                                       " K: no surface is hotter; is a unit or a factor wrong?"});
+        else
+            continue;
+        return;
+    }
+}
+
 void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double ambient_K,
                  const std::vector<Band>& bands, std::vector<Diagnostic>& diagnostics) {
     // One diagnostic an index, with all the faces that carry it.
@@ -89,7 +124,7 @@ void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double am
     missing("temperature", missingTemperatures);
     missing("material", missingMaterials);
 
-    const EntityState state = stateInPlace(entity, geometry, ambient_K);
+    const std::vector<EntityState> states = statesInPlace(entity, geometry, ambient_K);
     std::map<int, const TemperatureEntry*> temperatures;
     std::map<int, const Material*> materials;
     for (const auto& [codes, use] : entity.model->codes()) {
@@ -107,14 +142,7 @@ void checkEntity(const Entity& entity, const ObjectGeometry& geometry, double am
                                        "the name of a spectrum of the database"});
             continue;
         }
-        const double temperature_K = surfaceTemperature_K(entity, index, state);
-        if (!(temperature_K > 0.0) || !std::isfinite(temperature_K))
-            diagnostics.push_back({entity.name, place, roundedText(temperature_K) + " K",
-                                   "a positive temperature in the present state"});
-        else if (temperature_K > hottest_K)
-            diagnostics.push_back({entity.name, place, roundedText(temperature_K) + " K",
-                                   "at most " + roundedText(hottest_K) +
-                                       " K: no surface is hotter; is a unit or a factor wrong?"});
+        checkTemperature(entity, index, place, states, diagnostics);
     }
     checkGases(entity, geometry, ambient_K, diagnostics);
     for (const auto& [index, material] : materials) {

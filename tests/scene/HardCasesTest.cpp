@@ -334,64 +334,73 @@ void replaceDatabase(Stage& stage, const SignatureDatabase& database) {
 
 INSTANTIATE_TEST_SUITE_P(
     BadScenes, SceneChecks,
-    testing::Values(Refusal{"SensorBelowGround",
-                            [](Stage& s) {
-                                look(s.irsg, {.range_m = 5000.0, .elevation_rad = -1.0});
-                            },
-                            "altitude", "at least 0 m"},
-                    Refusal{"TargetBelowGround",
-                            [](Stage& s) {
-                                s.irsg.scene.entities[0].pose = {{0, 0, -10}, {}};
-                            },
-                            "altitude", "at least 0 m"},
-                    Refusal{"TemperatureWithoutEntry",
-                            [](Stage& s) {
-                                SignatureDatabase d = greyDatabase(0.9, 300.0);
-                                d.temperatures.clear();
-                                replaceDatabase(s, d);
-                            },
-                            "temperature index 1", "an entry in the signature database"},
-                    Refusal{"MaterialWithoutEntry",
-                            [](Stage& s) {
-                                SignatureDatabase d = greyDatabase(0.9, 300.0);
-                                d.materials.clear();
-                                replaceDatabase(s, d);
-                            },
-                            "material index 1", "an entry in the signature database"},
-                    Refusal{"SpectrumShortOfTheBand",
-                            [](Stage& s) {
-                                SignatureDatabase d = greyDatabase(0.9, 300.0);
-                                d.materials[1].emissivity = Spectrum({3.2, 5.0}, {0.9, 0.9});
-                                replaceDatabase(s, d);
-                            },
-                            "emissivity", "covers the band"},
-                    Refusal{"NegativeTemperature",
-                            [](Stage& s) { replaceDatabase(s, greyDatabase(0.9, -4.0)); },
-                            "temperature index 1", "positive temperature"},
-                    Refusal{"TemperatureOfNoSurface",
-                            [](Stage& s) { replaceDatabase(s, greyDatabase(0.9, 2e5)); },
-                            "temperature index 1", "at most 100000 K"},
-                    Refusal{"UnknownUserSpectrum",
-                            [](Stage& s) {
-                                SignatureDatabase d = greyDatabase(0.9, 300.0);
-                                d.temperatures[1].mode = EmissionMode::userSpectrum;
-                                d.temperatures[1].userSpectrum = "plume";
-                                replaceDatabase(s, d);
-                            },
-                            "spectrum 'plume'", "the name of a spectrum"},
-                    Refusal{"TooManySamples",
-                            [](Stage& s) {
-                                RenderSettings settings = RenderSettings::direct();
-                                settings.samplesPerAxis = 17;
-                                s.irsg.scene.settings = settings;
-                            },
-                            "samples per axis", "1 to 16"},
-                    Refusal{"BackgroundNotANumber",
-                            [](Stage& s) {
-                                RenderSettings settings = RenderSettings::direct();
-                                settings.background = BackgroundMode::constant;
-                                settings.background_W_m2_sr = std::nan("");
-                                s.irsg.scene.settings = settings;
-                            },
-                            "background", "finite radiance"}),
+    testing::Values(
+        Refusal{"SensorBelowGround",
+                [](Stage& s) { look(s.irsg, {.range_m = 5000.0, .elevation_rad = -1.0}); },
+                "altitude", "at least 0 m"},
+        Refusal{"TargetBelowGround",
+                [](Stage& s) {
+                    s.irsg.scene.entities[0].pose = {{0, 0, -10}, {}};
+                },
+                "altitude", "at least 0 m"},
+        Refusal{"TemperatureWithoutEntry",
+                [](Stage& s) {
+                    SignatureDatabase d = greyDatabase(0.9, 300.0);
+                    d.temperatures.clear();
+                    replaceDatabase(s, d);
+                },
+                "temperature index 1", "an entry in the signature database"},
+        Refusal{"MaterialWithoutEntry",
+                [](Stage& s) {
+                    SignatureDatabase d = greyDatabase(0.9, 300.0);
+                    d.materials.clear();
+                    replaceDatabase(s, d);
+                },
+                "material index 1", "an entry in the signature database"},
+        Refusal{"SpectrumShortOfTheBand",
+                [](Stage& s) {
+                    SignatureDatabase d = greyDatabase(0.9, 300.0);
+                    d.materials[1].emissivity = Spectrum({3.2, 5.0}, {0.9, 0.9});
+                    replaceDatabase(s, d);
+                },
+                "emissivity", "covers the band"},
+        Refusal{"NegativeTemperature",
+                [](Stage& s) { replaceDatabase(s, greyDatabase(0.9, -4.0)); },
+                "temperature index 1", "positive temperature"},
+        Refusal{"NegativeTemperatureLaterInASweep",
+                [](Stage& s) {
+                    SignatureDatabase d = greyDatabase(0.9, 300.0);
+                    d.temperatures[1].terms.time = LookupTable({0.0, 7200.0}, {0.0, -400.0});
+                    replaceDatabase(s, d);
+                    EntityState later = s.irsg.scene.entities[0].state;
+                    later.time_s = 7200.0;
+                    s.irsg.scene.entities[0].otherStates = {later};
+                },
+                "temperature index 1 (", "at time 7200 s"},
+        Refusal{"TemperatureOfNoSurface",
+                [](Stage& s) { replaceDatabase(s, greyDatabase(0.9, 2e5)); }, "temperature index 1",
+                "at most 100000 K"},
+        Refusal{"UnknownUserSpectrum",
+                [](Stage& s) {
+                    SignatureDatabase d = greyDatabase(0.9, 300.0);
+                    d.temperatures[1].mode = EmissionMode::userSpectrum;
+                    d.temperatures[1].userSpectrum = "plume";
+                    replaceDatabase(s, d);
+                },
+                "spectrum 'plume'", "the name of a spectrum"},
+        Refusal{"TooManySamples",
+                [](Stage& s) {
+                    RenderSettings settings = RenderSettings::direct();
+                    settings.samplesPerAxis = 17;
+                    s.irsg.scene.settings = settings;
+                },
+                "samples per axis", "1 to 16"},
+        Refusal{"BackgroundNotANumber",
+                [](Stage& s) {
+                    RenderSettings settings = RenderSettings::direct();
+                    settings.background = BackgroundMode::constant;
+                    settings.background_W_m2_sr = std::nan("");
+                    s.irsg.scene.settings = settings;
+                },
+                "background", "finite radiance"}),
     [](const auto& row) { return std::string(row.param.name); });
