@@ -5,6 +5,7 @@
 #include "apps/smat-batch/NumberOptions.h"
 #include "apps/smat-batch/SunOptions.h"
 #include "irsg/core/Collect.h"
+#include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
 #include "irsg/radiometry/Band.h"
 #include "irsg/radiometry/Units.h"
@@ -44,6 +45,14 @@ class RadiativeCommand {
         numbers_.add("--los-azimuth", "deg", "From the sensor, east of north; 0 when not given");
         numbers_.add("--altitude", "m", "Of the target");
         numbers_.add("--range", "m", "From sensor to target");
+        command
+            .add_option("--reference-distance", references_,
+                        "That a spectrum of a plume was measured from: adds the transmittance of "
+                        "the last so many metres, with which an analysis of such plumes accepts "
+                        "the file; may be given more than once")
+            ->type_name("m")
+            ->expected(1)
+            ->take_all();
         command.add_flag("--to-space", toSpace_, "A path without target, up to 100 km altitude");
         numbers_.add("--resolution", "cm-1", "Width of the spectral bins: 1, 5 or 15");
         command
@@ -90,6 +99,7 @@ class RadiativeCommand {
         collect([&] { request.band = irsg::Band::fromText(band_).range(); });
         collect([&] { numbers_.check(); });
         addQuantities(request, diagnostics);
+        addReferences(request, diagnostics);
         checkLimits("--sun-azimuth", 0.0, 360.0, " deg", diagnostics);
         checkLimits("--sun-elevation", -90.0, 90.0, " deg", diagnostics);
         checkLimits("--day-of-year", 1.0, 366.0, "", diagnostics);
@@ -131,6 +141,17 @@ class RadiativeCommand {
         }
         if (quantities_.empty())
             diagnostics.push_back({"--quantity", "", "nothing", oneOf(quantityWords(), "")});
+    }
+
+    void addReferences(RadiativeRequest& request,
+                       std::vector<irsg::Diagnostic>& diagnostics) const {
+        for (const std::string& text : references_) {
+            const std::optional<double> distance_m = irsg::parseNumber(text);
+            if (distance_m && *distance_m > 0.0)
+                request.referenceDistances_m.push_back(*distance_m);
+            else
+                diagnostics.push_back({"--reference-distance", "", text, "a number above 0 m"});
+        }
     }
 
     void checkLimits(const char* option, double least, double most, const char* unit,
@@ -177,7 +198,7 @@ class RadiativeCommand {
     }
 
     AtmosphereArguments air_;
-    std::vector<std::string> quantities_;
+    std::vector<std::string> quantities_, references_;
     std::string band_ = "3-5";
     std::string sun_ = "on";
     bool toSpace_ = false;

@@ -58,10 +58,11 @@ irsg::SpectralRange firstBand(const Settings& asked) {
 }
 
 std::string commandFor(const Project& project, const Settings& asked,
-                       const std::vector<std::string>& words, const PathGeometryInput& geometry) {
+                       const std::vector<std::string>& words, const PathGeometryInput& geometry,
+                       const std::vector<double>& referenceDistances_m = {}) {
     return radiativeCommand(resolvedAtmosphere(project, asked), words, geometry, firstBand(asked),
                             sunOf(project, asked), asked[key::environmentDayOfYear],
-                            "radiative.csv");
+                            "radiative.csv", referenceDistances_m);
 }
 
 } // namespace
@@ -167,7 +168,9 @@ Calculation::Work RadiativePage::work() {
             if (request.leaveOutMissing ||
                 std::find(words.begin(), words.end(), known.word) != words.end())
                 request.quantities.push_back(known.property);
-        request.commandLine = commandFor(project, asked, words, request.geometry);
+        request.referenceDistances_m = referenceDistancesOf_m(project, scenes);
+        request.commandLine =
+            commandFor(project, asked, words, request.geometry, request.referenceDistances_m);
         const auto output = radiativeOutput(environment, request);
         return [this, output, point_m, models = project.models] {
             showTable(output.table, tr("Radiative output"), figuresOf(output));

@@ -66,6 +66,17 @@ void check(const SpectraAtmosphereParameters& air) {
                 {air.name, name(property), numberText(spectrum.maximum()), "at most 1 everywhere"});
         }
     }
+    for (const auto& [distance_m, spectrum] : air.lastTransmittance) {
+        const std::string place = "transmittance of the last " + numberText(distance_m) + " m";
+        if (!air.path || !(distance_m > 0.0) || !(distance_m < air.path->range_m))
+            diagnostics.push_back({air.name, place, numberText(distance_m) + " m",
+                                   "a path that is longer, and more than 0 m of it"});
+        if (spectrum.minimum() < 0.0 || spectrum.maximum() > roundedTransmittance)
+            diagnostics.push_back(
+                {air.name, place,
+                 numberText(spectrum.minimum()) + " to " + numberText(spectrum.maximum()),
+                 "0 to 1 everywhere"});
+    }
     if (air.ambientTemperature_K) {
         if (!(*air.ambientTemperature_K > 0.0 && std::isfinite(*air.ambientTemperature_K))) {
             diagnostics.push_back({air.name, "ambient temperature",
@@ -157,8 +168,10 @@ void SpectraAtmosphere::requirePath(const AtmosphericPath& path) const {
 }
 
 void SpectraAtmosphere::requireTargetAltitude(double altitude_m) const {
-    requireNear("target altitude", altitude_m, *parameters_.targetAltitude_m, altitudeSlack_m(),
-                1.0, "m");
+    const double held_m = parameters_.targetAltitude_m
+                              ? *parameters_.targetAltitude_m
+                              : parameters_.path.value_or(AtmosphericPath{}).targetAltitude_m;
+    requireNear("target altitude", altitude_m, held_m, altitudeSlack_m(), 1.0, "m");
 }
 
 void SpectraAtmosphere::requireSunElevation(const SunPosition& sun) const {
@@ -172,6 +185,12 @@ Spectrum SpectraAtmosphere::nativeSpectrum(const AtmosphericQuery& query,
                                            const SpectralRange&) const {
     switch (geometryOf(query.quantity)) {
     case QueryGeometry::path:
+        if (query.quantity == AtmosphereProperty::transmittance)
+            for (const auto& [distance_m, spectrum] : parameters_.lastTransmittance)
+                if (std::abs(query.path.range_m - distance_m) <= rangeTolerance * distance_m) {
+                    requireTargetAltitude(query.path.targetAltitude_m);
+                    return spectrum;
+                }
         requirePath(query.path);
         break;
     case QueryGeometry::sight:

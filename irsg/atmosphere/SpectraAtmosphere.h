@@ -15,6 +15,9 @@ struct SpectraAtmosphereParameters {
     std::string name = "spectra";
     /// In the units of Atmosphere, each over the same range; not the ambient temperature.
     std::map<AtmosphereProperty, Spectrum> spectra;
+    /// Transmittance of the last so many metres of the path, m, up to the target: what the
+    /// radiation of a spectrum measured from there had passed (UserSpectrum::referenceDistance_m).
+    std::map<double, Spectrum> lastTransmittance;
     std::optional<AtmosphericPath> path;    ///< of transmittance, path radiance, scattering
     std::optional<LineOfSight> sight;       ///< of the background
     std::optional<double> targetAltitude_m; ///< of sun, fluxes and ambient temperature
@@ -48,6 +51,7 @@ class SpectraAtmosphere : public Atmosphere {
     /// ambient_temperature [K]`, each where a column needs it, then a header row and the columns
     /// `wavelength [um]` (strictly ascending or descending) and at least one of `transmittance`,
     /// `path_radiance [W m-2 sr-1 um-1]`, `background_radiance [W m-2 sr-1 um-1]`,
+    /// `transmittance_last_50m` (of the last 50 m of the path, for any number),
     /// `solar_irradiance [W m-2 um-1]`, `up_flux [W m-2 um-1]`, `down_flux [W m-2 um-1]`,
     /// `scattering_optical_depth`. A column `wavenumber [cm-1]` must agree with the wavelengths to
     /// a millionth. Throws InputError naming every diagnostic with its line.

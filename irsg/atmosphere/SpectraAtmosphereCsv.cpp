@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -29,12 +30,24 @@ constexpr std::pair<AtmosphereProperty, Quantity> columnsOfProperties[] = {
     {AtmosphereProperty::downwardFlux, Quantity::downwardFlux},
     {AtmosphereProperty::scatteringOpticalDepth, Quantity::scatteringOpticalDepth}};
 
+constexpr std::string_view lastBegins = "transmittance_last_", lastEnds = "m";
+
+/// Of a column of the transmittance of the last metres of the path, m; no value for another one.
+std::optional<double> lastMetres(std::string_view title) {
+    if (!title.starts_with(lastBegins) || !title.ends_with(lastEnds))
+        return std::nullopt;
+    title.remove_prefix(lastBegins.size());
+    title.remove_suffix(lastEnds.size());
+    const std::optional<double> distance_m = parseNumber(title);
+    return distance_m && *distance_m > 0.0 ? distance_m : std::nullopt;
+}
+
 std::string knownSpectra() {
     std::string text =
         "'" + columnHeader(Quantity::wavenumber) + "', '" + columnHeader(Quantity::wavelength);
     for (const auto& [property, quantity] : columnsOfProperties)
         text += "', '" + columnHeader(quantity);
-    return text + "'";
+    return text + "', '" + std::string(lastBegins) + "50" + std::string(lastEnds) + "'";
 }
 
 /// One file on its way from cells to parameters; gathers the diagnostics as it goes.
@@ -70,6 +83,7 @@ class SpectraReader {
             cell.text = titleOf(cell.text);
             const bool isKnown = cell.text == columnHeader(Quantity::wavenumber) ||
                                  cell.text == columnHeader(Quantity::wavelength) ||
+                                 lastMetres(cell.text) ||
                                  std::ranges::any_of(columnsOfProperties, [&](const auto& entry) {
                                      return cell.text == columnHeader(entry.second);
                                  });
@@ -111,7 +125,8 @@ class SpectraReader {
             const std::string title = titleOf(header.cells[k].text);
             const bool isAxis = title == columnHeader(Quantity::wavelength) ||
                                 title == columnHeader(Quantity::wavenumber);
-            const bool isShare = title == columnHeader(Quantity::transmittance);
+            const bool isShare =
+                title == columnHeader(Quantity::transmittance) || lastMetres(title);
             const std::string expected = isAxis    ? "a number above 0"
                                          : isShare ? "a number from 0 to 1"
                                                    : "a number of at least 0";
@@ -190,14 +205,16 @@ class SpectraReader {
         }
         if (!diagnostics_.empty())
             return result;
-        for (const auto& [property, quantity] : columnsOfProperties) {
-            if (columns_.contains(columnHeader(quantity))) {
-                result.spectra.emplace(property,
-                                       Spectrum(ascending(columnHeader(Quantity::wavelength)),
-                                                ascending(columnHeader(quantity)),
-                                                Spectrum::Outside::hold, table_.file()));
-            }
-        }
+        const auto spectrumOf = [&](const std::string& title) {
+            return Spectrum(ascending(columnHeader(Quantity::wavelength)), ascending(title),
+                            Spectrum::Outside::hold, table_.file());
+        };
+        for (const auto& [property, quantity] : columnsOfProperties)
+            if (columns_.contains(columnHeader(quantity)))
+                result.spectra.emplace(property, spectrumOf(columnHeader(quantity)));
+        for (const auto& [title, values] : columns_)
+            if (const auto distance_m = lastMetres(title))
+                result.lastTransmittance.emplace(*distance_m, spectrumOf(title));
         return result;
     }
 

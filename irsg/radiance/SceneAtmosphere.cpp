@@ -36,16 +36,6 @@ bool isOn(const RadianceTerm& term, const RenderSettings& settings) {
     return term.light && term.isOn(settings);
 }
 
-/// What a measured spectrum already holds of the air: the part of the path next to the target.
-AtmosphericPath nearTarget(const AtmosphericPath& path, double range_m) {
-    AtmosphericPath part = path;
-    part.range_m = range_m;
-    part.sensorAltitude_m =
-        path.targetAltitude_m +
-        (path.sensorAltitude_m - path.targetAltitude_m) * range_m / path.range_m;
-    return part;
-}
-
 /// The transmittance that is asked for because of a spectrum that was measured from so far.
 AtmosphericQuery passedByMeasured(const AtmosphericPath& path, double reference_m,
                                   ReferenceTransmittance rule) {
@@ -106,6 +96,15 @@ LineOfSight steadied(const LineOfSight& sight) {
     return {rounded(sight.sensorAltitude_m, std::max(1e-8, 1e-12 * sight.sensorAltitude_m)),
             std::clamp(rounded(sight.elevation_rad, angleStep_rad), -zenith_rad, zenith_rad),
             rounded(sight.azimuth_rad, angleStep_rad)};
+}
+
+AtmosphericPath nearTarget(const AtmosphericPath& path, double range_m) {
+    AtmosphericPath part = path;
+    part.range_m = range_m;
+    part.sensorAltitude_m =
+        path.targetAltitude_m +
+        (path.sensorAltitude_m - path.targetAltitude_m) * range_m / path.range_m;
+    return part;
 }
 
 AtmosphericPath atRange(const AtmosphericPath& path, double range_m) {

@@ -58,6 +58,9 @@ struct ObjectGeometry {
 AtmosphericPath steadied(const AtmosphericPath& path);
 LineOfSight steadied(const LineOfSight& sight);
 
+/// The part of a path next to the target, which a spectrum that was measured from there holds
+/// already. `range_m` above 0, at most that of the path.
+AtmosphericPath nearTarget(const AtmosphericPath& path, double range_m);
 /// The path that ends on the line to the reference point at another range.
 AtmosphericPath atRange(const AtmosphericPath& path, double range_m);
 

@@ -7,6 +7,7 @@
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/ProgramVersion.h"
+#include "irsg/radiance/SceneAtmosphere.h"
 #include "irsg/radiometry/Units.h"
 
 namespace smat {
@@ -59,6 +60,8 @@ class Output {
         const std::vector<AtmosphereProperty> asked = answerable();
         for (const AtmosphereProperty property : asked)
             spectra_.emplace_back(property, ask(property));
+        if (std::ranges::find(asked, AtmosphereProperty::transmittance) != asked.end())
+            askLastMetres();
         fillTable();
         summarise();
         writeProvenance();
@@ -122,9 +125,24 @@ class Output {
         return std::move(answer.value);
     }
 
+    /// The way to the reference distances of measured spectra.
+    void askLastMetres() {
+        for (const double distance_m : request_.referenceDistances_m) {
+            const bool isKnown = std::ranges::any_of(
+                last_, [&](const auto& known) { return known.first == distance_m; });
+            if (isKnown || !(distance_m > 0.0) || !(distance_m < geometry_.path->range_m))
+                continue;
+            irsg::AtmosphericQuery query = irsg::AtmosphericQuery::transmittance(
+                irsg::nearTarget(*geometry_.path, distance_m));
+            last_.emplace_back(distance_m, environment_.spectrum(query, request_.band).value);
+        }
+    }
+
     void fillTable() {
         std::vector<const Spectrum*> all;
         for (const auto& [property, spectrum] : spectra_)
+            all.push_back(&spectrum);
+        for (const auto& [distance_m, spectrum] : last_)
             all.push_back(&spectrum);
         const std::vector<double> axis = irsg::mergeAxes(all, request_.band);
         std::vector<std::vector<double>> values;
@@ -132,6 +150,10 @@ class Output {
         result_.table.add(Quantity::wavelength);
         for (const auto& [property, spectrum] : spectra_) {
             result_.table.add(entryOf(property).quantity);
+            values.push_back(spectrum.sample(axis));
+        }
+        for (const auto& [distance_m, spectrum] : last_) {
+            result_.table.add("transmittance_last_" + irsg::numberText(distance_m) + "m", "");
             values.push_back(spectrum.sample(axis));
         }
         for (std::size_t i = axis.size(); i-- > 0;) {
@@ -225,6 +247,7 @@ class Output {
     const RadiativeRequest& request_;
     PathGeometry geometry_;
     std::vector<std::pair<AtmosphereProperty, Spectrum>> spectra_;
+    std::vector<std::pair<double, Spectrum>> last_; ///< transmittance of so many metres
     RadiativeOutput result_;
 };
 

@@ -19,6 +19,10 @@ struct RadiativeRequest {
     /// refused.
     bool leaveOutMissing = false;
     PathGeometryInput geometry;
+    /// Distances that spectra of plumes were measured from, m: beside the transmittance of the path
+    /// that of its last so many metres. Those that are not shorter than the path are left out, as
+    /// nothing is added to or taken off such a spectrum.
+    std::vector<double> referenceDistances_m = {};
     irsg::SpectralRange band;
     std::string commandLine = {}; ///< goes into the provenance where it is not empty
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -50,6 +51,21 @@ irsg::Vec3 targetReferencePoint(const Project& project, SceneBuilder& scenes) {
     }
 }
 
+std::vector<double> referenceDistancesOf_m(const Project& project, SceneBuilder& scenes) {
+    std::set<double> distances_m;
+    for (const ProjectModel& model : project.models) {
+        try {
+            for (const auto& [name, spectrum] :
+                 scenes.database(project.resolve(model.database))->spectra)
+                if (spectrum.referenceDistance_m > 0.0)
+                    distances_m.insert(spectrum.referenceDistance_m);
+        } catch (const irsg::InputError&) {
+            continue; // an analysis says so
+        }
+    }
+    return {distances_m.begin(), distances_m.end()};
+}
+
 std::string atmosphereArguments(const std::vector<std::filesystem::path>& air) {
     std::string arguments;
     for (const auto& one : air)
@@ -61,7 +77,8 @@ std::string radiativeCommand(const std::vector<std::filesystem::path>& air,
                              const std::vector<std::string>& words,
                              const PathGeometryInput& geometry, const irsg::SpectralRange& band,
                              const irsg::SunPosition& sun, std::optional<double> dayOfYear,
-                             const std::string& outputFile) {
+                             const std::string& outputFile,
+                             const std::vector<double>& referenceDistances_m) {
     std::string command = "smat-batch radiative" + atmosphereArguments(air);
     const auto add = [&](const char* option, double value) {
         command += std::string(" ") + option + "=" + irsg::numberText(value);
@@ -78,6 +95,8 @@ std::string radiativeCommand(const std::vector<std::filesystem::path>& air,
     if (geometry.losElevation_deg)
         add("--los-elevation", *geometry.losElevation_deg);
     add("--los-azimuth", geometry.losAzimuth_deg);
+    for (const double distance_m : referenceDistances_m)
+        add("--reference-distance", distance_m);
     // Angles of the sun were degrees before they were radians: twelve digits are what was typed.
     const auto typed = [](double angle_rad) {
         return std::stod(fmt::format("{:.12g}", irsg::degrees(angle_rad)));

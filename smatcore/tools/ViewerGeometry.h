@@ -32,6 +32,11 @@ std::string radiativeCommand(const std::vector<std::filesystem::path>& air,
                              const std::vector<std::string>& words,
                              const PathGeometryInput& geometry, const irsg::SpectralRange& band,
                              const irsg::SunPosition& sun, std::optional<double> dayOfYear,
-                             const std::string& outputFile);
+                             const std::string& outputFile,
+                             const std::vector<double>& referenceDistances_m = {});
+
+/// Distances that the spectra of a project's models were measured from, each once, ascending; none
+/// of databases that cannot be read.
+std::vector<double> referenceDistancesOf_m(const Project& project, SceneBuilder& scenes);
 
 } // namespace smat

@@ -112,6 +112,35 @@ TEST(RadiativeOutput, SumsTheBandUpInSummaryAndProvenance) {
     EXPECT_EQ(provenance.value("answered by"), "transmittance: haze");
 }
 
+TEST(RadiativeOutput, HoldsWhatMeasuredSpectraHavePassed) {
+    const test::TemporaryFolder folder;
+    const irsg::Environment environment = haze();
+    RadiativeRequest request = everything();
+    request.referenceDistances_m = {50.0, 12.5, 50.0, 1e9}; // twice, and beyond the sensor
+    const RadiativeOutput output = radiativeOutput(environment, request);
+    ASSERT_NE(output.table.find("transmittance_last_50m"), nullptr);
+    ASSERT_NE(output.table.find("transmittance_last_12.5m"), nullptr);
+    EXPECT_EQ(output.table.columns().size(),
+              radiativeOutput(environment, everything()).table.columns().size() + 2);
+    output.table.save(folder / "s.csv");
+    const irsg::SpectraAtmosphere again = irsg::SpectraAtmosphere::fromCsv(folder / "s.csv");
+    const irsg::AtmosphericPath path = *again.parameters().path;
+    // Homogeneous air: a part of the path takes its part of the optical depth.
+    const auto at4um = [&](double range_m) {
+        irsg::AtmosphericPath part = path;
+        part.range_m = range_m;
+        part.sensorAltitude_m =
+            path.targetAltitude_m +
+            (path.sensorAltitude_m - path.targetAltitude_m) * range_m / path.range_m;
+        return again.spectrum(irsg::AtmosphericQuery::transmittance(part), band).at(4.0);
+    };
+    const double whole = at4um(path.range_m);
+    for (const double distance_m : {50.0, 12.5}) {
+        EXPECT_NEAR(std::log(at4um(distance_m)), std::log(whole) * distance_m / path.range_m, 1e-4);
+    }
+    EXPECT_THROW(at4um(60.0), irsg::InputError);
+}
+
 TEST(RadiativeOutput, GivesBackTheSameSpectraWhenReadAsAir) {
     const test::TemporaryFolder folder;
     const irsg::Environment environment = haze();
