@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Image, simulate and sweep of the same views, side by side.
+"""Image, its pixels, simulate and sweep of the same views, side by side.
 
     benchmarks/ways_agree.py SMAT_BATCH [--quick] [--air haze --air computed]
 
 Of two samples, seen from several azimuths and elevations, each band by itself and two in one go,
 through four airs, each in the spectral mode and in ck, it takes intensity and contrast from `image`,
-from `simulate` and from `polar`, and prints the largest differences: of the intensity as a part of
+from `simulate` and from `polar`, and the contrast once more from the pixels of the image, and prints the largest differences: of the intensity as a part of
 it, of the contrast as a part of the intensity. Leaves with 1 where one is not at most 1e-5.
 
 The airs: `haze` is homogeneous air of a table, `computed` an AtmosphereSmart, `family` a table of runs
@@ -50,6 +50,7 @@ def run(program, *arguments):
     done = subprocess.run([program, *map(str, arguments)], capture_output=True, text=True)
     if done.returncode:
         sys.exit(f"{' '.join(map(str, arguments))}:\n{done.stdout}{done.stderr}")
+    return done.stdout
 
 
 def planck_W_cm2_sr_per_cm(wavenumber_per_cm, temperature_K):
@@ -204,6 +205,19 @@ def seen(program, folder, file, elevation, bands):
     return found
 
 
+def summed(program, folder, file, elevation, band):
+    """The contrast of one band as the sum over the pixels of images."""
+    found = {}
+    image = folder / "image.exr"
+    for azimuth in AZIMUTHS:
+        run(program, "image", file, f"--elevation={elevation}", "--azimuth", azimuth, "--band", band,
+            "--out", image)
+        compared = json.loads(run(program, "compare", image, image, "--json"))
+        found[azimuth, band] = {
+            "contrast_intensity": compared["comparisons"][0]["contrast_intensity_a"]}
+    return found
+
+
 class Worst:
     """The largest differences by what was compared."""
 
@@ -213,7 +227,7 @@ class Worst:
     def add(self, key, truth, values, elevation):
         for (azimuth, band), of_view in values.items():
             expected = truth[azimuth, band]
-            for quantity in QUANTITIES:
+            for quantity in of_view:
                 error = abs(of_view[quantity] - expected[quantity]) / expected["intensity"]
                 found = (*key, quantity)
                 # What is no number is the largest of all.
@@ -241,6 +255,8 @@ def compare(program, name, sample, air, elevations, bands, several, worst):
                 alone |= sweep
                 key = (name, air.name, air.mode, "one band")
                 worst.add((*key, "image"), sweep, seen(program, folder, file, elevation, band),
+                          elevation)
+                worst.add((*key, "pixels"), sweep, summed(program, folder, file, elevation, band),
                           elevation)
                 worst.add((*key, "simulate"), sweep, by_simulate(elevation, band), elevation)
             key = (name, air.name, air.mode, "two bands")

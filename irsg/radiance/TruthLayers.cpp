@@ -126,7 +126,7 @@ void TruthLayers::add(const SampleTile& tile, const GeometrySamples& samples) {
                         sums[ofOthers] += of * at[2];
                     }
                     sums.back() -= static_cast<double>(part * layer.coverage) * known.opacity *
-                                   background_.at(x, y);
+                                   background_.behindAt(x, y);
                 });
 
             if (!nearest) // a gas that it only touches

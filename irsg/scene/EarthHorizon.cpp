@@ -85,6 +85,13 @@ Mesh meshBefore(const ObjectGeometry& object, double reference_m) {
 
 } // namespace
 
+double hiddenByHorizon(const Entity& entity, const ObjectGeometry& object) {
+    if (object.hidden != HiddenPart::some)
+        return object.hidden == HiddenPart::all ? 1.0 : 0.0;
+    const auto [low_m, high_m] = altitudesOf(entity);
+    return std::clamp((object.hiddenBelow_m[1] - low_m) / std::max(high_m - low_m, 1e-9), 0.0, 1.0);
+}
+
 void takeApparentDirections(FrameRequest& request, std::vector<ObjectGeometry>& geometry) {
     const Scene& scene = request.scene;
     const Vec3 forward = request.view.viewpoint.forward();

@@ -17,6 +17,9 @@ class RayMesh;
 /// object that is nearest to the middle of its field.
 void takeApparentDirections(FrameRequest& request, std::vector<ObjectGeometry>& geometry);
 
+/// Of the height of an object at its reference point's range, 0 to 1: what lies below the horizon.
+double hiddenByHorizon(const Entity& entity, const ObjectGeometry& object);
+
 /// The ground that hides the lower part of an object, as the flat scene must have it: a wall before
 /// the object's sphere, up to the altitude that the horizon hides there, and a sheet over its
 /// length at the altitudes that it hides farther on.

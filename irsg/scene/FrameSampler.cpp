@@ -119,16 +119,6 @@ std::vector<SampleTile> FrameSampler::tilesOf(const Frame& frame,
     return antialiasing_.strategyFor(frame.settings()).tiles(objects);
 }
 
-std::vector<SampleTile> FrameSampler::tilesOfSums(const Frame& frame) {
-    if (frame.plan.drawn.empty())
-        return {};
-    return antialiasing_.strategyFor(frame.settings()).tilesOfSums(frame.plan.drawn);
-}
-
-bool FrameSampler::sumsSampleAsPictures(const Frame& frame) {
-    return frame.plan.drawn.empty() || tilesOfSums(frame) == tilesOf(frame, frame.plan.drawn);
-}
-
 std::vector<SampleSheet> FrameSampler::sheetsOfPicture(const Frame& frame) {
     if (frame.plan.drawn.empty())
         return {};
@@ -144,7 +134,8 @@ std::shared_ptr<ViewSampling> FrameSampler::begin(const Frame& frame) {
     auto sampling = std::make_shared<ViewSampling>(std::move(key), frame, terms_.factorCount());
     // It outlives what is begun here: it waits for that when it goes.
     sampling->tiles_ = surfaces_.begin(
-        frame.surfaces, frame.request.camera, tilesOfSums(frame), frame.rows().needsDistances(),
+        frame.surfaces, frame.request.camera, tilesOf(frame, frame.plan.drawn),
+        frame.rows().needsDistances(),
         [own = sampling.get()](const SampleTile& tile, const GeometrySamples& samples) {
             own->sums_.addToView(tile, samples, own->factors_);
         });
@@ -255,10 +246,11 @@ PixelGeometry FrameSampler::pixelFactors(const Frame& frame) {
     return factors;
 }
 
-void FrameSampler::addTruthLayers(const Frame& frame, RadianceImage& image) {
+void FrameSampler::addTruthLayers(const Frame& frame, const FrameBackground& background,
+                                  RadianceImage& image) {
     EvaluatedScene& evaluated = *frame.evaluation().evaluated;
-    TruthLayers truth(evaluated.radiometry, evaluated.radiances, occluderStacks_,
-                      frame.backgrounds.byOutput.front(), frame.light(), image);
+    TruthLayers truth(evaluated.radiometry, evaluated.radiances, occluderStacks_, background,
+                      frame.light(), image);
     surfaces_.sample(
         frame.surfaces, frame.request.camera, tilesOf(frame, frame.plan.seen), true, "truth layers",
         [&](const SampleTile& tile, const GeometrySamples& samples) { truth.add(tile, samples); });

@@ -52,15 +52,13 @@ class FrameSampler {
     SampledPicture followedPicture(const Frame& frame);
     /// The tiles of a picture, side by side as they are drawn.
     std::vector<SampleSheet> sheetsOfPicture(const Frame& frame);
-    /// True where the tiles of sums are those of the picture.
-    bool sumsSampleAsPictures(const Frame& frame);
     /// What the pixels of a picture take of each surface that is drawn into tiles.
     PixelGeometry pixelFactors(const Frame& frame);
-    void addTruthLayers(const Frame& frame, RadianceImage& image);
+    void addTruthLayers(const Frame& frame, const FrameBackground& background,
+                        RadianceImage& image);
 
   private:
     std::vector<SampleTile> tilesOf(const Frame& frame, const std::vector<ObjectExtent>& objects);
-    std::vector<SampleTile> tilesOfSums(const Frame& frame);
 
     const RadianceTerms& terms_;
     SurfaceSampler& surfaces_;

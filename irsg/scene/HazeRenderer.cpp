@@ -8,6 +8,7 @@
 #include "irsg/core/Wording.h"
 #include "irsg/radiance/Reductions.h"
 #include "irsg/radiance/ScatteringDepth.h"
+#include "irsg/scene/PictureBackground.h"
 
 namespace irsg {
 
@@ -131,26 +132,47 @@ void HazeRenderer::check(const Environment& environment) {
         scattering_.check(droplets->database());
 }
 
-void HazeRenderer::add(const Frame& frame, RadianceImage& image,
-                       std::vector<std::string>& warnings) {
+HazeGains HazeRenderer::gains(const Frame& frame) {
+    std::vector<std::string> warnings; // those of the picture
+    std::vector<ScatteredObject> objects = objectsOf(frame, warnings);
+    const PixelGeometry factors = sampler_.pixelFactors(frame);
+    return clock_.timed("scattering", [&] {
+        addPixels(frame, factors, objects);
+        addPoints(frame, objects);
+        SampleTile whole;
+        whole.blocksWide = frame.sensor().width_px;
+        whole.blocksHigh = frame.sensor().height_px;
+        FrameReduction pixels(frame.sensor(), {whole});
+        for (const ScatteredObject& object : objects)
+            for (const ScatteredObject::Pixel& pixel : object.pixels)
+                pixels.addPoint(pixel.x, pixel.y, pixel.radiance_W_m2_sr, pixel.opacity);
+        return scattering_.gains(scatteringLutOf(frame.scene().environment)->database(),
+                                 frame.sensor(), pictureBackground(frame, pixels), objects,
+                                 frame.evaluation().ranges_m());
+    });
+}
+
+HazeGains HazeRenderer::add(const Frame& frame, const FrameBackground& background,
+                            RadianceImage& image, std::vector<std::string>& warnings) {
     std::vector<ScatteredObject> objects = objectsOf(frame, warnings);
     // What every pixel shows of each object, from the tiles of the sampling. The published zoom
     // resamples what it draws, so that its objects are drawn on the pixels' own grid here.
     const PixelGeometry factors = sampler_.pixelFactors(frame);
-    clock_.timed("scattering", [&] {
+    return clock_.timed("scattering", [&] {
         addPixels(frame, factors, objects);
         addPoints(frame, objects);
         const auto& database = scatteringLutOf(frame.scene().environment)->database();
         warnOfOutside(frame, scattering_.support_px(database, frame.sensor()), warnings);
         for (const ScatteredLight& light :
-             scattering_.addHaze(database, frame.sensor(), frame.backgrounds.byOutput.front(),
-                                 objects, image, warnings)) {
+             scattering_.addHaze(database, frame.sensor(), background, objects, image, warnings)) {
             const std::string key = "scattering." + light.name + ".";
             image.attributes[key + "optical_depth"] = roundedText(light.opticalDepth, 9);
             image.attributes[key + "gain"] = roundedText(light.gain, 9);
             image.attributes[key + "cut"] = roundedText(light.cut, 9);
         }
         image.attributes["scattering.database"] = database.string();
+        return scattering_.gains(database, frame.sensor(), background, objects,
+                                 frame.evaluation().ranges_m());
     });
 }
 

@@ -7,6 +7,7 @@
 #include "irsg/scene/AspectSampler.h"
 #include "irsg/scene/Frame.h"
 #include "irsg/scene/FrameSampler.h"
+#include "irsg/scene/HazeGains.h"
 #include "irsg/scene/PreparedEntities.h"
 #include "irsg/scene/SceneEvaluator.h"
 #include "irsg/scene/StageClock.h"
@@ -28,8 +29,12 @@ class HazeRenderer {
 
     /// Throws InputError where the environment names a file that is no MTF database.
     void check(const Environment& environment);
-    /// Warnings are added, each once.
-    void add(const Frame& frame, RadianceImage& image, std::vector<std::string>& warnings);
+    /// Warnings are added, each once. What that makes of the sums over the frame, by entity.
+    HazeGains add(const Frame& frame, const FrameBackground& background, RadianceImage& image,
+                  std::vector<std::string>& warnings);
+
+    /// The same without the picture, of the frame of one.
+    HazeGains gains(const Frame& frame);
 
   private:
     /// The objects of a scene with the optical depths of their paths, still without pixels.

@@ -71,8 +71,7 @@ PixelExplanation PixelExplainer::at(int x, int y) {
     PixelExplanation result;
     result.x = x;
     result.y = y;
-    const FrameBackground& background = frame.backgrounds.byOutput.front();
-    result.background_W_m2_sr = background.at(x, y);
+    result.background_W_m2_sr = background_.at(x, y);
     const std::size_t pixel =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(sensor.width_px) +
         static_cast<std::size_t>(x);
@@ -83,6 +82,9 @@ PixelExplanation PixelExplainer::at(int x, int y) {
     part(frame.backgrounds.layers.sky, result.sky_W_m2_sr);
     part(frame.backgrounds.layers.environment, result.environment_W_m2_sr);
     part(frame.backgrounds.layers.terrain, result.terrain_W_m2_sr);
+    if (const double drawn = frame.backgrounds.byOutput.front().at(x, y);
+        result.environment_W_m2_sr && drawn > 0.0)
+        *result.environment_W_m2_sr *= result.background_W_m2_sr / drawn;
 
     // The facets of the middles of the pixels around.
     std::optional<std::vector<TileRays::Facet>> facets;
@@ -109,7 +111,7 @@ PixelExplanation PixelExplainer::at(int x, int y) {
 
     // The samples that the image takes of the pixel.
     PixelTerms terms(evaluated.radiometry, evaluated.radiances, occluderStacks_, frame.light(),
-                     result.background_W_m2_sr);
+                     background_.behindAt(x, y));
     for (const SampleSheet& sheet : sheets_) {
         std::optional<SheetScene> drawn;
         for (std::size_t w = 0; w < sheet.tiles.size(); ++w) {

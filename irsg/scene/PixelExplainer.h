@@ -7,6 +7,7 @@
 #include "irsg/scene/AspectSampler.h"
 #include "irsg/scene/Frame.h"
 #include "irsg/scene/FrameSampler.h"
+#include "irsg/scene/PictureBackground.h"
 #include "irsg/scene/SurfaceSampler.h"
 
 namespace irsg {
@@ -23,18 +24,27 @@ class PixelExplainer {
           aspects_(aspects),
           terrainRays_(terrainRays),
           occluderStacks_(occluderStacks),
-          sheets_(sampler.sheetsOfPicture(frame)) {}
+          sheets_(sampler.sheetsOfPicture(frame)),
+          background_(backgroundOf(frame, sampler)) {}
 
     /// LogicError for a pixel outside the frame.
     PixelExplanation at(int x, int y);
 
   private:
+    /// That of the picture: its pixels are asked only where it follows from them.
+    static FrameBackground backgroundOf(const Frame& frame, FrameSampler& sampler) {
+        return frame.backgrounds.byOutput.front().isUniform()
+                   ? frame.backgrounds.byOutput.front()
+                   : pictureBackground(frame, sampler.picture(frame).pixels);
+    }
+
     const Frame& frame_;
     SurfaceSampler& surfaces_;
     AspectSampler& aspects_;
     TerrainRays& terrainRays_;
     OccluderStacks& occluderStacks_;
     std::vector<SampleSheet> sheets_;
+    FrameBackground background_;
     GeometrySamples samples_; // room for those of a sheet
 };
 

@@ -9,6 +9,7 @@
 #include "irsg/geometry/view/PixelGrid.h"
 #include "irsg/image/ImageIntensity.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/scene/EarthHorizon.h"
 #include "irsg/scene/InterReflection.h"
 
 namespace irsg {
@@ -21,20 +22,21 @@ constexpr const char* publishedTilesInSums =
     "the published zoom (sills) is drawn in pictures alone: intensities, contrast and irradiances "
     "of several objects or bands are those of aligned windows";
 constexpr const char* scatteringInSums =
-    "scattering: images show the haze; intensities, contrast and irradiances of objects are those "
-    "of their direct light";
+    "scattering: intensities, contrast and irradiances hold the haze that falls into the frame, as "
+    "its picture does";
 
 /// What is to be taken off every pixel of an image, so that the sum is that of what objects differ
 /// from the background behind them: of a background that varies, its mean over the solid angle.
-double meanBackground_W_m2_sr(const Frame& frame, int width, int height) {
-    if (frame.backgrounds.byOutput.front().isUniform())
+double meanBackground_W_m2_sr(const Frame& frame, const FrameBackground& background, int width,
+                              int height) {
+    if (background.isUniform())
         return frame.backgrounds.ofSums.front().centre_W_m2_sr();
     const PixelSolidAngles angles(width, height, degrees(frame.sensor().horizontalFieldOfView_rad));
     double sum_W_m2 = 0.0, solidAngle_sr = 0.0;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const double angle_sr = angles.at_sr(x, y);
-            sum_W_m2 += frame.backgrounds.byOutput.front().at(x, y) * angle_sr;
+            sum_W_m2 += background.at(x, y) * angle_sr;
             solidAngle_sr += angle_sr;
         }
     return sum_W_m2 / solidAngle_sr;
@@ -42,19 +44,23 @@ double meanBackground_W_m2_sr(const Frame& frame, int width, int height) {
 
 } // namespace
 
-RenderReport RenderReporter::report(const Frame& frame, const FrameReduction& pixels) {
+RenderReport RenderReporter::report(const Frame& frame, const FrameReduction& pixels,
+                                    const FrameBackground& background) {
     RenderReport report;
     const double range_m = frame.evaluation().geometry.empty()
                                ? 0.0
                                : frame.evaluation().geometry.front().path.range_m;
-    report.all = pixels.objects(frame.backgrounds.ofSums.front(), range_m);
+    report.all = pixels.objects(background, range_m);
     fill(frame, 0, report);
     if (!frame.evaluation().geometry.empty()) {
         report.all.atmosphereError = frame.evaluation().geometry.front().atmosphereError;
+        report.all.hiddenByHorizon =
+            hiddenByHorizon(frame.scene().entities.front(), frame.evaluation().geometry.front());
         report.objects.assign(1, report.all);
         report.objects.front().name = frame.scene().entities.front().name;
     }
-    report.totalIrradiance_W_m2 = totalIrradiance_W_m2(frame, 0, report.all.irradiance_W_m2);
+    report.totalIrradiance_W_m2 =
+        totalIrradiance_W_m2(frame, background, report.all.irradiance_W_m2);
     return report;
 }
 
@@ -81,6 +87,8 @@ std::vector<RenderReport> RenderReporter::reports(const Frame& frame, const View
             for (std::size_t e = 0; e < report.objects.size(); ++e) {
                 report.objects[e].name = frame.scene().entities[e].name;
                 report.objects[e].range_m = ranges_m[e];
+                report.objects[e].hiddenByHorizon =
+                    hiddenByHorizon(frame.scene().entities[e], frame.evaluation().geometry[e]);
                 report.objects[e].atmosphereError = frame.evaluation().geometry[e].atmosphereError;
                 report.all.atmosphereError = std::max(
                     report.all.atmosphereError, frame.evaluation().geometry[e].atmosphereError);
@@ -91,8 +99,8 @@ std::vector<RenderReport> RenderReporter::reports(const Frame& frame, const View
                 report.all.errors = errors[band].back();
             report.layersLeftOver = factors.layersLeftOver;
             fill(frame, band, report);
-            report.totalIrradiance_W_m2 =
-                totalIrradiance_W_m2(frame, band, report.all.irradiance_W_m2);
+            report.totalIrradiance_W_m2 = totalIrradiance_W_m2(
+                frame, frame.backgrounds.byOutput[band], report.all.irradiance_W_m2);
         }
         if (frame.settings().usesPublishedTiles())
             for (RenderReport& report : all)
@@ -112,10 +120,9 @@ double RenderReporter::projectedSolidAngle_sr(const Sensor& sensor) {
     return solidAngle_.projected_sr;
 }
 
-double RenderReporter::totalIrradiance_W_m2(const Frame& frame, std::size_t output,
+double RenderReporter::totalIrradiance_W_m2(const Frame& frame, const FrameBackground& background,
                                             double contrast_W_m2) {
     const PixelGrid grid(frame.sensor());
-    const FrameBackground& background = frame.backgrounds.byOutput[output];
     if (background.isUniform())
         return contrast_W_m2 + background.centre_W_m2_sr() * projectedSolidAngle_sr(frame.sensor());
     double behind_W_m2 = 0.0;
@@ -160,7 +167,8 @@ void RenderReporter::fill(const Frame& frame, std::size_t output, RenderReport& 
     report.renderer = frame.surfaces.engine.description;
 }
 
-void RenderReporter::describe(const Frame& frame, RadianceImage& image) {
+void RenderReporter::describe(const Frame& frame, const FrameBackground& background,
+                              RadianceImage& image) {
     const Sensor& sensor = frame.sensor();
     const RenderSettings& settings = frame.settings();
     const Band& band = frame.request.bands.front();
@@ -174,7 +182,7 @@ void RenderReporter::describe(const Frame& frame, RadianceImage& image) {
     else
         image.attributes["samples_per_axis"] = std::to_string(settings.samplesPerAxis);
     image.attributes["background_W_m2_sr"] =
-        roundedText(meanBackground_W_m2_sr(frame, image.width(), image.height()), 9);
+        roundedText(meanBackground_W_m2_sr(frame, background, image.width(), image.height()), 9);
     image.attributes["renderer"] = frame.surfaces.engine.description;
     if (!frame.evaluation().geometry.empty())
         image.attributes["range_m"] =

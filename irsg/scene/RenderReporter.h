@@ -24,13 +24,16 @@ class RenderReporter {
     /// By output, from the factors of a view.
     std::vector<RenderReport> reports(const Frame& frame, const ViewGeometry& factors);
     /// What the pixels of a picture of at most one object add up to, in the first band.
-    RenderReport report(const Frame& frame, const FrameReduction& pixels);
+    RenderReport report(const Frame& frame, const FrameReduction& pixels,
+                        const FrameBackground& background);
     /// Gives a picture its attributes.
-    static void describe(const Frame& frame, RadianceImage& image);
+    static void describe(const Frame& frame, const FrameBackground& background,
+                         RadianceImage& image);
 
   private:
     void fill(const Frame& frame, std::size_t output, RenderReport& report);
-    double totalIrradiance_W_m2(const Frame& frame, std::size_t output, double contrast_W_m2);
+    double totalIrradiance_W_m2(const Frame& frame, const FrameBackground& background,
+                                double contrast_W_m2);
     double projectedSolidAngle_sr(const Sensor& sensor);
 
     RenderErrorEstimator& errors_;

@@ -11,6 +11,7 @@
 #include "irsg/core/ParallelFor.h"
 #include "irsg/radiance/SceneAtmosphere.h"
 #include "irsg/radiance/SceneScaledView.h"
+#include "irsg/scene/PictureBackground.h"
 #include "irsg/scene/RendererImpl.h"
 #include "irsg/scene/SceneCheck.h"
 
@@ -27,6 +28,18 @@ void requireNoScales(const std::vector<Entity>& entities) {
 Scene withRays(Scene scene) {
     scene.settings.engine = EngineChoice::rays;
     return scene;
+}
+
+/// With the haze of one object, or of all.
+std::unique_ptr<const ScaledView> hazed(std::unique_ptr<const ScaledView> direct,
+                                        const HazeGains& gains,
+                                        const std::vector<ObjectRadiometry>& objects,
+                                        std::optional<int> only) {
+    if (gains.empty())
+        return direct;
+    return std::make_unique<const HazedScaledView>(std::move(direct),
+                                                   only ? gains[static_cast<std::size_t>(*only)]
+                                                        : gainOfAll(gains, objects));
 }
 
 ScaledValues valuesOf(const ObjectRadiometry& sum) {
@@ -57,16 +70,22 @@ Rendered Renderer::render(const Scene& scene, const SensorView& view, const Outp
             result.reports = p.reports(frame);
         if (!outputs.scalings().empty() && outputs.wavenumbers_per_cm().empty()) {
             const ViewGeometry& factors = p.sampler.factorsOf(frame);
-            const std::vector<RenderReport> nominal = p.reports(frame);
+            const std::vector<RenderReport> nominal = p.reporter.reports(frame, factors);
+            std::vector<HazeGains> gains;
+            for (const Band& band : frame.request.bands)
+                gains.push_back(scene.settings.scattering ? p.hazeGains(scene, view, band)
+                                                          : HazeGains{});
             p.clock.timed("scaled view", [&] {
                 EvaluatedScene& evaluated = *frame.evaluation().evaluated;
                 const auto add = [&](std::size_t band, const ObjectRadiometry& sum,
                                      std::optional<int> only) {
-                    result.scaled.push_back(std::make_unique<const SceneScaledView>(
+                    auto direct = std::make_unique<const SceneScaledView>(
                         factors, evaluated.radiometry, evaluated.radiances, frame.light(),
                         evaluated.planck, frame.evaluation().ranges_m(),
                         evaluated.radiometry.outputs()[band], outputs.scalings(), false,
-                        valuesOf(sum), only));
+                        valuesOf(sum), only);
+                    result.scaled.push_back(
+                        hazed(std::move(direct), gains[band], nominal[band].objects, only));
                 };
                 for (std::size_t k = 0; k < frame.request.bands.size(); ++k) {
                     add(k, nominal[k].all, {});
@@ -83,8 +102,15 @@ Rendered Renderer::render(const Scene& scene, const SensorView& view, const Outp
         SpectrumOfView ofView = p.spectra.spectrum(
             frame, p.sampler.factorsOf(frame), outputs.wavenumbers_per_cm(), outputs.scalings());
         result.spectrum = std::move(ofView.spectrum);
+        HazeGains gains;
+        std::vector<ObjectRadiometry> direct;
+        if (scene.settings.scattering) {
+            gains = p.hazeGains(spectral, view, frame.request.bands.front());
+            direct = p.reporter.reports(frame, p.sampler.factorsOf(frame)).front().objects;
+            addHaze(gains, result.spectrum);
+        }
         if (ofView.scaled)
-            result.scaled.push_back(std::move(ofView.scaled));
+            result.scaled.push_back(hazed(std::move(ofView.scaled), gains, direct, {}));
         if (scene.settings.mode == CalculationMode::wideband)
             result.spectrum.warnings.push_back(
                 "spectra are computed in the spectral mode: a quadrature point of wideband-ck "
@@ -104,8 +130,8 @@ PendingRender Renderer::begin(const Scene& scene, const SensorView& view, const 
     return PendingRender(
         [this, begun] {
             Rendered made;
-            made.reports = impl_->reporter.reports(
-                begun->frame, impl_->sampler.factorsOf(begun->frame, *begun->drawing));
+            made.reports = impl_->reports(begun->frame,
+                                          impl_->sampler.factorsOf(begun->frame, *begun->drawing));
             return made;
         },
         mostThreads() > 1);
@@ -114,21 +140,25 @@ PendingRender Renderer::begin(const Scene& scene, const SensorView& view, const 
 void Renderer::Impl::renderImage(const Frame& frame, const Outputs& outputs, Rendered& result) {
     SampledPicture picture =
         outputs.isFollowed() ? sampler.followedPicture(frame) : sampler.picture(frame);
+    const FrameBackground background = pictureBackground(frame, picture.pixels);
     clock.timed("composition", [&] {
-        result.image = picture.pixels.compose(frame.backgrounds.byOutput.front());
-        RenderReporter::describe(frame, result.image);
+        result.image = picture.pixels.compose(background);
+        RenderReporter::describe(frame, background, result.image);
         describeTiles(picture.tiles, result.image);
     });
+    HazeGains gains;
     if (frame.settings().scattering)
-        haze.add(frame, result.image, picture.warnings);
+        gains = haze.add(frame, background, result.image, picture.warnings);
     result.reports.emplace_back();
     if (outputs.hasReports()) {
-        // Sums are those of a sweep. Where it samples as the picture does, they are the picture's.
-        const bool isPictures = frame.scene().entities.size() <= 1 &&
-                                frame.request.bands.size() == 1 &&
-                                sampler.sumsSampleAsPictures(frame);
-        result.reports =
-            isPictures ? std::vector{reporter.report(frame, picture.pixels)} : reports(frame);
+        // Sums are those of a sweep, which samples as the picture does.
+        const bool isPictures =
+            frame.scene().entities.size() <= 1 && frame.request.bands.size() == 1;
+        result.reports = isPictures
+                             ? std::vector{reporter.report(frame, picture.pixels, background)}
+                             : reports(frame);
+        if (isPictures)
+            addHaze(gains, result.reports.front());
         if (isPictures && frame.request.withErrors) {
             // Lattices are told apart in sums alone.
             RenderReport sums = std::move(reports(frame).front());
@@ -144,7 +174,21 @@ void Renderer::Impl::renderImage(const Frame& frame, const Outputs& outputs, Ren
         first.warnings.push_back(std::move(warning));
     first.layersLeftOver = picture.layersLeftOver;
     if (frame.settings().truthLayers)
-        sampler.addTruthLayers(frame, result.image);
+        sampler.addTruthLayers(frame, background, result.image);
+}
+
+HazeGains Renderer::Impl::hazeGains(const Scene& scene, const SensorView& view, const Band& band) {
+    SensorView picture = view;
+    picture.sensor.band = band;
+    return haze.gains(frame(scene, picture, Outputs::image()));
+}
+
+std::vector<RenderReport> Renderer::Impl::reports(const Frame& frame, const ViewGeometry& factors) {
+    std::vector<RenderReport> all = reporter.reports(frame, factors);
+    // Behind the bands their sources, which no droplets are before.
+    for (std::size_t k = 0; frame.settings().scattering && k < frame.request.bands.size(); ++k)
+        addHaze(hazeGains(frame.scene(), frame.request.view, frame.request.bands[k]), all[k]);
+    return all;
 }
 
 Frame Renderer::Impl::frame(const Scene& scene, const SensorView& view, const Outputs& outputs) {
@@ -206,7 +250,7 @@ void Renderer::check(const Scene& scene, const SensorView& view, const Outputs& 
         for (const Band& band : request.bands)
             collect(diagnostics,
                     [&] { scene.environment.checkProvided(quantity, band.range(), isWideband); });
-    if (scene.settings.scattering && outputs.hasImage())
+    if (scene.settings.scattering)
         collect(diagnostics, [&] { impl_->haze.check(scene.environment); });
     if (!diagnostics.empty())
         throw InputError(diagnostics);

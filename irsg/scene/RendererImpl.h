@@ -56,8 +56,12 @@ struct Renderer::Impl {
     /// as long as the frame.
     Frame frame(const Scene& scene, const SensorView& view, const Outputs& outputs);
     std::vector<RenderReport> reports(const Frame& frame) {
-        return reporter.reports(frame, sampler.factorsOf(frame));
+        return reports(frame, sampler.factorsOf(frame));
     }
+    /// With the haze of a picture in each band, where there is scattering.
+    std::vector<RenderReport> reports(const Frame& frame, const ViewGeometry& factors);
+    /// What haze makes of the sums over the objects of a view in a band, as in a picture.
+    HazeGains hazeGains(const Scene& scene, const SensorView& view, const Band& band);
     void renderImage(const Frame& frame, const Outputs& outputs, Rendered& result);
 };
 

@@ -38,6 +38,9 @@ struct AnalysisData {
     irsg::RadianceImage image; ///< of an image analysis, else empty
     ResultTable table;         ///< of every kind; an image gives one row of sums
     std::vector<SummaryItem> summary;
+    /// Of a spectrum: the sums of the same view over the band, as an image has them, without error
+    /// once they were saved.
+    std::vector<SummaryItem> inBand;
     /// The signature databases of the models as they were, edits that are not saved included; empty
     /// where that is not known.
     std::vector<std::shared_ptr<const irsg::SignatureDatabase>> databases;

@@ -1,5 +1,6 @@
 #include "smatcore/analysis/AnalysisGenerator.h"
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <optional>
@@ -58,14 +59,34 @@ void drawImage(AnalysisData& data, const PlacedCase& placed, const RenderDoor& d
         warnings.add(sentence);
 }
 
+/// What an image of the view would print.
+std::vector<SummaryItem> inBandOf(const irsg::ObjectRadiometry& all) {
+    std::vector<SummaryItem> items;
+    const auto add = [&](irsg::Quantity quantity, double value,
+                         irsg::ErrorParts irsg::RadiometryErrors::*error) {
+        const irsg::QuantityInfo& info = irsg::info(quantity);
+        SummaryItem& item = items.emplace_back(
+            SummaryItem{"in_band_" + std::string(info.key), value, std::string(info.unit)});
+        if (all.errors)
+            item.error = (*all.errors.*error).sum();
+    };
+    using Errors = irsg::RadiometryErrors;
+    add(irsg::Quantity::intensity, all.intensity_W_sr, &Errors::intensity_W_sr);
+    add(irsg::Quantity::contrastIntensity, all.contrastIntensity_W_sr,
+        &Errors::contrastIntensity_W_sr);
+    add(irsg::Quantity::irradiance, all.irradiance_W_m2, &Errors::irradiance_W_m2);
+    return items;
+}
+
 void measureSpectrum(AnalysisData& data, const PlacedCase& placed, const RenderDoor& door,
                      const AnalysisPlan& plan, SweepTable& table, CaseWarnings& warnings) {
-    // The sums of the same view say who answered for the air.
+    // The sums of the same view say who answered for the air, and what the band has in all.
     const bool errors = plan.errors != ErrorColumns::none;
     const irsg::RenderReport report =
         placed.render(door, Outputs::reports().withErrors(errors)).reports.front();
     irsg::addProvider(data.providedBy, report.providedBy);
     warnings.addReport(report, data.settings[key::renderLayers]);
+    data.inBand = inBandOf(report.all);
     const irsg::IntensitySpectrum spectrum =
         placed.render(door, Outputs::spectrum(plan.wavenumbers_per_cm).withErrors(errors)).spectrum;
     for (const std::string& sentence : spectrum.warnings)
@@ -134,6 +155,31 @@ void addPlaced(AnalysisKind kind, const std::string& place, const PlacedCase& pl
         warnings.add(sentence);
 }
 
+/// True where a case of a sweep with the longest of its paths may have an object behind the
+/// horizon. Ranges and tables tell which part of it is.
+bool mayHide(const AnalysisData& data, const CasePlacer& placer, const SceneDescription& scene,
+             const AnalysisPlan& plan) {
+    if (data.kind != AnalysisKind::range && data.kind != AnalysisKind::table)
+        return false;
+    const auto longer = [](const AnalysisCase& a, const AnalysisCase& b) {
+        return a.range_m < b.range_m;
+    };
+    const double longest_m = std::ranges::max_element(plan.cases, longer)->range_m;
+    const irsg::SpectralRange range = scene.allBands().front().range();
+    return std::ranges::any_of(plan.cases, [&](const AnalysisCase& one) {
+        if (one.range_m < longest_m)
+            return false;
+        const PlacedCase placed = placer.place(scene, one);
+        const irsg::Vec3& sensor_m = placed.view.viewpoint.position_m;
+        return std::ranges::any_of(placed.scene.entities, [&](const irsg::Entity& entity) {
+            const irsg::Vec3& target_m = entity.pose.position_m;
+            const irsg::AtmosphericPath path{std::max(sensor_m.z, 0.0), std::max(target_m.z, 0.0),
+                                             irsg::length(target_m - sensor_m), 0.0};
+            return scene.environment.targetView(path, range).hiddenBelow_m > 0.0;
+        });
+    });
+}
+
 /// Asks the renderer whether it would calculate each case.
 void checkCases(const AnalysisData& data, const CasePlacer& placer, const SceneDescription& scene,
                 const AnalysisPlan& plan, const RenderDoor& door) {
@@ -181,6 +227,7 @@ PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan cases, SceneDescription 
     data.image = {};
     data.table = {};
     data.summary.clear();
+    data.inBand.clear();
     data.databases.clear();
     data.providedBy.clear();
     data.warnings.clear();
@@ -208,7 +255,7 @@ PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan cases, SceneDescription 
         before = door.stageTimes();
     }
     irsg::appendUnique(data.warnings, scene.remarks);
-    SweepTable table(cases, scene, data.table);
+    SweepTable table(cases, scene, data.table, mayHide(data, *placer, scene, cases));
     std::optional<AdaptiveSweep> adaptive;
     if (!cases.refined.empty())
         adaptive.emplace(cases, data.table);

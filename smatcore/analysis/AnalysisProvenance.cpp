@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "irsg/core/Errors.h"
 #include "irsg/core/ProgramVersion.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
@@ -102,6 +103,7 @@ void summarise(AnalysisData& data) {
         addImageNumbers(data);
     } else if (data.kind->form == AnalysisForm::spectrum) {
         addColumnExtremes(data, Quantity::spectralContrastIntensity, Quantity::wavelength);
+        data.summary.insert(data.summary.end(), data.inBand.begin(), data.inBand.end());
     } else if (!data.table.empty()) {
         const std::optional<Quantity> abscissa =
             irsg::quantityOfKey(data.table.columns().front().key);
@@ -154,14 +156,19 @@ void writeProvenance(AnalysisData& data, const SceneDescription& scene) {
     tellSampledScales(scene, data.settings, provenance);
     if (!buildId().empty())
         provenance.add("build", buildId());
+    for (const SummaryItem& item : data.inBand)
+        provenance.add(item.label + " [" + item.unit + "]", irsg::numberText(item.value));
     provenance.add("renderer", data.renderer);
     for (const std::string& answer : data.providedBy)
         provenance.add("answered by", answer);
     for (const std::string& warning : data.warnings)
         provenance.add("warning", warning);
 
-    // An image carries the same as attributes; what occurs more than once is joined.
+    // An image carries the same as attributes, in place of what it said of itself (the renderer);
+    // what occurs more than once is joined.
     if (!data.image.empty()) {
+        for (const auto& [key, value] : provenance.entries)
+            data.image.attributes.erase(key);
         for (const auto& [key, value] : provenance.entries) {
             std::string& attribute = data.image.attributes[key];
             attribute += (attribute.empty() ? "" : "; ") + value;

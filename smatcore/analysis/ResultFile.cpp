@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/Wording.h"
 #include "irsg/image/ImageFile.h"
@@ -11,6 +12,13 @@
 namespace smat {
 
 namespace {
+
+/// A sum over the band of a spectrum, `in_band_intensity [W sr-1]`.
+void takeInBand(const std::string& key, const std::string& text, std::vector<SummaryItem>& to) {
+    const std::size_t unit = key.find(" [");
+    if (const auto value = irsg::parseNumber(text); value && unit != key.npos && key.back() == ']')
+        to.push_back({key.substr(0, unit), *value, key.substr(unit + 2, key.size() - unit - 3)});
+}
 
 void takeProvenance(AnalysisData& data) {
     const Provenance& provenance = data.table.provenance;
@@ -28,6 +36,8 @@ void takeProvenance(AnalysisData& data) {
             data.providedBy.push_back(value);
         else if (key == "warning")
             data.warnings.push_back(value);
+        else if (key.starts_with("in_band_") && data.kind == AnalysisKind::spectrum)
+            takeInBand(key, value, data.inBand);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "smatcore/analysis/SweepTable.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -21,9 +22,11 @@ std::optional<irsg::RadiometryErrors> errorsAt(const std::vector<irsg::Radiometr
 
 } // namespace
 
-SweepTable::SweepTable(const AnalysisPlan& plan, const SceneDescription& scene, ResultTable& table)
+SweepTable::SweepTable(const AnalysisPlan& plan, const SceneDescription& scene, ResultTable& table,
+                       bool withHorizon)
     : form_(plan.kind->form),
       withSource_(plan.withSource),
+      withHorizon_(withHorizon),
       errors_(plan.errors),
       coordinates_(plan.columns),
       bands_({""}),
@@ -43,6 +46,9 @@ SweepTable::SweepTable(const AnalysisPlan& plan, const SceneDescription& scene, 
             addColumn(Quantity::range, object, "");
         addColumns(object);
     }
+    for (std::size_t i = 0; withHorizon_ && i < std::max<std::size_t>(objects_.size(), 1); ++i)
+        table_.add(
+            ColumnName{"", objects_.empty() ? "" : objects_[i], "hidden_by_horizon", ""}.key(), "");
 }
 
 void SweepTable::addColumns(const std::string& object) {
@@ -134,6 +140,8 @@ std::vector<double> SweepTable::rowOf(const AnalysisCase& one,
             addErrors(row, reports[band].objects.at(i), source ? &source->objects.at(i) : nullptr);
         }
     }
+    for (std::size_t i = 0; withHorizon_ && i < std::max<std::size_t>(objects_.size(), 1); ++i)
+        row.push_back(reports.front().objects.at(i).hiddenByHorizon);
     return row;
 }
 

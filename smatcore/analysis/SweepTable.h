@@ -16,10 +16,13 @@ namespace smat {
 /// Behind the numbers of a band, where they are asked for, their errors, `error_intensity@3-5um`,
 /// and those by cause, `error_sampling_intensity@3-5um`, `error_air_...`, `error_background_...`,
 /// `error_exchange_...`; not a number where a source does not know them.
+/// Where the horizon may hide objects, the last columns are the part of the height of each that it
+/// hides, 0 to 1: `hidden_by_horizon`, `NAME.hidden_by_horizon`.
 /// Names of objects are made distinct as distinctLabels does.
 class SweepTable {
   public:
-    SweepTable(const AnalysisPlan& plan, const SceneDescription& scene, ResultTable& table);
+    SweepTable(const AnalysisPlan& plan, const SceneDescription& scene, ResultTable& table,
+               bool withHorizon = false);
 
     /// One case of an image or a sweep, with a report for each band, and then one for each source
     /// where the plan asks for it, and what it warns of.
@@ -42,6 +45,7 @@ class SweepTable {
 
     AnalysisForm form_;
     bool withSource_;
+    bool withHorizon_;
     ErrorColumns errors_;
     std::vector<irsg::Quantity> coordinates_;
     std::vector<std::string> objects_; ///< empty where there is one

@@ -1,5 +1,6 @@
 #include "smatcore/analysis/AnalysisGenerator.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 
@@ -8,6 +9,7 @@
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/ProgramVersion.h"
+#include "smatcore/analysis/ResultFile.h"
 #include "tests/core/AnalyticSource.h"
 
 namespace smat {
@@ -213,6 +215,25 @@ TEST(SpectrumAnalysis, CoversTheBandInWavenumbers) {
                 testing::ElementsAre(2000, 2100, 2200, 2300, 2400, 2500));
     EXPECT_NEAR(column(data, Quantity::spectralIntensity)[0],
                 irsg::pi * irsg::planckRadiance_W_m2_sr_um(5.0, 320.0), 1e-9);
+}
+
+TEST(SpectrumAnalysis, PrintsTheSumsOfItsBand) {
+    GreySphere sphere;
+    const AnalysisData image = ran(asked(AnalysisKind::image, {{"sensor.band", "4-5"}}), sphere);
+    const AnalysisData data =
+        ran(asked(AnalysisKind::spectrum, {{"sensor.band", "4-5"}, {"spectrum.resolution", "100"}}),
+            sphere);
+    const auto printed = [](const AnalysisData& of, const std::string& label) {
+        const auto found = std::ranges::find(of.summary, label, &SummaryItem::label);
+        return found == of.summary.end() ? std::nan("") : found->value;
+    };
+    const double inBand_W_sr = printed(data, "in_band_intensity");
+    EXPECT_EQ(inBand_W_sr, column(image, Quantity::intensity)[0]);
+    EXPECT_EQ(printed(data, "in_band_contrast_intensity"),
+              column(image, Quantity::contrastIntensity)[0]);
+    // A result that was saved says it again.
+    AnalysisData again = resultOf(data.table, "spectrum.csv");
+    EXPECT_EQ(printed(again, "in_band_intensity"), inBand_W_sr);
 }
 
 TEST(ImageAnalysis, HasTheImageAndOneRowOfSums) {

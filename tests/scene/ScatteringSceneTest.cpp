@@ -9,6 +9,7 @@
 #include "irsg/atmosphere/AtmosphereScatteringLut.h"
 #include "irsg/atmosphere/BeerLambert.h"
 #include "irsg/core/Errors.h"
+#include "irsg/image/ImageIntensity.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/scattering/SceneScattering.h"
@@ -250,6 +251,72 @@ TEST_F(ScatteringScene, FollowsAnUnevenBackground) {
     EXPECT_LE((most - least) / most, 1e-5f);
 }
 
+TEST_F(ScatteringScene, GivesEverySumTheHazeOfThePicture) {
+    ConstantAtmosphere air;
+    air.transmittanceValue = 0.6;
+    air.pathRadianceValue = 0.1;
+    air.backgroundValue = 0.7;
+    // Large, and not in the middle, so that a part of the haze falls beside the frame.
+    sphere(340.0, with(environmentOf(air), databaseFile(0.2, 60.0), 0.01),
+           {.width_px = 96, .height_px = 80, .fieldOfView_rad = 0.06});
+    irsg.scene.entities.front().pose.position_m.x += 1.2;
+    const RenderedImage seen = irsg.imageWithReport();
+    const ObjectRadiometry& printed = seen.report.all;
+    const double small = 1e-5 * printed.intensity_W_sr;
+    EXPECT_NEAR(contrastIntensity_W_sr(seen.image, seen.image.primary()).value(),
+                printed.contrastIntensity_W_sr, small);
+    const auto isPrinted = [&](const ObjectRadiometry& sums) {
+        EXPECT_NEAR(sums.intensity_W_sr, printed.intensity_W_sr, small);
+        EXPECT_NEAR(sums.contrastIntensity_W_sr, printed.contrastIntensity_W_sr, small);
+        EXPECT_NEAR(sums.irradiance_W_m2, printed.irradiance_W_m2, 1e-5 * printed.irradiance_W_m2);
+    };
+    const RenderReport swept = irsg.measure();
+    isPrinted(swept.all);
+    isPrinted(swept.objects.front());
+    isPrinted(irsg.measure({Band::topHat(8.0, 12.0), irsg.view.sensor.band}).back().all);
+    isPrinted(irsg.render(Outputs::reports().alongRange()).reports.front().all);
+    ScaledValues nominal;
+    irsg.scaledView({{0, ScalingKind::temperature, 1, 0.9, 1.1}})
+        ->evaluate(std::vector<double>{1.0}, nominal);
+    EXPECT_NEAR(nominal.contrastIntensity.front(), printed.contrastIntensity_W_sr, small);
+    // Of a spectrum every number has the haze of the band.
+    const std::vector<double> at_per_cm{2200.0, 2900.0};
+    const IntensitySpectrum hazy = irsg.measureSpectrum(at_per_cm);
+    irsg.scene.settings.scattering = false;
+    const RenderReport direct = irsg.measure();
+    const IntensitySpectrum clear = irsg.measureSpectrum(at_per_cm);
+    const double gain = printed.intensity_W_sr / direct.all.intensity_W_sr;
+    EXPECT_GT(gain, 1.3);
+    EXPECT_LT(gain, std::exp(0.9) - 0.005);
+    for (std::size_t i = 0; i < at_per_cm.size(); ++i) {
+        EXPECT_NEAR(hazy.intensity_W_sr_um[i] / clear.intensity_W_sr_um[i], gain, 1e-6);
+    }
+}
+
+TEST_F(ScatteringScene, GivesSeveralObjectsEachTheHazeOfItsPath) {
+    sphere(400.0, with(darkness(), databaseFile(0.02), 0.01), {.width_px = 96, .height_px = 96});
+    irsg.scene.entities.push_back(irsg.scene.entities.front());
+    irsg.scene.entities.back().pose.position_m.y += 60.0;
+    irsg.scene.entities.back().pose.position_m.x += 1.0;
+    const RenderedImage seen = irsg.imageWithReport();
+    double shown_W_sr_m2 = 0.0; // by pixels, of objects at different ranges
+    const RenderReport swept = irsg.measure();
+    for (std::size_t e = 0; e < 2; ++e) {
+        const ObjectRadiometry& object = seen.report.objects[e];
+        shown_W_sr_m2 += object.contrastIntensity_W_sr / std::pow(object.range_m, 2);
+        EXPECT_NEAR(swept.objects[e].intensity_W_sr / object.intensity_W_sr, 1.0, 1e-5);
+    }
+    const double pixels_W_sr = contrastIntensity_W_sr(seen.image, seen.image.primary()).value();
+    EXPECT_NEAR(pixels_W_sr / std::pow(seen.report.objects.front().range_m, 2) / shown_W_sr_m2, 1.0,
+                1e-5);
+    irsg.scene.settings.scattering = false;
+    const RenderReport direct = irsg.measure();
+    const auto gainOf = [&](std::size_t e) {
+        return swept.objects[e].intensity_W_sr / direct.objects[e].intensity_W_sr;
+    };
+    EXPECT_GT(std::abs(gainOf(1) / gainOf(0) - 1.0), 0.05);
+}
+
 TEST_F(ScatteringScene, SaysWhenItTakesTheOpticalDepthFromTheTransmittance) {
     class Quiet : public ConstantAtmosphere {
       public:
@@ -272,7 +339,7 @@ TEST_F(ScatteringScene, SaysWhenNothingScatters) {
         sphere(400.0, with(isothermal(290.0, 0.005), databaseFile(0.05), 0.0), {})
             .imageWithReport();
     EXPECT_THAT(seen.report.warnings, Contains(HasSubstr("nothing scatters")));
-    EXPECT_THAT(seen.report.warnings, Contains(HasSubstr("direct light")));
+    EXPECT_THAT(seen.report.warnings, Contains(HasSubstr("haze that falls into the frame")));
 }
 
 TEST_F(ScatteringScene, SaysWhenTheDatabaseDoesNotFitTheSensor) {

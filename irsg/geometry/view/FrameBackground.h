@@ -30,10 +30,24 @@ class FrameBackground {
     }
     /// In the middle of the field.
     double centre_W_m2_sr() const { return uniform_W_m2_sr_; }
+    /// What objects hide of a pixel, where it is not the pixel's mean: a pixel has one radiance,
+    /// and an object smaller than it stands before a part of it.
+    double behindAt(int x, int y) const { return at(x, y) + behindMore_W_m2_sr_; }
+
+    /// The same times a factor, with so much more behind objects than in their pixels.
+    FrameBackground matched(double factor, double behindMore_W_m2_sr) const {
+        FrameBackground made = *this;
+        made.uniform_W_m2_sr_ *= factor;
+        for (double& pixel : made.pixels_W_m2_sr_)
+            pixel *= factor;
+        made.behindMore_W_m2_sr_ = behindMore_W_m2_sr;
+        return made;
+    }
 
   private:
     std::size_t width_px_ = 0;
     double uniform_W_m2_sr_;
+    double behindMore_W_m2_sr_ = 0.0;
     std::vector<double> pixels_W_m2_sr_;
 };
 

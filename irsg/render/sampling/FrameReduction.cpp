@@ -119,7 +119,7 @@ ObjectRadiometry FrameReduction::objects(const FrameBackground& background, doub
             if (opacity == 0.0 && radiance == 0.0)
                 return;
             const auto [omega_sr, cosOffAxis] = grid.at(x, y);
-            const double contrast = radiance - opacity * background.at(x, y);
+            const double contrast = radiance - opacity * background.behindAt(x, y);
             to.intensity_W_sr += radiance * omega_sr;
             to.contrastIntensity_W_sr += contrast * omega_sr;
             to.irradiance_W_m2 += contrast * omega_sr * cosOffAxis;
@@ -155,8 +155,9 @@ RadianceImage FrameReduction::compose(const FrameBackground& background) const {
             for (int y = top; y < bottom; ++y)
                 for (int x = patch.pixels.x; x < patch.pixels.x + patch.pixels.width; ++x) {
                     const std::size_t i = patch.offset(x, y);
-                    pixels[image.offset(x, y)] = static_cast<float>(
-                        patch.radiance[i] + (1.0 - patch.opacity[i]) * background.at(x, y));
+                    pixels[image.offset(x, y)] =
+                        static_cast<float>(patch.radiance[i] + background.at(x, y) -
+                                           patch.opacity[i] * background.behindAt(x, y));
                 }
         });
     return image;

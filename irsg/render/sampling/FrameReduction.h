@@ -26,7 +26,7 @@ class FrameReduction {
 
     /// Sums over all pixels added, for objects at a range.
     ObjectRadiometry objects(const FrameBackground& background, double range_m) const;
-    /// A_pre + (1 - alpha) L_bg of every pixel of the frame.
+    /// A_pre + L_bg - alpha L_behind of every pixel of the frame.
     RadianceImage compose(const FrameBackground& background) const;
 
   private:

@@ -177,9 +177,6 @@ SampleTile tiltedFor(const std::vector<ImageEdge>& edges, const SampleTile& tile
     return best;
 }
 
-/// Samples of pixels of a tile, beyond which a sum over them needs no more than it has by the
-/// budget, or by one in each pixel.
-constexpr double enoughForASum = 98'304.0;
 /// What is this many times finer than the tile around it is drawn apart.
 constexpr double refinementFrom = 2.0;
 /// The same for details: a finer tile is worth its drawing the sooner the more shines from it.
@@ -210,22 +207,9 @@ PixelAlignedStrategy::tiles(const std::vector<ObjectExtent>& objects) const {
     return result;
 }
 
-std::vector<SampleTile>
-PixelAlignedStrategy::tilesOfSums(const std::vector<ObjectExtent>& objects) const {
-    PixelAlignedStrategy ofSums(size_);
-    ofSums.isOfSums_ = true;
-    return ofSums.tiles(objects);
-}
-
 SampleTile PixelAlignedStrategy::tileFor(const ImageRectangle& extent, double samples) const {
     SampleTile tile = tileOnBlocks(extent, levelFor(extent, samples));
-    constexpr int fewest = fewestSamplesPerAxis;
-    const double blocks = static_cast<double>(tile.blocksWide) * tile.blocksHigh;
-    if (isOfSums_)
-        chooseSamples(tile, std::max(samples, std::min(fewest * fewest * blocks, enoughForASum)),
-                      1);
-    else
-        chooseSamples(tile, samples, fewest);
+    chooseSamples(tile, samples, fewestSamplesPerAxis);
     tile.shearRows =
         static_cast<int>(std::lround(tile.samplesDown / (uprightSlope(tile) * tile.samplesAcross)));
     tile.fall = 1;

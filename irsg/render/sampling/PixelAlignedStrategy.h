@@ -10,12 +10,11 @@ namespace irsg {
 /// one to one.
 ///
 /// A large object is drawn on whole pixels, each sampled as often as the tile's size squared
-/// allows and at least twice an axis, whatever the shape of its extent. Where only a sum over
-/// pixels is asked for, whose error is that of all samples together, a very large one has fewer:
-/// down to one a pixel. A small or slim one is drawn on blocks of a power of two, at least 16 along
-/// its longer side, which lie close around it. Objects that overlap share a tile, with depth.
-/// Finer tiles are cut out of it for what is much smaller: members of the group, in which the
-/// others stand before and behind them, and the details that an object has.
+/// allows and at least twice an axis, whatever the shape of its extent. A small or slim one is
+/// drawn on blocks of a power of two, at least 16 along its longer side, which lie close around it.
+/// Objects that overlap share a tile, with depth. Finer tiles are cut out of it for what is much
+/// smaller: members of the group, in which the others stand before and behind them, and the details
+/// that an object has.
 class PixelAlignedStrategy : public TileSamplingStrategy {
   public:
     /// Side of a tile, samples: 128, 256 or 512 for modes 3 to 5; any from 8.
@@ -23,9 +22,7 @@ class PixelAlignedStrategy : public TileSamplingStrategy {
 
     std::vector<SampleTile> tiles(const std::vector<ObjectExtent>& objects) const override;
 
-    std::vector<SampleTile> tilesOfSums(const std::vector<ObjectExtent>& objects) const override;
-
-    /// Of a pixel or block of a picture.
+    /// Of a pixel or block.
     static constexpr int fewestSamplesPerAxis = 2;
 
   private:
@@ -51,7 +48,6 @@ class PixelAlignedStrategy : public TileSamplingStrategy {
     SampleTile tileFor(const ImageRectangle& extent, double samples) const;
 
     int size_;
-    bool isOfSums_ = false;
 };
 
 } // namespace irsg

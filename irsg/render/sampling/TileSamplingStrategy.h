@@ -28,12 +28,8 @@ class TileSamplingStrategy {
 
     /// Tiles that hold every object. Objects whose extents overlap share tiles; the parts that
     /// tiles leave out to finer ones make every point of an object's extent drawn exactly once.
+    /// Pictures and sums over their pixels have the same, so that both are one number.
     virtual std::vector<SampleTile> tiles(const std::vector<ObjectExtent>& objects) const = 0;
-
-    /// The same where nothing but sums over all pixels is asked for.
-    virtual std::vector<SampleTile> tilesOfSums(const std::vector<ObjectExtent>& objects) const {
-        return tiles(objects);
-    }
 
     /// Draws the objects into the pixels of a frame: those tiles, unless the strategy has a way
     /// of its own.

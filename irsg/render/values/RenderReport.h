@@ -24,6 +24,8 @@ struct ObjectRadiometry {
     /// arrives from it.
     double atmosphereError = 0.0;
     std::optional<RadiometryErrors> errors; ///< where they were asked for (Outputs)
+    /// Of its height, 0 to 1: what the horizon of the earth hides.
+    double hiddenByHorizon = 0.0;
 
     /// Adds what another has seen to its sums.
     void addSums(const ObjectRadiometry& other) {

@@ -9,6 +9,7 @@
 #include "irsg/core/AppendUnique.h"
 #include "irsg/core/FileStamp.h"
 #include "irsg/core/RecentlyUsed.h"
+#include "irsg/geometry/view/PixelGrid.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scattering/MtfFilter.h"
 
@@ -110,7 +111,80 @@ void addObject(const ScatteredObject& object, double direct, const FrameBackgrou
     for (const ScatteredObject::Pixel& pixel : object.pixels)
         sums[frame.offset(pixel.x, pixel.y)] +=
             (direct - 1.0) *
-            (pixel.radiance_W_m2_sr - pixel.opacity * background.at(pixel.x, pixel.y));
+            (pixel.radiance_W_m2_sr - pixel.opacity * background.behindAt(pixel.x, pixel.y));
+}
+
+/// The haze that pixels of an object send into a frame, each pixel's light times the weights of the
+/// pixels that receive it: plain and with cosine, without and with the background there.
+struct ReceivedHaze {
+    HazeWindow window;
+    std::vector<float> sent, sentCosine, hidden, hiddenCosine;
+};
+
+ReceivedHaze receivedHaze(const HazeWindow& window, const PixelGrid& grid, const Sensor& sensor,
+                          const FrameBackground& background, MtfFilter& filter) {
+    const HazeWindow frame{0, 0, sensor.width_px, sensor.height_px};
+    const double middle_sr = grid.at(sensor.width_px / 2, sensor.height_px / 2).solidAngle_sr;
+    const double level = std::max(background.centre_W_m2_sr(), 1e-30);
+    ReceivedHaze received{window, {}, {}, {}, {}};
+    std::vector<float> weights(frame.size());
+    const auto filtered = [&](bool withCosine, bool withBackground) {
+        std::size_t i = 0;
+        for (int y = 0; y < frame.height; ++y)
+            for (int x = 0; x < frame.width; ++x, ++i) {
+                const PixelGrid::Pixel pixel = grid.at(x, y);
+                weights[i] = static_cast<float>(
+                    pixel.solidAngle_sr / middle_sr * (withCosine ? pixel.cosOffAxis : 1.0) *
+                    (withBackground ? background.at(x, y) / level : 1.0));
+            }
+        std::vector<float> sums(window.size(), 0.0f);
+        filter.addHaze(frame, weights, window, sums);
+        const double unit = middle_sr * (withBackground ? level : 1.0);
+        for (float& sum : sums)
+            sum = static_cast<float>(unit * static_cast<double>(sum));
+        return sums;
+    };
+    received.sent = filtered(false, false);
+    received.sentCosine = filtered(true, false);
+    received.hidden = filtered(false, true);
+    received.hiddenCosine = filtered(true, true);
+    return received;
+}
+
+HazeGain gainOf(const ScatteredObject& object, double direct, double range_m, const PixelGrid& grid,
+                const FrameBackground& background, const ReceivedHaze& received) {
+    double sent = 0.0, hidden = 0.0; // direct, W m-2
+    HazeGain haze{0.0, 0.0, 0.0, 0.0};
+    for (const ScatteredObject::Pixel& pixel : object.pixels) {
+        const PixelGrid::Pixel at = grid.at(pixel.x, pixel.y);
+        const std::size_t i = static_cast<std::size_t>(pixel.y - received.window.y) *
+                                  static_cast<std::size_t>(received.window.width) +
+                              static_cast<std::size_t>(pixel.x - received.window.x);
+        const double behind_W_m2_sr = background.behindAt(pixel.x, pixel.y);
+        const double more_sr = (direct - 1.0) * at.solidAngle_sr;
+        sent += pixel.radiance_W_m2_sr * at.solidAngle_sr;
+        hidden += pixel.opacity * behind_W_m2_sr * at.solidAngle_sr;
+        haze.intensity +=
+            pixel.radiance_W_m2_sr * (more_sr + static_cast<double>(received.sent[i]));
+        haze.hidden +=
+            pixel.opacity * (more_sr * behind_W_m2_sr + static_cast<double>(received.hidden[i]));
+        haze.irradiance_per_m2 +=
+            pixel.radiance_W_m2_sr *
+            (more_sr * at.cosOffAxis + static_cast<double>(received.sentCosine[i]));
+        haze.hiddenIrradiance_per_m2 +=
+            pixel.opacity * (more_sr * at.cosOffAxis * behind_W_m2_sr +
+                             static_cast<double>(received.hiddenCosine[i]));
+    }
+    HazeGain gain;
+    if (sent != 0.0) {
+        gain.intensity += haze.intensity / sent;
+        gain.irradiance_per_m2 = haze.irradiance_per_m2 / (sent * range_m * range_m);
+    }
+    if (hidden != 0.0) {
+        gain.hidden += haze.hidden / hidden;
+        gain.hiddenIrradiance_per_m2 = haze.hiddenIrradiance_per_m2 / (hidden * range_m * range_m);
+    }
+    return gain;
 }
 
 } // namespace
@@ -218,6 +292,30 @@ std::vector<ScatteredLight> SceneScattering::addHaze(const std::filesystem::path
     for (std::size_t i = 0; i < sums.size(); ++i)
         pixels[i] = static_cast<float>(static_cast<double>(pixels[i]) + sums[i]);
     return told;
+}
+
+std::vector<HazeGain> SceneScattering::gains(const std::filesystem::path& file,
+                                             const Sensor& sensor,
+                                             const FrameBackground& background,
+                                             const std::vector<ScatteredObject>& objects,
+                                             const std::vector<double>& ranges_m) {
+    const MtfDatabase& database = impl_->load(file);
+    const double pitch_rad = sensor.pixelPitch();
+    const int support_px = supportOf(database, sensor);
+    const PixelGrid grid(sensor);
+    std::vector<HazeGain> all;
+    for (std::size_t e = 0; e < objects.size(); ++e) {
+        const ScatteredObject& object = objects[e];
+        all.emplace_back();
+        const HazeWindow window = planesOf(object, 0.0).window;
+        if (window.isEmpty() || !(object.opticalDepth > 0.0))
+            continue;
+        Impl::Filter& filter =
+            impl_->filterOf(database, object.opticalDepth, object.name, pitch_rad, support_px);
+        all.back() = gainOf(object, filter.direct, ranges_m[e], grid, background,
+                            receivedHaze(window, grid, sensor, background, filter.filter));
+    }
+    return all;
 }
 
 } // namespace irsg

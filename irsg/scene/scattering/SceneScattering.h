@@ -57,6 +57,14 @@ struct ScatteredLight {
     double support_px = 0.0; ///< where the taper ends
 };
 
+/// What the sums over an object become by its haze, as far as it falls into the frame. With S what
+/// it sends and B what it hides of the background, both W sr-1 and direct:
+///   intensity = g S, contrast = g S - b B, irradiance += s S - t B.
+struct HazeGain {
+    double intensity = 1.0, hidden = 1.0;                          ///< g and b
+    double irradiance_per_m2 = 0.0, hiddenIrradiance_per_m2 = 0.0; ///< s and t
+};
+
 /// Haze around objects in finished pictures. With A the light of an object as it arrives (that of
 /// the path before it included), c its coverage, F the filter of its MTF and L the background:
 ///   picture = L + F{A - c L0} - (L - L0) F{c},
@@ -83,6 +91,13 @@ class SceneScattering {
                                         const FrameBackground& background,
                                         const std::vector<ScatteredObject>& objects,
                                         RadianceImage& image, std::vector<std::string>& warnings);
+    /// What that adds to the sums over the frame, in closed form: filter and sum change places, so
+    /// that the solid angles of the pixels are filtered in place of what the pixels show. By
+    /// object, at distances of `ranges_m`. Throws as addHaze does.
+    std::vector<HazeGain> gains(const std::filesystem::path& database, const Sensor& sensor,
+                                const FrameBackground& background,
+                                const std::vector<ScatteredObject>& objects,
+                                const std::vector<double>& ranges_m);
 
   private:
     struct Impl;

@@ -39,4 +39,12 @@ std::vector<ScatteredLight> SceneScattering::addHaze(const std::filesystem::path
     return {};
 }
 
+std::vector<HazeGain> SceneScattering::gains(const std::filesystem::path& database, const Sensor&,
+                                             const FrameBackground&,
+                                             const std::vector<ScatteredObject>&,
+                                             const std::vector<double>&) {
+    check(database);
+    return {};
+}
+
 } // namespace irsg
