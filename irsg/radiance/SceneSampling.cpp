@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 
 #include "irsg/atmosphere/AtmosphereNodes.h"
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
 #include "irsg/radiance/GasColumnSpectra.h"
 #include "irsg/radiance/SurfaceTemperatures.h"
@@ -69,6 +71,80 @@ SampledBand sampledBand(std::shared_ptr<const SpectralSampling> sampling) {
     band.sample = [sampling](const Spectrum& spectrum) { return sampling->sampled(spectrum); };
     band.sampling = std::move(sampling);
     return band;
+}
+
+/// How much of a bin from one wavelength to another a spectrum leaves empty, 0 to 1, by its mean
+/// there: 0 for one that fills a third of it.
+double narrowness(const Spectrum& spectrum, double from_um, double to_um, double mean) {
+    double peak = std::max(std::abs(spectrum.at(from_um)), std::abs(spectrum.at(to_um)));
+    const std::vector<double>& axis = spectrum.wavelengths_um();
+    for (auto at = std::ranges::lower_bound(axis, from_um); at != axis.end() && *at <= to_um; ++at)
+        peak = std::max(peak,
+                        std::abs(spectrum.values()[static_cast<std::size_t>(at - axis.begin())]));
+    return peak > 0.0 ? std::max(0.0, 1.0 - 3.0 * std::abs(mean) / peak) : 0.0;
+}
+
+/// What may be wrong of what arrives from a spectrum, as a part of it, at two standard deviations,
+/// as its lines are narrower than the bins of the air: a line passes the air of its own wavenumber,
+/// one of the nodes of the bin, and the mean over the nodes is taken. Neighbours in the sampling
+/// with one wavelength are the nodes of a bin.
+double errorOfLines(const SampledBand& band, const Spectrum& spectrum,
+                    const std::vector<double>& transmittance) {
+    const std::vector<double>& at_um = band.sampling->wavelengths_um();
+    const std::vector<double>& weights_um = band.sampling->weights_um();
+    const std::vector<double> sent = band.sample(spectrum);
+    double arrives = 0.0, variance = 0.0;
+    for (std::size_t first = 0, end = 0; first < at_um.size(); first = end) {
+        double weight_um = 0.0, sum = 0.0, squares = 0.0;
+        for (end = first; end < at_um.size() && at_um[end] == at_um[first]; ++end) {
+            weight_um += weights_um[end];
+            sum += weights_um[end] * transmittance[end];
+            squares += weights_um[end] * transmittance[end] * transmittance[end];
+        }
+        if (!(weight_um > 0.0) || sent[first] == 0.0)
+            continue;
+        const double mean = sum / weight_um;
+        const double from_um = first > 0 ? at_um[first - 1] : at_um[first];
+        const double to_um = end < at_um.size() ? at_um[end] : at_um[first];
+        const double alone = narrowness(spectrum, from_um, to_um, sent[first]) * sent[first];
+        arrives += sent[first] * sum;
+        variance += alone * alone * weight_um * weight_um *
+                    std::max(0.0, squares / weight_um - mean * mean);
+    }
+    return arrives > 0.0 ? 2.0 * std::sqrt(variance) / arrives : 0.0;
+}
+
+/// The measured spectra of a scene whose lines are narrower than the bins of the air, with the
+/// error of it rounded up, so that a sweep says it once.
+std::vector<std::string> warningsOfLines(const AtmosphereScene& scene, const SampledBand& band) {
+    constexpr double matters = 0.01;
+    std::map<std::string, double> errors;
+    for (const auto& [e, codes] : surfaceKeys(scene.entities)) {
+        const auto entity = static_cast<std::size_t>(e);
+        const TemperatureEntry* entry = temperatureEntry(scene.entities[entity], codes.temperature);
+        const UserSpectrum* user = entry ? userSpectrumOf(scene.entities[entity], *entry) : nullptr;
+        if (user == nullptr || band.air.objects[entity].nodes.empty())
+            continue;
+        const SharedValues& passes = band.air.objects[entity].nodes.front().transmittance;
+        double& worst = errors[entry->userSpectrum];
+        for (const SpectrumComponent& component : user->components)
+            if (passes && !component.radiance.isConstant())
+                worst = std::max(worst, errorOfLines(band, component.radiance, *passes));
+    }
+    std::vector<std::string> sentences;
+    for (const auto& [name, error] : errors) {
+        if (error < matters)
+            continue;
+        std::string most = "half of it or more";
+        for (const int percent : {50, 20, 10, 5, 2})
+            if (error <= 0.01 * percent)
+                most = std::to_string(percent) + " %";
+        sentences.push_back("spectrum '" + name +
+                            "' has lines narrower than the bins of the air: what arrives of it may "
+                            "be wrong by up to " +
+                            most);
+    }
+    return sentences;
 }
 
 /// The nodes of an entity's slices that some output takes; none where all outputs take all.
@@ -283,6 +359,8 @@ std::vector<SampledBand> SceneSampling::spectral(AtmosphericQueryCache& answers,
         for (; first < end; ++first)
             made.areas_um.push_back(bands[first].area_um());
         takeAtmosphere(answers, scene, made);
+        if (kept)
+            appendUnique(made.air.warnings, warningsOfLines(scene, made));
         all.push_back(std::move(made));
     }
     return all;
