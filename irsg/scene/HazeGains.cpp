@@ -91,9 +91,9 @@ void addHaze(const HazeGains& gains, IntensitySpectrum& spectrum) {
         return;
     }
     double mostGain = 0.0;
-    std::vector<double>*const totals[] = {&spectrum.intensity_W_sr_um,
-                                          &spectrum.contrastIntensity_W_sr_um,
-                                          &spectrum.irradiance_W_m2_um};
+    std::vector<double>* const totals[] = {&spectrum.intensity_W_sr_um,
+                                           &spectrum.contrastIntensity_W_sr_um,
+                                           &spectrum.irradiance_W_m2_um};
     for (std::vector<double>* total : totals)
         total->assign(total->size(), 0.0);
     for (std::size_t e = 0; e < spectrum.objects.size(); ++e) {

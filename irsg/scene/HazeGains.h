@@ -9,9 +9,9 @@
 
 namespace irsg {
 
-/// Sums over objects as a picture with haze has them, from those of the direct light. An object adds
-/// what it sends and takes off what it hides, each times its gain (HazeGain): every quantity is
-/// linear in both, so that bands, spectra and draws of scales keep the picture's number.
+/// Sums over objects as a picture with haze has them, from those of the direct light. An object
+/// adds what it sends and takes off what it hides, each times its gain (HazeGain): every quantity
+/// is linear in both, so that bands, spectra and draws of scales keep the picture's number.
 
 /// By entity.
 using HazeGains = std::vector<HazeGain>;

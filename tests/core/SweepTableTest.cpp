@@ -1,10 +1,12 @@
 #include "smatcore/analysis/SweepTable.h"
 
 #include <cmath>
+#include <memory>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "irsg/atmosphere/Vacuum.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
 #include "smatcore/analysis/CaseWarnings.h"
@@ -89,6 +91,48 @@ TEST(SweepTable, HasTheColumnsOfOneObjectInOneBandWithoutObjectOrBand) {
                 ElementsAre("range [m]", "intensity [W sr-1]", "contrast_intensity [W sr-1]",
                             "irradiance [W m-2]", "pixels", "error_intensity [W sr-1]",
                             "error_contrast_intensity [W sr-1]", "error_irradiance [W m-2]"));
+}
+
+/// No air over a round earth.
+class RoundEarth : public irsg::Vacuum {
+  public:
+    irsg::TargetView targetView(const irsg::AtmosphericPath& path) const override {
+        return irsg::sphericalTargetView(path);
+    }
+};
+
+TEST(SweepTable, SaysWhatTheHorizonHidesWhereAPathReachesBehindIt) {
+    class Hidden : public GreySpheres {
+      public:
+        irsg::RenderReport measure() override {
+            irsg::RenderReport report = GreySpheres::measure();
+            for (irsg::ObjectRadiometry& object : report.objects) {
+                object.hiddenByHorizon = object.range_m > 20e3 ? 0.25 : 0.0;
+            }
+            return report;
+        }
+    };
+    const auto ran = [](AnalysisKind kind, const std::string& to_m) {
+        Hidden sphere;
+        AnalysisData data = asked(kind, {{"range.points", "2"},
+                                         {"range.steps", "fixed"},
+                                         {"range.from", "5000"},
+                                         {"range.to", to_m},
+                                         {"camera.range", to_m},
+                                         {"target.altitude", "5"},
+                                         {"polar.step", "90"}});
+        AnalysisGenerator(sphere, [](const Project& project, const Settings& settings) {
+            SceneDescription scene = test::sceneWithoutFiles(project, settings);
+            scene.environment = {};
+            scene.environment.add(std::make_shared<RoundEarth>());
+            return scene;
+        }).run(data);
+        return data;
+    };
+    EXPECT_THAT(column(ran(AnalysisKind::range, "40000"), "hidden_by_horizon"),
+                ElementsAre(0.0, 0.25));
+    EXPECT_EQ(ran(AnalysisKind::range, "7000").table.find("hidden_by_horizon"), nullptr);
+    EXPECT_EQ(ran(AnalysisKind::polar, "40000").table.find("hidden_by_horizon"), nullptr);
 }
 
 /// A sphere whose numbers are known to 1, 2 and 2 % by cause.

@@ -64,7 +64,9 @@ TEST_P(HullDown, ShowsThePartThatStandsAboveTheHorizon) {
         const double hidden_m =
             sphericalTargetView({sensor_m, 0.5 * height_m, range_m, 0.0}).hiddenBelow_m;
         const double expected = 1.0 - std::min(hidden_m / height_m, 1.0);
-        EXPECT_NEAR(from(range_m).all.intensity_W_sr / whole_W_sr, expected, 4e-3) << range_m;
+        const RenderReport seen = from(range_m);
+        EXPECT_NEAR(seen.all.intensity_W_sr / whole_W_sr, expected, 4e-3) << range_m;
+        EXPECT_NEAR(seen.objects.front().hiddenByHorizon, 1.0 - expected, 1e-5) << range_m;
     }
 }
 

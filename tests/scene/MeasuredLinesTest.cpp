@@ -54,7 +54,10 @@ RenderReport seen(double halfWidth_per_cm, int resolution_per_cm) {
     irsg.scene.environment = airOf(resolution_per_cm);
     // Beside lines of water vapour.
     irsg.scene.entities = {lamp(2100.0, halfWidth_per_cm)};
-    look(irsg, {.range_m = 2000.0, .width_px = 32, .height_px = 32, .fieldOfView_rad = 0.01,
+    look(irsg, {.range_m = 2000.0,
+                .width_px = 32,
+                .height_px = 32,
+                .fieldOfView_rad = 0.01,
                 .band = Band::topHat(4.5, 5.0)});
     return irsg.measure();
 }

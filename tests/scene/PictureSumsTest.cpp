@@ -1,4 +1,5 @@
-// The pixels of a picture and the numbers printed beside it are one sum, by whatever way it is asked.
+// The pixels of a picture and the numbers printed beside it are one sum, by whatever way it is
+// asked.
 #include <cmath>
 #include <memory>
 #include <string>
@@ -50,11 +51,9 @@ TEST_P(PictureSums, AreItsPixels) {
     InteractiveRenderer irsg;
     irsg.scene.settings.bounces = 0;
     irsg.scene.settings.tileSide_samples = c.tileSide_samples;
-    irsg.scene.environment =
-        c.isFlat ? environmentOf(ConstantAtmosphere{}) : computedAir(c.band);
-    irsg.scene.entities = {
-        entityOf(modelOf(boxMesh({4.0, 7.0, 2.0}, std::vector<IrCodes>(6, one))),
-                 greyDatabase(0.9, 320.0))};
+    irsg.scene.environment = c.isFlat ? environmentOf(ConstantAtmosphere{}) : computedAir(c.band);
+    irsg.scene.entities = {entityOf(modelOf(boxMesh({4.0, 7.0, 2.0}, std::vector<IrCodes>(6, one))),
+                                    greyDatabase(0.9, 320.0))};
     irsg.scene.entities.front().pose.attitude.yaw_rad = 0.7;
     look(irsg, {.range_m = c.range_m,
                 .azimuth_rad = 0.3,
