@@ -62,8 +62,8 @@ std::vector<SunShadows::Caster> SurfaceShader::casters(const Scene& scene,
                     reflects(
                         evaluation.evaluated->radiometry.surfaces()[static_cast<std::size_t>(row)]);
                 // Gas takes away nothing of the light that surfaces get.
-                caster.uses.set(i, {rows.gas(row) == nullptr, isTransparent, part.culled, part.layer,
-                                    isPane ? caster.materials.back() + 1 : 0});
+                caster.uses.set(i, {rows.gas(row) == nullptr, isTransparent, part.culled,
+                                    part.layer, isPane ? caster.materials.back() + 1 : 0});
             }
         }
         if (scene.terrain && scene.settings.terrainHides) {
