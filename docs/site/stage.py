@@ -6,6 +6,8 @@ PROGRAM is smat-batch, FOLDER is filled, REFERENCE is the C++ reference in HTML 
 Python module is imported from. Ends with 1 and says why where a page has no place.
 """
 
+import json
+import os
 import re
 import shutil
 import subprocess
@@ -196,6 +198,10 @@ def main(program, folder, reference, module=None):
         print(f"docs/site/pages.toml: {page} is no page", file=sys.stderr)
     for page in placeless:
         print(f"{page}: it stands in no chapter of docs/site/pages.toml", file=sys.stderr)
+    version = json.loads((root / "codemeta.json").read_text())["version"]
+    if version != os.environ["SMAT_VERSION"]:
+        print(f"codemeta.json: version {version} is not {os.environ['SMAT_VERSION']}, that of CMakeLists.txt", file=sys.stderr)
+        missing.append("codemeta.json")
     (stage.folder / "extra").mkdir()
     if has_reference:
         shutil.copytree(reference, stage.folder / "extra/cpp")
