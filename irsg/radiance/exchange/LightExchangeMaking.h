@@ -1,0 +1,141 @@
+#pragma once
+
+// What the files of LightExchange share, and nobody else includes.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "irsg/radiance/exchange/LightExchange.h"
+
+namespace irsg {
+
+/// What is at hand while an exchange is made.
+struct LightExchange::Making {
+    /// Of the error that is asked for: bodies that fill less of a hemisphere, as bright as they are
+    /// beside the other, are left out. At the usual error that is 0.001 of what a place that faces them
+    /// receives, and less than a tenth of what is stated for inter-reflection.
+    static constexpr double negligiblePart = 0.2;
+
+    /// A bounding sphere in the world.
+    struct Sphere {
+        Vec3 centre_m;
+        double radius_m = 0.0;
+
+        bool isMetBy(const Vec3& from_m, const Vec3& along) const {
+            const Vec3 to = centre_m - from_m;
+            const double ahead_m = dot(to, along), square_m2 = dot(to, to);
+            const double radius2_m2 = radius_m * radius_m;
+            return square_m2 <= radius2_m2 ||
+                   (ahead_m > 0.0 && square_m2 - ahead_m * ahead_m <= radius2_m2);
+        }
+    };
+    /// What a patch tells a node near it: what is lost of sky and ground and, as areas in
+    /// m2, how much of it sees the sky, with published weights or without.
+    struct Told {
+        double sky = 0.0, ground = 0.0;
+        double rays = 0.0; ///< that began there, of patches that see nothing of their own body
+        double open_m2 = 0.0, weighted_m2 = 0.0;
+    };
+    const std::vector<SunShadows::Caster>& casters;
+    const LightSources& sources;
+    std::vector<Rotation> toWorld{}, toMesh{};        ///< by caster
+    std::vector<Sphere> spheres{};                    ///< by body
+    std::vector<std::vector<std::size_t>> near{};     ///< bodies that a body may see
+    std::vector<std::vector<std::size_t>> shading{};  ///< casters that may shade a body
+    std::vector<bool> meetsTerrain{}, isNearGround{}; ///< by body
+    const SunShadows::Caster* terrain = nullptr;
+    std::size_t terrainNumber = 0;
+    std::uint32_t raysToOthers = 0;
+    double error = 0.0;                                    ///< of view factors
+    std::vector<PieceUses> withBacks{};                    ///< by caster, see PieceUses
+    std::vector<std::vector<LightPart>> parts{}, oneWay{}; ///< by patch
+    std::vector<std::vector<Told>> told{};                 ///< by patch and near node
+    std::vector<float> sunOnCells{};                ///< as factors; none: it lights all alike
+    std::vector<std::vector<LightPart>> sunParts{}; ///< by patch, of receivers and rows
+    std::vector<FoundThrough> found{};              ///< by patch; none without panes
+    /// By cell: what the sun gives it through sets of materials, as factors.
+    std::vector<std::vector<std::pair<std::vector<OccluderMaterial>, float>>> sunThrough{};
+
+    /// The material of a transparent piece.
+    OccluderMaterial paneOf(std::size_t body, std::size_t piece) const {
+        return {casters[body].entity, casters[body].materials[piece]};
+    }
+    bool isPane(std::size_t body, std::size_t piece) const {
+        return casters[body].uses[piece].pane > 0;
+    }
+    /// What a ray has passed with one more.
+    static void pass(std::vector<OccluderMaterial>& set, const OccluderMaterial& material) {
+        set.insert(std::ranges::upper_bound(set, material), material);
+    }
+
+    /// Height of the highest place of the terrain, m.
+    double terrainTop_m() const {
+        double top_m = -1e300;
+        for (std::size_t piece = 0; piece < terrain->mesh->pieces(); ++piece)
+            for (unsigned f = 0; f < terrain->mesh->facetsOf(piece); ++f)
+                for (const Vec3& corner : terrain->mesh->facet(piece, f).corners_m)
+                    top_m = std::max(top_m, terrain->pose.toWorld(corner).z);
+        return top_m;
+    }
+    bool isAlone(std::size_t body) const {
+        return near[body].empty() && !meetsTerrain[body] && !isNearGround[body];
+    }
+    /// Whether what a body sees of itself is what it sees of itself alone: others are outside of
+    /// its sphere.
+    bool isApart(std::size_t body) const {
+        return !meetsTerrain[body] && std::ranges::none_of(near[body], [&](std::size_t other) {
+            return length(spheres[other].centre_m - spheres[body].centre_m) <=
+                   spheres[other].radius_m + spheres[body].radius_m;
+        });
+    }
+    /// Whether light falls on a patch at all.
+    static bool isSeen(const Body& body, std::uint32_t patch) {
+        return body.light->nodes().patchArea_m2(patch) > 0.0;
+    }
+};
+
+template <typename ForEachOwn>
+void LightExchange::tellOfSun(Making& making, std::uint32_t number,
+                              const std::vector<OccluderMaterial>& passed, std::size_t metBody,
+                              const ExchangeMesh::Place& met, ForEachOwn forEachOwn) const {
+    if (making.sunParts.empty())
+        return;
+    const ExchangeNodes& nodes = bodies_[metBody].light->nodes();
+    const std::uint32_t cell = firstCell_[metBody] + met.cell;
+    float beside = making.sunOnCells[cell];
+    std::uint32_t sender = 0;
+    const auto senders = ExchangeNodes::OfPlace(nodes, met).ofSenders(nodes);
+    for (const ExchangeNodes::Share& share : senders) {
+        sender = firstSender_[metBody] + share.node;
+        beside -= share.part * static_cast<float>(sun_[sender]);
+    }
+    const auto row = static_cast<std::uint32_t>(rowOfSender_[sender]);
+    std::vector<LightPart>& parts =
+        passed.empty() ? making.sunParts[number] : making.found[number].bySet[passed].sun;
+    if (beside != 0.0f)
+        forEachOwn([&](std::uint32_t receiver, float part) {
+            parts.push_back({receiver, row, part * beside});
+        });
+    for (std::size_t i = 0; i < through_.size(); ++i) {
+        if (through_[i].sunOnCells.empty())
+            continue;
+        float more = through_[i].sunOnCells[cell];
+        for (const ExchangeNodes::Share& share : senders)
+            more -= share.part *
+                    static_cast<float>(through_[i].sun[firstSender_[metBody] + share.node]);
+        if (more == 0.0f)
+            continue;
+        std::vector<OccluderMaterial> all = passed;
+        for (const OccluderMaterial& material : passages_.materials(static_cast<int>(i + 1)))
+            Making::pass(all, material);
+        std::vector<LightPart>& behind = making.found[number].bySet[all].sun;
+        forEachOwn([&](std::uint32_t receiver, float part) {
+            behind.push_back({receiver, row, part * more});
+        });
+    }
+}
+
+} // namespace irsg
