@@ -105,11 +105,17 @@ InterReflection::exchangeOf(const Scene& scene, const SceneEvaluation& evaluatio
                             const std::vector<SunShadows::Caster>& casters) {
     const RenderSettings& settings = scene.settings;
     Known key;
-    const LightSources sources = sourcesOf(scene);
+    LightSources sources = sourcesOf(scene);
     std::vector<LightExchange::Extent> extents;
     for (std::size_t e = 0; e < scene.entities.size(); ++e)
         extents.push_back(extentOf(scene.entities[e], casters[e], evaluation.evaluated->radiometry,
                                    scene.entities.size() == 1));
+    if (sources.groundReflectivity &&
+        std::ranges::none_of(extents, [&](const LightExchange::Extent& extent) {
+            return LightExchange::isNearGround(extent, settings.lightError,
+                                               *sources.groundReflectivity);
+        }))
+        sources.groundReflectivity.reset();
     std::vector<LightExchange::Body> bodies;
     bool isPlaceOfMatter = scene.terrain != nullptr;
     for (std::size_t e = 0; e < scene.entities.size(); ++e) {

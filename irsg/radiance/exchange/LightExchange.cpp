@@ -107,9 +107,13 @@ bool LightExchange::isNear(const Extent& body, const Extent& other, double error
 }
 
 bool LightExchange::isNearGround(const Extent& body, double error, const Spectrum& reflectivity) {
+    // Calm water, which reflects less than this, changes a ship by less than 0.05 %.
+    constexpr double darkGround = 8.0;
     const double height_m = std::max(body.centre_m.z, 0.0);
-    return std::ranges::max(reflectivity.values()) * body.radius_m * body.radius_m >
-           Making::negligiblePart * error * height_m * height_m;
+    const double brightest = std::ranges::max(reflectivity.values());
+    return brightest > darkGround * error &&
+           brightest * body.radius_m * body.radius_m >
+               Making::negligiblePart * error * height_m * height_m;
 }
 
 bool LightExchange::mayShade(const Extent& body, const Extent& other, const Vec3& towardsSun) {
