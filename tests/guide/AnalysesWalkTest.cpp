@@ -1,4 +1,6 @@
 #include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
 #include <QMenu>
 #include <QPlainTextEdit>
 #include <QSpinBox>
@@ -15,6 +17,7 @@
 #include "gui/plot/PlotPanel.h"
 #include "gui/plot/PolarPlot.h"
 #include "gui/tools/CostAccuracyPage.h"
+#include "gui/tools/DetectionPage.h"
 #include "irsg/image/ExrFile.h"
 #include "smatcore/analysis/CostAccuracyStudy.h"
 #include "tests/gui/ResultList.h"
@@ -274,6 +277,40 @@ TEST_F(AnalysesWalkTest, TimeAgainstError) {
     EXPECT_NE(workbench.settings(), before);
     act("undo");
     EXPECT_EQ(workbench.settings(), before);
+    EXPECT_TRUE(told.isEmpty()) << said();
+}
+
+TEST_F(AnalysesWalkTest, DetectionRange) {
+    test::GuideWalk walk("analyses", "Detection range");
+    openSample();
+    workbench.set("render.bounces", "0");
+    walk.step("Tools → Detection range… draws how far a sensor sees the target over the aspects of "
+              "the project's polar plot.");
+    act("detectionRange");
+    auto* tool = page<DetectionPage>();
+    ASSERT_NE(tool, nullptr);
+    walk.step("Choose one of the six sensors that come with the program, or a file, and what "
+              "seeing means: the light of the target stands out of the noise, or its shape is "
+              "resolved well enough for a task.");
+    auto* sensors = get<QComboBox>("sensorFile", tool);
+    ASSERT_EQ(sensors->count(), 7);
+    choose(sensors, 2);
+    write(get<QDoubleSpinBox>("aspectStep", tool)->findChild<QLineEdit*>(), "90");
+    write(get<QDoubleSpinBox>("backgroundTemperature", tool)->findChild<QLineEdit*>(), "290");
+    choose(get<QComboBox>("criterion", tool), 1);
+    get<QPushButton>("run", tool)->click();
+    ASSERT_TRUE(test::waitUntil([&] { return workbench.results().size() == 1; }, 120.0));
+    ASSERT_TRUE(settled());
+    walk.step("The plot has the range, and on request what was found there; the notes below say "
+              "where the method does not hold.");
+    auto* quantity = get<QComboBox>("quantity", tool);
+    EXPECT_EQ(quantity->currentData().toString(), "detection_range");
+    choose(quantity, quantity->findData("cycles"));
+    const PolarData& shown = tool->plot().polar()->data();
+    ASSERT_EQ(shown.curves.size(), 1u);
+    ASSERT_EQ(shown.curves.front().y.size(), 4u);
+    EXPECT_NEAR(shown.curves.front().y.front(), 0.75, 1e-3);
+    EXPECT_FALSE(get<QLabel>("summary", tool)->text().isEmpty());
     EXPECT_TRUE(told.isEmpty()) << said();
 }
 

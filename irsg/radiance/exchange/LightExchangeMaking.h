@@ -15,8 +15,8 @@ namespace irsg {
 /// What is at hand while an exchange is made.
 struct LightExchange::Making {
     /// Of the error that is asked for: bodies that fill less of a hemisphere, as bright as they are
-    /// beside the other, are left out. At the usual error that is 0.001 of what a place that faces them
-    /// receives, and less than a tenth of what is stated for inter-reflection.
+    /// beside the other, are left out. At the usual error that is 0.001 of what a place that faces
+    /// them receives, and less than a tenth of what is stated for inter-reflection.
     static constexpr double negligiblePart = 0.2;
 
     /// A bounding sphere in the world.
