@@ -57,6 +57,9 @@ MessagesDock::MessagesDock(MessageLog& log, QWidget* parent)
     counter_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     counter_->setAutoRaise(true);
     counter_->setIcon(icon("info"));
+    // No higher than the words beside it in the status bar, which stays as it is.
+    counter_->setIconSize(QSize(14, 14));
+    counter_->setFixedHeight(fontMetrics().height() + 2);
 
     connect(counter_, &QToolButton::clicked, this, [this] {
         show();

@@ -272,6 +272,7 @@ TEST_F(WindowAndBatchTest, ClosesWhileAnAnalysisAndALeftDrawingRun) {
         const auto* times = shown->findChild<QLabel*>("jobTimes");
         EXPECT_TRUE(times->isVisible() && times->text().contains(" elapsed"))
             << times->text().toStdString();
+        answer = 1; // quit
         EXPECT_TRUE(shown->close());
         shown.reset();
         EXPECT_EQ(gate.begun, 2);
