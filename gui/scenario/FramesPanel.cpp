@@ -26,7 +26,7 @@ namespace smat::gui {
 namespace {
 
 constexpr QSize thumbnail(112, 84);
-constexpr int leastBeside_px = 480, leastPlot_px = 130;
+constexpr int leastBeside_px = 480, leastPlot_px = 116;
 enum Role { bandRole = Qt::UserRole, frameRole };
 
 QIcon pictureOf(const WrittenFrame& frame, const irsg::ColorMap& map,

@@ -14,9 +14,11 @@ namespace {
 constexpr double leastReflectivityOfPanes = 1e-4;
 
 bool reflects(const SurfaceSpectra& surface) {
-    return std::ranges::any_of(surface.reflectance, [](double value_per_sr) {
-        return pi * value_per_sr > leastReflectivityOfPanes;
-    });
+    // By the material itself: a scale of a gas' emissivity makes no pane of it.
+    for (std::size_t node = 0; node < surface.emissivity.size(); ++node)
+        if (surface.absorbsAtMost(node) - surface.emissivity[node] > leastReflectivityOfPanes)
+            return true;
+    return false;
 }
 
 /// Which triangles the samples of a drawing lie in.

