@@ -54,7 +54,8 @@ struct PlumeZonesError {
 };
 
 /// Radiant intensity of a plume in a band, along parallel lines of sight at 90, 45 and 10 degrees
-/// to its axis from behind, in steps so fine that twice as many change it by less than 1e-3.
+/// to its axis from behind. Zones are compared with the table on the same steps; what more steps
+/// would change in both is not bounded here, and `fineness` tells it.
 class PlumeIntensities {
   public:
     /// `fineness` times as many steps each way.
