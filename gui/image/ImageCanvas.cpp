@@ -9,6 +9,7 @@
 #include <QPainter>
 #include <QWheelEvent>
 
+#include "gui/image/ImageMarks.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/ThemeColors.h"
 
@@ -110,26 +111,6 @@ void ImageCanvas::setIsoLines(std::vector<IsoLine> lines) {
 void ImageCanvas::setSpots(std::vector<QPoint> spots) {
     spots_ = std::move(spots);
     update();
-}
-
-void ImageCanvas::drawSpots(QPainter& painter) const {
-    constexpr double ring_px = 7.0;
-    painter.setBrush(Qt::NoBrush);
-    for (std::size_t i = 0; i < spots_.size(); ++i) {
-        const QPointF at = placement_.inRoom(QPointF(spots_[i]) + QPointF(0.5, 0.5));
-        for (const auto& [color, width] :
-             {std::pair{colors::imageMarkSeam(), 3.0}, {colors::imageMark(), 1.4}}) {
-            painter.setPen(QPen(color, width));
-            painter.drawEllipse(at, ring_px, ring_px);
-        }
-        const QString number = QString::number(i + 1);
-        QRectF box(0.0, 0.0, QFontMetricsF(font()).horizontalAdvance(number) + 6.0,
-                   QFontMetricsF(font()).height());
-        box.moveBottomLeft(at + QPointF(ring_px, -ring_px));
-        painter.fillRect(box, colors::imageMarkSeam());
-        painter.setPen(colors::imageMark());
-        painter.drawText(box, Qt::AlignCenter, number);
-    }
 }
 
 void ImageCanvas::setLineMode(bool on) {
@@ -256,10 +237,7 @@ double ImageCanvas::printingZoom() const {
 void ImageCanvas::drawFrame(QPainter& painter, const QRectF& pixels) const {
     const QRectF box = placement_.inRoom(pixels);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(colors::imageMarkSeam(), 3.0));
-    painter.drawRect(box);
-    painter.setPen(QPen(colors::imageMark(), 1.4));
-    painter.drawRect(box);
+    drawMarked(painter, [&] { painter.drawRect(box); });
 }
 
 void ImageCanvas::drawOutlines(QPainter& painter) const {
@@ -269,23 +247,6 @@ void ImageCanvas::drawOutlines(QPainter& painter) const {
         painter.setPen(QPen(color, width));
         for (const QRectF& outline : outlines_)
             painter.drawRect(placement_.inRoom(outline));
-    }
-}
-
-void ImageCanvas::drawLine(QPainter& painter) const {
-    const QPointF middle(0.5, 0.5);
-    const bool isPoint = line_->p1() == line_->p2();
-    std::vector<QLineF> lines{QLineF(line_->p1() + middle, line_->p2() + middle)};
-    if (isPoint) {
-        const QPointF at = line_->p1() + middle;
-        lines = {QLineF(0.0, at.y(), plane_.width(), at.y()),
-                 QLineF(at.x(), 0.0, at.x(), plane_.height())};
-    }
-    for (const auto& [color, width] :
-         {std::pair{colors::imageMarkSeam(), 3.0}, {colors::imageMark(), 1.4}}) {
-        painter.setPen(QPen(color, width));
-        for (const QLineF& line : lines)
-            painter.drawLine(placement_.inRoom(line.p1()), placement_.inRoom(line.p2()));
     }
 }
 
@@ -331,20 +292,17 @@ void ImageCanvas::paintEvent(QPaintEvent*) {
         painter.fillRect(right, colors::imageSurround(palette()));
         second_.draw(painter, placement_.imageInRoom(), right, devicePixelRatioF());
         painter.restore();
-        painter.setPen(QPen(colors::imageMarkSeam(), 3.0));
-        painter.drawLine(QPointF(line, 0.0), QPointF(line, height()));
-        painter.setPen(QPen(colors::imageMark(), 1.4));
-        painter.drawLine(QPointF(line, 0.0), QPointF(line, height()));
+        drawMarked(painter, [&] { painter.drawLine(QPointF(line, 0.0), QPointF(line, height())); });
     }
     if (zoom() >= printingZoom())
         printValues(painter);
     drawOutlines(painter);
+    const ImagePlace place = [this](const QPointF& point) { return placement_.inRoom(point); };
     if (!isoLines_.empty())
-        drawIsoLines(painter, isoLines_,
-                     [this](const QPointF& point) { return placement_.inRoom(point); });
-    drawSpots(painter);
+        drawIsoLines(painter, isoLines_, place);
+    drawSpots(painter, spots_, place);
     if (line_)
-        drawLine(painter);
+        drawProfileLine(painter, *line_, {plane_.width(), plane_.height()}, place);
     if (const auto& box = chosen_.rectangle())
         drawFrame(painter, QRectF(box->x, box->y, box->width, box->height));
     if (const auto cursor = chosen_.cursor()) {

@@ -115,8 +115,6 @@ class ImageCanvas : public QWidget {
     void refreshColors();
     void drawFrame(QPainter& painter, const QRectF& pixels) const;
     void drawOutlines(QPainter& painter) const;
-    void drawLine(QPainter& painter) const;
-    void drawSpots(QPainter& painter) const;
     void drawLineTo(const QPointF& from, const QPointF& to);
     void setLine(const std::optional<QLine>& line);
     void printValues(QPainter& painter) const;

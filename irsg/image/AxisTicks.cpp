@@ -26,15 +26,6 @@ std::string fixed(double value, int decimals) {
     return out;
 }
 
-/// The smallest of 1, 2, 5 times a power of ten that is not below `least`, and that power.
-std::pair<double, int> roundStep(double least) {
-    const int power = static_cast<int>(std::floor(std::log10(least) + 1e-9));
-    for (const double mantissa : {1.0, 2.0, 5.0})
-        if (mantissa * std::pow(10.0, power) >= least * (1.0 - 1e-9))
-            return {mantissa * std::pow(10.0, power), power};
-    return {std::pow(10.0, power + 1), power + 1};
-}
-
 /// Of what lies from `low` to `high` the roundest: 0, else, of the multiples of the largest of 1, 2
 /// and 5 times a power of ten that has any there, the one nearest to `wanted`; of two digits.
 double roundestBetween(double low, double high, double wanted) {
@@ -82,6 +73,14 @@ void addAlongColors(const DisplayLimits& limits, int most, double unit, AxisTick
 }
 
 } // namespace
+
+std::pair<double, int> roundStep(double least) {
+    const int power = static_cast<int>(std::floor(std::log10(least) + 1e-9));
+    for (const double mantissa : {1.0, 2.0, 5.0})
+        if (mantissa * std::pow(10.0, power) >= least * (1.0 - 1e-9))
+            return {mantissa * std::pow(10.0, power), power};
+    return {std::pow(10.0, power + 1), power + 1};
+}
 
 AxisTicks axisTicks(const DisplayLimits& limits, int mostTicks) {
     const double low = limits.low, high = limits.high;

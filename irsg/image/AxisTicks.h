@@ -1,11 +1,15 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "irsg/image/ImageStatistics.h"
 
 namespace irsg {
+
+/// The smallest of 1, 2, 5 times a power of ten that is not below `least` (> 0), and that power.
+std::pair<double, int> roundStep(double least);
 
 /// Where an axis is marked and what stands there.
 struct AxisTicks {

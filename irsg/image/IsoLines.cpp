@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "irsg/core/Errors.h"
+#include "irsg/image/AxisTicks.h"
 
 namespace irsg {
 
@@ -88,12 +89,7 @@ std::vector<double> roundLevels(double low, double high, int wanted) {
     std::vector<double> levels;
     if (!(high > low) || !std::isfinite(high - low) || wanted < 1)
         return levels;
-    const double rough = (high - low) / wanted;
-    const double decade = std::pow(10.0, std::floor(std::log10(rough)));
-    double step = 10.0 * decade;
-    for (const double digit : {5.0, 2.0, 1.0})
-        if (digit * decade >= rough)
-            step = digit * decade;
+    const double step = roundStep((high - low) / wanted).first;
     for (double k = std::ceil(low / step); k * step <= high; k += 1.0)
         levels.push_back(k * step + 0.0); // no -0
     return levels;
