@@ -152,7 +152,7 @@ HazeGains HazeRenderer::gains(const Frame& frame) {
     });
 }
 
-HazeGains HazeRenderer::add(const Frame& frame, const FrameBackground& background,
+HazeGains HazeRenderer::add(const Frame& frame, const FrameBackground& background, bool withGains,
                             RadianceImage& image, std::vector<std::string>& warnings) {
     std::vector<ScatteredObject> objects = objectsOf(frame, warnings);
     // What every pixel shows of each object, from the tiles of the sampling. The published zoom
@@ -171,8 +171,9 @@ HazeGains HazeRenderer::add(const Frame& frame, const FrameBackground& backgroun
             image.attributes[key + "cut"] = roundedText(light.cut, 9);
         }
         image.attributes["scattering.database"] = database.string();
-        return scattering_.gains(database, frame.sensor(), background, objects,
-                                 frame.evaluation().ranges_m());
+        return withGains ? scattering_.gains(database, frame.sensor(), background, objects,
+                                             frame.evaluation().ranges_m())
+                         : HazeGains{};
     });
 }
 

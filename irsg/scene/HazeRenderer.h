@@ -29,9 +29,10 @@ class HazeRenderer {
 
     /// Throws InputError where the environment names a file that is no MTF database.
     void check(const Environment& environment);
-    /// Warnings are added, each once. What that makes of the sums over the frame, by entity.
-    HazeGains add(const Frame& frame, const FrameBackground& background, RadianceImage& image,
-                  std::vector<std::string>& warnings);
+    /// Warnings are added, each once. What that makes of the sums over the frame, by entity, where
+    /// it is asked for.
+    HazeGains add(const Frame& frame, const FrameBackground& background, bool withGains,
+                  RadianceImage& image, std::vector<std::string>& warnings);
 
     /// The same without the picture, of the frame of one.
     HazeGains gains(const Frame& frame);

@@ -110,19 +110,18 @@ InterReflection::exchangeOf(const Scene& scene, const SceneEvaluation& evaluatio
     for (std::size_t e = 0; e < scene.entities.size(); ++e)
         extents.push_back(extentOf(scene.entities[e], casters[e], evaluation.evaluated->radiometry,
                                    scene.entities.size() == 1));
-    if (sources.groundReflectivity &&
-        std::ranges::none_of(extents, [&](const LightExchange::Extent& extent) {
-            return LightExchange::isNearGround(extent, settings.lightError,
-                                               *sources.groundReflectivity);
-        }))
+    std::vector<bool> isNearGround;
+    for (const LightExchange::Extent& extent : extents)
+        isNearGround.push_back(
+            sources.groundReflectivity &&
+            LightExchange::isNearGround(extent, settings.lightError, *sources.groundReflectivity));
+    if (std::ranges::find(isNearGround, true) == isNearGround.end())
         sources.groundReflectivity.reset();
     std::vector<LightExchange::Body> bodies;
     bool isPlaceOfMatter = scene.terrain != nullptr;
     for (std::size_t e = 0; e < scene.entities.size(); ++e) {
         const Entity& entity = scene.entities[e];
-        bool isAmongOthers = sources.groundReflectivity &&
-                             LightExchange::isNearGround(extents[e], settings.lightError,
-                                                         *sources.groundReflectivity);
+        bool isAmongOthers = isNearGround[e];
         isPlaceOfMatter = isPlaceOfMatter || isAmongOthers;
         for (std::size_t o = 0; o < extents.size(); ++o) {
             if (o == e)

@@ -146,27 +146,27 @@ void Renderer::Impl::renderImage(const Frame& frame, const Outputs& outputs, Ren
         RenderReporter::describe(frame, background, result.image);
         describeTiles(picture.tiles, result.image);
     });
+    // Sums are those of a sweep, which samples as the picture does.
+    const bool isPictures = outputs.hasReports() && frame.scene().entities.size() <= 1 &&
+                            frame.request.bands.size() == 1;
     HazeGains gains;
     if (frame.settings().scattering)
-        gains = haze.add(frame, background, result.image, picture.warnings);
-    result.reports.emplace_back();
-    if (outputs.hasReports()) {
-        // Sums are those of a sweep, which samples as the picture does.
-        const bool isPictures =
-            frame.scene().entities.size() <= 1 && frame.request.bands.size() == 1;
-        result.reports = isPictures
-                             ? std::vector{reporter.report(frame, picture.pixels, background)}
-                             : reports(frame);
-        if (isPictures)
-            addHaze(gains, result.reports.front());
-        if (isPictures && frame.request.withErrors) {
+        gains = haze.add(frame, background, isPictures, result.image, picture.warnings);
+    if (isPictures) {
+        RenderReport own = reporter.report(frame, picture.pixels, background);
+        if (frame.request.withErrors) {
             // Lattices are told apart in sums alone.
-            RenderReport sums = std::move(reports(frame).front());
-            RenderReport& own = result.reports.front();
+            const RenderReport sums = reporter.reports(frame, sampler.factorsOf(frame)).front();
             own.all.errors = sums.all.errors;
             for (std::size_t e = 0; e < own.objects.size(); ++e)
                 own.objects[e].errors = sums.objects[e].errors;
         }
+        addHaze(gains, own);
+        result.reports = {std::move(own)};
+    } else if (outputs.hasReports()) {
+        result.reports = reports(frame);
+    } else {
+        result.reports.emplace_back();
     }
     RenderReport& first = result.reports.front();
     first.tiles = std::move(picture.tiles);
