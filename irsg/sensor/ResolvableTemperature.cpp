@@ -78,6 +78,24 @@ double ResolvableTemperature::mrtd_K(double frequency_per_rad, Direction directi
     return passed > 0.0 ? noise_K_ * perFrequency_rad_ * frequency_per_rad / passed : never;
 }
 
+double ResolvableTemperature::mrtd_K(double frequency_per_rad) const {
+    if (frequency_per_rad == 0.0)
+        return 0.0;
+    const auto isResolved = [&](double logDifference) {
+        return bothResolved_per_rad(std::exp(logDifference)) >= frequency_per_rad;
+    };
+    // The least difference that resolves it, as ln of it by the noise: at Nyquist's frequency all
+    // larger ones resolve no more, so that no root finder knows which one is meant.
+    double least = -100.0, most = 100.0;
+    if (!isResolved(most))
+        return std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 60; ++i) {
+        const double middle = std::midpoint(least, most);
+        (isResolved(middle) ? most : least) = middle;
+    }
+    return noise_K_ * std::exp(most);
+}
+
 double ResolvableTemperature::resolved_per_rad(double differenceByNoise,
                                                Direction direction) const {
     if (!(differenceByNoise > 0.0))

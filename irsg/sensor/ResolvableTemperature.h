@@ -41,6 +41,9 @@ class ResolvableTemperature {
 
     /// At a frequency >= 0 in cycles/rad; 0 at frequency 0.
     double mrtd_K(double frequency_per_rad, Direction direction) const;
+    /// Of both directions: the difference at which the geometric mean of what they resolve is this
+    /// frequency.
+    double mrtd_K(double frequency_per_rad) const;
     /// The highest frequency, cycles/rad, up to which bars of this temperature difference are
     /// resolved: at most Nyquist's.
     double frequency_per_rad(double difference_K, Direction direction) const {

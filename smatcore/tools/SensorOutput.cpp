@@ -22,23 +22,6 @@ namespace {
 
 using Direction = irsg::ResolvableTemperature::Direction;
 
-/// The temperature difference at which both directions together resolve a frequency.
-double mrtdOfBoth_K(const irsg::ResolvableTemperature& resolvable, double frequency_per_rad) {
-    if (frequency_per_rad == 0.0)
-        return 0.0;
-    double low_K = 0.0, high_K = 1e-9;
-    while (resolvable.frequency_per_rad(high_K) < frequency_per_rad) {
-        high_K *= 4.0;
-        if (high_K > 1e9)
-            return std::numeric_limits<double>::infinity();
-    }
-    for (int i = 0; i < 60; ++i) {
-        const double middle_K = 0.5 * (low_K + high_K);
-        (resolvable.frequency_per_rad(middle_K) < frequency_per_rad ? low_K : high_K) = middle_K;
-    }
-    return high_K;
-}
-
 void requireFrequency(double frequency_per_rad) {
     if (!(frequency_per_rad >= 0.0 && std::isfinite(frequency_per_rad)))
         throw irsg::InputError({"", "frequency", irsg::numberText(frequency_per_rad),
@@ -198,7 +181,7 @@ ResultTable resolvableTemperatureTable(const irsg::SensorDescription& sensor,
         requireFrequency(frequency);
         std::vector<double> row = {frequency, resolvable.mrtd_K(frequency, Direction::horizontal),
                                    resolvable.mrtd_K(frequency, Direction::vertical),
-                                   mrtdOfBoth_K(resolvable, frequency)};
+                                   resolvable.mrtd_K(frequency)};
         std::ranges::replace_if(
             row, [](double value) { return std::isinf(value); },
             std::numeric_limits<double>::quiet_NaN());

@@ -64,6 +64,23 @@ TEST(ResolvableTemperature, AFrequencyIsResolvedAtItsOwnDifference) {
     EXPECT_EQ(resolvable.frequency_per_rad(1e6), resolvable.nyquist_per_rad());
 }
 
+TEST(ResolvableTemperature, BothDirectionsTogetherHaveADifferenceOfTheirOwn) {
+    SensorDescription sensor = test::staringSensor();
+    const ResolvableTemperature alike(sensor, 290.0);
+    // Of equal directions it is that of each, at Nyquist's frequency as well.
+    for (const double f : {300.0, 4000.0, alike.nyquist_per_rad()}) {
+        EXPECT_NEAR(alike.mrtd_K(f) / alike.mrtd_K(f, Direction::horizontal), 1.0, 1e-9) << f;
+    }
+    EXPECT_EQ(alike.mrtd_K(0.0), 0.0);
+    EXPECT_EQ(alike.mrtd_K(1.001 * alike.nyquist_per_rad()),
+              std::numeric_limits<double>::infinity());
+    sensor.motion.lineOfSightRate_urad_per_s = 5e4;
+    const ResolvableTemperature unlike(sensor, 290.0);
+    EXPECT_NEAR(unlike.frequency_per_rad(unlike.mrtd_K(4000.0)) / 4000.0, 1.0, 1e-9);
+    EXPECT_GT(unlike.mrtd_K(4000.0), unlike.mrtd_K(4000.0, Direction::vertical));
+    EXPECT_LT(unlike.mrtd_K(4000.0), unlike.mrtd_K(4000.0, Direction::horizontal));
+}
+
 TEST(ResolvableTemperature, NothingIsResolvedPastAReversal) {
     SensorDescription sensor = test::staringSensor();
     sensor.optics.defocus_waves = 1.0;
