@@ -60,16 +60,17 @@ template <typename Entry>
 void addFields(ordered_json& json, const Entry& entry,
                std::span<const irsg::EntryField<Entry>> fields,
                std::string Entry::*toldOtherwise = nullptr) {
-    for (const auto& field : fields)
+    for (const auto& field : fields) {
         if (std::string_view(field.page) == "gas" && !field.saysSomething(entry))
             continue; // few materials are one
-        else if (const auto text = field.template as<std::string>()) {
+        if (const auto text = field.template as<std::string>()) {
             if (text != toldOtherwise)
                 json[field.column] = entry.*text;
         } else if (const auto number = field.template as<double>())
             json[field.column] = entry.*number;
         else if (const auto spectrum = field.template as<Spectrum>())
             json[field.column] = jsonOf(entry.*spectrum);
+    }
 }
 
 ordered_json jsonOf(const irsg::SignatureDatabase& database) {

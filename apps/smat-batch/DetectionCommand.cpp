@@ -15,13 +15,6 @@ namespace smat::batch {
 
 namespace {
 
-std::vector<std::string> taskWords() {
-    std::vector<std::string> words;
-    for (const irsg::JohnsonTask& task : irsg::johnsonTasks())
-        words.emplace_back(task.name);
-    return words;
-}
-
 /// `smat-batch detection PROJECT --sensor FILE --step 10 --snr 5 --out FILE`.
 class DetectionCommand {
   public:
@@ -114,30 +107,24 @@ class DetectionCommand {
         if (sensor_.empty())
             throw refusal("--sensor", "nothing", "a sensor, such as --sensor one.smatsensor");
         DetectionRequest request;
-        const auto positive = [&](const char* option, double otherwise) {
-            const double value = numbers_.value(option).value_or(otherwise);
-            if (!(value > 0.0))
-                throw refusal(option, irsg::numberText(value), "a number above 0");
-            return value;
-        };
         request.criterion =
             static_cast<RangeCriterion>(chosen("--criterion", criterion_, criterionWords()));
-        request.threshold = positive("--snr", request.threshold);
-        if (request.criterion == RangeCriterion::bars)
+        request.threshold = numbers_.positive("--snr", request.threshold);
+        if (request.criterion == RangeCriterion::bars) {
             takeTask(request.task);
-        else
-            refuseWith("point", {"--cycles", "--probability"});
-        if (request.criterion == RangeCriterion::bars)
             refuseWith("johnson", {"--snr"});
-        request.limits.nearest_m = positive("--nearest", request.limits.nearest_m);
-        request.limits.farthest_m = positive("--farthest", request.limits.farthest_m);
+        } else {
+            refuseWith("point", {"--cycles", "--probability"});
+        }
+        request.limits.nearest_m = numbers_.positive("--nearest", request.limits.nearest_m);
+        request.limits.farthest_m = numbers_.positive("--farthest", request.limits.farthest_m);
         if (request.limits.farthest_m <= request.limits.nearest_m)
             throw refusal("--farthest", irsg::numberText(request.limits.farthest_m),
                           "a range beyond the nearest, " +
                               irsg::numberText(request.limits.nearest_m) + " m");
         numbers_.takeWhole("--looks", request.limits.looksPerDecade, 1.0, 1000.0);
         if (numbers_.value("--background-temperature"))
-            request.background_K = positive("--background-temperature", 300.0);
+            request.background_K = numbers_.positive("--background-temperature", 300.0);
         request.place = static_cast<PointPlace>(chosen("--point", place_, pointPlaceWords()));
         return request;
     }
@@ -151,13 +138,9 @@ class DetectionCommand {
     }
 
     void takeTask(RangeTask& task) const {
-        task.cyclesOfHalf =
-            irsg::johnsonTasks().at(chosen("--task", task_, taskWords())).cyclesOfHalf;
-        if (const auto cycles = numbers_.value("--cycles")) {
-            if (!(*cycles > 0.0))
-                throw refusal("--cycles", irsg::numberText(*cycles), "a number above 0");
-            task.cyclesOfHalf = *cycles;
-        }
+        task.cyclesOfHalf = numbers_.positive(
+            "--cycles",
+            irsg::johnsonTasks().at(chosen("--task", task_, johnsonTaskWords())).cyclesOfHalf);
         const double percent = numbers_.value("--probability").value_or(50.0);
         if (!(percent > 0.0 && percent < 100.0))
             throw refusal("--probability", irsg::numberText(percent),

@@ -24,6 +24,14 @@ std::optional<double> NumberOptions::value(const std::string& option) const {
     return irsg::parseNumber(texts_.at(option));
 }
 
+double NumberOptions::positive(const std::string& option, double otherwise,
+                               const char* expected) const {
+    const double number = value(option).value_or(otherwise);
+    if (!(number > 0.0))
+        throw irsg::InputError({option, "", irsg::numberText(number), expected});
+    return number;
+}
+
 std::optional<double> NumberOptions::wholeNumber(const std::string& option, double least,
                                                  double most) const {
     const std::optional<double> given = value(option);

@@ -21,6 +21,10 @@ class NumberOptions {
     void add(const std::string& option, const std::string& unit, const std::string& help);
     /// No value where the option was not given.
     std::optional<double> value(const std::string& option) const;
+    /// Or `otherwise` where it was not given. Throws InputError for one that is not above 0;
+    /// `expected` says what is.
+    double positive(const std::string& option, double otherwise,
+                    const char* expected = "a number above 0") const;
     /// The whole number of an option, or what is there where it was not given. Throws InputError
     /// for one that is not whole, or not from `least` to `most`.
     template <std::integral Number>

@@ -27,14 +27,6 @@ std::vector<double> frequenciesOf(const std::string& text) {
     return list;
 }
 
-double positive(const NumberOptions& numbers, const char* option, double otherwise,
-                const char* expected) {
-    const double value = numbers.value(option).value_or(otherwise);
-    if (!(value > 0.0))
-        throw refusal(option, irsg::numberText(value), expected);
-    return value;
-}
-
 /// `smat-batch sensor info FILE.smatsensor --background-temperature 300`.
 class SensorInfoCommand {
   public:
@@ -52,7 +44,7 @@ class SensorInfoCommand {
         numbers_.check();
         SensorNumbersRequest request;
         request.background_K =
-            positive(numbers_, "--background-temperature", 300.0, "a temperature above 0 K");
+            numbers_.positive("--background-temperature", 300.0, "a temperature above 0 K");
         request.temperatureDifference_K = numbers_.value("--temperature-difference").value_or(0.0);
         request.pointIrradiance_W_m2 = numbers_.value("--point-irradiance").value_or(0.0);
         const auto json = sensorNumbersJson(irsg::loadSensor(file_), request);
@@ -94,7 +86,7 @@ class SensorTransferCommand {
         files_.check("mtf.csv");
         numbers_.check();
         const double source_K =
-            positive(numbers_, "--source-temperature", 300.0, "a temperature above 0 K");
+            numbers_.positive("--source-temperature", 300.0, "a temperature above 0 K");
         if (direction_ != "horizontal" && direction_ != "vertical")
             throw wordRefusal("--direction", direction_, {"horizontal", "vertical"});
         ResultTable table =
@@ -136,12 +128,12 @@ class SensorResolvableCommand {
         numbers_.check();
         irsg::Observer observer;
         observer.threshold =
-            positive(numbers_, "--threshold", observer.threshold, "a number above 0");
+            numbers_.positive("--threshold", observer.threshold, "a number above 0");
         observer.integration_s =
-            positive(numbers_, "--eye-time", observer.integration_s, "a time above 0 s");
+            numbers_.positive("--eye-time", observer.integration_s, "a time above 0 s");
         ResultTable table = resolvableTemperatureTable(
             irsg::loadSensor(file_), frequenciesOf(frequencies_),
-            positive(numbers_, "--background-temperature", 300.0, "a temperature above 0 K"),
+            numbers_.positive("--background-temperature", 300.0, "a temperature above 0 K"),
             observer);
         table.provenance.add("sensor file", file_);
         files_.write("sensor mrtd", table, {}, {}, context.json);

@@ -106,12 +106,8 @@ DetectionRequest requestOf(const FileSensor& sensor, const py::dict& given) {
     request.place = static_cast<PointPlace>(
         wordOf("point", given["point"].cast<std::string>(), pointPlaceWords()));
     request.threshold = number("snr", request.threshold);
-    std::vector<std::string> tasks;
-    for (const irsg::JohnsonTask& task : irsg::johnsonTasks())
-        tasks.emplace_back(task.name);
-    request.task.cyclesOfHalf = number(
-        "cycles", irsg::johnsonTasks()[wordOf("task", given["task"].cast<std::string>(), tasks)]
-                      .cyclesOfHalf);
+    const std::size_t task = wordOf("task", given["task"].cast<std::string>(), johnsonTaskWords());
+    request.task.cyclesOfHalf = number("cycles", irsg::johnsonTasks()[task].cyclesOfHalf);
     request.task.probability = number("probability", request.task.probability);
     request.limits.nearest_m = number("nearest_m", request.limits.nearest_m);
     request.limits.farthest_m = number("farthest_m", request.limits.farthest_m);

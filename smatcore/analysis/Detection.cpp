@@ -284,6 +284,13 @@ const std::vector<std::string>& criterionWords() {
     return words;
 }
 
+std::vector<std::string> johnsonTaskWords() {
+    std::vector<std::string> words;
+    for (const irsg::JohnsonTask& task : irsg::johnsonTasks())
+        words.emplace_back(task.name);
+    return words;
+}
+
 std::string detectionCommand(const Project& project, const Settings& settings,
                              const DetectionRequest& request, const std::string& outputFile) {
     const DetectionRequest usual;

@@ -55,6 +55,7 @@ AnalysisKind detectionKind();
 /// Words of places and tasks, as commands have them.
 const std::vector<std::string>& pointPlaceWords(); ///< "centre", ... by PointPlace
 const std::vector<std::string>& criterionWords();  ///< "point", "johnson", by RangeCriterion
+std::vector<std::string> johnsonTaskWords();       ///< "detection", ... of irsg::johnsonTasks()
 
 /// The command that does the same from a terminal, for a project with these settings in effect.
 std::string detectionCommand(const Project& project, const Settings& settings,
