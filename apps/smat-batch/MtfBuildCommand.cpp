@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -9,6 +12,7 @@
 #include "apps/smat-batch/NumberOptions.h"
 #include "apps/smat-batch/Output.h"
 #include "apps/smat-batch/StopSignal.h"
+#include "irsg/atmosphere/engine/Particles.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/ProgramVersion.h"
@@ -44,8 +48,7 @@ std::vector<std::vector<double>> lists(const char* option, const std::string& te
 class MtfBuildCommand {
   public:
     explicit MtfBuildCommand(CLI::App& command) : numbers_(command) {
-        const auto word = [&](const char* option, std::string& text, const char* type,
-                              const char* help) {
+        const auto word = [&](const char* option, auto& text, const char* type, const char* help) {
             command.add_option(option, text, help)->type_name(type);
         };
         word("--out", out_, "FILE", "The database, .mtf");
@@ -54,6 +57,10 @@ class MtfBuildCommand {
         word("--droplets", droplets_, "WORD",
              "single (default), gamma, log-normal, advection-fog or radiation-fog; the fogs are "
              "those of Shettle and Fenn 1979");
+        word("--aerosol", aerosol_, "WORD",
+             "In place of droplets, the aerosol of an AtmosphereSmart at the ground: rural, urban, "
+             "maritime, navy-maritime, tropospheric or desert");
+        numbers_.add("--humidity", "%", "Relative humidity of the aerosol, 0 to 99, 80 by default");
         numbers_.add("--diameter", "um",
                      "Of single droplets, or mode (gamma) or median (log-normal); 100 by default");
         numbers_.add("--width", "X",
@@ -121,27 +128,67 @@ class MtfBuildCommand {
 
     irsg::SizeDistribution sizes() const {
         using irsg::SizeDistribution;
-        if (droplets_ == "advection-fog" || droplets_ == "radiation-fog") {
+        const std::string kind = droplets_.value_or("single");
+        if (kind == "advection-fog" || kind == "radiation-fog") {
             for (const char* option : {"--diameter", "--width"})
                 if (const auto given = numbers_.value(option))
                     throw refusal(option, irsg::numberText(*given),
                                   "nothing: the fog has sizes of its own");
-            return droplets_ == "advection-fog" ? SizeDistribution::advectionFog()
-                                                : SizeDistribution::radiationFog();
+            return kind == "advection-fog" ? SizeDistribution::advectionFog()
+                                           : SizeDistribution::radiationFog();
         }
         SizeDistribution sizes;
-        if (droplets_ == "gamma")
+        if (kind == "gamma")
             sizes = {SizeDistribution::Kind::gamma, 50.0, 3.0};
-        else if (droplets_ == "log-normal")
+        else if (kind == "log-normal")
             sizes = {SizeDistribution::Kind::logNormal, 50.0, 1.5};
-        else if (droplets_ != "single")
-            throw wordRefusal("--droplets", droplets_,
+        else if (kind != "single")
+            throw wordRefusal("--droplets", kind,
                               {"single", "gamma", "log-normal", "advection-fog", "radiation-fog"});
         double diameter_um = 2.0 * sizes.radius_um;
         take("--diameter", diameter_um);
         sizes.radius_um = 0.5 * diameter_um;
         take("--width", sizes.width);
         return sizes;
+    }
+
+    std::optional<irsg::HazeAerosol> aerosol(double wavelength_um) const {
+        using irsg::AerosolModel;
+        const auto humidity_percent = numbers_.value("--humidity");
+        if (aerosol_.empty()) {
+            if (humidity_percent)
+                throw refusal("--humidity", irsg::numberText(*humidity_percent),
+                              "nothing without --aerosol: droplets do not depend on it");
+            return std::nullopt;
+        }
+        static const std::vector<std::pair<std::string, AerosolModel>> models = {
+            {"rural", AerosolModel::rural},
+            {"urban", AerosolModel::urban},
+            {"maritime", AerosolModel::maritime},
+            {"navy-maritime", AerosolModel::navyMaritime},
+            {"tropospheric", AerosolModel::tropospheric},
+            {"desert", AerosolModel::desert}};
+        const auto found =
+            std::ranges::find(models, aerosol_, &std::pair<std::string, AerosolModel>::first);
+        if (found == models.end()) {
+            std::vector<std::string> words;
+            for (const auto& [word, model] : models)
+                words.push_back(word);
+            throw wordRefusal("--aerosol", aerosol_, words);
+        }
+        if (droplets_)
+            throw refusal("--droplets", *droplets_, "nothing beside --aerosol");
+        for (const char* option : {"--diameter", "--width"})
+            if (const auto given = numbers_.value(option))
+                throw refusal(option, irsg::numberText(*given),
+                              "nothing beside --aerosol, whose sizes are its own");
+        const double percent = humidity_percent.value_or(80.0);
+        if (!(percent >= 0.0 && percent <= 99.0))
+            throw refusal("--humidity", irsg::numberText(percent), "0 to 99 %");
+        const irsg::ParticleOptics optics =
+            irsg::aerosolOptics(found->second, 0.01 * percent, wavelength_um);
+        return irsg::HazeAerosol{aerosol_, 1.0 - optics.absorption / optics.extinction,
+                                 optics.asymmetry};
     }
 
     irsg::MtfRecipe recipe() const {
@@ -156,8 +203,10 @@ class MtfBuildCommand {
             recipe.method = irsg::MtfRecipe::Method::monteCarlo;
         else if (method_ != "small-angle")
             throw wordRefusal("--method", method_, {"small-angle", "monte-carlo"});
-        recipe.sizes = sizes();
         take("--wavelength", recipe.wavelength_um);
+        recipe.aerosol = aerosol(recipe.wavelength_um);
+        if (!recipe.aerosol)
+            recipe.sizes = sizes();
         if (!depths_.empty()) {
             recipe.opticalDepths.clear();
             for (const auto& entry : lists("--optical-depths", depths_, "numbers, as 0.5,1,2"))
@@ -210,12 +259,13 @@ class MtfBuildCommand {
         fmt::print("{}\n", out_);
         for (const std::string& line : built.database.description())
             fmt::print("  {}\n", line);
-        fmt::print("  droplets: albedo {:.4g}, asymmetry {:.4g}, scattered forward {:.4g}\n",
+        fmt::print("  particles: albedo {:.4g}, asymmetry {:.4g}, scattered forward {:.4g}\n",
                    built.albedo, built.asymmetry, built.forwardFraction);
     }
 
     NumberOptions numbers_;
-    std::string out_, table_, method_ = "small-angle", droplets_ = "single", depths_, layers_;
+    std::string out_, table_, method_ = "small-angle", aerosol_, depths_, layers_;
+    std::optional<std::string> droplets_;
 };
 
 } // namespace

@@ -23,6 +23,20 @@ constexpr std::uint64_t photonsOfBatch = 20'000;
 /// Part of the progress that the optics of the droplets are.
 constexpr double shareOfOptics = 0.2;
 
+struct ParticleScattering {
+    PhaseFunction phase;
+    double albedo;
+};
+
+ParticleScattering scatteringOf(const MtfRecipe& recipe, const std::function<bool(double)>& tell) {
+    if (recipe.aerosol)
+        return {PhaseFunction::henyeyGreenstein(recipe.aerosol->asymmetry), recipe.aerosol->albedo};
+    DropletOptics optics =
+        dropletOptics(recipe.sizes, waterIndex(recipe.wavelength_um), recipe.wavelength_um, tell);
+    const double albedo = optics.albedo();
+    return {std::move(optics.phase), albedo};
+}
+
 std::vector<PhotonEstimate> tracePhotons(const MtfRecipe& recipe, const PhaseFunction& phase,
                                          const std::vector<double>& frequencies,
                                          const std::function<bool(double)>& tell,
@@ -101,7 +115,13 @@ void MtfRecipe::check() const {
          "0 < lowest < highest <= 1e7 cycles per radian");
     need(photons >= 1 && photons <= 1'000'000'000'000u, "photons", std::to_string(photons),
          "1 to 1e12");
-    collect(diagnostics, [&] { sizes.nodes(); });
+    if (aerosol) {
+        need(aerosol->albedo >= 0.0 && aerosol->albedo <= 1.0, "albedo of the aerosol",
+             numberText(aerosol->albedo), "0 to 1");
+        collect(diagnostics, [&] { PhaseFunction::henyeyGreenstein(aerosol->asymmetry); });
+    } else {
+        collect(diagnostics, [&] { sizes.nodes(); });
+    }
     collect(diagnostics, [&] { normalised(layers); });
     if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));
@@ -110,9 +130,14 @@ void MtfRecipe::check() const {
 std::string MtfRecipe::signature() const {
     std::ostringstream out;
     out.precision(17);
-    out << FinishedBatches::firstWords << "; " << sizes.description() << "; " << wavelength_um
-        << "; " << fieldOfView_rad << "; " << lowestFrequency_per_rad << " "
-        << highestFrequency_per_rad << " " << frequencies << "; " << photons << " " << seed << ";";
+    out << FinishedBatches::firstWords << "; ";
+    if (aerosol)
+        out << "asymmetry " << aerosol->asymmetry;
+    else
+        out << sizes.description();
+    out << "; " << wavelength_um << "; " << fieldOfView_rad << "; " << lowestFrequency_per_rad
+        << " " << highestFrequency_per_rad << " " << frequencies << "; " << photons << " " << seed
+        << ";";
     for (const double depth : opticalDepths)
         out << ' ' << depth;
     for (const ScatteringLayer& layer : layers)
@@ -124,8 +149,7 @@ BuiltMtf buildMtf(const MtfRecipe& recipe, const std::function<bool(double)>& te
                   const std::optional<std::filesystem::path>& resume) {
     recipe.check();
     const auto toldOptics = [&](double part) { return !tell || tell(shareOfOptics * part); };
-    const DropletOptics optics = dropletOptics(recipe.sizes, waterIndex(recipe.wavelength_um),
-                                               recipe.wavelength_um, toldOptics);
+    const ParticleScattering optics = scatteringOf(recipe, toldOptics);
     const std::vector<double> frequencies = mtfFrequencies(
         recipe.lowestFrequency_per_rad, recipe.highestFrequency_per_rad, recipe.frequencies);
     std::vector<std::vector<double>> values, errors;
@@ -143,12 +167,13 @@ BuiltMtf buildMtf(const MtfRecipe& recipe, const std::function<bool(double)>& te
             values.push_back(theory.curve(depth, frequencies).values());
         }
     }
-    const MtfHeader header{recipe.fieldOfView_rad, pi, 1e-6 * recipe.sizes.meanDiameter_um(),
+    const double diameter_m = recipe.aerosol ? 0.0 : 1e-6 * recipe.sizes.meanDiameter_um();
+    const MtfHeader header{recipe.fieldOfView_rad, pi, diameter_m,
                            speedOfLight_um_s / recipe.wavelength_um};
     if (tell)
         tell(1.0);
     return {MtfDatabase(header, frequencies, recipe.opticalDepths, std::move(values)),
-            std::move(errors), optics.albedo(), optics.phase.asymmetry(),
+            std::move(errors), optics.albedo, optics.phase.asymmetry(),
             optics.phase.forwardFraction()};
 }
 

@@ -59,6 +59,21 @@ PhaseFunction::PhaseFunction(std::vector<double> angles_rad, std::vector<double>
         turns_.push_back(slopes[i] - slopes[i + 1]);
 }
 
+PhaseFunction PhaseFunction::henyeyGreenstein(double asymmetry) {
+    constexpr double most = 0.98; // its peak is ten angles wide then
+    if (!(std::abs(asymmetry) <= most))
+        throw InputError(
+            {"", "asymmetry of the scattering", numberText(asymmetry), "-0.98 to 0.98"});
+    constexpr std::size_t count = 2 * fewestAngles - 1;
+    const double g = asymmetry;
+    std::vector<double> angles(count), values(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        angles[i] = pi * static_cast<double>(i) / static_cast<double>(count - 1);
+        values[i] = std::pow(1.0 + g * g - 2.0 * g * std::cos(angles[i]), -1.5);
+    }
+    return PhaseFunction(std::move(angles), std::move(values));
+}
+
 double PhaseFunction::at(double angle_rad) const {
     return interpolate(angles_rad_, values_, angle_rad, Beyond::extrapolate);
 }

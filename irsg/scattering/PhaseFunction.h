@@ -15,6 +15,10 @@ class PhaseFunction {
     /// Angles from 0 to pi ascend; the values are normalised. LogicError for anything else.
     PhaseFunction(std::vector<double> angles_rad, std::vector<double> values);
 
+    /// (1 - g^2) / (4 pi (1 + g^2 - 2 g cos t)^(3/2)), of L. G. Henyey and J. L. Greenstein 1941,
+    /// Astrophys. J. 93, 70. InputError for an asymmetry g beyond -0.98 to 0.98.
+    static PhaseFunction henyeyGreenstein(double asymmetry);
+
     const std::vector<double>& angles_rad() const { return angles_rad_; }
     double at(double angle_rad) const;
     double asymmetry() const;

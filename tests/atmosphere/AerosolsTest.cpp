@@ -48,6 +48,17 @@ TEST(Aerosols, RuralAirOf23KmScattersAsThePublishedTableSays) {
     EXPECT_NEAR(layers.front().opticsAt(1.06).asymmetry, 0.6176, 1e-9);
 }
 
+TEST(Aerosols, OpticsAtTheGroundAreThoseOfTheLayers) {
+    for (const AerosolModel model : allModels) {
+        const ParticleOptics optics = aerosolOptics(model, 0.0, 4.0);
+        const auto layers = particleLayers(settings(model), dry);
+        EXPECT_NEAR(optics.extinction, layers.front().opticsAt(4.0).extinction, 1e-12);
+        EXPECT_NEAR(optics.absorption, layers.front().opticsAt(4.0).absorption, 1e-12);
+        EXPECT_NEAR(optics.asymmetry, layers.front().opticsAt(4.0).asymmetry, 1e-12);
+    }
+    EXPECT_NEAR(aerosolOptics(AerosolModel::rural, 0.8, 3.75).asymmetry, 0.7336, 1e-12);
+}
+
 TEST(Aerosols, HumidityIsInterpolatedInTheLogarithmOfTheDeficit) {
     // Half way between ln 30 and ln 20 is ln of the geometric mean.
     const double humidity = 1.0 - std::sqrt(30.0 * 20.0) / 100.0;

@@ -93,6 +93,31 @@ TEST(MtfBuild, DoesNotDependOnTheNumberOfThreads) {
     EXPECT_EQ(many.database.values(0), one.database.values(0));
 }
 
+TEST(MtfBuild, TakesAnAerosolByItsMeanOptics) {
+    MtfRecipe recipe = small();
+    recipe.aerosol = HazeAerosol{"an aerosol", 0.9, 0.74};
+    const BuiltMtf built = buildMtf(recipe);
+    // Henyey and Greenstein's function in closed form: its asymmetry, and what it sends forward.
+    const double g = 0.74;
+    const double forward =
+        (1.0 - g * g) / (2.0 * g) * (1.0 / (1.0 - g) - 1.0 / std::sqrt(1.0 + g * g));
+    EXPECT_NEAR(built.asymmetry, g, 1e-5);
+    EXPECT_NEAR(built.forwardFraction, forward, 1e-5);
+    EXPECT_EQ(built.albedo, 0.9);
+    EXPECT_EQ(built.database.header().particleDiameter_m, 0.0) << "unknown";
+    EXPECT_NEAR(built.database.values(1).front(), std::exp(2.0 * forward), 1e-4);
+    EXPECT_NEAR(built.database.values(1).back(), 1.0, 0.01);
+
+    recipe.aerosol->asymmetry = 0.99;
+    recipe.aerosol->albedo = 1.1;
+    try {
+        buildMtf(recipe);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.diagnostics().size(), 2u) << error.what();
+    }
+}
+
 TEST(MtfBuild, RefusesAllThatIsWrongAtOnce) {
     MtfRecipe wrong = small();
     wrong.wavelength_um = 20.0;

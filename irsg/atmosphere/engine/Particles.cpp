@@ -60,6 +60,31 @@ std::vector<ParticleLayer> particleLayers(const ParticleSettings& settings,
     return layers;
 }
 
+ParticleOptics aerosolOptics(AerosolModel model, double relativeHumidity, double wavelength_um) {
+    ParticleSettings settings;
+    settings.aerosol = model;
+    // The humidity is the same at all heights, so that all layers at the ground have one kind of
+    // optics.
+    ParticleOptics sum{0.0, 0.0, 0.0};
+    double strength = 0.0;
+    for (const ParticleLayer& layer :
+         particleLayers(settings, [&](double) { return relativeHumidity; })) {
+        const double extinction550_per_m = layer.extinction550At(0.0);
+        if (!(extinction550_per_m > 0.0))
+            continue;
+        const ParticleOptics optics = layer.opticsAt(wavelength_um);
+        const double scattering = optics.extinction - optics.absorption;
+        strength += extinction550_per_m;
+        sum.extinction += extinction550_per_m * optics.extinction;
+        sum.absorption += extinction550_per_m * optics.absorption;
+        sum.asymmetry += extinction550_per_m * scattering * optics.asymmetry;
+    }
+    sum.asymmetry /= sum.extinction - sum.absorption;
+    sum.extinction /= strength;
+    sum.absorption /= strength;
+    return sum;
+}
+
 namespace particles {
 
 ParticleOptics between(const ParticleOptics& a, const ParticleOptics& b, double part) {

@@ -65,6 +65,10 @@ struct ParticleSettings {
     std::optional<ModelAtmosphere> atmosphere; ///< decides the cirrus' own base
 };
 
+/// An aerosol at the ground, as the air has it: at a wavelength (um) and a relative humidity (0 to
+/// 1), relative to its extinction at 0.55 um; wind and air mass as in ParticleSettings.
+ParticleOptics aerosolOptics(AerosolModel model, double relativeHumidity, double wavelength_um);
+
 /// Relative humidity (0 to 1, over water) at an altitude in m.
 using HumidityProfile = std::function<double(double altitude_m)>;
 
