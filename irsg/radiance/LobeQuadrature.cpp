@@ -21,7 +21,7 @@ namespace {
 constexpr double discSpread = SunShadows::discRadius_rad * SunShadows::discRadius_rad / 8.0;
 /// Of so many samples each follows all of its facets to what they reflect; of more, one in a few,
 /// in turn.
-constexpr std::size_t samplesOfAllFacets = 20'000, mostStep = 3;
+constexpr std::size_t samplesOfAllFacets = 20'000, mostStep = 6;
 /// Neighbours whose normals differ by more are those of another face.
 constexpr double mostBend = 0.5;
 
@@ -151,9 +151,9 @@ struct LobeQuadrature::DirectionalLayer {
 struct LobeQuadrature::Mirrored {
     bool isOpen = false; ///< all meet the atmosphere; no more is told
     SurfaceModel::Amounts elsewhere{};
-    std::vector<double> atmosphere; ///< by component and place of the grid
-    /// What leaves surfaces, by number (LightExchange::forEachReflected).
-    std::vector<std::pair<std::uint32_t, SurfaceModel::Amounts>> surfaces;
+    using Parts = std::vector<std::pair<std::uint32_t, SurfaceModel::Amounts>>;
+    Parts atmosphere; ///< by place of the grid
+    Parts surfaces;   ///< what leaves them, by number (LightExchange::forEachReflected)
 
     void clear() {
         isOpen = false;
@@ -161,18 +161,24 @@ struct LobeQuadrature::Mirrored {
         atmosphere.clear();
         surfaces.clear();
     }
-    void join() {
-        std::ranges::sort(surfaces, {}, [](const auto& one) { return one.first; });
+    static void add(std::uint32_t number, const SurfaceModel::Amounts& sent, double part,
+                    Parts& to) {
+        auto& [own, weights] = to.emplace_back(number, sent);
+        for (double& weight : weights)
+            weight *= part;
+    }
+    static void join(Parts& parts) {
+        std::ranges::sort(parts, {}, [](const auto& one) { return one.first; });
         std::size_t last = 0;
-        for (std::size_t i = 1; i < surfaces.size(); ++i) {
-            if (surfaces[i].first != surfaces[last].first) {
-                surfaces[++last] = surfaces[i];
+        for (std::size_t i = 1; i < parts.size(); ++i) {
+            if (parts[i].first != parts[last].first) {
+                parts[++last] = parts[i];
                 continue;
             }
             for (std::size_t k = 0; k < SurfaceModel::mostComponents; ++k)
-                surfaces[last].second[k] += surfaces[i].second[k];
+                parts[last].second[k] += parts[i].second[k];
         }
-        surfaces.resize(std::min(surfaces.size(), last + 1));
+        parts.resize(std::min(parts.size(), last + 1));
     }
 };
 
@@ -236,7 +242,6 @@ void LobeQuadrature::follow(const Tile& own, const DirectionalLayer& layer,
 
     const bool isFree = mirrored.isOpen;
     mirrored.isOpen = false;
-    mirrored.atmosphere.assign(lobes * places, 0.0);
     // Samples turn facets differently, so that few rays of each do for all (Roberts' sequence).
     const auto partOf = [&](double step) {
         const double turned = step * static_cast<double>(layer.sample % 65536u);
@@ -248,16 +253,12 @@ void LobeQuadrature::follow(const Tile& own, const DirectionalLayer& layer,
     const std::size_t step = isFree ? 1 : std::min(own.step, facets);
     const auto first =
         static_cast<std::size_t>(partOf(0.6180339887498949) * static_cast<double>(step));
-    SurfaceModel::Amounts sums{}, followed{}; // of all facets, and of those that are followed
+    SurfaceModel::Amounts followed{};
     GeometrySamples::Place at;
-    for (std::size_t i = 0; i < facets; ++i) {
+    for (std::size_t i = first; i < facets; i += step) {
         const SurfaceDirection facet = layer.model.facet(i, share, turn);
         const SurfaceModel::Amounts sent = layer.model.facetWeights(layer.to, facet);
         if (std::ranges::all_of(sent, [](double weight) { return weight == 0.0; }))
-            continue;
-        for (std::size_t k = 0; k < lobes; ++k)
-            sums[k] += sent[k];
-        if (i % step != first)
             continue;
         const Vec3 direction = layer.axes.to(irsg::mirrored(layer.to, facet));
         const SunShadows::Met met =
@@ -270,29 +271,35 @@ void LobeQuadrature::follow(const Tile& own, const DirectionalLayer& layer,
         if (met == SunShadows::Met::surface)
             own.exchange->forEachReflected(
                 at.cell, at.u, at.v, [&](std::uint32_t number, float part) {
-                    auto& [to, weights] = mirrored.surfaces.emplace_back(number, sent);
-                    for (double& weight : weights)
-                        weight *= static_cast<double>(part);
+                    Mirrored::add(number, sent, static_cast<double>(part), mirrored.surfaces);
                 });
         if (met == SunShadows::Met::nothing && places > 0)
             for (const auto& [place, part] : placesAbout(own, layer.grid, direction))
-                for (std::size_t k = 0; k < lobes; ++k)
-                    mirrored.atmosphere[k * places + place] += sent[k] * part;
+                if (part != 0.0)
+                    Mirrored::add(static_cast<std::uint32_t>(place), sent, part,
+                                  mirrored.atmosphere);
     }
-    mirrored.join();
+    Mirrored::join(mirrored.atmosphere);
+    Mirrored::join(mirrored.surfaces);
     for (std::size_t k = 0; k < lobes; ++k) {
-        if (sums[k] == 0.0) { // no facet that stands for others faces the eye
+        // What all facets send: followed ones, or the mean over samples, each of which stands for
+        // `step` facets of it.
+        const double all =
+            step == 1 ? followed[k] : layer.model.sent(k, layer.to.z) * static_cast<double>(facets);
+        if (all == 0.0) { // no facet that stands for others faces the eye
             mirrored.elsewhere[k] = 1.0;
+            for (Mirrored::Parts* parts : {&mirrored.atmosphere, &mirrored.surfaces})
+                for (auto& [number, weights] : *parts)
+                    weights[k] = 0.0;
             continue;
         }
-        // Each stands for `step` of them. What these are more or less than all sees the mean, so
-        // that energy closes; over samples that adds up to nothing.
-        const double scale = static_cast<double>(step) / sums[k];
+        // What these are more or less than all sees the mean, so that energy closes; over samples
+        // that adds up to nothing.
+        const double scale = static_cast<double>(step) / all;
         mirrored.elsewhere[k] = scale * mirrored.elsewhere[k] + 1.0 - scale * followed[k];
-        for (std::size_t place = 0; place < places; ++place)
-            mirrored.atmosphere[k * places + place] *= scale;
-        for (auto& [number, weights] : mirrored.surfaces)
-            weights[k] *= scale;
+        for (Mirrored::Parts* parts : {&mirrored.atmosphere, &mirrored.surfaces})
+            for (auto& [number, weights] : *parts)
+                weights[k] *= scale;
     }
 }
 
@@ -318,13 +325,12 @@ void LobeQuadrature::addByTable(const Tile& own, const DirectionalLayer& layer,
 
 void LobeQuadrature::addByFacets(const DirectionalLayer& layer, const Mirrored& mirrored,
                                  Found& found) const {
-    const std::size_t places = layer.grid.places().size();
     for (std::size_t k = 0; k < layer.lobes(); ++k) {
         const double albedo = layer.model.albedo(k, layer.to.z);
-        for (std::size_t place = 0; place < places; ++place)
-            if (const double part = mirrored.atmosphere[k * places + place]; part != 0.0)
+        for (const auto& [place, parts] : mirrored.atmosphere)
+            if (parts[k] != 0.0)
                 found.lobes.push_back({layer.sample, layer.number, layer.rowOfAtmosphere(k, place),
-                                       0.0f, static_cast<float>(part * albedo), 0.0f});
+                                       0.0f, static_cast<float>(parts[k] * albedo), 0.0f});
         for (const auto& [number, parts] : mirrored.surfaces)
             if (parts[k] != 0.0)
                 found.reflected.push_back({layer.sample,

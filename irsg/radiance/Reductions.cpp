@@ -32,6 +32,24 @@ double dotProduct(std::span<const double> a, std::span<const double> b) {
 void addLightBetween(const LightSums& sums, SceneLight& light, const SurfaceRows& rows,
                      const std::vector<double>& ranges_m, std::vector<ObjectSums>& result) {
     const std::vector<SurfaceStackId> kinds = light.inOrder(sums);
+    const auto addTo = [&](const SurfaceStackId& kind, std::size_t output, double plain_W_m2,
+                           double cosine_W_m2) {
+        const auto entity = static_cast<std::size_t>(rows.keyOf(rows.renderedOf(kind.row)).first);
+        ObjectRadiometry& object = result[output].objects[entity];
+        const double intensity_W_sr = plain_W_m2 * ranges_m[entity] * ranges_m[entity];
+        object.intensity_W_sr += intensity_W_sr;
+        object.contrastIntensity_W_sr += intensity_W_sr;
+        object.irradiance_W_m2 += cosine_W_m2;
+    };
+    if (light.sumsAtReceivers()) {
+        for (const SurfaceStackId& kind : kinds)
+            for (std::size_t output = 0; output < result.size(); ++output) {
+                const auto [plain_W_m2, cosine_W_m2] =
+                    light.sumAtReceivers(kind, output, sums.at({kind.stack, kind.row}));
+                addTo(kind, output, plain_W_m2, cosine_W_m2);
+            }
+        return;
+    }
     light.prepare(kinds);
     std::vector<std::array<std::vector<double>, 2>> all(kinds.size());
     parallelFor(kinds.size(), [&](std::size_t k) {
@@ -39,19 +57,22 @@ void addLightBetween(const LightSums& sums, SceneLight& light, const SurfaceRows
         for (const bool withCosine : {false, true})
             all[k][withCosine ? 1 : 0] = light.contracted(kinds[k].row, own, withCosine);
     });
-    for (std::size_t k = 0; k < kinds.size(); ++k) {
-        const auto entity =
-            static_cast<std::size_t>(rows.keyOf(rows.renderedOf(kinds[k].row)).first);
-        const double square_m2 = ranges_m[entity] * ranges_m[entity];
+    for (std::size_t k = 0; k < kinds.size(); ++k)
         for (std::size_t output = 0; output < result.size(); ++output) {
             const std::span<const double> integrals = light.integrals(kinds[k], output);
-            const double plain_W_m2 = dotProduct(all[k][0], integrals);
-            ObjectRadiometry& object = result[output].objects[entity];
-            object.intensity_W_sr += plain_W_m2 * square_m2;
-            object.contrastIntensity_W_sr += plain_W_m2 * square_m2;
-            object.irradiance_W_m2 += dotProduct(all[k][1], integrals);
+            addTo(kinds[k], output, dotProduct(all[k][0], integrals),
+                  dotProduct(all[k][1], integrals));
         }
-    }
+}
+
+/// Makes what sums over views take of the light between surfaces.
+void prepareReceivers(std::span<const ViewGeometry> views, SceneLight* light) {
+    if (light == nullptr || !light->sumsAtReceivers())
+        return;
+    std::vector<const LightSums*> sums;
+    for (const ViewGeometry& view : views)
+        sums.push_back(&view.light);
+    light->prepareReceivers(sums);
 }
 
 } // namespace
@@ -125,6 +146,7 @@ std::vector<ObjectSums> objectSums(const ViewGeometry& view, SurfaceRadianceTabl
                                    const std::vector<double>& ranges_m,
                                    const std::vector<int>& varying) {
     radiances.prepare(view.field.kinds());
+    prepareReceivers({&view, 1}, light);
     return sumsOf(view, radiances, light, rows, ranges_m, varying);
 }
 
@@ -138,10 +160,13 @@ sublatticeDifferenceSums(const ViewGeometry& view, SurfaceRadianceTable& radianc
     const auto sum = [&](std::size_t k) {
         all[k] = sumsOf(view.sublatticeDifferences[k], radiances, light, rows, ranges_m, varying);
     };
-    // Light between surfaces is prepared as it is asked for.
-    if (light == nullptr)
+    prepareReceivers(view.sublatticeDifferences, light);
+    // Else light between surfaces is prepared as it is asked for.
+    if (light == nullptr || light->sumsAtReceivers()) {
         parallelFor(all.size(), sum);
-    for (std::size_t k = 0; light != nullptr && k < all.size(); ++k)
+        return all;
+    }
+    for (std::size_t k = 0; k < all.size(); ++k)
         sum(k);
     return all;
 }

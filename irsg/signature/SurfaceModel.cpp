@@ -61,11 +61,15 @@ double SurfaceModel::albedo(std::size_t k, double cosine) const {
     return at(albedos_[k], cosine);
 }
 
+double SurfaceModel::sent(std::size_t k, double cosine) const {
+    const bool hasExcess = hasLobe(k) && !excess_.empty();
+    return albedo(k, cosine) * (hasExcess ? at(excess_, cosine) : 1.0);
+}
+
 double SurfaceModel::reflected(const Amounts& amounts, double cosine) const {
-    const double excess = excess_.empty() ? 1.0 : at(excess_, cosine);
     double sum = 0.0;
     for (std::size_t k = 0; k < components_; ++k)
-        sum += amounts[k] * albedo(k, cosine) * (hasLobe(k) ? excess : 1.0);
+        sum += amounts[k] * sent(k, cosine);
     return sum;
 }
 

@@ -34,7 +34,9 @@ class SurfaceModel {
     /// What f integrates to over the hemisphere for light that comes at a cosine: albedos times
     /// amounts where a model sends no more than falls on it, else what its equations say.
     double reflected(const Amounts& amounts, double cosine) const;
-    /// Its mean over the hemisphere.
+    /// What f_k itself integrates to, at an amount of 1: the mean of facetWeight over facets.
+    double sent(std::size_t k, double cosine) const;
+    /// The mean of the albedo over the hemisphere.
     double meanAlbedo(std::size_t k) const { return meanAlbedos_[k]; }
     /// f_k, sr-1; 0 where either is below the surface. Facets may be spread wider than they are,
     /// as a sample or the sun's disc make lobes.

@@ -72,6 +72,7 @@ LightExchange::LightExchange(std::vector<Body> bodies,
     takeSun(making);
     takePairs(making);
     takeLight(making);
+    takeOpenness();
     if (hasLobes_) {
         sunOnCells_ = std::move(making.sunOnCells);
         addReflected();
@@ -170,14 +171,13 @@ void LightExchange::number(const std::vector<SunShadows::Caster>& casters) {
     firstReceiver_.push_back(allNodes);
 }
 
-std::array<float, 3> LightExchange::openAt(std::uint32_t cell) const {
-    std::array<float, 3> open{};
-    for (std::size_t c = 0; c < 3; ++c)
-        forEachReceiver(cell, c == 1 ? 1.0f : 0.0f, c == 2 ? 1.0f : 0.0f,
-                        [&](std::uint32_t receiver, float part) {
-                            open[c] += part * static_cast<float>(1.0 - seen(receiver));
-                        });
-    return open;
+void LightExchange::takeOpenness() {
+    openOfVertex_.assign(firstShare_.size() - 1, 0.0f);
+    parallelForSmall(openOfVertex_.size(), [&](std::uint32_t vertex) {
+        for (std::uint32_t i = firstShare_[vertex]; i < firstShare_[vertex + 1]; ++i)
+            openOfVertex_[vertex] +=
+                shares_[i].part * static_cast<float>(1.0 - seen(shares_[i].node));
+    });
 }
 
 void LightExchange::sharpen(std::vector<float>& values, std::size_t width) const {

@@ -165,7 +165,10 @@ class LightExchange {
                 visit(shares_[i].node, c, shares_[i].part);
     }
     /// Parts of the hemispheres over the corners of a place in which nothing stands.
-    std::array<float, 3> openAt(std::uint32_t cell) const;
+    std::array<float, 3> openAt(std::uint32_t cell) const {
+        const std::array<std::uint32_t, 3>& corners = corners_[cell];
+        return {openOfVertex_[corners[0]], openOfVertex_[corners[1]], openOfVertex_[corners[2]]};
+    }
 
     /// Whether another body is so near, so large or so much brighter that what it sends counts.
     static bool isNear(const Extent& body, const Extent& other, double error);
@@ -222,6 +225,7 @@ class LightExchange {
     /// Means over senders of what is known of receivers.
     std::vector<double> meansOverSenders(const std::function<double(std::size_t)>& of) const;
     void takeLight(Making& making);
+    void takeOpenness();
     void addReflected();
     /// Light that falls on the nodes near a patch.
     void lightSide(Making& making, std::size_t body, std::uint32_t patch) const;
@@ -231,6 +235,7 @@ class LightExchange {
     std::vector<std::array<std::uint32_t, 3>> corners_; // vertices of the scene, by cell
     std::vector<std::uint32_t> firstShare_;             // by vertex, and behind the last
     std::vector<ExchangeNodes::Share> shares_;          // of nodes of the scene
+    std::vector<float> openOfVertex_;                   // parts of hemispheres, of bodies
     std::vector<int> rows_, rowOfSender_;
     std::vector<std::uint32_t> senderOf_; // by receiver
     std::vector<std::uint32_t> local_;

@@ -15,6 +15,9 @@ namespace {
 
 /// Bands in which integrals are kept, some kB a kind and band; a spectrum has too many outputs.
 constexpr std::size_t mostOutputsCached = 128;
+/// A view has about thirty sums of each kind of receivers, half of which it sees (its own, and the
+/// differences of its sublattices).
+constexpr std::size_t mostOutputsAtReceivers = 8;
 /// Of transmissivities more than these are not told apart.
 constexpr std::size_t mostKnotsOfPanes = 48;
 /// What reflects less, sr-1, is black.
@@ -301,6 +304,7 @@ void SceneLight::turn() {
     fillSources();
     known_.clear();
     atReceivers_.clear();
+    sent_.clear();
     responses_.clear();
 }
 
@@ -383,6 +387,62 @@ const std::vector<SceneLight::AtReceiver>& SceneLight::atReceivers(const Surface
         for (std::size_t k = 0; k < gathered.size(); ++k)
             ofOthers += static_cast<double>(gathered[k]) * sums[2 + k];
         all[n] = {loss.sky * sums[0], loss.ground * sums[1], ofOthers};
+    }
+    return all;
+}
+
+bool SceneLight::sumsAtReceivers() const {
+    return radiometry_.outputs().size() <= mostOutputsAtReceivers;
+}
+
+void SceneLight::prepareReceivers(const std::vector<const LightSums*>& views) {
+    const std::size_t outputs = radiometry_.outputs().size();
+    std::vector<SurfaceStackId> kinds;
+    std::map<std::pair<int, int>, std::vector<std::uint32_t>> missing; // receivers of kinds
+    for (const LightSums* view : views)
+        for (const auto& [kind, sums] : *view) {
+            if (!matters(radiometry_.rows().renderedOf(kind.second)))
+                continue;
+            kinds.push_back({kind.first, kind.second});
+            Sent& sent = sent_[kind];
+            sent.isKnown.resize(sums.size() / 2);
+            sent.radiance.resize(outputs, std::vector<double>(sums.size() / 2));
+            for (std::uint32_t n = 0; n < sent.isKnown.size(); ++n)
+                if (!sent.isKnown[n] && sums[2 * std::size_t{n}] != 0.0) {
+                    sent.isKnown[n] = 1;
+                    missing[kind].push_back(n);
+                }
+        }
+    prepare(kinds);
+    for (const auto& [kind, locals] : missing) {
+        const std::vector<std::uint32_t>& receivers = receiversOf(kind.second);
+        const std::vector<std::vector<double>>& integralsOf = known_.at(kind);
+        Sent& sent = sent_.at(kind);
+        parallelForSmall(locals.size(), [&](std::uint32_t i) {
+            const std::uint32_t receiver = receivers[locals[i]];
+            const LightExchange::Loss& loss = exchange_->loss(receiver);
+            const std::span<const float> gathered = solution_->of(receiver);
+            for (std::size_t output = 0; output < outputs; ++output) {
+                const std::vector<double>& sums = integralsOf[output];
+                double all = loss.sky * sums[0] + loss.ground * sums[1];
+                for (std::size_t k = 0; k < gathered.size(); ++k)
+                    all += static_cast<double>(gathered[k]) * sums[2 + k];
+                sent.radiance[output][locals[i]] = all;
+            }
+        });
+    }
+}
+
+std::array<double, 2> SceneLight::sumAtReceivers(const SurfaceStackId& kind, std::size_t output,
+                                                 std::span<const double> sums) const {
+    const auto known = sent_.find({kind.stack, kind.row});
+    if (known == sent_.end())
+        throw LogicError("light between surfaces was summed over receivers that nobody prepared");
+    std::array<double, 2> all{};
+    const std::vector<double>& sent = known->second.radiance[output];
+    for (std::size_t n = 0; n < sent.size(); ++n) {
+        all[0] += sums[2 * n] * sent[n];
+        all[1] += sums[2 * n + 1] * sent[n];
     }
     return all;
 }

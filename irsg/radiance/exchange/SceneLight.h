@@ -70,6 +70,14 @@ class SceneLight {
     const std::vector<AtReceiver>& atReceivers(const SurfaceStackId& kind);
     /// The same where it was asked for before, else null.
     const std::vector<AtReceiver>* findAtReceivers(const SurfaceStackId& kind) const;
+    /// Whether sums over a view are better made of in-band radiances at receivers than contracted:
+    /// there are fewer outputs than sums of one view.
+    bool sumsAtReceivers() const;
+    /// Makes what sumAtReceivers asks for of these sums, in all outputs, on all cores.
+    void prepareReceivers(const std::vector<const LightSums*>& views);
+    /// What sums of a kind make of what receivers send, without and with cosine.
+    std::array<double, 2> sumAtReceivers(const SurfaceStackId& kind, std::size_t output,
+                                         std::span<const double> sums) const;
 
     /// What falls on receivers of a row, by where it was emitted or first reflected: node by node,
     /// W m-2 um-1 times the unit of the sums.
@@ -133,6 +141,12 @@ class SceneLight {
              std::unique_ptr<const LightResponse>>
         responses_;
     std::map<std::pair<int, int>, std::vector<AtReceiver>> atReceivers_; // of output 0
+    /// In-band radiances of the receivers of a kind that were asked for.
+    struct Sent {
+        std::vector<char> isKnown;
+        std::vector<std::vector<double>> radiance; ///< by output
+    };
+    std::map<std::pair<int, int>, Sent> sent_;
 };
 
 /// Numbers for the receivers of all rows of a radiometry, row by row.
