@@ -9,6 +9,7 @@
 #include <QwtPlotCanvas>
 #include <QwtPlotGrid>
 #include <QwtPlotLayout>
+#include <QwtPlotMarker>
 #include <QwtScaleMap>
 #include <QwtScaleWidget>
 #include <QwtText>
@@ -116,6 +117,33 @@ void CartesianPlot::applyLook() {
     setAxisTitle(xBottom, axisText(data_.xTitle, style_));
     setAxisTitle(yLeft, axisText(data_.yTitle, style_));
     dressItems();
+    dressMarks();
+}
+
+void CartesianPlot::addMarks() {
+    detachItems(QwtPlotItem::Rtti_PlotMarker, true);
+    marks_.clear();
+    for (const PlotMark& mark : data_.marks) {
+        auto* line = new QwtPlotMarker;
+        line->setLineStyle(QwtPlotMarker::VLine);
+        line->setXValue(mark.x);
+        line->setLabelOrientation(Qt::Vertical);
+        line->setLabelAlignment(Qt::AlignLeft | Qt::AlignBottom);
+        line->setSpacing(4);
+        line->setZ(5.0); // above the grid, below the curves
+        line->attach(this);
+        marks_.push_back(line);
+    }
+    dressMarks();
+}
+
+void CartesianPlot::dressMarks() {
+    for (std::size_t i = 0; i < marks_.size(); ++i) {
+        marks_[i]->setLinePen(style_.text, 1.0, Qt::DashLine);
+        QwtText label = axisText(data_.marks[i].label, style_);
+        label.setRenderFlags(Qt::AlignLeft);
+        marks_[i]->setLabel(label);
+    }
 }
 
 void CartesianPlot::setLook(const PlotStyle& style) {
@@ -149,6 +177,7 @@ void CartesianPlot::setData(PlotData data) {
         item->attach(this);
         adopt(item);
     }
+    addMarks();
     if (legend() != nullptr)
         legend()->setVisible(!data_.curves.empty());
     applyAxes();

@@ -9,6 +9,7 @@
 #include "gui/plot/ViewHistory.h"
 
 class QwtPlotGrid;
+class QwtPlotMarker;
 
 namespace smat::gui {
 
@@ -69,12 +70,15 @@ class CartesianPlot : public QwtPlot, public CurvePlot {
   private:
     void applyLook();
     void applyAxes();
+    void addMarks();
+    void dressMarks();
     View fullView() const;
     QRectF seenRect() const;
 
     PlotData data_;
     std::vector<Curve> drawn_; ///< those of the data, straight between their samples
     QwtPlotGrid* grid_ = nullptr;
+    std::vector<QwtPlotMarker*> marks_; ///< of the data
     std::unique_ptr<PlotNavigator> navigator_;
     ViewHistory<View> history_;
 };

@@ -42,6 +42,13 @@ struct Curve {
     QString warningAt(double at, double period = 0.0) const;
 };
 
+/// An upright line across a plot with a label.
+struct PlotMark {
+    double x = 0.0;
+    QString label;
+    bool operator==(const PlotMark&) const = default;
+};
+
 /// What a Cartesian plot shows. Titles hold their units.
 struct PlotData {
     QString title, xTitle, yTitle;
@@ -49,6 +56,7 @@ struct PlotData {
     std::vector<Curve> curves;
     bool xLogarithmic = false, yLogarithmic = false;
     QStringList warnings = {}; ///< of the results, for the head of their values
+    std::vector<PlotMark> marks = {};
 };
 
 /// What a polar plot shows: x of the curves is the angle in degrees, 0 drawn at the top.

@@ -183,6 +183,33 @@ bool isProfile(const ResultTable& table) {
     return resultKindOf(table.provenance) == AnalysisKind::temperatureProfile;
 }
 
+/// Where along the range the horizon begins to hide an object, and where it hides all of it.
+std::vector<PlotMark> horizonMarks(const std::vector<NamedResult>& results) {
+    std::vector<PlotMark> marks;
+    const auto add = [&](const PlotMark& mark) {
+        if (std::ranges::find(marks, mark) == marks.end())
+            marks.push_back(mark);
+    };
+    for (const NamedResult& result : results) {
+        const ResultColumn& range = abscissaOf(*result.table);
+        if (range.key != irsg::info(irsg::Quantity::range).key)
+            continue;
+        for (const ResultColumn* hidden : columnsOf(*result.table, "hidden_by_horizon")) {
+            const QString object = QString::fromStdString(ColumnName::of(hidden->key).object);
+            const QString of = object.isEmpty() ? QString() : object + ' ';
+            // The first beyond it, as ranges ascend.
+            const auto addFrom = [&](double least, const QString& words) {
+                for (std::size_t i = 0; i < hidden->values.size(); ++i)
+                    if (hidden->values[i] >= least && hidden->values[i] > 0.0)
+                        return add({range.values[i], of + words});
+            };
+            addFrom(0.0, QStringLiteral("partly behind the horizon"));
+            addFrom(1.0, QStringLiteral("behind the horizon"));
+        }
+    }
+    return marks;
+}
+
 /// "view offset 12°": the elevation of a camera-azimuth sweep, the same in all rows of a turn.
 QString offsetWords(const ResultTable& table) {
     const auto* elevation = table.find(irsg::Quantity::elevation);
@@ -249,6 +276,7 @@ PlotData cartesianData(const std::vector<NamedResult>& results, const std::strin
     data.title = titleOf(results, data.curves, y, plainLabel(x));
     data.conditions = conditionsLine(results, data.curves);
     data.warnings = headWarnings(results);
+    data.marks = horizonMarks(results);
     data.xTitle = QString::fromStdString(x.axisTitle());
     data.yTitle = QString::fromStdString(y.axisTitle());
 

@@ -21,6 +21,25 @@ TEST(ResultPlotTest, DrawsAnAngleOnAPolarPlotAndTheRestOnAxes) {
     EXPECT_FALSE(isPolar(test::rangeTable()));
 }
 
+TEST(ResultPlotTest, MarksWhereTheHorizonHidesAnObjectAlongTheRange) {
+    const auto tableWith = [](const std::vector<double>& hidden) {
+        ResultTable table;
+        table.add("range", "m").values = {10e3, 20e3, 30e3, 40e3};
+        table.add("contrast_intensity", "W sr-1").values = {4.0, 3.0, 1.0, 0.0};
+        table.add("hidden_by_horizon", "").values = hidden;
+        return table;
+    };
+    const ResultTable table = tableWith({0.0, 0.3, 0.8, 1.0});
+    const PlotData data = cartesianData({{"run", &table}}, "contrast_intensity");
+    ASSERT_EQ(data.marks.size(), 2u);
+    EXPECT_EQ(data.marks[0], (PlotMark{20e3, "partly behind the horizon"}));
+    EXPECT_EQ(data.marks[1], (PlotMark{40e3, "behind the horizon"}));
+    // The same of two results is marked once; where nothing is hidden there is none.
+    EXPECT_EQ(cartesianData({{"a", &table}, {"b", &table}}, "contrast_intensity").marks.size(), 2u);
+    const ResultTable clear = tableWith({0.0, 0.0, 0.0, 0.0});
+    EXPECT_TRUE(cartesianData({{"run", &clear}}, "contrast_intensity").marks.empty());
+}
+
 TEST(ResultPlotTest, StatesModeOffsetAndDirection) {
     const auto table = test::polarTable("camera-azimuth");
     const auto data = polarData({{"run", &table}}, "contrast_intensity");
