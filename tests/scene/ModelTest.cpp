@@ -87,7 +87,6 @@ TEST(Model, HasAMeshWhosePartsAndPiecesHoldTogether) {
         for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
             const Mesh::Part& part = mesh.parts[i];
             EXPECT_EQ(part.normals.size(), part.vertices.size());
-            EXPECT_EQ(part.colours.size(), part.vertices.size());
             EXPECT_TRUE(part.texturePlaces.empty());
             EXPECT_FALSE(part.triangles.empty());
             EXPECT_EQ(part.triangles.size() % 3, 0u);

@@ -13,26 +13,23 @@
 namespace irsg {
 namespace {
 
-using Colour = std::array<float, 4>;
-
 /// A zero has one sign, so that equal places are one vertex.
 Float3 withOneZero(const osg::Vec3d& v) {
     const osg::Vec3 rounded(v);
     return {rounded.x() + 0.0f, rounded.y() + 0.0f, rounded.z() + 0.0f};
 }
 
-/// Bit by bit: colours may be no numbers.
 template <typename Vector>
 bool areSame(const Vector& a, const Vector& b) {
     return std::memcmp(a.data(), b.data(), sizeof a) == 0;
 }
 
 /// Of all bits of a vertex: each word is multiplied in, and what is above folded down.
-std::size_t hashOf(const Float3& p, const Float3& n, const Colour& c) {
-    std::array<std::uint64_t, 5> words{};
+std::size_t hashOf(const Float3& p, const Float3& n, unsigned int colour) {
+    std::array<std::uint64_t, 4> words{};
     std::memcpy(words.data(), p.data(), sizeof p);
     std::memcpy(reinterpret_cast<char*>(words.data()) + sizeof p, n.data(), sizeof n);
-    std::memcpy(reinterpret_cast<char*>(words.data()) + sizeof p + sizeof n, c.data(), sizeof c);
+    words[3] = colour;
     std::uint64_t hash = 0;
     for (const std::uint64_t word : words) {
         hash = (hash ^ word) * 0x9E3779B97F4A7C15u;
@@ -41,35 +38,56 @@ std::size_t hashOf(const Float3& p, const Float3& n, const Colour& c) {
     return static_cast<std::size_t>(hash);
 }
 
+/// Without what a growing array has to spare, but for one vertex: rays read a little beyond
+/// the last.
+template <typename Element>
+void trim(std::vector<Element>& array) {
+    std::vector<Element> same;
+    same.reserve(array.size() + 1);
+    same.insert(same.end(), array.begin(), array.end());
+    array.swap(same);
+}
+
 } // namespace
 
 void SurfaceMesh::VertexTable::grow(const Part& part) {
     slots_.assign(std::max<std::size_t>(1024, 2 * slots_.size()), 0);
     const std::size_t mask = slots_.size() - 1;
     for (std::size_t i = 0; i < part.vertices.size(); ++i) {
-        std::size_t slot = hashOf(part.vertices[i], part.normals[i], part.colours[i]) & mask;
+        std::size_t slot = hashOf(part.vertices[i], part.normals[i], part.colourOf[i]) & mask;
         while (slots_[slot] != 0)
             slot = (slot + 1) & mask;
         slots_[slot] = static_cast<unsigned int>(i) + 1;
     }
 }
 
-unsigned int SurfaceMesh::VertexTable::index(Part& part, const PolygonCorner& corner) {
+unsigned int SurfaceMesh::ColourNumbers::of(const osg::Vec4& colour) {
+    Bits bits{};
+    std::memcpy(bits.data(), colour.ptr(), sizeof bits);
+    if (numbers_.empty() || bits != last_) {
+        const auto next = static_cast<unsigned int>(numbers_.size());
+        lastNumber_ = numbers_.try_emplace(bits, next).first->second;
+        last_ = bits;
+    }
+    return lastNumber_;
+}
+
+unsigned int SurfaceMesh::VertexTable::index(Part& part, const PolygonCorner& corner,
+                                             unsigned int colour) {
     if (2 * part.vertices.size() >= slots_.size())
         grow(part);
     const Float3 p = withOneZero(corner.position), n = withOneZero(corner.normal);
-    const Colour c = {corner.colour[0], corner.colour[1], corner.colour[2], corner.colour[3]};
     const std::size_t mask = slots_.size() - 1;
-    std::size_t slot = hashOf(p, n, c) & mask;
+    std::size_t slot = hashOf(p, n, colour) & mask;
     for (; slots_[slot] != 0; slot = (slot + 1) & mask) {
         const unsigned int known = slots_[slot] - 1;
         if (areSame(part.vertices[known], p) && areSame(part.normals[known], n) &&
-            areSame(part.colours[known], c))
+            part.colourOf[known] == colour)
             return known;
     }
     part.vertices.push_back(p);
     part.normals.push_back(n);
-    part.colours.push_back(c);
+    part.colourOf.push_back(colour);
     part.bounds.include(toVec3(p));
     slots_[slot] = static_cast<unsigned int>(part.vertices.size());
     return slots_[slot] - 1;
@@ -107,7 +125,8 @@ void SurfaceMesh::add(const Mesh::Kind& kind, std::vector<PolygonCorner>& corner
     for (const auto& triangle : cut.triangles) {
         part.polygonOf.push_back(polygons_);
         for (const auto corner : triangle)
-            part.triangles.push_back(table.index(part, corners[corner]));
+            part.triangles.push_back(
+                table.index(part, corners[corner], colours_.of(corners[corner].colour)));
     }
     ++polygons_;
 }
@@ -131,9 +150,7 @@ void SurfaceMesh::setLayers(const std::vector<int>& layers) {
                 PolygonCorner corner;
                 corner.position = places[k] = toOsg(part.vertices[vertex]);
                 corner.normal = toOsg(part.normals[vertex]);
-                const auto& [r, g, b, a] = part.colours[vertex];
-                corner.colour.set(r, g, b, a);
-                into.triangles.push_back(table.index(into, corner));
+                into.triangles.push_back(table.index(into, corner, part.colourOf[vertex]));
             }
             into.area_m2 += 0.5 * ((places[1] - places[0]) ^ (places[2] - places[0])).length();
             into.polygons += polygon != std::exchange(last, polygon);
@@ -143,12 +160,19 @@ void SurfaceMesh::setLayers(const std::vector<int>& layers) {
 
 std::vector<Mesh::Part> SurfaceMesh::take() {
     std::vector<Mesh::Part> parts;
+    tables_.clear();
     for (auto& [kind, part] : parts_) {
+        part.polygonOf = {};
+        part.colourOf = {};
+    }
+    for (auto& [kind, part] : parts_) {
+        trim(part.vertices);
+        trim(part.normals);
+        trim(part.triangles);
         static_cast<Mesh::Kind&>(part) = kind;
         parts.push_back(static_cast<Mesh::Part&&>(part));
     }
     parts_.clear();
-    tables_.clear();
     return parts;
 }
 

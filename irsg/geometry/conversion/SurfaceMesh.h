@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <map>
 #include <vector>
 
@@ -14,6 +16,7 @@ class SurfaceMesh {
   public:
     struct Part : Mesh::Part {
         std::vector<unsigned int> polygonOf; ///< of each triangle, its number in the file's order
+        std::vector<unsigned int> colourOf;  ///< of each vertex, its number among all colours
     };
 
     /// Adds a polygon in model axes, counter-clockwise from its front. A concave one is cut into
@@ -39,12 +42,24 @@ class SurfaceMesh {
     class VertexTable {
       public:
         /// The number of the vertex in the part, to whose arrays a new one is appended.
-        unsigned int index(Part& part, const PolygonCorner& corner);
+        unsigned int index(Part& part, const PolygonCorner& corner, unsigned int colour);
 
       private:
         void grow(const Part& part);
         std::vector<unsigned int> slots_; ///< number + 1, 0 where free; a power of two of them
     };
+    /// Numbers of colours, of all bits: they may be no numbers.
+    class ColourNumbers {
+      public:
+        unsigned int of(const osg::Vec4& colour);
+
+      private:
+        using Bits = std::array<std::uint32_t, 4>;
+        std::map<Bits, unsigned int> numbers_;
+        Bits last_{};
+        unsigned int lastNumber_ = 0;
+    };
+    ColourNumbers colours_;
     std::map<Mesh::Kind, Part> parts_;
     std::map<Mesh::Kind, VertexTable> tables_;
     unsigned int polygons_ = 0;

@@ -43,8 +43,7 @@ struct Mesh {
     };
     struct Part : Kind {
         std::vector<Float3> vertices;
-        std::vector<Float3> normals;               ///< unit, on the side of the triangles' front
-        std::vector<std::array<float, 4>> colours; ///< of the file, RGBA
+        std::vector<Float3> normals; ///< unit, on the side of the triangles' front
         std::vector<std::array<float, 2>> texturePlaces; ///< 0 to 1 over a texture, upwards
         /// Three vertices for each triangle, counter-clockwise from the front; those of a piece
         /// follow each other.

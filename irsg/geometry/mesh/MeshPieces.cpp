@@ -17,6 +17,7 @@ struct Triangle {
 
 std::vector<Triangle> trianglesOf(const Mesh::Part& part) {
     std::vector<Triangle> triangles;
+    triangles.reserve(part.triangles.size() / 3);
     for (std::size_t i = 0; i < part.triangles.size(); i += 3) {
         Triangle& triangle = triangles.emplace_back();
         std::copy_n(&part.triangles[i], 3, triangle.corners.begin());

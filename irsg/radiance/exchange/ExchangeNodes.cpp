@@ -70,6 +70,7 @@ std::vector<double> surfacesOf_m2(const ExchangeMesh& mesh) {
         for (const std::uint32_t next : mesh.beside(v))
             surfaces.join(v, next);
     std::vector<double> areas_m2(vertices), byVertex_m2;
+    byVertex_m2.reserve(vertices);
     for (std::uint32_t cell = 0; cell < mesh.cells(); ++cell)
         areas_m2[surfaces.of(mesh.corners(cell)[0])] += mesh.area_m2(cell);
     for (std::uint32_t v = 0; v < vertices; ++v)
@@ -172,15 +173,24 @@ void ExchangeNodes::findSmoothing() {
     for (std::uint32_t cell = 0; cell < mesh_->cells(); ++cell)
         for (const std::uint32_t corner : mesh_->corners(cell))
             around_m2[corner] += mesh_->area_m2(cell) / 3.0;
-    std::vector<LightPart> parts;
+    // Nodes are near few others: of each pair the parts are summed as they come.
+    std::vector<std::vector<LightPart>> parts(nodes());
+    const auto add = [&](const LightPart& part) {
+        std::vector<LightPart>& own = parts[part.receiver];
+        const auto known = std::ranges::find(own, part.sender, &LightPart::sender);
+        if (known == own.end())
+            own.push_back(part);
+        else
+            known->factor += part.factor;
+    };
     for (std::uint32_t v = 0; v < around_m2.size(); ++v)
         for (const Share& one : sharesOf(v))
             for (const Share& other : sharesOf(v))
                 if (area_m2_[one.node] > 0.0)
-                    parts.push_back({one.node, other.node,
-                                     one.part * other.part *
-                                         static_cast<float>(around_m2[v] / area_m2_[one.node])});
-    smoothing_ = LightPairs(nodes(), {std::move(parts)});
+                    add({one.node, other.node,
+                         one.part * other.part *
+                             static_cast<float>(around_m2[v] / area_m2_[one.node])});
+    smoothing_ = LightPairs(nodes(), std::move(parts));
 }
 
 void ExchangeNodes::placeNodes(const ExchangeResolution& resolution) {
@@ -196,10 +206,14 @@ void ExchangeNodes::placeNodes(const ExchangeResolution& resolution) {
     }
     for (OfPiece& piece : pieces)
         piece.placeOf = &placeOf;
-    const std::vector<double> surfaces_m2 = surfacesOf_m2(*mesh_);
-    for (OfPiece& piece : pieces)
-        for (const std::uint32_t vertex : piece.vertices)
-            piece.surface_m2.push_back(surfaces_m2[vertex]);
+    {
+        const std::vector<double> surfaces_m2 = surfacesOf_m2(*mesh_);
+        for (OfPiece& piece : pieces) {
+            piece.surface_m2.reserve(piece.vertices.size());
+            for (const std::uint32_t vertex : piece.vertices)
+                piece.surface_m2.push_back(surfaces_m2[vertex]);
+        }
+    }
     double area_m2 = 0.0;
     for (std::uint32_t cell = 0; cell < mesh_->cells(); ++cell)
         area_m2 += mesh_->area_m2(cell);
@@ -236,6 +250,11 @@ void ExchangeNodes::placeNodes(const ExchangeResolution& resolution) {
         placeAll(pieces, *mesh_, spacingWith(isFine ? fineness_ : 1.0, least_m), allNodes);
     coarseness_ = 4.0 * least_m / std::sqrt(area_m2 / static_cast<double>(resolution.mostNodes));
     parallelFor(pieces.size(), [&](std::size_t p) { share(pieces[p], *mesh_); });
+    std::size_t shares = 0;
+    for (const OfPiece& piece : pieces)
+        for (const FewNodes& few : piece.shares)
+            shares += few.count;
+    shares_.reserve(shares);
 
     std::vector<std::uint32_t> pieceOfVertex(vertices.size());
     for (std::uint32_t p = 0; p < pieces.size(); ++p) {
@@ -314,6 +333,7 @@ void ExchangeNodes::place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSp
         return mesh.vertices()[piece.vertices[i]];
     };
     piece.apart_m.clear();
+    piece.apart_m.reserve(piece.vertices.size());
     for (std::size_t i = 0; i < piece.vertices.size(); ++i) {
         const double darkness =
             spacing.spareDark ? 1.0 / std::max(static_cast<double>(vertexAt(i).open), 0.25) : 1.0;

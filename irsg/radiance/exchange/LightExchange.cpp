@@ -68,7 +68,7 @@ LightExchange::LightExchange(std::vector<Body> bodies,
         groundReflectivity_ = sources.groundReflectivity;
     }
     if (std::ranges::any_of(paneOf_, [](int pane) { return pane >= 0; }))
-        making.sunThrough.resize(corners_.size());
+        making.sunThrough.resize(cells_);
     takeSun(making);
     takePairs(making);
     takeLight(making);
@@ -80,14 +80,9 @@ LightExchange::LightExchange(std::vector<Body> bodies,
 }
 
 void LightExchange::addReflected() {
-    firstReflected_ = static_cast<std::uint32_t>(corners_.size());
     const std::size_t count = senders() + (1 + through_.size()) * rows();
     for (std::uint32_t i = 0; i < count; ++i) {
         const auto number = static_cast<std::uint32_t>(receivers() + i);
-        const auto vertex = static_cast<std::uint32_t>(firstShare_.size() - 1);
-        corners_.push_back({vertex, vertex, vertex});
-        shares_.push_back({number, 1.0f});
-        firstShare_.push_back(static_cast<std::uint32_t>(shares_.size()));
         local_.push_back(i);
         reflected_.push_back(number);
     }
@@ -125,26 +120,16 @@ bool LightExchange::mayShade(const Extent& body, const Extent& other, const Vec3
 }
 
 void LightExchange::number(const std::vector<SunShadows::Caster>& casters) {
-    std::uint32_t allNodes = 0, vertices = 0;
-    firstShare_.push_back(0);
+    std::uint32_t allNodes = 0;
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const ExchangeNodes& nodes = bodies_[b].light->nodes();
-        const ExchangeMesh& mesh = nodes.mesh();
-        firstCell_.push_back(static_cast<std::uint32_t>(corners_.size()));
+        firstCell_.push_back(cells_);
+        cells_ += static_cast<std::uint32_t>(nodes.mesh().cells());
         firstReceiver_.push_back(allNodes);
         firstSender_.push_back(static_cast<std::uint32_t>(rowOfSender_.size()));
         rowOfSender_.resize(rowOfSender_.size() + nodes.senders());
         for (const int row : casters[b].rows)
             ofRow_.resize(std::max(ofRow_.size(), static_cast<std::size_t>(std::max(row, -1) + 1)));
-        for (std::uint32_t t = 0; t < mesh.cells(); ++t) {
-            const auto& own = mesh.corners(t);
-            corners_.push_back({own[0] + vertices, own[1] + vertices, own[2] + vertices});
-        }
-        for (std::uint32_t v = 0; v < mesh.vertices().size(); ++v) {
-            for (const ExchangeNodes::Share& share : nodes.sharesOf(v))
-                shares_.push_back({share.node + allNodes, share.part});
-            firstShare_.push_back(static_cast<std::uint32_t>(shares_.size()));
-        }
         for (std::uint32_t r = 0; r < nodes.nodes(); ++r) {
             const int row = casters[b].rows[static_cast<std::size_t>(nodes.pieceOf(r))];
             rows_.push_back(row);
@@ -166,18 +151,22 @@ void LightExchange::number(const std::vector<SunShadows::Caster>& casters) {
                 panes_.push_back(material);
         }
         allNodes += static_cast<std::uint32_t>(nodes.nodes());
-        vertices += static_cast<std::uint32_t>(mesh.vertices().size());
     }
     firstReceiver_.push_back(allNodes);
 }
 
 void LightExchange::takeOpenness() {
-    openOfVertex_.assign(firstShare_.size() - 1, 0.0f);
-    parallelForSmall(openOfVertex_.size(), [&](std::uint32_t vertex) {
-        for (std::uint32_t i = firstShare_[vertex]; i < firstShare_[vertex + 1]; ++i)
-            openOfVertex_[vertex] +=
-                shares_[i].part * static_cast<float>(1.0 - seen(shares_[i].node));
-    });
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const ExchangeNodes& nodes = bodies_[b].light->nodes();
+        const std::size_t first = openOfVertex_.size(), count = nodes.mesh().vertices().size();
+        firstVertex_.push_back(first);
+        openOfVertex_.resize(first + count);
+        parallelForSmall(count, [&](std::uint32_t vertex) {
+            for (const ExchangeNodes::Share& share : nodes.sharesOf(vertex))
+                openOfVertex_[first + vertex] +=
+                    share.part * static_cast<float>(1.0 - seen(firstReceiver_[b] + share.node));
+        });
+    }
 }
 
 void LightExchange::sharpen(std::vector<float>& values, std::size_t width) const {

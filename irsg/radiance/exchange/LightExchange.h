@@ -115,7 +115,7 @@ class LightExchange {
     /// for them are named as places of samples are.
     const std::vector<std::uint32_t>& reflected() const { return reflected_; }
     std::uint32_t cellOfReflected(std::size_t number) const {
-        return firstReflected_ + static_cast<std::uint32_t>(number);
+        return cells_ + static_cast<std::uint32_t>(number);
     }
     /// Calls visit(number of a reflected one, weight) for what leaves a place.
     template <typename Visit>
@@ -159,15 +159,25 @@ class LightExchange {
     /// Calls visit(receiver, corner, part) for those of its corners, whose parts add up to 1 each.
     template <typename Visit>
     void forEachReceiver(std::uint32_t cell, Visit visit) const {
-        const std::array<std::uint32_t, 3>& corners = corners_[cell];
+        if (cell >= cells_) {
+            for (std::size_t c = 0; c < 3; ++c)
+                visit(reflected_[cell - cells_], c, 1.0f);
+            return;
+        }
+        const std::size_t body = bodyOfCell(cell);
+        const ExchangeNodes& nodes = bodies_[body].light->nodes();
+        const std::array<std::uint32_t, 3>& corners = nodes.mesh().corners(cell - firstCell_[body]);
         for (std::size_t c = 0; c < 3; ++c)
-            for (std::uint32_t i = firstShare_[corners[c]]; i < firstShare_[corners[c] + 1]; ++i)
-                visit(shares_[i].node, c, shares_[i].part);
+            for (const ExchangeNodes::Share& share : nodes.sharesOf(corners[c]))
+                visit(firstReceiver_[body] + share.node, c, share.part);
     }
     /// Parts of the hemispheres over the corners of a place in which nothing stands.
     std::array<float, 3> openAt(std::uint32_t cell) const {
-        const std::array<std::uint32_t, 3>& corners = corners_[cell];
-        return {openOfVertex_[corners[0]], openOfVertex_[corners[1]], openOfVertex_[corners[2]]};
+        const std::size_t body = bodyOfCell(cell), first = firstVertex_[body];
+        const std::array<std::uint32_t, 3>& corners =
+            bodies_[body].light->nodes().mesh().corners(cell - firstCell_[body]);
+        return {openOfVertex_[first + corners[0]], openOfVertex_[first + corners[1]],
+                openOfVertex_[first + corners[2]]};
     }
 
     /// Whether another body is so near, so large or so much brighter that what it sends counts.
@@ -181,6 +191,10 @@ class LightExchange {
   private:
     struct Making;
     void number(const std::vector<SunShadows::Caster>& casters);
+    std::size_t bodyOfCell(std::uint32_t cell) const {
+        const auto behind = std::ranges::upper_bound(firstCell_, cell);
+        return static_cast<std::size_t>(behind - firstCell_.begin()) - 1;
+    }
     void takePairs(Making& making);
     void takeOwn(Making& making, std::size_t body, std::uint32_t patch) const;
     /// Adds the pairs of a body to those of the scene.
@@ -232,10 +246,9 @@ class LightExchange {
 
     std::vector<Body> bodies_;
     std::vector<std::uint32_t> firstCell_, firstReceiver_, firstSender_;
-    std::vector<std::array<std::uint32_t, 3>> corners_; // vertices of the scene, by cell
-    std::vector<std::uint32_t> firstShare_;             // by vertex, and behind the last
-    std::vector<ExchangeNodes::Share> shares_;          // of nodes of the scene
-    std::vector<float> openOfVertex_;                   // parts of hemispheres, of bodies
+    std::uint32_t cells_ = 0; // of all bodies
+    std::vector<std::size_t> firstVertex_;
+    std::vector<float> openOfVertex_; // parts of hemispheres, of all bodies
     std::vector<int> rows_, rowOfSender_;
     std::vector<std::uint32_t> senderOf_; // by receiver
     std::vector<std::uint32_t> local_;
@@ -243,7 +256,6 @@ class LightExchange {
     std::vector<bool> sees_, isSeen_, getsLight_;
     std::optional<Spectrum> groundReflectivity_;
     bool hasLobes_;
-    std::uint32_t firstReflected_ = 0;     // cell
     std::vector<std::uint32_t> reflected_; // as receivers
     std::vector<float> sunOnCells_;        // as factors, where lobes may meet them
     LightBalance balance_;

@@ -20,7 +20,7 @@ void LightExchange::takeSun(Making& making) {
     sun_.assign(senders(), sources.isSunOn ? std::max(sources.sunAlways, 0.0) : 0.0);
     if (!sources.isSunOn || sources.sunAlways >= 0.0)
         return;
-    making.sunOnCells.resize(corners_.size());
+    making.sunOnCells.resize(cells_);
     std::vector<double> area_m2(senders());
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const ExchangeNodes& nodes = bodies_[b].light->nodes();
@@ -61,7 +61,7 @@ double LightExchange::sunOn(Making& making, std::size_t body, std::uint32_t cell
         return std::max(cosine, 0.0);
     const std::array<Vec3, 3> c = mesh.cornersAt_m(cell);
     const Vec3 middle = (c[0] + c[1] + c[2]) * (1.0 / 3.0);
-    const bool isOne = corners_.size() > fewCells;
+    const bool isOne = cells_ > fewCells;
     const double each = isOne ? 1.0 : 0.25;
     thread_local std::vector<int> through;
     double lit = 0.0;

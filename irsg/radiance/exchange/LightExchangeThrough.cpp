@@ -181,7 +181,7 @@ void LightExchange::takeSunThrough(const Making& making) {
     for (std::size_t cell = 0; cell < making.sunThrough.size(); ++cell)
         for (const auto& [set, sun] : making.sunThrough[cell]) {
             std::vector<float>& onCells = throughOf(set).sunOnCells;
-            onCells.resize(corners_.size());
+            onCells.resize(cells_);
             onCells[cell] = sun;
         }
     std::vector<double> areas_m2(senders());

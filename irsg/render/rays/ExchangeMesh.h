@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "irsg/geometry/view/Vec3.h"
@@ -73,7 +74,7 @@ class ExchangeMesh {
                  const ExchangeResolution& resolution);
 
     const RayMesh& rays() const { return *mesh_; }
-    std::size_t cells() const { return corners_.size(); }
+    std::size_t cells() const { return sideOf_.size(); }
     const std::vector<Vertex>& vertices() const { return vertices_; }
 
     /// No cell where the side is not there: a back that is culled.
@@ -87,7 +88,7 @@ class ExchangeMesh {
     std::size_t pieceOf(std::uint32_t cell) const { return vertices_[corners_[cell][0]].piece; }
     double area_m2(std::uint32_t cell) const;
     /// Unit, to its side.
-    const Vec3& normal(std::uint32_t cell) const { return sides_[sideOf_[cell]].normal; }
+    Vec3 normal(std::uint32_t cell) const;
     /// Whether anything stands before the side of the facet.
     bool seesAnything(std::uint32_t cell) const { return sees_[cell]; }
     /// Whether it turns to a space inside, which the outside sees through small holes at most.
@@ -108,24 +109,28 @@ class ExchangeMesh {
     /// Of facet `side / 2`; odd: its back.
     struct Side {
         std::int32_t root = nowhere; ///< a split, or -1 - the number of the only cell
-        Vec3 normal;                 ///< to the side
+        std::uint32_t wholeBefore =
+            0; ///< cells before its own that are the only ones of their side
     };
     static constexpr std::int32_t nowhere = std::numeric_limits<std::int32_t>::max();
     using Split = FacetDivision::Split;
+    using CellPair = std::pair<std::uint32_t, std::uint32_t>;
     struct Making;
-    void divide(Making& making);
-    void findSpaces(Making& making) const;
     void addCells(Making& making);
-    void joinVertices(Making& making);
+    /// Returns cells that continue each other where they share one vertex at most.
+    std::vector<CellPair> joinVertices(const Making& making);
+    void connectVertices(const std::vector<CellPair>& uneven);
 
+    // Models may have millions of facets, nearly all whole: what follows from these is computed.
     std::shared_ptr<const RayMesh> mesh_;
     std::vector<std::uint32_t> firstFacet_; // by piece
     std::vector<Side> sides_;
     std::vector<Split> splits_;
-    std::vector<std::uint32_t> sideOf_;                        // by cell
-    std::vector<std::array<std::array<float, 2>, 3>> onFacet_; // by cell: corners' places there
-    std::vector<std::array<std::uint32_t, 3>> corners_;        // by cell
-    std::vector<bool> sees_;                                   // by cell
+    std::vector<std::uint32_t> sideOf_; // by cell
+    /// By cell of a side that has several: corners' places there.
+    std::vector<std::array<std::array<float, 2>, 3>> onFacet_;
+    std::vector<std::array<std::uint32_t, 3>> corners_; // by cell
+    std::vector<bool> sees_;                            // by cell
     std::vector<Vertex> vertices_;
     std::vector<std::uint32_t> firstBeside_, beside_; // by vertex
     double extent_m_ = 0.0, fineness_ = 1.0;

@@ -9,39 +9,66 @@ namespace {
 
 constexpr std::uint32_t mostInLeaf = 4;
 
-double along(const Vec3& v, int axis) {
-    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+/// The tree of so many boxes.
+std::size_t nodesFor(std::size_t count) {
+    return count <= mostInLeaf ? 1 : 1 + nodesFor(count / 2) + nodesFor(count - count / 2);
 }
 
 } // namespace
 
-FacetTree::FacetTree(std::vector<BoundingBox> boxes) : boxes_(std::move(boxes)) {
+void FacetTree::Box::include(const Vec3& place) {
+    include(Box{
+        {static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.z)},
+        {static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.z)}});
+}
+
+void FacetTree::Box::include(const Box& other) {
+    if (!isThere())
+        *this = other;
+    for (std::size_t axis = 0; other.isThere() && axis < 3; ++axis) {
+        min[axis] = std::min(min[axis], other.min[axis]);
+        max[axis] = std::max(max[axis], other.max[axis]);
+    }
+}
+
+FacetTree::FacetTree(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
+    numbers_.reserve(boxes_.size());
     for (std::uint32_t i = 0; i < boxes_.size(); ++i)
-        if (boxes_[i].valid())
+        if (boxes_[i].isThere())
             numbers_.push_back(i);
-    if (!numbers_.empty())
-        build(0, static_cast<std::uint32_t>(numbers_.size()));
+    if (numbers_.empty())
+        return;
+    nodes_.reserve(nodesFor(numbers_.size()));
+    build(0, static_cast<std::uint32_t>(numbers_.size()));
 }
 
 void FacetTree::build(std::uint32_t first, std::uint32_t count) {
-    BoundingBox box = BoundingBox::nowhere();
+    Box box;
     for (std::uint32_t i = first; i < first + count; ++i)
         box.include(boxes_[numbers_[i]]);
     const std::size_t own = nodes_.size();
-    nodes_.push_back({box, 0, first, count});
+    nodes_.push_back({box, first, count});
     if (count <= mostInLeaf)
         return;
-    const Vec3 size = box.max - box.min;
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const auto sizeOf = [&](std::size_t axis) {
+        return static_cast<double>(box.max[axis]) - static_cast<double>(box.min[axis]);
+    };
+    const double x = sizeOf(0), y = sizeOf(1), z = sizeOf(2);
+    const std::size_t axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+    const auto centreOf = [&](std::uint32_t number) {
+        return (static_cast<double>(boxes_[number].min[axis]) +
+                static_cast<double>(boxes_[number].max[axis])) *
+               0.5;
+    };
     const std::uint32_t half = count / 2;
     const auto begin = numbers_.begin() + first;
     std::nth_element(begin, begin + half, begin + count, [&](std::uint32_t a, std::uint32_t b) {
-        const double atA = along(boxes_[a].centre(), axis), atB = along(boxes_[b].centre(), axis);
+        const double atA = centreOf(a), atB = centreOf(b);
         return atA != atB ? atA < atB : a < b;
     });
     nodes_[own].count = 0;
     build(first, half);
-    nodes_[own].second = static_cast<std::uint32_t>(nodes_.size());
+    nodes_[own].next = static_cast<std::uint32_t>(nodes_.size());
     build(first + half, count - half);
 }
 

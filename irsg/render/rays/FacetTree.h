@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "irsg/geometry/view/Vec3.h"
+#include "irsg/geometry/mesh/Mesh.h"
 
 namespace irsg {
 
@@ -13,13 +13,20 @@ namespace irsg {
 /// plane, without a look at most of the others.
 class FacetTree {
   public:
-    /// A box that is not valid is never found.
-    explicit FacetTree(std::vector<BoundingBox> boxes);
+    /// Around places in single precision, which it holds as they are; one of no places is never
+    /// found.
+    struct Box {
+        Float3 min{1.0f, 1.0f, 1.0f}, max{-1.0f, -1.0f, -1.0f};
+        void include(const Vec3& place);
+        void include(const Box& other);
+        bool isThere() const { return min[0] <= max[0]; }
+    };
+    explicit FacetTree(std::vector<Box> boxes);
 
     /// Calls visit(number) for every box that touches another, in the order of the tree.
     template <typename Visit>
     void forEachTouching(const BoundingBox& box, Visit visit) const {
-        search([&](const BoundingBox& own) { return touch(own, box); },
+        search([&](const Box& own) { return touch(own, box); },
                [&](std::uint32_t number) {
                    visit(number);
                    return false;
@@ -30,11 +37,11 @@ class FacetTree {
     template <typename IsBeyond>
     bool isAnyBeyond(const Vec3& normal, double offset_m, IsBeyond isBeyond) const {
         return search(
-            [&](const BoundingBox& own) {
-                return (normal.x > 0.0 ? own.max.x : own.min.x) * normal.x +
-                           (normal.y > 0.0 ? own.max.y : own.min.y) * normal.y +
-                           (normal.z > 0.0 ? own.max.z : own.min.z) * normal.z >
-                       offset_m;
+            [&](const Box& own) {
+                const auto most = [&](double along, std::size_t axis) {
+                    return static_cast<double>(along > 0.0 ? own.max[axis] : own.min[axis]) * along;
+                };
+                return most(normal.x, 0) + most(normal.y, 1) + most(normal.z, 2) > offset_m;
             },
             isBeyond);
     }
@@ -42,13 +49,16 @@ class FacetTree {
   private:
     /// A branch is followed by its first child; a leaf has boxes.
     struct Node {
-        BoundingBox box;
-        std::uint32_t second = 0;           ///< child of a branch
-        std::uint32_t first = 0, count = 0; ///< of a leaf: in the list of numbers
+        Box box;
+        std::uint32_t next = 0;  ///< of a branch its second child, of a leaf in the list of numbers
+        std::uint32_t count = 0; ///< of a leaf's boxes; 0: a branch
     };
-    static bool touch(const BoundingBox& a, const BoundingBox& b) {
-        return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y &&
-               b.min.y <= a.max.y && a.min.z <= b.max.z && b.min.z <= a.max.z;
+    static bool touch(const Box& a, const BoundingBox& b) {
+        const auto meet = [&](std::size_t axis, double low, double high) {
+            return static_cast<double>(a.min[axis]) <= high &&
+                   low <= static_cast<double>(a.max[axis]);
+        };
+        return meet(0, b.min.x, b.max.x) && meet(1, b.min.y, b.max.y) && meet(2, b.min.z, b.max.z);
     }
     /// Until stopsAt(number) holds for a box of those that matter.
     template <typename Matters, typename StopsAt>
@@ -64,10 +74,10 @@ class FacetTree {
             if (!matters(node.box))
                 continue;
             if (node.count == 0) {
-                open[count++] = node.second;
+                open[count++] = node.next;
                 open[count++] = at + 1;
             }
-            for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+            for (std::uint32_t i = node.next; i < node.next + node.count; ++i)
                 if (matters(boxes_[numbers_[i]]) && stopsAt(numbers_[i]))
                     return true;
         }
@@ -75,7 +85,7 @@ class FacetTree {
     }
     void build(std::uint32_t first, std::uint32_t count);
 
-    std::vector<BoundingBox> boxes_;
+    std::vector<Box> boxes_;
     std::vector<std::uint32_t> numbers_;
     std::vector<Node> nodes_;
 };

@@ -41,8 +41,12 @@ RayMesh::Impl::~Impl() {
 
 RayMesh::Impl::Impl(std::shared_ptr<const Mesh> of) : mesh(std::move(of)), facets(mesh->facets()) {
     for (const Mesh::Part& part : mesh->parts) {
-        vertices.push_back(part.vertices);
-        vertices.back().emplace_back();
+        std::vector<Float3>& copy = padded.emplace_back();
+        if (part.vertices.capacity() > part.vertices.size())
+            continue;
+        copy.reserve(part.vertices.size() + 1);
+        copy = part.vertices;
+        copy.emplace_back();
     }
     for (const Mesh::Piece& piece : mesh->pieces)
         pieces.push_back({&mesh->partOf(piece), mesh->trianglesOf(piece)});
@@ -52,10 +56,11 @@ void RayMesh::Impl::attach(std::size_t number) {
     const TracedPiece& piece = pieces[number];
     if (piece.triangles.empty())
         return;
-    const std::vector<Float3>& places = vertices[mesh->pieces[number].part];
+    const std::vector<Float3>& copy = padded[mesh->pieces[number].part];
+    const Float3* places = copy.empty() ? piece.part->vertices.data() : copy.data();
     RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                               places.data(), 0, sizeof(Float3), places.size() - 1);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, places, 0,
+                               sizeof(Float3), piece.part->vertices.size());
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                piece.triangles.data(), 0, 3 * sizeof(unsigned),
                                piece.triangles.size() / 3);

@@ -29,7 +29,9 @@ struct Candidate {
 struct RayMesh::Impl {
     std::shared_ptr<const Mesh> mesh;
     std::vector<TracedPiece> pieces;
-    std::vector<std::vector<Float3>> vertices; ///< of each part, and one more: Embree reads beyond
+    /// Of each part where Embree, which reads 4 bytes beyond the last, would leave its own: a copy
+    /// with one more.
+    std::vector<std::vector<Float3>> padded;
     RTCScene scene = nullptr;
     std::array<double, 3> low{1, 1, 1}, high{-1, -1, -1}; ///< of the box, widened by rounding
     double rounding_m = 0.0;                              ///< of places on the mesh in float
