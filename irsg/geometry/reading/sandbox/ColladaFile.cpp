@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <pugixml.hpp>
 
@@ -49,6 +51,9 @@ class ColladaText {
         if (std::string_view(root.name()) != "COLLADA")
             refuse("", "\"" + std::string(root.name()) + "\"", "COLLADA");
         learn(root, 0);
+        for (const XmlNode& library : root.children("library_geometries"))
+            for (const XmlNode& geometry : library.children("geometry"))
+                unfoldFans(geometry.child("mesh"));
         DeclaredContents stated;
         stated.text = textOf(document);
         stated.axes = axesOf(root.child("asset"));
@@ -63,6 +68,7 @@ class ColladaText {
                     stated.remarks.push_back("geometry " +
                                              std::string(geometry.attribute("id").value()) +
                                              " is placed nowhere");
+        remarkOthers(root, stated.remarks);
         return stated;
     }
 
@@ -102,6 +108,30 @@ class ColladaText {
         while (element.remove_child(element.first_child())) {
         }
         element.append_child(pugi::node_pcdata).set_value(text.c_str());
+    }
+
+    /// Fans become triangles: Assimp takes each for one polygon.
+    static void unfoldFans(XmlNode mesh) {
+        for (XmlNode list : mesh.children("trifans")) {
+            const auto width = static_cast<std::size_t>(stride(list));
+            std::string text;
+            std::size_t triangles = 0;
+            for (const XmlNode& fan : list.children("p")) {
+                std::vector<std::string_view> words;
+                forEachWord(fan.child_value(),
+                            [&](std::string_view word) { words.push_back(word); });
+                for (std::size_t last = 2; (last + 1) * width <= words.size(); ++last, ++triangles)
+                    for (const std::size_t corner : {std::size_t{0}, last - 1, last})
+                        for (std::size_t i = 0; i < width; ++i)
+                            text += std::string(words[corner * width + i]) + " ";
+            }
+            while (list.remove_child("p")) {
+            }
+            list.append_child("p").append_child(pugi::node_pcdata).set_value(text.c_str());
+            list.set_name("triangles");
+            list.remove_attribute("count");
+            list.append_attribute("count").set_value(std::to_string(triangles).c_str());
+        }
     }
 
     void learn(const XmlNode& element, int level) {
@@ -151,6 +181,37 @@ class ColladaText {
         return found->second;
     }
 
+    /// What libraries have that no surface comes of, or that would change some.
+    static void remarkOthers(const XmlNode& root, std::vector<std::string>& remarks) {
+        const auto say = [&](std::ptrdiff_t count, const char* name, const char* what) {
+            if (count > 0)
+                remarks.push_back(std::to_string(count) + " " + name + " " + what);
+        };
+        for (const auto& [name, what] :
+             {std::pair{"animation", "are not played: parts are where the scene puts them"},
+              {"controller", "are not followed: skins and morphs have the shape of their mesh"},
+              {"camera", "are left out"},
+              {"light", "are left out"},
+              {"force_field", "are left out"},
+              {"physics_scene", "are left out: parts are where the scene puts them"},
+              {"kinematics_model", "are left out: parts are where the scene puts them"},
+              {"articulated_system", "are left out: parts are where the scene puts them"}}) {
+            std::ptrdiff_t count = 0;
+            for (const XmlNode& library : root.children()) {
+                const auto own = library.children(name);
+                count += std::distance(own.begin(), own.end());
+            }
+            say(count, name, what);
+        }
+        for (const char* kind : {"spline", "convex_mesh", "brep"}) {
+            std::ptrdiff_t count = 0;
+            for (const XmlNode& library : root.children("library_geometries"))
+                for (const XmlNode& geometry : library.children("geometry"))
+                    count += geometry.child(kind) ? 1 : 0;
+            say(count, kind, "have no polygons and are left out");
+        }
+    }
+
     double placed(const XmlNode& node, int level) {
         if (level > mostXmlLevels)
             refuse(node.attribute("id").value(), "nodes in a circle, or in too many levels",
@@ -160,6 +221,9 @@ class ColladaText {
         double sum = 0.0;
         for (const XmlNode& child : node.children()) {
             const std::string_view kind = child.name();
+            if (kind == "skew")
+                refuse(node.attribute("id").value(), "a transformation by skew",
+                       "translate, rotate, scale, matrix or lookat");
             if (kind == "node")
                 sum += placed(child, level + 1);
             else if (kind == "instance_node")
@@ -194,13 +258,14 @@ class ColladaText {
                 sum += polygonsOf(list, kind == "triangles", count, where);
             } else if (kind == "polygons") {
                 double found = 0.0;
+                if (list.child("ph"))
+                    refuse(where, "polygons with holes (ph)", "polygons without holes");
                 for (const XmlNode& each : list.children())
-                    found += each.name() == std::string_view("p") ||
-                             each.name() == std::string_view("ph");
+                    found += each.name() == std::string_view("p");
                 if (found < count)
                     refuse(where, numberText(found) + " polygons", numberText(count));
                 sum += found;
-            } else if (kind == "tristrips" || kind == "trifans") {
+            } else if (kind == "tristrips") {
                 for (const XmlNode& each : list.children("p"))
                     sum += std::max(0.0, indices(each) / stride(list) - 2.0);
             }

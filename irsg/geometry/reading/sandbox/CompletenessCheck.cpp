@@ -3,8 +3,10 @@
 #include "irsg/geometry/reading/text/ModelText.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "irsg/core/CsvTable.h"
@@ -86,7 +88,8 @@ std::size_t number(std::string_view bytes, std::size_t at, bool bigEndian) {
 
 /// Chunks of 3D Studio: two bytes of kind, four of length with all that is in it. Those that hold
 /// others stand in two levels, so that more of them are no model but a way to run out of stack.
-void checkChunks(std::string_view bytes, std::size_t begin, std::size_t end, int levels = 8) {
+void checkChunks(std::string_view bytes, std::size_t begin, std::size_t end,
+                 std::map<std::size_t, long>& found, int levels = 8) {
     if (levels == 0 && begin < end)
         refuse(begin, "a chunk in 8 others", "chunks in at most 7 others");
     for (std::size_t at = begin; at < end;) {
@@ -99,18 +102,30 @@ void checkChunks(std::string_view bytes, std::size_t begin, std::size_t end, int
         if (length < 6 || length > end - at)
             refuse(at, "a chunk of " + std::to_string(length) + " bytes",
                    "6 to " + std::to_string(end - at) + " bytes, which are left");
-        // Those with chunks in them and nothing before.
+        ++found[kind];
+        // Those with chunks in them and nothing before, and objects, behind their names.
         if (kind == 0x4D4D || kind == 0x3D3D || kind == 0x4100)
-            checkChunks(bytes, at + 6, at + length, levels - 1);
+            checkChunks(bytes, at + 6, at + length, found, levels - 1);
+        if (const std::size_t name = bytes.find('\0', at + 6); kind == 0x4000 && name < at + length)
+            checkChunks(bytes, name + 1, at + length, found, levels - 1);
         at += length;
     }
 }
 
-void checkStudio(std::string_view bytes, Remarks&) {
+void checkStudio(std::string_view bytes, Remarks& remarks) {
     if (bytes.size() < 6)
         refuse(bytes.size(), "the end of the file", "a chunk of 6 bytes or more");
-    checkChunks(bytes, 0,
-                std::min(bytes.size(), std::max<std::size_t>(6, number(bytes, 2, false))));
+    std::map<std::size_t, long> found;
+    checkChunks(bytes, 0, std::min(bytes.size(), std::max<std::size_t>(6, number(bytes, 2, false))),
+                found);
+    for (const auto& [kind, what] :
+         {std::pair{0x0100u, " scale of the scene (chunk 0100) is not followed: a unit is 1 m"},
+          {0x4010u, " objects are hidden (chunk 4010) and are read nevertheless"},
+          {0x4600u, " lights (chunk 4600) are left out"},
+          {0x4700u, " cameras (chunk 4700) are left out"},
+          {0xB000u, " keyframes (chunk B000) are not played: parts are where the file puts them"}})
+        if (const auto known = found.find(kind); known != found.end())
+            remarks.push_back(std::to_string(known->second) + what);
     if (number(bytes, 2, false) > bytes.size())
         refuse(2, "a file of " + std::to_string(number(bytes, 2, false)) + " bytes",
                "at most " + std::to_string(bytes.size()) + ", which there are");
@@ -131,6 +146,7 @@ void checkObjects(std::string_view text, Remarks& remarks) {
     double objects = 1.0, surfaces = 0.0;
     long open = 0;            ///< objects whose last line, "kids", has not come
     std::vector<double> kids; ///< of the objects around a place: those that have not come
+    long lights = 0, subdivided = 0, hidden = 0;
     std::size_t at = 0, lastCount = 0;
     const auto line = [&] {
         const std::size_t begin = at;
@@ -154,6 +170,11 @@ void checkObjects(std::string_view text, Remarks& remarks) {
             objects -= 1.0;
             ++open;
             lastCount = begin;
+            lights += rest == "light" ? 1 : 0;
+        } else if (word == "subdiv" && count > 0.0) {
+            ++subdivided;
+        } else if (word == "hidden") {
+            ++hidden;
         } else if (word == "SURF") {
             surfaces -= 1.0;
         } else if (word == "kids" || word == "numsurf") {
@@ -179,6 +200,14 @@ void checkObjects(std::string_view text, Remarks& remarks) {
                        "all of them");
         }
     }
+    const auto say = [&](long number, const char* what) {
+        if (number > 0)
+            remarks.push_back(std::to_string(number) + what);
+    };
+    say(lights, " objects of kind light are left out");
+    say(subdivided, " objects are subdivided where they are shown (subdiv): they are read as the "
+                    "file has them");
+    say(hidden, " objects are hidden and are read nevertheless");
     const std::string_view last = text.substr(lastCount);
     const bool endsWhole = open == 0 && surfaces <= 0.0 && last.starts_with("kids ") &&
                            last.find_first_of("0123456789") != last.npos &&

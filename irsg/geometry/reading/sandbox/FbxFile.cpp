@@ -10,6 +10,7 @@
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
 #include "irsg/geometry/reading/sandbox/DeclaredContents.h"
+#include "irsg/geometry/reading/sandbox/FbxRecords.h"
 #include "irsg/geometry/reading/text/ModelText.h"
 
 namespace irsg {
@@ -67,6 +68,7 @@ class BinaryFbx {
         DeclaredContents stated;
         stated.axes = axesOf(settings_);
         stated.corners = corners_;
+        stated.remarks = records_.remarks();
         return stated;
     }
 
@@ -123,25 +125,55 @@ class BinaryFbx {
             corners_ += count;
         } else if (path == "/GlobalSettings/Properties70/P") {
             lookAtSetting(properties);
+        } else if (path == "/Objects/Model/Properties70/P") {
+            lookAtModel(properties);
+        } else if (path.starts_with("/Objects/Geometry/") && path.rfind('/') == 17) {
+            records_.addOfGeometry(std::string_view(path).substr(18));
+        } else if (path.starts_with("/Objects/") && path.rfind('/') == 8) {
+            lookAtObject(std::string_view(path).substr(9), properties);
         }
+    }
+
+    /// Its number, its name and its class.
+    void lookAtObject(std::string_view kind, std::string_view properties) {
+        if (properties.size() < 9 || properties[0] != 'L')
+            return;
+        properties.remove_prefix(9);
+        takeText(properties);
+        if (const auto its = takeText(properties))
+            records_.addObject(kind, *its);
+    }
+
+    /// Four texts and a number, which is 0 in all bytes where it is 0.
+    void lookAtModel(std::string_view properties) {
+        const auto name = takeText(properties);
+        for (int i = 0; i < 3; ++i)
+            takeText(properties);
+        if (name && !properties.empty() && properties.find_first_not_of('\0', 1) == properties.npos)
+            records_.addZero(*name);
+    }
+
+    /// The text that properties begin with, which is taken off them; nothing where none does.
+    static std::optional<std::string_view> takeText(std::string_view& properties) {
+        std::uint32_t size = 0;
+        if (properties.size() < 5 || properties[0] != 'S')
+            return std::nullopt;
+        std::memcpy(&size, properties.data() + 1, 4);
+        if (size > properties.size() - 5)
+            return std::nullopt;
+        const std::string_view text = properties.substr(5, size);
+        properties.remove_prefix(5 + size);
+        return text;
     }
 
     /// Four texts and a number.
     void lookAtSetting(std::string_view properties) {
-        std::string name;
-        for (int i = 0; i < 4; ++i) {
-            std::uint32_t size = 0;
-            if (properties.size() < 5 || properties[0] != 'S')
-                return;
-            std::memcpy(&size, properties.data() + 1, 4);
-            if (size > properties.size() - 5)
-                return;
-            if (i == 0)
-                name = properties.substr(5, size);
-            properties.remove_prefix(5 + size);
-        }
-        if (!isAxisSetting(name) || properties.empty())
+        const auto first = takeText(properties);
+        for (int i = 0; i < 3; ++i)
+            takeText(properties);
+        if (!first || !isAxisSetting(*first) || properties.empty())
             return;
+        const std::string name(*first);
         std::int32_t whole = 0;
         double real = 0.0;
         if (properties[0] == 'I' && properties.size() >= 5) {
@@ -159,6 +191,7 @@ class BinaryFbx {
     std::uint32_t version_ = 0;
     std::uint64_t corners_ = 0;
     Settings settings_;
+    FbxRecords records_;
 };
 
 /// Records as text: "Name: values {" and so on. Texts in quotation marks have no escapes.
@@ -200,6 +233,7 @@ class TextFbx {
             refuse(line, "the end of the file", "Connections, which end a model");
         DeclaredContents stated;
         stated.axes = axesOf(settings());
+        stated.remarks = fbxRecordsOfText(text_).remarks();
         countCorners(stated);
         return stated;
     }

@@ -30,6 +30,10 @@ void checkAsset(const GltfJson& json) {
     if (!version.starts_with("2."))
         json.refuse("asset.version", version.empty() ? "nothing" : "\"" + version + "\"",
                     "glTF of version 2");
+    const std::string least =
+        asset->contains("minVersion") ? json.text(*asset, "asset", "minVersion") : "2.0";
+    if (least != "2.0")
+        json.refuse("asset.minVersion", "\"" + least + "\"", "a file that glTF 2.0 describes");
     const Json& required = json.list("extensionsRequired");
     for (std::size_t i = 0; i < required.size(); ++i) {
         const std::string name =
@@ -51,14 +55,28 @@ class GltfText {
         readMeshes();
         readNodes();
         remarkUnused();
+        remarkExtensions();
         into_.materials = json_.list("materials").size();
         for (const char* kind : {"animations", "skins"})
             if (const auto count = json_.list(kind).size(); count > 0)
                 into_.remarks.push_back(std::to_string(count) + " " + kind +
                                         " are not played: parts are where the file puts them");
+        if (const auto count = json_.list("cameras").size(); count > 0)
+            into_.remarks.push_back(std::to_string(count) + " cameras are left out");
     }
 
   private:
+    /// What may change surfaces, or pictures that their alpha cuts; others do without it.
+    void remarkExtensions() {
+        const Json& used = json_.list("extensionsUsed");
+        for (const Json& one : used) {
+            const std::string name = one.is_string() ? one.get<std::string>() : shownJson(one);
+            if (!name.starts_with("KHR_materials_") && !name.starts_with("KHR_xmp"))
+                into_.remarks.push_back("the extension " + name +
+                                        " is not followed: the file is read without it");
+        }
+    }
+
     /// A reference that was damaged leaves a mesh or a node, a count bytes, that belong to nothing.
     void remarkUnused() {
         if (const std::size_t bytes = buffers_.unused_B(); bytes > 0)

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <map>
 #include <string>
 #include <string_view>
@@ -12,6 +13,15 @@
 namespace irsg {
 
 namespace {
+
+/// What would move vertices of a mesh, or describes them in another form.
+constexpr std::string_view notFollowed[] = {"SkinWeights",
+                                            "DeclData",
+                                            "FVFData",
+                                            "PMInfo",
+                                            "MeshFaceWraps",
+                                            "FaceAdjacency",
+                                            "VertexDuplicationIndices"};
 
 /// A text of DirectX, word by word: names and numbers, brackets, texts in quotation marks, and what
 /// stands between values.
@@ -26,6 +36,10 @@ class XText {
         stated.axes.reason = "the custom of .x: y up, turned to z on reading";
         stated.text = rewritten();
         stated.axes.spokenUnit = unit_;
+        for (const auto& [kind, count] : others_)
+            stated.remarks.push_back(std::to_string(count) + " " + kind +
+                                     " are left out: meshes have their faces as the file lists "
+                                     "them");
         return stated;
     }
 
@@ -113,6 +127,8 @@ class XText {
                 copyTo(word.end);
                 text += ' ';
             } else if (word.first == '{') {
+                if (isName(last) && at(before) != "template")
+                    ++others_[std::string(at(isName(before) ? before : last))];
                 const bool framed = isName(last) && at(before) == "Mesh";
                 if (framed) {
                     copyTo(before.begin);
@@ -138,6 +154,9 @@ class XText {
             last = word;
         }
         copyTo(text_.size());
+        std::erase_if(others_, [](const auto& one) {
+            return std::ranges::find(notFollowed, one.first) == std::end(notFollowed);
+        });
         return text;
     }
 
@@ -154,6 +173,7 @@ class XText {
     std::string_view text_;
     std::size_t at_ = 0;
     std::map<std::string, std::string_view> materials_;
+    std::map<std::string, long> others_; ///< objects by their kind
     std::optional<UnitInWords> unit_;
 };
 

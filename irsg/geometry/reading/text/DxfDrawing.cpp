@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "irsg/core/AppendUnique.h"
@@ -107,6 +108,8 @@ class DrawingReader {
             advance();
             if (section == "HEADER")
                 readHeader();
+            else if (section == "TABLES")
+                readLayers();
             else if (section == "BLOCKS")
                 readBlocks();
             else if (section == "ENTITIES")
@@ -155,6 +158,20 @@ class DrawingReader {
         drawing_.remarks.push_back("the file states its unit: " + said);
     }
 
+    /// Those that are frozen or off: by a flag, and by a colour below 0.
+    void readLayers() {
+        std::string name;
+        bool isLayer = false;
+        for (; !atEnd("ENDSEC"); advance())
+            if (pairs_.code() == 0)
+                isLayer = pairs_.is(0, "LAYER");
+            else if (isLayer && pairs_.code() == 2)
+                name = pairs_.value();
+            else if (isLayer && ((pairs_.code() == 70 && pairs_.whole() % 2 != 0) ||
+                                 (pairs_.code() == 62 && pairs_.whole() < 0)))
+                notShown_.insert(name);
+    }
+
     void readBlocks() {
         while (!atEnd("ENDSEC")) {
             if (!pairs_.is(0, "BLOCK")) {
@@ -166,6 +183,10 @@ class DrawingReader {
             for (advance(); pairs_.code() != 0; advance())
                 if (pairs_.code() == 2)
                     name = lowerCase(std::string(pairs_.value()));
+                else if (pairs_.code() == 1 && !pairs_.value().empty())
+                    drawing_.remarks.push_back("the block " + name + " is another file, " +
+                                               std::string(pairs_.value()) +
+                                               ", which is not opened");
                 else if (pairs_.code() == 10 || pairs_.code() == 20 || pairs_.code() == 30)
                     base[pairs_.code() / 10 - 1] = pairs_.number();
             DxfDrawing::Block& block = drawing_.blocks[name];
@@ -239,6 +260,7 @@ class DrawingReader {
     }
 
     void add(const Entity& entity, DxfDrawing::Block& into) {
+        onHiddenLayers_ += notShown_.contains(entity.layer) ? 1 : 0;
         const auto& c = entity.corners;
         if (entity.kind == "3DFACE") {
             addFace(into, entity.layer, {c[0], c[1], c[2], entity.given[3] ? c[3] : c[2]});
@@ -291,6 +313,7 @@ class DrawingReader {
         if (pairs_.is(0, "SEQEND"))
             readEntity();
         const int flags = line.wholes[0];
+        onHiddenLayers_ += notShown_.contains(line.layer) ? 1 : 0;
         if (line.onPaper)
             ++onPaper_;
         else if (line.invisible)
@@ -371,13 +394,17 @@ class DrawingReader {
         say(onPaper_ > 0 ? std::to_string(onPaper_) : "",
             " entities lie on a sheet of paper and are left out");
         say(hidden_ > 0 ? std::to_string(hidden_) : "", " invisible entities are left out");
+        say(onHiddenLayers_ > 0 ? std::to_string(onHiddenLayers_) : "",
+            " entities lie on layers that the drawing does not show (frozen or off) and are read "
+            "nevertheless");
     }
 
     DxfPairs pairs_;
     const std::string& file_;
     DxfDrawing drawing_;
     std::map<std::string, long> leftOut_; ///< by kind
-    long thick_ = 0, onPaper_ = 0, hidden_ = 0;
+    std::set<std::string> notShown_;      ///< layers
+    long thick_ = 0, onPaper_ = 0, hidden_ = 0, onHiddenLayers_ = 0;
 };
 
 } // namespace

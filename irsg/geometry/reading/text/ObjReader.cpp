@@ -9,6 +9,7 @@
 #include <osg/Group>
 #include <osg/MatrixTransform>
 
+#include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/geometry/reading/FarOrigin.h"
@@ -90,7 +91,10 @@ class ObjText {
         } else if (std::ranges::find(otherWords, word) == std::end(otherWords)) {
             if (unknown_++ == 0)
                 firstUnknown_ = words_.diagnostic(quoted(word), "").message();
-        } else if (word != "s" && word != "mg" && word != "lod") {
+        } else if (word == "lod") {
+            appendUnique(remarks_,
+                         "levels of detail (lod) are not chosen: the faces of all are read");
+        } else if (word != "s" && word != "mg") {
             ++others_;
         }
     }
