@@ -28,18 +28,45 @@ double dotProduct(std::span<const double> a, std::span<const double> b) {
     return sum;
 }
 
+/// By key of rows: its place among those of its entity.
+std::vector<std::size_t> placesOfSurfaces(const SurfaceRows& rows) {
+    std::vector<std::size_t> places;
+    std::vector<std::size_t> counts;
+    for (const SurfaceKey& key : rows.keys()) {
+        const auto entity = static_cast<std::size_t>(key.first);
+        counts.resize(std::max(counts.size(), entity + 1));
+        places.push_back(counts[entity]++);
+    }
+    return places;
+}
+
+/// The surface of a row in the sums of its object; null where nobody asked for surfaces.
+SurfaceRadiometry* surfaceIn(ObjectRadiometry& object, const std::vector<std::size_t>& places,
+                             const SurfaceRows& rows, int drawn) {
+    return places.empty()
+               ? nullptr
+               : &object.surfaces[places[static_cast<std::size_t>(rows.surfaceOf(drawn))]];
+}
+
 /// Adds the light between surfaces to the sums over objects.
 void addLightBetween(const LightSums& sums, SceneLight& light, const SurfaceRows& rows,
-                     const std::vector<double>& ranges_m, std::vector<ObjectSums>& result) {
+                     const std::vector<double>& ranges_m, const std::vector<std::size_t>& surfaces,
+                     std::vector<ObjectSums>& result) {
     const std::vector<SurfaceStackId> kinds = light.inOrder(sums);
     const auto addTo = [&](const SurfaceStackId& kind, std::size_t output, double plain_W_m2,
                            double cosine_W_m2) {
-        const auto entity = static_cast<std::size_t>(rows.keyOf(rows.renderedOf(kind.row)).first);
+        const int drawn = rows.renderedOf(kind.row);
+        const auto entity = static_cast<std::size_t>(rows.keyOf(drawn).first);
         ObjectRadiometry& object = result[output].objects[entity];
         const double intensity_W_sr = plain_W_m2 * ranges_m[entity] * ranges_m[entity];
         object.intensity_W_sr += intensity_W_sr;
         object.contrastIntensity_W_sr += intensity_W_sr;
         object.irradiance_W_m2 += cosine_W_m2;
+        if (SurfaceRadiometry* surface = surfaceIn(object, surfaces, rows, drawn)) {
+            surface->intensity_W_sr += intensity_W_sr;
+            surface->contrastIntensity_W_sr += intensity_W_sr;
+            surface->irradiance_W_m2 += cosine_W_m2;
+        }
     };
     if (light.sumsAtReceivers()) {
         for (const SurfaceStackId& kind : kinds)
@@ -82,11 +109,12 @@ namespace {
 /// Of factors whose kinds are prepared.
 std::vector<ObjectSums> sumsOf(const ViewGeometry& view, const SurfaceRadianceTable& radiances,
                                SceneLight* light, const SurfaceRows& rows,
-                               const std::vector<double>& ranges_m,
-                               const std::vector<int>& varying) {
+                               const std::vector<double>& ranges_m, const std::vector<int>& varying,
+                               bool bySurface) {
     const ViewLayout& layout = view.layout;
     struct Seen {
         std::size_t entity;
+        int drawn;
         const double* numbers;
         SurfaceRadianceTable::InOutputs radiance;
     };
@@ -94,12 +122,20 @@ std::vector<ObjectSums> sumsOf(const ViewGeometry& view, const SurfaceRadianceTa
     view.field.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
         const SurfaceStackId& kind = view.field.kinds()[number];
         const int drawn = rows.renderedOf(kind.row);
-        seen.push_back({static_cast<std::size_t>(rows.keyOf(drawn).first), numbers.data(),
+        seen.push_back({static_cast<std::size_t>(rows.keyOf(drawn).first), drawn, numbers.data(),
                         radiances.inOutputs(kind)});
     });
     std::vector<ObjectSums> result(radiances.outputs());
     for (ObjectSums& sums : result)
         sums.objects.resize(ranges_m.size());
+    std::vector<std::size_t> surfaces; // by key, empty where nobody asked
+    if (bySurface) {
+        surfaces = placesOfSurfaces(rows);
+        for (ObjectSums& sums : result)
+            for (const auto& [entity, codes] : rows.keys())
+                sums.objects[static_cast<std::size_t>(entity)].surfaces.push_back(
+                    {codes.temperature, codes.material});
+    }
 
     const auto add = [&](const Seen& one, std::size_t output) {
         const SurfaceStackRadiance radiance = one.radiance.at(output);
@@ -117,11 +153,19 @@ std::vector<ObjectSums> sumsOf(const ViewGeometry& view, const SurfaceRadianceTa
         const double square_m2 = ranges_m[one.entity] * ranges_m[one.entity];
         const double sent_W_m2 = radianceOf(radiance, plain);
         ObjectRadiometry& object = result[output].objects[one.entity];
+        const double contrast_W_sr = (sent_W_m2 - hidden_W_m2) * square_m2;
+        const double irradiance_W_m2 = radianceOf(radiance, cosine) - hiddenCos_W_m2;
         object.intensity_W_sr += sent_W_m2 * square_m2;
-        object.contrastIntensity_W_sr += (sent_W_m2 - hidden_W_m2) * square_m2;
-        object.irradiance_W_m2 += radianceOf(radiance, cosine) - hiddenCos_W_m2;
+        object.contrastIntensity_W_sr += contrast_W_sr;
+        object.irradiance_W_m2 += irradiance_W_m2;
         object.coveredPixels += radiance.opacity * one.numbers[layout.pixels()];
         object.solidAngle_sr += radiance.opacity * *plain;
+        if (SurfaceRadiometry* surface = surfaceIn(object, surfaces, rows, one.drawn)) {
+            surface->intensity_W_sr += sent_W_m2 * square_m2;
+            surface->contrastIntensity_W_sr += contrast_W_sr;
+            surface->irradiance_W_m2 += irradiance_W_m2;
+            surface->solidAngle_sr += radiance.opacity * *plain;
+        }
     };
     // Outputs do not meet, so that some can be summed on a core of their own.
     parallelFor(reductionParts, [&](std::size_t part) {
@@ -132,7 +176,7 @@ std::vector<ObjectSums> sumsOf(const ViewGeometry& view, const SurfaceRadianceTa
                 add(one, output);
     });
     if (light)
-        addLightBetween(view.light, *light, rows, ranges_m, result);
+        addLightBetween(view.light, *light, rows, ranges_m, surfaces, result);
     for (ObjectSums& sums : result)
         for (const ObjectRadiometry& object : sums.objects)
             sums.all.addSums(object);
@@ -144,10 +188,10 @@ std::vector<ObjectSums> sumsOf(const ViewGeometry& view, const SurfaceRadianceTa
 std::vector<ObjectSums> objectSums(const ViewGeometry& view, SurfaceRadianceTable& radiances,
                                    SceneLight* light, const SurfaceRows& rows,
                                    const std::vector<double>& ranges_m,
-                                   const std::vector<int>& varying) {
+                                   const std::vector<int>& varying, bool bySurface) {
     radiances.prepare(view.field.kinds());
     prepareReceivers({&view, 1}, light);
-    return sumsOf(view, radiances, light, rows, ranges_m, varying);
+    return sumsOf(view, radiances, light, rows, ranges_m, varying, bySurface);
 }
 
 std::vector<std::vector<ObjectSums>>
@@ -158,7 +202,8 @@ sublatticeDifferenceSums(const ViewGeometry& view, SurfaceRadianceTable& radianc
         radiances.prepare(contrast.field.kinds());
     std::vector<std::vector<ObjectSums>> all(view.sublatticeDifferences.size());
     const auto sum = [&](std::size_t k) {
-        all[k] = sumsOf(view.sublatticeDifferences[k], radiances, light, rows, ranges_m, varying);
+        all[k] =
+            sumsOf(view.sublatticeDifferences[k], radiances, light, rows, ranges_m, varying, false);
     };
     prepareReceivers(view.sublatticeDifferences, light);
     // Else light between surfaces is prepared as it is asked for.

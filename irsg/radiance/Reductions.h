@@ -23,11 +23,11 @@ struct ObjectSums {
 /// point. `varying`: by output, the number of its background in the view's layout, or -1 for one
 /// that is uniform; what objects hide of a background that varies over the frame is the sum over
 /// their own pixels.
-/// `light`: between surfaces, or null.
+/// `light`: between surfaces, or null. `bySurface`: with the sums of each pair of codes.
 std::vector<ObjectSums> objectSums(const ViewGeometry& view, SurfaceRadianceTable& radiances,
                                    SceneLight* light, const SurfaceRows& rows,
                                    const std::vector<double>& ranges_m,
-                                   const std::vector<int>& varying);
+                                   const std::vector<int>& varying, bool bySurface = false);
 
 /// The same of each contrast of a view.
 std::vector<std::vector<ObjectSums>>

@@ -30,6 +30,10 @@ TruthLayers::TruthLayers(const SceneRadiometry& radiometry, SurfaceRadianceTable
     constexpr float none = std::numeric_limits<float>::quiet_NaN();
     for (const char* index : {"temperature_index", "material_index"})
         std::ranges::fill(image_.channel(index).values, none);
+    const auto& keys = radiometry.rows().keys();
+    hasObjects_ = std::ranges::any_of(keys, [](const SurfaceKey& key) { return key.first > 0; });
+    if (hasObjects_)
+        std::ranges::fill(image_.channel("object_index").values, none);
     std::ranges::fill(image_.channel("range", "m").values, none);
     const std::vector<RadianceTerm>& list = radiometry.terms().terms;
     for (std::size_t k = 0; k < list.size(); ++k) {
@@ -69,6 +73,8 @@ void TruthLayers::add(const SampleTile& tile, const GeometrySamples& samples) {
     const double down_px = tile.blockSide_px() / tile.samplesDown;
     std::vector<float>& temperatureIndex = image_.channel("temperature_index").values;
     std::vector<float>& materialIndex = image_.channel("material_index").values;
+    std::vector<float>* const objectIndex =
+        hasObjects_ ? &image_.channel("object_index").values : nullptr;
     std::vector<float>& range = image_.channel("range").values;
     std::vector<std::vector<float>*> planes; // of the terms, then of the background
     std::vector<float> unseen(shown_.size() < list.size() ? temperatureIndex.size() : 0);
@@ -142,7 +148,9 @@ void TruthLayers::add(const SampleTile& tile, const GeometrySamples& samples) {
             const auto off_px = static_cast<float>(std::hypot(right_px, below_px));
             if (off_px < offMiddle_px_[pixel]) {
                 offMiddle_px_[pixel] = off_px;
-                const IrCodes& codes = rows.keys()[static_cast<std::size_t>(nearest->row)].second;
+                const auto& [entity, codes] = rows.keys()[static_cast<std::size_t>(nearest->row)];
+                if (objectIndex != nullptr)
+                    (*objectIndex)[pixel] = static_cast<float>(entity);
                 temperatureIndex[pixel] = static_cast<float>(codes.temperature);
                 materialIndex[pixel] = static_cast<float>(codes.material);
                 range[pixel] = nearest->distance_m;

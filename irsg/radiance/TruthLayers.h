@@ -13,7 +13,8 @@
 namespace irsg {
 
 /// Adds what is known of every pixel to its image, as channels:
-///   temperature_index, material_index, range [m]  of the nearest surface at the sample closest to
+///   temperature_index, material_index, object_index (where there are several objects), range [m]
+///                                                  of the nearest surface at the sample closest to
 ///                                                 the pixel's middle among those that hit one,
 ///                                                 NaN where none does;
 ///   a channel for each RadianceTerm (mirror where surfaces have lobes), inter_reflection (where
@@ -53,7 +54,8 @@ class TruthLayers {
     GeometryBuffer<double> kinds_;         // for its numbers of the walk's kinds alone
     std::vector<SurfaceStackTerms> terms_; // by number
     std::vector<std::size_t> shown_;       // terms that have a channel
-    std::vector<float> offMiddle_px_;      // of the sample whose surface is named, by pixel
+    bool hasObjects_ = false;
+    std::vector<float> offMiddle_px_; // of the sample whose surface is named, by pixel
 };
 
 } // namespace irsg

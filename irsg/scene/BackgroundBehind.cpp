@@ -100,12 +100,16 @@ void BackgroundBehind::takeOwn(const FrameRequest& request,
             range_m > 0.0 ? dot(towards, request.view.viewpoint.forward()) / range_m : 1.0;
         for (std::size_t k = 0; e != lookedAt && k < sums.size(); ++k) {
             ObjectRadiometry& object = sums[k].objects[e];
-            const double hidden_W_m2 =
-                (radiance[e][k] - usedBehind(request, geometry[e], taken[k])) *
-                object.solidAngle_sr;
+            const double more_W_m2_sr = radiance[e][k] - usedBehind(request, geometry[e], taken[k]);
+            const double hidden_W_m2 = more_W_m2_sr * object.solidAngle_sr;
             for (ObjectRadiometry* one : {&object, &sums[k].all}) {
                 one->contrastIntensity_W_sr -= hidden_W_m2 * range_m * range_m;
                 one->irradiance_W_m2 -= hidden_W_m2 * cosine;
+            }
+            for (SurfaceRadiometry& surface : object.surfaces) {
+                const double own_W_m2 = more_W_m2_sr * surface.solidAngle_sr;
+                surface.contrastIntensity_W_sr -= own_W_m2 * range_m * range_m;
+                surface.irradiance_W_m2 -= own_W_m2 * cosine;
             }
         }
     }

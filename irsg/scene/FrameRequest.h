@@ -31,6 +31,7 @@ struct FrameRequest {
     bool withSources; ///< outputs are the bands, then their sources
     bool withErrors;
     bool withImage;
+    bool bySurface;  ///< sums of objects have those of their surfaces
     bool alongRange; ///< objects may be interpolated between distances
     bool isScaled;   ///< emissivities may be scaled, those of surfaces that reflect nothing, too
 

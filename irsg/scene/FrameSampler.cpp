@@ -7,6 +7,7 @@
 #include "irsg/radiance/SampleRadiances.h"
 #include "irsg/radiance/TruthLayers.h"
 #include "irsg/render/sampling/SampleSheet.h"
+#include "irsg/scene/IndexNames.h"
 
 namespace irsg {
 
@@ -254,6 +255,7 @@ void FrameSampler::addTruthLayers(const Frame& frame, const FrameBackground& bac
     surfaces_.sample(
         frame.surfaces, frame.request.camera, tilesOf(frame, frame.plan.seen), true, "truth layers",
         [&](const SampleTile& tile, const GeometrySamples& samples) { truth.add(tile, samples); });
+    nameIndices(frame.scene().entities, image);
 }
 
 } // namespace irsg

@@ -26,6 +26,9 @@ void scale(std::optional<RadiometryErrors>& errors, double gain) {
 void addHaze(const HazeGain& gain, ObjectRadiometry& object) {
     addHaze(gain, object.intensity_W_sr, object.contrastIntensity_W_sr, object.irradiance_W_m2);
     scale(object.errors, gain.intensity);
+    for (SurfaceRadiometry& surface : object.surfaces)
+        addHaze(gain, surface.intensity_W_sr, surface.contrastIntensity_W_sr,
+                surface.irradiance_W_m2);
 }
 
 /// One number after the other of spectra of the same length.

@@ -53,6 +53,7 @@ class Outputs {
     /// Whether the sums come with their errors; not set: as RenderSettings::errors says.
     std::optional<bool> errors() const { return errors_; }
     bool isByObject() const { return byObject_; }
+    bool isBySurface() const { return bySurface_; }
     /// None: that of the sensor.
     const std::vector<Band>& bands() const { return bands_; }
     /// Of a spectrum; none of anything else.
@@ -65,7 +66,7 @@ class Outputs {
     Outputs() = default;
 
     bool image_ = false, followed_ = false, reports_ = false, alongRange_ = false, source_ = false,
-         byObject_ = false;
+         byObject_ = false, bySurface_ = false;
     std::optional<bool> errors_;
     std::vector<Band> bands_;
     std::vector<double> wavenumbers_per_cm_;
@@ -105,6 +106,13 @@ class Outputs::Reports : public Outputs {
     Reports withSource(bool on = true) const {
         Reports made = *this;
         made.source_ = on;
+        return made;
+    }
+    /// The sums of each object come with those of its surfaces by their codes
+    /// (ObjectRadiometry::surfaces).
+    Reports bySurface(bool on = true) const {
+        Reports made = *this;
+        made.bySurface_ = on;
         return made;
     }
     /// The sums come with their errors (ErrorParts) or without, whatever the settings say.

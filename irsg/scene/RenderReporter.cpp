@@ -71,7 +71,7 @@ std::vector<RenderReport> RenderReporter::reports(const Frame& frame, const View
         const std::vector<double> ranges_m = frame.evaluation().ranges_m();
         std::vector<ObjectSums> sums =
             objectSums(factors, evaluated.radiances, frame.light(), frame.rows(), ranges_m,
-                       frame.backgrounds.numbersOfVarying());
+                       frame.backgrounds.numbersOfVarying(), frame.request.bySurface);
         frame.evaluation().behind.takeOwn(frame.request, frame.evaluation().geometry,
                                           frame.backgrounds.ofSums, sums);
         ErrorsByOutput errors;

@@ -365,6 +365,7 @@ PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan cases, SceneDescription 
                                           Outputs::reports(scene.allBands())
                                               .alongRange(cases.isAlongRange)
                                               .withSource(cases.withSource)
+                                              .bySurface(cases.parts != PartsBy::none)
                                               .withErrors(cases.errors != ErrorColumns::none));
             } catch (...) {
                 finishBegun();

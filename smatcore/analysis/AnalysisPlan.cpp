@@ -183,6 +183,8 @@ AnalysisPlan planAnalysis(AnalysisKind kind, const Project& project, const Setti
         throw irsg::InputError(diagnostics);
     }
     plan.errors = errorColumnsOf(settings);
+    if (kind->form == AnalysisForm::sweep)
+        plan.parts = partsByOf(settings);
     // A target chooses nothing for a spectrum.
     if (kind->form != AnalysisForm::spectrum && plan.errors == ErrorColumns::none &&
         settings[key::renderTargetError])

@@ -9,6 +9,7 @@
 #include "irsg/geometry/view/Pose.h"
 #include "irsg/signature/EntityState.h"
 #include "smatcore/analysis/ErrorColumns.h"
+#include "smatcore/analysis/PartColumns.h"
 #include "smatcore/project/Project.h"
 
 namespace smat {
@@ -73,6 +74,7 @@ struct AnalysisPlan {
     bool isAlongRange = false;
     bool withSource = false; ///< asks for the intensity without air, too
     ErrorColumns errors = ErrorColumns::none;
+    PartsBy parts = PartsBy::none;          ///< of a sweep
     std::vector<double> wavenumbers_per_cm; ///< of a spectrum, ascending
     /// Of an adaptive sweep: what is refined, and the cases at all places of these axes, in the
     /// order of the result; empty of one with fixed steps.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include <fmt/format.h>
@@ -52,6 +53,31 @@ void addColumnExtremes(AnalysisData& data, Quantity quantity, Quantity abscissa)
         };
         add("Largest", most);
         add("Least", least);
+    }
+}
+
+/// What the parts of objects add to the largest contrast, the largest first.
+void addLargestParts(AnalysisData& data, Quantity abscissa) {
+    constexpr std::size_t most = 5;
+    const ResultColumn* axis = data.table.find(abscissa);
+    const auto columns = columnsOf(data.table, irsg::info(Quantity::contrastIntensity).key);
+    for (const ResultColumn* whole : columns) {
+        const ColumnName name = ColumnName::of(whole->key);
+        if (axis == nullptr || whole->values.empty() || !name.object.empty())
+            continue;
+        const auto row = static_cast<std::size_t>(std::ranges::max_element(whole->values) -
+                                                  whole->values.begin());
+        std::vector<SummaryItem> parts;
+        for (const ResultColumn* column : columns)
+            if (const ColumnName own = ColumnName::of(column->key);
+                !own.part().empty() && own.band == name.band && column->values[row] != 0.0)
+                parts.push_back({fmt::format("{} of the largest contrast, at {:.6g} {}",
+                                             own.which(), axis->values[row], axis->unit),
+                                 column->values[row], column->unit});
+        std::ranges::stable_sort(parts, std::ranges::greater(),
+                                 [](const SummaryItem& part) { return std::abs(part.value); });
+        parts.resize(std::min(parts.size(), most));
+        data.summary.insert(data.summary.end(), parts.begin(), parts.end());
     }
 }
 
@@ -110,6 +136,7 @@ void summarise(AnalysisData& data) {
         if (abscissa) {
             addColumnExtremes(data, Quantity::contrastIntensity, *abscissa);
             addColumnExtremes(data, Quantity::irradiance, *abscissa);
+            addLargestParts(data, *abscissa);
         }
     }
 }

@@ -30,6 +30,7 @@ SweepTable::SweepTable(const AnalysisPlan& plan, const SceneDescription& scene, 
       errors_(plan.errors),
       coordinates_(plan.columns),
       bands_({""}),
+      partsBy_(plan.parts),
       table_(table) {
     if (scene.entities.size() > 1) {
         for (const irsg::Entity& entity : scene.entities)
@@ -46,6 +47,7 @@ SweepTable::SweepTable(const AnalysisPlan& plan, const SceneDescription& scene, 
             addColumn(Quantity::range, object, "");
         addColumns(object);
     }
+    addPartColumns(scene);
     for (std::size_t i = 0; withHorizon_ && i < std::max<std::size_t>(objects_.size(), 1); ++i)
         table_.add(
             ColumnName{"", objects_.empty() ? "" : objects_[i], "hidden_by_horizon", ""}.key(), "");
@@ -77,6 +79,39 @@ void SweepTable::addColumns(const std::string& object) {
             quantities.push_back(Quantity::sourceIntensity);
         addErrorColumns(quantities, object, band);
     }
+}
+
+void SweepTable::addPartColumns(const SceneDescription& scene) {
+    for (std::size_t e = 0; partsBy_ != PartsBy::none && e < scene.entities.size(); ++e) {
+        parts_.push_back(partsOf(scene.entities[e], partsBy_));
+        const std::string object =
+            objects_.empty() ? distinctLabels({scene.entities[e].name}).front() : objects_[e];
+        for (const ObjectPart& part : parts_.back())
+            for (const std::string& band : bands_) {
+                for (const Quantity quantity :
+                     {Quantity::intensity, Quantity::contrastIntensity, Quantity::irradiance})
+                    addColumn(quantity, ColumnName::ofPart(object, part.label), band);
+                if (withSource_)
+                    addColumn(Quantity::sourceIntensity, ColumnName::ofPart(object, part.label),
+                              band);
+            }
+    }
+}
+
+void SweepTable::appendParts(std::vector<double>& row,
+                             const std::vector<irsg::RenderReport>& reports) const {
+    for (std::size_t e = 0; e < parts_.size(); ++e)
+        for (const ObjectPart& part : parts_[e])
+            for (std::size_t band = 0; band < bands_.size(); ++band) {
+                const irsg::SurfaceRadiometry sum =
+                    sumOfPart(reports[band].objects.at(e), partsBy_, part.index);
+                row.insert(row.end(),
+                           {sum.intensity_W_sr, sum.contrastIntensity_W_sr, sum.irradiance_W_m2});
+                if (withSource_)
+                    row.push_back(
+                        sumOfPart(reports[bands_.size() + band].objects.at(e), partsBy_, part.index)
+                            .intensity_W_sr);
+            }
 }
 
 void SweepTable::addErrorColumns(const std::vector<Quantity>& quantities, const std::string& object,
@@ -140,6 +175,7 @@ std::vector<double> SweepTable::rowOf(const AnalysisCase& one,
             addErrors(row, reports[band].objects.at(i), source ? &source->objects.at(i) : nullptr);
         }
     }
+    appendParts(row, reports);
     for (std::size_t i = 0; withHorizon_ && i < std::max<std::size_t>(objects_.size(), 1); ++i)
         row.push_back(reports.front().objects.at(i).hiddenByHorizon);
     return row;

@@ -16,6 +16,8 @@ namespace smat {
 /// Behind the numbers of a band, where they are asked for, their errors, `error_intensity@3-5um`,
 /// and those by cause, `error_sampling_intensity@3-5um`, `error_air_...`, `error_background_...`,
 /// `error_exchange_...`; not a number where a source does not know them.
+/// Where the plan asks for parts, then what those of each object add to its sums, in each band:
+/// `OBJECT/PART.intensity@3-5um`; the object is named where there is one, too. See PartColumns.
 /// Where the horizon may hide objects, the last columns are the part of the height of each that it
 /// hides, 0 to 1: `hidden_by_horizon`, `NAME.hidden_by_horizon`.
 /// Names of objects are made distinct as distinctLabels does.
@@ -38,6 +40,9 @@ class SweepTable {
                          const std::string& band);
     void addErrors(std::vector<double>& row, const irsg::ObjectRadiometry& sums,
                    const irsg::ObjectRadiometry* source) const;
+    void addPartColumns(const SceneDescription& scene);
+    void appendParts(std::vector<double>& row,
+                     const std::vector<irsg::RenderReport>& reports) const;
     void addColumn(irsg::Quantity quantity, const std::string& object, const std::string& band);
     /// The sums in a band; `source`: without air, null where nobody asked.
     static void append(std::vector<double>& row, const irsg::ObjectRadiometry& sums,
@@ -50,6 +55,8 @@ class SweepTable {
     std::vector<irsg::Quantity> coordinates_;
     std::vector<std::string> objects_; ///< empty where there is one
     std::vector<std::string> bands_;   ///< one "" where there is one
+    PartsBy partsBy_;
+    std::vector<std::vector<ObjectPart>> parts_; ///< by entity
     ResultTable& table_;
 };
 

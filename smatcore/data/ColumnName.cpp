@@ -54,6 +54,15 @@ std::string ColumnName::key() const {
            (band.empty() ? "" : "@" + band);
 }
 
+std::string ColumnName::ofPart(std::string_view object, std::string_view part) {
+    return std::string(object) + '/' + std::string(part);
+}
+
+std::string ColumnName::part() const {
+    const std::size_t at = object.find('/'); // which no label has
+    return at == object.npos ? std::string() : object.substr(at + 1);
+}
+
 std::string ColumnName::which() const {
     std::string shown = band;
     // "3-5um" is the label of a band without a response.

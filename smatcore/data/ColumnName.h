@@ -17,12 +17,16 @@ struct ColumnName {
     /// "error_", of one cause "error_sampling_", "error_air_", "error_background_" or
     /// "error_exchange_", "difference_", "relative_difference_" or "".
     std::string prefix;
-    std::string object;   ///< "near", or ""
+    std::string object;   ///< "near", "near/exhaust" of a part of it, or ""
     std::string quantity; ///< "contrast_intensity"
     std::string band;     ///< "3-5um", or ""
 
     static ColumnName of(std::string_view key);
     std::string key() const;
+    /// What stands before the point of a column of a part: "near/exhaust".
+    static std::string ofPart(std::string_view object, std::string_view part);
+    /// "exhaust" of such a column, else "".
+    std::string part() const;
     /// Without object and band: columns of one series are drawn together.
     std::string series() const { return prefix + quantity; }
     /// "near, 3-5 um": what tells the columns of a series apart; "" where nothing does.

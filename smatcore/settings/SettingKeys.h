@@ -92,6 +92,7 @@ inline constexpr OptionalRealKey renderBounces{"render.bounces"};
 inline constexpr RealKey renderLightError{"render.lightError"};
 inline constexpr RealKey renderWidebandError{"render.widebandError"};
 inline constexpr TextKey renderErrors{"render.errors"};
+inline constexpr TextKey renderParts{"render.parts"};
 inline constexpr OptionalRealKey renderTargetError{"render.targetError"};
 
 inline constexpr TextKey displayColorMap{"display.colorMap"};

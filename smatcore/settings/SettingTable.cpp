@@ -345,6 +345,12 @@ void addRendering(std::vector<SettingInfo>& table) {
                              "of sweeps, spectra and images: their sum, or also by cause "
                              "(sampling, air, background, inter-reflection)."),
                       {"off", "sum of all causes", "by cause"}));
+    samples.add(named(choice(key::renderParts, "--by-part", "Contributions by part",
+                             {"none", "temperature", "material"}, "none",
+                             "Columns of sweeps for what the faces of each temperature or material "
+                             "index add to the sums of their object; those of an object add up to "
+                             "it. Images, spectra and scenarios have no such columns."),
+                      {"none", "by temperature index", "by material index"}));
     samples.add(choiceOrNumber(
         key::renderTargetError, "--target-error", "Target error", "%", {"none"}, 0.001, 50, "none",
         "Largest error of the intensities and contrasts of sweeps and images, relative to them, or "

@@ -84,6 +84,13 @@ TableVariables variablesOf(const SignatureTable& table) {
         if (std::isalpha(static_cast<unsigned char>(name.front())) == 0)
             name = "object_" + name;
         auto known = std::ranges::find(variables.list, name, &TableVariable::name);
+        // Names that differ in signs alone stay apart.
+        const std::string plain = name;
+        for (int number = 2; known != variables.list.end() && known->ofBand[band] != nullptr;
+             ++number) {
+            name = plain + "_" + std::to_string(number);
+            known = std::ranges::find(variables.list, name, &TableVariable::name);
+        }
         if (known == variables.list.end()) {
             const auto quantity = irsg::quantityOfKey(parts.quantity);
             std::string title =

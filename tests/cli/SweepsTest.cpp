@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "irsg/image/ExrFile.h"
+#include "smatcore/data/ColumnName.h"
 #include "smatcore/data/ResultTable.h"
 #include "tests/cli/Program.h"
 #include "tests/support/TemporaryFolder.h"
@@ -327,6 +328,73 @@ TEST(SmatBatchAdaptiveSteps, HaveNoParts) {
     const Ran ran = smatBatch(whole);
     EXPECT_EQ(ran.exitCode, 0) << ran.err;
     EXPECT_THAT(contentOf(folder / "a.csv"), HasSubstr("# answered by: adaptive steps: 3 + "));
+}
+
+/// Sum of the columns of parts of an object, "" of one alone, for a quantity and band.
+std::vector<double> sumOfParts(const ResultTable& table, const std::string& object,
+                               const std::string& quantity) {
+    std::vector<double> sum(table.rowCount(), 0.0);
+    for (const ResultColumn& one : table.columns()) {
+        const ColumnName name = ColumnName::of(one.key);
+        if (name.part().empty() || !name.object.starts_with(object) ||
+            ColumnName{name.prefix, "", name.quantity, name.band}.key() != quantity) {
+            continue;
+        }
+        for (std::size_t i = 0; i < sum.size(); ++i) {
+            sum[i] += one.values[i];
+        }
+    }
+    return sum;
+}
+
+TEST(SmatBatchByPart, PartsAddUpToTheWholeInEveryBandAndAreNamed) {
+    const TemporaryFolder folder;
+    const std::string heron = sample("heron/heron.smat");
+    for (const char* by : {"temperature", "material"}) {
+        SCOPED_TRACE(by);
+        const Ran ran = smatBatch({"polar", heron, "--by-part", by, "--step", "90", "--band",
+                                   "3-5,8-12", "--width", "160", "--height", "120", "--set",
+                                   "render.bounces=1", "--out", folder / "polar.csv"});
+        ASSERT_EQ(ran.exitCode, 0) << ran.err;
+        const ResultTable table = ResultTable::load(folder / "polar.csv");
+        for (const char* quantity :
+             {"intensity@3-5um", "contrast_intensity@3-5um", "irradiance@8-12um"}) {
+            const std::vector<double> whole = column(table, quantity);
+            const std::vector<double> parts = sumOfParts(table, "heron/", quantity);
+            ASSERT_EQ(whole.size(), 4u);
+            for (std::size_t i = 0; i < whole.size(); ++i) {
+                EXPECT_NEAR(parts[i] / whole[i], 1.0, 1e-9) << quantity;
+            }
+        }
+        EXPECT_THAT(ran.out, HasSubstr("of the largest contrast, at "));
+        // The numbers of the whole are those without parts.
+        const Ran plain = smatBatch({"polar", heron, "--step", "90", "--band", "3-5,8-12",
+                                     "--width", "160", "--height", "120", "--set",
+                                     "render.bounces=1", "--out", folder / "plain.csv"});
+        ASSERT_EQ(plain.exitCode, 0) << plain.err;
+        const ResultTable without = ResultTable::load(folder / "plain.csv");
+        EXPECT_EQ(column(without, "contrast_intensity@3-5um"),
+                  column(table, "contrast_intensity@3-5um"));
+        for (const ResultColumn& one : without.columns()) {
+            EXPECT_EQ(ColumnName::of(one.key).part(), "") << one.key;
+        }
+    }
+}
+
+TEST(SmatBatchByPart, EachOfSeveralObjectsHasItsParts) {
+    const TemporaryFolder folder;
+    const Ran ran = smatBatch({"range", twoSpheres(folder), "--by-part", "temperature", "--from",
+                               "2000", "--to", "3000", "--points", "2", "--out", folder / "r.csv"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const ResultTable table = ResultTable::load(folder / "r.csv");
+    for (const std::string object : {"ball", "ball-2"}) {
+        const std::vector<double> whole = column(table, object + ".intensity");
+        const std::vector<double> parts = sumOfParts(table, object + "/", "intensity");
+        ASSERT_EQ(whole.size(), 2u);
+        for (std::size_t i = 0; i < whole.size(); ++i) {
+            EXPECT_NEAR(parts[i] / whole[i], 1.0, 1e-9) << object;
+        }
+    }
 }
 
 } // namespace

@@ -11,6 +11,15 @@
 
 namespace irsg {
 
+/// What the surfaces of one pair of codes add to the sums of their object.
+struct SurfaceRadiometry {
+    int temperature = 0, material = 0; ///< the indices that their faces carry
+    double intensity_W_sr = 0.0;
+    double contrastIntensity_W_sr = 0.0;
+    double irradiance_W_m2 = 0.0;
+    double solidAngle_sr = 0.0;
+};
+
 /// The radiometry of one object as the sensor sees it, summed in double over its samples.
 struct ObjectRadiometry {
     std::string name;
@@ -26,6 +35,10 @@ struct ObjectRadiometry {
     std::optional<RadiometryErrors> errors; ///< where they were asked for (Outputs)
     /// Of its height, 0 to 1: what the horizon of the earth hides.
     double hiddenByHorizon = 0.0;
+    /// By pair of codes, in the order of the scene's rows, where they were asked for (Outputs).
+    /// Their sums are those of the object; light belongs to the surface that sends it to the
+    /// sensor.
+    std::vector<SurfaceRadiometry> surfaces = {};
 
     /// Adds what another has seen to its sums.
     void addSums(const ObjectRadiometry& other) {
