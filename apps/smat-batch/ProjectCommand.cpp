@@ -10,8 +10,11 @@
 #include "apps/smat-batch/SettingOptions.h"
 #include "irsg/core/FileReading.h"
 #include "irsg/geometry/model/Model.h"
+#include "smatcore/project/FileCollection.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/project/SceneModels.h"
+#include "smatcore/simulate/CollectScenario.h"
+#include "smatcore/simulate/ScenarioFile.h"
 
 namespace smat::batch {
 
@@ -206,6 +209,45 @@ class TargetCommand : public ModelChange {
     }
 };
 
+class CollectCommand {
+  public:
+    explicit CollectCommand(CLI::App& command) {
+        command.add_option("FILE", file_, "Project (.smat) or scenario (.json)")
+            ->required()
+            ->type_name("");
+        command
+            .add_option("COPY", copy_, "The copy; its files go into the folder NAME.files beside")
+            ->required()
+            ->type_name("");
+    }
+    int run(Context& context) const {
+        if (std::filesystem::exists(copy_))
+            throw refusal("COPY", copy_ + ", which exists", "a new file");
+        FileCollection files(collectionFolder(copy_));
+        if (isScenarioFile(file_))
+            collectScenario(loadScenario(file_), copy_, &files);
+        else
+            collectProject(openProject(file_), copy_, &files);
+        if (context.json) {
+            nlohmann::ordered_json copies = nlohmann::ordered_json::array();
+            for (const auto& [from, to] : files.copies())
+                copies.push_back({{"from", from.string()}, {"to", to.string()}});
+            const nlohmann::ordered_json all{
+                {"file", copy_}, {"bytes", files.size_B()}, {"copies", std::move(copies)}};
+            fmt::print("{}\n", jsonText(all));
+            return done;
+        }
+        for (const auto& [from, to] : files.copies())
+            fmt::print("{} <- {}\n", to.string(), from.string());
+        fmt::print("{}: {} files, {:.1f} MB\n", copy_, files.copies().size(),
+                   1e-6 * static_cast<double>(files.size_B()));
+        return done;
+    }
+
+  private:
+    std::string file_, copy_;
+};
+
 class InfoCommand {
   public:
     explicit InfoCommand(CLI::App& command) {
@@ -224,6 +266,8 @@ void addProjectCommand(CLI::App& app, Context& context) {
     command->require_subcommand(1);
     addCommand<InfoCommand>(*command, context, "info",
                             "Its models, where they stand, what they do");
+    addCommand<CollectCommand>(*command, context, "collect",
+                               "Copies a project or scenario with all files that it needs");
     addCommand<NewCommand>(*command, context, "new", "A new project of one model, its target");
     addCommand<AddCommand>(*command, context, "add", "Adds a model beside the others");
     addCommand<SetCommand>(*command, context, "set",

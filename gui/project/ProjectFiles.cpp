@@ -16,6 +16,7 @@
 #include "gui/workbench/FirstScene.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
+#include "smatcore/project/FileCollection.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/settings/SettingKeys.h"
 
@@ -370,13 +371,65 @@ bool ProjectFiles::saveAs() {
         suggestion = std::filesystem::path(project.models.front().file).replace_extension(".smat");
     const QString file = dialogs_.saveFile(
         window_, tr("Save the project"), {tr("Projects (*.smat)")}, textOf(ownPlaceOf(suggestion)));
-    return !file.isEmpty() && saveTo(file.toStdString());
+    if (file.isEmpty())
+        return false;
+    const auto place = std::filesystem::absolute(file.toStdString()).lexically_normal();
+    bool withFiles = false;
+    if (place.parent_path() != project.file.parent_path() &&
+        refersElsewhere(workbench_.editedProject(), place.parent_path())) {
+        const int answer = dialogs_.ask(
+            window_, tr("Save the project elsewhere"),
+            tr("It needs files that lie outside of %1: models, databases or atmospheres.")
+                .arg(textOf(place.parent_path())),
+            {tr("&Use them where they are"), tr("&Copy them beside it")});
+        withFiles = answer == 1;
+        if (withFiles && !mayCopyFiles())
+            return false;
+    }
+    return saveTo(place, withFiles);
 }
 
-bool ProjectFiles::saveTo(const std::filesystem::path& file) {
+bool ProjectFiles::mayCopyFiles() {
+    QStringList unsaved;
+    if (workbench_.database().isDirty())
+        unsaved << tr("The database has changes that are not saved; copies are made of files.");
+    if (workbench_.painted().isDirty())
+        unsaved << tr("What is painted on a model is not saved; copies are made of files.");
+    if (!unsaved.isEmpty())
+        dialogs_.tell(window_, tr("Save these first"), unsaved);
+    return unsaved.isEmpty();
+}
+
+bool ProjectFiles::collect() {
+    if (!workbench_.hasProject() || !mayCopyFiles())
+        return false;
+    const QString file = dialogs_.saveFile(window_, tr("Collect files"), {tr("Projects (*.smat)")},
+                                           textOf(ownPlaceOf(workbench_.project().file)));
+    if (file.isEmpty())
+        return false;
+    try {
+        const std::filesystem::path place = file.toStdString();
+        requireOwnPlace(place);
+        if (std::filesystem::absolute(place).lexically_normal() == workbench_.project().file)
+            throw irsg::InputError({place.string(), "", "the project that is open",
+                                    "another place, which the copy is for"});
+        FileCollection files(collectionFolder(place));
+        collectProject(workbench_.editedProject(), place, &files);
+        emit said(tr("Copied the project with %1 files (%2 MB) to %3")
+                      .arg(files.copies().size())
+                      .arg(1e-6 * static_cast<double>(files.size_B()), 0, 'f', 1)
+                      .arg(file));
+    } catch (const irsg::InputError& error) {
+        dialogs_.tell(window_, tr("The files cannot be collected"), sentencesOf(error));
+        return false;
+    }
+    return true;
+}
+
+bool ProjectFiles::saveTo(const std::filesystem::path& file, bool withFiles) {
     try {
         requireOwnPlace(file);
-        workbench_.saveAs(file);
+        workbench_.saveAs(file, withFiles);
     } catch (const irsg::InputError& error) {
         dialogs_.tell(window_, tr("The project cannot be saved"), sentencesOf(error));
         return false;

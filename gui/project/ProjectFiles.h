@@ -43,7 +43,10 @@ class ProjectFiles : public QObject {
     bool open(const std::filesystem::path& file);
     ModelOpening& opening() { return opening_; }
     bool save();
+    /// Asks whether files that lie elsewhere are to be copied beside it.
     bool saveAs();
+    /// Writes a copy of the project with all files that it needs; what is open stays.
+    bool collect();
     /// What a start of the program does, with a file or without one: offers the new projects that
     /// were never saved and that a crash left behind, opens the file, and without one offers the
     /// newest unsaved changes that a crash left behind of a recent project.
@@ -70,7 +73,9 @@ class ProjectFiles : public QObject {
     void requireReadable(const std::filesystem::path& file) const;
     /// A large model that was read takes the place of what is open.
     void openRead(const std::filesystem::path& file);
-    bool saveTo(const std::filesystem::path& file);
+    bool saveTo(const std::filesystem::path& file, bool withFiles = false);
+    /// Whether copies of the files would have all that is seen; else says what to save first.
+    bool mayCopyFiles();
     /// What is painted on the models, beside them; false where it was not.
     bool savePaint();
     /// Offers what a crash left behind of that.

@@ -5,6 +5,7 @@
 #include "gui/widgets/NumberFormat.h"
 #include "irsg/core/Errors.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
+#include "smatcore/project/FileCollection.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/project/SceneModels.h"
 #include "smatcore/results/ResultFolder.h"
@@ -21,6 +22,14 @@ Project movedTo(const Project& project, const std::filesystem::path& file) {
         return moved;
     }
     return projectFromJson(projectToJson(project, file), file);
+}
+
+/// The project at another place, its files copied beside it.
+Project movedWithFiles(const Project& project, const std::filesystem::path& file) {
+    FileCollection files(collectionFolder(file));
+    const Project made = collectedProject(project, file, files);
+    files.write();
+    return projectFromJson(projectToJson(made, file), file);
 }
 
 } // namespace
@@ -157,11 +166,12 @@ void Workbench::save() {
     saveAs(project().file);
 }
 
-void Workbench::saveAs(const std::filesystem::path& file) {
+void Workbench::saveAs(const std::filesystem::path& file, bool withFiles) {
     if (file.empty())
         throw irsg::LogicError("a project without a file is to be saved");
     const auto absolute = std::filesystem::absolute(file).lexically_normal();
-    Project moved = movedTo(editedProject(), absolute);
+    Project moved =
+        withFiles ? movedWithFiles(editedProject(), absolute) : movedTo(editedProject(), absolute);
     const bool named = !moved.results.empty() && absolute == project_->file;
     if (!named)
         moved.results = ResultFolder::usualName(absolute);
@@ -171,6 +181,10 @@ void Workbench::saveAs(const std::filesystem::path& file) {
     project_ = saved_ = moved;
     settings_ = moved.settings;
     followDatabase(false);
+    if (withFiles) {
+        undoStack_.clear();
+        keepModels();
+    }
     steps_.separate();
     rememberFile(absolute);
     emit projectChanged();

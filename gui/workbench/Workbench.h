@@ -56,7 +56,9 @@ class Workbench : public QObject {
     /// Writes the project to its file, or to another that becomes its file. Throws
     /// irsg::InputError, and then the files are as they were. LogicError where there is no file.
     void save();
-    void saveAs(const std::filesystem::path& file);
+    /// `withFiles`: with copies of all files that it needs beside it (collectedProject), which are
+    /// its files from then on; steps before cannot be undone.
+    void saveAs(const std::filesystem::path& file, bool withFiles = false);
 
     /// Change them as a step that can be undone; steps that change the same settings in quick
     /// succession, or while a step is held, are one. Throw irsg::InputError.
