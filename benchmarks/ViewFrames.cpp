@@ -1,8 +1,9 @@
 // The 3-D view as a hand feels it: times between frames while the sample aircraft is dragged, and
 // how long the infrared display takes to follow a drag, an edited database and a setting; at the
-// end (alone with --editor) from a key in a field of the database editor to the new picture on the
-// screen. "Computed" is the time that all threads of the program have worked for one of them. Run
-// it on an idle machine under a display (xvfb-run will do); the load is printed beside the figures.
+// end (alone with --editor) edits of an emissivity (alone with --edits), and from a key in a field
+// of the database editor to the new picture on the screen. "Computed" is the time that all threads
+// of the program have worked for one of them. Run it on an idle machine under a display (xvfb-run
+// will do); the load is printed beside the figures.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -123,9 +124,44 @@ void endWithoutPictures(const SceneView& view) {
     });
 }
 
+/// Processor time from edits of an emissivity until the first picture of the new state, and until
+/// the one that rests; and whether there was a picture all the while.
+void editEmissivities(Workbench& workbench, SceneView& view) {
+    const auto upToDate = [&] { return view.isUpToDate() && view.shownPicture() != nullptr; };
+    waitFor(upToDate, 120.0);
+    std::printf("\nprocessor s of an edit of an emissivity: first picture, final picture\n");
+    bool isFirst = false, isGrey = false;
+    const auto connection =
+        QObject::connect(&view, &SceneView::pictureShown, [&] { isFirst = true; });
+    for (const double emissivity : {0.4, 0.7, 0.5, 0.8}) {
+        isFirst = false;
+        const double begin_ms = computed_ms();
+        const auto since_s = [&] { return 1e-3 * (computed_ms() - begin_ms); };
+        workbench.database().edit("paint", [=](irsg::SignatureDatabase& database) {
+            database.materials.begin()->second.emissivity = irsg::Spectrum::constant(emissivity);
+        });
+        const auto look = [&](const std::function<bool()>& is) {
+            waitFor(
+                [&] {
+                    isGrey = isGrey || view.shownPicture() == nullptr;
+                    return is();
+                },
+                120.0);
+        };
+        look([&] { return isFirst; });
+        const double first_s = since_s();
+        look(upToDate);
+        std::printf("  %.2f  %.2f\n", first_s, since_s());
+    }
+    QObject::disconnect(connection);
+    std::printf("a picture all the while: %s\n", isGrey ? "no" : "yes");
+    workbench.database().discard();
+    waitFor(upToDate, 120.0);
+}
+
 /// From a key in the editor's field of T0 until the picture of the new value is on the screen: the
 /// program's own window on a copy of the sample.
-void editInTheWindow(const std::filesystem::path& sample) {
+void editInTheWindow(const std::filesystem::path& sample, bool editsAlone) {
     namespace fs = std::filesystem;
     const QTemporaryDir folder;
     const fs::path root = folder.path().toStdString();
@@ -147,6 +183,11 @@ void editInTheWindow(const std::filesystem::path& sample) {
     endWithoutPictures(*view);
     waitFor(upToDate);
     view->showWholeModel();
+    editEmissivities(workbench, *view);
+    if (editsAlone) {
+        workbench.database().discard();
+        return;
+    }
     dock->select(
         {EntryKind::temperature, workbench.database().value().temperatures.begin()->first});
     dock->findChild<QTabWidget*>("temperatureTabs")->setCurrentIndex(1);
@@ -207,7 +248,8 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "%s\n", problem.toUtf8().constData());
         return 1;
     }
-    const bool editorAlone = argc > 1 && std::string(argv[1]) == "--editor";
+    const bool editsAlone = argc > 1 && std::string(argv[1]) == "--edits";
+    const bool editorAlone = editsAlone || (argc > 1 && std::string(argv[1]) == "--editor");
     if (editorAlone)
         --argc, ++argv;
     const std::string sample =
@@ -215,7 +257,7 @@ int main(int argc, char** argv) {
     if (editorAlone) {
         std::printf("%s, load %s\n", sample.c_str(), load().c_str());
         printHeading();
-        editInTheWindow(sample);
+        editInTheWindow(sample, editsAlone);
         std::printf("load %s\n", load().c_str());
         return 0;
     }
@@ -316,7 +358,7 @@ int main(int argc, char** argv) {
         print((std::string("infrared, the sun moved, ") + word).c_str(), moveSun);
     }
     view.hide();
-    editInTheWindow(sample);
+    editInTheWindow(sample, false);
     std::printf("load %s\n", load().c_str());
     return fluidity.verdict();
 }

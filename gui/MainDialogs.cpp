@@ -146,6 +146,7 @@ void MainDialogs::showPreferences() {
     preferences_ = dialog.preferences();
     files_.recovery().setDelay(preferences_.recoveryDelay_s);
     applyTheme(*qApp, preferences_.theme);
+    DisplayUnitsWatch::instance().set(preferences_.units);
     try {
         preferences_.save();
     } catch (const irsg::InputError& error) {

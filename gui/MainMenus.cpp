@@ -19,6 +19,7 @@
 #include "gui/atmosphere/AtmospherePages.h"
 #include "gui/database/DatabaseDock.h"
 #include "gui/image/ImagePages.h"
+#include "gui/image/LinkedViews.h"
 #include "gui/project/ProjectFiles.h"
 #include "gui/project/SceneModelActs.h"
 #include "gui/project/SceneTreeDock.h"
@@ -107,6 +108,10 @@ void MainMenus::makeFileMenu(QMenu* menu) {
                                with_.files.saveAs();
                        });
     saves_ = {save, saveAs};
+    auto* collect =
+        add(menu, "collectFiles", {}, tr("Co&llect files…"), {}, [this] { with_.files.collect(); });
+    collect->setToolTip(tr("Writes a copy of the project with all files that it needs beside it"));
+    needProject_.append(collect);
     needProject_.append(add(menu, "projectProperties", {}, tr("Project proper&ties…"),
                             QKeySequence(Qt::ALT | Qt::Key_Return),
                             [this] { with_.ask.showProjectProperties(); }));
@@ -213,6 +218,16 @@ void MainMenus::makeViewMenu(QMenu* menu) {
         needProject_.append(with_.view->page()->modelActions());
         menu->addSeparator();
     }
+    beside_ = add(menu, "moveAcross", "columns", tr("Show the page &beside the others"),
+                  QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_B),
+                  [this] { with_.tabs.moveAcross(with_.tabs.shownPage()); });
+    beside_->setToolTip(tr("Two pages side by side; a second time it goes back"));
+    auto* link = add(menu, "linkImages", {}, tr("L&ink image pages"), {}, [] {});
+    link->setCheckable(true);
+    link->setChecked(LinkedViews::instance().isOn());
+    link->setToolTip(tr("Images of equal size show the same part and read the same pixel"));
+    connect(link, &QAction::toggled, &LinkedViews::instance(), &LinkedViews::setOn);
+    menu->addSeparator();
     for (auto* dock :
          with_.window.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
         menu->addAction(dock->toggleViewAction());
@@ -338,6 +353,10 @@ void MainMenus::followProject() {
 void MainMenus::refresh() {
     export_->setEnabled(with_.tabs.mayExportShown());
     close_->setEnabled(with_.tabs.mayCloseShown());
+    beside_->setEnabled(with_.tabs.mayMoveShown());
+    beside_->setText(with_.tabs.isBeside(with_.tabs.shownPage())
+                         ? tr("Put the page &back to the others")
+                         : tr("Show the page &beside the others"));
     const ResultPage* page = with_.tabs.currentResult();
     keepAnalysis_->setEnabled(with_.workbench.hasProject() && page != nullptr &&
                               page->resultIds().size() == 1);

@@ -80,6 +80,7 @@ class MainMenus : public QObject {
     QToolBar* bar_ = nullptr;
     QAction* export_ = nullptr;
     QAction* close_ = nullptr;
+    QAction* beside_ = nullptr;
     QAction* saveDatabase_ = nullptr;
     QAction* saveDatabaseAs_ = nullptr;
     QAction* keepAnalysis_ = nullptr;

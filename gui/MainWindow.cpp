@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QScrollArea>
+#include <QSplitter>
 #include <QStatusBar>
 #include <QToolButton>
 #include <QUndoView>
@@ -51,6 +52,7 @@ MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     messages_->follow(dialogs_);
     QStringList problems;
     preferences_ = Preferences::load(&problems);
+    DisplayUnitsWatch::instance().set(preferences_.units);
     files_ = new ProjectFiles(workbench_, dialogs_, preferences_, this);
     loading_ = new LoadingBar(this);
     loading_->follow(files_->opening());
@@ -114,7 +116,12 @@ void MainWindow::makeCentre() {
     centre->setWidgetResizable(true);
     centre->setFocusPolicy(Qt::NoFocus);
     centre->setMinimumSize(380, 300);
-    centre->setWidget(tabs_);
+    auto* rows = new QSplitter(Qt::Horizontal, centre);
+    rows->setObjectName("rowsOfPages");
+    rows->setChildrenCollapsible(false);
+    rows->addWidget(tabs_);
+    rows->addWidget(tabs_->beside());
+    centre->setWidget(rows);
     setCentralWidget(centre);
 }
 
@@ -398,7 +405,7 @@ void MainWindow::openWith(const QStringList& suffixes,
 
 void MainWindow::tellInternalError(const QString& what) {
     files_->recovery().writeNow();
-    for (AtmospherePage* page : tabs_->findChildren<AtmospherePage*>())
+    for (AtmospherePage* page : findChildren<AtmospherePage*>())
         page->recovery().writeNow();
     dialogs_.tell(this, tr("Internal error"),
                   {what, tr("Your unsaved changes were kept in a recovery copy.")});

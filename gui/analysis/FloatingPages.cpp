@@ -9,11 +9,11 @@
 #include <QPointer>
 #include <QShortcut>
 #include <QTabBar>
-#include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "gui/widgets/Theme.h"
+#include "gui/workbench/PageTabs.h"
 
 namespace smat::gui {
 
@@ -73,7 +73,7 @@ class FloatingPages::Window : public QWidget {
     FloatingPages& owner_;
 };
 
-FloatingPages::FloatingPages(QTabWidget* tabs) : QObject(tabs), tabs_(tabs) {
+FloatingPages::FloatingPages(PageTabs* tabs) : QObject(tabs), tabs_(tabs) {
     QTabBar* bar = tabs_->tabBar();
     bar->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(bar, &QWidget::customContextMenuRequested, this, &FloatingPages::showMenu);
@@ -87,8 +87,9 @@ FloatingPages::~FloatingPages() {
 
 std::vector<QWidget*> FloatingPages::pages() const {
     std::vector<QWidget*> list;
-    for (int index = 1; index < tabs_->count(); ++index)
-        list.push_back(tabs_->widget(index));
+    for (QWidget* page : tabs_->pages())
+        if (page != tabs_->widget(0))
+            list.push_back(page);
     for (const Window* window : windows_)
         list.push_back(window->page());
     return list;
@@ -110,7 +111,7 @@ void FloatingPages::show(QWidget* page) {
         window->raise();
         window->activateWindow();
     } else {
-        tabs_->setCurrentWidget(page);
+        tabs_->bring(page);
     }
 }
 
@@ -142,8 +143,8 @@ void FloatingPages::attach(QWidget* page) {
 void FloatingPages::setTitle(QWidget* page, const QString& title) {
     if (Window* window = windowOf(page))
         window->setWindowTitle(title);
-    else if (const int index = tabs_->indexOf(page); index >= 0)
-        tabs_->setTabText(index, title);
+    else
+        tabs_->retitle(page, title);
 }
 
 bool FloatingPages::eventFilter(QObject* watched, QEvent* event) {
@@ -167,6 +168,8 @@ void FloatingPages::showMenu(const QPoint& where) {
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(icon("detach"), tr("Open in its own window"), this,
                     [this, page] { detach(page); });
+    menu->addAction(icon("columns"), tr("Show beside the other pages"), this,
+                    [this, page] { tabs_->moveAcross(page); });
     menu->addAction(icon("remove"), tr("Close"), this, [page] { delete page; });
     menu->popup(tabs_->tabBar()->mapToGlobal(where));
 }

@@ -4,10 +4,11 @@
 
 #include <QObject>
 
-class QTabWidget;
 class QWidget;
 
 namespace smat::gui {
+
+class PageTabs;
 
 /// Pages of a row of tabs that may leave it for windows of their own and come back: by the menu of
 /// a tab or its double click, and by the button in the corner of such a window. Closing the window
@@ -16,10 +17,10 @@ class FloatingPages : public QObject {
     Q_OBJECT
 
   public:
-    explicit FloatingPages(QTabWidget* tabs);
+    explicit FloatingPages(PageTabs* tabs);
     ~FloatingPages() override;
 
-    /// Pages in tabs and in windows of their own, without the first tab.
+    /// Pages in both rows of tabs and in windows of their own, without the first tab.
     std::vector<QWidget*> pages() const;
     /// Brings a page to the front wherever it is.
     void show(QWidget* page);
@@ -37,7 +38,7 @@ class FloatingPages : public QObject {
     void showMenu(const QPoint& where);
     Window* windowOf(const QWidget* page) const;
 
-    QTabWidget* tabs_;
+    PageTabs* tabs_;
     std::vector<Window*> windows_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QVBoxLayout>
 
@@ -22,6 +23,7 @@
 #include "irsg/image/PngView.h"
 #include "smatcore/analysis/Conditions.h"
 #include "smatcore/analysis/CostAccuracyStudy.h"
+#include "smatcore/analysis/PartColumns.h"
 #include "smatcore/analysis/PixelExplainer.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -151,6 +153,15 @@ void ResultPage::showPlot(Dialogs dialogs) {
     panel_ = new PlotPanel(isPolar(table) ? PlotKind::polar : PlotKind::cartesian,
                            std::move(dialogs), this);
     panel_->addInFront(quantity_);
+    const auto isStack = [&](const std::string& key) { return canStack(table, key); };
+    if (results_.size() == 1 && std::ranges::any_of(plottableQuantities(table), isStack)) {
+        stack_ = new QCheckBox(tr("Stack"), this);
+        stack_->setObjectName("stack");
+        stack_->setToolTip(tr("Draw what each part adds to the sum as a layer"));
+        stack_->setChecked(partsByOf(results_.front().data->settings) != PartsBy::none);
+        panel_->addInFront(stack_);
+        connect(stack_, &QCheckBox::toggled, this, &ResultPage::drawQuantity);
+    }
     layout()->addWidget(panel_);
     drawQuantity();
     connect(quantity_, &QComboBox::activated, this, &ResultPage::drawQuantity);
@@ -158,11 +169,15 @@ void ResultPage::showPlot(Dialogs dialogs) {
 
 void ResultPage::drawQuantity() {
     const std::string key = quantity_->currentData().toString().toStdString();
+    const bool canBeStack = stack_ != nullptr && canStack(results_.front().data->table, key);
+    if (stack_ != nullptr)
+        stack_->setEnabled(canBeStack);
+    const bool stacked = canBeStack && stack_->isChecked();
     if (auto* polar = panel_->polar()) {
-        polar->setData(polarData(named(results_), key));
+        polar->setData(polarData(named(results_), key, stacked));
     } else {
         auto* cartesian = panel_->cartesian();
-        auto data = cartesianData(named(results_), key);
+        auto data = cartesianData(named(results_), key, stacked);
         // The first quantity chooses the axes, then they stay as the user has them.
         if (drawn_) {
             data.xLogarithmic = cartesian->isLogarithmic(QwtPlot::xBottom);

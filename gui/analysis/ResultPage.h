@@ -10,6 +10,7 @@
 #include "gui/widgets/Dialogs.h"
 #include "gui/widgets/Exportable.h"
 
+class QCheckBox;
 class QComboBox;
 
 namespace smat::gui {
@@ -67,6 +68,7 @@ class ResultPage : public QWidget, public Exportable {
     MonteCarloPlots* draws_ = nullptr;
     CostAccuracyPanel* costAccuracy_ = nullptr;
     QComboBox* quantity_ = nullptr;
+    QCheckBox* stack_ = nullptr; ///< null where nothing can be stacked
     bool drawn_ = false;
 };
 

@@ -5,13 +5,13 @@
 #include <QApplication>
 #include <QEvent>
 #include <QPainter>
-#include <QTabWidget>
 
 #include "gui/analysis/CostAccuracyPanel.h"
 #include "gui/analysis/FloatingPages.h"
 #include "gui/analysis/ResultPage.h"
 #include "gui/widgets/Sentences.h"
 #include "gui/widgets/Theme.h"
+#include "gui/workbench/PageTabs.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
@@ -35,7 +35,7 @@ QIcon dotted(const QIcon& plain, const QSize& size, double pixelRatio) {
 
 } // namespace
 
-ResultPages::ResultPages(Workbench& workbench, Dialogs dialogs, QTabWidget* tabs)
+ResultPages::ResultPages(Workbench& workbench, Dialogs dialogs, PageTabs* tabs)
     : QObject(tabs),
       workbench_(workbench),
       dialogs_(std::move(dialogs)),

@@ -4,11 +4,10 @@
 
 #include "gui/widgets/Dialogs.h"
 
-class QTabWidget;
-
 namespace smat::gui {
 
 class FloatingPages;
+class PageTabs;
 class ResultPage;
 class Workbench;
 
@@ -20,7 +19,7 @@ class ResultPages : public QObject {
     Q_OBJECT
 
   public:
-    ResultPages(Workbench& workbench, Dialogs dialogs, QTabWidget* tabs);
+    ResultPages(Workbench& workbench, Dialogs dialogs, PageTabs* tabs);
 
     void show(const QList<int>& ids);
     FloatingPages& floating() { return *floating_; }
@@ -45,7 +44,7 @@ class ResultPages : public QObject {
 
     Workbench& workbench_;
     Dialogs dialogs_;
-    QTabWidget* tabs_;
+    PageTabs* tabs_;
     FloatingPages* floating_;
     QString said_; ///< of the page in front
     bool isRunning_ = false, isAtWork_ = false;

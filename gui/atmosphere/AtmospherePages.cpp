@@ -28,9 +28,9 @@ void AtmospherePages::makeNew() {
 }
 
 void AtmospherePages::showProjectAtmosphere() {
-    for (int i = 0; i < tabs_.count(); ++i)
-        if (qobject_cast<ProjectAtmospherePage*>(tabs_.widget(i)) != nullptr)
-            return tabs_.setCurrentIndex(i);
+    for (QWidget* page : tabs_.pages())
+        if (qobject_cast<ProjectAtmospherePage*>(page) != nullptr)
+            return tabs_.bring(page);
     tabs_.addPage(new ProjectAtmospherePage(workbench_, dialogs_, *this), icon("air"),
                   tr("Project atmospheres"));
     offerCopiesOfProject();
@@ -46,7 +46,7 @@ void AtmospherePages::importTables() {
 
 bool AtmospherePages::open(const std::filesystem::path& file) {
     if (AtmospherePage* page = pageOf(file)) {
-        tabs_.setCurrentWidget(page);
+        tabs_.bring(page);
         return true;
     }
     try {

@@ -63,7 +63,8 @@ void AtmospherePlots::showSpectra(const AtmosphereSpectra& spectra) {
             .xTitle = {}, // that of the plot below
             .yTitle = tr("Transmittance"),
             .curves = {{tr("Transmittance, mean %1").arg(spectra.meanTransmittance, 0, 'f', 4),
-                        spectra.wavelength_um, spectra.transmittance}}});
+                        spectra.wavelength_um, spectra.transmittance}},
+            .xUnit = "um"});
     showIn(*radiance_, {.title = {},
                         .xTitle = wavelength,
                         .yTitle = tr("Path radiance"),
@@ -71,7 +72,8 @@ void AtmospherePlots::showSpectra(const AtmosphereSpectra& spectra) {
                                         .arg(formattedUnit("W m-2 sr-1 um-1"))
                                         .arg(spectra.inBandPathRadiance_W_m2_sr, 0, 'g', 4)
                                         .arg(formattedUnit("W m-2 sr-1")),
-                                    spectra.wavelength_um, spectra.pathRadiance_W_m2_sr_um}}});
+                                    spectra.wavelength_um, spectra.pathRadiance_W_m2_sr_um}},
+                        .xUnit = "um"});
 }
 
 void AtmospherePlots::showColumn(const AtmosphereProfile& column) {

@@ -121,7 +121,8 @@ void SpectrumPanel::refresh() {
     PlotData data{.title = {},
                   .xTitle = tr("wavelength (µm)"),
                   .yTitle = tr("radiance (W·m⁻²·sr⁻¹·µm⁻¹)"),
-                  .curves = {}};
+                  .curves = {},
+                  .xUnit = "um"};
     for (const auto& component : spectrum.components)
         data.curves.push_back({QString::fromStdString(component.name),
                                component.radiance.wavelengths_um(), component.radiance.values()});

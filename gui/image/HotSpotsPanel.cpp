@@ -4,6 +4,7 @@
 
 #include "gui/image/FiguresTable.h"
 #include "gui/image/ImageExport.h"
+#include "gui/image/IndexColors.h"
 #include "gui/widgets/NumberFormat.h"
 
 namespace smat::gui {
@@ -43,8 +44,7 @@ void HotSpotsPanel::show(const irsg::RadianceImage& image, const irsg::ImageChan
                         QString::number(spot.x), QString::number(spot.y)};
         for (const irsg::ImageChannel& channel : image.channels)
             if (&channel != &plane)
-                row << formattedNumber(
-                    static_cast<double>(channel.values[image.offset(spot.x, spot.y)]));
+                row << valueWords(image, channel, image.offset(spot.x, spot.y));
         rows << row;
     }
     table_->setFigures(headings, rows);

@@ -2,6 +2,7 @@
 #include "gui/image/PaperPicture.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QClipboard>
 #include <QComboBox>
@@ -16,11 +17,14 @@
 #include "gui/image/ImageExport.h"
 #include "gui/image/ImageInspector.h"
 #include "gui/image/ImageLines.h"
+#include "gui/image/IndexLegend.h"
+#include "gui/image/ShownImage.h"
 #include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
 #include "irsg/core/Errors.h"
 #include "irsg/image/ApparentTemperature.h"
 #include "irsg/image/ImageFormat.h"
+#include "irsg/image/ImageStatistics.h"
 
 namespace smat::gui {
 namespace {
@@ -36,8 +40,54 @@ const irsg::ImageChannel& ImageView::plane() const {
     return image_->channels.at(static_cast<std::size_t>(plane_->currentData().toInt()));
 }
 
+const irsg::ImageChannel& ImageView::givenPlane() const {
+    return given_->channels.at(static_cast<std::size_t>(plane_->currentData().toInt()));
+}
+
+void ImageView::takeUnits() {
+    if (given_ == nullptr)
+        return;
+    const bool isLocked = colorBar_->mode() == LimitMode::locked;
+    const ShownUnit* before =
+        plane().unit == givenPlane().unit ? nullptr : shownUnitOf(givenPlane().unit, shownIn_);
+    irsg::DisplayLimits limits = colorBar_->limits();
+    if (before != nullptr) {
+        limits.low = before->back(limits.low);
+        limits.high = before->back(limits.high);
+    }
+    fillPlanes();
+    showPlane();
+    if (isLocked)
+        setLimits(limits.low, limits.high);
+}
+
 bool ImageView::showsColors() const {
     return image_ != nullptr && isColorPicture(*image_) && plane_->currentIndex() == 0;
+}
+
+bool ImageView::showsIndices() const {
+    return image_ != nullptr && !showsColors() && isIndexPlane(plane());
+}
+
+void ImageView::tellPixel(const std::optional<QPoint>& pixel) {
+    readout_->setText(pixel ? readoutAt(pixel->x(), pixel->y())
+                            : tr("Move the mouse over the image, or press the arrows, to read its "
+                                 "pixels"));
+    markIndex(pixel);
+}
+
+void ImageView::readPixel(const std::optional<QPoint>& pixel) {
+    canvas_->setCursorPixel(pixel);
+    tellPixel(pixel);
+}
+
+void ImageView::markIndex(const std::optional<QPoint>& pixel) {
+    if (!showsIndices())
+        return;
+    const float value =
+        pixel ? plane().values[image_->offset(pixel->x(), pixel->y())] : std::nanf("");
+    legend_->mark(std::isfinite(value) ? std::optional(static_cast<int>(std::lround(value)))
+                                       : std::nullopt);
 }
 
 void ImageView::setImage(irsg::RadianceImage image, const std::optional<irsg::Band>& band) {
@@ -81,8 +131,14 @@ void ImageView::setFrame(std::shared_ptr<const irsg::RadianceImage> image) {
 }
 
 void ImageView::adopt(std::shared_ptr<const irsg::RadianceImage> image) {
+    given_ = isColorPicture(*image) ? withLuminance(*image) : std::move(image);
+    fillPlanes();
+}
+
+void ImageView::fillPlanes() {
     const int shown = plane_->currentIndex();
-    image_ = isColorPicture(*image) ? withLuminance(*image) : std::move(image);
+    image_ = inShownUnits(given_);
+    shownIn_ = DisplayUnits::current();
     plane_->clear();
     const int planes = static_cast<int>(image_->channels.size());
     if (isColorPicture(*image_))
@@ -126,9 +182,19 @@ void ImageView::setShownPlane(int index) {
 
 void ImageView::showPlane() {
     const auto& shown = plane();
-    canvas_->setPlane(image_->width(), image_->height(), shareValues(image_, shown),
-                      showsColors() ? std::optional(lightOf(image_)) : std::nullopt);
-    colors_->setEnabled(!showsColors());
+    std::optional<LightPlanes> light;
+    if (showsColors()) {
+        light = lightOf(image_);
+    } else if (showsIndices()) {
+        std::vector<SeenIndex> seen = seenIndices(*image_, shown);
+        light = lightOf(shown, seen);
+        legend_->setIndices(planeTitle(shown), std::move(seen));
+        markIndex(canvas_->cursorPixel());
+    }
+    canvas_->setPlane(image_->width(), image_->height(), shareValues(image_, shown), light);
+    colors_->setEnabled(!light);
+    colorBar_->setVisible(!showsIndices());
+    legend_->setVisible(showsIndices());
     colorBar_->setTitle(titleWithUnit(shown));
     inspector_->show(image_, shown, titleWithUnit(shown), formattedUnit(shown.unit));
     lines_->show(image_, shown, titleWithUnit(shown));
@@ -137,6 +203,15 @@ void ImageView::showPlane() {
 }
 
 void ImageView::updateColors() {
+    if (showsIndices()) {
+        // Their colours have no limits; the histogram has those of its values.
+        limitsTask_.cancel();
+        const irsg::DisplayLimits all = irsg::percentileLimits(plane().values);
+        canvas_->setColors(*map_, {0.0, 1.0});
+        inspector_->setLimits(all);
+        lines_->setLimits(all);
+        return;
+    }
     if (colorBar_->mode() == LimitMode::locked) {
         recolor();
         return;
@@ -145,6 +220,8 @@ void ImageView::updateColors() {
 }
 
 void ImageView::recolor() {
+    if (showsIndices())
+        return;
     // The limits are known and shown at once, what lies outside of them is counted.
     useLimits({colorBar_->limits(), {}});
     findLimits(colorBar_->limits());
@@ -181,8 +258,16 @@ void ImageView::useLimits(const FoundLimits& found) {
 
 void ImageView::setLimits(std::optional<double> low, std::optional<double> high) {
     irsg::DisplayLimits limits = colorBar_->limits();
-    limits.low = low.value_or(limits.low);
-    limits.high = high.value_or(limits.high);
+    const ShownUnit* unit = image_ != nullptr && plane().unit != givenPlane().unit
+                                ? shownUnitOf(givenPlane().unit, shownIn_)
+                                : nullptr;
+    const auto shown = [unit](double value) {
+        return unit == nullptr ? value : unit->shown(value);
+    };
+    if (low)
+        limits.low = shown(*low);
+    if (high)
+        limits.high = shown(*high);
     if ((low || high) && limits.low < limits.high)
         colorBar_->edit(limits);
 }
@@ -190,7 +275,7 @@ void ImageView::setLimits(std::optional<double> low, std::optional<double> high)
 void ImageView::setColorMap(const std::string& name) {
     map_ = &irsg::ColorMap::named(name);
     colors_->setCurrentText(QString::fromStdString(name));
-    if (image_ == nullptr)
+    if (image_ == nullptr || showsIndices())
         return;
     colorBar_->setColors(*map_, colorBar_->limits());
     canvas_->setColors(*map_, colorBar_->limits());
@@ -212,9 +297,9 @@ void ImageView::setConditions(const QString& conditions) {
 QString ImageView::readoutAt(int x, int y) const {
     QString text = QStringLiteral("x %1   y %2").arg(x).arg(y);
     for (const auto& channel : image_->channels) {
-        const double value = static_cast<double>(channel.values.at(image_->offset(x, y)));
         text += QStringLiteral("     %1 %2 %3")
-                    .arg(planeTitle(channel), formattedNumber(value), formattedUnit(channel.unit))
+                    .arg(planeTitle(channel), valueWords(*image_, channel, image_->offset(x, y)),
+                         formattedUnit(channel.unit))
                     .trimmed()
                     .prepend("     ");
     }
@@ -281,6 +366,11 @@ QStringList ImageView::exportFilters() const {
 QImage ImageView::picture(bool withColorBar) const {
     if (showsColors())
         return canvas_->picture();
+    if (showsIndices() && !withColorBar)
+        return canvas_->picture();
+    if (showsIndices())
+        return onPaper(
+            {enlarged(canvas_->picture()), title_, conditions_->text(), nullptr, legend_});
     if (withColorBar) {
         QImage enlarged = enlargedPlane(*image_, plane(), *colorBar_);
         lines_->drawOn(enlarged);
@@ -301,7 +391,7 @@ void ImageView::write(const std::filesystem::path& file, bool withColorBar) cons
     if (irsg::requiredImageFormat(file).keeps == irsg::ImageFormat::Keeps::picture)
         writePicture(picture(withColorBar), file);
     else
-        exportImage(*image_, shownChannel(), {}, file);
+        exportImage(*given_, shownChannel(), {}, file);
 }
 
 void ImageView::askAndExport(const QString& filter, bool withColorBar) {
@@ -322,7 +412,7 @@ void ImageView::copyPicture(bool withColorBar) const {
 }
 
 void ImageView::copyValues() const {
-    QGuiApplication::clipboard()->setText(valuesText(*image_, plane(), canvas_->selection()));
+    QGuiApplication::clipboard()->setText(valuesText(*given_, givenPlane(), canvas_->selection()));
 }
 
 void ImageView::setExplainer(PixelPanel::Maker maker) {

@@ -8,6 +8,7 @@
 #include "gui/image/ImageExport.h"
 #include "gui/image/PixelPanel.h"
 #include "gui/widgets/Dialogs.h"
+#include "gui/widgets/DisplayUnits.h"
 #include "gui/widgets/Exportable.h"
 #include "gui/widgets/LatestTask.h"
 #include "irsg/image/ColorMap.h"
@@ -27,6 +28,7 @@ class HotSpotsPanel;
 class ImageCanvas;
 class ImageInspector;
 class ImageLines;
+class IndexLegend;
 class ProfilePanel;
 struct FoundLimits;
 struct PlaneFigures;
@@ -48,7 +50,9 @@ class ImageView : public QWidget, public Exportable {
     /// The next of a row of images: plane, zoom, rectangle and limits that were chosen stay as they
     /// are, and the last picture stands until this one has its colours.
     void setFrame(std::shared_ptr<const irsg::RadianceImage> image);
-    const irsg::RadianceImage& image() const { return *image_; }
+    bool hasImage() const { return given_ != nullptr; }
+    /// In its own units, whatever it is shown in.
+    const irsg::RadianceImage& image() const { return *given_; }
     /// A line over exported pictures, and the name that is suggested for files.
     void setTitle(const QString& title) { title_ = title; }
     /// A line over the image: band, range, aspect, ...; none where it is empty.
@@ -64,19 +68,26 @@ class ImageView : public QWidget, public Exportable {
     ImageInspector* inspector() const { return inspector_; }
     ProfilePanel* profile() const { return profile_; }
     HotSpotsPanel* hotSpots() const { return hotSpots_; }
+    /// In place of the colour bar where the plane has indices.
+    IndexLegend* indexLegend() const { return legend_; }
     const irsg::ColorMap& colorMap() const { return *map_; }
     void setColorScale(irsg::ColorScale scale, bool marksOutside = false);
     /// A picture in visible light, in its own colours.
     bool showsColors() const;
+    /// A plane of indices, in a colour for each.
+    bool showsIndices() const;
     /// Name of the plane that is shown; of a picture in its own colours that of its luminance.
     const std::string& shownChannel() const { return plane().name; }
     void setColorMap(const std::string& name);
-    /// The values that have the first and the last colour, as if they were typed into the bar; what
+    /// The values that have the first and the last colour, in the plane's own unit, as if they were
+    /// typed into the bar; what
     /// is not given stays, and nothing changes where they do not ascend.
     void setLimits(std::optional<double> low, std::optional<double> high);
     void setShownPlane(int index);
     /// "x 12  y 7   Radiance 1.234 W·m⁻²·sr⁻¹   Apparent temperature 301.2 K".
     QString readoutAt(int x, int y) const;
+    /// Marks a pixel and reads it, as the mouse over it does; none.
+    void readPixel(const std::optional<QPoint>& pixel);
     QString statistics() const;
     bool isBusy() const;
 
@@ -99,6 +110,8 @@ class ImageView : public QWidget, public Exportable {
     void connectParts();
     void explainAt(const QPoint& pixel);
     void showPlane();
+    void tellPixel(const std::optional<QPoint>& pixel);
+    void markIndex(const std::optional<QPoint>& pixel);
     void updateColors();
     void recolor();
     /// Of the plane that is shown, or only what lies outside of `known` ones.
@@ -115,13 +128,19 @@ class ImageView : public QWidget, public Exportable {
     QString statisticsText(const std::optional<irsg::PixelRectangle>& selection,
                            const PlaneFigures& figures) const;
     const irsg::ImageChannel& plane() const;
+    const irsg::ImageChannel& givenPlane() const;
+    void takeUnits();
+    /// Of the image as it is shown.
+    void fillPlanes();
 
     Dialogs dialogs_;
-    std::shared_ptr<const irsg::RadianceImage> image_;
+    std::shared_ptr<const irsg::RadianceImage> given_, image_; ///< that in shown units
+    DisplayUnits shownIn_;
     QString title_;
     const irsg::ColorMap* map_ = nullptr;
     ImageCanvas* canvas_ = nullptr;
     ColorBar* colorBar_ = nullptr;
+    IndexLegend* legend_ = nullptr;
     ImageInspector* inspector_ = nullptr;
     PixelPanel* pixels_ = nullptr;
     ProfilePanel* profile_ = nullptr;

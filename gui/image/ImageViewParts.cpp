@@ -17,6 +17,8 @@
 #include "gui/image/ImageInspector.h"
 #include "gui/image/ImageLines.h"
 #include "gui/image/ImageView.h"
+#include "gui/image/IndexLegend.h"
+#include "gui/image/LinkedViews.h"
 #include "gui/image/ProfilePanel.h"
 #include "gui/widgets/FlowBar.h"
 #include "gui/widgets/Widgets.h"
@@ -28,6 +30,8 @@ ImageView::ImageView(QWidget* parent, Dialogs dialogs)
     map_ = &irsg::ColorMap::named(irsg::ColorMap::defaultName);
     canvas_ = new ImageCanvas(this);
     colorBar_ = new ColorBar(this);
+    legend_ = new IndexLegend(this);
+    legend_->hide();
     inspector_ = new ImageInspector(this);
     inspector_->hide();
     pixels_ = new PixelPanel(this);
@@ -71,6 +75,7 @@ ImageView::ImageView(QWidget* parent, Dialogs dialogs)
     middle->setSpacing(0);
     middle->addWidget(canvas_, 1);
     middle->addWidget(colorBar_);
+    middle->addWidget(legend_);
     auto* splitter = new QSplitter(Qt::Vertical, this);
     splitter->setChildrenCollapsible(false);
     splitter->addWidget(picture);
@@ -173,14 +178,13 @@ QHBoxLayout* ImageView::makeBar() {
 }
 
 void ImageView::connectParts() {
+    connect(&DisplayUnitsWatch::instance(), &DisplayUnitsWatch::changed, this,
+            &ImageView::takeUnits);
     connect(plane_, &QComboBox::activated, this, &ImageView::showPlane);
     connect(colors_, &QComboBox::textActivated, this,
             [this](const QString& name) { setColorMap(name.toStdString()); });
-    connect(canvas_, &ImageCanvas::hovered, this, [this](std::optional<QPoint> pixel) {
-        readout_->setText(pixel ? readoutAt(pixel->x(), pixel->y())
-                                : tr("Move the mouse over the image, or press the arrows, to read "
-                                     "its pixels"));
-    });
+    connect(canvas_, &ImageCanvas::hovered, this, &ImageView::tellPixel);
+    LinkedViews::instance().add(this);
     connect(canvas_, &ImageCanvas::clicked, this, &ImageView::explainAt);
     connect(canvas_, &ImageCanvas::selectionChanged, this, &ImageView::updateStatistics);
     connect(colorBar_, &ColorBar::limitsEdited, this, &ImageView::recolor);

@@ -8,6 +8,7 @@
 
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageExport.h"
+#include "gui/image/IndexLegend.h"
 #include "gui/plot/PlotLook.h"
 
 namespace smat::gui {
@@ -17,6 +18,11 @@ constexpr double margin = 14.0, gap = 14.0;
 constexpr double barWidth = 124.0, leastBarHeight = 240.0;
 constexpr double large = 1400.0; ///< such pictures have text of twice the size
 constexpr int comfortable = 360; ///< height of a plane that is not enlarged
+
+int magnificationOf(const QSize& pixels) {
+    return std::max(1, std::min((comfortable + pixels.height() - 1) / pixels.height(),
+                                6 * comfortable / pixels.width()));
+}
 
 } // namespace
 
@@ -31,11 +37,11 @@ QImage onPaper(const PaperPicture& parts) {
     const double lineHeight = parts.conditions.isEmpty() ? 0.0 : 1.5 * QFontMetricsF(font).height();
 
     const double edge = margin * scale, top = edge + titleHeight + lineHeight;
-    const double bar = parts.bar == nullptr ? 0.0 : (gap + barWidth) * scale;
+    const bool hasLegend = parts.bar != nullptr || parts.legend != nullptr;
+    const double bar = !hasLegend ? 0.0 : (gap + barWidth) * scale;
     const double words = std::max(QFontMetricsF(titleFont).horizontalAdvance(parts.title),
                                   QFontMetricsF(font).horizontalAdvance(parts.conditions));
-    const double height =
-        std::max(inside.height(), parts.bar == nullptr ? 0.0 : leastBarHeight * scale);
+    const double height = std::max(inside.height(), !hasLegend ? 0.0 : leastBarHeight * scale);
     const QSizeF whole(2.0 * edge + std::max(inside.width() + bar, words), top + height + edge);
 
     QImage page((whole * ratio).toSize(), QImage::Format_RGB32);
@@ -60,11 +66,14 @@ QImage onPaper(const PaperPicture& parts) {
     painter.setPen(style.frame);
     const double pixel = 1.0 / ratio;
     painter.drawRect(QRectF(corner - QPointF(pixel, pixel), inside + QSizeF(pixel, pixel)));
-    if (parts.bar != nullptr) {
+    if (hasLegend) {
         painter.translate(corner.x() + inside.width() + gap * scale, corner.y());
         painter.scale(scale, scale);
-        parts.bar->drawLegend(painter, QSizeF(barWidth, height / scale).toSize(), style,
-                              plotFont(0.95));
+        const QSize room = QSizeF(barWidth, height / scale).toSize();
+        if (parts.bar != nullptr)
+            parts.bar->drawLegend(painter, room, style, plotFont(0.95));
+        else
+            parts.legend->drawLegend(painter, room, style, plotFont(0.95));
     }
     return page;
 }
@@ -75,10 +84,12 @@ QImage enlargedPlane(const irsg::RadianceImage& image, const irsg::ImageChannel&
     options.colorMap = bar.map().name();
     options.limits = bar.limits();
     options.colorBar = false;
-    options.magnification =
-        std::max(1, std::min((comfortable + image.height() - 1) / image.height(),
-                             6 * comfortable / image.width()));
+    options.magnification = magnificationOf({image.width(), image.height()});
     return pictureOf(image, plane, options);
+}
+
+QImage enlarged(const QImage& picture) {
+    return picture.scaled(picture.size() * magnificationOf(picture.size()));
 }
 
 } // namespace smat::gui

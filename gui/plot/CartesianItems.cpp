@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QPainter>
 #include <QwtScaleMap>
@@ -68,7 +69,7 @@ void SampledCurve::drawSeries(QPainter* painter, const QwtScaleMap& xMap, const 
     painter->save();
     for (const SampleRun& run : runsOf(static_cast<int>(curve_.x.size()), drawable)) {
         const SampleRun seen = visiblePart(curve_.x, run, xLow, xHigh);
-        if (isBandVisible() && !curve_.error.empty())
+        if (curve_.isLayer() || (isBandVisible() && !curve_.error.empty()))
             drawBand(*painter, xMap, yMap, area, seen.first, seen.last, column);
         QPolygonF line(seen.last - seen.first + 1);
         std::transform(curve_.x.begin() + seen.first, curve_.x.begin() + seen.last + 1,
@@ -100,11 +101,18 @@ void SampledCurve::drawBand(QPainter& painter, const QwtScaleMap& xMap, const Qw
     // Where the lower end has no logarithm the band reaches the bottom of the plot.
     const bool logarithmic = yMap.transformation() != nullptr;
     const double bottom = std::min(yMap.s1(), yMap.s2());
+    const std::vector<double>& widths = curve_.isLayer() ? curve_.base : curve_.error;
     const auto hasError = [&](int i) {
-        return std::isfinite(curve_.error[static_cast<std::size_t>(from + i)]);
+        return std::isfinite(widths[static_cast<std::size_t>(from + i)]);
+    };
+    /// Lower and upper end of the band at a sample.
+    const auto endsAt = [&](std::size_t i) -> std::pair<double, double> {
+        if (curve_.isLayer())
+            return std::minmax(curve_.base[i], curve_.y[i]);
+        return {curve_.y[i] - curve_.error[i], curve_.y[i] + curve_.error[i]};
     };
     QColor fill = pen().color();
-    fill.setAlphaF(0.22F);
+    fill.setAlphaF(curve_.isLayer() ? layerOpacity : 0.22F);
     painter.setPen(Qt::NoPen);
     painter.setBrush(fill);
     for (const SampleRun& run : runsOf(to - from + 1, hasError)) {
@@ -112,10 +120,10 @@ void SampledCurve::drawBand(QPainter& painter, const QwtScaleMap& xMap, const Qw
             // A band without width is a bar.
             const auto i = static_cast<std::size_t>(from + run.first);
             const double x = xMap.transform(curve_.x[i]);
-            const double low = curve_.y[i] - curve_.error[i];
+            const auto [low, high] = endsAt(i);
             painter.setPen(QPen(fill, 3.0));
             for (const QPolygonF& bar :
-                 clipped(QPolygonF{{x, yMap.transform(curve_.y[i] + curve_.error[i])},
+                 clipped(QPolygonF{{x, yMap.transform(high)},
                                    {x, yMap.transform(logarithmic && low <= 0.0 ? bottom : low)}},
                          area))
                 painter.drawPolyline(bar);
@@ -127,8 +135,8 @@ void SampledCurve::drawBand(QPainter& painter, const QwtScaleMap& xMap, const Qw
         for (int k = run.first; k <= run.last; ++k) {
             const auto i = static_cast<std::size_t>(from + k);
             const double x = xMap.transform(curve_.x[i]);
-            const double low = curve_.y[i] - curve_.error[i];
-            *above++ = QPointF(x, yMap.transform(curve_.y[i] + curve_.error[i]));
+            const auto [low, high] = endsAt(i);
+            *above++ = QPointF(x, yMap.transform(high));
             *below++ = QPointF(x, yMap.transform(logarithmic && low <= 0.0 ? bottom : low));
         }
         // The y of the canvas grows downwards.

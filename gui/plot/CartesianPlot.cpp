@@ -18,6 +18,7 @@
 #include "gui/plot/CurveDrawing.h"
 #include "gui/plot/PlotLook.h"
 #include "gui/plot/PlotNavigator.h"
+#include "gui/widgets/DisplayUnits.h"
 #include "gui/widgets/NumberFormat.h"
 #include "irsg/core/Errors.h"
 
@@ -99,6 +100,11 @@ CartesianPlot::CartesianPlot(const PlotStyle& style, QWidget* parent)
 
     navigator_ = std::make_unique<PlotNavigator>(*this);
     connect(navigator_.get(), &PlotNavigator::readoutChanged, this, &CartesianPlot::readoutChanged);
+    connect(&DisplayUnitsWatch::instance(), &DisplayUnitsWatch::changed, this, [this] {
+        const std::vector<bool> shown = shownCurves();
+        present(inShownUnits(stored_));
+        showCurves(shown);
+    });
     applyLook();
 }
 
@@ -159,6 +165,11 @@ QWidget* CartesianPlot::sheet() const {
 void CartesianPlot::setData(PlotData data) {
     for (const auto& curve : data.curves)
         curve.check();
+    stored_ = std::move(data);
+    present(inShownUnits(stored_));
+}
+
+void CartesianPlot::present(PlotData data) {
     detachItems(QwtPlotItem::Rtti_PlotCurve, true);
     forgetItems();
     data_ = std::move(data);
@@ -199,7 +210,8 @@ void CartesianPlot::applyAxes() {
 }
 
 void CartesianPlot::setLogarithmic(QwtPlot::Axis axis, bool on) {
-    (axis == xBottom ? data_.xLogarithmic : data_.yLogarithmic) = on;
+    for (PlotData* data : {&stored_, &data_})
+        (axis == xBottom ? data->xLogarithmic : data->yLogarithmic) = on;
     applyAxes();
     history_.clear();
     setView(fullView());
@@ -280,7 +292,7 @@ QString CartesianPlot::readoutAt(const QPointF& canvasPoint) const {
 
 CartesianPlot* CartesianPlot::makePrintCopy() const {
     auto* twin = new CartesianPlot(PlotStyle::paper());
-    twin->setData(data_);
+    twin->setData(stored_);
     twin->setView(view());
     twin->showAsIn(*this);
     return twin;

@@ -33,7 +33,9 @@ class CartesianPlot : public QwtPlot, public CurvePlot {
 
     /// LogicError for a curve whose x and y (and errors, where it has any) differ in length.
     void setData(PlotData data);
+    /// As it is shown (DisplayUnits), and as it was given.
     const PlotData& data() const { return data_; }
+    const PlotData& stored() const { return stored_; }
     /// `axis` is QwtPlot::xBottom or QwtPlot::yLeft.
     void setLogarithmic(QwtPlot::Axis axis, bool on);
     bool isLogarithmic(QwtPlot::Axis axis) const;
@@ -72,10 +74,11 @@ class CartesianPlot : public QwtPlot, public CurvePlot {
     void applyAxes();
     void addMarks();
     void dressMarks();
+    void present(PlotData data);
     View fullView() const;
     QRectF seenRect() const;
 
-    PlotData data_;
+    PlotData stored_, data_;
     std::vector<Curve> drawn_; ///< those of the data, straight between their samples
     QwtPlotGrid* grid_ = nullptr;
     std::vector<QwtPlotMarker*> marks_; ///< of the data

@@ -6,6 +6,9 @@
 
 namespace smat::gui {
 
+/// Of the areas of a stack.
+inline constexpr float layerOpacity = 0.6F;
+
 /// What a plot does with its curves, whatever its coordinates.
 class CurveItem {
   public:

@@ -76,6 +76,19 @@ void CurvePlot::toggle(const CurveItem* item) {
         setCurveVisible(static_cast<int>(found - items_.begin()), !item->isShown());
 }
 
+std::vector<bool> CurvePlot::shownCurves() const {
+    std::vector<bool> shown;
+    for (const CurveItem* item : items_)
+        shown.push_back(item->isShown());
+    return shown;
+}
+
+void CurvePlot::showCurves(const std::vector<bool>& shown) {
+    for (std::size_t i = 0; i < std::min(shown.size(), items_.size()); ++i)
+        if (!shown[i])
+            setCurveVisible(static_cast<int>(i), false);
+}
+
 void CurvePlot::showAsIn(const CurvePlot& other) {
     setErrorBandsVisible(other.errorBands_);
     for (int i = 0; i < std::min(curveCount(), other.curveCount()); ++i)

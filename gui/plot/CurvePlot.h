@@ -38,6 +38,9 @@ class CurvePlot : public PlotSurface {
     void dressItems();
     /// Shows the other one, or hides it.
     void toggle(const CurveItem* item);
+    std::vector<bool> shownCurves() const;
+    /// As many as there are.
+    void showCurves(const std::vector<bool>& shown);
     /// Shows the curves and the bands that another plot of the same curves shows.
     void showAsIn(const CurvePlot& other);
 

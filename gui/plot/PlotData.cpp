@@ -7,6 +7,7 @@
 
 #include <QStringList>
 
+#include "gui/widgets/DisplayUnits.h"
 #include "gui/widgets/NumberFormat.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/data/AkimaInterpolant.h"
@@ -15,7 +16,8 @@ namespace smat::gui {
 
 void Curve::check() const {
     if (x.size() != y.size() || (!error.empty() && error.size() != y.size()) ||
-        (!warnings.empty() && warnings.size() != y.size()))
+        (!warnings.empty() && warnings.size() != y.size()) ||
+        (isLayer() && base.size() != y.size()))
         throw irsg::LogicError("curve " + name.toStdString() + ": its columns differ in length");
 }
 
@@ -82,6 +84,8 @@ Curve Curve::drawn(double period) const {
         return *this;
     constexpr int pieces = 8; // of a step: a cubic departs from them by 1/64 of what it does of one
     Curve more{name, {}, {}};
+    if (isLayer())
+        more.base = Curve{name, x, base, {}, isSmooth}.drawn(period).y;
     const auto add = [&](double at, double value, double half) {
         more.x.push_back(at);
         more.y.push_back(value);
@@ -151,6 +155,8 @@ QString Curve::readoutAt(double at, double period) const {
     if (!value)
         return QStringLiteral("no value");
     QString text = formattedNumber(*value);
+    if (isLayer())
+        text = formattedNumber(*value - read({name, x, base, {}, isSmooth}).value_or(0.0));
     if (error.empty())
         return text;
     if (const auto half = read({name, x, error}))
@@ -173,6 +179,61 @@ QString Curve::warningAt(double at, double period) const {
         text = warnings[i];
     }
     return text;
+}
+
+namespace {
+
+/// Null for what is shown as it is.
+const ShownUnit* unitOfValues(const std::string& unit, const std::vector<Curve>& curves) {
+    const ShownUnit* shown = shownUnitOf(unit);
+    const bool isStack = std::ranges::any_of(curves, &Curve::isLayer);
+    return shown != nullptr && shown->isLogarithmic && isStack ? nullptr : shown;
+}
+
+void showValues(const ShownUnit& unit, Curve& curve) {
+    for (std::size_t i = 0; i < curve.error.size(); ++i)
+        curve.error[i] = unit.error(curve.y[i], curve.error[i]);
+    for (std::vector<double>* values : {&curve.y, &curve.base})
+        std::ranges::transform(*values, values->begin(), unit.shown);
+}
+
+void showAbscissa(const ShownUnit& unit, Curve& curve) {
+    std::ranges::transform(curve.x, curve.x.begin(), unit.shown);
+    if (!unit.isReversed)
+        return;
+    for (std::vector<double>* values : {&curve.x, &curve.y, &curve.error, &curve.base})
+        std::ranges::reverse(*values);
+    std::ranges::reverse(curve.warnings);
+}
+
+} // namespace
+
+PlotData inShownUnits(PlotData data) {
+    const ShownUnit* x = shownUnitOf(data.xUnit);
+    const ShownUnit* y = unitOfValues(data.yUnit, data.curves);
+    for (Curve& curve : data.curves) {
+        if (y != nullptr)
+            showValues(*y, curve);
+        if (x != nullptr)
+            showAbscissa(*x, curve);
+    }
+    if (x != nullptr && !data.xTitle.isEmpty()) // else it stands at another plot
+        data.xTitle = x->titleOf(data.xTitle);
+    if (y != nullptr)
+        data.yTitle = y->titleOf(data.yTitle);
+    data.xLogarithmic = data.xLogarithmic && (x == nullptr || x->isReversed);
+    data.yLogarithmic = data.yLogarithmic && (y == nullptr || y->isReversed);
+    return data;
+}
+
+PolarData inShownUnits(PolarData data) {
+    const ShownUnit* radius = unitOfValues(data.radiusUnit, data.curves);
+    if (radius == nullptr)
+        return data;
+    for (Curve& curve : data.curves)
+        showValues(*radius, curve);
+    data.radiusTitle = radius->titleOf(data.radiusTitle);
+    return data;
 }
 
 QString warningNote(const std::vector<Curve>& curves) {
@@ -208,6 +269,8 @@ std::optional<Interval> rangeOf(const std::vector<Curve>& curves,
 std::optional<Interval> rangeWithErrors(const std::vector<Curve>& curves, bool positiveOnly) {
     std::vector<Curve> edges = curves;
     for (const auto& curve : curves) {
+        if (curve.isLayer())
+            edges.push_back({curve.name, curve.x, curve.base});
         if (curve.error.empty())
             continue;
         Curve low = curve, high = curve;
@@ -266,7 +329,7 @@ QString toCsv(const std::vector<Curve>& curves, const QString& xTitle, const QSt
             any = any || there;
             if (i == 0 || !sharedAxis)
                 cells << (there ? exactNumber(curve.x[row]) : QString());
-            cells << (there ? exactNumber(curve.y[row]) : QString());
+            cells << (there ? exactNumber(curve.valueOf(row)) : QString());
             if (!curve.error.empty())
                 cells << (there ? exactNumber(curve.error[row]) : QString());
             if (!curve.warnings.empty())

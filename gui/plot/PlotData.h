@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <QString>
@@ -17,6 +18,9 @@ struct Curve {
     /// where x ascends.
     bool isSmooth = false;
     std::vector<QString> warnings = {}; ///< of each sample, "" for nothing; empty for none at all
+    /// Of a layer of a stack, whose area goes from here to y: its own value is the difference.
+    /// Empty for a line.
+    std::vector<double> base = {};
 
     /// LogicError where the columns differ in length.
     void check() const;
@@ -27,12 +31,16 @@ struct Curve {
     /// where it is smooth, else the same. `period` as of valueAt.
     Curve drawn(double period = 0.0) const;
 
+    bool isLayer() const { return !base.empty(); }
+    /// What sample `i` says: y, of a layer its height.
+    double valueOf(std::size_t i) const { return isLayer() ? y[i] - base[i] : y[i]; }
     /// y at `at`, linear between samples or as it is smooth; nothing outside the samples and beside
     /// gaps.
     std::optional<double> valueAt(double at) const;
     /// The same on an axis that repeats after `period`.
     std::optional<double> valueAt(double at, double period) const;
-    /// "12.5 ± 0.3", or "no value"; `period` 0 for an axis that does not repeat.
+    /// "12.5 ± 0.3", of a layer its height, or "no value"; `period` 0 for an axis that does not
+    /// repeat.
     QString readoutAt(double at, double period = 0.0) const;
 
     /// What sample `i` warns of, "" for nothing.
@@ -57,6 +65,8 @@ struct PlotData {
     bool xLogarithmic = false, yLogarithmic = false;
     QStringList warnings = {}; ///< of the results, for the head of their values
     std::vector<PlotMark> marks = {};
+    /// Units of the values that may be shown as others (DisplayUnits); empty: as they are.
+    std::string xUnit = {}, yUnit = {};
 };
 
 /// What a polar plot shows: x of the curves is the angle in degrees, 0 drawn at the top.
@@ -67,8 +77,14 @@ struct PolarData {
     QString directionNote; ///< "angle grows clockwise, seen from above"
     bool clockwise = true;
     std::vector<Curve> curves;
-    QStringList warnings = {}; ///< as of PlotData
+    QStringList warnings = {};   ///< as of PlotData
+    std::string radiusUnit = {}; ///< as of PlotData
 };
+
+/// The same in the units that are shown now. Layers of a stack stay where the other unit is
+/// logarithmic: they would not add up.
+PlotData inShownUnits(PlotData data);
+PolarData inShownUnits(PolarData data);
 
 /// A closed interval; empty when there is nothing to enclose.
 struct Interval {

@@ -1,7 +1,9 @@
 #include "gui/plot/PlotExport.h"
 
+#include <cmath>
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include <QBuffer>
 #include <QImage>
@@ -15,6 +17,7 @@
 
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PolarPlot.h"
+#include "gui/widgets/DisplayUnits.h"
 #include "gui/widgets/ThemeColors.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReplacement.h"
@@ -126,9 +129,9 @@ auto onPaper(const PolarPlot& plot, QSize size, const Work& work) {
 template <typename Plot>
 std::vector<Curve> curvesOf(const Plot& plot, PlotPart part) {
     std::vector<Curve> curves;
-    for (std::size_t i = 0; i < plot.data().curves.size(); ++i)
+    for (std::size_t i = 0; i < plot.stored().curves.size(); ++i)
         if (part == PlotPart::all || plot.isCurveVisible(static_cast<int>(i)))
-            curves.push_back(plot.data().curves[i]);
+            curves.push_back(plot.stored().curves[i]);
     return curves;
 }
 
@@ -195,10 +198,20 @@ QString headOf(const QStringList& warnings, QChar separator) {
 } // namespace
 
 QString plotValues(const CartesianPlot& plot, PlotPart part, QChar separator) {
-    const auto within =
-        part == PlotPart::visible ? std::optional(plot.view().x) : std::optional<Interval>();
-    return headOf(plot.data().warnings, separator) +
-           toCsv(curvesOf(plot, part), plot.data().xTitle, plot.data().yTitle, within, separator);
+    std::optional<Interval> within;
+    if (part == PlotPart::visible)
+        within = plot.view().x;
+    if (const ShownUnit* x = shownUnitOf(plot.stored().xUnit); within && x != nullptr) {
+        within = Interval{x->back(within->minimum), x->back(within->maximum)};
+        if (x->isReversed)
+            std::swap(within->minimum, within->maximum);
+        // Back and forth leaves the last bits of the ends.
+        const double slack = 1e-12 * std::abs(within->maximum);
+        within = Interval{within->minimum - slack, within->maximum + slack};
+    }
+    return headOf(plot.data().warnings, separator) + toCsv(curvesOf(plot, part),
+                                                           plot.stored().xTitle,
+                                                           plot.stored().yTitle, within, separator);
 }
 
 QString plotValues(const PolarPlot& plot, PlotPart part, QChar separator) {
@@ -206,15 +219,20 @@ QString plotValues(const PolarPlot& plot, PlotPart part, QChar separator) {
     if (part == PlotPart::visible && plot.zoomFactor() < 1.0) {
         // A zoomed circle shows no interval of angles but a window.
         const QRectF window = plot.canvas()->rect();
+        const ShownUnit* radius =
+            plot.canBeDecibel() ? nullptr : shownUnitOf(plot.stored().radiusUnit);
         for (auto& curve : curves) {
             Curve seen{curve.name, {}, {}};
             for (std::size_t i = 0; i < curve.x.size(); ++i) {
-                if (!window.contains(plot.canvasPoint(curve.x[i], curve.y[i])))
+                const double shown = radius == nullptr ? curve.y[i] : radius->shown(curve.y[i]);
+                if (!window.contains(plot.canvasPoint(curve.x[i], shown)))
                     continue;
                 seen.x.push_back(curve.x[i]);
                 seen.y.push_back(curve.y[i]);
                 if (!curve.error.empty())
                     seen.error.push_back(curve.error[i]);
+                if (curve.isLayer())
+                    seen.base.push_back(curve.base[i]);
                 if (!curve.warnings.empty())
                     seen.warnings.push_back(curve.warnings[i]);
             }
@@ -222,7 +240,7 @@ QString plotValues(const PolarPlot& plot, PlotPart part, QChar separator) {
         }
     }
     return headOf(plot.data().warnings, separator) +
-           toCsv(curves, QStringLiteral("Angle (°)"), plot.data().radiusTitle, {}, separator);
+           toCsv(curves, QStringLiteral("Angle (°)"), plot.stored().radiusTitle, {}, separator);
 }
 
 } // namespace smat::gui

@@ -195,6 +195,7 @@ void PlotPanel::refresh() {
         actions_.at("logX")->setChecked(cartesian_->isLogarithmic(QwtPlot::xBottom));
         actions_.at("logY")->setChecked(cartesian_->isLogarithmic(QwtPlot::yLeft));
     } else {
+        actions_.at("decibel")->setEnabled(polar_->canBeDecibel());
         actions_.at("decibel")->setChecked(polar_->radiusScale() == RadiusScale::decibel);
     }
 }

@@ -15,8 +15,8 @@
 namespace smat::gui {
 
 GappedPolarCurve::GappedPolarCurve(const QString& title, std::vector<PolarSample> samples,
-                                   bool hasBand)
-    : CurveItemOf(title), samples_(std::move(samples)), hasBand_(hasBand) {
+                                   Band band)
+    : CurveItemOf(title), samples_(std::move(samples)), band_(band) {
     setStyle(QwtPolarCurve::Lines);
     setLegendAttribute(QwtPolarCurve::LegendShowLine, true);
     setLegendIconSize(QSize(22, 12));
@@ -48,9 +48,9 @@ void GappedPolarCurve::draw(QPainter* painter, const QwtScaleMap& azimuthMap,
     };
     painter->save();
     QColor fill = pen().color();
-    fill.setAlphaF(0.22F);
+    fill.setAlphaF(band_ == Band::layer ? layerOpacity : 0.22F);
     for (const SampleRun& run : runsOf(static_cast<int>(samples_.size()), drawable)) {
-        const bool withBand = hasBand_ && isBandVisible();
+        const bool withBand = band_ == Band::layer || (band_ == Band::error && isBandVisible());
         const auto [nearest, reach] = radiiOf(run, radialMap, withBand);
         if (nearest > farthest)
             continue; // beyond the corners

@@ -23,12 +23,13 @@ struct PolarSample {
 };
 
 /// Draws runs of finite samples one by one, so that a missing point leaves a gap; a dot for a
-/// single one, and a band where the curve has errors. A radius below the scale is drawn in the
-/// middle.
+/// single one, and a band where the curve has errors or is a layer of a stack. A radius below the
+/// scale is drawn in the middle.
 class GappedPolarCurve : public CurveItemOf<QwtPolarCurve> {
   public:
     using QwtPolarCurve::draw;
-    GappedPolarCurve(const QString& title, std::vector<PolarSample> samples, bool hasBand);
+    enum class Band { none, error, layer };
+    GappedPolarCurve(const QString& title, std::vector<PolarSample> samples, Band band);
 
     void draw(QPainter* painter, const QwtScaleMap& azimuthMap, const QwtScaleMap& radialMap,
               const QPointF& pole, double radius, const QRectF& canvasRect) const override;
@@ -42,7 +43,7 @@ class GappedPolarCurve : public CurveItemOf<QwtPolarCurve> {
     const std::vector<QPointF>& directionsFor(const QwtScaleMap& azimuthMap) const;
 
     std::vector<PolarSample> samples_;
-    bool hasBand_;
+    Band band_;
     mutable std::array<double, 4> turn_{}; ///< ends of the map that the directions are of
     mutable std::vector<QPointF> directions_;
 };

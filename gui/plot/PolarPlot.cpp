@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include <QKeyEvent>
 #include <QPainter>
@@ -19,6 +20,7 @@
 #include "gui/plot/PlotLook.h"
 #include "gui/plot/PlotNavigator.h"
 #include "gui/plot/PolarItems.h"
+#include "gui/widgets/DisplayUnits.h"
 #include "gui/widgets/NumberFormat.h"
 #include "irsg/core/Errors.h"
 
@@ -73,6 +75,8 @@ PolarPlot::PolarPlot(const PlotStyle& style, QWidget* parent)
     });
     navigator_ = std::make_unique<PlotNavigator>(*this);
     connect(navigator_.get(), &PlotNavigator::readoutChanged, this, &PolarPlot::readoutChanged);
+    connect(&DisplayUnitsWatch::instance(), &DisplayUnitsWatch::changed, this,
+            [this] { present(inShownUnits(stored_)); });
     applyLook();
 }
 
@@ -113,7 +117,16 @@ QWidget* PolarPlot::sheet() const {
 void PolarPlot::setData(PolarData data) {
     for (const auto& curve : data.curves)
         curve.check();
+    stored_ = std::move(data);
+    present(inShownUnits(stored_));
+}
+
+void PolarPlot::present(PolarData data) {
     data_ = std::move(data);
+    if (!canBeDecibel() && radiusScale_ == RadiusScale::decibel) {
+        radiusScale_ = RadiusScale::linear;
+        limits_.reset();
+    }
     drawn_.clear();
     for (const Curve& curve : data_.curves)
         drawn_.push_back(curve.drawn(turn_deg));
@@ -126,7 +139,7 @@ void PolarPlot::setData(PolarData data) {
 }
 
 void PolarPlot::setRadiusScale(RadiusScale scale) {
-    if (radiusScale_ == scale)
+    if (radiusScale_ == scale || (scale == RadiusScale::decibel && !canBeDecibel()))
         return;
     radiusScale_ = scale;
     limits_.reset();
@@ -153,9 +166,7 @@ double PolarPlot::radiusOf(double value) const {
 }
 
 void PolarPlot::rebuild() {
-    std::vector<bool> visible;
-    for (int i = 0; i < curveCount(); ++i)
-        visible.push_back(isCurveVisible(i));
+    const std::vector<bool> visible = shownCurves();
     detachItems(QwtPolarItem::Rtti_PolarCurve, true);
     forgetItems();
 
@@ -171,9 +182,7 @@ void PolarPlot::rebuild() {
     notes_ = std::make_unique<PolarNotes>(style_, data_.directionNote, data_.clockwise, radius);
     notes_->attach(this);
 
-    for (int i = 0; i < std::min(static_cast<int>(visible.size()), curveCount()); ++i)
-        if (!visible[static_cast<std::size_t>(i)])
-            setCurveVisible(i, false);
+    showCurves(visible);
     showWhole();
 }
 
@@ -207,10 +216,12 @@ void PolarPlot::addCurve(std::size_t index) {
         PolarSample sample{angle_deg, radiusOf(y), radiusOf(y), radiusOf(y),
                            !curve.warningOf(k).isEmpty()};
         if (std::isfinite(error) && std::isfinite(sample.radius)) {
+            const auto [least, most] =
+                curve.isLayer() ? std::minmax({curve.base[k], y}) : std::pair(y - error, y + error);
             // A lower end without logarithm reaches the middle.
-            const double low = radiusOf(y - error);
+            const double low = radiusOf(least);
             sample.low = std::isfinite(low) ? low : -std::numeric_limits<double>::max();
-            sample.high = radiusOf(y + error);
+            sample.high = radiusOf(most);
         }
         if (std::isfinite(angle_deg))
             samples.push_back(sample);
@@ -220,7 +231,11 @@ void PolarPlot::addCurve(std::size_t index) {
     // Then the first sample is drawn again.
     if (data_.curves[index].goesRound(turn_deg))
         add(curve.x.front() + turn_deg, 0);
-    auto* item = new GappedPolarCurve(curve.name, std::move(samples), !curve.error.empty());
+    using Band = GappedPolarCurve::Band;
+    auto* item = new GappedPolarCurve(curve.name, std::move(samples),
+                                      curve.isLayer()        ? Band::layer
+                                      : !curve.error.empty() ? Band::error
+                                                             : Band::none);
     item->setZ(10.0 + static_cast<double>(index));
     item->attach(this);
     adopt(item);
@@ -295,7 +310,7 @@ PolarPlot* PolarPlot::makePrintCopy() const {
     auto* twin = new PolarPlot(PlotStyle::paper());
     twin->radiusScale_ = radiusScale_;
     twin->limits_ = limits_;
-    twin->setData(data_);
+    twin->setData(stored_);
     twin->showAsIn(*this);
     return twin;
 }

@@ -44,7 +44,11 @@ class PolarPlot : public QwtPolarPlot, public CurvePlot {
 
     /// LogicError for a curve whose x and y (and errors, where it has any) differ in length.
     void setData(PolarData data);
+    /// As it is shown (DisplayUnits), and as it was given.
     const PolarData& data() const { return data_; }
+    const PolarData& stored() const { return stored_; }
+    /// Whether the radius can be in dB: its values are not already.
+    bool canBeDecibel() const { return data_.radiusTitle == stored_.radiusTitle; }
     void setRadiusScale(RadiusScale scale);
     RadiusScale radiusScale() const { return radiusScale_; }
     /// Where the radius begins, in the middle, and where it ends, in the unit of the values or dB;
@@ -87,6 +91,7 @@ class PolarPlot : public QwtPolarPlot, public CurvePlot {
   private:
     void applyLook();
     void rebuild();
+    void present(PolarData data);
     void setRadiusAxis();
     void addCurve(std::size_t index);
     void showWhole();
@@ -94,7 +99,7 @@ class PolarPlot : public QwtPolarPlot, public CurvePlot {
     double angleAt(const QPointF& canvasPoint) const;
     void placePole(const QPointF& pole, double factor);
 
-    PolarData data_;
+    PolarData stored_, data_;
     std::vector<Curve> drawn_; ///< those of the data, straight between their samples
     RadiusScale radiusScale_ = RadiusScale::linear;
     std::optional<Interval> limits_;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include <QObject>
+
 #include "gui/widgets/NumberFormat.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/Conditions.h"
@@ -107,6 +109,16 @@ QString joined(const QString& a, const QString& b) {
     return a.isEmpty() || b.isEmpty() ? a + b : a + ", " + b;
 }
 
+/// Without a name.
+Curve curveOf(const NamedResult& result, const ResultColumn& column, const Turn& turn) {
+    Curve curve{{}, part(abscissaOf(*result.table).values, turn), part(column.values, turn)};
+    if (const ResultColumn* error = result.table->find("error_" + column.key); error != nullptr)
+        curve.error = part(error->values, turn);
+    curve.warnings = warningsOf(*result.table, turn);
+    curve.isSmooth = isAdaptive(*result.table);
+    return curve;
+}
+
 void addCurves(std::vector<Curve>& curves, const NamedResult& result, const std::string& quantity) {
     const auto columns = requiredColumns(result, quantity);
     const bool hasObjects =
@@ -116,18 +128,101 @@ void addCurves(std::vector<Curve>& curves, const NamedResult& result, const std:
     for (const ResultColumn* column : columns) {
         const QString name =
             columns.size() > 1 ? curveName(result, *column, hasObjects) : result.name;
-        const auto* error = result.table->find("error_" + column->key);
         for (const Turn& turn : turnsOf(*result.table)) {
             const bool isOnlyName = !turn.name.isEmpty() && columns.size() == 1 && result.isAlone;
-            Curve curve{isOnlyName ? turn.name : joined(name, turn.name),
-                        part(abscissaOf(*result.table).values, turn), part(column->values, turn)};
-            if (error != nullptr)
-                curve.error = part(error->values, turn);
-            curve.warnings = warningsOf(*result.table, turn);
-            curve.isSmooth = isAdaptive(*result.table);
+            Curve curve = curveOf(result, *column, turn);
+            curve.name = isOnlyName ? turn.name : joined(name, turn.name);
             curves.push_back(std::move(curve));
         }
     }
+}
+
+/// The columns of a stack: the sum, and what adds up to it.
+struct StackColumns {
+    const ResultColumn* sum = nullptr;
+    std::vector<const ResultColumn*> layers;
+};
+
+/// Without a sum where there is no stack.
+StackColumns stackOf(const ResultTable& table, const std::string& quantity) {
+    StackColumns stack;
+    std::vector<const ResultColumn*> objects;
+    for (const ResultColumn* column : columnsOf(table, quantity)) {
+        const ColumnName name = ColumnName::of(column->key);
+        if (name.object.empty() && stack.sum != nullptr)
+            return {}; // another band
+        if (name.object.empty())
+            stack.sum = column;
+        else
+            (name.part().empty() ? objects : stack.layers).push_back(column);
+    }
+    if (stack.layers.empty())
+        stack.layers = std::move(objects);
+    if (stack.layers.empty() || turnsOf(table).size() > 1)
+        stack.sum = nullptr;
+    return stack;
+}
+
+/// "exhaust", or "near/exhaust" where several objects have parts.
+QString layerName(const StackColumns& stack, const ResultColumn& layer) {
+    const ColumnName name = ColumnName::of(layer.key);
+    const std::string object = name.object.substr(0, name.object.size() - name.part().size());
+    const bool isOfOne = std::ranges::all_of(stack.layers, [&](const ResultColumn* other) {
+        return ColumnName::of(other->key).object.starts_with(object);
+    });
+    return QString::fromStdString(isOfOne && !name.part().empty() ? name.part() : name.object);
+}
+
+/// The layers of a stack and its sum; `result` can be stacked.
+void addStack(std::vector<Curve>& curves, const NamedResult& result, const std::string& quantity) {
+    StackColumns stack = stackOf(*result.table, quantity);
+    const auto size = [](const ResultColumn* column) {
+        double sum = 0.0;
+        for (const double value : column->values)
+            sum += std::isfinite(value) ? std::abs(value) : 0.0;
+        return sum;
+    };
+    std::erase_if(stack.layers, [&](const ResultColumn* column) { return !(size(column) > 0.0); });
+    std::ranges::stable_sort(stack.layers, std::ranges::greater(), size);
+    const std::vector<double>& x = abscissaOf(*result.table).values;
+    std::vector<double> above(x.size(), 0.0), below(x.size(), 0.0); // what lies there already
+    for (const ResultColumn* column : stack.layers) {
+        Curve layer{layerName(stack, *column), x, {}};
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            const double value = column->values[i];
+            double& reached = value < 0.0 ? below[i] : above[i];
+            layer.base.push_back(reached);
+            layer.y.push_back(reached + value);
+            reached += std::isfinite(value) ? value : 0.0;
+        }
+        layer.isSmooth = isAdaptive(*result.table);
+        curves.push_back(std::move(layer));
+    }
+    Curve whole = curveOf(result, *stack.sum, turnsOf(*result.table).front());
+    whole.name = QObject::tr("all");
+    curves.push_back(std::move(whole));
+}
+
+void addTo(std::vector<Curve>& curves, const std::vector<NamedResult>& results,
+           const std::string& quantity, bool stacked) {
+    if (stacked && (results.size() != 1 || !canStack(*results.front().table, quantity)))
+        throw irsg::LogicError("a stack was asked of what cannot be one");
+    for (const NamedResult& result : results)
+        stacked ? addStack(curves, result, quantity) : addCurves(curves, result, quantity);
+}
+
+/// The unit of what may be shown in another one: no differences and errors.
+std::string displayedUnitOf(const ResultColumn& column) {
+    using irsg::Quantity;
+    const ColumnName name = ColumnName::of(column.key);
+    const std::optional<Quantity> quantity = irsg::quantityOfKey(name.quantity);
+    constexpr std::array shown{Quantity::wavelength,     Quantity::wavenumber,
+                               Quantity::temperature,    Quantity::apparentTemperature,
+                               Quantity::intensity,      Quantity::contrastIntensity,
+                               Quantity::sourceIntensity};
+    const bool isShown =
+        name.prefix.empty() && quantity && std::ranges::find(shown, *quantity) != shown.end();
+    return isShown ? column.unit : std::string();
 }
 
 /// A column of the series without its values, which gives the axis its title.
@@ -251,6 +346,10 @@ QString quantityTitle(const ResultTable& table, const std::string& quantity) {
     return QString::fromStdString(titled(table, quantity).axisTitle());
 }
 
+bool canStack(const ResultTable& table, const std::string& quantity) {
+    return !table.empty() && stackOf(table, quantity).sum != nullptr;
+}
+
 bool goOnOnePlot(const ResultTable& a, const ResultTable& b) {
     if (a.empty() || b.empty() || isPolar(a) != isPolar(b))
         return false;
@@ -263,12 +362,12 @@ bool goOnOnePlot(const ResultTable& a, const ResultTable& b) {
     }
 }
 
-PlotData cartesianData(const std::vector<NamedResult>& results, const std::string& quantity) {
+PlotData cartesianData(const std::vector<NamedResult>& results, const std::string& quantity,
+                       bool stacked) {
     requireSame(results, "abscissa",
                 [](const ResultTable& t) { return t.empty() ? "none" : abscissaOf(t).header(); });
     PlotData data;
-    for (const auto& result : results)
-        addCurves(data.curves, result, quantity);
+    addTo(data.curves, results, quantity, stacked);
 
     const auto& first = *results.front().table;
     const auto& x = abscissaOf(first);
@@ -279,12 +378,15 @@ PlotData cartesianData(const std::vector<NamedResult>& results, const std::strin
     data.marks = horizonMarks(results);
     data.xTitle = QString::fromStdString(x.axisTitle());
     data.yTitle = QString::fromStdString(y.axisTitle());
+    data.xUnit = displayedUnitOf(x);
+    data.yUnit = displayedUnitOf(y);
 
     // What was spaced by equal ratios is read on a logarithmic axis.
     for (const BooleanKey spacing : {key::rangeLog, key::conditionLog})
         data.xLogarithmic = data.xLogarithmic || first.provenance.value(spacing) == "true";
     if (isProfile(first)) {
         std::swap(data.xTitle, data.yTitle);
+        std::swap(data.xUnit, data.yUnit);
         for (Curve& curve : data.curves) {
             std::swap(curve.x, curve.y);
             curve.error.clear();
@@ -293,16 +395,17 @@ PlotData cartesianData(const std::vector<NamedResult>& results, const std::strin
     return data;
 }
 
-PolarData polarData(const std::vector<NamedResult>& results, const std::string& quantity) {
+PolarData polarData(const std::vector<NamedResult>& results, const std::string& quantity,
+                    bool stacked) {
     requireSame(results, "a polar plot of type", polarTypeOf);
     PolarData data;
-    for (const auto& result : results)
-        addCurves(data.curves, result, quantity);
+    addTo(data.curves, results, quantity, stacked);
 
     const auto& first = *results.front().table;
     const ResultColumn y = titled(first, quantity);
     const std::string type = polarTypeOf(first);
     data.radiusTitle = QString::fromStdString(y.axisTitle());
+    data.radiusUnit = displayedUnitOf(y);
     data.clockwise = type == "camera-azimuth";
     QString mode;
     if (type == "camera-azimuth") {

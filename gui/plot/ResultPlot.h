@@ -30,11 +30,19 @@ QString quantityTitle(const ResultTable& table, const std::string& quantity);
 /// the quantity that is most asked for.
 bool goOnOnePlot(const ResultTable& a, const ResultTable& b);
 
+/// Whether a quantity of a result can be drawn as a stack of what its parts add, or its objects
+/// where it has no parts: in one band and over one turn.
+bool canStack(const ResultTable& table, const std::string& quantity);
+
 /// Overlays one quantity of several results; a series gives a curve for each object and band, named
 /// by them and its result, and several turns of a polar plot one for each elevation. All must have
 /// it and share the abscissa, and on polar plots the type of sweep (InputError). At least one
-/// result (LogicError).
-PlotData cartesianData(const std::vector<NamedResult>& results, const std::string& quantity);
-PolarData polarData(const std::vector<NamedResult>& results, const std::string& quantity);
+/// result (LogicError). `stacked`, of one result that can be: a layer for each part that adds
+/// anything, the largest first, what is above 0 upwards and what is below downwards, and the sum as
+/// a line.
+PlotData cartesianData(const std::vector<NamedResult>& results, const std::string& quantity,
+                       bool stacked = false);
+PolarData polarData(const std::vector<NamedResult>& results, const std::string& quantity,
+                    bool stacked = false);
 
 } // namespace smat::gui

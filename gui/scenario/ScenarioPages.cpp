@@ -24,7 +24,7 @@ bool ScenarioPages::open(const std::filesystem::path& file) {
     if (!isScenarioFile(file))
         return false;
     if (ScenarioPage* page = pageOf(file)) {
-        tabs_.setCurrentWidget(page);
+        tabs_.bring(page);
         return true;
     }
     try {
@@ -90,8 +90,8 @@ void ScenarioPages::write(const Scenario& scenario, const std::filesystem::path&
 
 ScenarioPage* ScenarioPages::pageOf(const std::filesystem::path& file) const {
     const auto wanted = std::filesystem::absolute(file).lexically_normal();
-    for (int i = 0; i < tabs_.count(); ++i)
-        if (auto* page = qobject_cast<ScenarioPage*>(tabs_.widget(i));
+    for (QWidget* one : tabs_.pages())
+        if (auto* page = qobject_cast<ScenarioPage*>(one);
             page != nullptr && page->document().file() == wanted)
             return page;
     return nullptr;

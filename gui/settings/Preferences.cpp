@@ -19,6 +19,10 @@ namespace smat::gui {
 namespace {
 
 const QStringList themeNames{"system", "light", "dark"}; // in the order of ThemeMode
+// In the order of DisplayUnits::Spectral, then of false and true.
+const QStringList spectralNames{"as-calculated", "um", "cm-1"};
+const QStringList intensityNames{"W/sr", "dB"};
+const QStringList temperatureNames{"K", "degC"};
 constexpr int shortestDelay_s = 1, longestDelay_s = 600;
 
 QSettings open() {
@@ -72,6 +76,16 @@ Preferences Preferences::load(QStringList* problems) {
     else
         refuse("colorMap", "the name of a colour map");
 
+    const auto wordOf = [&](const QString& key, const QStringList& names) {
+        const auto at = names.indexOf(memory.value(key, names.front()).toString());
+        if (at < 0)
+            refuse(key, names.join(", "));
+        return std::max<qsizetype>(at, 0);
+    };
+    preferences.units = {static_cast<DisplayUnits::Spectral>(wordOf("spectralAxis", spectralNames)),
+                         wordOf("intensityUnit", intensityNames) == 1,
+                         wordOf("temperatureUnit", temperatureNames) == 1};
+
     bool isNumber = true;
     const int delay = memory.value("recoveryDelay_s", preferences.recoveryDelay_s).toInt(&isNumber);
     if (isNumber && delay >= shortestDelay_s && delay <= longestDelay_s)
@@ -86,6 +100,9 @@ void Preferences::save() const {
     memory.setValue("theme", themeNames.at(static_cast<int>(theme)));
     memory.setValue("colorMap", QString::fromStdString(colorMap));
     memory.setValue("recoveryDelay_s", recoveryDelay_s);
+    memory.setValue("spectralAxis", spectralNames.at(static_cast<int>(units.spectral)));
+    memory.setValue("intensityUnit", intensityNames.at(units.decibel ? 1 : 0));
+    memory.setValue("temperatureUnit", temperatureNames.at(units.celsius ? 1 : 0));
     memory.sync();
     if (memory.status() != QSettings::NoError)
         throw irsg::InputError({memory.fileName().toStdString(), "",
@@ -112,6 +129,21 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
     delay_->setSuffix(tr(" s after an edit"));
     delay_->setValue(preferences.recoveryDelay_s);
 
+    const auto unitBox = [this](const QString& name, const QStringList& choices, int chosen) {
+        auto* box = new QComboBox(this);
+        box->setObjectName(name);
+        box->addItems(choices);
+        box->setCurrentIndex(chosen);
+        return box;
+    };
+    spectral_ =
+        unitBox("spectralUnit", {tr("As calculated"), tr("Wavelength, µm"), tr("Wavenumber, cm⁻¹")},
+                static_cast<int>(preferences.units.spectral));
+    intensity_ = unitBox("intensityUnit", {tr("W·sr⁻¹"), tr("dB re 1 W·sr⁻¹")},
+                         preferences.units.decibel ? 1 : 0);
+    temperature_ =
+        unitBox("temperatureUnit", {tr("K"), tr("°C")}, preferences.units.celsius ? 1 : 0);
+
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(16);
     form->setVerticalSpacing(10);
@@ -123,6 +155,13 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
     form->addRow({}, explanation(tr("Unsaved changes are kept beside the project's file, never "
                                     "over it, and offered after a crash."),
                                  this));
+    form->addRow(tr("&Spectral axes"), spectral_);
+    form->addRow(tr("&Intensities"), intensity_);
+    form->addRow(tr("Te&mperatures"), temperature_);
+    form->addRow({},
+                 explanation(tr("In plots, images and read-outs. Projects and saved values keep "
+                                "their units."),
+                             this));
     auto* place = explanation(tr("Kept in %1").arg(Preferences::file()), this);
     place->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* buttons = okAndCancel(*this);
@@ -137,8 +176,11 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
 }
 
 Preferences PreferencesDialog::preferences() const {
-    return {static_cast<ThemeMode>(theme_->currentIndex()), colorMap_->currentText().toStdString(),
-            delay_->value()};
+    return {static_cast<ThemeMode>(theme_->currentIndex()),
+            colorMap_->currentText().toStdString(),
+            delay_->value(),
+            {static_cast<DisplayUnits::Spectral>(spectral_->currentIndex()),
+             intensity_->currentIndex() == 1, temperature_->currentIndex() == 1}};
 }
 
 } // namespace smat::gui

@@ -5,6 +5,7 @@
 #include <QDialog>
 #include <QStringList>
 
+#include "gui/widgets/DisplayUnits.h"
 #include "gui/widgets/Theme.h"
 
 class QComboBox;
@@ -18,6 +19,7 @@ struct Preferences {
     ThemeMode theme = ThemeMode::system;
     std::string colorMap = "white-hot"; ///< of projects that are begun, a name of irsg::ColorMap
     int recoveryDelay_s = 5;            ///< from an edit to the recovery copy, 1 to 600
+    DisplayUnits units = {};
 
     bool operator==(const Preferences&) const = default;
 
@@ -29,7 +31,7 @@ struct Preferences {
     void save() const;
 };
 
-/// Theme, colour map and recovery copies.
+/// Theme, colour map, recovery copies and units.
 class PreferencesDialog : public QDialog {
     Q_OBJECT
 
@@ -41,6 +43,9 @@ class PreferencesDialog : public QDialog {
     QComboBox* theme_ = nullptr;
     QComboBox* colorMap_ = nullptr;
     QSpinBox* delay_ = nullptr;
+    QComboBox* spectral_ = nullptr;
+    QComboBox* intensity_ = nullptr;
+    QComboBox* temperature_ = nullptr;
 };
 
 } // namespace smat::gui

@@ -6,6 +6,7 @@
 
 #include "gui/image/ImageView.h"
 #include "gui/view/InfraredDisplay.h"
+#include "gui/widgets/DisplayUnits.h"
 #include "gui/widgets/NumberFormat.h"
 #include "smatcore/settings/SettingKeys.h"
 
@@ -15,8 +16,9 @@ namespace {
 /// A picture that moves should take about this long, s.
 constexpr double slow_s = 0.045, quick_s = 0.012;
 constexpr int coarsest = 4;
-/// Longer than this the visible display stands in for a picture that is awaited, s.
-constexpr double patience_s = 0.5;
+/// An edit whose picture would take longer than this has one without light between surfaces first,
+/// s.
+constexpr double patience_s = 0.25;
 /// From so many triangles on, light between surfaces may take seconds where it is not known yet.
 constexpr std::size_t largeModel = 5000;
 
@@ -118,15 +120,16 @@ QString InfraredPictures::readoutAt(double right, double down) const {
         return {};
     const auto& plane = picture->plane();
     const auto value = static_cast<double>(plane.values[picture->image->offset(x, y)]);
-    return QStringLiteral("%1 %2 %3")
-        .arg(planeTitle(plane), formattedNumber(value), formattedUnit(plane.unit));
+    const QString words =
+        QStringLiteral("%1 %2").arg(planeTitle(plane), valueWithUnit(value, plane.unit));
+    return isOfEarlierState() ? tr("%1 (before the edit)").arg(words) : words;
 }
 
 const InfraredPicture* InfraredPictures::shown() const {
     if (!isOn_ || !picture_.image || !problem_.isEmpty())
         return nullptr;
-    const bool isSeen = picture_.revision == revision_ || display_->waiting_s() < patience_s;
-    return isSeen ? &picture_ : nullptr;
+    // The last one stands until the next is there: what it is of can still be seen.
+    return &picture_;
 }
 
 bool InfraredPictures::isUpToDate() const {
@@ -160,9 +163,11 @@ void InfraredPictures::send(bool coarse) {
     std::optional<InfraredRequest> request = view_();
     if (!request)
         return;
-    // Something to be looked at comes first.
-    request->direct = !picture_.image && trianglesOf(request->models) >= largeModel &&
-                      request->settings[key::renderBounces] != 0.0;
+    // Something to be looked at comes first, of a new scene and of one that was edited.
+    const bool isFirst = !picture_.image && trianglesOf(request->models) >= largeModel;
+    const bool isSlowEdit =
+        picture_.image && picture_.revision != revision_ && ofEdit_s_ > patience_s;
+    request->direct = (isFirst || isSlowEdit) && request->settings[key::renderBounces] != 0.0;
     if (coarse)
         request->size_px = {std::max(request->size_px.width() / coarseness_, 1),
                             std::max(request->size_px.height() / coarseness_, 1)};
@@ -189,9 +194,14 @@ void InfraredPictures::take(const InfraredPicture& picture) {
         coarseness_ = std::min(coarseness_ + 1, coarsest);
     else if (moves && picture.radiance_s < quick_s)
         coarseness_ = std::max(coarseness_ - 1, 1);
+    // The first with light of a state says how long that takes.
+    if (!picture.direct && !picture.coarse && picture.revision != sharpRevision_) {
+        sharpRevision_ = picture.revision;
+        ofEdit_s_ = picture.radiance_s;
+    }
     picture_ = picture;
     problem_.clear();
-    if (picture.direct && !display_->isBusy())
+    if (picture.direct && !display_->isBusy() && !rest_.isActive())
         send(false);
     stopWaiting();
     emit drawn(picture_);

@@ -58,6 +58,8 @@ class InfraredPictures : public QObject {
     QString readoutAt(double right, double down) const;
     /// Why there is none.
     const QStringList& problem() const { return problem_; }
+    /// Whether the picture that is shown is of the scene before its last edit.
+    bool isOfEarlierState() const { return picture_.image && picture_.revision != revision_; }
     /// Every question is answered, with a picture or with why there is none.
     bool isUpToDate() const;
     /// How long an answer is being waited for, s; 0 where none is.
@@ -90,7 +92,9 @@ class InfraredPictures : public QObject {
     InfraredPicture picture_;
     QStringList problem_;
     long revision_ = 0, droppedAt_ = 0;
-    int coarseness_ = 2; ///< pixels of the view to one of a picture that moves
+    long sharpRevision_ = -1; ///< of the last picture with light
+    double ofEdit_s_ = 0.0;   ///< what that took
+    int coarseness_ = 2;      ///< pixels of the view to one of a picture that moves
     QElapsedTimer lastChange_;
     QTimer rest_, waiting_;
 };

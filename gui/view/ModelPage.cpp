@@ -16,6 +16,7 @@
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageExport.h"
 #include "gui/image/PaperPicture.h"
+#include "gui/image/ShownImage.h"
 #include "gui/view/SensorFrusta.h"
 #include "gui/view/ViewOverlay.h"
 #include "gui/widgets/FlowBar.h"
@@ -76,7 +77,17 @@ ModelPage::ModelPage(QWidget* parent) : QWidget(parent) {
     column->addWidget(strip_);
     column->addLayout(middle, 1);
 
-    connect(bar_, &ColorBar::limitsEdited, &view_->infrared(), &InfraredPictures::setLimits);
+    connect(bar_, &ColorBar::limitsEdited, this, [this](irsg::DisplayLimits limits) {
+        const InfraredPicture* picture = view_->shownPicture();
+        const ShownUnit* unit = picture == nullptr ? nullptr : unitOfPlane(picture->plane());
+        if (unit != nullptr) {
+            limits.low = unit->back(limits.low);
+            limits.high = unit->back(limits.high);
+        }
+        view_->infrared().setLimits(limits);
+    });
+    connect(&DisplayUnitsWatch::instance(), &DisplayUnitsWatch::changed, this,
+            &ModelPage::refreshBar);
     const auto takeRule = [this] { view_->infrared().setColorRule(bar_->rule()); };
     connect(bar_, &ColorBar::scaleChosen, view_, takeRule);
     connect(bar_, &ColorBar::modeChosen, view_, takeRule);
@@ -340,8 +351,20 @@ void ModelPage::refreshBar() {
     if (picture == nullptr)
         return;
     const auto& plane = picture->plane();
-    bar_->setTitle(QStringLiteral("%1 (%2)").arg(planeTitle(plane), formattedUnit(plane.unit)));
-    bar_->setColors(view_->infrared().colorMap(), picture->limits);
+    const ShownUnit* unit = unitOfPlane(plane);
+    bar_->setTitle(QStringLiteral("%1 (%2)").arg(
+        planeTitle(plane), unit == nullptr ? formattedUnit(plane.unit) : unit->unit));
+    irsg::DisplayLimits limits = picture->limits;
+    if (unit != nullptr) {
+        limits.low = unit->shown(limits.low);
+        limits.high = unit->shown(limits.high);
+        if (limits.levels) {
+            std::vector<double> levels = *limits.levels;
+            std::ranges::transform(levels, levels.begin(), unit->shown);
+            limits.levels = std::make_shared<const std::vector<double>>(std::move(levels));
+        }
+    }
+    bar_->setColors(view_->infrared().colorMap(), limits);
 }
 
 QStringList ModelPage::exportFilters() const {

@@ -1,5 +1,10 @@
 #include "gui/workbench/PageTabs.h"
 
+#include <utility>
+
+#include <QApplication>
+#include <QMenu>
+#include <QMouseEvent>
 #include <QTabBar>
 
 #include "gui/analysis/ResultPage.h"
@@ -12,7 +17,23 @@
 
 namespace smat::gui {
 
-PageTabs::PageTabs(QWidget* parent) : QTabWidget(parent) {
+/// The second row: there while it has pages.
+class PageTabs::Row : public QTabWidget {
+  public:
+    explicit Row(QWidget* parent) : QTabWidget(parent) {
+        setObjectName("tabsBeside");
+        setTabsClosable(true);
+        setDocumentMode(true);
+        hide();
+    }
+    ~Row() override { blockSignals(true); }
+
+  protected:
+    void tabInserted(int) override { setVisible(true); }
+    void tabRemoved(int) override { setVisible(count() > 0); }
+};
+
+PageTabs::PageTabs(QWidget* parent) : QTabWidget(parent), beside_(new Row(parent)) {
     setObjectName("tabs");
     setTabsClosable(true);
     setMovable(false);
@@ -21,15 +42,37 @@ PageTabs::PageTabs(QWidget* parent) : QTabWidget(parent) {
 
 PageTabs::~PageTabs() {
     blockSignals(true); // pages that go with it are no news
+    disconnect(qApp, nullptr, this, nullptr);
 }
 
 void PageTabs::setFirst(QWidget* page, const QString& title) {
     addTab(page, icon("axes"), title);
     for (const auto side : {QTabBar::LeftSide, QTabBar::RightSide})
         tabBar()->setTabButton(0, side, nullptr);
-    connect(this, &QTabWidget::tabCloseRequested, this, &PageTabs::close);
-    letShownPageAloneAskForRoom(*this);
-    connect(this, &QTabWidget::currentChanged, this, &PageTabs::shownChanged);
+    connect(this, &QTabWidget::tabCloseRequested, this,
+            [this](int index) { close(widget(index)); });
+    connect(beside_, &QTabWidget::tabCloseRequested, this,
+            [this](int index) { close(beside_->widget(index)); });
+    for (QTabWidget* row : {static_cast<QTabWidget*>(this), beside_}) {
+        letShownPageAloneAskForRoom(*row);
+        connect(row, &QTabWidget::currentChanged, this, &PageTabs::shownChanged);
+        row->tabBar()->installEventFilter(this);
+    }
+    QTabBar* bar = beside_->tabBar();
+    bar->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(bar, &QWidget::customContextMenuRequested, this, [this, bar](const QPoint& where) {
+        QWidget* page = beside_->widget(bar->tabAt(where));
+        if (page == nullptr)
+            return;
+        auto* menu = new QMenu(this);
+        menu->setObjectName("besideMenu");
+        menu->setAttribute(Qt::WA_DeleteOnClose);
+        menu->addAction(icon("attach"), tr("Back to the other pages"), this,
+                        [this, page] { moveAcross(page); });
+        menu->addAction(icon("remove"), tr("Close"), this, [this, page] { close(page); });
+        menu->popup(bar->mapToGlobal(where));
+    });
+    connect(qApp, &QApplication::focusChanged, this, &PageTabs::noteFocus);
 }
 
 void PageTabs::addPage(QWidget* page, const QIcon& icon, const QString& title) {
@@ -37,29 +80,111 @@ void PageTabs::addPage(QWidget* page, const QIcon& icon, const QString& title) {
 }
 
 void PageTabs::retitle(QWidget* page, const QString& title) {
-    setTabText(indexOf(page), title);
+    QTabWidget* row = isBeside(page) ? beside_ : this;
+    row->setTabText(row->indexOf(page), title);
     emit shownChanged();
 }
 
+bool PageTabs::isBeside(const QWidget* page) const {
+    return beside_->indexOf(page) >= 0;
+}
+
+void PageTabs::moveAcross(QWidget* page) {
+    const bool back = isBeside(page);
+    QTabWidget* from = back ? beside_ : this;
+    QTabWidget* to = back ? this : beside_;
+    const int index = from->indexOf(page);
+    if (index < (back ? 0 : 1))
+        return;
+    const QIcon mark = from->tabIcon(index);
+    const QString title = from->tabText(index);
+    from->removeTab(index);
+    to->setCurrentIndex(to->addTab(page, mark, title));
+    page->setFocus();
+    emit shownChanged();
+}
+
+std::vector<QWidget*> PageTabs::pages() const {
+    std::vector<QWidget*> all;
+    for (const QTabWidget* row :
+         {static_cast<const QTabWidget*>(this), static_cast<const QTabWidget*>(beside_)})
+        for (int i = 0; i < row->count(); ++i)
+            all.push_back(row->widget(i));
+    return all;
+}
+
+void PageTabs::bring(QWidget* page) {
+    QTabWidget* row = isBeside(page) ? beside_ : this;
+    row->setCurrentWidget(page);
+    if (row == beside_)
+        page->setFocus();
+}
+
+QWidget* PageTabs::shownPage() const {
+    QWidget* other = beside_->currentWidget();
+    const QWidget* focus = QApplication::focusWidget();
+    const bool isThere =
+        other != nullptr && focus != nullptr && (beside_->isAncestorOf(focus) || focus == beside_);
+    return isThere ? other : currentWidget();
+}
+
+void PageTabs::noteFocus() {
+    QWidget* shown = shownPage();
+    if (shown == shown_)
+        return;
+    shown_ = shown;
+    emit shownChanged();
+}
+
+bool PageTabs::eventFilter(QObject* watched, QEvent* event) {
+    QTabWidget* row = watched == tabBar() ? this : beside_;
+    const auto* mouse = static_cast<QMouseEvent*>(event);
+    if (event->type() == QEvent::MouseButtonPress && mouse->button() == Qt::LeftButton) {
+        dragged_ = row->widget(row->tabBar()->tabAt(mouse->pos()));
+    } else if (event->type() == QEvent::MouseMove && dragged_ != nullptr) {
+        const bool isOutside = !row->tabBar()->rect().contains(mouse->pos());
+        if (isOutside && dragged_ != widget(0))
+            row->tabBar()->setCursor(Qt::DragMoveCursor);
+        else
+            row->tabBar()->unsetCursor();
+    } else if (event->type() == QEvent::MouseButtonRelease && dragged_ != nullptr) {
+        row->tabBar()->unsetCursor();
+        drop(*row, mouse->globalPosition().toPoint());
+    }
+    return QTabWidget::eventFilter(watched, event);
+}
+
+void PageTabs::drop(QTabWidget& row, const QPoint& global) {
+    QWidget* page = std::exchange(dragged_, nullptr);
+    // It may have been closed meanwhile.
+    if (row.indexOf(page) < 0 || row.tabBar()->rect().contains(row.tabBar()->mapFromGlobal(global)))
+        return;
+    const QPoint here = mapFromGlobal(global), there = beside_->mapFromGlobal(global);
+    const bool isOverRightHalf = rect().contains(here) && 2 * here.x() > width();
+    const bool isOverOther = beside_->isVisible() && beside_->rect().contains(there);
+    if (&row == this ? isOverOther || isOverRightHalf : rect().contains(here))
+        moveAcross(page);
+}
+
 ResultPage* PageTabs::currentResult() const {
-    return qobject_cast<ResultPage*>(currentWidget());
+    return qobject_cast<ResultPage*>(shownPage());
 }
 
 DocumentPage* PageTabs::shownDocument() const {
-    return dynamic_cast<DocumentPage*>(currentWidget());
+    return dynamic_cast<DocumentPage*>(shownPage());
 }
 
-void PageTabs::close(int index) {
-    if (index <= 0)
+void PageTabs::close(QWidget* page) {
+    if (page == nullptr || page == widget(0))
         return;
-    auto* document = dynamic_cast<DocumentPage*>(widget(index));
+    auto* document = dynamic_cast<DocumentPage*>(page);
     if (document == nullptr || document->mayClose())
-        delete widget(index);
+        delete page;
 }
 
 bool PageTabs::mayCloseAll() const {
-    for (int i = 1; i < count(); ++i) {
-        auto* document = dynamic_cast<DocumentPage*>(widget(i));
+    for (QWidget* page : pages()) {
+        auto* document = dynamic_cast<DocumentPage*>(page);
         if (document != nullptr && !document->mayClose())
             return false;
     }
@@ -67,11 +192,11 @@ bool PageTabs::mayCloseAll() const {
 }
 
 bool PageTabs::mayExportShown() const {
-    return dynamic_cast<Exportable*>(currentWidget()) != nullptr;
+    return dynamic_cast<Exportable*>(shownPage()) != nullptr;
 }
 
 void PageTabs::exportShown(const Dialogs& dialogs) {
-    const auto* page = dynamic_cast<Exportable*>(currentWidget());
+    const auto* page = dynamic_cast<Exportable*>(shownPage());
     if (page == nullptr || page->exportFilters().isEmpty()) {
         emit said(tr("This page has nothing to export yet"));
         return;

@@ -18,7 +18,7 @@ namespace {
 class PlotsWalkTest : public test::GuideFixture {};
 
 TEST_F(PlotsWalkTest, ZoomReadExportAndOverlay) {
-    test::GuideWalk walk("plots");
+    test::GuideWalk walk("plots", "");
     test::keepClipboard();
     openSample();
     workbench.set("render.errors", "off"); // a plot without, for the end of the walk

@@ -466,12 +466,12 @@ TEST_F(WindowWalkTest, SettingsAndHelp) {
     terminal("smat-batch image ship.smat --set render.sunDisc=false --set sensor.width=16 --set "
              "sensor.height=16 --out x.exr");
     walk.step("Edit → Preferences… (Ctrl+,) holds settings of the user, not of the project: theme, "
-              "colour map of new projects, recovery copies.");
+              "colour map of new projects, recovery copies, units of display.");
     EXPECT_EQ(get<QAction>("preferences")->shortcut(), QKeySequence("Ctrl+,"));
     accept = false;
     bool isSeen = false;
     onDialog = [&](QDialog& dialog) {
-        for (const char* name : {"theme", "colorMap", "recoveryDelay"}) {
+        for (const char* name : {"theme", "colorMap", "recoveryDelay", "spectralUnit"}) {
             EXPECT_NE(dialog.findChild<QWidget*>(name), nullptr) << name;
         }
         isSeen = true;

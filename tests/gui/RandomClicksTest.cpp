@@ -1,0 +1,195 @@
+// Random clicks and keys over the whole window: no crash, no hang, bounded memory.
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <thread>
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QPointer>
+#include <QTest>
+#include <QWheelEvent>
+
+#include "tests/gui/ProcessCounts.h"
+#include "tests/gui/WindowFixture.h"
+
+namespace smat::gui {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsOr(const char* variable, double otherwise) {
+    const char* text = std::getenv(variable);
+    return text == nullptr ? otherwise : std::atof(text);
+}
+
+/// Ends the program where the window does not answer for a minute, with the act that it is at.
+class Watchdog {
+  public:
+    Watchdog() : thread_([this] { watch(); }) {}
+    ~Watchdog() {
+        isOver_ = true;
+        thread_.join();
+    }
+    Watchdog(const Watchdog&) = delete;
+    Watchdog& operator=(const Watchdog&) = delete;
+    void step(const QString& act) {
+        act_ = act;
+        ++steps_;
+    }
+    const QString& act() const { return act_; }
+
+  private:
+    void watch() {
+        long last = -1;
+        auto since = Clock::now();
+        while (!isOver_) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            if (const long now = steps_; now != last) {
+                last = now;
+                since = Clock::now();
+            } else if (Clock::now() - since > std::chrono::minutes(1)) {
+                std::fprintf(stderr, "no answer for a minute after: %s\n", qPrintable(act_));
+                std::abort();
+            }
+        }
+    }
+    std::atomic<bool> isOver_ = false;
+    std::atomic<long> steps_ = 0;
+    QString act_;
+    std::thread thread_;
+};
+
+class RandomClicks : public test::WindowFixture {
+  protected:
+    RandomClicks() {
+        // Dialogs are clicked in, too, then they are left by one answer or the other.
+        onDialog = [this](QDialog& dialog) {
+            if (depth_ > 2) {
+                return;
+            }
+            ++depth_;
+            for (int i = 0; i < 6 && dialog.isVisible(); ++i) {
+                act(dialog);
+            }
+            --depth_;
+            accept = number(2) == 0;
+            answer = number(3) - 1;
+        };
+    }
+    int number(int below) {
+        return std::uniform_int_distribution<int>(0, std::max(below, 1) - 1)(random_);
+    }
+    /// One click, drag, turn of the wheel or key somewhere in a window.
+    void act(QWidget& in) {
+        QWidget* popup = QApplication::activePopupWidget();
+        QWidget& root = popup != nullptr && number(4) > 0 ? *popup : in;
+        if (popup != nullptr && &root != popup) {
+            popup->close();
+        }
+        const QPoint where(number(root.width()), number(root.height()));
+        QPointer<QWidget> target = root.childAt(where);
+        if (target == nullptr) {
+            target = &root;
+        }
+        const QPoint at = target->mapFrom(&root, where);
+        // Quitting is no act of a session, and a dialog of the desktop cannot be clicked.
+        if (auto* menu = qobject_cast<QMenu*>(target.data())) {
+            const QAction* action = menu->actionAt(at);
+            if (action != nullptr && isLeftOut(*action)) {
+                return;
+            }
+        }
+        const int kind = number(10);
+        dog_.step(QStringLiteral("%1 on %2 %3")
+                      .arg(kind)
+                      .arg(target->metaObject()->className(), target->objectName()));
+        const auto modifiers = number(8) == 0   ? Qt::ShiftModifier
+                               : number(8) == 0 ? Qt::ControlModifier
+                                                : Qt::NoModifier;
+        if (kind < 5) {
+            const auto button = number(6) == 0 ? Qt::RightButton : Qt::LeftButton;
+            QTest::mousePress(target, button, modifiers, at);
+            if (target != nullptr && number(3) == 0) {
+                QTest::mouseMove(target, at + QPoint(number(120) - 60, number(120) - 60));
+            }
+            if (target != nullptr) {
+                QTest::mouseRelease(target, button, modifiers, at);
+            }
+        } else if (kind == 5) {
+            QTest::mouseDClick(target, Qt::LeftButton, modifiers, at);
+        } else if (kind == 6) {
+            QWheelEvent wheel(at, target->mapToGlobal(at), {}, {0, number(2) ? 120 : -120},
+                              Qt::NoButton, modifiers, Qt::NoScrollPhase, false);
+            QApplication::sendEvent(target, &wheel);
+        } else {
+            static constexpr std::array keys{
+                Qt::Key_Tab,   Qt::Key_Backtab, Qt::Key_Return, Qt::Key_Escape, Qt::Key_Space,
+                Qt::Key_Up,    Qt::Key_Down,    Qt::Key_Left,   Qt::Key_Right,  Qt::Key_PageUp,
+                Qt::Key_Home,  Qt::Key_End,     Qt::Key_Delete, Qt::Key_F2,     Qt::Key_F6,
+                Qt::Key_1,     Qt::Key_2,       Qt::Key_5,      Qt::Key_Comma,  Qt::Key_E,
+                Qt::Key_M,     Qt::Key_P,       Qt::Key_G,      Qt::Key_I,      Qt::Key_H,
+                Qt::Key_Minus, Qt::Key_Z,       Qt::Key_Y,      Qt::Key_Period, Qt::Key_Backspace};
+            QWidget* focus = QApplication::focusWidget();
+            QTest::keyClick(focus == nullptr ? &root : focus,
+                            keys[static_cast<std::size_t>(number(keys.size()))], modifiers);
+        }
+        QApplication::processEvents(QEventLoop::AllEvents, 20);
+    }
+    static bool isLeftOut(const QAction& action) { return action.objectName() == "quit"; }
+
+    void go(unsigned seed, double duration_s) {
+        random_.seed(seed);
+        std::printf("seed %u, %.0f s\n", seed, duration_s);
+        std::fflush(stdout);
+        openSample();
+        chosen = QString::fromStdString((folder / "written.smat").string());
+        const auto end = Clock::now() + std::chrono::duration<double>(duration_s);
+        long acts = 0;
+        double first_MB = 0.0;
+        for (; Clock::now() < end; ++acts) {
+            if (!window->isVisible()) {
+                window->show();
+            }
+            act(*window);
+            if (acts % 500 == 0) {
+                told.clear();
+                asked.clear();
+                if (acts == 2000) {
+                    first_MB = 1e-3 * smat::test::allocated_kB();
+                }
+            }
+        }
+        while (QWidget* popup = QApplication::activePopupWidget()) {
+            popup->close();
+        }
+        const double now_MB = 1e-3 * smat::test::allocated_kB();
+        std::printf("%ld acts, %.0f MB after 2000 of them, %.0f MB at the end\n", acts, first_MB,
+                    now_MB);
+        EXPECT_GT(acts, 20);
+        if (first_MB > 0.0) {
+            EXPECT_LT(now_MB, first_MB + 1500.0);
+        }
+        workbench.jobs().cancelAll();
+        ASSERT_TRUE(test::waitUntil([&] { return !workbench.isRunning(); }));
+    }
+
+  private:
+    std::mt19937 random_;
+    Watchdog dog_;
+    int depth_ = 0;
+};
+
+/// For longer: SMAT_CLICKS_S=600 SMAT_CLICKS_SEED=7.
+TEST_F(RandomClicks, LeaveTheWindowAlive) {
+    go(static_cast<unsigned>(secondsOr("SMAT_CLICKS_SEED", 1.0)), secondsOr("SMAT_CLICKS_S", 3.0));
+}
+
+} // namespace
+} // namespace smat::gui
