@@ -162,6 +162,17 @@ PlumeTable PlumeTable::read(const std::filesystem::path& file) {
     return table;
 }
 
+PlumeTable PlumeTable::ofNodes(std::vector<double> x_m, std::vector<double> r_m,
+                               std::vector<GasLayer> nodes) {
+    if (nodes.size() != x_m.size() * r_m.size())
+        throw LogicError("a plume has not one node for each x and r");
+    PlumeTable table;
+    table.x_m_ = std::move(x_m);
+    table.r_m_ = std::move(r_m);
+    table.nodes_ = std::move(nodes);
+    return table;
+}
+
 GasLayer PlumeTable::at(double x_m, double r_m) const {
     const Bracket x = bracket(x_m_, x_m), r = bracket(r_m_, r_m);
     GasLayer gas;

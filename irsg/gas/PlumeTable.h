@@ -19,6 +19,9 @@ class PlumeTable {
     /// in any order of rows; 2 at least of both, r from 0. Throws InputError with every diagnostic
     /// by file, line and column.
     static PlumeTable read(const std::filesystem::path& file);
+    /// Nodes by x, then r; both ascending, r from 0. LogicError for another number of nodes.
+    static PlumeTable ofNodes(std::vector<double> x_m, std::vector<double> r_m,
+                              std::vector<GasLayer> nodes);
 
     const std::vector<double>& x_m() const { return x_m_; }
     const std::vector<double>& r_m() const { return r_m_; }
@@ -40,10 +43,10 @@ struct PlumeZone {
     std::vector<std::vector<std::array<double, 2>>> outlines_m;
 };
 
-/// So many zones between temperatures that part the emission evenly; gas that emits less than
-/// 1e-3 of it, colder than all, is left out. The gas of a zone is the mean of its nodes, weighted
-/// with what they emit. InputError where nothing emits, or the temperature rises away from the
-/// axis.
+/// So many zones between temperatures that part emission and absorption evenly; gas that has less
+/// than 1e-3 of them, colder than all, is left out. The gas of a zone is the mean of its nodes,
+/// weighted with what they emit. InputError where nothing emits, or the temperature rises away from
+/// the axis.
 std::vector<PlumeZone> plumeZones(const PlumeTable& table, std::size_t count);
 
 /// What zones send compared with the table itself.
@@ -65,15 +68,16 @@ class PlumeIntensities {
   private:
     struct Sight {
         std::vector<std::array<double, 2>> places_m; ///< (x, r), from the sensor on
+        std::vector<double> lengths_m;               ///< of the steps about them
         double area_m2 = 0.0;
     };
     struct View {
         std::string name;
         std::vector<Sight> sights;
-        double step_m = 0.0, intensity_W_sr = 0.0;
+        double intensity_W_sr = 0.0;
     };
     double radiance(const std::vector<GasLayer>& gases, const std::vector<std::size_t>& gasOfPlaces,
-                    double step_m) const;
+                    const std::vector<double>& lengths_m) const;
 
     SpectralRange band_;
     std::vector<double> wavenumbers_per_cm_, widths_um_;

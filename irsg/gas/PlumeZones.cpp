@@ -141,9 +141,16 @@ void checkFallsOutwards(const PlumeTable& table) {
 
 std::vector<PlumeZone> plumeZones(const PlumeTable& table, std::size_t count) {
     checkFallsOutwards(table);
-    const std::vector<Ring> rings = ringsOf(table);
+    std::vector<Ring> rings = ringsOf(table);
+    // What is colder than all that counts would be spread over much air.
+    constexpr double countsNot = 1e-3;
+    double rest = 0.0;
+    while (rings.size() > 1 && rest + rings.back().counts < countsNot) {
+        rest += rings.back().counts;
+        rings.pop_back();
+    }
     std::vector<PlumeZone> zones; // hottest first
-    double sum = 0.0;
+    double sum = rest;
     auto first = rings.begin();
     for (auto ring = rings.begin(); ring != rings.end() && zones.size() < count; ++ring) {
         sum += ring->counts;
@@ -152,8 +159,8 @@ std::vector<PlumeZone> plumeZones(const PlumeTable& table, std::size_t count) {
         const bool isLast = next == rings.end();
         if (!isLast && (sum < part || zones.size() + 1 == count))
             continue;
-        // Equal temperatures stay together; the last zone is all of the table.
-        const double from_K = isLast ? 0.0 : ring->gas.temperature_K;
+        // Equal temperatures stay together; the last zone is all that counts.
+        const double from_K = isLast && rest == 0.0 ? 0.0 : ring->gas.temperature_K;
         if (!isLast && next->gas.temperature_K == from_K)
             continue;
         zones.push_back({meanOf(first, next), from_K, outlinesOf(table, from_K)});
@@ -191,21 +198,26 @@ PlumeIntensities::PlumeIntensities(const PlumeTable& table, const SpectralRange&
         // across.
         const double half_m = 0.5 * length_m * sine + radius_m * cosine;
         const double deep_m = 0.5 * length_m * cosine + radius_m * sine;
-        view.step_m = 2.0 * deep_m / steps;
         for (int i = 0; i < along; ++i)
             for (int j = 0; j < across; ++j) {
-                const double u_m = half_m * (2.0 * (i + 0.5) / along - 1.0);
-                // By squares: what is hot lies about the axis.
-                const double part = (j + 0.5) / across, v_m = radius_m * part * part;
+                // By squares: what is hot lies near the nozzle and about the axis.
+                const double from = (i + 0.5) / along, part = (j + 0.5) / across;
+                const double u_m = half_m * (1.0 - 2.0 * from * from), v_m = radius_m * part * part;
                 Sight sight;
-                sight.area_m2 = 2.0 * half_m / along * 2.0 * radius_m * 2.0 * part / across;
+                sight.area_m2 = 4.0 * half_m * from / along * 2.0 * radius_m * 2.0 * part / across;
+                // Likewise along it, about the place nearest to the axis.
+                const double nearest_m = -u_m * cosine / sine;
+                const double reach_m = deep_m + std::abs(nearest_m);
                 for (int k = 0; k < steps; ++k) {
-                    const double s_m = deep_m - (k + 0.5) * view.step_m;
+                    const double step = 1.0 - 2.0 * (k + 0.5) / steps;
+                    const double s_m = nearest_m + reach_m * step * std::abs(step);
                     const double x_m = middle_m + s_m * cosine - u_m * sine;
                     const double y_m = s_m * sine + u_m * cosine;
                     const double r_m = std::hypot(y_m, v_m);
-                    if (x_m >= table.x_m().front() && x_m <= table.x_m().back() && r_m <= radius_m)
-                        sight.places_m.push_back({x_m, r_m});
+                    if (x_m < table.x_m().front() || x_m > table.x_m().back() || r_m > radius_m)
+                        continue;
+                    sight.places_m.push_back({x_m, r_m});
+                    sight.lengths_m.push_back(reach_m * 2.0 * std::abs(step) * 2.0 / steps);
                 }
                 if (!sight.places_m.empty())
                     view.sights.push_back(std::move(sight));
@@ -218,7 +230,7 @@ PlumeIntensities::PlumeIntensities(const PlumeTable& table, const SpectralRange&
                 places.push_back(gases.size());
                 gases.push_back(table.at(x_m, r_m));
             }
-            sent[i] = view.sights[i].area_m2 * radiance(gases, places, view.step_m);
+            sent[i] = view.sights[i].area_m2 * radiance(gases, places, view.sights[i].lengths_m);
         });
         for (const double of : sent)
             view.intensity_W_sr += of;
@@ -227,13 +239,13 @@ PlumeIntensities::PlumeIntensities(const PlumeTable& table, const SpectralRange&
 
 double PlumeIntensities::radiance(const std::vector<GasLayer>& gases,
                                   const std::vector<std::size_t>& gasOfPlaces,
-                                  double step_m) const {
+                                  const std::vector<double>& lengths_m) const {
     std::vector<GasStretch> column;
-    for (const std::size_t gas : gasOfPlaces)
-        if (!column.empty() && column.back().gas == gas)
-            column.back().length_m += step_m;
+    for (std::size_t i = 0; i < gasOfPlaces.size(); ++i)
+        if (!column.empty() && column.back().gas == gasOfPlaces[i])
+            column.back().length_m += lengths_m[i];
         else
-            column.push_back({gas, step_m});
+            column.push_back({gasOfPlaces[i], lengths_m[i]});
     if (column.empty())
         return 0.0;
     const auto shares = GasColumns(gases, wavenumbers_per_cm_).shares(column);
@@ -269,13 +281,17 @@ std::vector<PlumeZonesError> PlumeIntensities::errorsOf(const std::vector<PlumeZ
         std::vector<double> sent(view.sights.size());
         parallelFor(view.sights.size(), [&](std::size_t i) {
             std::vector<std::size_t> places;
-            for (const auto& [x_m, r_m] : view.sights[i].places_m)
+            std::vector<double> lengths_m;
+            for (std::size_t k = 0; k < view.sights[i].places_m.size(); ++k) {
+                const auto& [x_m, r_m] = view.sights[i].places_m[k];
                 for (std::size_t z = zones.size(); z-- > 0;) // the innermost
                     if (isIn(zones[z], x_m, r_m)) {
                         places.push_back(z);
+                        lengths_m.push_back(view.sights[i].lengths_m[k]);
                         break;
                     }
-            sent[i] = view.sights[i].area_m2 * radiance(gases, places, view.step_m);
+            }
+            sent[i] = view.sights[i].area_m2 * radiance(gases, places, lengths_m);
         });
         PlumeZonesError& error = errors.emplace_back();
         error.view = view.name;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "irsg/radiance/GasZones.h"
@@ -11,25 +12,24 @@
 
 namespace irsg {
 
-/// A line of sight through gases as a weighted sum of columns (GasColumnKey): its lengths in the
-/// gases of an entity lie in a box of knots, which is divided into simplices by the order of the
-/// lengths' fractions (Freudenthal 1942, Ann. Math. 43, 580), so that what is linear in the lengths
-/// comes out exact and the rest continuous. Follows the walls of zones along one sample; between
-/// nested or crossing zones the gas of the smallest volume counts. One for each walk.
+/// A line of sight through gases as a weighted sum of columns (GasColumnBasis). Follows the walls
+/// of zones along one sample; between nested or crossing zones the gas of the smallest volume
+/// counts. One for each walk.
 class GasWalk {
   public:
-    explicit GasWalk(const SurfaceRows& rows) : rows_(rows) {}
+    explicit GasWalk(const SurfaceRows& rows) : rows_(rows), sets_(1) {}
 
-    /// A column of some entities' gases, and the part of the sample that has it.
+    /// One column of some entities' gases, and its weight in the sample, which may be below 0.
     struct Branch {
-        std::vector<OccluderMaterial> columns;
+        int set = 0; ///< of materials: see columns()
         double weight = 1.0;
     };
-    /// Emission of the stretches since something that is no gas was met last.
+    /// What all gas of an entity emits since something that is no gas was met last.
     struct Emission {
-        int row = 0; ///< drawn row of the gas
+        int row = 0;      ///< drawn row of the entity's first gas, which stands for all of them
+        int metFirst = 0; ///< drawn row of the gas nearest to the sensor
         float distance_m = 0.0f;
-        Branch branch; ///< with the column itself
+        Branch branch; ///< with the column itself, and what stands before it
     };
 
     /// Begins a sample in the gases of these drawn rows.
@@ -44,42 +44,38 @@ class GasWalk {
     const std::vector<Emission>& takeEmission();
     /// What stands before what comes next; weights add up to 1.
     const std::vector<Branch>& branches() const { return branches_; }
+    /// The materials of a set; number 0 is none.
+    const std::vector<OccluderMaterial>& columns(int set) const {
+        return sets_[static_cast<std::size_t>(set)];
+    }
 
   private:
-    struct Stretch {
-        int row = 0;
-        double length_m = 0.0;
+    /// What stays the same from sample to sample.
+    struct OfEntity {
+        int entity = 0, firstRow = 0;
+        const GasColumnsOfEntity* columns = nullptr;
+        int firstSet = 0; ///< of its columns, which follow each other
+        GasColumnBasis::Line line;
+        std::vector<double> weights, told;
+        bool isMet = false, isNew = false; ///< in this sample
+        int metFirst = 0;
         float from_m = 0.0f;
     };
-    struct OfEntity {
-        int entity = 0;
-        std::vector<Stretch> stretches;
-        std::size_t told = 0; ///< of the stretches
-        struct Vertex {
-            std::vector<double> lengths_m;
-            double weight = 0.0;
-            int number = 0; ///< of its column as a whole
-        };
-        std::vector<Vertex> vertices;
-    };
     int innermost() const;
-    OfEntity& ofEntity(int entity);
-    /// The vertices of the simplex that holds all lengths.
-    std::vector<OfEntity::Vertex> simplex(const OfEntity& gas);
-    /// Fills in `column_`.
-    void makeColumn(const OfEntity& gas, const OfEntity::Vertex& vertex, std::size_t before);
-    int numberOfColumn();
-    void addEmission(const OfEntity& gas, std::size_t vertex);
-    void fillBranches();
+    OfEntity& ofEntity(int row);
+    /// The columns of all gas that was told of but that of one entity, or none.
+    void fillBranches(const OfEntity* without, std::vector<Branch>& branches);
+    int joined(int set, int other);
 
     const SurfaceRows& rows_;
     std::vector<int> inside_; ///< drawn rows
     float at_m_ = 0.0f;
     bool hasNew_ = false;
-    std::vector<OfEntity> gases_; ///< in the order in which they were met
-    std::vector<Branch> branches_;
-    GasColumnKey column_;
-    std::map<GasColumnKey, int> numbers_; ///< of those that this walk has met
+    std::vector<OfEntity> entities_;
+    std::vector<std::size_t> met_; ///< of the entities, in the order in which they were met
+    std::vector<Branch> branches_, others_, longer_;
+    std::vector<std::vector<OccluderMaterial>> sets_;
+    std::map<std::pair<int, int>, int> joined_;
     std::vector<Emission> emission_;
 };
 

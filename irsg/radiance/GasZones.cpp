@@ -114,7 +114,7 @@ double halfAngleOf_sr(const Mesh& mesh, const IrCodes& codes, const Vec3& place_
 
 /// Whether some corners of one gas are in another and some are not; those on its walls are neither.
 bool isPartlyIn(const Mesh& mesh, const IrCodes& one, const IrCodes& other) {
-    constexpr std::size_t looks = 64;
+    constexpr std::size_t looks = 32;
     constexpr double clear = 0.1; // of the angle: nearer to a wall is on it
     std::vector<Vec3> corners_m;
     forEachFacet(mesh, one, [&](const std::array<Float3, 3>& facet) {
@@ -197,20 +197,6 @@ bool doGasZonesCross(const std::shared_ptr<const Mesh>& mesh, const IrCodes& one
     if (const KnownCrossing* found = known.find(isIt))
         return found->cross;
     return known.add({mesh, one, other, isPartlyIn(*mesh, one, other)}).cross;
-}
-
-GasZone gasZone(const GasZoneShape& shape, std::size_t zones) {
-    constexpr std::size_t fewest = 8, mostOfAll = 72, most = 32;
-    const std::size_t steps = std::clamp(mostOfAll / std::max<std::size_t>(zones, 1), fewest, most);
-    // Half of the knots lie within about the width of the zone, which may be long and thin.
-    constexpr double leastPower = 2.0, mostPower = 4.0;
-    const double width_m = 1.2 * std::sqrt(shape.volume_m3 / shape.longest_m);
-    const double power = std::clamp(std::log2(shape.longest_m / width_m), leastPower, mostPower);
-    GasZone zone{shape, {}};
-    for (std::size_t i = 0; i <= steps; ++i)
-        zone.knots_m.push_back(
-            shape.longest_m * std::pow(static_cast<double>(i) / static_cast<double>(steps), power));
-    return zone;
 }
 
 int gasColumnNumber(const GasColumnKey& column) {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <compare>
+#include <map>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "irsg/gas/GasColumnBasis.h"
 #include "irsg/geometry/mesh/Mesh.h"
 #include "irsg/radiance/OccluderStacks.h"
 
@@ -25,19 +27,28 @@ GasZoneShape gasZoneShape(const std::shared_ptr<const Mesh>& mesh, const IrCodes
 /// Whether a place in the axes of the mesh, m, is in it.
 bool isInGasZone(const Mesh& mesh, const IrCodes& codes, const Vec3& place_m);
 
+/// What lines of sight through the gases of an entity are weighted sums of.
+struct GasColumnsOfEntity {
+    GasColumnBasis basis;
+    std::vector<int> numbers; ///< of its columns, see gasColumnNumber()
+};
+/// Of gases in closed meshes, whose lengths do not count. Wavelengths, of what is computed, say
+/// which of a few wide bands the columns are made for. Computed once for equal gases of a mesh.
+std::shared_ptr<const GasColumnsOfEntity> gasColumnsOf(const std::shared_ptr<const Mesh>& mesh,
+                                                       const std::map<IrCodes, GasLayer>& gases,
+                                                       const std::vector<double>& wavelengths_um);
+
 /// What the walk through samples knows of a gas that a drawn row is the boundary of.
 struct GasZone {
     GasZoneShape shape;
-    /// Lengths between which radiance is taken as linear in the length, m, from 0 to beyond the
-    /// longest: by squares at least, as what is thin is linear and lines grow as the square root.
-    std::vector<double> knots_m;
+    std::shared_ptr<const GasColumnsOfEntity> columns;
+    std::size_t gas = 0; ///< of the basis
+    int firstRow = 0;    ///< drawn row of the entity's first gas: kinds of its gases are of that
     bool operator==(const GasZone&) const = default;
 };
-/// `zones`: gases of the same entity, which share the number of columns.
-GasZone gasZone(const GasZoneShape& shape, std::size_t zones);
 
-/// A line of sight through the gases of one entity at lengths that are knots: what stands in an
-/// OccluderStack for all gas of the entity in front of something.
+/// A line of sight through the gases of one entity: what stands in an OccluderStack for all gas of
+/// the entity in front of something.
 struct GasColumnKey {
     struct Stretch {
         IrCodes codes;

@@ -29,9 +29,9 @@ class LayerWalk {
     /// directional surfaces come after their layer in the same way, place by place of what they
     /// mirror.
     /// Walls of gases are not visited: in their place come the columns of gas before each layer,
-    /// and behind all, each as a layer of the gas's row with the column last in its stack and a
-    /// part of the sample for coverage. What is behind gas is visited once for each column,
-    /// likewise.
+    /// and behind all, each as a layer of the gas that is met first, with the row of the entity's
+    /// first gas, the column in its stack and its weight for coverage. What is behind gas is
+    /// visited once for each column, likewise, and once for no gas.
     template <typename Visit>
     void forEachPlace(const GeometrySamples& samples, std::size_t sample, const Visit& visit) {
         forEachPlace(samples, sample, visit,
@@ -148,7 +148,7 @@ class LayerWalk {
             }
             emitGas(stack, samples.factorCount, visit);
             for (const GasWalk::Branch& branch : gas_.branches()) {
-                const int here = behindSet(stack, branch.columns);
+                const int here = behindColumns(stack, branch.set);
                 const auto part = static_cast<float>(branch.weight);
                 visitLayer(
                     samples, here, layer, light,
@@ -174,18 +174,16 @@ class LayerWalk {
     void emitGas(int stack, std::size_t factorCount, const Visit& visit) {
         if (!gas_.hasNew())
             return;
-        const std::vector<OccluderMaterial>* columns = nullptr; // of the gases of one column
-        int behindColumns = stack;
         for (const GasWalk::Emission& one : gas_.takeEmission()) {
             const auto part = static_cast<float>(one.branch.weight);
             part_.fill(part);
-            if (columns == nullptr || *columns != one.branch.columns) {
-                columns = &one.branch.columns;
-                behindColumns = behindSet(stack, *columns);
-            }
-            visit(behindColumns, rows_.at(one.row, one.distance_m),
-                  GeometrySamples::Layer{
-                      one.row, one.distance_m, {part_.data(), factorCount}, part, nullptr, false});
+            visit(behindColumns(stack, one.branch.set), rows_.at(one.row, one.distance_m),
+                  GeometrySamples::Layer{one.metFirst,
+                                         one.distance_m,
+                                         {part_.data(), factorCount},
+                                         part,
+                                         nullptr,
+                                         false});
         }
     }
     GeometrySamples::Layer partOf(const GeometrySamples::Layer& whole, float part) {
@@ -313,6 +311,19 @@ class LayerWalk {
             stack = occluderStacks_.behind(stack, material);
         return stack;
     }
+    int behindColumns(int stack, int set) {
+        if (set == 0)
+            return stack;
+        const auto number = static_cast<std::size_t>(set), place = static_cast<std::size_t>(stack);
+        if (place >= nextColumns_.size())
+            nextColumns_.resize(place + 1);
+        if (number >= nextColumns_[place].size())
+            nextColumns_[place].resize(number + 1, -1);
+        int& next = nextColumns_[place][number];
+        if (next < 0)
+            next = behindSet(stack, gas_.columns(set));
+        return next;
+    }
     [[gnu::always_inline]] int behind(int stack, int drawn) {
         const std::size_t place =
             static_cast<std::size_t>(stack) * drawn_ + static_cast<std::size_t>(drawn);
@@ -328,7 +339,8 @@ class LayerWalk {
     const SurfaceRows& rows_;
     std::size_t drawn_; // rows of the drawing
     OccluderStacks occluderStacks_;
-    std::vector<int> next_; // by front and drawn row
+    std::vector<int> next_;                     // by front and drawn row
+    std::vector<std::vector<int>> nextColumns_; // by front and set of columns
     bool hasGas_;
     GasWalk gas_;
     std::array<float, mostFactors> light_{}, lobe_{}, part_{};

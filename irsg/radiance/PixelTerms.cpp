@@ -118,7 +118,7 @@ void PixelTerms::add(const GeometrySamples& samples, std::size_t sample, double 
                 sums.range_m += share * static_cast<double>(layer.distance_m);
             const auto next = static_cast<double>(between.next);
             addRow(between.row, share * (1.0 - next));
-            if (between.row + 1 < rows.first(layer.row + 1))
+            if (rows.isSliced(layer.row))
                 addRow(between.row + 1, share * next);
         });
 }

@@ -68,7 +68,7 @@ SceneRadiometry::SceneRadiometry(const RadianceTerms& terms, const std::vector<E
         transparent.push_back(std::ranges::any_of(place->second, [](double t) { return t > 0.0; }));
         models_.push_back(material->isGas() ? nullptr : surfaceModelOf(*material));
     }
-    std::map<int, GasZone> gases = gasZones(keys, entities);
+    std::map<int, GasZone> gases = gasZones(keys, entities, geometry);
     std::vector<LobeQuadratureRow> lobes;
     for (std::size_t drawn = 0; drawn < keys.size(); ++drawn) {
         const SurfaceModel* model = models_[drawn].get();
@@ -100,22 +100,48 @@ SceneRadiometry::SceneRadiometry(const RadianceTerms& terms, const std::vector<E
     samples_.clear();
 }
 
-std::map<int, GasZone> SceneRadiometry::gasZones(const std::vector<SurfaceKey>& keys,
-                                                 const std::vector<Entity>& entities) {
-    std::map<int, std::vector<int>> ofEntities; // drawn rows
+std::map<int, GasZone>
+SceneRadiometry::gasZones(const std::vector<SurfaceKey>& keys, const std::vector<Entity>& entities,
+                          const std::vector<ObjectGeometry>& geometry) const {
+    struct OfEntity {
+        std::map<IrCodes, GasLayer> gases;
+        std::vector<int> rows;
+    };
+    std::map<int, OfEntity> ofEntities;
     for (std::size_t drawn = 0; drawn < keys.size(); ++drawn) {
         const auto& [e, codes] = keys[drawn];
-        if (materialEntry(entities[static_cast<std::size_t>(e)], codes.material)->isGas())
-            ofEntities[e].push_back(static_cast<int>(drawn));
+        const auto entity = static_cast<std::size_t>(e);
+        const Material* material = materialEntry(entities[entity], codes.material);
+        if (!material->isGas())
+            continue;
+        const SurfaceInput input =
+            surfaceInput(entities[entity], codes, geometry[entity], ambient_K_[entity]);
+        ofEntities[e].gases.emplace(codes, gasOf(*material, input.temperature_K));
+        ofEntities[e].rows.push_back(static_cast<int>(drawn));
     }
-    std::map<int, GasZone> gases;
-    for (const auto& [e, rows] : ofEntities)
-        for (const int drawn : rows)
-            gases.emplace(drawn,
-                          gasZone(gasZoneShape(entities[static_cast<std::size_t>(e)].model->mesh(),
-                                               keys[static_cast<std::size_t>(drawn)].second),
-                                  rows.size()));
-    return gases;
+    std::map<int, GasZone> zones;
+    for (const auto& [e, of] : ofEntities) {
+        const std::shared_ptr<const Mesh> mesh =
+            entities[static_cast<std::size_t>(e)].model->mesh();
+        const auto columns = gasColumnsOf(mesh, of.gases, wavelengths_um_);
+        for (const int drawn : of.rows) {
+            const IrCodes& codes = keys[static_cast<std::size_t>(drawn)].second;
+            const auto number = std::distance(of.gases.begin(), of.gases.find(codes));
+            zones.emplace(drawn, GasZone{gasZoneShape(mesh, codes), columns,
+                                         static_cast<std::size_t>(number), of.rows.front()});
+        }
+    }
+    return zones;
+}
+
+std::vector<int> SceneRadiometry::partsOf(int drawn) const {
+    if (!isGas(drawn))
+        return {drawn};
+    std::vector<int> parts;
+    for (const auto& [row, zone] : rows_.gases())
+        if (zone.firstRow == drawn)
+            parts.push_back(row);
+    return parts;
 }
 
 void SceneRadiometry::takeGases(const std::vector<Entity>& entities,

@@ -65,6 +65,8 @@ class SceneRadiometry {
                     std::size_t count, double* values, bool throughAir = false,
                     int drawn = -1) const;
     bool isGas(int drawn) const { return surfaces_[static_cast<std::size_t>(drawn)].isGas; }
+    /// The drawn rows that a kind of a row stands for: of a gas those of all gases of its entity.
+    std::vector<int> partsOf(int drawn) const;
     /// Sum of weight times value over an output.
     double integrate(const std::vector<double>& values, std::size_t output = 0) const;
     /// In-band emission of a drawn row as it arrives from its first row, W m-2 sr-1.
@@ -75,8 +77,9 @@ class SceneRadiometry {
   private:
     void joinAtmosphere(const std::vector<SampledBand>& bands);
     /// The gases among the rows, by drawn row.
-    static std::map<int, GasZone> gasZones(const std::vector<SurfaceKey>& keys,
-                                           const std::vector<Entity>& entities);
+    std::map<int, GasZone> gasZones(const std::vector<SurfaceKey>& keys,
+                                    const std::vector<Entity>& entities,
+                                    const std::vector<ObjectGeometry>& geometry) const;
     void takeGases(const std::vector<Entity>& entities, const std::vector<SampledBand>& bands);
     void fillSurface(int drawn, const std::vector<Entity>& entities,
                      const std::vector<ObjectGeometry>& geometry,

@@ -117,9 +117,7 @@ void SceneScaledView::gather(const ViewGeometry& view, const SceneRadiometry& ra
     const std::vector<RadianceTerm>& terms = radiometry.terms().terms;
     // By front, whether air follows, and the gas that it is a column of, or -1.
     std::map<std::tuple<int, bool, int>, std::vector<double>> passed;
-    view.field.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
-        const SurfaceStackId& kind = view.field.kinds()[number];
-        const int drawn = radiometry.rows().renderedOf(kind.row);
+    const auto add = [&](const SurfaceStackId& kind, int drawn, std::span<const double> numbers) {
         Surface& surface = surfaces[static_cast<std::size_t>(drawn)];
         const SurfaceSpectra& spectra = radiometry.surfaces()[static_cast<std::size_t>(drawn)];
         const AtmosphereSamples& air = radiometry.air(kind.row);
@@ -167,6 +165,11 @@ void SceneScaledView::gather(const ViewGeometry& view, const SceneRadiometry& ra
                 drive.irradiance[i] += unit[i] * cosine_sr;
             }
         }
+    };
+    view.field.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
+        const SurfaceStackId& kind = view.field.kinds()[number];
+        for (const int drawn : radiometry.partsOf(radiometry.rows().renderedOf(kind.row)))
+            add(kind, drawn, numbers);
     });
 }
 

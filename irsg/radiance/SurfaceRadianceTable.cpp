@@ -163,6 +163,7 @@ SurfaceRadianceTable::plan(const std::vector<SurfaceStackId>& kinds) {
                 hidden.at = hidden_.size();
                 hidden_.resize(hidden_.size() + 2 * outputs_);
             }
+            std::fill_n(&hidden_[hidden.at], 2 * outputs_, 0.0);
             work.hidden = true;
         }
         place.isKnown = hidden.isKnown = hidden.hasRoom = true;
@@ -184,10 +185,10 @@ void SurfaceRadianceTable::prepare(const std::vector<SurfaceStackId>& kinds) {
     parallelFor(all.size(), [&](std::size_t i) {
         const auto& [surface, work] = *all[i].second;
         const auto& [stack, drawn] = surface;
-        if (radiometry_.isGas(drawn))
-            evaluate(stack, drawn, work, passedBy(stack, drawn));
-        else
-            evaluate(stack, drawn, work, through[all[i].first].second);
+        if (!radiometry_.isGas(drawn))
+            return evaluate(stack, drawn, drawn, work, through[all[i].first].second);
+        for (const int part : radiometry_.partsOf(drawn))
+            evaluate(stack, drawn, part, work, passedBy(stack, part));
     });
     std::vector<SurfaceStackId> changed;
     for (const SurfaceStackId& kind : kinds)
@@ -200,9 +201,10 @@ void SurfaceRadianceTable::prepare(const std::vector<SurfaceStackId>& kinds) {
     });
 }
 
-void SurfaceRadianceTable::evaluate(int stack, int drawn, const Work& work, const Passed& passed) {
+void SurfaceRadianceTable::evaluate(int stack, int kindOf, int drawn, const Work& work,
+                                    const Passed& passed) {
     if (work.hidden)
-        evaluateHidden(drawn, passed.plain, &hidden_[hiddenPlaceOf(stack, drawn).at]);
+        evaluateHidden(drawn, passed.plain, &hidden_[hiddenPlaceOf(stack, kindOf).at]);
     if (work.rows.empty())
         return;
     const std::size_t groups = termGroups_[static_cast<std::size_t>(drawn)].size();
@@ -232,7 +234,7 @@ void SurfaceRadianceTable::evaluate(int stack, int drawn, const Work& work, cons
             double* const own =
                 &groupSums_[placeOf({stack, work.rows[r]}).groupSums + output * groups];
             for (std::size_t s = 0; s < groups; ++s)
-                own[s] = std::lerp(below[s], above[s], about[r].part);
+                own[s] += std::lerp(below[s], above[s], about[r].part);
         }
     }
 }
@@ -313,10 +315,8 @@ void SurfaceRadianceTable::evaluateHidden(int drawn, const std::vector<double>& 
                                           double* into) const {
     const std::vector<double>& opacity =
         radiometry_.surfaces()[static_cast<std::size_t>(drawn)].opacity;
-    if (opacity.empty()) { // a lobe
-        std::fill_n(into, 2 * outputs_, 0.0);
+    if (opacity.empty()) // a lobe
         return;
-    }
     for (std::size_t output = 0; output < outputs_; ++output) {
         const auto& [first, last] = radiometry_.outputs()[output];
         // As radiance, and as a part of the background, or of the response where there is none.
@@ -326,8 +326,8 @@ void SurfaceRadianceTable::evaluateHidden(int drawn, const std::vector<double>& 
             hidden += stopped * (*background_)[i];
             part += stopped;
         }
-        *into++ = hidden;
-        *into++ = inBand_[output] > 0.0 ? hidden / inBand_[output] : part / area_um_[output];
+        *into++ += hidden;
+        *into++ += inBand_[output] > 0.0 ? hidden / inBand_[output] : part / area_um_[output];
     }
 }
 
@@ -355,20 +355,23 @@ SurfaceRadianceTable::InOutputs SurfaceRadianceTable::inOutputs(const SurfaceSta
 std::vector<double> SurfaceRadianceTable::terms(const SurfaceStackId& kind,
                                                 std::size_t output) const {
     const auto& [first, last] = radiometry_.outputs()[output];
-    const int drawn = radiometry_.rows().renderedOf(kind.row);
-    const std::vector<double> plain = passed(kind.stack, {first, last}, false, drawn);
-    const std::vector<double> throughAir =
-        hasGas(kind.stack) ? passed(kind.stack, {first, last}, true, drawn) : plain;
-    std::vector<double> sums;
-    for (std::size_t k = 0; k < radiometry_.terms().terms.size(); ++k) {
-        const RadianceTerm& term = radiometry_.terms().terms[k];
-        const bool passesAtmosphere =
-            term.passesAtmosphere || (term.surface == SurfaceQuantity::emission &&
-                                      radiometry_.surface(kind.row).emissionPassesAtmosphere);
-        const std::vector<double>& through = passesAtmosphere ? throughAir : plain;
-        const std::vector<double> sent = apparentTerm(
-            radiometry_.surface(kind.row), radiometry_.terms(), k, radiometry_.air(kind.row));
-        sums.push_back(sent.empty() ? 0.0 : dotProduct(through.data(), &sent[first], last - first));
+    std::vector<double> sums(radiometry_.terms().terms.size(), 0.0);
+    for (const int drawn : radiometry_.partsOf(radiometry_.rows().renderedOf(kind.row))) {
+        const SurfaceSpectra& surface = radiometry_.surfaces()[static_cast<std::size_t>(drawn)];
+        const std::vector<double> plain = passed(kind.stack, {first, last}, false, drawn);
+        const std::vector<double> throughAir =
+            hasGas(kind.stack) ? passed(kind.stack, {first, last}, true, drawn) : plain;
+        for (std::size_t k = 0; k < sums.size(); ++k) {
+            const RadianceTerm& term = radiometry_.terms().terms[k];
+            const bool passesAtmosphere =
+                term.passesAtmosphere ||
+                (term.surface == SurfaceQuantity::emission && surface.emissionPassesAtmosphere);
+            const std::vector<double>& through = passesAtmosphere ? throughAir : plain;
+            const std::vector<double> sent =
+                apparentTerm(surface, radiometry_.terms(), k, radiometry_.air(kind.row));
+            if (!sent.empty())
+                sums[k] += dotProduct(through.data(), &sent[first], last - first);
+        }
     }
     return sums;
 }

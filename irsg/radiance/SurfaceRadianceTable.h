@@ -118,7 +118,8 @@ class SurfaceRadianceTable {
     HiddenPlace& hiddenPlaceOf(int stack, int drawn);
     /// Gives new kinds their places, and lists what they need, by front and drawn row.
     std::map<std::pair<int, int>, Work> plan(const std::vector<SurfaceStackId>& kinds);
-    void evaluate(int stack, int drawn, const Work& work, const Passed& passed);
+    /// Of one of the drawn rows that the kind stands for: adds to what others of them have.
+    void evaluate(int stack, int kindOf, int drawn, const Work& work, const Passed& passed);
     /// Adds a block of nodes to the sums of rows of a surface, group by group.
     void addBlock(int drawn, const std::vector<int>& rows, const Passed& passed, std::size_t begin,
                   std::size_t count, std::vector<double>& sums) const;

@@ -104,7 +104,8 @@ PointAspect AspectSampler::aspectOf(const Frame& frame, int entity, const Vec3& 
             aspect.numbers.push_back(rows.isTransparent(static_cast<int>(row)) ? 1.0 : 0.0);
             aspect.numbers.push_back(frame.evaluation().hot[row] ? 1.0 : 0.0);
             const GasZone* gas = rows.gas(static_cast<int>(row));
-            aspect.numbers.push_back(gas ? static_cast<double>(gas->knots_m.size()) : 0.0);
+            for (std::size_t k = 0; gas && k < gas->columns->numbers.size(); ++k)
+                aspect.numbers.push_back(static_cast<double>(gas->columns->numbers[k]));
         }
     }
     return aspect;

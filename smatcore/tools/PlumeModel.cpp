@@ -90,7 +90,7 @@ void fill(PlumeModel& plume, const PlumeRequest& request) {
     nlohmann::ordered_json rules = nlohmann::ordered_json::array();
     // Ends of zones at the ends of the table do not lie in one plane. The first zone is all of it.
     const auto& whole = plume.zones.front().outlines_m.front();
-    const double apart_m = 2e-4 * (whole.back()[0] - whole.front()[0]);
+    const double apart_m = 1e-5 * (whole.back()[0] - whole.front()[0]);
     for (std::size_t i = 0; i < plume.zones.size(); ++i) {
         const irsg::PlumeZone& zone = plume.zones[i];
         const int index = request.firstIndex + static_cast<int>(i);

@@ -8,6 +8,7 @@
 
 #include "irsg/atmosphere/AtmosphereSmart.h"
 #include "irsg/core/Errors.h"
+#include "irsg/gas/GasColumn.h"
 #include "irsg/gas/GasSpectrum.h"
 #include "irsg/gas/GasThroughAir.h"
 #include "irsg/geometry/view/PixelGrid.h"
@@ -193,6 +194,86 @@ TEST(GasZones, WithinAnotherReplaceItThere) {
     }
 }
 
+/// Twelve gases, the hottest within the others, from 300 to 900 K.
+constexpr int nested = 12;
+SignatureDatabase nestedGases() {
+    SignatureDatabase database;
+    for (int i = 1; i <= nested; ++i) {
+        database.temperatures[i] = fixedTemperature(250.0 + 54.0 * i);
+        database.materials[i] = gasMaterial(0.0035 * i, 0.0035 * i);
+    }
+    return database;
+}
+
+TEST(GasZones, AsManyAsAJetHasSendWhatTheirChordsDoFromAllSides) {
+    // Ellipsoids, whose chords are those of spheres times a number that the direction has.
+    const SignatureDatabase database = nestedGases();
+    const double radius_m = 0.8, longer = 4.0;
+    const auto reach_m = [&](int i) { return radius_m * (nested + 1 - i) / nested; };
+    Triangles nest;
+    for (int i = 1; i <= nested; ++i) {
+        Triangles zone = sphereMesh(reach_m(i), 24, 48, {i, i});
+        double volume_m3 = 0.0;
+        for (const Triangle& triangle : zone) {
+            volume_m3 +=
+                dot(triangle.vertex[0], cross(triangle.vertex[1], triangle.vertex[2])) / 6.0;
+        }
+        // Facets that hold as much gas as what they stand for.
+        const double wider = reach_m(i) * std::cbrt(4.0 * pi / 3.0 / std::abs(volume_m3));
+        for (Triangle& triangle : zone) {
+            for (Vec3& corner : triangle.vertex) {
+                corner = corner * wider;
+                corner.z *= longer;
+            }
+        }
+        nest = joined(nest, zone);
+    }
+    std::vector<GasLayer> gases;
+    std::vector<double> wavenumbers_per_cm;
+    for (int i = 1; i <= nested; ++i) {
+        gases.push_back(layerOf(database, i, 1.0));
+    }
+    const double lower = 1e4 / 4.8, width = (1e4 / 4.4 - lower) / 38.0; // cells of about 5 cm-1
+    for (int i = 0; i < 38; ++i) {
+        wavenumbers_per_cm.push_back(lower + (i + 0.5) * width);
+    }
+    const GasColumns columns(gases, wavenumbers_per_cm);
+    const auto radianceAlong = [&](const std::vector<GasStretch>& line) {
+        const auto shares = columns.shares(line);
+        double sum = 0.0;
+        for (std::size_t g = 0; g < gases.size(); ++g) {
+            for (std::size_t i = 0; i < wavenumbers_per_cm.size(); ++i) {
+                const double um = 1e4 / wavenumbers_per_cm[i];
+                sum += shares[g][i] * um * um * 1e-4 * width *
+                       planckRadiance_W_m2_sr_um(um, gases[g].temperature_K);
+            }
+        }
+        return sum;
+    };
+    for (const double elevation_deg : {0.0, 45.0, 80.0}) {
+        const double sine = std::sin(radians(elevation_deg)),
+                     cosine = std::cos(radians(elevation_deg));
+        const double chords = 1.0 / std::hypot(cosine, sine / longer);
+        const double expected =
+            longer / chords * overDisc(radius_m, 60, [&](double b) {
+                std::vector<GasStretch> line;
+                for (int i = 1; i <= nested; ++i) {
+                    const double inner = i < nested ? chord(reach_m(i + 1), b) : 0.0;
+                    line.push_back({static_cast<std::size_t>(i - 1),
+                                    0.5 * chords * (chord(reach_m(i), b) - inner)});
+                }
+                line.back().length_m *= 2.0;
+                for (std::size_t i = nested - 1; i-- > 0;) {
+                    line.push_back(line[i]);
+                }
+                return radianceAlong(line);
+            });
+        InteractiveRenderer irsg =
+            sceneOf(nest, database, EngineChoice::opengl, farView(0.0, radians(elevation_deg)));
+        EXPECT_NEAR(intensity_W_sr(irsg) / expected, 1.0, 0.005) << elevation_deg << " deg";
+    }
+}
+
 TEST(GasZones, AreCutByWhatIsSolid) {
     const SignatureDatabase database = gases();
     // A black plate through the middle, across the line of sight from the nose, wider than the gas.
@@ -276,12 +357,12 @@ TEST(GasZones, AreTheSameInImagesReportsSpectraAndScales) {
         }
     }
     EXPECT_NEAR(sum / whole, 1.0, 1e-5);
-    EXPECT_NEAR(irsg.measure().all.contrastIntensity_W_sr / whole, 1.0, 1e-9);
+    EXPECT_NEAR(irsg.measure().all.contrastIntensity_W_sr / whole, 1.0, 1e-8);
     const auto scaled = irsg.scaledView(
         {{0, ScalingKind::temperature, 1, 0.9, 1.1}, {0, ScalingKind::emissivity, 3, 0.5, 1.0}});
     ScaledValues values;
     scaled->evaluate(std::vector<double>{1.0, 1.0}, values);
-    EXPECT_NEAR(values.contrastIntensity[0] / whole, 1.0, 1e-9);
+    EXPECT_NEAR(values.contrastIntensity[0] / whole, 1.0, 1e-8);
     scaled->evaluate(std::vector<double>{1.02, 1.0}, values);
     EXPECT_GT(values.contrastIntensity[0], 1.02 * whole);
     // A spectrum at wavenumbers between those of the tables, where both are linear.
