@@ -124,7 +124,8 @@ class LayerWalk {
         all.mirrors.ofThisLayer(
             [&](const GeometrySamples::Specular& one) { visitSpecular(stack, layer, one); });
         all.reflected.ofThisLayer([&](const GeometrySamples::Reflected& one) {
-            visit(stack, rows_.at(one.row, layer.distance_m),
+            visit(one.set == 0 ? stack : behindSet(stack, samples.reflectedSets[one.set]),
+                  rows_.at(one.row, layer.distance_m),
                   GeometrySamples::Layer{one.row,
                                          layer.distance_m,
                                          {noFactors.data(), layer.factors.size()},

@@ -9,6 +9,7 @@
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/ParallelFor.h"
+#include "irsg/radiance/LobePaths.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/render/rays/TileSamples.h"
 
@@ -16,34 +17,11 @@ namespace irsg {
 
 namespace {
 
-/// Mean square of the sun's disc along an axis, for half vectors, which turn by half: twice that is
-/// what it adds to the spread of slopes.
-constexpr double discSpread = SunShadows::discRadius_rad * SunShadows::discRadius_rad / 8.0;
 /// Of so many samples each follows all of its facets to what they reflect; of more, one in a few,
 /// in turn.
 constexpr std::size_t samplesOfAllFacets = 20'000, mostStep = 6;
 /// Neighbours whose normals differ by more are those of another face.
 constexpr double mostBend = 0.5;
-
-/// The axes of a surface: its normal, and one in the plane of view.
-struct Axes {
-    Vec3 x, y, z;
-    Axes(const Vec3& normal, const Vec3& view) : z(normal) {
-        const Vec3 across = view - normal * product(normal, view);
-        const double size = plainLength(across);
-        if (size > 1e-9) {
-            x = across * (1.0 / size);
-        } else {
-            const Vec3 other = std::abs(normal.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-            x = normalized(cross(other, normal));
-        }
-        y = crossed(z, x);
-    }
-    SurfaceDirection of(const Vec3& v) const {
-        return {product(v, x), product(v, y), product(v, z)};
-    }
-    Vec3 to(const SurfaceDirection& v) const { return x * v.x + y * v.y + z * v.z; }
-};
 
 /// The level part of a direction as a unit vector; of a vertical one any level one.
 Vec3 levelOf(const Vec3& direction, const Vec3& zenith) {
@@ -104,6 +82,7 @@ struct LobeQuadrature::Found {
     std::vector<GeometrySamples::Specular> speculars; // nodes as keys, `table` as drawn row
     std::vector<LobeQuadratureTable::ViewCell> cells; // of each of those
     std::vector<float> scales;
+    OccluderStacks sets; // of what is reflected
 };
 
 /// The places of a grid about a direction in eye space, and their parts.
@@ -127,7 +106,7 @@ struct LobeQuadrature::DirectionalLayer {
     const SurfaceModel& model;
     const SpecularEnvironmentGrid& grid;
     Vec3 along; ///< from the eye
-    Axes axes;
+    SurfaceAxes axes;
     SurfaceDirection to;
     std::uint32_t sample = 0, number = 0; ///< number among those of the sample
     int firstLobe = 0;                    ///< row
@@ -147,38 +126,16 @@ struct LobeQuadrature::DirectionalLayer {
     }
 };
 
-/// What the lobes of a layer meet: by component, in parts of its albedo.
+/// What the lobes of a layer meet, in parts of their albedos.
 struct LobeQuadrature::Mirrored {
-    bool isOpen = false; ///< all meet the atmosphere; no more is told
-    SurfaceModel::Amounts elsewhere{};
-    using Parts = std::vector<std::pair<std::uint32_t, SurfaceModel::Amounts>>;
-    Parts atmosphere; ///< by place of the grid
-    Parts surfaces;   ///< what leaves them, by number (LightExchange::forEachReflected)
+    bool isOpen = false;                     ///< all meet the atmosphere; no more is told
+    std::vector<LobePaths::Part> atmosphere; ///< by place of the grid, through nothing
+    LobePaths::Found found;                  ///< and what else there is of the atmosphere
 
     void clear() {
         isOpen = false;
-        elsewhere = {};
         atmosphere.clear();
-        surfaces.clear();
-    }
-    static void add(std::uint32_t number, const SurfaceModel::Amounts& sent, double part,
-                    Parts& to) {
-        auto& [own, weights] = to.emplace_back(number, sent);
-        for (double& weight : weights)
-            weight *= part;
-    }
-    static void join(Parts& parts) {
-        std::ranges::sort(parts, {}, [](const auto& one) { return one.first; });
-        std::size_t last = 0;
-        for (std::size_t i = 1; i < parts.size(); ++i) {
-            if (parts[i].first != parts[last].first) {
-                parts[++last] = parts[i];
-                continue;
-            }
-            for (std::size_t k = 0; k < SurfaceModel::mostComponents; ++k)
-                parts[last].second[k] += parts[i].second[k];
-        }
-        parts.resize(std::min(parts.size(), last + 1));
+        found.clear();
     }
 };
 
@@ -194,8 +151,8 @@ SlopeSpread LobeQuadrature::spreadOf(const Tile& own, int row, int column,
                                      const GeometrySamples& samples,
                                      const DirectionalLayer& layer) const {
     SlopeSpread spread = SlopeSpread::of(layer.model.roughness());
-    spread.xx += discSpread;
-    spread.yy += discSpread;
+    spread.xx += sunDiscSpread;
+    spread.yy += sunDiscSpread;
     if (!samples.isOpaque(layer.sample) ||
         static_cast<int>(samples.opaque[4 * std::size_t{layer.sample}]) - 1 != layer.layer.row)
         return spread;
@@ -210,7 +167,7 @@ SlopeSpread LobeQuadrature::spreadOf(const Tile& own, int row, int column,
 }
 
 void LobeQuadrature::follow(const Tile& own, const DirectionalLayer& layer,
-                            SunShadows::Neighbours& neighbours, int column,
+                            SunShadows::Neighbours& neighbours, int column, OccluderStacks& sets,
                             Mirrored& mirrored) const {
     const std::size_t places = layer.grid.places().size(), lobes = layer.lobes();
     mirrored.clear();
@@ -233,7 +190,7 @@ void LobeQuadrature::follow(const Tile& own, const DirectionalLayer& layer,
     // are followed, there is none.
     if (mirrored.isOpen && places == 0) {
         mirrored.isOpen = false;
-        mirrored.elsewhere.fill(own.open ? 0.0 : 1.0);
+        mirrored.found.elsewhere.fill(own.open ? 0.0 : 1.0);
         return;
     }
     if (mirrored.isOpen && layer.model.facets().size() > 1 &&
@@ -254,52 +211,72 @@ void LobeQuadrature::follow(const Tile& own, const DirectionalLayer& layer,
     const auto first =
         static_cast<std::size_t>(partOf(0.6180339887498949) * static_cast<double>(step));
     SurfaceModel::Amounts followed{};
-    GeometrySamples::Place at;
+    LobePaths::Found& found = mirrored.found;
+    LobePaths paths(sets);
+    const LobePaths::Making making{
+        &rows_,  &making_.models,   &making_.mirrors, own.exchange, own.open ? &*own.open : nullptr,
+        own.sun, making_.isSunSmart};
+    thread_local LobePaths::Ray ray;
     for (std::size_t i = first; i < facets; i += step) {
         const SurfaceDirection facet = layer.model.facet(i, share, turn);
         const SurfaceModel::Amounts sent = layer.model.facetWeights(layer.to, facet);
         if (std::ranges::all_of(sent, [](double weight) { return weight == 0.0; }))
             continue;
-        const Vec3 direction = layer.axes.to(irsg::mirrored(layer.to, facet));
-        const SunShadows::Met met =
-            isFree ? SunShadows::Met::nothing : own.open->met(*from, direction, at);
-        for (std::size_t k = 0; k < lobes; ++k) {
+        for (std::size_t k = 0; k < lobes; ++k)
             followed[k] += sent[k];
-            if (met == SunShadows::Met::other)
-                mirrored.elsewhere[k] += sent[k];
+        ray.direction = layer.axes.to(irsg::mirrored(layer.to, facet));
+        ray.met = SunShadows::Met::nothing;
+        ray.panes.clear();
+        if (!isFree)
+            ray.met = own.open->met(*from, ray.direction, ray.end, ray.panes);
+        if (LobePaths::goesOn(making, ray, layer.layer.row)) {
+            const double other = share + 0.7548776662466927 * static_cast<double>(i + 1);
+            paths.follow(
+                making, ray, layer.layer.row, sent, other - std::floor(other),
+                [&](const Vec3& direction, const auto& visit) {
+                    if (places == 0)
+                        return;
+                    for (const auto& [place, part] : placesAbout(own, layer.grid, direction))
+                        visit(place, part);
+                },
+                found);
+            continue;
         }
-        if (met == SunShadows::Met::surface)
+        for (std::size_t k = 0; k < lobes && ray.met == SunShadows::Met::other; ++k)
+            found.elsewhere[k] += sent[k];
+        const GeometrySamples::Place& at = ray.end.at;
+        if (ray.met == SunShadows::Met::surface)
             own.exchange->forEachReflected(
                 at.cell, at.u, at.v, [&](std::uint32_t number, float part) {
-                    Mirrored::add(number, sent, static_cast<double>(part), mirrored.surfaces);
+                    LobePaths::add(found.surfaces, 0, number, sent, static_cast<double>(part));
                 });
-        if (met == SunShadows::Met::nothing && places > 0)
-            for (const auto& [place, part] : placesAbout(own, layer.grid, direction))
-                if (part != 0.0)
-                    Mirrored::add(static_cast<std::uint32_t>(place), sent, part,
-                                  mirrored.atmosphere);
+        if (ray.met == SunShadows::Met::nothing && places > 0)
+            for (const auto& [place, part] : placesAbout(own, layer.grid, ray.direction))
+                LobePaths::add(mirrored.atmosphere, 0, static_cast<std::uint32_t>(place), sent,
+                               part);
     }
-    Mirrored::join(mirrored.atmosphere);
-    Mirrored::join(mirrored.surfaces);
+    found.join();
+    LobePaths::join(mirrored.atmosphere);
+    const std::array all{&mirrored.atmosphere, &found.surfaces, &found.atmosphere};
     for (std::size_t k = 0; k < lobes; ++k) {
         // What all facets send: followed ones, or the mean over samples, each of which stands for
         // `step` facets of it.
-        const double all =
+        const double sent =
             step == 1 ? followed[k] : layer.model.sent(k, layer.to.z) * static_cast<double>(facets);
-        if (all == 0.0) { // no facet that stands for others faces the eye
-            mirrored.elsewhere[k] = 1.0;
-            for (Mirrored::Parts* parts : {&mirrored.atmosphere, &mirrored.surfaces})
-                for (auto& [number, weights] : *parts)
-                    weights[k] = 0.0;
+        if (sent == 0.0) { // no facet that stands for others faces the eye
+            found.elsewhere[k] = 1.0;
+            for (std::vector<LobePaths::Part>* parts : all)
+                for (LobePaths::Part& one : *parts)
+                    one.weights[k] = 0.0;
             continue;
         }
         // What these are more or less than all sees the mean, so that energy closes; over samples
         // that adds up to nothing.
-        const double scale = static_cast<double>(step) / all;
-        mirrored.elsewhere[k] = scale * mirrored.elsewhere[k] + 1.0 - scale * followed[k];
-        for (Mirrored::Parts* parts : {&mirrored.atmosphere, &mirrored.surfaces})
-            for (auto& [number, weights] : *parts)
-                weights[k] *= scale;
+        const double scale = static_cast<double>(step) / sent;
+        found.elsewhere[k] = scale * found.elsewhere[k] + 1.0 - scale * followed[k];
+        for (std::vector<LobePaths::Part>* parts : all)
+            for (LobePaths::Part& one : *parts)
+                one.weights[k] *= scale;
     }
 }
 
@@ -327,17 +304,20 @@ void LobeQuadrature::addByFacets(const DirectionalLayer& layer, const Mirrored& 
                                  Found& found) const {
     for (std::size_t k = 0; k < layer.lobes(); ++k) {
         const double albedo = layer.model.albedo(k, layer.to.z);
-        for (const auto& [place, parts] : mirrored.atmosphere)
+        for (const auto& [set, place, parts] : mirrored.atmosphere)
             if (parts[k] != 0.0)
                 found.lobes.push_back({layer.sample, layer.number, layer.rowOfAtmosphere(k, place),
                                        0.0f, static_cast<float>(parts[k] * albedo), 0.0f});
-        for (const auto& [number, parts] : mirrored.surfaces)
+        const auto add = [&](int row, double weight, GeometrySamples::Place from, int set) {
+            found.reflected.push_back({layer.sample, layer.number, row, static_cast<float>(weight),
+                                       from, static_cast<std::uint32_t>(set)});
+        };
+        for (const auto& [set, number, parts] : mirrored.found.surfaces)
             if (parts[k] != 0.0)
-                found.reflected.push_back({layer.sample,
-                                           layer.number,
-                                           layer.rowOfSurfaces(k),
-                                           static_cast<float>(parts[k] * albedo),
-                                           {number, 0.0f, 0.0f}});
+                add(layer.rowOfSurfaces(k), parts[k] * albedo, {number, 0.0f, 0.0f}, set);
+        for (const auto& [set, place, parts] : mirrored.found.atmosphere)
+            if (parts[k] != 0.0)
+                add(layer.rowOfAtmosphere(k, place), parts[k] * albedo, {}, set);
     }
 }
 
@@ -363,7 +343,7 @@ void LobeQuadrature::addLobes(const Tile& own, int row, int column, const Geomet
                                *model,
                                making_.grids[entity],
                                along,
-                               Axes(normal, along * -1.0),
+                               SurfaceAxes(normal, along * -1.0),
                                {},
                                static_cast<std::uint32_t>(sample),
                                ofSample,
@@ -376,12 +356,12 @@ void LobeQuadrature::addLobes(const Tile& own, int row, int column, const Geomet
         // The spread of slopes, with that of the sample and of the sun's disc.
         const SlopeSpread spread =
             isLit ? spreadOf(own, row, column, samples, layer) : SlopeSpread{};
-        follow(own, layer, neighbours, column, mirrored);
+        follow(own, layer, neighbours, column, found.sets, mirrored);
         for (std::size_t k = 0; k < model->components(); ++k) {
             const double albedo = model->albedo(k, layer.to.z), mean = model->meanAlbedo(k);
             const double elsewhere = !model->hasLobe(k) ? 1.0
                                      : mirrored.isOpen  ? 0.0
-                                                        : mirrored.elsewhere[k];
+                                                        : mirrored.found.elsewhere[k];
             const double glint = isLit ? pi * model->brdf_per_sr(k, layer.to, sun, spread)
                                  : making_.isSunSmart ? 0.0
                                                       : albedo;
@@ -433,6 +413,7 @@ void LobeQuadrature::apply(const SheetScene& sheet, const SunShadows* shadows,
                            const LightExchange* exchange, GeometrySamples& samples) const {
     samples.lobes.clear();
     samples.reflected.clear();
+    samples.reflectedSets.clear();
     samples.speculars.clear();
     samples.specularScales.clear();
     samples.specularTables.clear();
@@ -492,13 +473,17 @@ void LobeQuadrature::apply(const SheetScene& sheet, const SunShadows* shadows,
     samples.lobes.reserve(lobes);
     samples.speculars.reserve(speculars);
     TableUse use(making_, rows_);
+    OccluderStacks sets;
     for (const Line& line : lines) {
         Found& piece = found[line.piece];
         samples.lobes.insert(samples.lobes.end(), piece.lobes.data() + line.begin,
                              piece.lobes.data() + line.end);
         for (std::size_t i = line.firstReflected; i < line.lastReflected; ++i) {
             GeometrySamples::Reflected& one = piece.reflected[i];
-            one.from.cell = exchange->cellOfReflected(one.from.cell);
+            if (one.from.cell != GeometrySamples::Place::none)
+                one.from.cell = exchange->cellOfReflected(one.from.cell);
+            one.set = static_cast<std::uint32_t>(
+                one.set == 0 ? 0 : sets.numberOf(piece.sets.materials(static_cast<int>(one.set))));
             samples.reflected.push_back(one);
         }
         for (std::size_t i = line.firstSpecular; i < line.lastSpecular; ++i) {
@@ -516,6 +501,8 @@ void LobeQuadrature::apply(const SheetScene& sheet, const SunShadows* shadows,
             samples.speculars.push_back(mirror);
         }
     }
+    for (std::size_t set = 0; set < sets.size(); ++set)
+        samples.reflectedSets.push_back(sets.materials(static_cast<int>(set)));
     for (const std::shared_ptr<LobeQuadratureTable>& table : use.tables()) {
         table->fill();
         samples.specularTables.push_back(table);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "irsg/radiance/LobeQuadratureTables.h"
+#include "irsg/radiance/MirrorReflectivity.h"
 #include "irsg/radiance/SpecularEnvironmentGrid.h"
 #include "irsg/radiance/SurfaceRows.h"
 #include "irsg/radiance/exchange/LightExchange.h"
@@ -42,6 +43,7 @@ class LobeQuadrature {
         std::vector<std::shared_ptr<const SurfaceModel>> models; ///< by row of the drawing
         std::vector<SpecularEnvironmentGrid> grids;              ///< by entity
         std::vector<LobeRole> roles;                             ///< of the factors
+        MirrorReflectivity mirrors;
         /// Numbers of the frame's directions; none.
         int zenith = -1, sun = -1;
         bool isSunSmart = true;
@@ -49,6 +51,8 @@ class LobeQuadrature {
     };
     /// `rows` must live as long.
     LobeQuadrature(const SurfaceRows& rows, Making making);
+
+    const MirrorReflectivity& mirrors() const { return making_.mirrors; }
 
     /// Of sorted layers that were drawn with normals, behind the factors, which are left out from
     /// now on. `shadows` and `exchange`: where surfaces reflect each other, or null.
@@ -68,7 +72,7 @@ class LobeQuadrature {
     /// What the lobes of a layer meet. Open ones whose mirror direction is free are not followed
     /// facet by facet.
     void follow(const Tile& tile, const DirectionalLayer& layer, SunShadows::Neighbours& neighbours,
-                int column, Mirrored& mirrored) const;
+                int column, OccluderStacks& sets, Mirrored& mirrored) const;
     static std::array<std::pair<std::size_t, double>, 4>
     placesAbout(const Tile& tile, const SpecularEnvironmentGrid& grid, const Vec3& direction);
     void addByTable(const Tile& tile, const DirectionalLayer& layer, Found& found) const;

@@ -9,6 +9,17 @@ namespace irsg {
 /// A transparent material of an entity: (its number in the scene, the material's index).
 using OccluderMaterial = std::pair<int, int>;
 
+/// A component of a directional surface that lobes of others reflect stands for a material of its
+/// entity, too: what it reflects passes it. By the drawn row of the component (SurfaceRows).
+inline int mirrorMaterial(int lobe) {
+    return -2 - lobe;
+}
+/// That row; -1 for a material that is none of these.
+inline int mirrorLobe(int material) {
+    constexpr int lowest = -(1 << 30);
+    return material <= -2 && material >= lowest ? -2 - material : -1;
+}
+
 /// Numbers for what can lie before a surface: sets of transparent materials, each as often as it
 /// occurs, because the integral of a product of transmissivities does not factor. Their order does
 /// not matter to what they let through. 0 is nothing. A number stays what it is while the object

@@ -179,8 +179,11 @@ ExplainedSurface PixelTerms::explained(const Key& key, const Sums& sums,
         for (std::size_t i = 0; i < through.size(); ++i)
             through[i] *= lets[i];
         const Entity& other = entities[static_cast<std::size_t>(of)];
-        const Material* known = materialEntry(other, material);
-        surface.throughMaterials.push_back(other.name + ": " + std::to_string(material) +
+        const int lobe = mirrorLobe(material);
+        const int index = lobe < 0 ? material : radiometry_.rows().material(lobe).second;
+        const Material* known = materialEntry(other, index);
+        surface.throughMaterials.push_back((lobe < 0 ? "" : "mirrored by ") + other.name + ": " +
+                                           std::to_string(index) +
                                            (known ? " " + known->name : ""));
     }
     surface.throughTransmittance = mean(through);

@@ -89,6 +89,11 @@ SceneRadiometry::SceneRadiometry(const RadianceTerms& terms, const std::vector<E
     rows_ = SurfaceRows(std::move(keys), std::move(transparent), std::move(slices),
                         std::move(lobes), std::move(gases));
 
+    for (int lobe = static_cast<int>(rows_.keys().size());
+         lobe < static_cast<int>(rows_.renderedCount()); ++lobe)
+        if (rows_.lobe(lobe).light == LobeQuadratureRow::none)
+            transmissivities_[{rows_.keyOf(lobe).first, mirrorMaterial(lobe)}];
+
     surfaces_.resize(rows_.renderedCount());
     thermal_W_m2_sr_.resize(surfaces_.size());
     parallelFor(rows_.keys().size(), [&](std::size_t drawn) {
@@ -257,6 +262,9 @@ void SceneRadiometry::fillLobes(int drawn, const DirectionalSpectra& directional
                 whole, amounts[component], specular_[entity][static_cast<std::size_t>(row.light)]);
         else
             surfaces_[lobe] = lobeSpectra(whole, directional, component, wavelengths_um_);
+        if (row.light == LobeQuadratureRow::none)
+            transmissivities_.at({static_cast<int>(entity),
+                                  mirrorMaterial(static_cast<int>(lobe))}) = *amounts[component];
         if (row.isOfSurfaces())
             surfaces_[lobe] = surfacesReflection(std::move(surfaces_[lobe]));
     }

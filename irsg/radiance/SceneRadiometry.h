@@ -54,8 +54,13 @@ class SceneRadiometry {
     const AtmosphereSamples& air(int row) const;
     /// Between which rows of its slices an output takes the air of a row: its air is linear there.
     SliceBetween rowsAbout(int row, std::size_t output) const;
-    /// Spectral transmissivity of a material of an entity.
+    /// Spectral transmissivity of a material of an entity; of a mirror's component its amount.
     const std::vector<double>& transmissivity(int entity, int material) const;
+
+    /// Of a column of gas of an entity.
+    const GasColumnSpectra::Column& gasColumn(int entity, int number) const {
+        return gasColumns_->of(entity, number);
+    }
 
     /// Weights times what materials in front let through, for `count` nodes from `first` on. With
     /// `throughAir` of light that passes the air afterwards, whose lines coincide with those of

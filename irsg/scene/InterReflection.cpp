@@ -7,6 +7,7 @@
 
 #include "irsg/atmosphere/ReflectingGround.h"
 #include "irsg/core/Errors.h"
+#include "irsg/radiance/MirrorReflectivity.h"
 #include "irsg/radiometry/Units.h"
 #include "irsg/scene/KeyNumbers.h"
 
@@ -71,6 +72,44 @@ std::vector<double> emissionOf(const std::map<int, double>& areas_m2, double who
     return means;
 }
 
+/// The gas of each entity that has any.
+std::vector<LightExchange::Gas> gasesOf(const Scene& scene, const SceneRadiometry& radiometry,
+                                        const std::vector<SunShadows::Caster>& casters) {
+    std::vector<LightExchange::Gas> gases;
+    const SurfaceRows& rows = radiometry.rows();
+    for (std::size_t e = 0; e < scene.entities.size() && rows.hasGas(); ++e) {
+        const Mesh& mesh = *scene.entities[e].model->mesh();
+        LightExchange::Gas gas{e, PieceUses(mesh.pieces.size()), {}, {}, {}};
+        BoundingBox box = BoundingBox::nowhere();
+        std::vector<double> brightest(radiometry.outputs().size(), 0.0);
+        for (std::size_t piece = 0; piece < mesh.pieces.size(); ++piece) {
+            const int row = casters[e].rows[piece];
+            const GasZone* const zone = rows.gas(row);
+            gas.volumes_m3.push_back(zone ? zone->shape.volume_m3 : 0.0);
+            gas.codes.push_back(rows.keyOf(row).second);
+            gas.walls.set(piece, {.isThere = zone != nullptr, .transparent = true});
+            if (zone == nullptr)
+                continue;
+            box.include(mesh.partOf(mesh.pieces[piece]).bounds);
+            const std::vector<double> own = emissionOf({{row, 1.0}}, 1.0, radiometry);
+            for (std::size_t output = 0; output < own.size(); ++output)
+                brightest[output] = std::max(brightest[output], own[output]);
+        }
+        if (!box.valid())
+            continue;
+        double radius_m = 0.0;
+        for (std::size_t piece = 0; piece < mesh.pieces.size(); ++piece)
+            for (const Float3& vertex : mesh.partOf(mesh.pieces[piece]).vertices)
+                if (gas.volumes_m3[piece] > 0.0)
+                    radius_m = std::max(radius_m, length(toVec3(vertex) - box.centre()));
+        gas.extent = {scene.entities[e].pose.toWorld(box.centre()), radius_m, 0.0,
+                      std::move(brightest)};
+        gas.extent.crossSection_m2 = pi * gas.extent.radius_m * gas.extent.radius_m;
+        gases.push_back(std::move(gas));
+    }
+    return gases;
+}
+
 } // namespace
 
 LightExchange::Extent InterReflection::extentOf(const Entity& entity,
@@ -107,9 +146,11 @@ InterReflection::exchangeOf(const Scene& scene, const SceneEvaluation& evaluatio
     Known key;
     LightSources sources = sourcesOf(scene);
     std::vector<LightExchange::Extent> extents;
+    const SceneRadiometry& radiometry = evaluation.evaluated->radiometry;
     for (std::size_t e = 0; e < scene.entities.size(); ++e)
-        extents.push_back(extentOf(scene.entities[e], casters[e], evaluation.evaluated->radiometry,
-                                   scene.entities.size() == 1));
+        extents.push_back(
+            extentOf(scene.entities[e], casters[e], radiometry, scene.entities.size() == 1));
+    const std::vector<LightExchange::Gas> gases = gasesOf(scene, radiometry, casters);
     std::vector<bool> isNearGround;
     for (const LightExchange::Extent& extent : extents)
         isNearGround.push_back(
@@ -122,7 +163,14 @@ InterReflection::exchangeOf(const Scene& scene, const SceneEvaluation& evaluatio
     for (std::size_t e = 0; e < scene.entities.size(); ++e) {
         const Entity& entity = scene.entities[e];
         bool isAmongOthers = isNearGround[e];
-        isPlaceOfMatter = isPlaceOfMatter || isAmongOthers;
+        for (const LightExchange::Gas& gas : gases) {
+            const bool isNear =
+                gas.body == e || LightExchange::isNear(extents[e], gas.extent, settings.lightError);
+            key.numbers.push_back(isNear ? 1.0 : 0.0);
+            isAmongOthers = isAmongOthers || isNear;
+            isPlaceOfMatter = isPlaceOfMatter || (isNear && gas.body != e);
+        }
+        isPlaceOfMatter = isPlaceOfMatter || isNearGround[e];
         for (std::size_t o = 0; o < extents.size(); ++o) {
             if (o == e)
                 continue;
@@ -156,19 +204,25 @@ InterReflection::exchangeOf(const Scene& scene, const SceneEvaluation& evaluatio
                         sources.isSunOn ? 1.0 : 0.0, sources.isSunShadowed ? 1.0 : 0.0,
                         settings.terrainHides ? 1.0 : 0.0,
                         static_cast<double>(settings.fluxWeights)});
+    for (const auto& [row, zone] : radiometry.rows().gases())
+        key.numbers.push_back(static_cast<double>(row));
     key.hasLobes = !evaluation.surfaceRows().lobes().empty();
+    if (key.hasLobes && MirrorReflectivity(radiometry, settings.bounces).isAnyFollowed())
+        for (const auto& model : radiometry.models())
+            key.components.push_back(model ? model->components() : 0);
     key.terrain = scene.terrain;
     key.ground = sources.groundReflectivity;
     key.keys = evaluation.surfaceRows().keys();
     const auto isAsked = [&](const Known& one) {
         return one.numbers == key.numbers && one.bodies == key.bodies &&
                one.terrain == key.terrain && one.ground == key.ground && one.keys == key.keys &&
-               one.hasLobes == key.hasLobes;
+               one.hasLobes == key.hasLobes && one.components == key.components;
     };
     if (const Known* known = exchanges_.find(isAsked))
         return known->exchange;
     key.exchange = std::make_shared<const LightExchange>(std::move(bodies), casters, sources,
-                                                         settings.lightError, key.hasLobes);
+                                                         settings.lightError, key.hasLobes,
+                                                         key.components, gases);
     return exchanges_.add(std::move(key)).exchange;
 }
 

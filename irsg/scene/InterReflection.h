@@ -44,6 +44,7 @@ class InterReflection {
         std::optional<Spectrum> ground;
         std::vector<SurfaceKey> keys;
         bool hasLobes = false;
+        std::vector<std::size_t> components;
         std::shared_ptr<const LightExchange> exchange;
     };
     LightExchange::Extent extentOf(const Entity& entity, const SunShadows::Caster& caster,

@@ -157,6 +157,7 @@ SurfaceShader::lobesOf(const RenderSettings& settings, const SceneEvaluation& ev
         return nullptr;
     LobeQuadrature::Making making;
     making.models = evaluation.evaluated->radiometry.models();
+    making.mirrors = MirrorReflectivity(evaluation.evaluated->radiometry, settings.bounces);
     for (const ObjectGeometry& object : evaluation.geometry)
         making.grids.push_back(object.mirror);
     making.roles = terms_.lobeRoles();

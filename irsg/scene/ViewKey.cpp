@@ -26,6 +26,8 @@ void appendLobes(const SceneSurfaces& surfaces, std::vector<double>& numbers) {
     for (const ObjectGeometry& object : surfaces.evaluation.geometry)
         for (const double number : object.mirror.key())
             numbers.push_back(number);
+    const std::vector<double> mirrors = surfaces.shading.lobes->mirrors().key();
+    numbers.insert(numbers.end(), mirrors.begin(), mirrors.end());
 }
 
 ViewKey viewKey(const RadianceTerms& terms, const FrameRequest& request,

@@ -21,8 +21,11 @@ constexpr double raysToOthers = 128.0, usualError = 0.005;
 
 LightExchange::LightExchange(std::vector<Body> bodies,
                              const std::vector<SunShadows::Caster>& casters,
-                             const LightSources& sources, double error, bool hasLobes)
+                             const LightSources& sources, double error, bool hasLobes,
+                             const std::vector<std::size_t>& components,
+                             const std::vector<Gas>& gases)
     : bodies_(std::move(bodies)), hasLobes_(hasLobes) {
+    numberComponents(components);
     Making making{casters, sources};
     // What rays of a sequence are off by falls as their number to the power of 2/3.
     making.raysToOthers =
@@ -71,6 +74,8 @@ LightExchange::LightExchange(std::vector<Body> bodies,
         making.sunThrough.resize(cells_);
     takeSun(making);
     takePairs(making);
+    if (!gases.empty())
+        takeGas(making, gases);
     takeLight(making);
     takeOpenness();
     if (hasLobes_) {
@@ -79,8 +84,16 @@ LightExchange::LightExchange(std::vector<Body> bodies,
     }
 }
 
+void LightExchange::numberComponents(const std::vector<std::size_t>& components) {
+    for (const std::size_t count : components) {
+        firstComponentOf_.push_back(count > 0 ? static_cast<int>(components_) : -1);
+        components_ += count;
+    }
+}
+
 void LightExchange::addReflected() {
-    const std::size_t count = senders() + (1 + through_.size()) * rows();
+    const std::size_t count =
+        areMirrorsFollowed() ? firstComponents() + components_ : firstReceived();
     for (std::uint32_t i = 0; i < count; ++i) {
         const auto number = static_cast<std::uint32_t>(receivers() + i);
         local_.push_back(i);
@@ -383,6 +396,7 @@ void LightExchange::takeLight(Making& making) {
         sky_[s] = isLit ? sky_[s] / area_m2[s] : 0.0;
         ground_[s] = isLit ? ground_[s] / area_m2[s] : 0.0;
     }
+    weighBehindGas(weights);
     if (through_.empty())
         return;
     weighLeaving(weights);
@@ -396,7 +410,7 @@ void LightExchange::lightSide(Making& making, std::size_t body, std::uint32_t pa
     std::vector<Making::Told>& told = making.told[firstReceiver_[body] + patch];
     const auto isOfMatter = [&](const ExchangeNodes::Near& near) {
         const std::uint32_t receiver = firstReceiver_[body] + near.node;
-        return isSeen(senderOf_[receiver]) || !pairs().isEmpty(receiver) ||
+        return isSeen(senderOf_[receiver]) || getsLight_[receiver] ||
                losses_[receiver].sky != 0.0 || losses_[receiver].ground != 0.0;
     };
     if (std::ranges::none_of(nodes.near(patch), isOfMatter))

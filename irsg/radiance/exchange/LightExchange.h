@@ -13,6 +13,7 @@
 #include "irsg/geometry/view/Pose.h"
 #include "irsg/radiance/exchange/BodyLight.h"
 #include "irsg/radiance/exchange/LightThrough.h"
+#include "irsg/radiance/exchange/LightThroughGas.h"
 #include "irsg/radiometry/Spectrum.h"
 #include "irsg/render/rays/SunShadows.h"
 
@@ -48,14 +49,32 @@ class LightExchange {
         std::shared_ptr<const BodyLight> light;
         Extent extent;
     };
+    /// Gas of a body, whose walls a ray passes.
+    struct Gas {
+        std::size_t body = 0;
+        PieceUses walls{0};             ///< its pieces alone, all of them transparent
+        std::vector<double> volumes_m3; ///< by piece; that of the smallest counts
+        std::vector<IrCodes> codes;     ///< by piece
+        Extent extent;                  ///< emits as a black body does
+    };
+    /// A gas that sends: its drawn row, and its name in columns.
+    struct GasSender {
+        int entity = 0, row = 0;
+        IrCodes codes;
+        bool operator==(const GasSender&) const = default;
+    };
     /// What a receiver loses of sky and ground to what stands before it.
     using Loss = OutsideLight;
 
     /// `casters`: as SunShadows has them, of the bodies in their order, and of the terrain behind
     /// them. `error`: of view factors; what is farther away than that is seen is left out.
     /// `hasLobes`: surfaces reflect others along lobes, so that all senders may be seen.
+    /// `components`: of directional surfaces, by drawn row: how many lobes and others each has,
+    /// where lobes are followed from mirror to mirror; else none.
     LightExchange(std::vector<Body> bodies, const std::vector<SunShadows::Caster>& casters,
-                  const LightSources& sources, double error, bool hasLobes = false);
+                  const LightSources& sources, double error, bool hasLobes = false,
+                  const std::vector<std::size_t>& components = {},
+                  const std::vector<Gas>& gases = {});
 
     /// Of receivers, by sender.
     const LightPairs& pairs() const { return *balance_.pairs; }
@@ -66,6 +85,12 @@ class LightExchange {
     /// Those materials: their entities and indices.
     const std::vector<OccluderMaterial>& panes() const { return panes_; }
     const std::optional<Spectrum>& groundReflectivity() const { return groundReflectivity_; }
+    /// What gas changes of all that; none without gas. Its columns are among panes(), and what they
+    /// emit comes from senders behind all others.
+    const std::vector<LightThroughGas>& throughGas() const { return throughGas_; }
+    std::size_t firstGasPane() const { return firstGasPane_; }
+    const std::vector<GasSender>& gasSenders() const { return gasSenders_; }
+    std::size_t sendersWithGas() const { return senders() + gasSenders_.size(); }
     std::size_t receivers() const { return rows_.size(); }
     /// Whether a receiver gets light of others, or less of outside for them.
     bool getsLight(std::size_t receiver) const { return getsLight_[receiver]; }
@@ -75,6 +100,10 @@ class LightExchange {
     std::size_t bodyOf(std::size_t receiver) const {
         const auto behind = std::ranges::upper_bound(firstReceiver_, receiver);
         return static_cast<std::size_t>(behind - firstReceiver_.begin()) - 1;
+    }
+    std::size_t bodyOfSender(std::size_t sender) const {
+        const auto behind = std::ranges::upper_bound(firstSender_, sender);
+        return static_cast<std::size_t>(behind - firstSender_.begin()) - 1;
     }
     std::size_t bodyOfRow(int row) const { return bodyOf(ofRow(row).front()); }
     /// The drawn row of a receiver, and its number among those of the row.
@@ -111,9 +140,23 @@ class LightExchange {
 
     /// What lobes reflect of a place is what leaves the senders there. These have numbers behind
     /// those of receivers, and behind them one for each drawn row: the sun on it at a radiance of
-    /// 1, then the same of the sun through each of through(). None without lobes. Cells that stand
-    /// for them are named as places of samples are.
+    /// 1, then the same of the sun through each of through(). Where mirrors are followed, behind
+    /// these stands what falls on a place, for the lobes of a mirror there: what senders receive,
+    /// then the sun in the air of each body, and through each of through(), then the emission that
+    /// each component takes away. None without lobes. Cells that stand for them are named as places
+    /// of samples are.
     const std::vector<std::uint32_t>& reflected() const { return reflected_; }
+    bool areMirrorsFollowed() const { return components_ > 0; }
+    std::size_t firstReceived() const { return senders() + (1 + through_.size()) * rows(); }
+    std::size_t firstSunOnBodies() const { return firstReceived() + senders(); }
+    std::size_t firstComponents() const {
+        return firstSunOnBodies() + (1 + through_.size()) * bodies_.size();
+    }
+    /// Number among components of the first one of a drawn row; -1 for a Lambertian one.
+    int firstComponentOf(int row) const {
+        const auto number = static_cast<std::size_t>(row);
+        return number < firstComponentOf_.size() ? firstComponentOf_[number] : -1;
+    }
     std::uint32_t cellOfReflected(std::size_t number) const {
         return cells_ + static_cast<std::uint32_t>(number);
     }
@@ -140,6 +183,31 @@ class LightExchange {
             });
             if (more != 0.0f)
                 visit(static_cast<std::uint32_t>(senders() + (i + 1) * rows() + row), more);
+        }
+    }
+
+    /// Calls visit(number of a reflected one, weight) for what falls on a place, without the sun.
+    template <typename Visit>
+    void forEachReceived(std::uint32_t cell, float u, float v, Visit visit) const {
+        forEachReceiver(cell, u, v, [&](std::uint32_t receiver, float part) {
+            visit(static_cast<std::uint32_t>(firstReceived()) + senderOf_[receiver], part);
+        });
+    }
+    /// The same of the sun.
+    template <typename Visit>
+    void forEachSun(std::uint32_t cell, float u, float v, Visit visit) const {
+        float sun = 0.0f;
+        std::size_t body = 0;
+        forEachReceiver(cell, u, v, [&](std::uint32_t receiver, float part) {
+            sun += part * static_cast<float>(sun_[senderOf_[receiver]]);
+            body = bodyOf(receiver);
+        });
+        for (std::size_t i = 0; i <= through_.size(); ++i) {
+            const std::vector<float>& onCells = i == 0 ? sunOnCells_ : through_[i - 1].sunOnCells;
+            const float here = !onCells.empty() ? onCells[cell] : i == 0 ? sun : 0.0f;
+            if (here != 0.0f)
+                visit(static_cast<std::uint32_t>(firstSunOnBodies() + i * bodies_.size() + body),
+                      here);
         }
     }
 
@@ -223,6 +291,15 @@ class LightExchange {
     void reflectOnGround(Making& making, std::size_t body, std::uint32_t patch,
                          const BodyLight::LightStart& start, std::uint32_t index,
                          std::vector<OccluderMaterial> passed, std::span<const float> scales) const;
+    struct GasRays;
+    void takeGas(const Making& making, std::span<const Gas> gases);
+    /// What rays from a patch find of gas and behind it.
+    void sendToGas(const Making& making, std::span<const Gas> gases, std::size_t body,
+                   std::uint32_t patch, GasRays& found) const;
+    void followThroughGas(const Making& making, std::span<const Gas> gases, std::size_t body,
+                          const Ray& ray, GasRays& found) const;
+    /// Numbers columns and senders, and adds up what rays have found.
+    void gatherGas(std::span<const GasRays> found);
     void takeSun(Making& making);
     /// The same through transparent surfaces.
     void takeSunThrough(const Making& making);
@@ -236,11 +313,14 @@ class LightExchange {
     /// Sky and ground that leave through them; `weights`: by receiver, of what it sees above and
     /// below the horizon.
     void weighLeaving(std::span<const OutsideLight> weights);
+    /// The same behind gas.
+    void weighBehindGas(std::span<const OutsideLight> weights);
     /// Means over senders of what is known of receivers.
     std::vector<double> meansOverSenders(const std::function<double(std::size_t)>& of) const;
     void takeLight(Making& making);
     void takeOpenness();
     void addReflected();
+    void numberComponents(const std::vector<std::size_t>& components);
     /// Light that falls on the nodes near a patch.
     void lightSide(Making& making, std::size_t body, std::uint32_t patch) const;
 
@@ -256,6 +336,8 @@ class LightExchange {
     std::vector<bool> sees_, isSeen_, getsLight_;
     std::optional<Spectrum> groundReflectivity_;
     bool hasLobes_;
+    std::size_t components_ = 0; // of all rows
+    std::vector<int> firstComponentOf_;
     std::vector<std::uint32_t> reflected_; // as receivers
     std::vector<float> sunOnCells_;        // as factors, where lobes may meet them
     LightBalance balance_;
@@ -263,6 +345,9 @@ class LightExchange {
     std::vector<int> paneOf_; // by sender: number of its material; -1: opaque
     OccluderStacks passages_;
     std::vector<LightThrough> through_; // by passage, without the first
+    std::vector<LightThroughGas> throughGas_;
+    std::size_t firstGasPane_ = 0;
+    std::vector<GasSender> gasSenders_;
     LightPairs sunBesideMean_;
     std::vector<Loss> losses_;
     std::vector<double> sky_, ground_, sun_;

@@ -57,7 +57,7 @@ LightResponse::LightResponse(const SceneLight& light, const SceneRadiometry& rad
             if (subBands_.of[i] == band)
                 own.push_back(nodes.first + i);
         const std::vector<double> sources = light.summedSources(own);
-        std::vector<float> sent(exchange.senders() * width, 0.0f), largest_W_m2(width, 0.0f);
+        std::vector<float> sent(exchange.sendersWithGas() * width, 0.0f), largest_W_m2(width, 0.0f);
         for (std::size_t g = 0; g < width; ++g)
             for (std::size_t s = 0; s < exchange.senders(); ++s) {
                 if (!exchange.isSeen(s) ||
@@ -86,6 +86,11 @@ LightResponse::LightResponse(const SceneLight& light, const SceneRadiometry& rad
             double& mean = knot.transmissivities.emplace_back();
             for (const std::size_t i : own)
                 mean += passes[i] / static_cast<double>(own.size());
+        }
+        for (const std::vector<double>& share : gasSharesOf(exchange, radiometry)) {
+            double& mean = knot.shares.emplace_back();
+            for (const std::size_t i : own)
+                mean += share[i] / static_cast<double>(own.size());
         }
         // What a row reflects once more has one bounce less to go.
         const int bounces = light.bounces() > 0 ? light.bounces() - 1 : light.bounces();

@@ -24,23 +24,11 @@ void forEachInParts(std::size_t count, Work work) {
     });
 }
 
-/// What is sent through nothing and through transparent surfaces.
-std::shared_ptr<const LightPairs> summed(const LightExchange& exchange,
-                                         std::span<const double> passing,
-                                         std::shared_ptr<const LightPairs> LightBalance::*which,
-                                         const LightPairs& base) {
-    std::vector<std::vector<LightPart>> parts(base.receivers());
-    parallelForSmall(base.receivers(), [&](std::uint32_t r) {
-        const auto add = [&](const LightPairs& pairs, float by) {
-            const auto [first, last] = pairs.of(r);
-            for (const LightPair* pair = first; pair != last && by > 0.0f; ++pair)
-                parts[r].push_back({r, pair->sender, by * pair->factor});
-        };
-        add(base, 1.0f);
-        for (std::size_t i = 0; i < passing.size(); ++i)
-            add(*(exchange.through()[i].balance.*which), static_cast<float>(passing[i]));
-    });
-    return std::make_shared<const LightPairs>(base.receivers(), std::move(parts));
+/// How much comes through what numbers that go by sets of LightExchange::through stand for, of
+/// which each set has so many.
+float passes(const LightFactors& factors, std::size_t number, std::size_t ofSet) {
+    const std::size_t set = number / ofSet;
+    return set == 0 ? 1.0f : static_cast<float>(factors.passing()[set - 1]);
 }
 
 /// Of a list that belongs to someone else.
@@ -50,19 +38,68 @@ std::shared_ptr<const LightPairs> lent(const LightPairs& pairs) {
 
 } // namespace
 
-LightFactors::LightFactors(const LightExchange& exchange, std::span<const double> transmissivities)
+/// What is sent through nothing, through transparent surfaces and through gas, and what that emits.
+std::shared_ptr<const LightPairs>
+LightFactors::summed(std::shared_ptr<const LightPairs> LightBalance::*which, const LightPairs& base,
+                     std::vector<float> LightThroughGas::*emitting) const {
+    std::vector<std::vector<LightPart>> parts(base.receivers());
+    const auto senders = static_cast<std::uint32_t>(exchange_.senders());
+    parallelForSmall(base.receivers(), [&](std::uint32_t r) {
+        const auto add = [&](const LightPairs& pairs, float by) {
+            const auto [first, last] = pairs.of(r);
+            for (const LightPair* pair = first; pair != last && by != 0.0f; ++pair)
+                parts[r].push_back({r, pair->sender, by * pair->factor});
+        };
+        add(base, 1.0f);
+        for (std::size_t i = 0; i < passing_.size(); ++i)
+            add(*(exchange_.through()[i].balance.*which), static_cast<float>(passing_[i]));
+        for (std::size_t i = 0; i < throughGas_.size(); ++i) {
+            const LightThroughGas& gas = exchange_.throughGas()[i];
+            add(*(gas.balance.*which), static_cast<float>(throughGas_[i].passing));
+            const float part = (gas.*emitting)[r];
+            for (std::uint32_t z = 0; part > 0.0f && z < throughGas_[i].sent.size(); ++z)
+                if (throughGas_[i].sent[z] > 0.0)
+                    parts[r].push_back(
+                        {r, senders + z, part * static_cast<float>(throughGas_[i].sent[z])});
+        }
+        mergeParts(parts[r]);
+    });
+    return std::make_shared<const LightPairs>(base.receivers(), std::move(parts));
+}
+
+LightFactors::LightFactors(const LightExchange& exchange, const LightKnot& knot)
     : exchange_(exchange), pairs_(lent(exchange.pairs())), between_(lent(exchange.between())) {
-    if (exchange.through().empty())
+    if (exchange.through().empty() && exchange.throughGas().empty())
         return;
     for (const LightThrough& one : exchange.through()) {
         double& passes = passing_.emplace_back(1.0);
         for (const std::size_t pane : one.panes)
-            passes *= transmissivities[pane];
+            passes *= knot.transmissivities[pane];
     }
-    const bool isOne = pairs_ == between_;
-    pairs_ = summed(exchange, passing_, &LightBalance::pairs, exchange.pairs());
-    between_ =
-        isOne ? pairs_ : summed(exchange, passing_, &LightBalance::between, exchange.between());
+    takeGas(knot);
+    const bool isOne = pairs_ == between_ && throughGas_.empty();
+    pairs_ = summed(&LightBalance::pairs, exchange.pairs(), &LightThroughGas::emitting);
+    between_ = isOne ? pairs_
+                     : summed(&LightBalance::between, exchange.between(),
+                              &LightThroughGas::emittingToSenders);
+}
+
+void LightFactors::takeGas(const LightKnot& knot) {
+    const std::size_t senders = exchange_.gasSenders().size();
+    for (const LightThroughGas& gas : exchange_.throughGas()) {
+        ThroughGas& own = throughGas_.emplace_back();
+        own.sent.assign(senders, 0.0);
+        double panes = 1.0, columns = 1.0;
+        for (const std::size_t pane : gas.panes)
+            panes *= knot.transmissivities[pane];
+        for (const std::size_t column : gas.columns) {
+            for (std::size_t z = 0; z < senders; ++z)
+                own.sent[z] += panes * columns *
+                               knot.shares[(column - exchange_.firstGasPane()) * senders + z];
+            columns *= knot.transmissivities[column];
+        }
+        own.passing = panes * (columns - 1.0);
+    }
 }
 
 double LightFactors::patternOf(std::size_t sender, LightPattern pattern) const {
@@ -71,15 +108,22 @@ double LightFactors::patternOf(std::size_t sender, LightPattern pattern) const {
             free += passing_[i] * (exchange_.through()[i].*through)[sender];
         return free;
     };
+    const auto behindGas = [&](std::vector<double> LightThroughGas::*behind) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < throughGas_.size(); ++i)
+            sum += throughGas_[i].passing * (exchange_.throughGas()[i].*behind)[sender];
+        return sum;
+    };
     switch (pattern) {
     case LightPattern::emission:
         return 1.0;
     case LightPattern::sun:
         return sumOf(exchange_.sun(sender), &LightThrough::sun);
     case LightPattern::sky:
-        return sumOf(exchange_.sky(sender), &LightThrough::sky);
+        return sumOf(exchange_.sky(sender), &LightThrough::sky) + behindGas(&LightThroughGas::sky);
     case LightPattern::ground:
-        return sumOf(exchange_.ground(sender), &LightThrough::ground);
+        return sumOf(exchange_.ground(sender), &LightThrough::ground) +
+               behindGas(&LightThroughGas::ground);
     case LightPattern::passedSky:
     case LightPattern::passedGround:
     case LightPattern::passedSun:
@@ -92,13 +136,24 @@ double LightFactors::passedTo(std::size_t receiver, const LightColumn& column) c
     double sum = 0.0;
     if (!column.isPassed() || exchange_.bodyOf(receiver) != exchange_.bodyOfRow(column.row))
         return sum;
-    for (std::size_t i = 0; i < passing_.size(); ++i) {
-        const OutsideLight& leaving = exchange_.through()[i].leaving[receiver];
-        sum += passing_[i] * (column.pattern == LightPattern::passedSky      ? leaving.sky
-                              : column.pattern == LightPattern::passedGround ? leaving.ground
-                                                                             : leaving.sun);
-    }
+    const auto add = [&](double passing, const OutsideLight& leaving) {
+        sum += passing * (column.pattern == LightPattern::passedSky      ? leaving.sky
+                          : column.pattern == LightPattern::passedGround ? leaving.ground
+                                                                         : leaving.sun);
+    };
+    for (std::size_t i = 0; i < passing_.size(); ++i)
+        add(passing_[i], exchange_.through()[i].leaving[receiver]);
+    for (std::size_t i = 0; i < throughGas_.size(); ++i)
+        add(throughGas_[i].passing, exchange_.throughGas()[i].leaving[receiver]);
     return sum;
+}
+
+double LightFactors::passedOn(std::size_t sender, const LightColumn& column) const {
+    if (!column.isPassed() || exchange_.bodyOfSender(sender) != exchange_.bodyOfRow(column.row))
+        return 0.0;
+    return column.pattern == LightPattern::passedSky      ? patternOf(sender, LightPattern::sky)
+           : column.pattern == LightPattern::passedGround ? patternOf(sender, LightPattern::ground)
+                                                          : 0.0;
 }
 
 LightSolution::LightSolution(const LightExchange& exchange, const std::vector<LightColumn>& columns,
@@ -116,13 +171,17 @@ LightSolution::LightSolution(const LightExchange& exchange, const std::vector<Li
     const std::size_t senders = exchange.senders();
     gathered_.resize(places() * columns_ * knots_);
     ofSenders_.resize(senders * columns_ * knots_);
-    std::vector<float> sent(senders * columns_);
+    std::vector<float> sent(exchange.sendersWithGas() * columns_);
+    for (std::size_t c = 0; c < columns_; ++c)
+        for (std::size_t gas = 0; gas < exchange.gasSenders().size(); ++gas)
+            if (columns[c].row == exchange.gasSenders()[gas].row && columns[c].component < 0)
+                sent[(senders + gas) * columns_ + c] = 1.0f;
     // Each knot begins with what the last one ended with: reflectivities differ little.
     std::vector<float> leaving;
     for (std::size_t knot = 0; knot < knots_; ++knot) {
         if (bounces > 0)
             leaving.clear();
-        const LightFactors factors(exchange, knots[knot].transmissivities);
+        const LightFactors factors(exchange, knots[knot]);
         for (std::size_t s = 0; s < senders; ++s)
             for (std::size_t c = 0; c < columns_; ++c)
                 if (exchange.isSeen(s) && columns[c].row == exchange.rowOfSender(s))
@@ -131,14 +190,10 @@ LightSolution::LightSolution(const LightExchange& exchange, const std::vector<Li
         iterate(factors, knots[knot].reflectivities, sent, columns_, bounces, error, leaving);
         const std::vector<float> all = arriving(factors, leaving, columns_);
         const auto rows = static_cast<int>(exchange.rows());
-        const auto passes = [&](std::size_t number) { // of the sun beside means
-            const std::size_t set = number / static_cast<std::size_t>(rows);
-            return set == 0 ? 1.0f : static_cast<float>(factors.passing()[set - 1]);
-        };
         for (std::size_t p = 0; p < receiver_.size(); ++p) {
             float* const own = &gathered_[(p * knots_ + knot) * columns_];
             std::copy_n(&all[p * columns_], columns_, own);
-            for (std::size_t c = 0; c < columns_ && !factors.passing().empty(); ++c)
+            for (std::size_t c = 0; c < columns_ && factors.hasPassed(); ++c)
                 own[c] += static_cast<float>(factors.passedTo(receiver_[p], columns[c]));
             if (exchange.sunBesideMean().size() == 0)
                 continue;
@@ -147,28 +202,57 @@ LightSolution::LightSolution(const LightExchange& exchange, const std::vector<Li
                 for (std::size_t c = 0; c < columns_; ++c)
                     if (columns[c].pattern == LightPattern::sun &&
                         columns[c].row == static_cast<int>(pair->sender) % rows)
-                        own[c] += passes(pair->sender) * pair->factor;
-        }
-        for (std::size_t i = 0; i < reflected_; ++i) {
-            float* const own = &gathered_[((receiver_.size() + i) * knots_ + knot) * columns_];
-            for (std::size_t c = 0; c < columns_; ++c)
-                own[c] = i < senders ? leaving[i * columns_ + c]
-                         : columns[c].pattern == LightPattern::sun &&
-                                 columns[c].row == static_cast<int>(i - senders) % rows
-                             ? passes(i - senders)
-                             : 0.0f;
+                        own[c] += passes(factors, pair->sender, exchange.rows()) * pair->factor;
         }
         forEachInParts(senders, [&](std::size_t s, std::size_t) {
             factors.between().gather(s, leaving, columns_,
                                      &ofSenders_[(s * knots_ + knot) * columns_]);
         });
+        if (reflected_ > 0)
+            takeReflected(factors, columns, knot, leaving);
+    }
+}
+
+void LightSolution::takeReflected(const LightFactors& factors,
+                                  const std::vector<LightColumn>& columns, std::size_t knot,
+                                  const std::vector<float>& leaving) {
+    const LightExchange& exchange = factors.exchange();
+    const std::size_t senders = exchange.senders(), rows = exchange.rows();
+    const std::size_t bodies = exchange.bodies().size();
+    const auto valueOf = [&](std::size_t i, std::size_t c) {
+        const LightColumn& column = columns[c];
+        if (i < senders)
+            return leaving[i * columns_ + c];
+        if (i < exchange.firstReceived())
+            return column.pattern == LightPattern::sun &&
+                           column.row == static_cast<int>((i - senders) % rows)
+                       ? passes(factors, i - senders, rows)
+                       : 0.0f;
+        if (i < exchange.firstSunOnBodies()) {
+            const std::size_t sender = i - exchange.firstReceived();
+            return ofSenders_[(sender * knots_ + knot) * columns_ + c] +
+                   static_cast<float>(factors.passedOn(sender, column));
+        }
+        if (i < exchange.firstComponents()) {
+            const std::size_t number = i - exchange.firstSunOnBodies();
+            return column.pattern == LightPattern::passedSun &&
+                           exchange.bodyOfRow(column.row) == number % bodies
+                       ? passes(factors, number, bodies)
+                       : 0.0f;
+        }
+        return column.component == static_cast<int>(i - exchange.firstComponents()) ? 1.0f : 0.0f;
+    };
+    for (std::size_t i = 0; i < reflected_; ++i) {
+        float* const own = &gathered_[((receiver_.size() + i) * knots_ + knot) * columns_];
+        for (std::size_t c = 0; c < columns_; ++c)
+            own[c] = valueOf(i, c);
     }
 }
 
 std::vector<float> LightSolution::arriving(const LightExchange& exchange, const LightKnot& knot,
                                            const std::vector<float>& sent, std::size_t width,
                                            int bounces, double error) const {
-    const LightFactors factors(exchange, knot.transmissivities);
+    const LightFactors factors(exchange, knot);
     std::vector<float> leaving;
     iterate(factors, knot.reflectivities, sent, width, bounces, error, leaving);
     return arriving(factors, leaving, width);
@@ -185,8 +269,14 @@ std::vector<float> LightSolution::arriving(const LightFactors& factors,
     std::vector<float> arrives(places() * width);
     for (std::size_t p = 0; p < receiver_.size(); ++p)
         std::copy_n(&all[receiver_[p] * width], width, &arrives[p * width]);
-    if (reflected_ > 0) // what leaves a sender is what a lobe reflects of it
-        std::ranges::copy(leaving, &arrives[receiver_.size() * width]);
+    if (reflected_ == 0)
+        return arrives;
+    // What leaves a sender is what a lobe reflects of it, or its mirror reflects what it receives.
+    const LightExchange& exchange = factors.exchange();
+    std::copy_n(leaving.data(), exchange.senders() * width, &arrives[receiver_.size() * width]);
+    for (std::size_t s = 0; exchange.areMirrorsFollowed() && s < exchange.senders(); ++s)
+        factors.between().gather(
+            s, leaving, width, &arrives[(receiver_.size() + exchange.firstReceived() + s) * width]);
     return arrives;
 }
 

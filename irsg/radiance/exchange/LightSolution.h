@@ -20,6 +20,7 @@ struct LightColumn {
     int row = 0;
     std::size_t term = 0; ///< of RadianceTerms
     LightPattern pattern = LightPattern::emission;
+    int component = -1; ///< emission that this one of a directional surface takes away
     bool isPassed() const {
         return pattern == LightPattern::passedSky || pattern == LightPattern::passedGround ||
                pattern == LightPattern::passedSun;
@@ -27,17 +28,18 @@ struct LightColumn {
     bool operator==(const LightColumn&) const = default;
 };
 
-/// By drawn row, and by material of LightExchange::panes.
+/// By drawn row, and by material of LightExchange::panes. Of each column of gas among these, how
+/// much of the light each of LightExchange::gasSenders takes away and sends in its place.
 struct LightKnot {
-    std::vector<double> reflectivities, transmissivities;
+    std::vector<double> reflectivities, transmissivities, shares;
     bool operator==(const LightKnot&) const = default;
 };
 
-/// An exchange at the transmissivities of its panes.
+/// An exchange at the transmissivities of its panes and gases.
 class LightFactors {
   public:
     /// `exchange` must live as long.
-    LightFactors(const LightExchange& exchange, std::span<const double> transmissivities);
+    LightFactors(const LightExchange& exchange, const LightKnot& knot);
 
     const LightExchange& exchange() const { return exchange_; }
     /// As the exchange has them, of receivers and between senders.
@@ -45,14 +47,30 @@ class LightFactors {
     const LightPairs& between() const { return *between_; }
     /// How much passes each set of LightExchange::through.
     std::span<const double> passing() const { return passing_; }
+    /// Whether anything comes through transparent surfaces or gas.
+    bool hasPassed() const { return !passing_.empty() || !throughGas_.empty(); }
     /// What a column of sources gives a sender.
     double patternOf(std::size_t sender, LightPattern pattern) const;
+    /// What a sender's surface receives of a column that none sends: sky and ground.
+    double passedOn(std::size_t sender, const LightColumn& column) const;
     /// What a receiver gets of it that no sender sends.
     double passedTo(std::size_t receiver, const LightColumn& column) const;
 
   private:
+    /// What gas takes away of what comes from behind it (below 0), and what each of its senders
+    /// sends where it emits.
+    struct ThroughGas {
+        double passing = 0.0;
+        std::vector<double> sent;
+    };
+    std::shared_ptr<const LightPairs> summed(std::shared_ptr<const LightPairs> LightBalance::*which,
+                                             const LightPairs& base,
+                                             std::vector<float> LightThroughGas::*emitting) const;
+    void takeGas(const LightKnot& knot);
+
     const LightExchange& exchange_;
     std::vector<double> passing_;
+    std::vector<ThroughGas> throughGas_;
     std::shared_ptr<const LightPairs> pairs_, between_;
 };
 
@@ -93,6 +111,9 @@ class LightSolution {
   private:
     std::vector<float> arriving(const LightFactors& factors, const std::vector<float>& leaving,
                                 std::size_t width) const;
+    /// Fills in what lobes reflect, at a knot.
+    void takeReflected(const LightFactors& factors, const std::vector<LightColumn>& columns,
+                       std::size_t knot, const std::vector<float>& leaving);
     /// What leaves senders in the end, beginning with `leaving` unless it is empty.
     static void iterate(const LightFactors& factors, const std::vector<double>& reflectivities,
                         const std::vector<float>& sent, std::size_t width, int bounces,

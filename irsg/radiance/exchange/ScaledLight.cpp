@@ -87,18 +87,25 @@ void ScaledLight::makeBins(Making& making) {
         }
         making.receiversOf.push_back(group->second);
         making.senderOf.push_back(-1);
-        if (drawn >= lit || (inputs.temperatureInput < 0 && inputs.emissivityInput < 0))
+        // Of a mirror that others mirror, each component takes emission away.
+        const bool isComponent =
+            isLobe && making.light.exchange().areMirrorsFollowed() &&
+            making.radiometry.rows().lobe(static_cast<int>(drawn)).light == LobeQuadratureRow::none;
+        if ((drawn >= lit && !isComponent) ||
+            (inputs.temperatureInput < 0 && inputs.emissivityInput < 0))
             continue;
         making.senderOf.back() = static_cast<int>(senders_.size());
         making.renderedOf.push_back(drawn);
         Sender& sender = senders_.emplace_back();
         sender.inputs = inputs;
+        sender.isComponent = isComponent;
         sender.temperature_K = making.surface(drawn).temperature_K;
         sender.wavelength_um.resize(bins_);
         sender.emissivity.resize(bins_);
         sender.absorbedAtMost.resize(bins_);
         making.senderWeights.emplace_back(2 * bins_);
-        if (inputs.emissivityInput < 0 || !making.light.matters(static_cast<int>(drawn)))
+        if (isComponent || inputs.emissivityInput < 0 ||
+            !making.light.matters(static_cast<int>(drawn)))
             continue;
         const auto [reflector, isFirst] =
             reflectorOf.try_emplace(inputs.emissivityInput, making.reflectors.size());
@@ -268,7 +275,9 @@ void ScaledLight::evaluate(std::span<const double> scales, std::vector<Pair>& by
             double& ratio = emission[s * bins_ + bin];
             if (!isBody)
                 ratio = scaleE;
-            else if (const double atOne = emissivityAt(1.0, nominal, most); atOne > 0.0)
+            else if (const double atOne = emissivityAt(1.0, nominal, most); sender.isComponent)
+                ratio = most > atOne ? (most - emissivity) / (most - atOne) : 1.0;
+            else if (atOne > 0.0)
                 ratio = emissivity / atOne;
             if (const double wavelength_um = sender.wavelength_um[bin];
                 isBody && scaleT != 1.0 && wavelength_um > 0.0)

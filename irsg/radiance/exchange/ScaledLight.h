@@ -52,7 +52,8 @@ class ScaledLight {
     };
     struct Sender {
         ScaledRow inputs;
-        double temperature_K = 0.0;                                    ///< 0: a spectrum of its own
+        bool isComponent = false;   ///< of a mirror: takes what it reflects of its emission
+        double temperature_K = 0.0; ///< 0: a spectrum of its own
         std::vector<double> wavelength_um, emissivity, absorbedAtMost; ///< by bin
     };
     /// What receivers get of a sender, bin by bin: of its emission at scales of 1, of what it

@@ -20,19 +20,6 @@ constexpr std::size_t mostOutputsCached = 128;
 constexpr std::size_t mostOutputsAtReceivers = 8;
 /// Of transmissivities more than these are not told apart.
 constexpr std::size_t mostKnotsOfPanes = 48;
-/// What reflects less, sr-1, is black.
-constexpr double leastReflectance_per_sr = 1e-9;
-
-LightPattern patternOf(LightOrigin origin) {
-    switch (origin) {
-    case LightOrigin::sun:
-        return LightPattern::sun;
-    case LightOrigin::sky:
-        return LightPattern::sky;
-    default:
-        return LightPattern::ground;
-    }
-}
 
 /// What a cos^N lobe sends on the whole, as a part of what it would for N = 0.
 double hemispherical(double nAngleFactor) {
@@ -96,16 +83,47 @@ class CurveDivision {
     std::vector<std::size_t> places_;
 };
 
+/// How much columns of gas let through on the whole, by node; nothing without gas.
+std::vector<double> gasStrengths(const LightExchange& exchange,
+                                 const std::vector<std::vector<double>>& panes, std::size_t nodes) {
+    if (exchange.throughGas().empty())
+        return {};
+    std::vector<double> sums(nodes, 0.0);
+    for (std::size_t pane = exchange.firstGasPane(); pane < panes.size(); ++pane)
+        for (std::size_t i = 0; i < nodes; ++i)
+            sums[i] += panes[pane][i];
+    return sums;
+}
+
 } // namespace
 
 std::vector<double> passingOf(const OccluderMaterial& pane, const LightExchange& exchange,
                               const SceneRadiometry& radiometry) {
+    if (isGasColumn(pane.second))
+        return radiometry.gasColumn(pane.first, pane.second).transmittance.plain;
     if (pane != groundMaterial)
         return radiometry.transmissivity(pane.first, pane.second);
     std::vector<double> reflectivity;
     for (const double wavelength_um : radiometry.wavelengths_um())
         reflectivity.push_back(exchange.groundReflectivity()->at(wavelength_um));
     return reflectivity;
+}
+
+std::vector<std::vector<double>> gasSharesOf(const LightExchange& exchange,
+                                             const SceneRadiometry& radiometry) {
+    std::vector<std::vector<double>> all;
+    for (std::size_t pane = exchange.firstGasPane();
+         pane < exchange.panes().size() && !exchange.throughGas().empty(); ++pane) {
+        const auto& [entity, number] = exchange.panes()[pane];
+        const GasColumnSpectra::Column& column = radiometry.gasColumn(entity, number);
+        for (const LightExchange::GasSender& gas : exchange.gasSenders()) {
+            const auto share = column.shares.find(gas.codes);
+            const bool isIn = gas.entity == entity && share != column.shares.end();
+            all.push_back(isIn ? share->second.plain
+                               : std::vector<double>(radiometry.wavelengths_um().size(), 0.0));
+        }
+    }
+    return all;
 }
 
 const std::vector<std::uint32_t>& receiversOf(int row, const SurfaceRows& rows,
@@ -142,57 +160,6 @@ bool SceneLight::matters(int drawn) const {
                                [](double value) { return value > leastReflectance_per_sr; });
 }
 
-void SceneLight::findColumns() {
-    const std::vector<RadianceTerm>& terms = radiometry_.terms().terms;
-    std::vector<bool> sending(exchange_->rows());
-    for (std::size_t s = 0; s < exchange_->senders(); ++s)
-        if (exchange_->isSeen(s))
-            sending[static_cast<std::size_t>(exchange_->rowOfSender(s))] = true;
-    for (int row = 0; row < static_cast<int>(exchange_->rows()); ++row) {
-        if (exchange_->ofRow(row).empty())
-            continue;
-        const bool sends = sending[static_cast<std::size_t>(row)];
-        const SurfaceSpectra& surface = radiometry_.surfaces()[static_cast<std::size_t>(row)];
-        const AtmosphereSamples& air = radiometry_.air(radiometry_.rows().first(row));
-        for (std::size_t t = 0; t < terms.size(); ++t) {
-            if (terms[t].surface == SurfaceQuantity::emission && sends)
-                columns_.push_back({row, t, LightPattern::emission});
-            if (terms[t].origin == LightOrigin::none || !terms[t].light || !air.light[t])
-                continue;
-            if (terms[t].origin == LightOrigin::sky)
-                skyTerm_ = static_cast<int>(t);
-            if (terms[t].origin == LightOrigin::ground)
-                groundTerm_ = static_cast<int>(t);
-            if (terms[t].origin == LightOrigin::sun)
-                sunTerm_ = static_cast<int>(t);
-            const bool reflects = std::ranges::any_of(
-                surface.reflectance, [](double value) { return value > leastReflectance_per_sr; });
-            if (sends && reflects)
-                columns_.push_back({row, t, patternOf(terms[t].origin)});
-        }
-    }
-    addPassedColumns();
-}
-
-/// Sky and ground through transparent surfaces, and what shadows on the ground take: in the air of
-/// each body that sees any.
-void SceneLight::addPassedColumns() {
-    if (exchange_->through().empty())
-        return;
-    std::vector<bool> isKnown(exchange_->bodies().size());
-    for (int row = 0; row < static_cast<int>(exchange_->rows()); ++row) {
-        if (exchange_->ofRow(row).empty() || isKnown[exchange_->bodyOfRow(row)])
-            continue;
-        isKnown[exchange_->bodyOfRow(row)] = true;
-        for (const auto& [term, pattern] : {std::pair{skyTerm_, LightPattern::passedSky},
-                                            std::pair{groundTerm_, LightPattern::passedGround},
-                                            std::pair{sunTerm_, LightPattern::passedSun}})
-            if (term >= 0 &&
-                (pattern != LightPattern::passedSun || exchange_->groundReflectivity()))
-                columns_.push_back({row, static_cast<std::size_t>(term), pattern});
-    }
-}
-
 void SceneLight::findKnots(const RenderSettings& settings) {
     const std::size_t nodes = radiometry_.wavelengths_um().size();
     knotsOfNodes_.between.assign(nodes, {});
@@ -202,7 +169,7 @@ void SceneLight::findKnots(const RenderSettings& settings) {
     for (const OccluderMaterial& pane : exchange_->panes())
         panes.push_back(passingOf(pane, *exchange_, radiometry_));
     if (settings.bounces == 1 && panes.empty()) {
-        knots_.push_back({black, {}});
+        knots_.push_back({black, {}, {}});
         return;
     }
     // Rows that light is reflected at on its way, and how much of what they send comes back at
@@ -223,10 +190,14 @@ void SceneLight::findKnots(const RenderSettings& settings) {
     const auto reflectivity = [&](std::size_t row, std::size_t node) {
         return pi * radiometry_.surfaces()[row].reflectance[node];
     };
+    const std::vector<std::vector<double>> shares = gasSharesOf(*exchange_, radiometry_);
+    const std::vector<double> strengths = gasStrengths(*exchange_, panes, nodes);
     std::vector<std::size_t> order(nodes);
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, {},
-                             [&](std::size_t i) { return radiometry_.wavelengths_um()[i]; });
+    // Lines of gas come and go with the wavelength, but strong ones are alike.
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) {
+        return strengths.empty() ? radiometry_.wavelengths_um()[i] : strengths[i];
+    });
     // L grows as 1 / (1 - rho F): straight enough in the logarithm of that.
     std::vector<std::vector<double>> curve;
     std::vector<std::size_t> places(nodes), first;
@@ -236,6 +207,9 @@ void SceneLight::findKnots(const RenderSettings& settings) {
             at.push_back(-std::log(1.0 - std::min(reflectivity(row, node), 0.9999) * most));
         for (const std::vector<double>& passes : panes)
             at.push_back(passes[node]);
+        for (const std::vector<double>& share : shares)
+            if (exchange_->gasSenders().size() > 1)
+                at.push_back(share[node]);
         if (curve.empty() || curve.back() != at) {
             curve.push_back(std::move(at));
             first.push_back(node);
@@ -252,11 +226,13 @@ void SceneLight::findKnots(const RenderSettings& settings) {
     }
     std::vector<std::size_t> knotOf; // by division
     for (const std::size_t place : divided) {
-        LightKnot own{black, {}};
+        LightKnot own{black, {}, {}};
         for (const auto& [row, most] : rows)
             own.reflectivities[row] = reflectivity(row, first[place]);
         for (const std::vector<double>& passes : panes)
             own.transmissivities.push_back(passes[first[place]]);
+        for (const std::vector<double>& share : shares)
+            own.shares.push_back(share[first[place]]);
         const auto known = std::ranges::find(knots_, own);
         knotOf.push_back(static_cast<std::size_t>(known - knots_.begin()));
         if (known == knots_.end())
@@ -503,8 +479,8 @@ SceneLight::Falling SceneLight::fallsOn(int row, std::span<const double> contrac
         for (std::size_t i = 0; term >= 0 && i < count; ++i)
             falling.lost[i] -=
                 contracted[static_cast<std::size_t>(place)] * lightOn(drawn, term)[first + i];
-    falling.emitted.resize(exchange_->rows());
-    falling.perReflectivity.resize(exchange_->rows());
+    falling.emitted.resize(radiometry_.surfaces().size());
+    falling.perReflectivity.resize(radiometry_.surfaces().size());
     for (std::size_t c = 0; c < columns_.size(); ++c) {
         const LightColumn& column = columns_[c];
         if (column.isPassed()) {

@@ -28,6 +28,11 @@ using LightSums = std::map<std::pair<int, int>, std::vector<double>>; // by fron
 std::vector<double> passingOf(const OccluderMaterial& pane, const LightExchange& exchange,
                               const SceneRadiometry& radiometry);
 
+/// By column of gas and sender of LightExchange::gasSenders, one column behind the other: what the
+/// gas takes away of the light and sends, by node.
+std::vector<std::vector<double>> gasSharesOf(const LightExchange& exchange,
+                                             const SceneRadiometry& radiometry);
+
 /// The receivers that a row has: those of its surface, or for what lobes reflect of others those
 /// that stand for what leaves these.
 const std::vector<std::uint32_t>& receiversOf(int row, const SurfaceRows& rows,
@@ -108,8 +113,11 @@ class SceneLight {
     int groundTerm() const { return groundTerm_; }
 
   private:
+    /// What reflects less is black.
+    static constexpr double leastReflectance_per_sr = 1e-9;
     void findColumns();
     void addPassedColumns();
+    void addComponentColumns();
     void findKnots(const RenderSettings& settings);
     void fillSources();
     LightIntegrals integrator() const {

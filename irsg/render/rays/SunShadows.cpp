@@ -146,16 +146,44 @@ bool SunShadows::OpenPaths::isOpen(const Place& from, const Vec3& towardsEye) co
     return shadows_->reaches(from, from.start_m, source_->worldOf(towardsEye), false, through);
 }
 
-SunShadows::Met SunShadows::OpenPaths::met(const Place& from, const Vec3& towardsEye,
-                                           GeometrySamples::Place& at) const {
-    return shadows_->met(from, source_->worldOf(towardsEye), at);
+SunShadows::Met SunShadows::OpenPaths::met(const Place& from, const Vec3& towardsEye, Hit& end,
+                                           std::vector<Hit>& panes) const {
+    return shadows_->met(from, source_->worldOf(towardsEye), end, panes);
 }
 
-SunShadows::Met SunShadows::met(const Place& from, const Vec3& towards,
-                                GeometrySamples::Place& at) const {
+void SunShadows::OpenPaths::goOnFrom(Hit& hit) const {
+    hit.place.start_m = shadows_->startOf_m(hit.place);
+}
+
+Vec3 SunShadows::OpenPaths::normalAt(const Hit& hit) const {
+    const Caster& caster = shadows_->casters_[hit.place.caster];
+    const Vec3 normal =
+        turned(shadows_->toWorld_[hit.place.caster],
+               caster.mesh->normal(hit.place.hit) * (hit.place.hit.isFront ? 1.0 : -1.0));
+    const Viewpoint& eye = source_->eye;
+    return {dot(normal, eye.right), dot(normal, eye.up), dot(normal, eye.backward)};
+}
+
+bool SunShadows::name(std::size_t caster, Hit& hit) const {
+    if (caster >= places_.meshes.size())
+        return false;
+    const ExchangeMesh::Place on = places_.meshes[caster]->placeOf(hit.place.hit);
+    if (on.cell == ExchangeMesh::none)
+        return false;
+    hit.place.caster = caster;
+    hit.place.distance_m = hit.place.hit.distance_m;
+    hit.place.isFound = true;
+    hit.row = casters_[caster].rows[static_cast<std::size_t>(hit.place.hit.piece)];
+    hit.at = {places_.firstCell[caster] + on.cell, on.u, on.v};
+    return true;
+}
+
+SunShadows::Met SunShadows::met(const Place& from, const Vec3& towards, Hit& end,
+                                std::vector<Hit>& panes) const {
     thread_local std::vector<RayHit> through;
+    panes.clear();
     std::size_t nearest = casters_.size();
-    RayHit hit, found;
+    RayHit hit;
     double nearest_m = std::numeric_limits<double>::infinity();
     for (std::size_t c = 0; c < casters_.size(); ++c) {
         const Caster& caster = casters_[c];
@@ -163,28 +191,34 @@ SunShadows::Met SunShadows::met(const Place& from, const Vec3& towards,
                 turned(toMesh_[c], towards), 0.0, nearest_m};
         bool isMet = caster.mesh->meet(ray, caster.uses, 0.0, hit, through);
         // The smooth surface that it is on is not in its way: a facet and those that touch it.
+        const auto isOfOwn = [&](const RayHit& one) {
+            return from.isFound && c == from.caster && caster.mesh->touch(one, from.hit);
+        };
         constexpr int mostTouching = 8;
-        for (int i = 0; i < mostTouching && isMet && from.isFound && c == from.caster &&
-                        caster.mesh->touch(hit, from.hit);
-             ++i) {
+        for (int i = 0; i < mostTouching && isMet && isOfOwn(hit); ++i) {
             ray.from_m = hit.distance_m + caster.mesh->rounding_m();
             isMet = caster.mesh->meet(ray, caster.uses, 0.0, hit, through);
+        }
+        for (const RayHit& one : through) {
+            Hit pane{{c, ray, 0.0, one, false, {}}, 0, {}};
+            if (caster.uses[static_cast<std::size_t>(one.piece)].pane > 0 && !isOfOwn(one) &&
+                name(c, pane))
+                panes.push_back(pane);
         }
         if (!isMet)
             continue;
         nearest = c;
         nearest_m = hit.distance_m;
-        found = hit;
+        end.place.ray = ray;
+        end.place.hit = hit;
+    }
+    if (!panes.empty()) {
+        std::erase_if(panes, [&](const Hit& pane) { return pane.place.distance_m >= nearest_m; });
+        std::ranges::stable_sort(panes, {}, [](const Hit& pane) { return pane.place.distance_m; });
     }
     if (nearest == casters_.size())
         return Met::nothing;
-    if (nearest >= places_.meshes.size())
-        return Met::other;
-    const ExchangeMesh::Place on = places_.meshes[nearest]->placeOf(found);
-    if (on.cell == ExchangeMesh::none)
-        return Met::other;
-    at = {places_.firstCell[nearest] + on.cell, on.u, on.v};
-    return Met::surface;
+    return name(nearest, end) ? Met::surface : Met::other;
 }
 
 SunShadows::Place SunShadows::placeOf(const Source& source, const Vec3& eyeDirection, int row,

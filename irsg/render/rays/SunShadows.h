@@ -93,6 +93,13 @@ class SunShadows {
     /// What a ray from a place meets first of what is opaque.
     enum class Met { nothing, surface, other };
 
+    /// What a ray from a place meets: its own place, and how samples and drawings name it.
+    struct Hit {
+        Place place;
+        int row = 0;
+        GeometrySamples::Place at;
+    };
+
     /// What is seen from the samples of a tile, which must live as long as this.
     class OpenPaths {
       public:
@@ -102,9 +109,13 @@ class SunShadows {
                       Neighbours& neighbours) const;
         /// Whether nothing opaque is met on the way from there.
         bool isOpen(const Place& from, const Vec3& towardsEye) const;
-        /// What is met: a surface with places that samples may have (`at`), or something else, such
-        /// as terrain.
-        Met met(const Place& from, const Vec3& towardsEye, GeometrySamples::Place& at) const;
+        /// What is met: a surface with places that samples may have (`end`), or something else,
+        /// such as terrain; and the panes before it, in order, in place of what `panes` held.
+        Met met(const Place& from, const Vec3& towardsEye, Hit& end, std::vector<Hit>& panes) const;
+        /// Lets rays begin at what was met.
+        void goOnFrom(Hit& hit) const;
+        /// Of the smooth surface there, in eye space; to the side that the ray came from.
+        Vec3 normalAt(const Hit& hit) const;
 
       private:
         friend class SunShadows;
@@ -125,7 +136,9 @@ class SunShadows {
                   int column, Neighbours& neighbours) const;
     bool isAllLit(const Place& place, const Sunlit* known) const;
     Vec3 startOf_m(const Place& place) const;
-    Met met(const Place& from, const Vec3& towards, GeometrySamples::Place& at) const;
+    Met met(const Place& from, const Vec3& towards, Hit& end, std::vector<Hit>& panes) const;
+    /// Names what a ray has met of a caster; false for what samples have no places on.
+    bool name(std::size_t caster, Hit& hit) const;
     /// Parts of the light that arrive: through nothing, and through sets of materials.
     Shaded lightAt(const Place& place, const Vec3& towardsSun, bool isLit, std::size_t turn) const;
     /// `isLit`: nothing of the mesh of the place itself is in the way.

@@ -126,15 +126,20 @@ struct GeometrySamples {
     std::vector<std::shared_ptr<const SpecularEnvironmentTable>> specularTables;
 
     /// What lobes of a layer reflect of another surface: the place where they meet it, as
-    /// LightExchange names it, with a weight, in a row of SurfaceRows that is drawn nowhere.
+    /// LightExchange names it, with a weight, in a row of SurfaceRows that is drawn nowhere. Of the
+    /// atmosphere behind panes and further mirrors there is no place.
     struct Reflected {
         std::uint32_t sample = 0;
         std::uint32_t layer = 0; ///< number among those of the sample, front to back
         int row = 0;
         float weight = 0.0f;
         Place from;
+        std::uint32_t set = 0; ///< of `reflectedSets`
     };
     std::vector<Reflected> reflected; ///< by sample and layer, ascending
+    /// What this light has passed on its way to the layer, sorted: panes, and components of other
+    /// mirrors (mirrorMaterial). The first is nothing.
+    std::vector<std::vector<std::pair<int, int>>> reflectedSets;
 
     /// Nothing is known of shadows, of light between surfaces and of lobes.
     void forgetLight() {
@@ -142,6 +147,7 @@ struct GeometrySamples {
         lobes.clear();
         speculars.clear();
         reflected.clear();
+        reflectedSets.clear();
         specularScales.clear();
         specularTables.clear();
         sunVisibility.clear();
