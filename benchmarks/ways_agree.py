@@ -161,7 +161,8 @@ def scenario(folder, name, sample, air, elevation, bands):
 def table(file):
     with open(file, encoding="utf-8") as lines:
         rows = list(csv.reader(line for line in lines if not line.startswith("#")))
-    return [dict(zip(rows[0], map(float, row))) for row in rows[1:]]
+    numbers = [i for i, key in enumerate(rows[0]) if key != "warning"]
+    return [{rows[0][i]: float(row[i]) for i in numbers} for row in rows[1:]]
 
 
 def at(band, bands):
