@@ -22,13 +22,13 @@
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
+#include "irsg/core/FreedMemory.h"
 #include "irsg/core/ParallelFor.h"
 #include "irsg/core/ProgramVersion.h"
 #include "irsg/core/Remarks.h"
 #include "irsg/core/Utf8.h"
 #include "smatcore/data/Provenance.h"
 #include "smatcore/data/RenderDoor.h"
-#include "smatcore/support/FreedMemory.h"
 #include "smatcore/support/Log.h"
 #include "smatcore/support/ShellText.h"
 
@@ -149,7 +149,7 @@ int parseAndWork(CLI::App& app, Context& context, int argc, char** argv) {
 
 int runProgram(const Program& program, int argc, char** argv, Context& context) {
     openStreams();
-    keepFreedMemory();
+    irsg::keepFreedMemory();
     // Before inputs are noted: it reads what is none.
     context.timer.addBefore("start program",
                             std::max(secondsSinceStart() - context.timer.wall_s(), 0.0));
@@ -186,7 +186,7 @@ int runProgram(const Program& program, int argc, char** argv, Context& context) 
         {
             // What the end of the process would take of the time beside the table.
             const StageTimer::Scope scope(&context.timer, "end program");
-            giveBackFreedMemory();
+            irsg::giveBackFreedMemory();
         }
         tell(context.timer.toText());
     }

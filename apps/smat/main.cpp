@@ -20,11 +20,11 @@
 #include "gui/widgets/WheelGuard.h"
 #include "gui/workbench/Workbench.h"
 #include "irsg/core/Errors.h"
+#include "irsg/core/FreedMemory.h"
 #include "irsg/core/ProgramVersion.h"
 #include "irsg/core/Wording.h"
 #include "smatcore/data/Provenance.h"
 #include "smatcore/data/RenderDoor.h"
-#include "smatcore/support/FreedMemory.h"
 #include "smatcore/support/NearestNames.h"
 
 namespace {
@@ -129,7 +129,7 @@ std::string versionText() {
 int main(int argc, char** argv) {
     // A file that grows beyond what is allowed is refused in words.
     std::signal(SIGXFSZ, SIG_IGN);
-    smat::keepFreedMemory();
+    irsg::keepFreedMemory();
     CLI::App cli{"SMAT, the infrared signature modelling workbench", "smat"};
     cli.set_version_flag("--version", versionText);
     std::string file;

@@ -5,10 +5,14 @@
 #include <mutex>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/FreedMemory.h"
 
 namespace irsg {
 
 namespace {
+
+/// Of a model whose making of light leaves memory behind that others may want.
+constexpr std::size_t manyFacets = 200'000;
 
 bool haveEqualFacets(const RayMesh& one, const RayMesh& other) {
     if (one.pieces() != other.pieces() || one.facets() != other.facets())
@@ -101,9 +105,12 @@ std::shared_ptr<const BodyLight> PreparedModel::lightBetween(const PieceUses& us
     resolution.hasInsides = resolution.isAlone || place == BodyPlace::overTerrain;
     if (place == BodyPlace::amongOthers)
         resolution.longestEdge_m = 2.0 * mesh().sphere.radius_m / 16.0;
-    auto mesh = std::make_shared<const ExchangeMesh>(forRays(), uses, resolution);
-    auto nodes = std::make_shared<const ExchangeNodes>(std::move(mesh), resolution);
+    auto mesh = std::make_shared<ExchangeMesh>(forRays(), uses, resolution);
+    auto nodes = std::make_shared<const ExchangeNodes>(mesh, resolution);
+    mesh->forgetWays();
     auto made = std::make_shared<const BodyLight>(std::move(nodes), uses, error);
+    if (mesh->rays().facets() > manyFacets)
+        giveBackFreedMemory();
     const KnownLight& added = light.add({uses, error, place, std::move(made)});
     knownBodyLight().add(added);
     return added.light;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "irsg/core/FreedMemory.h"
 #include "python/src/OpenProjects.h"
 #include "python/src/Results.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
@@ -16,7 +17,6 @@
 #include "smatcore/project/ModelFields.h"
 #include "smatcore/project/ProjectFile.h"
 #include "smatcore/settings/AnalysisSections.h"
-#include "smatcore/support/FreedMemory.h"
 #include "smatcore/support/NearestNames.h"
 
 namespace smat::python {
@@ -190,7 +190,7 @@ AnalysisData analysisOf(const OpenProject& open, const std::string& kind,
 }
 
 void prepareProcess() {
-    [[maybe_unused]] static const bool once = (keepFreedMemory(), true);
+    [[maybe_unused]] static const bool once = (irsg::keepFreedMemory(), true);
 }
 
 void addProjects(py::module_& module) {

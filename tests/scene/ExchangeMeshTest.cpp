@@ -291,7 +291,7 @@ TEST_F(ExchangeMeshTest, WhatABodyHidesOfAnotherIsASurfaceOfItsOwn) {
     int within = 0, outside = 0;
     for (std::uint32_t v = 0; v < inside.size(); ++v) {
         const Vec3& at_m = mesh->vertices()[v].at_m;
-        if (mesh->vertices()[v].normal.z > 0.9 && std::abs(at_m.z - 0.1) < 1e-3) {
+        if (mesh->sights()[v].normal.z > 0.9 && std::abs(at_m.z - 0.1) < 1e-3) {
             if (length(at_m) < 0.97) {
                 ++within;
                 EXPECT_TRUE(inside[v]);

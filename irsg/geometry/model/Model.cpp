@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/FreedMemory.h"
 #include "irsg/geometry/conversion/GeometryCollector.h"
 #include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/geometry/conversion/SharedPlanes.h"
@@ -129,7 +130,13 @@ Model::Model(std::unique_ptr<Impl> parts) : impl_(std::move(parts)) {}
 Model::~Model() = default;
 
 std::shared_ptr<Model> Model::load(const std::filesystem::path& file, const ModelOptions& options) {
-    return ofGraph(loadGraphAsIs(file, purposeOf(options)), readModelCodes(file), file, options);
+    auto model =
+        ofGraph(loadGraphAsIs(file, purposeOf(options)), readModelCodes(file), file, options);
+    // What was read of a large one is several times what is left.
+    constexpr std::size_t manyFacets = 200'000;
+    if (model->mesh()->facets() > manyFacets)
+        giveBackFreedMemory();
+    return model;
 }
 
 std::shared_ptr<Model> Model::ofGraph(const LoadedGraph& asIs, const ModelCodes& codes,

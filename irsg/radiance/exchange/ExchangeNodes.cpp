@@ -10,6 +10,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "irsg/core/Errors.h"
 #include "irsg/core/JoinedNumbers.h"
 #include "irsg/core/ParallelFor.h"
 
@@ -110,15 +111,21 @@ struct ExchangeNodes::OfPiece {
     std::vector<double> apart_m;                         ///< by vertex: how far nodes may be
     std::vector<std::size_t> nodes;                      ///< places among the vertices
     std::uint32_t firstNode = 0;                         ///< number of the first of them
-    std::size_t outside = 0;            ///< how many of them turn to no space inside
-    std::vector<double> surface_m2;     ///< by vertex: of all that one can go to
-    std::vector<std::size_t> coveredBy; ///< by vertex: among the nodes
-    std::vector<FewNodes> shares;       ///< by vertex
+    std::size_t outside = 0;              ///< how many of them turn to no space inside
+    std::vector<double> surface_m2;       ///< by vertex: of all that one can go to
+    std::vector<std::uint32_t> coveredBy; ///< by vertex: among the nodes
+    std::vector<FewNodes> shares;         ///< by vertex
 
     /// Calls visit(place, distance_m) for the vertices that are nearer to one of them than `most_m`
     /// along a straight line, and along the surface not much farther.
     template <typename Visit>
     void forEachAbout(std::size_t place, double most_m, const ExchangeMesh& mesh, Visit visit);
+    /// What forEachAbout holds until the next call.
+    void forgetWays() {
+        way_m_ = {};
+        turns_ = {};
+        turn_ = 0;
+    }
 
   private:
     std::vector<double> way_m_;        // by vertex, where it was visited in this turn
@@ -249,37 +256,39 @@ void ExchangeNodes::placeNodes(const ExchangeResolution& resolution) {
     if (isFine || least_m >= mesh_->extent_m())
         placeAll(pieces, *mesh_, spacingWith(isFine ? fineness_ : 1.0, least_m), allNodes);
     coarseness_ = 4.0 * least_m / std::sqrt(area_m2 / static_cast<double>(resolution.mostNodes));
-    parallelFor(pieces.size(), [&](std::size_t p) { share(pieces[p], *mesh_); });
-    std::size_t shares = 0;
-    for (const OfPiece& piece : pieces)
-        for (const FewNodes& few : piece.shares)
-            shares += few.count;
-    shares_.reserve(shares);
-
-    std::vector<std::uint32_t> pieceOfVertex(vertices.size());
-    for (std::uint32_t p = 0; p < pieces.size(); ++p) {
-        const auto before = static_cast<std::uint32_t>(nodes());
-        pieceOf_.insert(pieceOf_.end(), pieces[p].nodes.size(), p);
-        pieces[p].firstNode = before;
-        for (const std::uint32_t vertex : pieces[p].vertices)
-            pieceOfVertex[vertex] = p;
-    }
-    firstShare_.reserve(vertices.size() + 1);
-    firstShare_.push_back(0);
-    for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-        const OfPiece& piece = pieces[pieceOfVertex[v]];
-        const FewNodes& few = piece.shares[placeOf[v]];
-        double sum = 0.0;
-        for (std::size_t i = 0; i < few.count; ++i)
-            sum += few.weights[i];
-        for (std::size_t i = 0; i < few.count; ++i)
-            shares_.push_back(
-                {few.nodes[i] + piece.firstNode, static_cast<float>(few.weights[i] / sum)});
-        firstShare_.push_back(static_cast<std::uint32_t>(shares_.size()));
-    }
-    for (OfPiece& piece : pieces)
-        piece.shares = {};
+    takeShares(pieces);
     placeSenders(pieces, spacingWith(fineness_, least_m), resolution);
+}
+
+/// Vertices are numbered piece by piece, so that some pieces at once do.
+void ExchangeNodes::takeShares(std::vector<OfPiece>& pieces) {
+    constexpr std::size_t atOnce = 16;
+    firstShare_.reserve(mesh_->vertices().size() + 1);
+    firstShare_.push_back(0);
+    shares_.reserve(mostShares * mesh_->vertices().size());
+    for (std::size_t first = 0; first < pieces.size(); first += atOnce) {
+        const std::size_t count = std::min(atOnce, pieces.size() - first);
+        parallelFor(count, [&](std::size_t i) { share(pieces[first + i], *mesh_); });
+        for (std::size_t p = first; p < first + count; ++p) {
+            OfPiece& piece = pieces[p];
+            piece.firstNode = static_cast<std::uint32_t>(nodes());
+            pieceOf_.insert(pieceOf_.end(), piece.nodes.size(), static_cast<std::uint32_t>(p));
+            for (std::size_t i = 0; i < piece.vertices.size(); ++i) {
+                if (piece.vertices[i] + 1 != firstShare_.size())
+                    throw LogicError("vertices of a piece that do not follow each other");
+                const FewNodes& few = piece.shares[i];
+                double sum = 0.0;
+                for (std::size_t k = 0; k < few.count; ++k)
+                    sum += few.weights[k];
+                for (std::size_t k = 0; k < few.count; ++k)
+                    shares_.push_back(
+                        {few.nodes[k] + piece.firstNode, static_cast<float>(few.weights[k] / sum)});
+                firstShare_.push_back(static_cast<std::uint32_t>(shares_.size()));
+            }
+            piece.shares = {};
+            piece.forgetWays();
+        }
+    }
 }
 
 bool ExchangeNodes::placeAll(std::vector<OfPiece>& pieces, const ExchangeMesh& mesh,
@@ -288,6 +297,7 @@ bool ExchangeNodes::placeAll(std::vector<OfPiece>& pieces, const ExchangeMesh& m
     parallelFor(pieces.size(), [&](std::size_t p) {
         if (outside <= most)
             place(pieces[p], mesh, spacing, most);
+        pieces[p].forgetWays();
         outside += pieces[p].outside;
     });
     return outside <= most;
@@ -332,18 +342,21 @@ void ExchangeNodes::place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSp
     const auto vertexAt = [&](std::size_t i) -> const ExchangeMesh::Vertex& {
         return mesh.vertices()[piece.vertices[i]];
     };
+    const auto sightAt = [&](std::size_t i) -> const ExchangeMesh::Sight& {
+        return mesh.sights()[piece.vertices[i]];
+    };
     piece.apart_m.clear();
     piece.apart_m.reserve(piece.vertices.size());
     for (std::size_t i = 0; i < piece.vertices.size(); ++i) {
         const double darkness =
-            spacing.spareDark ? 1.0 / std::max(static_cast<double>(vertexAt(i).open), 0.25) : 1.0;
+            spacing.spareDark ? 1.0 / std::max(static_cast<double>(sightAt(i).open), 0.25) : 1.0;
         const double least_m = std::min(darkness * spacing.least_m, spacing.longest_m);
         piece.apart_m.push_back(std::clamp(
-            spacing.edgePerDistance / std::sqrt(std::max(vertexAt(i).nearness_per_m2, 1e-30)),
+            spacing.edgePerDistance / std::sqrt(std::max(sightAt(i).nearness_per_m2, 1e-30)),
             least_m, spacing.longest_m));
     }
     piece.nodes.clear();
-    constexpr auto nobody = std::numeric_limits<std::size_t>::max();
+    constexpr auto nobody = std::numeric_limits<std::uint32_t>::max();
     piece.coveredBy.assign(piece.vertices.size(), nobody);
     piece.outside = 0;
     std::map<std::uint32_t, std::vector<std::size_t>> inside; // by space
@@ -354,7 +367,7 @@ void ExchangeNodes::place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSp
     for (std::size_t i = 0; i < piece.vertices.size(); ++i) {
         if (piece.coveredBy[i] != nobody)
             continue;
-        const std::size_t node = piece.nodes.size();
+        const auto node = static_cast<std::uint32_t>(piece.nodes.size());
         piece.nodes.push_back(i);
         if (vertexAt(i).space != 0) {
             // What turns to a space inside is hardly ever seen: one node does.
@@ -366,7 +379,7 @@ void ExchangeNodes::place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSp
             return;
         const auto cover = [&](std::size_t at, double most_m, double distance_m) {
             if (piece.coveredBy[at] == nobody && distance_m < most_m &&
-                dot(vertexAt(i).normal, vertexAt(at).normal) > alike)
+                dot(sightAt(i).normal, sightAt(at).normal) > alike)
                 piece.coveredBy[at] = node;
         };
         piece.forEachAbout(i, piece.apart_m[i], mesh, [&](std::size_t at, double distance_m) {
@@ -387,13 +400,13 @@ void ExchangeNodes::share(OfPiece& piece, const ExchangeMesh& mesh) {
     found.assign(piece.vertices.size(), {});
     for (std::uint32_t n = 0; n < piece.nodes.size(); ++n) {
         const std::size_t at = piece.nodes[n];
-        const Vec3& normal = mesh.vertices()[piece.vertices[at]].normal;
+        const Vec3& normal = mesh.sights()[piece.vertices[at]].normal;
         piece.forEachAbout(
             at, reach * piece.apart_m[at], mesh, [&](std::size_t i, double distance_m) {
                 const double most_m = reach * std::min(piece.apart_m[i], piece.apart_m[at]);
                 const double far = 1.0 - distance_m * distance_m / (most_m * most_m);
                 const double turned =
-                    dot(normal, mesh.vertices()[piece.vertices[i]].normal) - notUnlike;
+                    dot(normal, mesh.sights()[piece.vertices[i]].normal) - notUnlike;
                 if (i == at)
                     found[i].offer(1.0 - notUnlike, n);
                 else if (far > 0.0 && turned > 0.0)
@@ -402,7 +415,7 @@ void ExchangeNodes::share(OfPiece& piece, const ExchangeMesh& mesh) {
     }
     for (std::size_t i = 0; i < found.size(); ++i)
         if (found[i].count == 0)
-            found[i].offer(1.0, static_cast<std::uint32_t>(piece.coveredBy[i]));
+            found[i].offer(1.0, piece.coveredBy[i]);
 }
 
 void ExchangeNodes::gatherPatches() {

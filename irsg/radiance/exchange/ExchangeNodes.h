@@ -118,6 +118,7 @@ class ExchangeNodes {
     static void place(OfPiece& piece, const ExchangeMesh& mesh, const NodeSpacing& spacing,
                       std::size_t most);
     static void share(OfPiece& piece, const ExchangeMesh& mesh);
+    void takeShares(std::vector<OfPiece>& pieces);
     void placeSenders(std::vector<OfPiece>& pieces, NodeSpacing spacing,
                       const ExchangeResolution& resolution);
     void gatherPatches();

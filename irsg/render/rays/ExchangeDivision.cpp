@@ -41,7 +41,6 @@ std::vector<FacetDivision::Line> ExchangeMesh::Making::wallsOn(std::uint32_t sid
     const Vec3 b = own.corners_m[1] - own.corners_m[0], c = own.corners_m[2] - own.corners_m[0];
     const Vec3 across = crossed(b, c);
     const double square = product(across, across);
-    const double tolerance = toleranceOf(side);
     const auto placeOf = [&](const Vec3& at_m) {
         const Vec3 from = at_m - own.corners_m[0];
         return FacetPlace{product(crossed(from, c), across) / square,
@@ -69,6 +68,7 @@ std::vector<FacetDivision::Line> ExchangeMesh::Making::wallsOn(std::uint32_t sid
         for (std::size_t i = 0; i < 3; ++i)
             above_m[i] = product(up, other_m[i]) - offset_m;
         const auto addWall = [&](const Vec3& from_m, const Vec3& to_m) {
+            const double tolerance = toleranceOf(side);
             FacetDivision::Line wall{placeOf(from_m), placeOf(to_m)};
             const FacetPlace along = wall.to - wall.from;
             if (std::hypot(along.u, along.v) > tolerance &&

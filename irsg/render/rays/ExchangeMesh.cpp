@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -30,7 +31,7 @@ ExchangeMesh::ExchangeMesh(std::shared_ptr<const RayMesh> mesh, const PieceUses&
         making.numberPlaces(samePlaceOfSize * extent_m_);
         making.findPassages();
         if (resolution.isAlone && resolution.hasInsides && making.isConvex(extent_m_)) {
-            sides_.resize(making.sides());
+            rootOf_.resize(making.sides(), nowhere);
             firstBeside_.push_back(0);
             return;
         }
@@ -53,18 +54,20 @@ ExchangeMesh::Place ExchangeMesh::placeOf(const RayHit& hit) const {
     const std::size_t side =
         2 * static_cast<std::size_t>(firstFacet_[static_cast<std::size_t>(hit.piece)] + hit.facet) +
         (hit.isFront ? 0 : 1);
-    if (sides_[side].root == nowhere)
+    const std::int32_t root = rootOf_[side];
+    if (root == nowhere)
         return {};
     const double u = std::clamp(hit.weights[1], 0.0, 1.0);
     const double v = std::clamp(hit.weights[2], 0.0, 1.0 - u);
     Place place;
-    place.cell = FacetDivision::cellOf({u, v}, sides_[side].root, splits_);
-    if (sides_[side].root < 0) { // the only one of the side
+    place.cell = FacetDivision::cellOf({u, v}, root, splits_);
+    if (root < 0) { // the only one of the side
         place.u = static_cast<float>(u);
         place.v = static_cast<float>(v);
         return place;
     }
-    const auto& c = onFacet_[place.cell - sides_[side].wholeBefore];
+    const auto behind = std::ranges::upper_bound(several_, place.cell, {}, &SeveralCells::first);
+    const auto& c = onFacet_[place.cell - std::prev(behind)->others];
     const double u0 = static_cast<double>(c[0][0]), v0 = static_cast<double>(c[0][1]);
     const double u1 = static_cast<double>(c[1][0]) - u0, v1 = static_cast<double>(c[1][1]) - v0;
     const double u2 = static_cast<double>(c[2][0]) - u0, v2 = static_cast<double>(c[2][1]) - v0;
@@ -103,10 +106,10 @@ void ExchangeMesh::addCells(Making& making) {
     sideOf_.reserve(cells);
     sees_.reserve(cells);
     onFacet_.reserve(ofCut);
-    sides_.resize(making.sides());
+    rootOf_.resize(making.sides(), nowhere);
     making.firstCell.clear();
     making.firstCell.reserve(making.sides());
-    for (std::uint32_t side = 0; side < sides_.size(); ++side) {
+    for (std::uint32_t side = 0; side < rootOf_.size(); ++side) {
         const auto first = static_cast<std::uint32_t>(sideOf_.size());
         making.firstCell.push_back(first);
         if (!making.isThere(side))
@@ -116,8 +119,7 @@ void ExchangeMesh::addCells(Making& making) {
         const auto moved = [&](std::int32_t at) {
             return at >= 0 ? at + firstSplit : at - static_cast<std::int32_t>(first);
         };
-        sides_[side].root = moved(division.root());
-        sides_[side].wholeBefore = first - static_cast<std::uint32_t>(onFacet_.size());
+        rootOf_[side] = moved(division.root());
         for (Split one : division.splits()) {
             one.branches = {moved(one.branches[0]), moved(one.branches[1])};
             splits_.push_back(one);
@@ -125,6 +127,8 @@ void ExchangeMesh::addCells(Making& making) {
         const std::vector<FacetDivision::Cell>& own = division.cells();
         sideOf_.insert(sideOf_.end(), own.size(), side);
         sees_.insert(sees_.end(), own.size(), making.sees[side]);
+        if (own.size() > 1)
+            several_.push_back({first, first - static_cast<std::uint32_t>(onFacet_.size())});
         for (std::size_t cell = 0; own.size() > 1 && cell < own.size(); ++cell) {
             auto& places = onFacet_.emplace_back();
             for (std::size_t i = 0; i < 3; ++i)
@@ -134,7 +138,7 @@ void ExchangeMesh::addCells(Making& making) {
     }
 }
 
-std::vector<ExchangeMesh::CellPair> ExchangeMesh::joinVertices(const Making& making) {
+std::vector<ExchangeMesh::CellPair> ExchangeMesh::joinVertices(Making& making) {
     const auto at_m = [&](std::uint32_t cell) {
         const std::uint32_t side = sideOf_[cell];
         const Triangle3 c = making.cornersOf(side / 2);
@@ -175,10 +179,14 @@ std::vector<ExchangeMesh::CellPair> ExchangeMesh::joinVertices(const Making& mak
             }
         }
     }
+    beyond = {};
+    making.passages = {};
+    making.places = {};
     std::size_t vertices = 0;
     for (std::uint32_t corner = 0; corner < 3 * cells(); ++corner)
         vertices += same.of(corner) == corner ? 1 : 0;
     vertices_.reserve(vertices);
+    sights_.reserve(vertices);
     corners_.resize(cells());
     for (std::uint32_t cell = 0; cell < cells(); ++cell) {
         const std::uint32_t side = sideOf_[cell], local = cell - making.firstCell[side];
@@ -192,26 +200,28 @@ std::vector<ExchangeMesh::CellPair> ExchangeMesh::joinVertices(const Making& mak
             const std::uint32_t corner = 3 * cell + i, lowest = same.of(corner);
             if (lowest == corner) {
                 corners_[cell][i] = static_cast<std::uint32_t>(vertices_.size());
-                vertices_.push_back({making.pieceOf[side / 2],
-                                     c[i],
-                                     {},
-                                     0.0,
-                                     0.0f,
-                                     making.spaces[making.firstPart[side] + part]});
+                vertices_.push_back(
+                    {c[i], making.pieceOf[side / 2], making.spaces[making.firstPart[side] + part]});
+                sights_.push_back({{}, 0.0, 0.0f});
             } else {
                 corners_[cell][i] = corners_[lowest / 3][lowest % 3];
             }
-            Vertex& vertex = vertices_[corners_[cell][i]];
-            vertex.normal = vertex.normal + up * area_m2;
-            vertex.nearness_per_m2 =
-                std::max(vertex.nearness_per_m2, probe.nearnessAt_per_m2(c[i]));
-            vertex.open = std::max(vertex.open, probe.open());
+            Sight& sight = sights_[corners_[cell][i]];
+            sight.normal = sight.normal + up * area_m2;
+            sight.nearness_per_m2 = std::max(sight.nearness_per_m2, probe.nearnessAt_per_m2(c[i]));
+            sight.open = std::max(sight.open, probe.open());
         }
     }
-    for (Vertex& vertex : vertices_)
-        vertex.normal =
-            vertex.normal == Vec3{} ? Vec3{0, 0, 1} : vertex.normal * (1.0 / length(vertex.normal));
+    for (Sight& sight : sights_)
+        sight.normal =
+            sight.normal == Vec3{} ? Vec3{0, 0, 1} : sight.normal * (1.0 / length(sight.normal));
     return uneven;
+}
+
+void ExchangeMesh::forgetWays() {
+    sights_ = {};
+    firstBeside_ = {};
+    beside_ = {};
 }
 
 void ExchangeMesh::connectVertices(const std::vector<CellPair>& uneven) {

@@ -59,15 +59,19 @@ class ExchangeMesh {
     };
     /// A corner of cells. Those of a smooth surface share it, unless a wall stands between them.
     struct Vertex {
+        Vec3 at_m;
         std::uint32_t piece = 0;
-        Vec3 at_m, normal; ///< to the side; the mean of those of the cells, as areas count
+        /// 0, or the number of the space inside that the side turns to: one from which no ray was
+        /// found to leave the model.
+        std::uint32_t space = 0;
+    };
+    /// What is seen from a vertex.
+    struct Sight {
+        Vec3 normal; ///< to the side; the mean of those of the cells, as areas count
         /// Mean square of 1 / distance of what is seen from there.
         double nearness_per_m2 = 0.0;
         /// Part of the rays about it that leave the model, through transparent surfaces or not.
         float open = 1.0f;
-        /// 0, or the number of the space inside that the side turns to: one from which no ray was
-        /// found to leave the model.
-        std::uint32_t space = 0;
     };
 
     ExchangeMesh(std::shared_ptr<const RayMesh> mesh, const PieceUses& uses,
@@ -76,6 +80,11 @@ class ExchangeMesh {
     const RayMesh& rays() const { return *mesh_; }
     std::size_t cells() const { return sideOf_.size(); }
     const std::vector<Vertex>& vertices() const { return vertices_; }
+    /// By vertex; none after forgetWays.
+    const std::vector<Sight>& sights() const { return sights_; }
+    /// Leaves out what is seen from vertices and where one gets from them, which nodes are placed
+    /// by, and which takes 70 bytes a vertex.
+    void forgetWays();
 
     /// No cell where the side is not there: a back that is culled.
     Place placeOf(const RayHit& hit) const;
@@ -93,7 +102,8 @@ class ExchangeMesh {
     bool seesAnything(std::uint32_t cell) const { return sees_[cell]; }
     /// Whether it turns to a space inside, which the outside sees through small holes at most.
     bool isInside(std::uint32_t cell) const { return vertices_[corners_[cell][0]].space != 0; }
-    /// Vertices that one can go to along the surface, on its side, without passing others.
+    /// Vertices that one can go to along the surface, on its side, without passing others; not
+    /// after forgetWays.
     std::span<const std::uint32_t> beside(std::uint32_t vertex) const {
         return std::span(beside_).subspan(firstBeside_[vertex],
                                           firstBeside_[vertex + 1] - firstBeside_[vertex]);
@@ -106,32 +116,33 @@ class ExchangeMesh {
     double lift_m() const { return 1e-6 * extent_m_; }
 
   private:
-    /// Of facet `side / 2`; odd: its back.
-    struct Side {
-        std::int32_t root = nowhere; ///< a split, or -1 - the number of the only cell
-        std::uint32_t wholeBefore =
-            0; ///< cells before its own that are the only ones of their side
-    };
     static constexpr std::int32_t nowhere = std::numeric_limits<std::int32_t>::max();
     using Split = FacetDivision::Split;
     using CellPair = std::pair<std::uint32_t, std::uint32_t>;
     struct Making;
     void addCells(Making& making);
     /// Returns cells that continue each other where they share one vertex at most.
-    std::vector<CellPair> joinVertices(const Making& making);
+    std::vector<CellPair> joinVertices(Making& making);
     void connectVertices(const std::vector<CellPair>& uneven);
 
     // Models may have millions of facets, nearly all whole: what follows from these is computed.
     std::shared_ptr<const RayMesh> mesh_;
     std::vector<std::uint32_t> firstFacet_; // by piece
-    std::vector<Side> sides_;
+    /// By side, of facet `side / 2`; odd: its back: a split, or -1 - the number of the only cell.
+    std::vector<std::int32_t> rootOf_;
     std::vector<Split> splits_;
     std::vector<std::uint32_t> sideOf_; // by cell
-    /// By cell of a side that has several: corners' places there.
+    /// Sides that have several cells: the first, and how many of those before are not of such ones.
+    struct SeveralCells {
+        std::uint32_t first, others;
+    };
+    std::vector<SeveralCells> several_;
+    /// By cell of such sides: corners' places there.
     std::vector<std::array<std::array<float, 2>, 3>> onFacet_;
     std::vector<std::array<std::uint32_t, 3>> corners_; // by cell
     std::vector<bool> sees_;                            // by cell
     std::vector<Vertex> vertices_;
+    std::vector<Sight> sights_;                       // by vertex
     std::vector<std::uint32_t> firstBeside_, beside_; // by vertex
     double extent_m_ = 0.0, fineness_ = 1.0;
 };

@@ -6,6 +6,7 @@
 
 #include "irsg/core/ParallelFor.h"
 #include "irsg/render/rays/RayMeshImpl.h"
+#include "irsg/render/rays/RayVectors.h"
 
 // What rays meet: the searches that Embree does for a mesh, and their filters.
 
@@ -218,21 +219,26 @@ double RayMesh::Impl::closeSheets_m() const {
 }
 
 void RayMesh::Impl::findCloseSheets() {
-    std::vector<Candidate> all;
-    for (unsigned p = 0; p < pieces.size(); ++p) {
-        hasCloseSheet.emplace_back(pieces[p].triangles.size() / 3);
-        for (unsigned f = 0; f < hasCloseSheet[p].size(); ++f)
-            all.push_back({p, f});
+    std::vector<std::size_t> firstOf; // by piece
+    for (const TracedPiece& piece : pieces) {
+        firstOf.push_back(firstOf.empty() ? 0 : firstOf.back() + hasCloseSheet.back().size());
+        hasCloseSheet.emplace_back(piece.triangles.size() / 3);
     }
+    const auto candidateOf = [&](std::size_t number) {
+        const auto behind = std::ranges::upper_bound(firstOf, number);
+        const auto own = static_cast<std::size_t>(behind - firstOf.begin()) - 1;
+        return Candidate{static_cast<unsigned>(own), static_cast<unsigned>(number - firstOf[own])};
+    };
     const double reach_m = closeSheets_m();
     constexpr std::size_t parts = 64;
     std::vector<std::vector<Candidate>> close(parts);
     parallelFor(parts, [&](std::size_t part) {
         std::vector<Candidate> passed;
-        for (std::size_t i = beginOfPart(part, parts, all.size());
-             i < beginOfPart(part + 1, parts, all.size()); ++i) {
-            const TracedPiece& piece = pieces[all[i].piece];
-            const unsigned* corner = &piece.triangles[3 * static_cast<std::size_t>(all[i].facet)];
+        for (std::size_t i = beginOfPart(part, parts, facets);
+             i < beginOfPart(part + 1, parts, facets); ++i) {
+            const Candidate own = candidateOf(i);
+            const TracedPiece& piece = pieces[own.piece];
+            const unsigned* corner = &piece.triangles[3 * static_cast<std::size_t>(own.facet)];
             const Vec3 a = piece.vertex(corner[0]), b = piece.vertex(corner[1]),
                        c = piece.vertex(corner[2]);
             const Vec3 across = crossed(b - a, c - a);
@@ -247,12 +253,12 @@ void RayMesh::Impl::findCloseSheets() {
                 continue;
             allBetween(*this, through, from_m, to_m, passed);
             const auto isOther = [&](const Candidate& one) {
-                return one.piece != all[i].piece || one.facet != all[i].facet;
+                return one.piece != own.piece || one.facet != own.facet;
             };
             if (std::ranges::none_of(passed, isOther))
                 continue;
             // The other may be wider, and not meet one through its own middle.
-            close[part].push_back(all[i]);
+            close[part].push_back(own);
             std::ranges::copy_if(passed, std::back_inserter(close[part]), isOther);
         }
     });

@@ -1,4 +1,4 @@
-#include "smatcore/support/FreedMemory.h"
+#include "irsg/core/FreedMemory.h"
 
 #include <cstdlib>
 
@@ -6,7 +6,7 @@
 #include <malloc.h>
 #endif
 
-namespace smat {
+namespace irsg {
 
 void keepFreedMemory() {
 #ifdef __GLIBC__
@@ -22,4 +22,4 @@ void giveBackFreedMemory() {
 #endif
 }
 
-} // namespace smat
+} // namespace irsg

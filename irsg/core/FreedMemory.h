@@ -1,6 +1,6 @@
 #pragma once
 
-namespace smat {
+namespace irsg {
 
 /// Has the process keep memory that was freed (up to 512 MiB) for the next allocation. Every case
 /// of an analysis takes and frees some hundred spectra of 100 kB and more; handed back to the
@@ -11,4 +11,4 @@ void keepFreedMemory();
 /// Hands back what was kept, as the end of the process would.
 void giveBackFreedMemory();
 
-} // namespace smat
+} // namespace irsg
