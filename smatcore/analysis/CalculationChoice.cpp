@@ -97,6 +97,13 @@ std::size_t fewestToTrain(const SceneDescription& scene, const Training& compute
         std::ceil((hasGases ? dearerWithGases : 1.0) * computed.cost * lines / saved));
 }
 
+bool holdsGas(const irsg::Entity& entity) {
+    return std::ranges::any_of(entity.model->codes(), [&](const auto& use) {
+        const irsg::Material* material = irsg::materialEntry(entity, use.first.material);
+        return material != nullptr && material->isGas();
+    });
+}
+
 } // namespace
 
 std::size_t linesOfSight(const AnalysisPlan& plan) {
@@ -114,6 +121,9 @@ CalculationChoice chooseCalculation(const SceneDescription& scene, const Analysi
         })) {
         return {};
     }
+    if (std::ranges::any_of(scene.entities, holdsGas))
+        return {CalculationMode::spectral,
+                "mode auto: spectral, as wideband-ck has no quadrature points for zones of gas"};
     const Training computed = training(scene);
     if (computed.cost > 0.0 && bands.size() > 1 && computed.nodesOfABand < fewestNodesOfABand) {
         return {CalculationMode::spectral,
