@@ -110,19 +110,33 @@ void MainWindow::makeCentre() {
         tabs_->setFirst(notice, tr("Model"));
     }
     // A page that needs more room than there is scrolls; the window keeps its size.
-    auto* centre = new QScrollArea(this);
-    centre->setObjectName("centre");
-    centre->setFrameShape(QFrame::NoFrame);
-    centre->setWidgetResizable(true);
-    centre->setFocusPolicy(Qt::NoFocus);
-    centre->setMinimumSize(380, 300);
-    auto* rows = new QSplitter(Qt::Horizontal, centre);
+    auto* rows = new QSplitter(Qt::Horizontal, this);
     rows->setObjectName("rowsOfPages");
     rows->setChildrenCollapsible(false);
-    rows->addWidget(tabs_);
-    rows->addWidget(tabs_->beside());
-    centre->setWidget(rows);
-    setCentralWidget(centre);
+    const auto scrolling = [rows](const char* name, QWidget* row) {
+        auto* area = new QScrollArea(rows);
+        area->setObjectName(name);
+        area->setFrameShape(QFrame::NoFrame);
+        area->setWidgetResizable(true);
+        area->setFocusPolicy(Qt::NoFocus);
+        area->setMinimumSize(380, 300);
+        area->setWidget(row);
+        rows->addWidget(area);
+        return area;
+    };
+    scrolling("centre", tabs_);
+    auto* other = scrolling("centreBeside", tabs_->beside());
+    other->hide();
+    const auto follow = [this, rows, other] {
+        const bool isThere = tabs_->beside()->count() > 0;
+        if (isThere == other->isVisibleTo(rows))
+            return;
+        other->setVisible(isThere);
+        rows->setSizes({rows->width() / 2, rows->width() / 2});
+    };
+    // When a page has come or gone.
+    connect(tabs_, &PageTabs::shownChanged, other, follow, Qt::QueuedConnection);
+    setCentralWidget(rows);
 }
 
 void MainWindow::makeDocks() {

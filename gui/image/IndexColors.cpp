@@ -21,8 +21,10 @@ QColor colorOf(std::size_t place) {
     constexpr double step = 0.618033988749895, first = 0.58;
     const double hue = std::fmod(first + step * static_cast<double>(place), 1.0);
     constexpr std::array saturations{0.75, 0.85, 0.45}, values{0.95, 0.62, 1.0};
-    return QColor::fromHsvF(static_cast<float>(hue), static_cast<float>(saturations[place % 3]),
-                            static_cast<float>(values[place % 3]));
+    const QColor color =
+        QColor::fromHsvF(static_cast<float>(hue), static_cast<float>(saturations[place % 3]),
+                         static_cast<float>(values[place % 3]));
+    return QColor(color.rgb()); // of whole bytes, as it is drawn
 }
 
 /// Linear light of a byte of sRGB (IEC 61966-2-1).

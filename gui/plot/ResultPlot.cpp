@@ -137,6 +137,9 @@ void addCurves(std::vector<Curve>& curves, const NamedResult& result, const std:
     }
 }
 
+/// Layers of a stack, the rest among them as one.
+constexpr std::size_t mostLayers = 7; // with the sum as many as there are colours
+
 /// The columns of a stack: the sum, and what adds up to it.
 struct StackColumns {
     const ResultColumn* sum = nullptr;
@@ -186,18 +189,28 @@ void addStack(std::vector<Curve>& curves, const NamedResult& result, const std::
     std::ranges::stable_sort(stack.layers, std::ranges::greater(), size);
     const std::vector<double>& x = abscissaOf(*result.table).values;
     std::vector<double> above(x.size(), 0.0), below(x.size(), 0.0); // what lies there already
-    for (const ResultColumn* column : stack.layers) {
-        Curve layer{layerName(stack, *column), x, {}};
+    const auto add = [&](const QString& name, const std::vector<double>& values) {
+        Curve layer{name, x, {}};
         for (std::size_t i = 0; i < x.size(); ++i) {
-            const double value = column->values[i];
-            double& reached = value < 0.0 ? below[i] : above[i];
+            double& reached = values[i] < 0.0 ? below[i] : above[i];
             layer.base.push_back(reached);
-            layer.y.push_back(reached + value);
-            reached += std::isfinite(value) ? value : 0.0;
+            layer.y.push_back(reached + values[i]);
+            reached += std::isfinite(values[i]) ? values[i] : 0.0;
         }
         layer.isSmooth = isAdaptive(*result.table);
         curves.push_back(std::move(layer));
-    }
+    };
+    // More than these could not be told apart.
+    const std::size_t shown =
+        stack.layers.size() > mostLayers ? mostLayers - 1 : stack.layers.size();
+    for (std::size_t k = 0; k < shown; ++k)
+        add(layerName(stack, *stack.layers[k]), stack.layers[k]->values);
+    std::vector<double> rest(x.size(), 0.0);
+    for (std::size_t k = shown; k < stack.layers.size(); ++k)
+        for (std::size_t i = 0; i < x.size(); ++i)
+            rest[i] += stack.layers[k]->values[i];
+    if (shown < stack.layers.size())
+        add(QObject::tr("%1 others").arg(stack.layers.size() - shown), rest);
     Curve whole = curveOf(result, *stack.sum, turnsOf(*result.table).front());
     whole.name = QObject::tr("all");
     curves.push_back(std::move(whole));

@@ -28,6 +28,8 @@ class PageTabs::Row : public QTabWidget {
     }
     ~Row() override { blockSignals(true); }
 
+    bool isInFront = false; ///< what was used last is a page of it
+
   protected:
     void tabInserted(int) override { setVisible(true); }
     void tabRemoved(int) override { setVisible(count() > 0); }
@@ -42,7 +44,8 @@ PageTabs::PageTabs(QWidget* parent) : QTabWidget(parent), beside_(new Row(parent
 
 PageTabs::~PageTabs() {
     blockSignals(true); // pages that go with it are no news
-    disconnect(qApp, nullptr, this, nullptr);
+    if (qApp != nullptr)
+        disconnect(qApp, nullptr, this, nullptr);
 }
 
 void PageTabs::setFirst(QWidget* page, const QString& title) {
@@ -55,7 +58,12 @@ void PageTabs::setFirst(QWidget* page, const QString& title) {
             [this](int index) { close(beside_->widget(index)); });
     for (QTabWidget* row : {static_cast<QTabWidget*>(this), beside_}) {
         letShownPageAloneAskForRoom(*row);
-        connect(row, &QTabWidget::currentChanged, this, &PageTabs::shownChanged);
+        const auto use = [this, row] {
+            static_cast<Row*>(beside_)->isInFront = row == beside_;
+            emit shownChanged();
+        };
+        connect(row, &QTabWidget::currentChanged, this, use);
+        connect(row, &QTabWidget::tabBarClicked, this, use);
         row->tabBar()->installEventFilter(this);
     }
     QTabBar* bar = beside_->tabBar();
@@ -100,6 +108,7 @@ void PageTabs::moveAcross(QWidget* page) {
     const QString title = from->tabText(index);
     from->removeTab(index);
     to->setCurrentIndex(to->addTab(page, mark, title));
+    static_cast<Row*>(beside_)->isInFront = to == beside_;
     page->setFocus();
     emit shownChanged();
 }
@@ -116,19 +125,25 @@ std::vector<QWidget*> PageTabs::pages() const {
 void PageTabs::bring(QWidget* page) {
     QTabWidget* row = isBeside(page) ? beside_ : this;
     row->setCurrentWidget(page);
-    if (row == beside_)
-        page->setFocus();
+    static_cast<Row*>(beside_)->isInFront = row == beside_;
+    emit shownChanged();
 }
 
 QWidget* PageTabs::shownPage() const {
     QWidget* other = beside_->currentWidget();
-    const QWidget* focus = QApplication::focusWidget();
-    const bool isThere =
-        other != nullptr && focus != nullptr && (beside_->isAncestorOf(focus) || focus == beside_);
-    return isThere ? other : currentWidget();
+    return other != nullptr && static_cast<Row*>(beside_)->isInFront ? other : currentWidget();
 }
 
 void PageTabs::noteFocus() {
+    const QWidget* focus = QApplication::focusWidget();
+    if (focus == nullptr)
+        return;
+    // What has the focus elsewhere, a dock or a menu, is about the page that was used last.
+    auto& row = static_cast<Row&>(*beside_);
+    if (row.isAncestorOf(focus) || focus == &row)
+        row.isInFront = true;
+    else if (isAncestorOf(focus) || focus == this)
+        row.isInFront = false;
     QWidget* shown = shownPage();
     if (shown == shown_)
         return;

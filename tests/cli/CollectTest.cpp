@@ -37,8 +37,9 @@ fs::path original(const TemporaryFolder& folder) {
 TEST(SmatBatchCollect, ACollectedProjectRunsWhereTheOriginalIsGone) {
     const TemporaryFolder folder;
     const fs::path project = original(folder);
-    const Ran set = smatBatch(
-        {"project", "set", project.string(), "0", "--atmosphere", folder / "there/own-air.xml"});
+    const Ran set =
+        smatBatch({"project", "set", project.string(), "0", "--set",
+                   "environment.atmospheres=" + (folder / "there/own-air.xml").string()});
     ASSERT_EQ(set.exitCode, 0) << set.err;
     const std::vector<double> before = intensities(project, folder);
     const Ran ran = smatBatch({"project", "collect", project.string(), folder / "copy/moved.smat"});

@@ -118,7 +118,7 @@ TEST(DisplayUnits, DifferencesAndErrorsAreNoTemperatures) {
 }
 
 TEST_F(ImageViewTest, TemperaturesAreReadInTheUnitThatIsPreferred) {
-    const auto place = [&](const char* name) {
+    const auto place = [&](const std::string& name) {
         for (std::size_t i = 0; i < view.image().channels.size(); ++i) {
             if (view.image().channels[i].name == name) {
                 return static_cast<int>(i);

@@ -92,11 +92,11 @@ TEST(PartStack, ItsAreasAreFilledBetweenTheirEdges) {
         return picture.pixelColor(static_cast<int>(plot.transform(QwtPlot::xBottom, x)),
                                   static_cast<int>(plot.transform(QwtPlot::yLeft, y)));
     };
-    const QColor hot = at(2.5, 10.0), paper = at(1.5, 30.0);
+    const QColor hot = at(2.37, 8.1), paper = at(1.53, 29.3);
     EXPECT_NE(hot, paper);
-    EXPECT_EQ(at(2.0, 10.0), hot);
-    EXPECT_NE(at(2.9, 30.5), paper);
-    EXPECT_NE(at(2.9, 30.5), hot); // of the cold one
+    EXPECT_EQ(at(2.13, 7.3), hot);
+    EXPECT_NE(at(2.93, 30.6), paper);
+    EXPECT_NE(at(2.93, 30.6), hot); // of the cold one
 }
 
 TEST(PartStack, APolarStackClosesAndKeepsItsValues) {

@@ -6,14 +6,16 @@
 #include <cstdlib>
 #include <random>
 #include <thread>
+#include <utility>
 
-#include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QDockWidget>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPointer>
 #include <QTest>
+#include <QTimer>
 #include <QWheelEvent>
 
 #include "tests/gui/ProcessCounts.h"
@@ -83,6 +85,23 @@ class RandomClicks : public test::WindowFixture {
             answer = number(3) - 1;
         };
     }
+    void SetUp() override {
+        WindowFixture::SetUp();
+        // The menu of a button, and a dialog of its own, hold the click that opened them.
+        QObject::connect(&closer_, &QTimer::timeout, &closer_, [this] {
+            if (std::exchange(lastAct_, acts_) != acts_) {
+                return;
+            }
+            for (QWidget* holding :
+                 {QApplication::activePopupWidget(), QApplication::activeModalWidget()}) {
+                if (holding != nullptr) {
+                    holding->close();
+                    return;
+                }
+            }
+        });
+        closer_.start(150);
+    }
     int number(int below) {
         return std::uniform_int_distribution<int>(0, std::max(below, 1) - 1)(random_);
     }
@@ -93,6 +112,7 @@ class RandomClicks : public test::WindowFixture {
         if (popup != nullptr && &root != popup) {
             popup->close();
         }
+        ++acts_;
         const QPoint where(number(root.width()), number(root.height()));
         QPointer<QWidget> target = root.childAt(where);
         if (target == nullptr) {
@@ -116,7 +136,7 @@ class RandomClicks : public test::WindowFixture {
         if (kind < 5) {
             const auto button = number(6) == 0 ? Qt::RightButton : Qt::LeftButton;
             QTest::mousePress(target, button, modifiers, at);
-            if (target != nullptr && number(3) == 0) {
+            if (target != nullptr && number(3) == 0 && !canBeDraggedAway(*target)) {
                 QTest::mouseMove(target, at + QPoint(number(120) - 60, number(120) - 60));
             }
             if (target != nullptr) {
@@ -141,6 +161,11 @@ class RandomClicks : public test::WindowFixture {
                             keys[static_cast<std::size_t>(number(keys.size()))], modifiers);
         }
         QApplication::processEvents(QEventLoop::AllEvents, 20);
+    }
+    /// A drag of a row to another window waits for the hand of the desktop.
+    static bool canBeDraggedAway(const QWidget& target) {
+        const auto* view = qobject_cast<const QAbstractItemView*>(target.parentWidget());
+        return view != nullptr && view->dragEnabled();
     }
     static bool isLeftOut(const QAction& action) { return action.objectName() == "quit"; }
 
@@ -184,6 +209,8 @@ class RandomClicks : public test::WindowFixture {
     std::mt19937 random_;
     Watchdog dog_;
     int depth_ = 0;
+    QTimer closer_;
+    long acts_ = 0, lastAct_ = -1;
 };
 
 /// For longer: SMAT_CLICKS_S=600 SMAT_CLICKS_SEED=7.

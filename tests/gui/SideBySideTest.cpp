@@ -50,8 +50,10 @@ TEST_F(SideBySideTest, APageGoesBesideTheOthersByTheMenuAndComesBack) {
     EXPECT_GT(first->width(), 200);
     EXPECT_GT(second->width(), 200);
 
-    // What is exported and closed is the page with the focus.
-    second->setFocus();
+    // What is exported and closed is the page that was used last.
+    QTest::mouseClick(tabs().tabBar(), Qt::LeftButton, {}, middleOf(*tabs().tabBar(), 1));
+    EXPECT_EQ(tabs().shownPage(), first);
+    QTest::mouseClick(beside().tabBar(), Qt::LeftButton, {}, middleOf(*beside().tabBar(), 0));
     EXPECT_EQ(tabs().shownPage(), second);
     EXPECT_TRUE(action.text().contains("back"));
     action.trigger();

@@ -68,7 +68,8 @@ TEST_F(PartsWalkTest, WhoMakesALobe) {
         EXPECT_NEAR(sum[i] / whole[i], 1.0, 1e-9);
     }
 
-    walk.step("The plot stacks the parts, the largest at the bottom, with the sum as a line");
+    walk.step(
+        "The plot stacks the six largest parts and the rest as one, the largest at the bottom");
     const PolarPlot& plot = *result().polarPlot();
     const std::vector<Curve> layers = plot.data().curves;
     ASSERT_GT(layers.size(), 2U);
