@@ -170,7 +170,8 @@ void LobePaths::meet(const Way& way, SunShadows::Hit& hit, const Vec3& direction
         std::array<bool, SurfaceModel::mostComponents> isFollowed{};
         for (std::size_t k = 0; k < model->components() && model->hasLobe(k); ++k) {
             const double scale = model->albedo(k, to.z) * chosen->weights[k];
-            if (!MirrorReflectivity::matters(reach.most * scale *
+            if (!making.mirrors->isComponentFollowed(hit.row, k) ||
+                !MirrorReflectivity::matters(reach.most * scale *
                                              making.mirrors->amountOf(hit.row, k)))
                 continue;
             elsewhere[k] -= chosen->weights[k];
@@ -221,6 +222,8 @@ void LobePaths::addMirror(const Way& way, const SunShadows::Hit& hit, const Surf
                                                 : 0.0;
         // Of a component that is not followed, on the whole what it shows is its mean.
         const double change = std::max(std::abs(albedo - mean), std::abs(glint - mean));
+        if (!making.mirrors->isComponentFollowed(hit.row, k))
+            continue;
         if (elsewhere[k] == 1.0 && !MirrorReflectivity::matters(
                                        reach.most * making.mirrors->amountOf(hit.row, k) * change))
             continue;
@@ -233,6 +236,12 @@ void LobePaths::addMirror(const Way& way, const SunShadows::Hit& hit, const Surf
                 hit.at.cell, hit.at.u, hit.at.v, [&](std::uint32_t number, float part) {
                     add(way.found.surfaces, set, number, one.weights,
                         static_cast<double>(part) * (elsewhere[k] * albedo - mean));
+                });
+            // Lobes see no gas by direction: what it changes counts on the whole.
+            making.exchange->forEachGasChange(
+                hit.at.cell, hit.at.u, hit.at.v, [&](std::uint32_t number, float part) {
+                    add(way.found.surfaces, set, number, one.weights,
+                        static_cast<double>(part) * (1.0 - elsewhere[k]) * albedo);
                 });
             making.exchange->forEachSun(hit.at.cell, hit.at.u, hit.at.v,
                                         [&](std::uint32_t number, float factor) {

@@ -321,6 +321,26 @@ void LobeQuadrature::addByFacets(const DirectionalLayer& layer, const Mirrored& 
     }
 }
 
+void LobeQuadrature::addGasChange(const Tile& own, const DirectionalLayer& layer,
+                                  const Mirrored& mirrored, Found& found) {
+    const GeometrySamples::Place* const at = layer.layer.place;
+    if (own.exchange == nullptr || at == nullptr || at->cell == GeometrySamples::Place::none)
+        return;
+    for (std::size_t k = 0; k < layer.lobes(); ++k) {
+        const double part = mirrored.isOpen ? 1.0 : 1.0 - mirrored.found.elsewhere[k];
+        const auto weight = static_cast<float>(part * layer.model.albedo(k, layer.to.z));
+        own.exchange->forEachGasChange(at->cell, at->u, at->v, [&](std::uint32_t number, float of) {
+            if (weight != 0.0f)
+                found.reflected.push_back({layer.sample,
+                                           layer.number,
+                                           layer.rowOfSurfaces(k),
+                                           of * weight,
+                                           {number, 0.0f, 0.0f},
+                                           0});
+        });
+    }
+}
+
 void LobeQuadrature::addLobes(const Tile& own, int row, int column, const GeometrySamples& samples,
                               SunShadows::Neighbours& neighbours, Found& found) const {
     const std::size_t sample = indexOf(*own.tile, column, row);
@@ -371,6 +391,7 @@ void LobeQuadrature::addLobes(const Tile& own, int row, int column, const Geomet
         }
         if (layer.lobes() == 0)
             return;
+        addGasChange(own, layer, mirrored, found);
         if (mirrored.isOpen)
             addByTable(own, layer, found);
         else

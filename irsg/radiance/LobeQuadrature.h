@@ -75,6 +75,9 @@ class LobeQuadrature {
                 int column, OccluderStacks& sets, Mirrored& mirrored) const;
     static std::array<std::pair<std::size_t, double>, 4>
     placesAbout(const Tile& tile, const SpecularEnvironmentGrid& grid, const Vec3& direction);
+    /// What gas changes of what the place receives, on the whole: lobes see no gas by direction.
+    static void addGasChange(const Tile& tile, const DirectionalLayer& layer,
+                             const Mirrored& mirrored, Found& found);
     void addByTable(const Tile& tile, const DirectionalLayer& layer, Found& found) const;
     void addByFacets(const DirectionalLayer& layer, const Mirrored& mirrored, Found& found) const;
 

@@ -21,14 +21,18 @@ MirrorReflectivity::MirrorReflectivity(const SceneRadiometry& radiometry, int bo
             amounts[k] = pi * *std::ranges::max_element(own);
             sum += amounts[k] * model->meanAlbedo(k);
         }
+        most_ = std::max(most_, sum);
     }
 }
 
 bool MirrorReflectivity::isAnyFollowed() const {
     if (mostFollowed_ == 0 || hemispherical_.empty())
         return false;
-    const double most = *std::ranges::max_element(hemispherical_);
-    return most * most > leastFollowed;
+    return most_ * most_ > leastFollowed;
+}
+
+bool MirrorReflectivity::isComponentFollowed(int row, std::size_t component) const {
+    return isFollowed(most_, row, 0) && matters(amountOf(row, component));
 }
 
 std::vector<double> MirrorReflectivity::key() const {

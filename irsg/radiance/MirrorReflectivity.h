@@ -25,18 +25,21 @@ class MirrorReflectivity {
     static bool matters(double part) { return part > leastPart; }
     /// Over the hemisphere.
     double of(int row) const { return hemispherical_[static_cast<std::size_t>(row)]; }
-    /// Of a component, at an amount of albedo 1.
+    /// The amount of a component.
     double amountOf(int row, std::size_t component) const {
         return amounts_[static_cast<std::size_t>(row)][component];
     }
     bool isAnyFollowed() const;
+    /// Whether a component is, behind the brightest of all.
+    bool isComponentFollowed(int row, std::size_t component) const;
     /// What rays of lobes depend on.
     std::vector<double> key() const;
 
   private:
-    static constexpr double leastFollowed = 0.02, leastFollowedOn = 0.3, leastPart = 0.003;
+    static constexpr double leastFollowed = 0.1, leastFollowedOn = 0.3, leastPart = 0.003;
     std::vector<double> hemispherical_;          // by drawn row; 0 for a Lambertian one
     std::vector<SurfaceModel::Amounts> amounts_; // likewise
+    double most_ = 0.0;                          // of all rows
     int mostFollowed_ = 0;
 };
 

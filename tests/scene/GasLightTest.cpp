@@ -9,6 +9,7 @@
 #include "irsg/gas/GasSpectrum.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/signature/SurfaceModels.h"
 #include "tests/support/LightScenes.h"
 #include "tests/support/RaysTest.h"
 
@@ -203,8 +204,29 @@ TEST_F(GasLight, DimsWhatASurfaceSendsToAnother) {
     EXPECT_LT(falls / free, 0.9) << "the gas matters";
 }
 
+TEST_F(GasLight, FallsOnPaintAsOnTheWhole) {
+    // Lobes reflect what gas sends as if it came from everywhere: as the reflectance at the angle
+    // of view does.
+    SignatureDatabase database = gases();
+    const double distance_m = 1.5, elevation_rad = radians(10.0);
+    const Triangles mesh = joined(smallPlate(), raised(sphereMesh(1.0, 24, 48, hot), distance_m));
+    const double ofGrey = radianceOfPlate({mesh}, database, elevation_rad) / 0.5;
+    Material& paint = database.materials[3];
+    paint.surfaceModel = "ggx";
+    paint.roughness = 0.3;
+    const auto model = surfaceModelOf(paint);
+    const double reflects = model->reflected(model->amountsAt(paint, 4.6), std::sin(elevation_rad));
+    const double found = radianceOfPlate({mesh}, database, elevation_rad);
+    std::printf("  %.4f of what is expected, at a reflectance of %.3f\n",
+                found / (reflects * ofGrey), reflects);
+    EXPECT_NEAR(found / (reflects * ofGrey), 1.0, 0.01);
+}
+
 TEST_F(GasLight, InARoomOfItsTemperatureIsBlack) {
     SignatureDatabase database = gases(700.0, 700.0, 700.0, 700.0);
+    database.materials[4].surfaceModel = "ggx"; // a mirror in the room
+    database.materials[4].emissivity = Spectrum::constant(0.2);
+    database.materials[4].roughness = 0.1;
     const Triangles room =
         joined(joined(raised(sphereMesh(0.9, 12, 24, warm), 0.5), sphereMesh(0.4, 12, 24, hot)),
                joined(boxMesh({3, 2, 2}, std::vector<IrCodes>(6, plate)),

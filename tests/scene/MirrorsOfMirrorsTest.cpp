@@ -51,9 +51,13 @@ SignatureDatabase mirrors(double roughness = smooth) {
 
 /// The mean of a square of 2 cm about a place of the mesh as seen from a direction.
 double radianceAt(const Triangles& mesh, const SignatureDatabase& database, const Vec3& place_m,
-                  const Vec3& towardsViewer, int bounces = convergedBounces) {
+                  const Vec3& towardsViewer, int bounces = convergedBounces,
+                  const Environment& environment = Environment::vacuum()) {
     Entity entity = entityOf(modelOf(mesh), database);
-    InteractiveRenderer irsg = rendererOf({entity}, lightSettings(bounces));
+    RenderSettings settings = lightSettings(bounces);
+    settings.sun = ReflectionMode::smart;
+    settings.sunShadows = SunShadowMode::point;
+    InteractiveRenderer irsg = rendererOf({entity}, settings, environment);
     Sensor sensor = sensorOf(5, 5, degrees(0.02 / 100.0));
     sensor.band = Band::topHat(3.0, 5.0);
     irsg.view.sensor = sensor;
@@ -158,6 +162,29 @@ TEST_F(MirrorsOfMirrors, ShowRoughOnes) {
         std::printf("  roughness %g: %.5f of the quadrature\n", roughness, found / expected);
         EXPECT_NEAR(found / expected, 1.0, 0.01) << roughness;
     }
+}
+
+TEST_F(MirrorsOfMirrors, ShowTheGlintOfTheSun) {
+    const Vec3 to = towardsViewer();
+    const SignatureDatabase database = mirrors(0.15);
+    const SunPosition sun{radians(-40.0), radians(33.0)};
+    ConstantAtmosphere air;
+    air.sunValue = 100.0;
+    Triangles two = corner();
+    two.resize(4); // without the wall
+    const double found =
+        radianceAt(two, database, {0.4, 0, 0}, to, convergedBounces, environmentOf(air, sun));
+    const Vec3 towards = direction(sun.azimuth_rad, sun.elevation_rad);
+    const SurfaceDirection back{to.y, -to.z, -to.x}, from{towards.y, towards.z, -towards.x};
+    const auto model = surfaceModelOf(database.materials.at(3));
+    const auto amounts = model->amountsAt(database.materials.at(3), wavelength_um);
+    double brdf_per_sr = 0.0;
+    for (std::size_t k = 0; k < model->components(); ++k) {
+        brdf_per_sr += amounts[k] * model->brdf_per_sr(k, back, from);
+    }
+    const double expected = reflectivity(0.9, to.z) * brdf_per_sr * from.z * 200.0;
+    std::printf("  %.5f of the closed form, BRDF %.3f per sr\n", found / expected, brdf_per_sr);
+    EXPECT_NEAR(found / expected, 1.0, 0.01);
 }
 
 TEST_F(MirrorsOfMirrors, ShowWallsThroughPanes) {

@@ -92,8 +92,7 @@ void LightExchange::numberComponents(const std::vector<std::size_t>& components)
 }
 
 void LightExchange::addReflected() {
-    const std::size_t count =
-        areMirrorsFollowed() ? firstComponents() + components_ : firstReceived();
+    const std::size_t count = firstGasChanges() + (throughGas_.empty() ? 0 : senders());
     for (std::uint32_t i = 0; i < count; ++i) {
         const auto number = static_cast<std::uint32_t>(receivers() + i);
         local_.push_back(i);

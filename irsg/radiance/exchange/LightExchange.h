@@ -143,14 +143,18 @@ class LightExchange {
     /// 1, then the same of the sun through each of through(). Where mirrors are followed, behind
     /// these stands what falls on a place, for the lobes of a mirror there: what senders receive,
     /// then the sun in the air of each body, and through each of through(), then the emission that
-    /// each component takes away. None without lobes. Cells that stand for them are named as places
-    /// of samples are.
+    /// each component takes away. Where there is gas, the last are by sender: what gas
+    /// changes of what these receive. None without lobes. Cells that stand for them are named as
+    /// places of samples are.
     const std::vector<std::uint32_t>& reflected() const { return reflected_; }
     bool areMirrorsFollowed() const { return components_ > 0; }
     std::size_t firstReceived() const { return senders() + (1 + through_.size()) * rows(); }
     std::size_t firstSunOnBodies() const { return firstReceived() + senders(); }
     std::size_t firstComponents() const {
         return firstSunOnBodies() + (1 + through_.size()) * bodies_.size();
+    }
+    std::size_t firstGasChanges() const {
+        return areMirrorsFollowed() ? firstComponents() + components_ : firstReceived();
     }
     /// Number among components of the first one of a drawn row; -1 for a Lambertian one.
     int firstComponentOf(int row) const {
@@ -192,6 +196,14 @@ class LightExchange {
         forEachReceiver(cell, u, v, [&](std::uint32_t receiver, float part) {
             visit(static_cast<std::uint32_t>(firstReceived()) + senderOf_[receiver], part);
         });
+    }
+    /// The same of what gas changes of that.
+    template <typename Visit>
+    void forEachGasChange(std::uint32_t cell, float u, float v, Visit visit) const {
+        if (!throughGas_.empty())
+            forEachReceiver(cell, u, v, [&](std::uint32_t receiver, float part) {
+                visit(static_cast<std::uint32_t>(firstGasChanges()) + senderOf_[receiver], part);
+            });
     }
     /// The same of the sun.
     template <typename Visit>

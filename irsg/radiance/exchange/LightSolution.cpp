@@ -43,7 +43,6 @@ std::shared_ptr<const LightPairs>
 LightFactors::summed(std::shared_ptr<const LightPairs> LightBalance::*which, const LightPairs& base,
                      std::vector<float> LightThroughGas::*emitting) const {
     std::vector<std::vector<LightPart>> parts(base.receivers());
-    const auto senders = static_cast<std::uint32_t>(exchange_.senders());
     parallelForSmall(base.receivers(), [&](std::uint32_t r) {
         const auto add = [&](const LightPairs& pairs, float by) {
             const auto [first, last] = pairs.of(r);
@@ -53,18 +52,28 @@ LightFactors::summed(std::shared_ptr<const LightPairs> LightBalance::*which, con
         add(base, 1.0f);
         for (std::size_t i = 0; i < passing_.size(); ++i)
             add(*(exchange_.through()[i].balance.*which), static_cast<float>(passing_[i]));
-        for (std::size_t i = 0; i < throughGas_.size(); ++i) {
-            const LightThroughGas& gas = exchange_.throughGas()[i];
-            add(*(gas.balance.*which), static_cast<float>(throughGas_[i].passing));
-            const float part = (gas.*emitting)[r];
-            for (std::uint32_t z = 0; part > 0.0f && z < throughGas_[i].sent.size(); ++z)
-                if (throughGas_[i].sent[z] > 0.0)
-                    parts[r].push_back(
-                        {r, senders + z, part * static_cast<float>(throughGas_[i].sent[z])});
-        }
-        mergeParts(parts[r]);
+        addGas(r, which, emitting, parts[r]);
     });
     return std::make_shared<const LightPairs>(base.receivers(), std::move(parts));
+}
+
+void LightFactors::addGas(std::uint32_t receiver,
+                          std::shared_ptr<const LightPairs> LightBalance::*which,
+                          std::vector<float> LightThroughGas::*emitting,
+                          std::vector<LightPart>& parts) const {
+    const auto senders = static_cast<std::uint32_t>(exchange_.senders());
+    for (std::size_t i = 0; i < throughGas_.size(); ++i) {
+        const LightThroughGas& gas = exchange_.throughGas()[i];
+        const auto [first, last] = (gas.balance.*which)->of(receiver);
+        for (const LightPair* pair = first; pair != last; ++pair)
+            parts.push_back({receiver, pair->sender,
+                             static_cast<float>(throughGas_[i].passing) * pair->factor});
+        const float part = (gas.*emitting)[receiver];
+        for (std::uint32_t z = 0; part > 0.0f && z < throughGas_[i].sent.size(); ++z)
+            if (throughGas_[i].sent[z] > 0.0)
+                parts.push_back(
+                    {receiver, senders + z, part * static_cast<float>(throughGas_[i].sent[z])});
+    }
 }
 
 LightFactors::LightFactors(const LightExchange& exchange, const LightKnot& knot)
@@ -84,6 +93,22 @@ LightFactors::LightFactors(const LightExchange& exchange, const LightKnot& knot)
                               &LightThroughGas::emittingToSenders);
 }
 
+double LightFactors::passedByGas(std::size_t sender, const LightColumn& column) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < throughGas_.size() && isBodyOf(sender, column); ++i) {
+        const LightThroughGas& gas = exchange_.throughGas()[i];
+        sum += throughGas_[i].passing * (column.pattern == LightPattern::passedSky ? gas.sky[sender]
+                                         : column.pattern == LightPattern::passedGround
+                                             ? gas.ground[sender]
+                                             : 0.0);
+    }
+    return sum;
+}
+
+bool LightFactors::isBodyOf(std::size_t sender, const LightColumn& column) const {
+    return column.isPassed() && exchange_.bodyOfSender(sender) == exchange_.bodyOfRow(column.row);
+}
+
 void LightFactors::takeGas(const LightKnot& knot) {
     const std::size_t senders = exchange_.gasSenders().size();
     for (const LightThroughGas& gas : exchange_.throughGas()) {
@@ -100,6 +125,13 @@ void LightFactors::takeGas(const LightKnot& knot) {
         }
         own.passing = panes * (columns - 1.0);
     }
+    if (throughGas_.empty() || exchange_.reflected().empty())
+        return;
+    std::vector<std::vector<LightPart>> parts(exchange_.senders());
+    for (std::uint32_t s = 0; s < exchange_.senders(); ++s)
+        addGas(s, &LightBalance::between, &LightThroughGas::emittingToSenders, parts[s]);
+    const std::size_t senderCount = parts.size();
+    changesByGas_ = std::make_shared<const LightPairs>(senderCount, std::move(parts));
 }
 
 double LightFactors::patternOf(std::size_t sender, LightPattern pattern) const {
@@ -149,7 +181,7 @@ double LightFactors::passedTo(std::size_t receiver, const LightColumn& column) c
 }
 
 double LightFactors::passedOn(std::size_t sender, const LightColumn& column) const {
-    if (!column.isPassed() || exchange_.bodyOfSender(sender) != exchange_.bodyOfRow(column.row))
+    if (!isBodyOf(sender, column))
         return 0.0;
     return column.pattern == LightPattern::passedSky      ? patternOf(sender, LightPattern::sky)
            : column.pattern == LightPattern::passedGround ? patternOf(sender, LightPattern::ground)
@@ -169,13 +201,17 @@ LightSolution::LightSolution(const LightExchange& exchange, const std::vector<Li
     for (const std::uint32_t number : exchange.reflected())
         places_[number] = receiver_.size() + reflected_++;
     const std::size_t senders = exchange.senders();
+    const auto isSent = [](const LightColumn& column) {
+        return !column.isPassed() && column.component < 0;
+    };
+    sent_ = static_cast<std::size_t>(std::ranges::find_if_not(columns, isSent) - columns.begin());
     gathered_.resize(places() * columns_ * knots_);
     ofSenders_.resize(senders * columns_ * knots_);
-    std::vector<float> sent(exchange.sendersWithGas() * columns_);
-    for (std::size_t c = 0; c < columns_; ++c)
+    std::vector<float> sent(exchange.sendersWithGas() * sent_);
+    for (std::size_t c = 0; c < sent_; ++c)
         for (std::size_t gas = 0; gas < exchange.gasSenders().size(); ++gas)
-            if (columns[c].row == exchange.gasSenders()[gas].row && columns[c].component < 0)
-                sent[(senders + gas) * columns_ + c] = 1.0f;
+            if (columns[c].row == exchange.gasSenders()[gas].row)
+                sent[(senders + gas) * sent_ + c] = 1.0f;
     // Each knot begins with what the last one ended with: reflectivities differ little.
     std::vector<float> leaving;
     for (std::size_t knot = 0; knot < knots_; ++knot) {
@@ -183,16 +219,16 @@ LightSolution::LightSolution(const LightExchange& exchange, const std::vector<Li
             leaving.clear();
         const LightFactors factors(exchange, knots[knot]);
         for (std::size_t s = 0; s < senders; ++s)
-            for (std::size_t c = 0; c < columns_; ++c)
+            for (std::size_t c = 0; c < sent_; ++c)
                 if (exchange.isSeen(s) && columns[c].row == exchange.rowOfSender(s))
-                    sent[s * columns_ + c] =
+                    sent[s * sent_ + c] =
                         static_cast<float>(factors.patternOf(s, columns[c].pattern));
-        iterate(factors, knots[knot].reflectivities, sent, columns_, bounces, error, leaving);
-        const std::vector<float> all = arriving(factors, leaving, columns_);
+        iterate(factors, knots[knot].reflectivities, sent, sent_, bounces, error, leaving);
+        const std::vector<float> all = arriving(factors, leaving, sent_);
         const auto rows = static_cast<int>(exchange.rows());
         for (std::size_t p = 0; p < receiver_.size(); ++p) {
             float* const own = &gathered_[(p * knots_ + knot) * columns_];
-            std::copy_n(&all[p * columns_], columns_, own);
+            std::copy_n(&all[p * sent_], sent_, own);
             for (std::size_t c = 0; c < columns_ && factors.hasPassed(); ++c)
                 own[c] += static_cast<float>(factors.passedTo(receiver_[p], columns[c]));
             if (exchange.sunBesideMean().size() == 0)
@@ -205,7 +241,7 @@ LightSolution::LightSolution(const LightExchange& exchange, const std::vector<Li
                         own[c] += passes(factors, pair->sender, exchange.rows()) * pair->factor;
         }
         forEachInParts(senders, [&](std::size_t s, std::size_t) {
-            factors.between().gather(s, leaving, columns_,
+            factors.between().gather(s, leaving, sent_,
                                      &ofSenders_[(s * knots_ + knot) * columns_]);
         });
         if (reflected_ > 0)
@@ -219,10 +255,21 @@ void LightSolution::takeReflected(const LightFactors& factors,
     const LightExchange& exchange = factors.exchange();
     const std::size_t senders = exchange.senders(), rows = exchange.rows();
     const std::size_t bodies = exchange.bodies().size();
+    std::vector<float> changes; // by sender
+    if (const LightPairs* const gas = factors.changesByGas()) {
+        changes.resize(senders * sent_);
+        for (std::size_t s = 0; s < senders; ++s)
+            gas->gather(s, leaving, sent_, &changes[s * sent_]);
+    }
     const auto valueOf = [&](std::size_t i, std::size_t c) {
         const LightColumn& column = columns[c];
+        if (i >= exchange.firstGasChanges()) {
+            const std::size_t sender = i - exchange.firstGasChanges();
+            return c < sent_ ? changes[sender * sent_ + c]
+                             : static_cast<float>(factors.passedByGas(sender, column));
+        }
         if (i < senders)
-            return leaving[i * columns_ + c];
+            return c < sent_ ? leaving[i * sent_ + c] : 0.0f;
         if (i < exchange.firstReceived())
             return column.pattern == LightPattern::sun &&
                            column.row == static_cast<int>((i - senders) % rows)

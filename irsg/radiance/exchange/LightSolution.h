@@ -53,6 +53,9 @@ class LightFactors {
     double patternOf(std::size_t sender, LightPattern pattern) const;
     /// What a sender's surface receives of a column that none sends: sky and ground.
     double passedOn(std::size_t sender, const LightColumn& column) const;
+    /// What gas changes of what senders receive: of what these send, and of that.
+    const LightPairs* changesByGas() const { return changesByGas_.get(); }
+    double passedByGas(std::size_t sender, const LightColumn& column) const;
     /// What a receiver gets of it that no sender sends.
     double passedTo(std::size_t receiver, const LightColumn& column) const;
 
@@ -63,6 +66,10 @@ class LightFactors {
         double passing = 0.0;
         std::vector<double> sent;
     };
+    /// Adds what gas changes of the pairs of a receiver, or a sender.
+    void addGas(std::uint32_t receiver, std::shared_ptr<const LightPairs> LightBalance::*which,
+                std::vector<float> LightThroughGas::*emitting, std::vector<LightPart>& parts) const;
+    bool isBodyOf(std::size_t sender, const LightColumn& column) const;
     std::shared_ptr<const LightPairs> summed(std::shared_ptr<const LightPairs> LightBalance::*which,
                                              const LightPairs& base,
                                              std::vector<float> LightThroughGas::*emitting) const;
@@ -71,7 +78,7 @@ class LightFactors {
     const LightExchange& exchange_;
     std::vector<double> passing_;
     std::vector<ThroughGas> throughGas_;
-    std::shared_ptr<const LightPairs> pairs_, between_;
+    std::shared_ptr<const LightPairs> pairs_, between_, changesByGas_;
 };
 
 /// What receivers get of each column, at a radiance of 1: directly, after some reflections, or
@@ -120,6 +127,7 @@ class LightSolution {
                         double error, std::vector<float>& leaving);
 
     std::size_t columns_, knots_;
+    std::size_t sent_ = 0;              // columns that senders send, the first
     std::vector<std::size_t> places_;   // by receiver
     std::vector<std::size_t> receiver_; // by place; those that lobes reflect follow
     std::size_t reflected_ = 0;

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "irsg/radiance/MirrorReflectivity.h"
 #include "irsg/radiance/exchange/SceneLight.h"
 
 namespace irsg {
@@ -61,6 +62,7 @@ void SceneLight::findColumns() {
 void SceneLight::addComponentColumns() {
     const std::vector<RadianceTerm>& terms = radiometry_.terms().terms;
     const SurfaceRows& rows = radiometry_.rows();
+    const MirrorReflectivity mirrors(radiometry_, bounces_);
     for (int row = 0; row < static_cast<int>(exchange_->rows()); ++row) {
         const int first = exchange_->firstComponentOf(row);
         if (first < 0 || exchange_->ofRow(row).empty())
@@ -68,7 +70,8 @@ void SceneLight::addComponentColumns() {
         const SurfaceModel& model = *radiometry_.models()[static_cast<std::size_t>(row)];
         for (int k = 0; k < static_cast<int>(model.components()); ++k)
             for (std::size_t t = 0; t < terms.size(); ++t)
-                if (terms[t].surface == SurfaceQuantity::emission)
+                if (terms[t].surface == SurfaceQuantity::emission &&
+                    mirrors.isComponentFollowed(row, static_cast<std::size_t>(k)))
                     columns_.push_back(
                         {rows.firstLobe(row) + k, t, LightPattern::emission, first + k});
     }
