@@ -164,10 +164,11 @@ void InfraredPictures::send(bool coarse) {
     if (!request)
         return;
     // Something to be looked at comes first, of a new scene and of one that was edited.
-    const bool isFirst = !picture_.image && trianglesOf(request->models) >= largeModel;
-    const bool isSlowEdit =
-        picture_.image && picture_.revision != revision_ && ofEdit_s_ > patience_s;
-    request->direct = (isFirst || isSlowEdit) && request->settings[key::renderBounces] != 0.0;
+    const bool isSlowEdit = picture_.image && picture_.revision != revision_ &&
+                            !request->edited.empty() && ofEdit_s_ > patience_s;
+    request->direct = (!picture_.image || isSlowEdit) &&
+                      trianglesOf(request->models) >= largeModel &&
+                      request->settings[key::renderBounces] != 0.0;
     if (coarse)
         request->size_px = {std::max(request->size_px.width() / coarseness_, 1),
                             std::max(request->size_px.height() / coarseness_, 1)};
@@ -194,10 +195,10 @@ void InfraredPictures::take(const InfraredPicture& picture) {
         coarseness_ = std::min(coarseness_ + 1, coarsest);
     else if (moves && picture.radiance_s < quick_s)
         coarseness_ = std::max(coarseness_ - 1, 1);
-    // The first with light of a state says how long that takes.
+    // The first with light of a state says how long that may take.
     if (!picture.direct && !picture.coarse && picture.revision != sharpRevision_) {
         sharpRevision_ = picture.revision;
-        ofEdit_s_ = picture.radiance_s;
+        ofEdit_s_ = std::max(ofEdit_s_, picture.radiance_s);
     }
     picture_ = picture;
     problem_.clear();
@@ -232,6 +233,7 @@ void InfraredPictures::drop() {
     picture_ = {};
     problem_.clear();
     droppedAt_ = revision_;
+    ofEdit_s_ = 0.0;
 }
 
 } // namespace smat::gui

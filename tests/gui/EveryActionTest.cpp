@@ -13,6 +13,7 @@
 
 #include "gui/CommandPalette.h"
 #include "gui/widgets/Memory.h"
+#include "gui/workbench/PageTabs.h"
 #include "tests/gui/WindowFixture.h"
 
 namespace smat::gui {
@@ -97,7 +98,7 @@ class EveryActionTest : public test::WindowFixture {
             collect(*menu->menu(), QString(menu->text()).remove('&'), entries, paths);
         }
         // The page that is shown stays for all, so it is closed last.
-        auto* tabs = window->findChild<QTabWidget*>("tabs");
+        auto* tabs = window->findChild<PageTabs*>("tabs");
         const QPointer<QWidget> page = tabs->currentWidget();
         std::vector<std::size_t> order;
         for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -111,6 +112,9 @@ class EveryActionTest : public test::WindowFixture {
             }
         }
         for (const std::size_t i : order) {
+            if (page && tabs->isBeside(page)) {
+                tabs->moveAcross(page);
+            }
             if (page) {
                 tabs->setCurrentWidget(page);
             }

@@ -11,6 +11,7 @@
 #include "gui/plot/PlotPanel.h"
 #include "gui/plot/PolarPlot.h"
 #include "gui/plot/ResultPlot.h"
+#include "gui/settings/Preferences.h"
 #include "gui/widgets/DisplayUnits.h"
 #include "gui/workbench/PageTabs.h"
 #include "smatcore/data/ColumnName.h"
@@ -22,6 +23,7 @@ namespace {
 class PartsWalkTest : public test::GuideFixture {
   protected:
     void TearDown() override {
+        Preferences().save(); // for the windows to come
         DisplayUnitsWatch::instance().set({});
         LinkedViews::instance().setOn(false);
     }
@@ -77,8 +79,9 @@ TEST_F(PartsWalkTest, WhoMakesALobe) {
     EXPECT_EQ(layers.back().name, "all");
     EXPECT_EQ(layers.back().y, whole);
     test::keepScreenshot(*window, "plot-by-part");
-    walk.note("Stack goes back to lines. The crosshair shows the value of each part, and a click "
-              "in the legend hides one.");
+    walk.note(
+        "The box Stack goes back to lines. The crosshair shows the value of each part, and a click "
+        "in the legend hides one.");
     auto* stack = get<QCheckBox>("stack", &result());
     EXPECT_TRUE(stack->isChecked());
     stack->click();
