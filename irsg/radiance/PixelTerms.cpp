@@ -114,8 +114,10 @@ void PixelTerms::add(const GeometrySamples& samples, std::size_t sample, double 
                 give(light_->groundTerm(), at[1]);
                 sums.between_W_m2_sr += lit * at[2];
             };
+            // Behind gas, and of gas, each column has its weight.
             if (!layer.isLobe)
-                sums.range_m += share * static_cast<double>(layer.distance_m);
+                sums.range_m += share * static_cast<double>(layer.coverage) *
+                                static_cast<double>(layer.distance_m);
             const auto next = static_cast<double>(between.next);
             addRow(between.row, share * (1.0 - next));
             if (rows.isSliced(layer.row))

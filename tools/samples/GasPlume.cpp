@@ -50,7 +50,7 @@ std::vector<irsg::PlumeZone> gasPlume(const irsg::RoundJet& jet, std::size_t zon
 void addGasPlume(ModelWriter& writer, const std::vector<irsg::PlumeZone>& zones,
                  const irsg::IrCodes& first, const Look& look, const PlumePlace& place) {
     constexpr int around = 24;
-    constexpr double off = 0.01; // of the widest place
+    constexpr double off = 0.001; // of the widest place
     constexpr double apart_m = 5e-4;
     // A polygon as large as the circle.
     const double wider =

@@ -184,10 +184,9 @@ std::vector<irsg::PlumeZone> plumeZones() {
     jet.temperature_K = 790.0;
     jet.velocity_m_s = 160.0;
     jet.air_K = 287.0;
-    jet.coflow_m_s = 0.3 * jet.velocity_m_s;
     jet.pressure_atm = 0.98;
     jet.fuelAirRatio = 0.0185;
-    jet.endsAt = 0.12;
+    jet.endsAt = 0.13;
     constexpr std::size_t zones = 8;
     return gasPlume(jet, zones);
 }
