@@ -293,7 +293,7 @@ class ViewSurfaceSums {
             for (std::size_t i = 0; i <= Factors; ++i)
                 here[i] = run.all[i] - run.next[i];
             addPixel(slot, here);
-            if (run.next[0] > 0.0)
+            if (run.next[0] != 0.0) // weights of columns of gas may be below 0
                 addPixel(slotOf(run.place + 1), run.next);
         }
         seen_.clear();
