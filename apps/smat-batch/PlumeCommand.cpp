@@ -9,6 +9,7 @@
 #include "irsg/core/Collect.h"
 #include "irsg/radiometry/Band.h"
 #include "smatcore/tools/PlumeModel.h"
+#include "smatcore/tools/RoundJetText.h"
 
 namespace smat::batch {
 
@@ -21,9 +22,15 @@ class PlumeCommand {
         command
             .add_option("TABLE", table_,
                         "CSV with the columns x [m], r [m], T [K], and of p [atm], CO2, H2O, CO, "
-                        "CH4, O2, soot [ppmv] those that there are")
-            ->required()
+                        "CH4, O2, soot [ppmv] those that there are; or --jet")
             ->type_name("");
+        command
+            .add_option("--jet", jet_,
+                        "In place of a table, the exhaust of a nozzle as a round turbulent jet: "
+                        "D_m=0.3,T_K=800,velocity_m_s=200,fuel_air=0.02 and of air_K, coflow_m_s, "
+                        "p_atm, carbon, hydrogen, air_H2O, air_CO2, soot_ppmv, ends_at those that "
+                        "are not as usual")
+            ->type_name("KEY=NUMBER,...");
         command.add_option("--out", out_, "Model to write, with its codes and its database")
             ->type_name("FILE.obj");
         command.add_option("--band", band_, "Spectral band MIN-MAX of the bound")
@@ -44,7 +51,9 @@ class PlumeCommand {
         PlumeModel plume;
         {
             const StageTimer::Scope scope(&context.timer, "compute");
-            plume = plumeModel(irsg::PlumeTable::read(table_), request);
+            plume = plumeModel(jet_.empty() ? irsg::PlumeTable::read(table_)
+                                            : roundJetFromText(jet_, "--jet").table(),
+                               request);
         }
         const StageTimer::Scope scope(&context.timer, "save");
         const auto files = savePlume(plume, out_);
@@ -60,6 +69,9 @@ class PlumeCommand {
         std::vector<irsg::Diagnostic> diagnostics;
         PlumeRequest request;
         irsg::collect(diagnostics, [&] { numbers_.check(); });
+        if (table_.empty() == jet_.empty())
+            diagnostics.push_back(
+                {"plume", "", table_.empty() ? "nothing" : "TABLE and --jet", "a table or --jet"});
         irsg::collect(diagnostics, [&] { request.band = irsg::Band::fromText(band_).range(); });
         if (std::filesystem::path(out_).extension() != ".obj")
             diagnostics.push_back({"--out", "", out_.empty() ? "nothing" : out_, "FILE.obj"});
@@ -99,7 +111,7 @@ class PlumeCommand {
     }
 
     NumberOptions numbers_;
-    std::string table_, out_, band_ = "3-5";
+    std::string table_, jet_, out_, band_ = "3-5";
 };
 
 } // namespace

@@ -82,19 +82,19 @@ GasLayer RoundJet::nozzleGas() const {
         if (!isGood)
             diagnostics.push_back({"jet", name, numberText(value), expected});
     };
-    check("diameter_m", diameter_m, diameter_m > 0.0, "above 0");
+    check("D_m", diameter_m, diameter_m > 0.0, "above 0");
     check("velocity_m_s", velocity_m_s, velocity_m_s > 0.0, "above 0");
     check("coflow_m_s", coflow_m_s, coflow_m_s >= 0.0 && coflow_m_s <= 0.9 * velocity_m_s,
           "0 to 0.9 of the velocity at the nozzle");
     check("T_K", temperature_K, temperature_K > air_K, "above the temperature of the air");
     check("carbon", carbon, carbon >= 0.0 && carbon + hydrogen > 0.0, "atoms of the fuel");
     check("hydrogen", hydrogen, hydrogen >= 0.0, "atoms of the fuel");
-    check("endsAt", endsAt, endsAt >= 0.01 && endsAt < 1.0, "0.01 to below 1");
+    check("ends_at", endsAt, endsAt >= 0.01 && endsAt < 1.0, "0.01 to below 1");
     const double dry = 1.0 - airWater - airCO2;
     const double fuel = fuelAirRatio * air_g_mol /
                         (carbon * carbon_g_mol + hydrogen * hydrogen_g_mol); // mol per mol of air
     const double oxygen = oxygenOfAir * dry - fuel * (carbon + 0.25 * hydrogen);
-    check("fuelAirRatio", fuelAirRatio, fuelAirRatio > 0.0 && oxygen >= 0.0,
+    check("fuel_air", fuelAirRatio, fuelAirRatio > 0.0 && oxygen >= 0.0,
           "above 0, and no more than the oxygen of the air burns");
     if (!diagnostics.empty())
         throw InputError(std::move(diagnostics));

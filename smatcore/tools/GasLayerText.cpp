@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
-#include <sstream>
+#include <utility>
 
-#include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
-#include "smatcore/support/NearestNames.h"
+#include "smatcore/tools/KeyNumbers.h"
 
 namespace smat {
 
@@ -49,28 +47,14 @@ const std::vector<std::string>& gasLayerKeys() {
 }
 
 GasLayer gasLayerFromText(const std::string& text, const std::string& name) {
-    GasLayer layer;
-    std::vector<irsg::Diagnostic> diagnostics;
-    std::set<std::string> given;
-    std::istringstream entries(text);
-    for (std::string entry; std::getline(entries, entry, ',');) {
-        const std::size_t sign = entry.find('=');
-        const std::string key(irsg::trimmed(entry.substr(0, sign)));
-        const auto field = std::ranges::find(fields(), key, &Field::key);
-        if (sign == std::string::npos)
-            diagnostics.push_back({name, "", "'" + entry + "'", "KEY=NUMBER, as T_K=700"});
-        else if (field == fields().end())
-            diagnostics.push_back({name, "", key, oneOf(gasLayerKeys(), key)});
-        else if (!given.insert(key).second)
-            diagnostics.push_back({name, key, "it twice", "each key once"});
-        else if (const auto number = irsg::parseNumber(irsg::trimmed(entry.substr(sign + 1))))
-            field->of(layer) = *number;
-        else
-            diagnostics.push_back({name, key, "'" + entry.substr(sign + 1) + "'", "a number"});
-    }
+    std::vector<NumberKey> keys;
     for (const Field& field : fields())
-        if (field.isNeeded && !given.contains(field.key))
-            diagnostics.push_back({name, field.key, "nothing", "a number"});
+        keys.push_back({field.key, field.isNeeded});
+    GasLayer layer;
+    std::vector<irsg::Diagnostic> diagnostics =
+        readKeyNumbers(text, name, keys, "T_K=700", [&](std::size_t number, double value) {
+            fields()[number].of(layer) = value;
+        });
     if (diagnostics.empty())
         diagnostics = irsg::gasLayerDiagnostics(layer, name);
     if (!diagnostics.empty())

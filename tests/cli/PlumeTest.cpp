@@ -40,6 +40,41 @@ class SmatBatchPlume : public testing::Test {
     TemporaryFolder folder;
 };
 
+TEST_F(SmatBatchPlume, MakesZonesOfAJetOfExhaust) {
+    const auto jet = [&](const std::string& text, const std::string& out) {
+        return smatBatch({"plume", "--jet", text, "--band", "4.2-4.5", "--bound", "0.05", "--json",
+                          "--out", out},
+                         folder.path());
+    };
+    const std::string engine = "D_m=0.3,T_K=800,velocity_m_s=200,fuel_air=0.02";
+    const Ran ran = jet(engine, "jet.obj");
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const auto made = nlohmann::json::parse(ran.out);
+    EXPECT_GT(made["zones"], 1);
+    // A nozzle of twice the size is a jet of twice all lengths: four times as wide to the view,
+    // and thicker.
+    const Ran larger = jet("D_m=0.6,T_K=800,velocity_m_s=200,fuel_air=0.02", "larger.obj");
+    ASSERT_EQ(larger.exitCode, 0) << larger.err;
+    const auto intensityOf = [](const nlohmann::json& of) {
+        return of["views"][0]["intensity_table_W_sr"].get<double>();
+    };
+    const double ratio = intensityOf(nlohmann::json::parse(larger.out)) / intensityOf(made);
+    EXPECT_GT(ratio, 4.0);
+    EXPECT_LT(ratio, 8.0);
+
+    for (const auto& [text, named] : std::vector<std::pair<std::string, std::string>>{
+             {"D_m=0.3,T_K=800,velocity_m_s=200", "fuel_air"},
+             {engine + ",wind=3", "wind"},
+             {"D_m=0.3,T_K=800,velocity_m_s=200,fuel_air=0.2", "fuel_air"},
+             {"D_m=0.3,T_K=200,velocity_m_s=200,fuel_air=0.02", "T_K"}}) {
+        const Ran refused = jet(text, "none.obj");
+        EXPECT_EQ(refused.exitCode, 2) << text;
+        EXPECT_THAT(refused.err, HasSubstr(named)) << text;
+    }
+    EXPECT_EQ(run({"--jet", engine, "--out", "both.obj"}).exitCode, 2);
+    EXPECT_EQ(smatBatch({"plume", "--out", "none.obj"}, folder.path()).exitCode, 2);
+}
+
 TEST_F(SmatBatchPlume, MakesZonesThatAreSeenAsTheTable) {
     const Ran ran = run({"--band", "4.4-4.6", "--bound", "0.02", "--out", "plume.obj", "--json"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;

@@ -66,7 +66,7 @@ TEST(RoundJet, NamesWhatCannotBe) {
         jet.nozzleGas();
         FAIL() << "more fuel than the air can burn";
     } catch (const InputError& error) {
-        for (const char* named : {"fuelAirRatio", "T_K", "coflow_m_s"}) {
+        for (const char* named : {"fuel_air", "T_K", "coflow_m_s"}) {
             EXPECT_NE(std::string(error.what()).find(named), std::string::npos) << named;
         }
     }

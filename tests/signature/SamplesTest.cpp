@@ -173,29 +173,6 @@ INSTANTIATE_TEST_SUITE_P(
                     Wall{"Ship", "ship", "gas", "funnel plume", 5, 420.0}),
     [](const auto& row) { return row.param.name; });
 
-TEST(Samples, GasOfTheHeronIsThatOfItsCsvFile) {
-    const SignatureDatabase database = readJson("heron");
-    const CsvTable table = CsvTable::read(samples / "heron" / "plume zones.csv");
-    ASSERT_EQ(table.rows().size(), 9U);
-    double inner_K = 0.0;
-    for (std::size_t i = 1; i < table.rows().size(); ++i) {
-        std::vector<double> row;
-        for (const auto& cell : table.rows()[i].cells) {
-            row.push_back(parseNumber(cell.text).value());
-        }
-        const TemperatureTerms& terms = database.temperatures.at(static_cast<int>(row[0])).terms;
-        const Material& gas = database.materials.at(static_cast<int>(row[1]));
-        constexpr double air_K = 287.0;
-        EXPECT_NEAR(air_K + terms.power.at(1.0), row[2], 1e-9);
-        EXPECT_GT(row[2], inner_K) << "each is hotter than the one about it";
-        inner_K = row[2];
-        EXPECT_EQ(gas.gasPressure_atm, row[3]);
-        EXPECT_EQ(gas.gasCO2, row[4]);
-        EXPECT_EQ(gas.gasH2O, row[5]);
-        EXPECT_EQ(gas.gasO2, row[6]);
-    }
-}
-
 TEST(Samples, CoreOfThePlumeEmitsAsANarrowBandCodeSays) {
     const Wall core{"Core", "turboprop4", "gas core", "plume core", 5, 700.0};
     EXPECT_NEAR(emitted_W_m2_sr(core, 3.0, 5.0), 142.0, 0.02 * 142.0);

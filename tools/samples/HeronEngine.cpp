@@ -4,7 +4,6 @@
 #include <numbers>
 #include <vector>
 
-#include "tools/samples/GasPlume.h"
 #include "tools/samples/HeronParts.h"
 #include "tools/samples/HeronSurfaces.h"
 #include "tools/samples/Patch.h"
@@ -164,12 +163,23 @@ class Engine {
                 edges(0.0, 1.0, 0.125), turbine, 24);
     }
 
+    /// A shell closed but for its end in the nozzle, with a point at the other: where it ends its
+    /// wall is still seen from the side.
+    void addShell(double length, double widest, const FlightSurface& of) {
+        const Curve radius{{0.0, nozzleRadius_m * 0.98},
+                           {0.06, nozzleRadius_m + 0.2 * (widest - nozzleRadius_m)},
+                           {0.4, widest},
+                           {0.65, 0.9 * widest},
+                           {0.85, 0.5 * widest},
+                           {1.0, 0.0}};
+        revolve([=](double u) { return length_m + 0.08 + length * u; },
+                [&](double u) { return radius(u); }, nozzleDrop_m, edges(0.0, 1.0, 1.0 / 20), of,
+                24);
+    }
     void addPlume() {
-        addGasPlume(writer_, plumeZones(), plumeFirst, gas,
-                    [&](double x_m, double r_m, double angle) {
-                        return at(length_m + 0.08 + x_m, r_m * std::sin(angle),
-                                  nozzleDrop_m + r_m * std::cos(angle));
-                    });
+        addShell(3.2, 0.31, plumeCore);
+        addShell(6.5, 0.50, plumeMiddle);
+        addShell(10.5, 0.80, plumeOuter);
     }
 
     FlightWriter& writer_;
@@ -177,19 +187,6 @@ class Engine {
 };
 
 } // namespace
-
-std::vector<irsg::PlumeZone> plumeZones() {
-    irsg::RoundJet jet;
-    jet.diameter_m = 0.5;
-    jet.temperature_K = 790.0;
-    jet.velocity_m_s = 160.0;
-    jet.air_K = 287.0;
-    jet.pressure_atm = 0.98;
-    jet.fuelAirRatio = 0.0185;
-    jet.endsAt = 0.13;
-    constexpr std::size_t zones = 8;
-    return gasPlume(jet, zones);
-}
 
 void addEngine(FlightWriter& writer, double side) {
     Engine(writer, side).add();

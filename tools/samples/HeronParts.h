@@ -1,8 +1,5 @@
 #pragma once
 
-#include <vector>
-
-#include "irsg/gas/PlumeTable.h"
 #include "tools/samples/FlightWriter.h"
 
 namespace smat::heron {
@@ -19,9 +16,5 @@ void addFuselage(FlightWriter& writer);
 void addWings(FlightWriter& writer);
 /// Nacelle, intake, propeller, nozzle and plume at +-engine_m.
 void addEngine(FlightWriter& writer, double side);
-/// Of an engine at full power, the outermost first: samples/heron/README.md has its numbers.
-std::vector<irsg::PlumeZone> plumeZones();
-/// The codes of the outermost zone; those within follow.
-inline constexpr irsg::IrCodes plumeFirst{71, 21};
 
 } // namespace smat::heron

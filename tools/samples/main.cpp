@@ -5,8 +5,6 @@
 #include <iostream>
 
 #include "irsg/core/Errors.h"
-#include "tools/samples/GasPlume.h"
-#include "tools/samples/HeronParts.h"
 #include "tools/samples/SampleCorvette.h"
 #include "tools/samples/SampleHelicopter.h"
 #include "tools/samples/SampleHeron.h"
@@ -35,8 +33,6 @@ int main(int argc, char** argv) {
         write(smat::sphereModel(rings, segments), folder / "samples/sphere/sphere.flt");
         write(smat::boxModel(), folder / "samples/box/box.flt");
         write(smat::heronModel(), folder / "samples/heron/heron.flt");
-        smat::writePlumeZones(smat::heron::plumeZones(), smat::heron::plumeFirst,
-                              folder / "samples/heron/plume zones.csv");
         write(smat::corvetteModel(), folder / "samples/corvette/corvette.flt");
         const std::filesystem::path sea = folder / "samples/corvette";
         std::cout << "writes " << (sea / "sea.osgb").string() << std::endl;
