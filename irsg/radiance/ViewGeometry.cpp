@@ -42,7 +42,7 @@ void addRows(const SampleTile& tile, const GeometrySamples& samples, std::size_t
                                 [&](int stack, const SurfaceRows::Between& between,
                                     const GeometrySamples::Layer& layer)
                                     __attribute__((always_inline)) {
-                                        if (layer.coverage > 0.0f && !layer.isLobe)
+                                        if (layer.coverage != 0.0f && !layer.isLobe)
                                             sums.add(stack, between, layer);
                                         else
                                             sums.addLight(stack, between, layer);

@@ -230,7 +230,7 @@ TEST(ErrorBandTest, ABandAroundThePoleIsTheWholePolygon) {
                 inner << pole + way * (radius - 12.0) * reach / 100.0;
                 outer << pole + way * (radius + 12.0) * reach / 100.0;
             }
-            GappedPolarCurve item("ring", samples, true);
+            GappedPolarCurve item("ring", samples, GappedPolarCurve::Band::error);
             const QImage with = bandAlone(item, [&](QPainter& painter) {
                 item.draw(&painter, azimuth, radial, pole, reach, canvas);
             });
