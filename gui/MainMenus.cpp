@@ -222,7 +222,7 @@ void MainMenus::makeViewMenu(QMenu* menu) {
                   QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_B),
                   [this] { with_.tabs.moveAcross(with_.tabs.shownPage()); });
     beside_->setToolTip(tr("Two pages side by side; a second time it goes back"));
-    auto* link = add(menu, "linkImages", {}, tr("L&ink image pages"), {}, [] {});
+    auto* link = add(menu, "linkImages", {}, tr("Lin&k image pages"), {}, [] {});
     link->setCheckable(true);
     link->setChecked(LinkedViews::instance().isOn());
     link->setToolTip(tr("Images of equal size show the same part and read the same pixel"));

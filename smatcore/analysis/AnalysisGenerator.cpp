@@ -313,6 +313,10 @@ PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan cases, SceneDescription 
             if (begun)
                 finish(*std::exchange(begun, std::nullopt));
         };
+        if (cases.isAlongRange)
+            data.providedBy.push_back(
+                "range curves through samples at five distances: may differ from an image at one "
+                "range by the stated error");
         if (store != nullptr) {
             writeProvenance(data, scene);
             // How many cases an adaptive sweep has is not known before.
@@ -379,10 +383,6 @@ PlacedCase runAnalysis(AnalysisData& data, AnalysisPlan cases, SceneDescription 
         finishBegun();
         if (adaptive && done == cases.cases.size())
             data.providedBy.push_back(adaptive->sentence());
-        if (cases.isAlongRange)
-            data.providedBy.push_back(
-                "range curves through samples at five distances: may differ from an image at one "
-                "range by the stated error");
         if (progress)
             progress({done, wanted, elapsed_s(), name(data.kind)});
         data.state = done == cases.cases.size() ? AnalysisState::complete : AnalysisState::partial;

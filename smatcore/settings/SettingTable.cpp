@@ -333,7 +333,7 @@ void addRendering(std::vector<SettingInfo>& table) {
     scattering.add(flag(key::renderScattering, "--scattering", "Scattering", ofLibrary.scattering,
                         "Adds to images the haze that droplets scatter around objects. Needs an "
                         "MTF database, or an AtmosphereScatteringLUT among the atmospheres; works "
-                        "with every antialiasing mode. Sums over objects leave it out."),
+                        "with every antialiasing mode, and in sums over objects."),
                    -1);
     terrain.add(
         flag(key::renderTerrainHides, "--terrain-hides", "Terrain hides", ofLibrary.terrainHides,

@@ -42,18 +42,19 @@ class SmatBatchPlume : public testing::Test {
 
 TEST_F(SmatBatchPlume, MakesZonesOfAJetOfExhaust) {
     const auto jet = [&](const std::string& text, const std::string& out) {
-        return smatBatch({"plume", "--jet", text, "--band", "4.2-4.5", "--bound", "0.05", "--json",
-                          "--out", out},
-                         folder.path());
+        return smatBatch(
+            {"plume", "--jet", text, "--band", "4.4-4.6", "--bound", "0.1", "--json", "--out", out},
+            folder.path());
     };
-    const std::string engine = "D_m=0.3,T_K=800,velocity_m_s=200,fuel_air=0.02";
+    const std::string engine = "D_m=0.3,T_K=800,velocity_m_s=200,fuel_air=0.02,ends_at=0.3";
     const Ran ran = jet(engine, "jet.obj");
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
     const auto made = nlohmann::json::parse(ran.out);
     EXPECT_GT(made["zones"], 1);
     // A nozzle of twice the size is a jet of twice all lengths: four times as wide to the view,
     // and thicker.
-    const Ran larger = jet("D_m=0.6,T_K=800,velocity_m_s=200,fuel_air=0.02", "larger.obj");
+    const Ran larger =
+        jet("D_m=0.6,T_K=800,velocity_m_s=200,fuel_air=0.02,ends_at=0.3", "larger.obj");
     ASSERT_EQ(larger.exitCode, 0) << larger.err;
     const auto intensityOf = [](const nlohmann::json& of) {
         return of["views"][0]["intensity_table_W_sr"].get<double>();

@@ -40,7 +40,7 @@ TEST_F(SideBySideTest, APageGoesBesideTheOthersByTheMenuAndComesBack) {
     EXPECT_FALSE(action.isEnabled()); // the model stays
     ImageView* first = addImage("first", 1.0F);
     ImageView* second = addImage("second", 2.0F);
-    EXPECT_TRUE(beside().isHidden());
+    EXPECT_FALSE(beside().isVisible());
     action.trigger();
     QTest::qWait(20);
     ASSERT_TRUE(tabs().isBeside(second));
@@ -59,7 +59,7 @@ TEST_F(SideBySideTest, APageGoesBesideTheOthersByTheMenuAndComesBack) {
     action.trigger();
     QTest::qWait(20);
     EXPECT_FALSE(tabs().isBeside(second));
-    EXPECT_TRUE(beside().isHidden());
+    EXPECT_FALSE(beside().isVisible());
     EXPECT_EQ(tabs().tabText(tabs().indexOf(second)), "second");
 }
 
@@ -90,7 +90,7 @@ TEST_F(SideBySideTest, ClosingTheLastPageBesideLeavesOneRow) {
     ASSERT_EQ(beside().count(), 1);
     emit beside().tabCloseRequested(0);
     EXPECT_EQ(beside().count(), 0);
-    EXPECT_TRUE(beside().isHidden());
+    EXPECT_FALSE(beside().isVisible());
     // Nor does it take the window along.
     EXPECT_EQ(tabs().count(), 1);
 }
