@@ -134,7 +134,7 @@ void CartesianPlot::addMarks() {
         line->setLineStyle(QwtPlotMarker::VLine);
         line->setXValue(mark.x);
         line->setLabelOrientation(Qt::Vertical);
-        line->setLabelAlignment(Qt::AlignLeft | Qt::AlignBottom);
+        line->setLabelAlignment(Qt::AlignLeft | Qt::AlignTop);
         line->setSpacing(4);
         line->setZ(5.0); // above the grid, below the curves
         line->attach(this);
