@@ -82,11 +82,24 @@ GasLayer RoundJet::nozzleGas() const {
         if (!isGood)
             diagnostics.push_back({"jet", name, numberText(value), expected});
     };
+    const auto checkRange = [&](const char* name, double value, double least, double most,
+                                const char* unit) {
+        if (!(value >= least && value <= most))
+            diagnostics.push_back({"jet", name, numberText(value),
+                                   numberText(least) + " to " + numberText(most) + unit});
+    };
+    using Limits = GasLayerLimits;
     check("D_m", diameter_m, diameter_m > 0.0, "above 0");
     check("velocity_m_s", velocity_m_s, velocity_m_s > 0.0, "above 0");
     check("coflow_m_s", coflow_m_s, coflow_m_s >= 0.0 && coflow_m_s <= 0.9 * velocity_m_s,
           "0 to 0.9 of the velocity at the nozzle");
     check("T_K", temperature_K, temperature_K > air_K, "above the temperature of the air");
+    checkRange("T_K", temperature_K, Limits::coldest_K, Limits::hottest_K, " K");
+    checkRange("air_K", air_K, Limits::coldest_K, Limits::hottest_K, " K");
+    checkRange("p_atm", pressure_atm, Limits::thinnest_atm, Limits::densest_atm, " atm");
+    checkRange("air_H2O", airWater, 0.0, 1.0, "");
+    checkRange("air_CO2", airCO2, 0.0, 1.0, "");
+    checkRange("soot_ppmv", soot_ppmv, 0.0, Limits::mostSoot_ppmv, " ppmv");
     check("carbon", carbon, carbon >= 0.0 && carbon + hydrogen > 0.0, "atoms of the fuel");
     check("hydrogen", hydrogen, hydrogen >= 0.0, "atoms of the fuel");
     check("ends_at", endsAt, endsAt >= 0.01 && endsAt < 1.0, "0.01 to below 1");

@@ -21,7 +21,7 @@ struct RoundJet {
     double endsAt = 0.06;   ///< the table ends where the axis has this part of the nozzle's gas
 
     /// Exhaust at the nozzle, of no length. InputError with every value that cannot be, such as
-    /// more fuel than the air can burn.
+    /// more fuel than the air can burn, or that is outside GasLayerLimits.
     GasLayer nozzleGas() const;
     GasLayer air() const;
     /// A core of the nozzle's gas that ends after 5 D (T_air / T)^1/2, beyond which the part of it

@@ -49,7 +49,6 @@ RoundJet roundJetFromText(const std::string& text, const std::string& name) {
         });
     if (!diagnostics.empty())
         throw irsg::InputError(std::move(diagnostics));
-    jet.nozzleGas(); // refuses what cannot be
     return jet;
 }
 

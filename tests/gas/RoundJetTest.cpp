@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -68,6 +70,30 @@ TEST(RoundJet, NamesWhatCannotBe) {
     } catch (const InputError& error) {
         for (const char* named : {"fuel_air", "T_K", "coflow_m_s"}) {
             EXPECT_NE(std::string(error.what()).find(named), std::string::npos) << named;
+        }
+    }
+}
+
+TEST(RoundJet, NamesWhatIsOutsideTheLimitsOfGas) {
+    const std::vector<std::tuple<const char*, double RoundJet::*, std::vector<double>>> wrong = {
+        {"T_K", &RoundJet::temperature_K, {3001.0, std::nan("")}},
+        {"air_K", &RoundJet::air_K, {-5.0, 0.0, 249.0, std::nan("")}},
+        {"p_atm", &RoundJet::pressure_atm, {-1.0, 0.0, 10.5}},
+        {"air_H2O", &RoundJet::airWater, {-0.1, 2.0}},
+        {"air_CO2", &RoundJet::airCO2, {-0.1, 2.0}},
+        {"soot_ppmv", &RoundJet::soot_ppmv, {-4.0, 1001.0}}};
+    for (const auto& [named, number, values] : wrong) {
+        for (const double value : values) {
+            RoundJet jet;
+            jet.*number = value;
+            try {
+                jet.table();
+                ADD_FAILURE() << named << " " << value;
+            } catch (const InputError& error) {
+                EXPECT_NE(std::string(error.what()).find(std::string(named) + ": found"),
+                          std::string::npos)
+                    << named << " " << value << ": " << error.what();
+            }
         }
     }
 }
