@@ -9,6 +9,7 @@
 
 #include "gui/widgets/NumberField.h"
 #include "gui/widgets/Theme.h"
+#include "irsg/radiometry/Units.h"
 #include "irsg/signature/EntryFields.h"
 
 namespace smat::gui {
@@ -157,7 +158,7 @@ void TemperatureResult::refresh() {
     }
     const double sum_K = irsg::surfaceTemperature_K(terms_, state_);
     sum_->setText(tr("%1 K").arg(QString::number(sum_K, 'f', 2)));
-    sum_->setToolTip(tr("%1 °C").arg(QString::number(sum_K - 273.15, 'f', 2)));
+    sum_->setToolTip(tr("%1 °C").arg(QString::number(irsg::celsiusFromKelvin(sum_K), 'f', 2)));
     back_->setVisible(tried_);
 }
 

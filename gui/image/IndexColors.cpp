@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "gui/widgets/NumberFormat.h"
+#include "irsg/image/ColorMap.h"
 
 namespace smat::gui {
 namespace {
@@ -27,11 +28,8 @@ QColor colorOf(std::size_t place) {
     return QColor(color.rgb()); // of whole bytes, as it is drawn
 }
 
-/// Linear light of a byte of sRGB (IEC 61966-2-1).
 float linearOf(int byte) {
-    const double value = byte / 255.0;
-    return static_cast<float>(value <= 0.04045 ? value / 12.92
-                                               : std::pow((value + 0.055) / 1.055, 2.4));
+    return static_cast<float>(irsg::lightOfByte(static_cast<std::uint8_t>(byte)));
 }
 
 } // namespace

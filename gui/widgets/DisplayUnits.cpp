@@ -6,11 +6,11 @@
 #include <numbers>
 
 #include "gui/widgets/NumberFormat.h"
+#include "irsg/radiometry/Units.h"
 
 namespace smat::gui {
 namespace {
 
-constexpr double zero_K = 273.15;
 constexpr double perMicrometre = 1e4; // cm-1 times um
 
 DisplayUnits& currentUnits() {
@@ -55,8 +55,8 @@ const std::array<ShownUnit, 4>& shownUnits() {
         ShownUnit{"K",
                   {},
                   QStringLiteral("°C"),
-                  [](double stored) { return stored - zero_K; },
-                  [](double shown) { return shown + zero_K; },
+                  irsg::celsiusFromKelvin,
+                  irsg::kelvinFromCelsius,
                   sameError}};
     return table;
 }

@@ -10,6 +10,7 @@
 #include <QStringList>
 
 #include "irsg/core/CsvTable.h"
+#include "irsg/radiometry/Units.h"
 
 namespace smat::gui {
 namespace {
@@ -28,7 +29,6 @@ struct UnitBehind {
     double factor, offset;
 };
 /// No "nm" for a length in m: it is typed for nautical miles and for nanometres.
-constexpr double kelvinAtZero = 273.15;
 constexpr UnitBehind unitsBehind[] = {
     {"m", "km", 1e3, 0.0},
     {"m", "cm", 1e-2, 0.0},
@@ -43,8 +43,8 @@ constexpr UnitBehind unitsBehind[] = {
     {"s", "ms", 1e-3, 0.0},
     {"s", "min", 60.0, 0.0},
     {"s", "h", 3600.0, 0.0},
-    {"K", "C", 1.0, kelvinAtZero},
-    {"C", "K", 1.0, -kelvinAtZero},
+    {"K", "C", 1.0, irsg::kelvinFromCelsius(0.0)},
+    {"C", "K", 1.0, irsg::celsiusFromKelvin(0.0)},
     {"deg", "rad", 180.0 / std::numbers::pi, 0.0},
     {"deg", "mrad", 0.18 / std::numbers::pi, 0.0},
     {"m/s", "km/h", 1.0 / 3.6, 0.0},

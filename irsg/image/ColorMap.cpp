@@ -24,11 +24,6 @@ namespace {
 
 using Triple = std::array<double, 3>;
 
-double linearFromByte(std::uint8_t byte) {
-    const double s = byte / 255.0;
-    return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
-}
-
 // sRGB (IEC 61966-2-1) and CIE 1976 L*a*b*, white D65.
 constexpr Triple whiteXyz = {0.950456, 1.0, 1.089058};
 constexpr double knee = 6.0 / 29.0;
@@ -42,8 +37,8 @@ double labCurveInverse(double f) {
 }
 
 Triple labFromRgb(Rgb color) {
-    const double r = linearFromByte(color.red), g = linearFromByte(color.green),
-                 b = linearFromByte(color.blue);
+    const double r = lightOfByte(color.red), g = lightOfByte(color.green),
+                 b = lightOfByte(color.blue);
     const double fx = labCurve((0.412453 * r + 0.357580 * g + 0.180423 * b) / whiteXyz[0]);
     const double fy = labCurve((0.212671 * r + 0.715160 * g + 0.072169 * b) / whiteXyz[1]);
     const double fz = labCurve((0.019334 * r + 0.119193 * g + 0.950227 * b) / whiteXyz[2]);
@@ -77,6 +72,11 @@ std::uint8_t byteOfLight(double linear) {
     const double x = std::clamp(linear, 0.0, 1.0);
     const double s = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
     return static_cast<std::uint8_t>(std::lround(255.0 * s));
+}
+
+double lightOfByte(std::uint8_t byte) {
+    const double s = byte / 255.0;
+    return s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
 }
 
 double lightness(Rgb color) {

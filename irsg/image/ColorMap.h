@@ -18,6 +18,8 @@ struct Rgb {
 
 /// The byte of a channel for linear light, 0 to 1, what is outside of that clamped (IEC 61966-2-1).
 std::uint8_t byteOfLight(double linear);
+/// Back: the linear light of a byte.
+double lightOfByte(std::uint8_t byte);
 
 /// Lightness L* of CIE 1976 (D65), 0 black to 100 white.
 double lightness(Rgb color);
