@@ -28,17 +28,16 @@ double square(const double* values, std::size_t count) {
     return std::inner_product(values, values + count, values, 0.0);
 }
 
-/// Takes from every vector its part along one of them.
-void project(const std::vector<double>& along, std::vector<std::vector<double>>& vectors) {
+/// Takes from every vector its part along one of them, of which this is a copy.
+void project(std::vector<double> along, std::vector<std::vector<double>>& vectors) {
     const double size = square(along.data(), along.size());
     if (!(size > 0.0))
         return;
-    const std::vector<double> fixed = along;
     for (std::vector<double>& other : vectors) {
         const double part =
-            std::inner_product(fixed.begin(), fixed.end(), other.begin(), 0.0) / size;
-        for (std::size_t i = 0; i < fixed.size(); ++i)
-            other[i] -= part * fixed[i];
+            std::inner_product(along.begin(), along.end(), other.begin(), 0.0) / size;
+        for (std::size_t i = 0; i < along.size(); ++i)
+            other[i] -= part * along[i];
     }
 }
 
@@ -209,7 +208,7 @@ std::vector<std::size_t> pairsApart(std::vector<std::vector<double>> vectors, st
         isTaken[best] = 1;
         taken.push_back(best);
         for (const std::size_t of : {best, pairs + best})
-            project(std::vector<double>(vectors[of]), vectors);
+            project(vectors[of], vectors);
     }
     return taken;
 }
@@ -248,6 +247,13 @@ GasColumnBasis::GasColumnBasis(const std::vector<GasLayer>& gases,
     take(Fit(gases, wavenumbers_per_cm, lines));
 }
 
+GasColumnBasis::Line GasColumnBasis::follow(const GasLine& line) const {
+    Line followed(*this);
+    for (const GasStretch& stretch : line)
+        followed.add(stretch.gas, stretch.length_m);
+    return followed;
+}
+
 void GasColumnBasis::take(const Fit& fit) {
     const std::vector<std::size_t> pivots = fit.pivots();
     if (pivots.empty())
@@ -273,9 +279,7 @@ void GasColumnBasis::take(const Fit& fit) {
             }
     };
     const auto strengthsOf = [&](const GasLine& line) {
-        Line followed(*this);
-        for (const GasStretch& stretch : line)
-            followed.add(stretch.gas, stretch.length_m);
+        const Line followed = follow(line);
         std::vector<double> all = followed.emits_;
         for (const double passes : followed.passes_)
             all.push_back(1.0 - passes);
@@ -324,10 +328,7 @@ void GasColumnBasis::take(const Fit& fit) {
     std::vector<double> own(columns_.size());
     double sum = 0.0, errors = 0.0, squares = 0.0;
     for (std::size_t l = 0; l < truths.size(); ++l) {
-        Line followed(*this);
-        for (const GasStretch& stretch : fit.others()[l])
-            followed.add(stretch.gas, stretch.length_m);
-        weightsOf(followed, own);
+        weightsOf(follow(fit.others()[l]), own);
         const double truth = fit.radiance(truths[l].data());
         double error = -truth;
         for (std::size_t k = 0; k < own.size(); ++k)

@@ -55,6 +55,7 @@ class GasColumnBasis {
   private:
     class Fit;
     std::size_t strengths() const { return perGas_ == 0 ? 0 : absorption_per_m_.size() / perGas_; }
+    Line follow(const GasLine& line) const;
     void take(const Fit& fit);
 
     std::vector<GasLine> columns_;

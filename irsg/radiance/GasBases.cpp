@@ -36,12 +36,6 @@ std::vector<double> wavenumbersFor_per_cm(const std::vector<double>& wavelengths
     return wavenumbers_per_cm;
 }
 
-bool areAlike(const GasLayer& a, const GasLayer& b) {
-    return a.temperature_K == b.temperature_K && a.pressure_atm == b.pressure_atm &&
-           a.moleFraction == b.moleFraction && a.oxygenFraction == b.oxygenFraction &&
-           a.soot_ppmv == b.soot_ppmv;
-}
-
 struct KnownBasis {
     std::weak_ptr<const Mesh> mesh;
     std::map<IrCodes, GasLayer> gases;
@@ -60,9 +54,7 @@ std::shared_ptr<const GasColumnsOfEntity> gasColumnsOf(const std::shared_ptr<con
     const std::lock_guard lock(mutex);
     const auto isIt = [&](const KnownBasis& one) {
         return one.mesh.lock() == mesh && one.wavenumbers_per_cm == wavenumbers_per_cm &&
-               std::ranges::equal(one.gases, gases, [](const auto& a, const auto& b) {
-                   return a.first == b.first && areAlike(a.second, b.second);
-               });
+               one.gases == gases;
     };
     if (const KnownBasis* found = known.find(isIt))
         return found->columns;

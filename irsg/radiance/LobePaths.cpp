@@ -74,6 +74,12 @@ SurfaceAxes::SurfaceAxes(const Vec3& normal, const Vec3& view) : z(normal) {
     y = crossed(z, x);
 }
 
+SurfaceDirection SurfaceAxes::ofSeen(const Vec3& v) const {
+    SurfaceDirection seen = of(v);
+    seen.z = std::max(seen.z, 1e-4);
+    return seen;
+}
+
 void LobePaths::Found::clear() {
     elsewhere = {};
     surfaces.clear();
@@ -159,8 +165,7 @@ void LobePaths::meet(const Way& way, SunShadows::Hit& hit, const Vec3& direction
     if (model == nullptr || !making.mirrors->isFollowed(reach.most, hit.row, reach.mirrors))
         return;
     const SurfaceAxes axes(making.open->normalAt(hit), direction * -1.0);
-    SurfaceDirection to = axes.of(direction * -1.0);
-    to.z = std::max(to.z, 1e-4); // interpolated normals may look away
+    const SurfaceDirection to = axes.ofSeen(direction * -1.0);
     SurfaceModel::Amounts elsewhere;
     elsewhere.fill(1.0);
     const int lobe = making.rows->firstLobe(hit.row);
@@ -194,10 +199,10 @@ void LobePaths::meet(const Way& way, SunShadows::Hit& hit, const Vec3& direction
         if (!next.empty()) {
             making.open->goOnFrom(hit);
             ray.met = making.open->met(hit.place, ray.direction, ray.end, ray.panes);
+            if (!go(way, ray, next, onwards))
+                for (std::size_t k = 0; k < elsewhere.size(); ++k)
+                    elsewhere[k] += isFollowed[k] ? chosen->weights[k] : 0.0;
         }
-        if (!next.empty() && !go(way, ray, next, onwards))
-            for (std::size_t k = 0; k < elsewhere.size(); ++k)
-                elsewhere[k] += isFollowed[k] ? chosen->weights[k] : 0.0;
     }
     addMirror(way, hit, axes, to, carried, elsewhere, reach);
 }

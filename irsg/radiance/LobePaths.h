@@ -22,6 +22,8 @@ struct SurfaceAxes {
     /// `view`: to the viewer.
     SurfaceAxes(const Vec3& normal, const Vec3& view);
     SurfaceDirection of(const Vec3& v) const { return {dot(v, x), dot(v, y), dot(v, z)}; }
+    /// Of a direction in which the surface is seen: interpolated normals may look away from it.
+    SurfaceDirection ofSeen(const Vec3& v) const;
     Vec3 to(const SurfaceDirection& v) const { return x * v.x + y * v.y + z * v.z; }
 };
 

@@ -368,8 +368,7 @@ void LobeQuadrature::addLobes(const Tile& own, int row, int column, const Geomet
                                static_cast<std::uint32_t>(sample),
                                ofSample,
                                rows_.firstLobe(drawn.row)};
-        layer.to = layer.axes.of(along * -1.0);
-        layer.to.z = std::max(layer.to.z, 1e-4); // interpolated normals may look away
+        layer.to = layer.axes.ofSeen(along * -1.0);
 
         const SurfaceDirection sun = layer.axes.of(own.sun);
         const bool isLit = making_.isSunSmart && sun.z > 0.0;

@@ -1,7 +1,5 @@
 #include "smatcore/tools/GasLayerText.h"
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "irsg/core/Errors.h"
@@ -36,15 +34,6 @@ const std::vector<Field>& fields() {
 }
 
 } // namespace
-
-const std::vector<std::string>& gasLayerKeys() {
-    static const std::vector<std::string> keys = [] {
-        std::vector<std::string> all;
-        std::ranges::transform(fields(), std::back_inserter(all), &Field::key);
-        return all;
-    }();
-    return keys;
-}
 
 GasLayer gasLayerFromText(const std::string& text, const std::string& name) {
     std::vector<NumberKey> keys;

@@ -1,15 +1,10 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "irsg/gas/GasLayer.h"
 
 namespace smat {
-
-/// The keys of a layer's text, in their order: T_K, p_atm, length_m, CO2, H2O, CO, CH4, O2,
-/// soot_ppmv.
-const std::vector<std::string>& gasLayerKeys();
 
 /// "T_K=700,p_atm=1,length_m=0.5,CO2=0.033,H2O=0.033" as a layer. Temperature, pressure and length
 /// are needed, fractions that are not named are 0. Throws InputError with every diagnostic under
