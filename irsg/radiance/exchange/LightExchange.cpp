@@ -320,15 +320,22 @@ void LightExchange::takeOwn(Making& making, std::size_t body, std::uint32_t patc
         mergeParts(making.sunParts[first + patch]);
 }
 
+std::vector<double> LightExchange::areasOfSenders_m2() const {
+    std::vector<double> areas_m2(senders());
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        for (std::uint32_t r = firstReceiver_[b]; r < firstReceiver_[b + 1]; ++r)
+            areas_m2[senderOf_[r]] += bodies_[b].light->nodes().areaOf_m2(r - firstReceiver_[b]);
+    return areas_m2;
+}
+
 std::vector<double>
 LightExchange::meansOverSenders(const std::function<double(std::size_t)>& of) const {
-    std::vector<double> sums(senders()), areas_m2(senders());
+    const std::vector<double> areas_m2 = areasOfSenders_m2();
+    std::vector<double> sums(senders());
     for (std::size_t b = 0; b < bodies_.size(); ++b)
-        for (std::uint32_t r = firstReceiver_[b]; r < firstReceiver_[b + 1]; ++r) {
-            const double own_m2 = bodies_[b].light->nodes().areaOf_m2(r - firstReceiver_[b]);
-            areas_m2[senderOf_[r]] += own_m2;
-            sums[senderOf_[r]] += own_m2 * of(r);
-        }
+        for (std::uint32_t r = firstReceiver_[b]; r < firstReceiver_[b + 1]; ++r)
+            sums[senderOf_[r]] +=
+                bodies_[b].light->nodes().areaOf_m2(r - firstReceiver_[b]) * of(r);
     for (std::size_t s = 0; s < senders(); ++s)
         sums[s] = areas_m2[s] > 0.0 ? sums[s] / areas_m2[s] : 0.0;
     return sums;

@@ -97,14 +97,8 @@ class LightExchange {
     std::size_t senders() const { return rowOfSender_.size(); }
     int rowOfSender(std::size_t sender) const { return rowOfSender_[sender]; }
     /// The body of a receiver.
-    std::size_t bodyOf(std::size_t receiver) const {
-        const auto behind = std::ranges::upper_bound(firstReceiver_, receiver);
-        return static_cast<std::size_t>(behind - firstReceiver_.begin()) - 1;
-    }
-    std::size_t bodyOfSender(std::size_t sender) const {
-        const auto behind = std::ranges::upper_bound(firstSender_, sender);
-        return static_cast<std::size_t>(behind - firstSender_.begin()) - 1;
-    }
+    std::size_t bodyOf(std::size_t receiver) const { return bodyAt(firstReceiver_, receiver); }
+    std::size_t bodyOfSender(std::size_t sender) const { return bodyAt(firstSender_, sender); }
     std::size_t bodyOfRow(int row) const { return bodyOf(ofRow(row).front()); }
     /// The drawn row of a receiver, and its number among those of the row.
     int rowOf(std::size_t receiver) const { return rows_[receiver]; }
@@ -209,11 +203,10 @@ class LightExchange {
     template <typename Visit>
     void forEachSun(std::uint32_t cell, float u, float v, Visit visit) const {
         float sun = 0.0f;
-        std::size_t body = 0;
         forEachReceiver(cell, u, v, [&](std::uint32_t receiver, float part) {
             sun += part * static_cast<float>(sun_[senderOf_[receiver]]);
-            body = bodyOf(receiver);
         });
+        const std::size_t body = bodyOfCell(cell);
         for (std::size_t i = 0; i <= through_.size(); ++i) {
             const std::vector<float>& onCells = i == 0 ? sunOnCells_ : through_[i - 1].sunOnCells;
             const float here = !onCells.empty() ? onCells[cell] : i == 0 ? sun : 0.0f;
@@ -271,10 +264,12 @@ class LightExchange {
   private:
     struct Making;
     void number(const std::vector<SunShadows::Caster>& casters);
-    std::size_t bodyOfCell(std::uint32_t cell) const {
-        const auto behind = std::ranges::upper_bound(firstCell_, cell);
-        return static_cast<std::size_t>(behind - firstCell_.begin()) - 1;
+    /// The body whose numbers hold this one, from the first number of each.
+    static std::size_t bodyAt(const std::vector<std::uint32_t>& first, std::size_t number) {
+        return static_cast<std::size_t>(std::ranges::upper_bound(first, number) - first.begin()) -
+               1;
     }
+    std::size_t bodyOfCell(std::uint32_t cell) const { return bodyAt(firstCell_, cell); }
     void takePairs(Making& making);
     void takeOwn(Making& making, std::size_t body, std::uint32_t patch) const;
     /// Adds the pairs of a body to those of the scene.
@@ -327,6 +322,8 @@ class LightExchange {
     void weighLeaving(std::span<const OutsideLight> weights);
     /// The same behind gas.
     void weighBehindGas(std::span<const OutsideLight> weights);
+    /// Sums of the areas of the receivers of each.
+    std::vector<double> areasOfSenders_m2() const;
     /// Means over senders of what is known of receivers.
     std::vector<double> meansOverSenders(const std::function<double(std::size_t)>& of) const;
     void takeLight(Making& making);

@@ -343,15 +343,11 @@ void LightExchange::gatherGas(std::span<const GasRays> found) {
             }
         }
     }
+    const std::vector<double> areas_m2 = areasOfSenders_m2();
     for (auto& [key, sums] : all) {
         LightThroughGas& gas = throughGas_.emplace_back();
         std::tie(gas.panes, gas.columns) = key;
         std::vector<std::vector<LightPart>> between(senders());
-        std::vector<double> areas_m2(senders());
-        for (std::size_t b = 0; b < bodies_.size(); ++b)
-            for (std::uint32_t r = firstReceiver_[b]; r < firstReceiver_[b + 1]; ++r)
-                areas_m2[senderOf_[r]] +=
-                    bodies_[b].light->nodes().areaOf_m2(r - firstReceiver_[b]);
         for (std::size_t b = 0; b < bodies_.size(); ++b)
             for (std::uint32_t r = firstReceiver_[b]; r < firstReceiver_[b + 1]; ++r) {
                 const std::uint32_t sender = senderOf_[r];

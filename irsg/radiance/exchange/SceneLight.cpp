@@ -83,6 +83,15 @@ class CurveDivision {
     std::vector<std::size_t> places_;
 };
 
+/// `light`, and with it what a receiver gathers of others, by the integrals of their columns, which
+/// stand behind those of sky and ground.
+double withOthers(double light, std::span<const float> gathered,
+                  std::span<const double> integrals) {
+    for (std::size_t k = 0; k < gathered.size(); ++k)
+        light += static_cast<double>(gathered[k]) * integrals[2 + k];
+    return light;
+}
+
 /// How much columns of gas let through on the whole, by node; nothing without gas.
 std::vector<double> gasStrengths(const LightExchange& exchange,
                                  const std::vector<std::vector<double>>& panes, std::size_t nodes) {
@@ -207,8 +216,8 @@ void SceneLight::findKnots(const RenderSettings& settings) {
             at.push_back(-std::log(1.0 - std::min(reflectivity(row, node), 0.9999) * most));
         for (const std::vector<double>& passes : panes)
             at.push_back(passes[node]);
-        for (const std::vector<double>& share : shares)
-            if (exchange_->gasSenders().size() > 1)
+        if (exchange_->gasSenders().size() > 1)
+            for (const std::vector<double>& share : shares)
                 at.push_back(share[node]);
         if (curve.empty() || curve.back() != at) {
             curve.push_back(std::move(at));
@@ -359,10 +368,7 @@ const std::vector<SceneLight::AtReceiver>& SceneLight::atReceivers(const Surface
     for (std::size_t n = 0; n < receivers.size(); ++n) {
         const LightExchange::Loss& loss = exchange_->loss(receivers[n]);
         const std::span<const float> gathered = solution_->of(receivers[n]);
-        double ofOthers = 0.0;
-        for (std::size_t k = 0; k < gathered.size(); ++k)
-            ofOthers += static_cast<double>(gathered[k]) * sums[2 + k];
-        all[n] = {loss.sky * sums[0], loss.ground * sums[1], ofOthers};
+        all[n] = {loss.sky * sums[0], loss.ground * sums[1], withOthers(0.0, gathered, sums)};
     }
     return all;
 }
@@ -380,9 +386,12 @@ void SceneLight::prepareReceivers(const std::vector<const LightSums*>& views) {
             if (!matters(radiometry_.rows().renderedOf(kind.second)))
                 continue;
             kinds.push_back({kind.first, kind.second});
-            Sent& sent = sent_[kind];
-            sent.isKnown.resize(sums.size() / 2);
-            sent.radiance.resize(outputs, std::vector<double>(sums.size() / 2));
+            const auto [place, isNew] = sent_.try_emplace(kind);
+            Sent& sent = place->second;
+            if (isNew) {
+                sent.isKnown.resize(sums.size() / 2);
+                sent.radiance.resize(outputs, std::vector<double>(sums.size() / 2));
+            }
             for (std::uint32_t n = 0; n < sent.isKnown.size(); ++n)
                 if (!sent.isKnown[n] && sums[2 * std::size_t{n}] != 0.0) {
                     sent.isKnown[n] = 1;
@@ -400,10 +409,8 @@ void SceneLight::prepareReceivers(const std::vector<const LightSums*>& views) {
             const std::span<const float> gathered = solution_->of(receiver);
             for (std::size_t output = 0; output < outputs; ++output) {
                 const std::vector<double>& sums = integralsOf[output];
-                double all = loss.sky * sums[0] + loss.ground * sums[1];
-                for (std::size_t k = 0; k < gathered.size(); ++k)
-                    all += static_cast<double>(gathered[k]) * sums[2 + k];
-                sent.radiance[output][locals[i]] = all;
+                sent.radiance[output][locals[i]] =
+                    withOthers(loss.sky * sums[0] + loss.ground * sums[1], gathered, sums);
             }
         });
     }
