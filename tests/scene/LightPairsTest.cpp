@@ -90,7 +90,7 @@ TEST(LightPairs, WhatArrivesIsTheSumOverSendersInEachOfAnyNumberOfColumns) {
                     expected[c] += pair->factor * sent[pair->sender * width + c];
                 }
             }
-            pairs.gather(r, sent, width, arrives.data());
+            pairs.gather(r, sent, width, width, arrives.data());
             EXPECT_EQ(arrives, expected) << "receiver " << r << " of " << width << " columns";
         }
     }

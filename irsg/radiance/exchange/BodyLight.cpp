@@ -93,6 +93,61 @@ BodyLight::LightStart BodyLight::Rays::at(std::uint32_t index) const {
     return start;
 }
 
+PatchRays BodyLight::byCells(std::uint32_t patch) const {
+    PatchRays made;
+    if (sent_[patch] == 0)
+        return made;
+    const Rays rays(*nodes_, patch);
+    const std::span<const LightRay> all = raysOf(patch);
+    std::vector<std::uint32_t> cells(all.size()), order(all.size());
+    std::vector<PatchRays::Ray> inTurn(all.size());
+    for (std::uint32_t i = 0; i < all.size(); ++i) {
+        if (i > 0 && all[i].index == all[i - 1].index) {
+            inTurn[i] = inTurn[i - 1];
+            cells[i] = cells[i - 1];
+        } else {
+            const LightStart start = rays.at(all[i].index);
+            const Vec3& along = start.ray.direction;
+            cells[i] = start.from.place.cell;
+            inTurn[i] = {i,
+                         start.from.place.u,
+                         start.from.place.v,
+                         {static_cast<float>(along.x), static_cast<float>(along.y),
+                          static_cast<float>(along.z)}};
+        }
+        inTurn[i].number = order[i] = i;
+    }
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return cells[i]; });
+    made.rays.reserve(all.size());
+    for (const std::uint32_t i : order) {
+        made.rays.push_back(inTurn[i]);
+        if (made.cells.empty() || made.cells.back().cell != cells[i])
+            made.cells.push_back({cells[i], 0});
+        ++made.cells.back().end;
+    }
+    for (std::size_t c = 1; c < made.cells.size(); ++c)
+        made.cells[c].end += made.cells[c - 1].end;
+    made.cells.shrink_to_fit();
+    return made;
+}
+
+const TurnedBody* BodyLight::turned() const {
+    if (!wasTurned_.exchange(true))
+        return nullptr;
+    std::call_once(madeTurned_, [&] {
+        turned_.rays.resize(sent_.size());
+        parallelForSmall(sent_.size(),
+                         [&](std::uint32_t patch) { turned_.rays[patch] = byCells(patch); });
+        turned_.areas_m2.resize(mesh().cells());
+        turned_.normals.resize(mesh().cells());
+        parallelForSmall(mesh().cells(), [&](std::uint32_t cell) {
+            turned_.areas_m2[cell] = mesh().area_m2(cell);
+            turned_.normals[cell] = mesh().normal(cell);
+        });
+    });
+    return &turned_;
+}
+
 BodyLight::BodyLight(std::shared_ptr<const ExchangeNodes> nodes, const PieceUses& uses,
                      double error)
     : nodes_(std::move(nodes)) {

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -12,6 +15,29 @@
 #include "irsg/render/rays/LightDirections.h"
 
 namespace irsg {
+
+/// The rays of a patch that meet its body, in the order of the cells where they begin: what a body
+/// that has turned needs of them.
+struct PatchRays {
+    struct Ray {
+        std::uint32_t number;       ///< among BodyLight::raysOf
+        float u, v;                 ///< where it begins, see ExchangeMesh::Place
+        std::array<float, 3> along; ///< unit, in the axes of the mesh
+    };
+    struct OfCell {
+        std::uint32_t cell;
+        std::uint32_t end; ///< behind the last of its rays, which follow those of the cell before
+    };
+    std::vector<Ray> rays;
+    std::vector<OfCell> cells;
+};
+
+/// What is computed anew of a body each time that it has turned, unless it is kept.
+struct TurnedBody {
+    std::vector<PatchRays> rays;  ///< by patch
+    std::vector<double> areas_m2; ///< by cell, as the mesh has them
+    std::vector<Vec3> normals;    ///< likewise
+};
 
 /// What the surfaces of one model see of it: rays from points spread evenly over each
 /// patch, along the cosine-weighted hemisphere of the facet there. What they meet counts for the
@@ -75,6 +101,11 @@ class BodyLight {
     std::span<const LightRay> raysOf(std::uint32_t patch) const {
         return std::span(rays_).subspan(first_[patch], first_[patch + 1] - first_[patch]);
     }
+    /// The same rays by cells.
+    PatchRays byCells(std::uint32_t patch) const;
+    /// Null the first time: who asks again has turned the body, and will do so again. 28 bytes a
+    /// ray and 32 a cell.
+    const TurnedBody* turned() const;
     /// By node that is near the patch: what a ray that meets something counts there, times the
     /// node's part of the place where it begins.
     std::span<const float> scalesOf(std::uint32_t patch) const {
@@ -119,6 +150,9 @@ class BodyLight {
     std::size_t allSent_ = 0;
     double error_ = 0.0;
     bool isLimited_ = false;
+    mutable std::atomic<bool> wasTurned_ = false;
+    mutable std::once_flag madeTurned_;
+    mutable TurnedBody turned_;
 };
 
 } // namespace irsg

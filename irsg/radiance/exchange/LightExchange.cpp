@@ -64,8 +64,11 @@ LightExchange::LightExchange(std::vector<Body> bodies,
         making.isNearGround.push_back(
             sources.groundReflectivity && !making.terrain &&
             isNearGround(body.extent, error, *sources.groundReflectivity));
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        making.turned.push_back(making.isAlone(b) ? bodies_[b].light->turned() : nullptr);
     making.error = error;
     number(casters);
+    areApart_ = making.areAllAlone() && gases.empty();
     if (std::ranges::find(making.isNearGround, true) != making.isNearGround.end()) {
         panes_.push_back(groundMaterial);
         groundReflectivity_ = sources.groundReflectivity;
@@ -133,11 +136,14 @@ bool LightExchange::mayShade(const Extent& body, const Extent& other, const Vec3
 
 void LightExchange::number(const std::vector<SunShadows::Caster>& casters) {
     std::uint32_t allNodes = 0;
+    std::size_t vertices = 0;
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const ExchangeNodes& nodes = bodies_[b].light->nodes();
         firstCell_.push_back(cells_);
         cells_ += static_cast<std::uint32_t>(nodes.mesh().cells());
         firstReceiver_.push_back(allNodes);
+        firstVertex_.push_back(firstVertex_.empty() ? 0 : vertices);
+        vertices += nodes.mesh().vertices().size();
         firstSender_.push_back(static_cast<std::uint32_t>(rowOfSender_.size()));
         rowOfSender_.resize(rowOfSender_.size() + nodes.senders());
         for (const int row : casters[b].rows)
@@ -170,8 +176,7 @@ void LightExchange::number(const std::vector<SunShadows::Caster>& casters) {
 void LightExchange::takeOpenness() {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const ExchangeNodes& nodes = bodies_[b].light->nodes();
-        const std::size_t first = openOfVertex_.size(), count = nodes.mesh().vertices().size();
-        firstVertex_.push_back(first);
+        const std::size_t first = firstVertex_[b], count = nodes.mesh().vertices().size();
         openOfVertex_.resize(first + count);
         parallelForSmall(count, [&](std::uint32_t vertex) {
             for (const ExchangeNodes::Share& share : nodes.sharesOf(vertex))
@@ -190,7 +195,8 @@ void LightExchange::sharpen(std::vector<float>& values, std::size_t width) const
             if (smoothing.isEmpty(r))
                 return;
             std::vector<float> mean(width);
-            smoothing.gather(r, std::span(before).subspan(first * width), width, mean.data());
+            smoothing.gather(r, std::span(before).subspan(first * width), width, width,
+                             mean.data());
             float* const own = &values[(first + r) * width];
             for (std::size_t c = 0; c < width; ++c)
                 own[c] = 2.0f * own[c] - mean[c];
@@ -211,16 +217,18 @@ void LightExchange::takePairs(Making& making) {
             known.push_back({body.light->nodes().areaOf_m2(r), body.light->raysFrom(r)});
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const ExchangeNodes& nodes = bodies_[b].light->nodes();
+        const BodyLight& light = *bodies_[b].light;
+        const TurnedBody* const turned = making.turned[b];
         parallelForSmall(nodes.nodes(), [&](std::uint32_t patch) {
             making.told[firstReceiver_[b] + patch].resize(nodes.near(patch).size());
             if (!making.isSeen(bodies_[b], patch))
                 return;
             if (making.isAlone(b))
-                takeOwn(making, b, patch);
+                takeOwn(making, b, patch, turned ? turned->rays[patch] : light.byCells(patch));
             else
                 takeWithOthers(making, b, patch);
         });
-        if ((bodies_.size() > 1 || !making.isAlone(b)) && making.isApart(b))
+        if (!making.isAlone(b) && making.isApart(b))
             copyPairs(*bodies_[b].light->balance().pairs, b, making.oneWay);
         for (std::uint32_t patch = 0; patch < nodes.nodes(); ++patch) {
             const auto near = nodes.near(patch);
@@ -233,12 +241,16 @@ void LightExchange::takePairs(Making& making) {
             }
         }
     }
-    if (bodies_.size() == 1 && making.isAlone(0))
-        balance_ = bodies_.front().light->balance();
-    else
-        balance_ = balancedOfSenders(LightPairs(rows_.size(), std::move(making.parts)),
-                                     LightPairs(rows_.size(), std::move(making.oneWay)), known,
-                                     senderOf_, rowOfSender_.size());
+    std::vector<const LightBalance*> own;
+    for (const Body& body : bodies_)
+        own.push_back(&body.light->balance());
+    balance_ = withOwnOf(making,
+                         making.areAllAlone()
+                             ? LightBalance()
+                             : balancedOfSenders(LightPairs(rows_.size(), std::move(making.parts)),
+                                                 LightPairs(rows_.size(), std::move(making.oneWay)),
+                                                 known, senderOf_, rowOfSender_.size()),
+                         own);
     if (!panes_.empty())
         takeThrough(making, known);
     sunBesideMean_ = LightPairs(rows_.size(), std::move(making.sunParts));
@@ -273,51 +285,127 @@ void LightExchange::copyPairs(const LightPairs& pairs, std::size_t body,
     }
 }
 
-void LightExchange::takeOwn(Making& making, std::size_t body, std::uint32_t patch) const {
+LightBalance LightExchange::withOwnOf(const Making& making, const LightBalance& common,
+                                      const std::vector<const LightBalance*>& ofBodies) const {
+    if (bodies_.size() == 1 && making.isAlone(0) && ofBodies[0] != nullptr)
+        return *ofBodies[0];
+    bool isAnyAlone = false, areSame = true;
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        isAnyAlone = isAnyAlone || making.isAlone(b);
+    if (!isAnyAlone)
+        return common;
+    std::vector<LightPairs::Block> pairs, between;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const ExchangeNodes& nodes = bodies_[b].light->nodes();
+        const bool isOwn = making.isAlone(b);
+        const LightBalance* const from = isOwn ? ofBodies[b] : &common;
+        const std::size_t first = isOwn ? 0 : firstReceiver_[b];
+        const std::size_t firstOfSenders = isOwn ? 0 : firstSender_[b];
+        const std::uint32_t add = isOwn ? firstSender_[b] : 0;
+        pairs.push_back({from ? from->pairs.get() : nullptr, first, nodes.nodes(), add});
+        between.push_back(
+            {from ? from->between.get() : nullptr, firstOfSenders, nodes.senders(), add});
+        areSame = areSame && (from == nullptr || from->pairs == from->between);
+    }
+    LightBalance all;
+    all.pairs = std::make_shared<const LightPairs>(pairs);
+    all.between = areSame && senders() == receivers() ? all.pairs
+                                                      : std::make_shared<const LightPairs>(between);
+    return all;
+}
+
+void LightExchange::takeOwn(Making& making, std::size_t body, std::uint32_t patch,
+                            const PatchRays& starts) const {
+    const BodyLight& light = *bodies_[body].light;
+    const ExchangeNodes& nodes = light.nodes();
+    const std::uint32_t first = firstReceiver_[body], number = first + patch;
+    const std::span<const BodyLight::LightRay> rays = light.raysOf(patch);
+    const std::span<const float> scales = light.scalesOf(patch);
+    const Vec3 up = making.toMesh[body] * Vec3{0.0, 0.0, 1.0};
+    /// Of what rays of a cell bring its corners of the sun beside means.
+    struct Sun {
+        std::size_t set;
+        std::uint32_t row;
+        std::array<float, 3> ofCorners;
+    };
+    std::vector<Sun> suns;
+    std::uint32_t next = 0;
+    for (const PatchRays::OfCell& own : starts.cells) {
+        std::array<double, 3> met{}, metUp{};
+        suns.clear();
+        for (; next < own.end; ++next) {
+            const PatchRays::Ray& start = starts.rays[next];
+            const BodyLight::LightRay& ray = rays[start.number];
+            const bool isUp = up.x * static_cast<double>(start.along[0]) +
+                                  up.y * static_cast<double>(start.along[1]) +
+                                  up.z * static_cast<double>(start.along[2]) >
+                              0.0;
+            if (ray.passage > 0) {
+                takeOwnPassed(making, body, patch, own.cell, start, isUp);
+                continue;
+            }
+            const std::array<float, 3> parts{1.0f - start.u - start.v, start.u, start.v};
+            for (std::size_t c = 0; c < 3; ++c) {
+                met[c] += static_cast<double>(parts[c]);
+                metUp[c] += isUp ? static_cast<double>(parts[c]) : 0.0;
+            }
+            for (std::size_t set = 0; set < making.sunBeside.size(); ++set) {
+                if (making.sunBeside[set].empty())
+                    continue;
+                const Making::SunBeside& there =
+                    making.sunBeside[set][firstCell_[body] + ray.place.cell];
+                const float beside = there.at(ray.place.u, ray.place.v);
+                if (beside == 0.0f)
+                    continue;
+                auto sun = std::ranges::find_if(
+                    suns, [&](const Sun& one) { return one.set == set && one.row == there.row; });
+                if (sun == suns.end())
+                    sun = suns.insert(suns.end(), {set, there.row, {}});
+                for (std::size_t c = 0; c < 3; ++c)
+                    sun->ofCorners[c] += parts[c] * beside;
+            }
+        }
+        const std::array<std::uint32_t, 3>& corners = nodes.mesh().corners(own.cell);
+        for (std::size_t c = 0; c < 3; ++c)
+            for (const ExchangeNodes::Share& share : nodes.sharesOf(corners[c])) {
+                const std::size_t near = nodes.placeNear(patch, share.node);
+                const float scale = share.part * scales[near];
+                Making::Told& told = making.told[number][near];
+                told.sky += static_cast<double>(scale) * metUp[c];
+                told.ground += static_cast<double>(scale) * (met[c] - metUp[c]);
+                for (const Sun& sun : suns)
+                    making.sunPartsOf(number, passages_, {}, sun.set)
+                        .push_back({first + share.node, sun.row, scale * sun.ofCorners[c]});
+            }
+    }
+    if (!making.sunParts.empty())
+        mergeParts(making.sunParts[number]);
+}
+
+void LightExchange::takeOwnPassed(Making& making, std::size_t body, std::uint32_t patch,
+                                  std::uint32_t cell, const PatchRays::Ray& start,
+                                  bool isUp) const {
     const BodyLight& light = *bodies_[body].light;
     const ExchangeNodes& nodes = light.nodes();
     const std::uint32_t first = firstReceiver_[body];
-    const BodyLight::Rays rays(nodes, patch);
+    const BodyLight::LightRay& ray = light.raysOf(patch)[start.number];
     const std::span<const float> scales = light.scalesOf(patch);
-    std::vector<OccluderMaterial> passed;
-    for (const BodyLight::LightRay& ray : light.raysOf(patch)) {
-        const BodyLight::LightStart start = rays.at(ray.index);
-        const bool isUp = (making.toWorld[body] * start.ray.direction).z > 0.0;
-        const ExchangeNodes::OfPlace from(nodes, start.from.place);
-        if (ray.passage > 0) {
-            passed = light.passages().materials(ray.passage);
-            for (OccluderMaterial& material : passed)
-                material.first = making.casters[body].entity;
-        } else {
-            passed.clear();
-        }
-        if (!ray.meetsAnything()) {
-            for (const ExchangeNodes::Share& own : from) {
-                const std::size_t near = nodes.placeNear(patch, own.node);
-                leave(making, first + patch, passed, nodes.near(patch).size(), near, isUp,
-                      static_cast<double>(own.part * scales[near]));
-            }
-            continue;
-        }
-        if (ray.passage > 0) {
-            tellOfSun(making, first + patch, passed, body, ray.place, [&](auto add) {
-                for (const ExchangeNodes::Share& own : from)
-                    add(first + own.node, own.part * scales[nodes.placeNear(patch, own.node)]);
-            });
-            continue;
-        }
-        for (const ExchangeNodes::Share& own : from) {
-            const std::size_t near = nodes.placeNear(patch, own.node);
-            Making::Told& told = making.told[first + patch][near];
-            (isUp ? told.sky : told.ground) += static_cast<double>(own.part * scales[near]);
-        }
+    std::vector<OccluderMaterial> passed = light.passages().materials(ray.passage);
+    for (OccluderMaterial& material : passed)
+        material.first = making.casters[body].entity;
+    const ExchangeNodes::OfPlace from(nodes, {cell, start.u, start.v});
+    if (ray.meetsAnything()) {
         tellOfSun(making, first + patch, passed, body, ray.place, [&](auto add) {
             for (const ExchangeNodes::Share& own : from)
                 add(first + own.node, own.part * scales[nodes.placeNear(patch, own.node)]);
         });
+        return;
     }
-    if (!making.sunParts.empty())
-        mergeParts(making.sunParts[first + patch]);
+    for (const ExchangeNodes::Share& own : from) {
+        const std::size_t near = nodes.placeNear(patch, own.node);
+        leave(making, first + patch, passed, nodes.near(patch).size(), near, isUp,
+              static_cast<double>(own.part * scales[near]));
+    }
 }
 
 std::vector<double> LightExchange::areasOfSenders_m2() const {
@@ -422,9 +510,10 @@ void LightExchange::lightSide(Making& making, std::size_t body, std::uint32_t pa
     if (std::ranges::none_of(nodes.near(patch), isOfMatter))
         return;
     for (const std::uint32_t cell : nodes.cellsOf(patch)) {
-        const double up = (toWorld * nodes.mesh().normal(cell)).z;
-        const double open_m2 = nodes.mesh().area_m2(cell) / 3.0 * 0.5 * (1.0 + up);
-        const double weighted_m2 = nodes.mesh().area_m2(cell) / 3.0 * sources.skyOf(up);
+        const double up = (toWorld * making.normal(bodies_, body, cell)).z;
+        const double corner_m2 = making.area_m2(bodies_, body, cell) / 3.0;
+        const double open_m2 = corner_m2 * 0.5 * (1.0 + up);
+        const double weighted_m2 = corner_m2 * sources.skyOf(up);
         for (const std::uint32_t corner : nodes.mesh().corners(cell))
             for (const ExchangeNodes::Share& share : nodes.sharesOf(corner)) {
                 Making::Told& own = told[nodes.placeNear(patch, share.node)];

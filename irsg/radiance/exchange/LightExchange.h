@@ -91,6 +91,8 @@ class LightExchange {
     std::size_t firstGasPane() const { return firstGasPane_; }
     const std::vector<GasSender>& gasSenders() const { return gasSenders_; }
     std::size_t sendersWithGas() const { return senders() + gasSenders_.size(); }
+    /// Whether no body gets anything of another.
+    bool areApart() const { return areApart_; }
     std::size_t receivers() const { return rows_.size(); }
     /// Whether a receiver gets light of others, or less of outside for them.
     bool getsLight(std::size_t receiver) const { return getsLight_[receiver]; }
@@ -271,7 +273,15 @@ class LightExchange {
     }
     std::size_t bodyOfCell(std::uint32_t cell) const { return bodyAt(firstCell_, cell); }
     void takePairs(Making& making);
-    void takeOwn(Making& making, std::size_t body, std::uint32_t patch) const;
+    void takeOwn(Making& making, std::size_t body, std::uint32_t patch,
+                 const PatchRays& starts) const;
+    /// The same of a ray that has passed transparent surfaces.
+    void takeOwnPassed(Making& making, std::size_t body, std::uint32_t patch, std::uint32_t cell,
+                       const PatchRays::Ray& start, bool isUp) const;
+    /// What those of `bodies` who are alone see of each other, each as its own `balance` has it,
+    /// and all others as `common` has it.
+    LightBalance withOwnOf(const Making& making, const LightBalance& common,
+                           const std::vector<const LightBalance*>& ofBodies) const;
     /// Adds the pairs of a body to those of the scene.
     void copyPairs(const LightPairs& pairs, std::size_t body,
                    std::vector<std::vector<LightPart>>& to) const;
@@ -280,6 +290,7 @@ class LightExchange {
     bool hasOthersAbove(const Making& making, std::size_t body, std::uint32_t patch) const;
     /// Whether a ray from a body, in its axes, meets one of its backs that are not there.
     static bool leavesThroughBack(const Making& making, std::size_t body, Ray ray, double upTo_m);
+    void takeSunBeside(Making& making) const;
     /// Tells those who get what a ray brings, by `forEachOwn(add(receiver, part))`, what the sun
     /// gives where it ends beside the mean of the senders there.
     /// `passed`: what it has passed on its way.
@@ -344,7 +355,7 @@ class LightExchange {
     std::vector<std::vector<std::uint32_t>> ofRow_;
     std::vector<bool> sees_, isSeen_, getsLight_;
     std::optional<Spectrum> groundReflectivity_;
-    bool hasLobes_;
+    bool hasLobes_, areApart_ = false;
     std::size_t components_ = 0; // of all rows
     std::vector<int> firstComponentOf_;
     std::vector<std::uint32_t> reflected_; // as receivers

@@ -53,12 +53,32 @@ struct LightExchange::Making {
     std::vector<PieceUses> withBacks{};                    ///< by caster, see PieceUses
     std::vector<std::vector<LightPart>> parts{}, oneWay{}; ///< by patch
     std::vector<std::vector<Told>> told{};                 ///< by patch and near node
-    std::vector<float> sunOnCells{};                ///< as factors; none: it lights all alike
+    std::vector<float> sunOnCells{}; ///< as factors; none: it lights all alike
+    /// What the sun gives a cell beside the means of senders at its corners, and its drawn row.
+    struct SunBeside {
+        std::array<float, 3> atCorners;
+        std::uint32_t row;
+
+        float at(float u, float v) const {
+            return (1.0f - u - v) * atCorners[0] + u * atCorners[1] + v * atCorners[2];
+        }
+    };
+    /// By cell: through nothing (0), and through `through_[set - 1]`; none where no sun is.
+    std::vector<std::vector<SunBeside>> sunBeside{};
     std::vector<std::vector<LightPart>> sunParts{}; ///< by patch, of receivers and rows
     std::vector<FoundThrough> found{};              ///< by patch; none without panes
     /// By cell: what the sun gives it through sets of materials, as factors.
     std::vector<std::vector<std::pair<std::vector<OccluderMaterial>, float>>> sunThrough{};
 
+    std::vector<const TurnedBody*> turned{}; ///< by body; null: it is computed
+
+    double area_m2(const std::vector<Body>& bodies, std::size_t body, std::uint32_t cell) const {
+        return turned[body] ? turned[body]->areas_m2[cell]
+                            : bodies[body].light->mesh().area_m2(cell);
+    }
+    Vec3 normal(const std::vector<Body>& bodies, std::size_t body, std::uint32_t cell) const {
+        return turned[body] ? turned[body]->normals[cell] : bodies[body].light->mesh().normal(cell);
+    }
     /// The material of a transparent piece.
     OccluderMaterial paneOf(std::size_t body, std::size_t piece) const {
         return {casters[body].entity, casters[body].materials[piece]};
@@ -69,6 +89,16 @@ struct LightExchange::Making {
     /// What a ray has passed with one more.
     static void pass(std::vector<OccluderMaterial>& set, const OccluderMaterial& material) {
         set.insert(std::ranges::upper_bound(set, material), material);
+    }
+
+    /// Of a patch: what the sun gives through what its rays have passed, and through one of
+    /// `passages` beyond that.
+    std::vector<LightPart>& sunPartsOf(std::uint32_t number, const OccluderStacks& passages,
+                                       std::vector<OccluderMaterial> passed, std::size_t set) {
+        if (set > 0)
+            for (const OccluderMaterial& material : passages.materials(static_cast<int>(set)))
+                pass(passed, material);
+        return passed.empty() ? sunParts[number] : found[number].bySet[passed].sun;
     }
 
     /// Height of the highest place of the terrain, m.
@@ -82,6 +112,12 @@ struct LightExchange::Making {
     }
     bool isAlone(std::size_t body) const {
         return near[body].empty() && !meetsTerrain[body] && !isNearGround[body];
+    }
+    bool areAllAlone() const {
+        for (std::size_t body = 0; body < near.size(); ++body)
+            if (!isAlone(body))
+                return false;
+        return true;
     }
     /// Whether what a body sees of itself is what it sees of itself alone: others are outside of
     /// its sphere.
@@ -103,37 +139,16 @@ void LightExchange::tellOfSun(Making& making, std::uint32_t number,
                               const ExchangeMesh::Place& met, ForEachOwn forEachOwn) const {
     if (making.sunParts.empty())
         return;
-    const ExchangeNodes& nodes = bodies_[metBody].light->nodes();
-    const std::uint32_t cell = firstCell_[metBody] + met.cell;
-    float beside = making.sunOnCells[cell];
-    std::uint32_t sender = 0;
-    const auto senders = ExchangeNodes::OfPlace(nodes, met).ofSenders(nodes);
-    for (const ExchangeNodes::Share& share : senders) {
-        sender = firstSender_[metBody] + share.node;
-        beside -= share.part * static_cast<float>(sun_[sender]);
-    }
-    const auto row = static_cast<std::uint32_t>(rowOfSender_[sender]);
-    std::vector<LightPart>& parts =
-        passed.empty() ? making.sunParts[number] : making.found[number].bySet[passed].sun;
-    if (beside != 0.0f)
-        forEachOwn([&](std::uint32_t receiver, float part) {
-            parts.push_back({receiver, row, part * beside});
-        });
-    for (std::size_t i = 0; i < through_.size(); ++i) {
-        if (through_[i].sunOnCells.empty())
+    for (std::size_t set = 0; set < making.sunBeside.size(); ++set) {
+        if (making.sunBeside[set].empty())
             continue;
-        float more = through_[i].sunOnCells[cell];
-        for (const ExchangeNodes::Share& share : senders)
-            more -= share.part *
-                    static_cast<float>(through_[i].sun[firstSender_[metBody] + share.node]);
-        if (more == 0.0f)
+        const Making::SunBeside& sun = making.sunBeside[set][firstCell_[metBody] + met.cell];
+        const float beside = sun.at(met.u, met.v);
+        if (beside == 0.0f)
             continue;
-        std::vector<OccluderMaterial> all = passed;
-        for (const OccluderMaterial& material : passages_.materials(static_cast<int>(i + 1)))
-            Making::pass(all, material);
-        std::vector<LightPart>& behind = making.found[number].bySet[all].sun;
+        std::vector<LightPart>& parts = making.sunPartsOf(number, passages_, passed, set);
         forEachOwn([&](std::uint32_t receiver, float part) {
-            behind.push_back({receiver, row, part * more});
+            parts.push_back({receiver, sun.row, part * beside});
         });
     }
 }

@@ -38,11 +38,11 @@ void LightExchange::takeSun(Making& making) {
             if (!isSeenByAny(cell))
                 continue;
             const float sun = making.sunOnCells[firstCell_[b] + cell];
+            const double cell_m2 = making.area_m2(bodies_, b, cell);
             for (const std::uint32_t corner : mesh.corners(cell))
                 for (const ExchangeNodes::Share& share : nodes.sharesOf(corner)) {
                     const std::uint32_t sender = senderOf_[firstReceiver_[b] + share.node];
-                    const double own_m2 =
-                        static_cast<double>(share.part) * mesh.area_m2(cell) / 3.0;
+                    const double own_m2 = static_cast<double>(share.part) * cell_m2 / 3.0;
                     area_m2[sender] += own_m2;
                     sun_[sender] += own_m2 * static_cast<double>(sun);
                 }
@@ -51,23 +51,55 @@ void LightExchange::takeSun(Making& making) {
     for (std::size_t s = 0; s < senders(); ++s)
         sun_[s] = area_m2[s] > 0.0 ? sun_[s] / area_m2[s] : 0.0;
     takeSunThrough(making);
+    takeSunBeside(making);
+}
+
+void LightExchange::takeSunBeside(Making& making) const {
+    making.sunBeside.resize(1 + through_.size());
+    std::vector<float> means; // by vertex of a body
+    for (std::size_t set = 0; set < making.sunBeside.size(); ++set) {
+        const std::vector<float>& onCells =
+            set == 0 ? making.sunOnCells : through_[set - 1].sunOnCells;
+        if (onCells.empty())
+            continue;
+        const std::vector<double>& sun = set == 0 ? sun_ : through_[set - 1].sun;
+        making.sunBeside[set].resize(cells_);
+        for (std::size_t b = 0; b < bodies_.size(); ++b) {
+            const ExchangeNodes& nodes = bodies_[b].light->nodes();
+            means.assign(nodes.mesh().vertices().size(), 0.0f);
+            parallelForSmall(means.size(), [&](std::uint32_t vertex) {
+                for (const ExchangeNodes::Share& share : nodes.sharesOf(vertex))
+                    means[vertex] +=
+                        share.part *
+                        static_cast<float>(sun[senderOf_[firstReceiver_[b] + share.node]]);
+            });
+            parallelForSmall(nodes.mesh().cells(), [&](std::uint32_t cell) {
+                Making::SunBeside& own = making.sunBeside[set][firstCell_[b] + cell];
+                for (std::size_t c = 0; c < 3; ++c)
+                    own.atCorners[c] =
+                        onCells[firstCell_[b] + cell] - means[nodes.mesh().corners(cell)[c]];
+                own.row =
+                    static_cast<std::uint32_t>(making.casters[b].rows[nodes.mesh().pieceOf(cell)]);
+            });
+        }
+    }
 }
 
 double LightExchange::sunOn(Making& making, std::size_t body, std::uint32_t cell) const {
     const ExchangeMesh& mesh = bodies_[body].light->nodes().mesh();
     const Vec3& towardsSun = making.sources.towardsSun;
-    const double cosine = dot(making.toWorld[body] * mesh.normal(cell), towardsSun);
+    const Vec3 normal = making.normal(bodies_, body, cell);
+    const double cosine = dot(making.toWorld[body] * normal, towardsSun);
     if (!(cosine > 0.0) || !making.sources.isSunShadowed)
         return std::max(cosine, 0.0);
     const std::array<Vec3, 3> c = mesh.cornersAt_m(cell);
     const Vec3 middle = (c[0] + c[1] + c[2]) * (1.0 / 3.0);
-    const bool isOne = cells_ > fewCells;
+    const bool isOne = mesh.cells() > fewCells;
     const double each = isOne ? 1.0 : 0.25;
     thread_local std::vector<int> through;
     double lit = 0.0;
     const auto look = [&](const Vec3& place) {
-        const Vec3 from_m =
-            making.casters[body].pose.toWorld(place + mesh.normal(cell) * mesh.lift_m());
+        const Vec3 from_m = making.casters[body].pose.toWorld(place + normal * mesh.lift_m());
         std::vector<OccluderMaterial> passed;
         for (const std::size_t i : making.shading[body]) {
             const SunShadows::Caster& other = making.casters[i];

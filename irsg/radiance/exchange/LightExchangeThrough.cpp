@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "irsg/core/ParallelFor.h"
@@ -39,10 +40,10 @@ void LightExchange::takeThrough(Making& making, const std::vector<ReceiverRays>&
         own.oneWay.resize(rows_.size());
         return own;
     };
-    const bool isOne = bodies_.size() == 1 && making.isAlone(0);
-    std::vector<std::pair<std::size_t, LightBalance>> ofBody; // of the only one, by passage
+    // Of bodies that are alone, by passage.
+    std::map<std::size_t, std::vector<const LightBalance*>> ofBodies;
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-        if (!isOne && !making.isApart(b))
+        if (!making.isAlone(b) && !making.isApart(b))
             continue;
         const BodyLight& light = *bodies_[b].light;
         const auto count = std::min(light.passages().size(), BodyLight::mostPassages + 1);
@@ -51,11 +52,13 @@ void LightExchange::takeThrough(Making& making, const std::vector<ReceiverRays>&
             for (OccluderMaterial& material : set)
                 material.first = making.casters[b].entity;
             Found& own = foundOf(set);
-            if (isOne)
-                ofBody.emplace_back(static_cast<std::size_t>(passages_.find(set)),
-                                    light.balance(static_cast<int>(p)));
-            else
+            if (making.isAlone(b)) {
+                auto& ofSet = ofBodies[static_cast<std::size_t>(passages_.find(set))];
+                ofSet.resize(bodies_.size());
+                ofSet[b] = &light.balance(static_cast<int>(p));
+            } else {
                 copyPairs(*light.balance(static_cast<int>(p)).pairs, b, own.oneWay);
+            }
         }
     }
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -65,10 +68,8 @@ void LightExchange::takeThrough(Making& making, const std::vector<ReceiverRays>&
                 const std::uint32_t number = firstReceiver_[b] + patch;
                 Found& own = foundOf(set);
                 const auto passage = static_cast<std::size_t>(passages_.find(set));
-                if (!isOne) {
-                    mergeInto(own.parts[number], behind.parts);
-                    mergeInto(own.oneWay[number], behind.oneWay);
-                }
+                mergeInto(own.parts[number], behind.parts);
+                mergeInto(own.oneWay[number], behind.oneWay);
                 for (LightPart& part : behind.sun)
                     part.sender += static_cast<std::uint32_t>(passage * rows());
                 if (!behind.sun.empty())
@@ -87,19 +88,21 @@ void LightExchange::takeThrough(Making& making, const std::vector<ReceiverRays>&
             }
     }
     making.found.clear();
-    for (const auto& [passage, balance] : ofBody)
-        through_[passage - 1].balance = balance;
     for (std::size_t i = 0; i < through_.size(); ++i) {
         LightThrough& one = through_[i];
         one.leaving.resize(rows_.size());
         one.sun.resize(senders());
-        if (one.balance.pairs)
+        if (const auto own = ofBodies.find(i + 1); own != ofBodies.end() && making.areAllAlone()) {
+            one.balance = withOwnOf(making, {}, own->second);
             continue;
+        }
         Found none{Lists(rows_.size()), Lists(rows_.size())};
-        Found& own = i < found.size() && !found[i].parts.empty() && !isOne ? found[i] : none;
+        Found& own = i < found.size() && !found[i].parts.empty() ? found[i] : none;
         one.balance = balancedOfSenders(LightPairs(rows_.size(), std::move(own.parts)),
                                         LightPairs(rows_.size(), std::move(own.oneWay)), known,
                                         senderOf_, senders());
+        if (const auto alone = ofBodies.find(i + 1); alone != ofBodies.end())
+            one.balance = withOwnOf(making, one.balance, alone->second);
     }
     addMissing(known);
     std::vector<double> isUp(rows_.size());
@@ -184,21 +187,24 @@ void LightExchange::takeSunThrough(const Making& making) {
             onCells.resize(cells_);
             onCells[cell] = sun;
         }
-    std::vector<double> areas_m2(senders());
-    for (std::size_t b = 0; b < bodies_.size() && !through_.empty(); ++b) {
-        const ExchangeMesh& mesh = bodies_[b].light->mesh();
-        for (std::uint32_t cell = 0; cell < mesh.cells(); ++cell)
-            forEachReceiver(
-                firstCell_[b] + cell, [&](std::uint32_t receiver, std::size_t, float part) {
-                    const double own_m2 = static_cast<double>(part) * mesh.area_m2(cell) / 3.0;
-                    areas_m2[senderOf_[receiver]] += own_m2;
-                    for (LightThrough& one : through_) {
-                        one.sun.resize(senders());
-                        one.sun[senderOf_[receiver]] +=
-                            own_m2 * static_cast<double>(one.sunOnCells[firstCell_[b] + cell]);
-                    }
-                });
-    }
+    if (through_.empty())
+        return;
+    for (LightThrough& one : through_)
+        one.sun.resize(senders());
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        for (std::uint32_t cell = 0; cell < bodies_[b].light->mesh().cells(); ++cell) {
+            if (making.sunThrough[firstCell_[b] + cell].empty())
+                continue;
+            const double corner_m2 = making.area_m2(bodies_, b, cell) / 3.0;
+            forEachReceiver(firstCell_[b] + cell,
+                            [&](std::uint32_t receiver, std::size_t, float part) {
+                                for (LightThrough& one : through_)
+                                    one.sun[senderOf_[receiver]] +=
+                                        static_cast<double>(part) * corner_m2 *
+                                        static_cast<double>(one.sunOnCells[firstCell_[b] + cell]);
+                            });
+        }
+    const std::vector<double> areas_m2 = areasOfSenders_m2();
     for (LightThrough& one : through_)
         for (std::size_t s = 0; s < senders(); ++s)
             one.sun[s] = areas_m2[s] > 0.0 ? one.sun[s] / areas_m2[s] : 0.0;

@@ -108,6 +108,21 @@ LightPairs::LightPairs(std::size_t receivers, std::vector<std::vector<LightPart>
                       all.begin() + static_cast<std::ptrdiff_t>(begin[r] + kept[r]));
 }
 
+LightPairs::LightPairs(std::span<const Block> blocks) {
+    first_.push_back(0);
+    for (const Block& block : blocks)
+        for (std::size_t r = block.first; r < block.first + block.count; ++r)
+            first_.push_back(
+                first_.back() +
+                (block.pairs ? block.pairs->first_[r + 1] - block.pairs->first_[r] : 0));
+    pairs_.reserve(first_.back());
+    for (const Block& block : blocks)
+        for (std::size_t i = block.pairs ? block.pairs->first_[block.first] : 0;
+             block.pairs && i < block.pairs->first_[block.first + block.count]; ++i)
+            pairs_.push_back({block.pairs->pairs_[i].sender + block.addToSenders,
+                              block.pairs->pairs_[i].factor});
+}
+
 double LightPairs::sumOf(std::size_t receiver) const {
     const auto [first, last] = of(receiver);
     double sum = 0.0;
@@ -117,16 +132,30 @@ double LightPairs::sumOf(std::size_t receiver) const {
 }
 
 void LightPairs::gather(std::size_t receiver, std::span<const float> sent, std::size_t width,
-                        float* arrives) const {
+                        std::size_t count, float* arrives) const {
     const auto [first, last] = of(receiver);
     const std::span<const LightPair> pairs(first, last);
     std::size_t c = 0;
-    for (; c + 16 <= width; c += 16)
+    for (; c + 16 <= count; c += 16)
         gatherColumns<16>(pairs, sent.data() + c, width, arrives + c);
-    for (; c + 4 <= width; c += 4)
+    for (; c + 4 <= count; c += 4)
         gatherColumns<4>(pairs, sent.data() + c, width, arrives + c);
-    for (; c < width; ++c)
+    for (; c < count; ++c)
         gatherColumns<1>(pairs, sent.data() + c, width, arrives + c);
+}
+
+void WeightedPairs::gather(std::size_t receiver, std::span<const float> sent, std::size_t width,
+                           std::size_t count, float* arrives) const {
+    first_->gather(receiver, sent, width, count, arrives);
+    thread_local std::vector<float> own;
+    for (const auto& [pairs, factor] : others_) {
+        if (pairs->isEmpty(receiver))
+            continue;
+        own.resize(count);
+        pairs->gather(receiver, sent, width, count, own.data());
+        for (std::size_t c = 0; c < count; ++c)
+            arrives[c] += factor * own[c];
+    }
 }
 
 } // namespace irsg

@@ -38,23 +38,19 @@ std::shared_ptr<const LightPairs> lent(const LightPairs& pairs) {
 
 } // namespace
 
-/// What is sent through nothing, through transparent surfaces and through gas, and what that emits.
-std::shared_ptr<const LightPairs>
-LightFactors::summed(std::shared_ptr<const LightPairs> LightBalance::*which, const LightPairs& base,
-                     std::vector<float> LightThroughGas::*emitting) const {
+WeightedPairs LightFactors::withPassed(std::shared_ptr<const LightPairs> LightBalance::*which,
+                                       const LightPairs& base,
+                                       std::vector<float> LightThroughGas::*emitting) const {
+    WeightedPairs all(lent(base));
+    for (std::size_t i = 0; i < passing_.size(); ++i)
+        all.add(exchange_.through()[i].balance.*which, static_cast<float>(passing_[i]));
+    if (throughGas_.empty())
+        return all;
     std::vector<std::vector<LightPart>> parts(base.receivers());
-    parallelForSmall(base.receivers(), [&](std::uint32_t r) {
-        const auto add = [&](const LightPairs& pairs, float by) {
-            const auto [first, last] = pairs.of(r);
-            for (const LightPair* pair = first; pair != last && by != 0.0f; ++pair)
-                parts[r].push_back({r, pair->sender, by * pair->factor});
-        };
-        add(base, 1.0f);
-        for (std::size_t i = 0; i < passing_.size(); ++i)
-            add(*(exchange_.through()[i].balance.*which), static_cast<float>(passing_[i]));
-        addGas(r, which, emitting, parts[r]);
-    });
-    return std::make_shared<const LightPairs>(base.receivers(), std::move(parts));
+    parallelForSmall(base.receivers(),
+                     [&](std::uint32_t r) { addGas(r, which, emitting, parts[r]); });
+    all.add(std::make_shared<const LightPairs>(base.receivers(), std::move(parts)), 1.0f);
+    return all;
 }
 
 void LightFactors::addGas(std::uint32_t receiver,
@@ -86,11 +82,9 @@ LightFactors::LightFactors(const LightExchange& exchange, const LightKnot& knot)
             passes *= knot.transmissivities[pane];
     }
     takeGas(knot);
-    const bool isOne = pairs_ == between_ && throughGas_.empty();
-    pairs_ = summed(&LightBalance::pairs, exchange.pairs(), &LightThroughGas::emitting);
-    between_ = isOne ? pairs_
-                     : summed(&LightBalance::between, exchange.between(),
-                              &LightThroughGas::emittingToSenders);
+    pairs_ = withPassed(&LightBalance::pairs, exchange.pairs(), &LightThroughGas::emitting);
+    between_ =
+        withPassed(&LightBalance::between, exchange.between(), &LightThroughGas::emittingToSenders);
 }
 
 double LightFactors::passedByGas(std::size_t sender, const LightColumn& column) const {
@@ -212,6 +206,16 @@ LightSolution::LightSolution(const LightExchange& exchange, const std::vector<Li
         for (std::size_t gas = 0; gas < exchange.gasSenders().size(); ++gas)
             if (columns[c].row == exchange.gasSenders()[gas].row)
                 sent[(senders + gas) * sent_ + c] = 1.0f;
+    const std::vector<Columns> ofBodies =
+        columnsOfBodies(exchange, std::span(columns).first(sent_));
+    std::vector<std::size_t> passed;
+    std::vector<std::vector<std::size_t>> ofSun(exchange.rows()); // columns, by row
+    for (std::size_t c = 0; c < columns_; ++c) {
+        if (columns[c].isPassed())
+            passed.push_back(c);
+        if (columns[c].pattern == LightPattern::sun)
+            ofSun[static_cast<std::size_t>(columns[c].row)].push_back(c);
+    }
     // Each knot begins with what the last one ended with: reflectivities differ little.
     std::vector<float> leaving;
     for (std::size_t knot = 0; knot < knots_; ++knot) {
@@ -223,26 +227,26 @@ LightSolution::LightSolution(const LightExchange& exchange, const std::vector<Li
                 if (exchange.isSeen(s) && columns[c].row == exchange.rowOfSender(s))
                     sent[s * sent_ + c] =
                         static_cast<float>(factors.patternOf(s, columns[c].pattern));
-        iterate(factors, knots[knot].reflectivities, sent, sent_, bounces, error, leaving);
-        const std::vector<float> all = arriving(factors, leaving, sent_);
-        const auto rows = static_cast<int>(exchange.rows());
-        for (std::size_t p = 0; p < receiver_.size(); ++p) {
+        iterate(factors, knots[knot].reflectivities, sent, sent_, ofBodies, bounces, error,
+                leaving);
+        const std::vector<float> all = arriving(factors, leaving, sent_, ofBodies);
+        forEachInParts(receiver_.size(), [&](std::size_t p, std::size_t) {
             float* const own = &gathered_[(p * knots_ + knot) * columns_];
             std::copy_n(&all[p * sent_], sent_, own);
-            for (std::size_t c = 0; c < columns_ && factors.hasPassed(); ++c)
-                own[c] += static_cast<float>(factors.passedTo(receiver_[p], columns[c]));
+            if (factors.hasPassed())
+                for (const std::size_t c : passed)
+                    own[c] += static_cast<float>(factors.passedTo(receiver_[p], columns[c]));
             if (exchange.sunBesideMean().size() == 0)
-                continue;
+                return;
             const auto [first, last] = exchange.sunBesideMean().of(receiver_[p]);
             for (const LightPair* pair = first; pair != last; ++pair)
-                for (std::size_t c = 0; c < columns_; ++c)
-                    if (columns[c].pattern == LightPattern::sun &&
-                        columns[c].row == static_cast<int>(pair->sender) % rows)
-                        own[c] += passes(factors, pair->sender, exchange.rows()) * pair->factor;
-        }
+                for (const std::size_t c : ofSun[pair->sender % exchange.rows()])
+                    own[c] += passes(factors, pair->sender, exchange.rows()) * pair->factor;
+        });
         forEachInParts(senders, [&](std::size_t s, std::size_t) {
-            factors.between().gather(s, leaving, sent_,
-                                     &ofSenders_[(s * knots_ + knot) * columns_]);
+            const auto [first, count] = ofBodies[exchange.bodyOfSender(s)];
+            factors.between().gather(s, std::span(leaving).subspan(first), sent_, count,
+                                     &ofSenders_[(s * knots_ + knot) * columns_ + first]);
         });
         if (reflected_ > 0)
             takeReflected(factors, columns, knot, leaving);
@@ -259,7 +263,7 @@ void LightSolution::takeReflected(const LightFactors& factors,
     if (const LightPairs* const gas = factors.changesByGas()) {
         changes.resize(senders * sent_);
         for (std::size_t s = 0; s < senders; ++s)
-            gas->gather(s, leaving, sent_, &changes[s * sent_]);
+            gas->gather(s, leaving, sent_, sent_, &changes[s * sent_]);
     }
     const auto valueOf = [&](std::size_t i, std::size_t c) {
         const LightColumn& column = columns[c];
@@ -301,16 +305,39 @@ std::vector<float> LightSolution::arriving(const LightExchange& exchange, const 
                                            int bounces, double error) const {
     const LightFactors factors(exchange, knot);
     std::vector<float> leaving;
-    iterate(factors, knot.reflectivities, sent, width, bounces, error, leaving);
-    return arriving(factors, leaving, width);
+    const std::vector<Columns> all(exchange.bodies().size(), {0, width});
+    iterate(factors, knot.reflectivities, sent, width, all, bounces, error, leaving);
+    return arriving(factors, leaving, width, all);
+}
+
+std::vector<LightSolution::Columns>
+LightSolution::columnsOfBodies(const LightExchange& exchange, std::span<const LightColumn> sent) {
+    std::vector<Columns> all(exchange.bodies().size(), {0, sent.size()});
+    if (!exchange.areApart())
+        return all;
+    for (std::size_t b = 0; b < all.size(); ++b) {
+        const auto isOfBody = [&](const LightColumn& column) {
+            return exchange.bodyOfRow(column.row) == b;
+        };
+        const auto first = std::ranges::find_if(sent, isOfBody);
+        auto last = sent.end();
+        while (last != first && !isOfBody(*std::prev(last)))
+            --last;
+        all[b] = {static_cast<std::size_t>(first - sent.begin()),
+                  static_cast<std::size_t>(last - first)};
+    }
+    return all;
 }
 
 std::vector<float> LightSolution::arriving(const LightFactors& factors,
-                                           const std::vector<float>& leaving,
-                                           std::size_t width) const {
+                                           const std::vector<float>& leaving, std::size_t width,
+                                           std::span<const Columns> ofBodies) const {
     std::vector<float> all(factors.exchange().receivers() * width);
     forEachInParts(receiver_.size(), [&](std::size_t p, std::size_t) {
-        factors.pairs().gather(receiver_[p], leaving, width, &all[receiver_[p] * width]);
+        const std::size_t r = receiver_[p];
+        const auto [first, count] = ofBodies[factors.exchange().bodyOf(r)];
+        factors.pairs().gather(r, std::span(leaving).subspan(first), width, count,
+                               &all[r * width + first]);
     });
     factors.exchange().sharpen(all, width);
     std::vector<float> arrives(places() * width);
@@ -323,13 +350,15 @@ std::vector<float> LightSolution::arriving(const LightFactors& factors,
     std::copy_n(leaving.data(), exchange.senders() * width, &arrives[receiver_.size() * width]);
     for (std::size_t s = 0; exchange.areMirrorsFollowed() && s < exchange.senders(); ++s)
         factors.between().gather(
-            s, leaving, width, &arrives[(receiver_.size() + exchange.firstReceived() + s) * width]);
+            s, leaving, width, width,
+            &arrives[(receiver_.size() + exchange.firstReceived() + s) * width]);
     return arrives;
 }
 
 void LightSolution::iterate(const LightFactors& factors, const std::vector<double>& reflectivities,
-                            const std::vector<float>& sent, std::size_t width, int bounces,
-                            double error, std::vector<float>& leaving) {
+                            const std::vector<float>& sent, std::size_t width,
+                            std::span<const Columns> ofBodies, int bounces, double error,
+                            std::vector<float>& leaving) {
     // A change from the last knot's is that of a first iteration, too.
     const int fewest = leaving.empty() ? 3 : 2;
     if (leaving.empty())
@@ -348,10 +377,12 @@ void LightSolution::iterate(const LightFactors& factors, const std::vector<doubl
         forEachInParts(reflecting.size(), [&](std::size_t i, std::size_t part) {
             const std::size_t s = reflecting[i];
             float* own = rooms[part].data();
-            factors.between().gather(s, leaving, width, own);
+            const auto [first, count] = ofBodies[exchange.bodyOfSender(s)];
+            factors.between().gather(s, std::span(leaving).subspan(first), width, count,
+                                     own + first);
             const auto rho = static_cast<float>(
                 reflectivities[static_cast<std::size_t>(exchange.rowOfSender(s))]);
-            for (std::size_t c = 0; c < width; ++c) {
+            for (std::size_t c = first; c < first + count; ++c) {
                 const float now = sent[s * width + c] + rho * own[c];
                 changes[part] = std::max(changes[part], std::abs(now - leaving[s * width + c]));
                 largest[part] = std::max(largest[part], now);

@@ -43,8 +43,8 @@ class LightFactors {
 
     const LightExchange& exchange() const { return exchange_; }
     /// As the exchange has them, of receivers and between senders.
-    const LightPairs& pairs() const { return *pairs_; }
-    const LightPairs& between() const { return *between_; }
+    const WeightedPairs& pairs() const { return pairs_; }
+    const WeightedPairs& between() const { return between_; }
     /// How much passes each set of LightExchange::through.
     std::span<const double> passing() const { return passing_; }
     /// Whether anything comes through transparent surfaces or gas.
@@ -70,15 +70,17 @@ class LightFactors {
     void addGas(std::uint32_t receiver, std::shared_ptr<const LightPairs> LightBalance::*which,
                 std::vector<float> LightThroughGas::*emitting, std::vector<LightPart>& parts) const;
     bool isBodyOf(std::size_t sender, const LightColumn& column) const;
-    std::shared_ptr<const LightPairs> summed(std::shared_ptr<const LightPairs> LightBalance::*which,
-                                             const LightPairs& base,
-                                             std::vector<float> LightThroughGas::*emitting) const;
+    /// Of what surfaces send each other through nothing, the rest added.
+    WeightedPairs withPassed(std::shared_ptr<const LightPairs> LightBalance::*which,
+                             const LightPairs& base,
+                             std::vector<float> LightThroughGas::*emitting) const;
     void takeGas(const LightKnot& knot);
 
     const LightExchange& exchange_;
     std::vector<double> passing_;
     std::vector<ThroughGas> throughGas_;
-    std::shared_ptr<const LightPairs> pairs_, between_, changesByGas_;
+    WeightedPairs pairs_, between_;
+    std::shared_ptr<const LightPairs> changesByGas_;
 };
 
 /// What receivers get of each column, at a radiance of 1: directly, after some reflections, or
@@ -116,15 +118,23 @@ class LightSolution {
                                 double error) const;
 
   private:
+    /// Columns that the surfaces of a body may get anything of.
+    struct Columns {
+        std::size_t first = 0, count = 0;
+    };
+    /// By body: where bodies are apart, those of each alone; else all.
+    static std::vector<Columns> columnsOfBodies(const LightExchange& exchange,
+                                                std::span<const LightColumn> sent);
     std::vector<float> arriving(const LightFactors& factors, const std::vector<float>& leaving,
-                                std::size_t width) const;
+                                std::size_t width, std::span<const Columns> ofBodies) const;
     /// Fills in what lobes reflect, at a knot.
     void takeReflected(const LightFactors& factors, const std::vector<LightColumn>& columns,
                        std::size_t knot, const std::vector<float>& leaving);
     /// What leaves senders in the end, beginning with `leaving` unless it is empty.
     static void iterate(const LightFactors& factors, const std::vector<double>& reflectivities,
-                        const std::vector<float>& sent, std::size_t width, int bounces,
-                        double error, std::vector<float>& leaving);
+                        const std::vector<float>& sent, std::size_t width,
+                        std::span<const Columns> ofBodies, int bounces, double error,
+                        std::vector<float>& leaving);
 
     std::size_t columns_, knots_;
     std::size_t sent_ = 0;              // columns that senders send, the first

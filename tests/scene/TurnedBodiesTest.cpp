@@ -1,0 +1,224 @@
+// Inter-reflection of bodies that turn, and of bodies that are far from each other.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "irsg/radiance/exchange/LightSolution.h"
+#include "irsg/radiometry/Units.h"
+#include "tests/support/RaysTest.h"
+#include "tests/support/RevolvedMeshes.h"
+
+using namespace irsg;
+using namespace irsg::test;
+
+namespace {
+
+class TurnedBodies : public RaysTest {};
+
+double skyFactor(double cosine) {
+    return 0.5 * (1.0 + cosine);
+}
+
+std::shared_ptr<const BodyLight> madeBody(const PieceUses& uses,
+                                          const std::shared_ptr<const RayMesh>& rays) {
+    ExchangeResolution resolution;
+    resolution.isAlone = true;
+    return std::make_shared<const BodyLight>(
+        std::make_shared<const ExchangeNodes>(
+            std::make_shared<const ExchangeMesh>(rays, uses, resolution), resolution),
+        uses, 0.01);
+}
+
+/// A ball between two discs, over a pane.
+struct SampleBody {
+    SampleBody() {
+        Triangles all = disc(1.0, 0.0, {1, 1});
+        for (const Triangles& more : {moved(sphereOfEqualArea(0.3, 12, {2, 2}), {0.2, 0.1, 0.6}),
+                                      disc(0.5, 1.2, {3, 3}, false), disc(0.25, 0.2, {4, 4})}) {
+            all.insert(all.end(), more.begin(), more.end());
+        }
+        mesh = modelOf(all)->mesh();
+        rays = RayMesh::of(mesh);
+        uses = PieceUses(mesh->pieces.size());
+        for (std::size_t i = 0; i < mesh->pieces.size(); ++i) {
+            const int code = mesh->partOf(mesh->pieces[i]).codes.material;
+            uses.set(i, {true, code == 4, false, 0, code == 4 ? 1 : 0});
+            materials.push_back(code);
+        }
+        light = madeBody(uses, rays);
+    }
+    SunShadows::Caster at(int entity, const Vec3& where_m, double yaw_rad, int firstRow) const {
+        SunShadows::Caster caster{entity, rays, Pose{}, uses, {}, materials};
+        caster.pose.position_m = where_m;
+        caster.pose.attitude.yaw_rad = yaw_rad;
+        caster.pose.attitude.roll_rad = 0.4 * yaw_rad;
+        for (std::size_t i = 0; i < materials.size(); ++i) {
+            caster.rows.push_back(firstRow + static_cast<int>(i));
+        }
+        return caster;
+    }
+
+    std::shared_ptr<const Mesh> mesh;
+    std::shared_ptr<const RayMesh> rays;
+    PieceUses uses{0};
+    std::vector<int> materials;
+    std::shared_ptr<const BodyLight> light;
+};
+
+LightExchange exchangeOf(const std::vector<SunShadows::Caster>& casters,
+                         const std::vector<std::shared_ptr<const BodyLight>>& lights) {
+    LightSources sources;
+    sources.towardsSun = normalized(Vec3{0.3, -0.2, 0.8});
+    sources.skyOf = skyFactor;
+    std::vector<LightExchange::Body> bodies;
+    for (std::size_t b = 0; b < casters.size(); ++b) {
+        LightExchange::Extent extent{casters[b].pose.position_m, 1.6, 2.0, {1.0}};
+        bodies.push_back({casters[b].entity, lights[b], extent});
+    }
+    return LightExchange(std::move(bodies), casters, sources, 0.01);
+}
+
+/// All that knows where a body turns, of receivers and senders from some on.
+std::vector<double> numbersOf(const LightExchange& exchange, std::size_t firstReceiver,
+                              std::size_t receivers, std::size_t firstSender, std::size_t senders,
+                              int rowsBefore) {
+    std::vector<double> all;
+    const auto addPairs = [&](const LightPairs& pairs, std::size_t first, std::size_t count,
+                              std::size_t sendersBefore) {
+        for (std::size_t r = first; r < first + count; ++r) {
+            const auto [begin, end] = pairs.of(r);
+            for (const LightPair* pair = begin; pair != end; ++pair) {
+                all.push_back(static_cast<double>(pair->sender - sendersBefore));
+                all.push_back(static_cast<double>(pair->factor));
+            }
+        }
+    };
+    addPairs(exchange.pairs(), firstReceiver, receivers, firstSender);
+    addPairs(exchange.between(), firstSender, senders, firstSender);
+    for (std::size_t r = firstReceiver; r < firstReceiver + receivers; ++r) {
+        all.push_back(exchange.loss(r).sky);
+        all.push_back(exchange.loss(r).ground);
+    }
+    for (std::size_t s = firstSender; s < firstSender + senders; ++s) {
+        all.push_back(exchange.sky(s));
+        all.push_back(exchange.ground(s));
+        all.push_back(exchange.sun(s));
+    }
+    for (std::size_t r = firstReceiver; r < firstReceiver + receivers; ++r) {
+        const auto [begin, end] = exchange.sunBesideMean().of(r);
+        for (const LightPair* pair = begin; pair != end; ++pair) {
+            all.push_back(static_cast<double>(pair->sender % exchange.rows()) - rowsBefore);
+            all.push_back(static_cast<double>(pair->factor));
+        }
+    }
+    return all;
+}
+
+std::vector<double> numbersOf(const LightExchange& exchange) {
+    return numbersOf(exchange, 0, exchange.receivers(), 0, exchange.senders(), 0);
+}
+
+} // namespace
+
+TEST_F(TurnedBodies, HaveTheSameNumbersFromWhatIsKeptOfThem) {
+    const SampleBody body;
+    for (const double yaw_rad : {0.0, 0.7, 2.5}) {
+        const SunShadows::Caster caster = body.at(0, {0, 0, 500}, yaw_rad, 0);
+        // One that nobody has turned yet beside one that was turned twice and more.
+        const auto fresh = madeBody(body.uses, body.rays);
+        const std::vector<double> once = numbersOf(exchangeOf({caster}, {fresh}));
+        for (int i = 0; i < 2; ++i) {
+            EXPECT_EQ(numbersOf(exchangeOf({caster}, {body.light})), once) << yaw_rad;
+        }
+        EXPECT_GT(once.size(), 1000u);
+    }
+}
+
+TEST_F(TurnedBodies, LoseSkyAndGroundAsTheyTurn) {
+    const SampleBody body;
+    const LightExchange level = exchangeOf({body.at(0, {0, 0, 500}, 0.0, 0)}, {body.light});
+    const LightExchange over = exchangeOf({body.at(0, {0, 0, 500}, 2.5 * pi, 0)}, {body.light});
+    double sky = 0.0, ground = 0.0, whole = 0.0, overSky = 0.0, overGround = 0.0;
+    for (std::size_t r = 0; r < level.receivers(); ++r) {
+        sky += level.loss(r).sky;
+        ground += level.loss(r).ground;
+        overSky += over.loss(r).sky;
+        overGround += over.loss(r).ground;
+        whole += level.seen(r);
+    }
+    // What is before a surface is before it however the body turns; a roll by half a turn makes
+    // ground of sky.
+    EXPECT_NEAR(sky + ground, whole, 2e-3 * whole);
+    EXPECT_NEAR(overSky, ground, 2e-3 * whole);
+    EXPECT_NEAR(overGround, sky, 2e-3 * whole);
+    EXPECT_GT(std::abs(sky - ground), 0.02 * whole);
+}
+
+TEST_F(TurnedBodies, FarFromEachOtherAreAsEachAlone) {
+    const SampleBody body, other;
+    const auto rows = static_cast<int>(body.materials.size());
+    const SunShadows::Caster near = body.at(0, {0, 0, 500}, 0.7, 0);
+    const SunShadows::Caster far = other.at(1, {400, 300, 700}, 1.9, rows);
+    const LightExchange first = exchangeOf({near}, {body.light});
+    const LightExchange second =
+        exchangeOf({other.at(1, far.pose.position_m, 1.9, 0)}, {other.light});
+    const LightExchange both = exchangeOf({near, far}, {body.light, other.light});
+    ASSERT_TRUE(both.areApart());
+    ASSERT_EQ(both.receivers(), first.receivers() + second.receivers());
+    EXPECT_EQ(numbersOf(both, 0, first.receivers(), 0, first.senders(), 0), numbersOf(first));
+    EXPECT_EQ(numbersOf(both, first.receivers(), second.receivers(), first.senders(),
+                        second.senders(), rows),
+              numbersOf(second));
+    // One that stands beside them changes none of the far one.
+    const SunShadows::Caster beside = body.at(2, {3, 0, 500}, 0.7, 2 * rows);
+    const LightExchange three =
+        exchangeOf({near, far, beside}, {body.light, other.light, body.light});
+    EXPECT_FALSE(three.areApart());
+    EXPECT_EQ(numbersOf(three, first.receivers(), second.receivers(), first.senders(),
+                        second.senders(), rows),
+              numbersOf(second));
+}
+
+TEST_F(TurnedBodies, FarFromEachOtherAreSolvedAsEachAlone) {
+    const SampleBody body, other;
+    const auto rows = static_cast<int>(body.materials.size());
+    const auto columnsOf = [&](int firstRow) {
+        std::vector<LightColumn> columns;
+        for (int row = 0; row < rows; ++row) {
+            for (const LightPattern pattern :
+                 {LightPattern::emission, LightPattern::sky, LightPattern::sun}) {
+                columns.push_back({firstRow + row, 0, pattern});
+            }
+        }
+        return columns;
+    };
+    const auto knotOf = [](const LightExchange& exchange) {
+        return LightKnot{std::vector<double>(exchange.rows(), 0.6),
+                         std::vector<double>(exchange.panes().size(), 0.5),
+                         {}};
+    };
+    const SunShadows::Caster near = body.at(0, {0, 0, 500}, 0.7, 0);
+    const SunShadows::Caster far = other.at(1, {400, 300, 700}, 1.9, rows);
+    const LightExchange one = exchangeOf({near}, {body.light});
+    const LightExchange both = exchangeOf({near, far}, {body.light, other.light});
+    std::vector<LightColumn> columns = columnsOf(0), more = columnsOf(rows);
+    const LightSolution alone(one, columns, {knotOf(one)}, -1, 1e-7);
+    columns.insert(columns.end(), more.begin(), more.end());
+    const LightSolution together(both, columns, {knotOf(both)}, -1, 1e-7);
+    double most = 0.0;
+    for (std::size_t r = 0; r < one.receivers(); ++r) {
+        const std::span<const float> own = alone.of(r), all = together.of(r);
+        ASSERT_EQ(own.empty(), all.empty());
+        for (std::size_t c = 0; c < own.size(); ++c) {
+            EXPECT_NEAR(all[c], own[c], 2e-6) << r << ' ' << c;
+            most = std::max(most, static_cast<double>(own[c]));
+        }
+        for (std::size_t c = own.size(); c < all.size(); ++c) {
+            EXPECT_EQ(all[c], 0.0f);
+        }
+    }
+    EXPECT_GT(most, 0.1);
+}
