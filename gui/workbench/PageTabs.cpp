@@ -153,18 +153,30 @@ void PageTabs::noteFocus() {
 
 bool PageTabs::eventFilter(QObject* watched, QEvent* event) {
     QTabWidget* row = watched == tabBar() ? this : beside_;
-    const auto* mouse = static_cast<QMouseEvent*>(event);
-    if (event->type() == QEvent::MouseButtonPress && mouse->button() == Qt::LeftButton) {
-        dragged_ = row->widget(row->tabBar()->tabAt(mouse->pos()));
-    } else if (event->type() == QEvent::MouseMove && dragged_ != nullptr) {
-        const bool isOutside = !row->tabBar()->rect().contains(mouse->pos());
-        if (isOutside && dragged_ != widget(0))
+    switch (event->type()) {
+    case QEvent::MouseButtonPress: {
+        const auto& mouse = static_cast<QMouseEvent&>(*event);
+        if (mouse.button() == Qt::LeftButton)
+            dragged_ = row->widget(row->tabBar()->tabAt(mouse.pos()));
+        break;
+    }
+    case QEvent::MouseMove:
+        if (dragged_ == nullptr)
+            break;
+        if (!row->tabBar()->rect().contains(static_cast<QMouseEvent&>(*event).pos()) &&
+            dragged_ != widget(0))
             row->tabBar()->setCursor(Qt::DragMoveCursor);
         else
             row->tabBar()->unsetCursor();
-    } else if (event->type() == QEvent::MouseButtonRelease && dragged_ != nullptr) {
+        break;
+    case QEvent::MouseButtonRelease:
+        if (dragged_ == nullptr)
+            break;
         row->tabBar()->unsetCursor();
-        drop(*row, mouse->globalPosition().toPoint());
+        drop(*row, static_cast<QMouseEvent&>(*event).globalPosition().toPoint());
+        break;
+    default:
+        break;
     }
     return QTabWidget::eventFilter(watched, event);
 }
