@@ -252,9 +252,11 @@ void SampleRadiances::evaluate(const GeometrySamples& samples, RadianceSamples& 
     radiances_.prepare(kinds);
     if (light_) {
         light_->prepare(kinds);
+        std::vector<SurfaceStackId> lit;
         for (const SurfaceStackId& kind : kinds)
             if (light_->matters(rows_.renderedOf(kind.row)))
-                light_->atReceivers(kind);
+                lit.push_back(kind);
+        light_->prepareAtReceivers(lit);
     }
     for (SamplesOfPart& part : all)
         part.takePrepared();

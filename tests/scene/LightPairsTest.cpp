@@ -1,4 +1,5 @@
 #include "irsg/radiance/exchange/LightPairs.h"
+#include "irsg/radiance/exchange/GatheredSums.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -93,6 +94,38 @@ TEST(LightPairs, WhatArrivesIsTheSumOverSendersInEachOfAnyNumberOfColumns) {
             pairs.gather(r, sent, width, width, arrives.data());
             EXPECT_EQ(arrives, expected) << "receiver " << r << " of " << width << " columns";
         }
+    }
+}
+
+TEST(GatheredSums, AreMadeInTheOrderOfWhatIsGatheredWhateverIsMadeBesideThem) {
+    for (const std::size_t kinds : {1u, 3u, 4u, 9u}) {
+        constexpr std::size_t count = 37;
+        std::vector<std::vector<double>> integrals(kinds, std::vector<double>(2 + count));
+        std::vector<std::vector<float>> receivers(GatheredSums::together,
+                                                  std::vector<float>(count));
+        receivers[2].clear(); // gathers nothing
+        for (std::size_t i = 0; i < count; ++i) {
+            for (std::size_t k = 0; k < kinds; ++k) {
+                integrals[k][2 + i] = 1.0 / static_cast<double>(1 + (7 * i + k) % 23);
+            }
+            for (std::size_t r = 0; r < receivers.size(); ++r) {
+                if (!receivers[r].empty()) {
+                    receivers[r][i] = 1.0f / static_cast<float>(1 + (5 * i + r) % 19);
+                }
+            }
+        }
+        const GatheredSums others({integrals.begin(), integrals.end()}, 2);
+        std::vector<double> sums(kinds * receivers.size(), 0.5), expected = sums;
+        for (std::size_t r = 0; r < receivers.size(); ++r) {
+            for (std::size_t k = 0; k < kinds; ++k) {
+                for (std::size_t i = 0; i < receivers[r].size(); ++i) {
+                    expected[r * kinds + k] +=
+                        static_cast<double>(receivers[r][i]) * integrals[k][2 + i];
+                }
+            }
+        }
+        others.add({receivers[0], receivers[1], receivers[2], receivers[3]}, sums);
+        EXPECT_EQ(sums, expected) << kinds;
     }
 }
 

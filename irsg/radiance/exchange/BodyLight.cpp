@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "irsg/core/ParallelFor.h"
 
@@ -18,6 +20,39 @@ struct BodyLight::Uses {
     PieceUses withBacks = own.withBacks();
 };
 
+namespace {
+
+/// Where a ray began, and where it went.
+struct RayStart {
+    explicit RayStart(const BodyLight::LightStart& start)
+        : place(start.from.place),
+          along{static_cast<float>(start.ray.direction.x),
+                static_cast<float>(start.ray.direction.y),
+                static_cast<float>(start.ray.direction.z)} {}
+
+    ExchangeMesh::Place place;
+    std::array<float, 3> along;
+};
+
+PatchRays byCells(const std::vector<RayStart>& starts) {
+    PatchRays made;
+    std::vector<std::uint32_t> order(starts.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return starts[i].place.cell; });
+    made.rays.reserve(starts.size());
+    for (const std::uint32_t i : order) {
+        const RayStart& start = starts[i];
+        made.rays.push_back({i, start.place.u, start.place.v, start.along});
+        if (made.cells.empty() || made.cells.back().cell != start.place.cell)
+            made.cells.push_back({start.place.cell, 0});
+        made.cells.back().end = static_cast<std::uint32_t>(made.rays.size());
+    }
+    made.cells.shrink_to_fit();
+    return made;
+}
+
+} // namespace
+
 /// What a patch has sent.
 struct BodyLight::Sending {
     /// How many rays meet the body, their directions, and how many meet each of some halves of its
@@ -27,7 +62,8 @@ struct BodyLight::Sending {
 
     std::uint32_t sent = 0;
     std::vector<LightRay> hits;
-    std::vector<double> weights; ///< by near node: its parts of the places where rays begin
+    std::vector<RayStart> starts; ///< of hits
+    std::vector<double> weights;  ///< by near node: its parts of the places where rays begin
     Moments moments{}, ofFirstHalf{};
 
     /// The variances of a single ray's moments: of all of them, and the greatest. Never 0, however
@@ -93,59 +129,36 @@ BodyLight::LightStart BodyLight::Rays::at(std::uint32_t index) const {
     return start;
 }
 
-PatchRays BodyLight::byCells(std::uint32_t patch) const {
-    PatchRays made;
-    if (sent_[patch] == 0)
-        return made;
-    const Rays rays(*nodes_, patch);
-    const std::span<const LightRay> all = raysOf(patch);
-    std::vector<std::uint32_t> cells(all.size()), order(all.size());
-    std::vector<PatchRays::Ray> inTurn(all.size());
-    for (std::uint32_t i = 0; i < all.size(); ++i) {
-        if (i > 0 && all[i].index == all[i - 1].index) {
-            inTurn[i] = inTurn[i - 1];
-            cells[i] = cells[i - 1];
-        } else {
-            const LightStart start = rays.at(all[i].index);
-            const Vec3& along = start.ray.direction;
-            cells[i] = start.from.place.cell;
-            inTurn[i] = {i,
-                         start.from.place.u,
-                         start.from.place.v,
-                         {static_cast<float>(along.x), static_cast<float>(along.y),
-                          static_cast<float>(along.z)}};
-        }
-        inTurn[i].number = order[i] = i;
-    }
-    std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return cells[i]; });
-    made.rays.reserve(all.size());
-    for (const std::uint32_t i : order) {
-        made.rays.push_back(inTurn[i]);
-        if (made.cells.empty() || made.cells.back().cell != cells[i])
-            made.cells.push_back({cells[i], 0});
-        ++made.cells.back().end;
-    }
-    for (std::size_t c = 1; c < made.cells.size(); ++c)
-        made.cells[c].end += made.cells[c - 1].end;
-    made.cells.shrink_to_fit();
-    return made;
+std::shared_ptr<const TurnedBody> BodyLight::turned() const {
+    const std::lock_guard lock(turning_);
+    if (atHand_)
+        return std::exchange(atHand_, nullptr);
+    if (turned_)
+        return turned_;
+    auto made = std::make_shared<TurnedBody>();
+    made->rays.resize(sent_.size());
+    parallelForSmall(sent_.size(), [&](std::uint32_t patch) {
+        std::vector<RayStart> starts;
+        const Rays rays(*nodes_, patch);
+        const std::span<const LightRay> all = raysOf(patch);
+        for (std::size_t i = 0; i < all.size(); ++i)
+            starts.push_back(i > 0 && all[i].index == all[i - 1].index
+                                 ? starts.back()
+                                 : RayStart(rays.at(all[i].index)));
+        made->rays[patch] = byCells(starts);
+    });
+    made->areas_m2.resize(mesh().cells());
+    made->normals.resize(mesh().cells());
+    parallelForSmall(mesh().cells(), [&](std::uint32_t cell) {
+        made->areas_m2[cell] = mesh().area_m2(cell);
+        made->normals[cell] = mesh().normal(cell);
+    });
+    return turned_ = std::move(made);
 }
 
-const TurnedBody* BodyLight::turned() const {
-    if (!wasTurned_.exchange(true))
-        return nullptr;
-    std::call_once(madeTurned_, [&] {
-        turned_.rays.resize(sent_.size());
-        parallelForSmall(sent_.size(),
-                         [&](std::uint32_t patch) { turned_.rays[patch] = byCells(patch); });
-        turned_.areas_m2.resize(mesh().cells());
-        turned_.normals.resize(mesh().cells());
-        parallelForSmall(mesh().cells(), [&](std::uint32_t cell) {
-            turned_.areas_m2[cell] = mesh().area_m2(cell);
-            turned_.normals[cell] = mesh().normal(cell);
-        });
-    });
-    return &turned_;
+void BodyLight::forgetRays() const {
+    const std::lock_guard lock(turning_);
+    atHand_ = nullptr;
 }
 
 BodyLight::BodyLight(std::shared_ptr<const ExchangeNodes> nodes, const PieceUses& uses,
@@ -285,14 +298,17 @@ void BodyLight::send(Sending& sending, std::uint32_t patch, const Uses& uses,
                 }
                 sending.hits.push_back({index, isGas || one.distance_m > back_m, 0,
                                         static_cast<float>(one.distance_m), place});
+                sending.starts.emplace_back(start);
                 return true;
             };
             sortPassed(uses.own, through);
             for (const RayHit& passed : through)
                 add(passed);
-            if (!(isMet && add(hit)) && sending.hits.size() > before)
+            if (!(isMet && add(hit)) && sending.hits.size() > before) {
                 sending.hits.push_back(
                     {index, false, 0, std::numeric_limits<float>::infinity(), {}});
+                sending.starts.emplace_back(start);
+            }
         }
     };
     sendUpTo(wanted / 2);
@@ -312,9 +328,10 @@ void BodyLight::sortPassed(const PieceUses& uses, std::vector<RayHit>& through) 
     through.resize(std::min(through.size(), mostPassed));
 }
 
-void BodyLight::numberPassages(std::vector<LightRay>& hits, const PieceUses& uses) {
+void BodyLight::numberPassages(Sending& sending, const PieceUses& uses) {
     if (!uses.areAnyPanes())
         return;
+    std::vector<LightRay>& hits = sending.hits;
     std::size_t kept = 0;
     int passed = 0;
     for (std::size_t i = 0; i < hits.size(); ++i) {
@@ -333,9 +350,12 @@ void BodyLight::numberPassages(std::vector<LightRay>& hits, const PieceUses& use
         } else if (isFirst) {
             continue;
         }
+        sending.starts[kept] = sending.starts[i];
         hits[kept++] = ray;
     }
     hits.resize(kept);
+    sending.starts.erase(sending.starts.begin() + static_cast<std::ptrdiff_t>(kept),
+                         sending.starts.end());
 }
 
 void BodyLight::gather(std::vector<Sending>& sendings, const PieceUses& uses) {
@@ -360,10 +380,11 @@ void BodyLight::gather(std::vector<Sending>& sendings, const PieceUses& uses) {
         hits += sending.hits.size();
     rays_.reserve(hits);
     for (std::uint32_t patch = 0; patch < sendings.size(); ++patch) {
-        Sending sending = std::move(sendings[patch]);
-        numberPassages(sending.hits, uses);
+        Sending& sending = sendings[patch];
+        numberPassages(sending, uses);
         sent_.push_back(sending.sent);
         rays_.insert(rays_.end(), sending.hits.begin(), sending.hits.end());
+        sending.hits = {};
         first_.push_back(rays_.size());
         const auto near = nodes_->near(patch);
         for (std::size_t i = 0; i < near.size() && sending.sent > 0; ++i) {
@@ -376,14 +397,18 @@ void BodyLight::gather(std::vector<Sending>& sendings, const PieceUses& uses) {
     using Lists = std::vector<std::vector<LightPart>>; // by patch
     const std::size_t passages = std::min(passages_.size(), mostPassages + 1);
     std::vector<Lists> parts(passages, Lists(sendings.size())), oneWay = parts;
+    auto atHand = std::make_shared<TurnedBody>();
+    atHand->rays.resize(sendings.size());
     parallelForSmall(sendings.size(), [&](std::uint32_t patch) {
-        const Rays rays(*nodes_, patch);
-        for (const LightRay& ray : raysOf(patch)) {
+        const std::vector<RayStart> starts = std::move(sendings[patch].starts);
+        const std::span<const LightRay> rays = raysOf(patch);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const LightRay& ray = rays[i];
             if (!ray.meetsAnything())
                 continue;
             const auto senders = ExchangeNodes::OfPlace(*nodes_, ray.place).ofSenders(*nodes_);
             for (const ExchangeNodes::Share& own :
-                 ExchangeNodes::OfPlace(*nodes_, rays.at(ray.index).from.place)) {
+                 ExchangeNodes::OfPlace(*nodes_, starts[i].place)) {
                 const float scale = own.part * scalesOf(patch)[nodes_->placeNear(patch, own.node)];
                 for (const ExchangeNodes::Share& sender : senders)
                     (ray.isOneWay ? oneWay : parts)[ray.passage][patch].push_back(
@@ -394,7 +419,9 @@ void BodyLight::gather(std::vector<Sending>& sendings, const PieceUses& uses) {
             mergeParts(parts[passage][patch]);
             mergeParts(oneWay[passage][patch]);
         }
+        atHand->rays[patch] = byCells(starts);
     });
+    atHand_ = std::move(atHand);
     std::vector<ReceiverRays> receivers;
     for (std::uint32_t r = 0; r < nodes_->nodes(); ++r)
         receivers.push_back({nodes_->areaOf_m2(r), raysFrom_[r]});

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -35,7 +34,7 @@ struct PatchRays {
 /// What is computed anew of a body each time that it has turned, unless it is kept.
 struct TurnedBody {
     std::vector<PatchRays> rays;  ///< by patch
-    std::vector<double> areas_m2; ///< by cell, as the mesh has them
+    std::vector<double> areas_m2; ///< by cell, as the mesh has them; may be missing
     std::vector<Vec3> normals;    ///< likewise
 };
 
@@ -101,11 +100,11 @@ class BodyLight {
     std::span<const LightRay> raysOf(std::uint32_t patch) const {
         return std::span(rays_).subspan(first_[patch], first_[patch + 1] - first_[patch]);
     }
-    /// The same rays by cells.
-    PatchRays byCells(std::uint32_t patch) const;
-    /// Null the first time: who asks again has turned the body, and will do so again. 28 bytes a
-    /// ray and 32 a cell.
-    const TurnedBody* turned() const;
+    /// The same rays by cells. At first what is at hand since they were sent; who asks again has
+    /// turned the body and will do so again, so that it is kept: 28 bytes a ray and 32 a cell.
+    std::shared_ptr<const TurnedBody> turned() const;
+    /// Leaves out what is at hand, since nobody will ask for it.
+    void forgetRays() const;
     /// By node that is near the patch: what a ray that meets something counts there, times the
     /// node's part of the place where it begins.
     std::span<const float> scalesOf(std::uint32_t patch) const {
@@ -136,7 +135,7 @@ class BodyLight {
     void refine(std::vector<Sending>& sendings, const Uses& uses, double error);
     void gather(std::vector<Sending>& sendings, const PieceUses& uses);
     /// Numbers what the rays of a patch pass.
-    void numberPassages(std::vector<LightRay>& hits, const PieceUses& uses);
+    void numberPassages(Sending& sending, const PieceUses& uses);
 
     std::shared_ptr<const ExchangeNodes> nodes_;
     std::vector<std::uint32_t> sent_; // by patch
@@ -150,9 +149,8 @@ class BodyLight {
     std::size_t allSent_ = 0;
     double error_ = 0.0;
     bool isLimited_ = false;
-    mutable std::atomic<bool> wasTurned_ = false;
-    mutable std::once_flag madeTurned_;
-    mutable TurnedBody turned_;
+    mutable std::mutex turning_;
+    mutable std::shared_ptr<const TurnedBody> atHand_, turned_;
 };
 
 } // namespace irsg

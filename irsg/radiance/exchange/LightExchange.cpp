@@ -64,8 +64,11 @@ LightExchange::LightExchange(std::vector<Body> bodies,
         making.isNearGround.push_back(
             sources.groundReflectivity && !making.terrain &&
             isNearGround(body.extent, error, *sources.groundReflectivity));
-    for (std::size_t b = 0; b < bodies_.size(); ++b)
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
         making.turned.push_back(making.isAlone(b) ? bodies_[b].light->turned() : nullptr);
+        if (!making.isAlone(b))
+            bodies_[b].light->forgetRays();
+    }
     making.error = error;
     number(casters);
     areApart_ = making.areAllAlone() && gases.empty();
@@ -217,14 +220,12 @@ void LightExchange::takePairs(Making& making) {
             known.push_back({body.light->nodes().areaOf_m2(r), body.light->raysFrom(r)});
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const ExchangeNodes& nodes = bodies_[b].light->nodes();
-        const BodyLight& light = *bodies_[b].light;
-        const TurnedBody* const turned = making.turned[b];
         parallelForSmall(nodes.nodes(), [&](std::uint32_t patch) {
             making.told[firstReceiver_[b] + patch].resize(nodes.near(patch).size());
             if (!making.isSeen(bodies_[b], patch))
                 return;
             if (making.isAlone(b))
-                takeOwn(making, b, patch, turned ? turned->rays[patch] : light.byCells(patch));
+                takeOwn(making, b, patch, making.turned[b]->rays[patch]);
             else
                 takeWithOthers(making, b, patch);
         });

@@ -70,14 +70,17 @@ struct LightExchange::Making {
     /// By cell: what the sun gives it through sets of materials, as factors.
     std::vector<std::vector<std::pair<std::vector<OccluderMaterial>, float>>> sunThrough{};
 
-    std::vector<const TurnedBody*> turned{}; ///< by body; null: it is computed
+    std::vector<std::shared_ptr<const TurnedBody>> turned{}; ///< by body that is alone, else null
 
     double area_m2(const std::vector<Body>& bodies, std::size_t body, std::uint32_t cell) const {
-        return turned[body] ? turned[body]->areas_m2[cell]
-                            : bodies[body].light->mesh().area_m2(cell);
+        return turned[body] && !turned[body]->areas_m2.empty()
+                   ? turned[body]->areas_m2[cell]
+                   : bodies[body].light->mesh().area_m2(cell);
     }
     Vec3 normal(const std::vector<Body>& bodies, std::size_t body, std::uint32_t cell) const {
-        return turned[body] ? turned[body]->normals[cell] : bodies[body].light->mesh().normal(cell);
+        return turned[body] && !turned[body]->normals.empty()
+                   ? turned[body]->normals[cell]
+                   : bodies[body].light->mesh().normal(cell);
     }
     /// The material of a transparent piece.
     OccluderMaterial paneOf(std::size_t body, std::size_t piece) const {

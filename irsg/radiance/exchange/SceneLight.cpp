@@ -7,6 +7,7 @@
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/ParallelFor.h"
+#include "irsg/radiance/exchange/GatheredSums.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
@@ -82,15 +83,6 @@ class CurveDivision {
     double off_, step_;
     std::vector<std::size_t> places_;
 };
-
-/// `light`, and with it what a receiver gathers of others, by the integrals of their columns, which
-/// stand behind those of sky and ground.
-double withOthers(double light, std::span<const float> gathered,
-                  std::span<const double> integrals) {
-    for (std::size_t k = 0; k < gathered.size(); ++k)
-        light += static_cast<double>(gathered[k]) * integrals[2 + k];
-    return light;
-}
 
 /// How much columns of gas let through on the whole, by node; nothing without gas.
 std::vector<double> gasStrengths(const LightExchange& exchange,
@@ -357,20 +349,63 @@ SceneLight::findAtReceivers(const SurfaceStackId& kind) const {
 }
 
 const std::vector<SceneLight::AtReceiver>& SceneLight::atReceivers(const SurfaceStackId& kind) {
-    const auto [place, isNew] = atReceivers_.try_emplace({kind.stack, kind.row});
-    if (!isNew)
+    const auto place = atReceivers_.find({kind.stack, kind.row});
+    if (place != atReceivers_.end())
         return place->second;
-    prepare({kind});
-    const std::span<const double> sums = integrals(kind, 0);
-    const std::vector<std::uint32_t>& receivers = receiversOf(kind.row);
-    std::vector<AtReceiver>& all = place->second;
-    all.resize(receivers.size());
-    for (std::size_t n = 0; n < receivers.size(); ++n) {
-        const LightExchange::Loss& loss = exchange_->loss(receivers[n]);
-        const std::span<const float> gathered = solution_->of(receivers[n]);
-        all[n] = {loss.sky * sums[0], loss.ground * sums[1], withOthers(0.0, gathered, sums)};
+    prepareAtReceivers({kind});
+    return atReceivers_.at({kind.stack, kind.row});
+}
+
+void SceneLight::prepareAtReceivers(const std::vector<SurfaceStackId>& kinds) {
+    struct Missing {
+        std::vector<std::span<const double>> integrals;
+        std::vector<std::vector<AtReceiver>*> places;
+    };
+    prepare(kinds);
+    // Kinds of the same receivers share what is read of what these gather.
+    std::map<const std::vector<std::uint32_t>*, Missing> missing;
+    const bool areKept = radiometry_.outputs().size() <= mostOutputsCached;
+    for (const SurfaceStackId& kind : kinds) {
+        const auto [place, isNew] = atReceivers_.try_emplace({kind.stack, kind.row});
+        if (!isNew)
+            continue;
+        const std::vector<std::uint32_t>& receivers = receiversOf(kind.row);
+        place->second.resize(receivers.size());
+        if (!areKept) { // the next integrals take the place of these
+            fillAtReceivers(receivers, {integrals(kind, 0)}, {&place->second});
+            continue;
+        }
+        Missing& own = missing[&receivers];
+        own.integrals.push_back(integrals(kind, 0));
+        own.places.push_back(&place->second);
     }
-    return all;
+    for (const auto& [receivers, own] : missing)
+        fillAtReceivers(*receivers, own.integrals, own.places);
+}
+
+void SceneLight::fillAtReceivers(const std::vector<std::uint32_t>& receivers,
+                                 const std::vector<std::span<const double>>& integrals,
+                                 const std::vector<std::vector<AtReceiver>*>& places) const {
+    const GatheredSums others(integrals, 2);
+    const std::size_t kinds = integrals.size();
+    parallelForSmall(
+        (receivers.size() + GatheredSums::together - 1) / GatheredSums::together,
+        [&](std::uint32_t block) {
+            const std::size_t first = block * GatheredSums::together;
+            const std::size_t count = std::min(GatheredSums::together, receivers.size() - first);
+            std::array<std::span<const float>, GatheredSums::together> gathered;
+            for (std::size_t i = 0; i < count; ++i)
+                gathered[i] = solution_->of(receivers[first + i]);
+            thread_local std::vector<double> sums;
+            sums.assign(kinds * GatheredSums::together, 0.0);
+            others.add(gathered, sums);
+            for (std::size_t i = 0; i < count; ++i)
+                for (std::size_t k = 0; k < kinds; ++k) {
+                    const LightExchange::Loss& loss = exchange_->loss(receivers[first + i]);
+                    (*places[k])[first + i] = {loss.sky * integrals[k][0],
+                                               loss.ground * integrals[k][1], sums[i * kinds + k]};
+                }
+        });
 }
 
 bool SceneLight::sumsAtReceivers() const {
@@ -403,15 +438,26 @@ void SceneLight::prepareReceivers(const std::vector<const LightSums*>& views) {
         const std::vector<std::uint32_t>& receivers = receiversOf(kind.second);
         const std::vector<std::vector<double>>& integralsOf = known_.at(kind);
         Sent& sent = sent_.at(kind);
-        parallelForSmall(locals.size(), [&](std::uint32_t i) {
-            const std::uint32_t receiver = receivers[locals[i]];
-            const LightExchange::Loss& loss = exchange_->loss(receiver);
-            const std::span<const float> gathered = solution_->of(receiver);
-            for (std::size_t output = 0; output < outputs; ++output) {
-                const std::vector<double>& sums = integralsOf[output];
-                sent.radiance[output][locals[i]] =
-                    withOthers(loss.sky * sums[0] + loss.ground * sums[1], gathered, sums);
+        const GatheredSums others({integralsOf.begin(), integralsOf.end()}, 2);
+        constexpr std::size_t together = GatheredSums::together;
+        parallelForSmall((locals.size() + together - 1) / together, [&](std::uint32_t block) {
+            const std::size_t first = block * together;
+            const std::size_t count = std::min(together, locals.size() - first);
+            std::array<std::span<const float>, together> gathered;
+            thread_local std::vector<double> sums;
+            sums.assign(outputs * together, 0.0);
+            for (std::size_t i = 0; i < count; ++i) {
+                const std::uint32_t receiver = receivers[locals[first + i]];
+                const LightExchange::Loss& loss = exchange_->loss(receiver);
+                gathered[i] = solution_->of(receiver);
+                for (std::size_t output = 0; output < outputs; ++output)
+                    sums[i * outputs + output] =
+                        loss.sky * integralsOf[output][0] + loss.ground * integralsOf[output][1];
             }
+            others.add(gathered, sums);
+            for (std::size_t i = 0; i < count; ++i)
+                for (std::size_t output = 0; output < outputs; ++output)
+                    sent.radiance[output][locals[first + i]] = sums[i * outputs + output];
         });
     }
 }

@@ -73,6 +73,8 @@ class SceneLight {
     /// of that by sky and by ground, and what others give.
     using AtReceiver = std::array<double, 3>;
     const std::vector<AtReceiver>& atReceivers(const SurfaceStackId& kind);
+    /// Makes that of several kinds that light matters to, on all cores.
+    void prepareAtReceivers(const std::vector<SurfaceStackId>& kinds);
     /// The same where it was asked for before, else null.
     const std::vector<AtReceiver>* findAtReceivers(const SurfaceStackId& kind) const;
     /// Whether sums over a view are better made of in-band radiances at receivers than contracted:
@@ -128,6 +130,10 @@ class SceneLight {
     const std::vector<std::uint32_t>& receiversOf(int row) const {
         return irsg::receiversOf(row, radiometry_.rows(), *exchange_);
     }
+    /// Of kinds that have the same receivers.
+    void fillAtReceivers(const std::vector<std::uint32_t>& receivers,
+                         const std::vector<std::span<const double>>& integrals,
+                         const std::vector<std::vector<AtReceiver>*>& places) const;
     /// By node.
     const std::vector<double>& lightOn(int drawn, int term) const;
     /// What a node has of a contracted column.

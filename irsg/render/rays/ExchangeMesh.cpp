@@ -66,8 +66,7 @@ ExchangeMesh::Place ExchangeMesh::placeOf(const RayHit& hit) const {
         place.v = static_cast<float>(v);
         return place;
     }
-    const auto behind = std::ranges::upper_bound(several_, place.cell, {}, &SeveralCells::first);
-    const auto& c = onFacet_[place.cell - std::prev(behind)->others];
+    const auto& c = onFacet_[place.cell - othersBefore_[static_cast<std::size_t>(root)]];
     const double u0 = static_cast<double>(c[0][0]), v0 = static_cast<double>(c[0][1]);
     const double u1 = static_cast<double>(c[1][0]) - u0, v1 = static_cast<double>(c[1][1]) - v0;
     const double u2 = static_cast<double>(c[2][0]) - u0, v2 = static_cast<double>(c[2][1]) - v0;
@@ -127,8 +126,7 @@ void ExchangeMesh::addCells(Making& making) {
         const std::vector<FacetDivision::Cell>& own = division.cells();
         sideOf_.insert(sideOf_.end(), own.size(), side);
         sees_.insert(sees_.end(), own.size(), making.sees[side]);
-        if (own.size() > 1)
-            several_.push_back({first, first - static_cast<std::uint32_t>(onFacet_.size())});
+        othersBefore_.resize(splits_.size(), first - static_cast<std::uint32_t>(onFacet_.size()));
         for (std::size_t cell = 0; own.size() > 1 && cell < own.size(); ++cell) {
             auto& places = onFacet_.emplace_back();
             for (std::size_t i = 0; i < 3; ++i)

@@ -132,12 +132,9 @@ class ExchangeMesh {
     std::vector<std::int32_t> rootOf_;
     std::vector<Split> splits_;
     std::vector<std::uint32_t> sideOf_; // by cell
-    /// Sides that have several cells: the first, and how many of those before are not of such ones.
-    struct SeveralCells {
-        std::uint32_t first, others;
-    };
-    std::vector<SeveralCells> several_;
-    /// By cell of such sides: corners' places there.
+    /// By split: how many cells before those of its side are the only ones of theirs.
+    std::vector<std::uint32_t> othersBefore_;
+    /// By cell of sides that have several: corners' places there.
     std::vector<std::array<std::array<float, 2>, 3>> onFacet_;
     std::vector<std::array<std::uint32_t, 3>> corners_; // by cell
     std::vector<bool> sees_;                            // by cell
