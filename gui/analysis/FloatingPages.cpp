@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "gui/widgets/Theme.h"
+#include "gui/widgets/Widgets.h"
 #include "gui/workbench/PageTabs.h"
 
 namespace smat::gui {
@@ -163,14 +164,12 @@ void FloatingPages::showMenu(const QPoint& where) {
     if (index < 1)
         return;
     QWidget* page = tabs_->widget(index);
-    auto* menu = new QMenu(tabs_);
-    menu->setObjectName("tabMenu");
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addAction(icon("detach"), tr("Open in its own window"), this,
+    QMenu* menu = contextMenu(tabs_, "tabMenu");
+    menu->addAction(icon("detach"), tr("Open in its own window"), page,
                     [this, page] { detach(page); });
-    menu->addAction(icon("columns"), tr("Show beside the other pages"), this,
+    menu->addAction(icon("columns"), tr("Show beside the other pages"), page,
                     [this, page] { tabs_->moveAcross(page); });
-    menu->addAction(icon("remove"), tr("Close"), this, [page] { delete page; });
+    menu->addAction(icon("remove"), tr("Close"), page, [this, page] { tabs_->close(page); });
     menu->popup(tabs_->tabBar()->mapToGlobal(where));
 }
 

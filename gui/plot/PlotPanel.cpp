@@ -16,6 +16,7 @@
 #include "gui/plot/PolarPlot.h"
 #include "gui/widgets/FlowBar.h"
 #include "gui/widgets/Sentences.h"
+#include "gui/widgets/Widgets.h"
 #include "irsg/core/Errors.h"
 
 namespace smat::gui {
@@ -42,9 +43,7 @@ PlotPanel::PlotPanel(PlotKind kind, Dialogs dialogs, QWidget* parent)
     makeCopyAndSaveActions();
     makeBar();
     connect(navigator, &PlotNavigator::menuRequested, this, [this](const QPoint& where) {
-        auto* menu = new QMenu(this);
-        menu->setObjectName("plotMenu");
-        menu->setAttribute(Qt::WA_DeleteOnClose);
+        QMenu* menu = contextMenu(this, "plotMenu");
         for (const char* name :
              {"resetView", "undoZoom", "axisLimits", "", "logX", "logY", "decibel", "crosshair",
               "errorBands", "", "copyPicture", "copyValues", "copyAllValues", "", "savePlot",

@@ -47,6 +47,16 @@ QToolButton* menuButton(const QString& text, const QString& objectName, const QS
     return button;
 }
 
+QMenu* contextMenu(QWidget* owner, const QString& objectName) {
+    auto* menu = owner->findChild<QMenu*>(objectName, Qt::FindDirectChildrenOnly);
+    if (menu == nullptr) {
+        menu = new QMenu(owner);
+        menu->setObjectName(objectName);
+    }
+    menu->clear();
+    return menu;
+}
+
 namespace {
 
 void listFields(QWidget* part, QWidgetList& fields);

@@ -17,6 +17,9 @@ namespace smat::gui {
 QToolButton* textButton(const QString& text, const QString& objectName, const QString& toolTip);
 /// Opens its menu(), which is empty yet, when it is pressed.
 QToolButton* menuButton(const QString& text, const QString& objectName, const QString& toolTip);
+/// An empty menu of a widget, the same each time. It stays when it is closed: Qt 6.4 still writes
+/// to a menu after the act that was chosen from it, in which its like may be deleted.
+QMenu* contextMenu(QWidget* owner, const QString& objectName);
 
 /// Makes the minimum size of tabs that of the page that is shown, not of the largest one.
 void letShownPageAloneAskForRoom(QTabWidget& tabs);

@@ -72,12 +72,10 @@ void PageTabs::setFirst(QWidget* page, const QString& title) {
         QWidget* page = beside_->widget(bar->tabAt(where));
         if (page == nullptr)
             return;
-        auto* menu = new QMenu(this);
-        menu->setObjectName("besideMenu");
-        menu->setAttribute(Qt::WA_DeleteOnClose);
-        menu->addAction(icon("attach"), tr("Back to the other pages"), this,
+        QMenu* menu = contextMenu(this, "besideMenu");
+        menu->addAction(icon("attach"), tr("Back to the other pages"), page,
                         [this, page] { moveAcross(page); });
-        menu->addAction(icon("remove"), tr("Close"), this, [this, page] { close(page); });
+        menu->addAction(icon("remove"), tr("Close"), page, [this, page] { close(page); });
         menu->popup(bar->mapToGlobal(where));
     });
     connect(qApp, &QApplication::focusChanged, this, &PageTabs::noteFocus);

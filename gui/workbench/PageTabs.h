@@ -47,6 +47,8 @@ class PageTabs : public QTabWidget {
     /// The page that is shown, where it edits a file of its own; else null.
     DocumentPage* shownDocument() const;
     bool mayCloseShown() const { return mayMoveShown(); }
+    /// Asks where there are changes that are not saved; not the first page.
+    void close(QWidget* page);
     void closeShown() { close(shownPage()); }
     /// Whether a person wants to give up or has saved what every page has of its own.
     bool mayCloseAll() const;
@@ -59,7 +61,6 @@ class PageTabs : public QTabWidget {
 
   private:
     class Row;
-    void close(QWidget* page);
     /// The tab that was pressed is let go.
     void drop(QTabWidget& row, const QPoint& global);
     void noteFocus();

@@ -507,11 +507,19 @@ TEST_F(ScenarioEditingTest, ClosingAsksForWhatIsNotSaved) {
     edits("mover");
     typeCell(0, z, "55");
     auto* tabs = window->findChild<QTabWidget*>("tabs");
-    answers = {2, 0}; // stay, then save
+    answers = {2, 2, 0}; // stay, stay, then save
     emit tabs->tabCloseRequested(tabs->currentIndex());
     EXPECT_EQ(shownPage(), page);
+    // By the menu of its tab, too.
+    QTabBar* bar = tabs->tabBar();
+    emit bar->customContextMenuRequested(bar->tabRect(tabs->currentIndex()).center());
+    auto* menu = tabs->findChild<QMenu*>("tabMenu");
+    ASSERT_NE(menu, nullptr);
+    menu->actions().back()->trigger();
+    menu->close();
+    EXPECT_EQ(shownPage(), page);
     emit tabs->tabCloseRequested(tabs->currentIndex());
-    EXPECT_EQ(asked, QStringList({"Unsaved scenario", "Unsaved scenario"}));
+    EXPECT_EQ(asked, QStringList({"Unsaved scenario", "Unsaved scenario", "Unsaved scenario"}));
     EXPECT_NE(fileText("flight.csv").find("\n0,-6,100,55,"), std::string::npos);
 }
 
