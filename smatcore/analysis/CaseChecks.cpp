@@ -29,25 +29,58 @@ std::vector<std::string> clampedTableWarnings(const irsg::Entity& entity, irsg::
     return sentences;
 }
 
+namespace {
+
+/// The pyramid of what a frame shows.
+class FramePyramid {
+  public:
+    FramePyramid(const irsg::Viewpoint& viewpoint, const irsg::Sensor& sensor,
+                 const irsg::Pose& pose)
+        : viewpoint_(viewpoint),
+          pose_(pose),
+          halfWidth_(0.5 * sensor.width_px * sensor.pixelPitch()),
+          halfHeight_(0.5 * sensor.height_px * sensor.pixelPitch()) {}
+
+    /// A place in model axes.
+    bool holds(const irsg::Vec3& place_m) const {
+        const irsg::Vec3 seen = pose_.toWorld(place_m) - viewpoint_.position_m;
+        const double ahead_m = irsg::dot(seen, viewpoint_.forward());
+        return ahead_m > 0.0 &&
+               std::abs(irsg::dot(seen, viewpoint_.right)) <= halfWidth_ * ahead_m &&
+               std::abs(irsg::dot(seen, viewpoint_.up)) <= halfHeight_ * ahead_m;
+    }
+    bool holds(const irsg::BoundingBox& box) const {
+        for (int corner = 0; corner < 8; ++corner)
+            if (!holds(irsg::Vec3{(corner & 1) != 0 ? box.max.x : box.min.x,
+                                  (corner & 2) != 0 ? box.max.y : box.min.y,
+                                  (corner & 4) != 0 ? box.max.z : box.min.z}))
+                return false;
+        return true;
+    }
+
+  private:
+    const irsg::Viewpoint& viewpoint_;
+    const irsg::Pose& pose_;
+    double halfWidth_, halfHeight_;
+};
+
+} // namespace
+
 bool reachesBeyondFrame(const irsg::Entity& target, const irsg::Pose& pose,
                         const irsg::Viewpoint& viewpoint, const irsg::Sensor& sensor) {
     if (!target.model)
         return false;
-    const irsg::BoundingBox& box = target.model->bounds();
-    const double halfWidth = 0.5 * sensor.width_px * sensor.pixelPitch();
-    const double halfHeight = 0.5 * sensor.height_px * sensor.pixelPitch();
-    for (int corner = 0; corner < 8; ++corner) {
-        const irsg::Vec3 inModel{(corner & 1) != 0 ? box.max.x : box.min.x,
-                                 (corner & 2) != 0 ? box.max.y : box.min.y,
-                                 (corner & 4) != 0 ? box.max.z : box.min.z};
-        const irsg::Vec3 seen = pose.toWorld(inModel) - viewpoint.position_m;
-        const double ahead_m = irsg::dot(seen, viewpoint.forward());
-        if (ahead_m <= 0.0 || std::abs(irsg::dot(seen, viewpoint.right)) > halfWidth * ahead_m ||
-            std::abs(irsg::dot(seen, viewpoint.up)) > halfHeight * ahead_m) {
-            return true;
-        }
-    }
-    return false;
+    const FramePyramid frame(viewpoint, sensor, pose);
+    if (frame.holds(target.model->bounds()))
+        return false;
+    // Boxes are larger than what they hold.
+    const irsg::Mesh& mesh = *target.model->mesh();
+    return std::ranges::any_of(mesh.pieces, [&](const irsg::Mesh::Piece& piece) {
+        return !frame.holds(piece.bounds) &&
+               std::ranges::any_of(mesh.trianglesOf(piece), [&](unsigned vertex) {
+                   return !frame.holds(irsg::toVec3(mesh.partOf(piece).vertices[vertex]));
+               });
+    });
 }
 
 } // namespace smat

@@ -15,8 +15,8 @@ std::vector<std::string> clampedTableWarnings(const irsg::Entity& entity, irsg::
                                               const irsg::Vec3& referencePoint,
                                               const irsg::Vec3& camera);
 
-/// True where a corner of the bounding box of the target lies outside the frame or behind the
-/// camera. What is not in the frame is not in the sums. Never true for an entity without a model.
+/// True where a vertex of the target lies outside the frame or behind the camera. What is not in
+/// the frame is not in the sums. Never true for an entity without a model.
 bool reachesBeyondFrame(const irsg::Entity& target, const irsg::Pose& pose,
                         const irsg::Viewpoint& viewpoint, const irsg::Sensor& sensor);
 

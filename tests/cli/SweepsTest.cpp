@@ -109,7 +109,7 @@ TEST(SmatBatchSweep, TellsOfATargetThatReachesOutOfTheFrame) {
     const Ran ran = smatBatch({"range", sphere, "--from", "10", "--to", "1000", "--points", "4",
                                "--log", "--fov", "2", "--out", folder / "a.csv"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
-    const std::string sentence = "at 10 m (and 1 more): the bounding box of ";
+    const std::string sentence = "at 10 m (and 1 more): ";
     EXPECT_THAT(ran.err, HasSubstr("warning: range: " + sentence));
     EXPECT_THAT(contentOf(folder / "a.csv"), HasSubstr("# warning: " + sentence));
     const ResultTable table = ResultTable::load(folder / "a.csv");
@@ -118,13 +118,26 @@ TEST(SmatBatchSweep, TellsOfATargetThatReachesOutOfTheFrame) {
     }
 }
 
+TEST(SmatBatchSweep, ATargetWithinTheFrameHasNoWarningForTheCornersOfItsBox) {
+    // A sphere of 1 m seen from 5 m is 11.54 degrees wide on each side, the near side of its
+    // box 14.04.
+    const TemporaryFolder folder;
+    for (const auto& [fov_deg, isWhole] : {std::pair{"23.3", true}, {"22.8", false}}) {
+        const Ran ran =
+            smatBatch({"range", sphere, "--from", "5", "--to", "100", "--points", "2", "--set",
+                       "range.steps=fixed", "--fov", fov_deg, "--out", folder / "a.csv"});
+        ASSERT_EQ(ran.exitCode, 0) << ran.err;
+        EXPECT_EQ(ran.err.find("beyond the frame") == std::string::npos, isWhole)
+            << fov_deg << ' ' << ran.err;
+    }
+}
+
 // The aircraft at 500 m in 2 degrees: what reaches out of the frame is missing from the sums, and
 // whoever reads that a sweep is complete reads that too.
 TEST(SmatBatchSweep, OfEveryKindTellsWhatItsSumsAreWithout) {
     const TemporaryFolder folder;
-    const std::string sentence =
-        "the bounding box of turboprop4 reaches beyond the frame; what lies "
-        "outside is not in the sums";
+    const std::string sentence = "turboprop4 reaches beyond the frame; what lies "
+                                 "outside is not in the sums";
     for (const std::vector<std::string>& kind :
          {std::vector<std::string>{"polar", "--step", "180", "--steps", "fixed"},
           {"range", "--from", "500", "--to", "600", "--points", "2", "--set", "range.steps=fixed"},
