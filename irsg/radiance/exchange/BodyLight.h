@@ -101,7 +101,7 @@ class BodyLight {
         return std::span(rays_).subspan(first_[patch], first_[patch + 1] - first_[patch]);
     }
     /// The same rays by cells. At first what is at hand since they were sent; who asks again has
-    /// turned the body and will do so again, so that it is kept: 28 bytes a ray and 32 a cell.
+    /// turned the body and will do so again, so that it is kept: 24 bytes a ray and 32 a cell.
     std::shared_ptr<const TurnedBody> turned() const;
     /// Leaves out what is at hand, since nobody will ask for it.
     void forgetRays() const;
