@@ -19,6 +19,9 @@ constexpr std::size_t mostOutputsCached = 128;
 /// A view has about thirty sums of each kind of receivers, half of which it sees (its own, and the
 /// differences of its sublattices).
 constexpr std::size_t mostOutputsAtReceivers = 8;
+/// Light that passes a pane once is linear in its transmissivity: it is not divided as finely as
+/// reflectivities, which light meets again and again.
+constexpr double partOfPanes = 0.25;
 /// Of transmissivities more than these are not told apart.
 constexpr std::size_t mostKnotsOfPanes = 48;
 
@@ -199,6 +202,8 @@ void SceneLight::findKnots(const RenderSettings& settings) {
     std::ranges::stable_sort(order, {}, [&](std::size_t i) {
         return strengths.empty() ? radiometry_.wavelengths_um()[i] : strengths[i];
     });
+    const std::size_t firstOfGas =
+        exchange_->throughGas().empty() ? panes.size() : exchange_->firstGasPane();
     // L grows as 1 / (1 - rho F): straight enough in the logarithm of that.
     std::vector<std::vector<double>> curve;
     std::vector<std::size_t> places(nodes), first;
@@ -206,8 +211,8 @@ void SceneLight::findKnots(const RenderSettings& settings) {
         std::vector<double> at;
         for (const auto& [row, most] : rows)
             at.push_back(-std::log(1.0 - std::min(reflectivity(row, node), 0.9999) * most));
-        for (const std::vector<double>& passes : panes)
-            at.push_back(passes[node]);
+        for (std::size_t pane = 0; pane < panes.size(); ++pane)
+            at.push_back((pane < firstOfGas ? partOfPanes : 1.0) * panes[pane][node]);
         if (exchange_->gasSenders().size() > 1)
             for (const std::vector<double>& share : shares)
                 at.push_back(share[node]);
