@@ -49,6 +49,8 @@ void ScreenshotTaker::fill(QWidget* page) {
         waitWhile([air] { return air->isBusy(); });
     if (auto* monteCarlo = dynamic_cast<MonteCarloPage*>(page)) {
         keepPage(current_ + "-empty");
+        if (!current_.startsWith("first-")) // other samples have no scaling files
+            return;
         page->findChild<QSpinBox*>("samples")->setValue(draws);
         page->findChild<QSpinBox*>("pairs")->setValue(rankedPairs);
         page->findChild<QSpinBox*>("subpixelShifts")->setValue(drawingsOfACase);
