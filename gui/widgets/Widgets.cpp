@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include <QChildEvent>
 #include <QDockWidget>
 #include <QGridLayout>
 #include <QLineEdit>

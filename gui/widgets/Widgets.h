@@ -7,6 +7,7 @@
 class QDockWidget;
 class QLineEdit;
 class QMainWindow;
+class QMenu;
 class QTabWidget;
 class QToolButton;
 class QWidget;

@@ -242,9 +242,9 @@ void LightExchange::takePairs(Making& making) {
             }
         }
     }
-    std::vector<const LightBalance*> own;
-    for (const Body& body : bodies_)
-        own.push_back(&body.light->balance());
+    std::vector<const LightBalance*> own(bodies_.size());
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        own[b] = &bodies_[b].light->balance();
     balance_ = withOwnOf(making,
                          making.areAllAlone()
                              ? LightBalance()
