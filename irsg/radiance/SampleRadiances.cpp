@@ -251,7 +251,6 @@ void SampleRadiances::evaluate(const GeometrySamples& samples, RadianceSamples& 
                 kinds.push_back({occluderStacks_.numberOf(all[p].materials(kind.stack)), kind.row});
     radiances_.prepare(kinds);
     if (light_) {
-        light_->prepare(kinds);
         std::vector<SurfaceStackId> lit;
         for (const SurfaceStackId& kind : kinds)
             if (light_->matters(rows_.renderedOf(kind.row)))

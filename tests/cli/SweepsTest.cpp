@@ -109,7 +109,7 @@ TEST(SmatBatchSweep, TellsOfATargetThatReachesOutOfTheFrame) {
     const Ran ran = smatBatch({"range", sphere, "--from", "10", "--to", "1000", "--points", "4",
                                "--log", "--fov", "2", "--out", folder / "a.csv"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
-    const std::string sentence = "at 10 m (and 1 more): ";
+    const std::string sentence = "at 10 m (and 1 more): sphere reaches beyond the frame";
     EXPECT_THAT(ran.err, HasSubstr("warning: range: " + sentence));
     EXPECT_THAT(contentOf(folder / "a.csv"), HasSubstr("# warning: " + sentence));
     const ResultTable table = ResultTable::load(folder / "a.csv");

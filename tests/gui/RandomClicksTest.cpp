@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <random>
 #include <thread>
 #include <utility>
@@ -25,6 +26,7 @@
 namespace smat::gui {
 namespace {
 
+namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 double secondsOr(const char* variable, double otherwise) {
@@ -72,15 +74,21 @@ class Watchdog {
 class RandomClicks : public test::WindowFixture {
   protected:
     RandomClicks() {
+        // Clicks write beside models: the program's samples are a copy.
+        for (const char* part : {"resources", "docs", "shaders"}) {
+            fs::create_directory_symlink(fs::path(SMAT_SOURCE_DIR) / part, data_ / part);
+        }
+        fs::copy(fs::path(SMAT_SOURCE_DIR) / "samples", data_ / "samples",
+                 fs::copy_options::recursive);
+        qputenv("SMAT_DATA", data_.string().c_str());
+        makeWindow();
         // Dialogs are clicked in, too, then they are left by one answer or the other.
         onDialog = [this](QDialog& dialog) {
             if (depth_ > 2) {
                 return;
             }
             ++depth_;
-            while (QWidget* popup = QApplication::activePopupWidget()) {
-                popup->close();
-            }
+            closePopups();
             for (int i = 0; i < 6 && dialog.isVisible(); ++i) {
                 act(dialog);
             }
@@ -89,6 +97,7 @@ class RandomClicks : public test::WindowFixture {
             answer = number(3) - 1;
         };
     }
+    ~RandomClicks() override { qunsetenv("SMAT_DATA"); }
     void SetUp() override {
         WindowFixture::SetUp();
         // The menu of a button, and a dialog of its own, hold the click that opened them.
@@ -192,11 +201,25 @@ class RandomClicks : public test::WindowFixture {
     }
     static bool isLeftOut(const QAction& action) { return action.objectName() == "quit"; }
 
+    void openCopy() {
+        const fs::path file = test::writeSampleProject(folder);
+        Project project = loadProject(file);
+        project.models.front().file = data_ / "samples/ship/ship.flt";
+        project.models.front().database = data_ / "samples/ship/ship.sigdb";
+        saveProject(project, file);
+        ASSERT_TRUE(opens(file));
+        ASSERT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+    }
+    void closePopups() {
+        while (QWidget* popup = QApplication::activePopupWidget()) {
+            popup->close();
+        }
+    }
     void go(unsigned seed, double duration_s) {
         random_.seed(seed);
         std::printf("seed %u, %.0f s\n", seed, duration_s);
         std::fflush(stdout);
-        openSample();
+        openCopy();
         chosen = QString::fromStdString((folder / "written.smat").string());
         const auto end = Clock::now() + std::chrono::duration<double>(duration_s);
         long acts = 0;
@@ -214,9 +237,7 @@ class RandomClicks : public test::WindowFixture {
                 }
             }
         }
-        while (QWidget* popup = QApplication::activePopupWidget()) {
-            popup->close();
-        }
+        closePopups();
         const double now_MB = 1e-3 * smat::test::allocated_kB();
         std::printf("%ld acts, %.0f MB after 2000 of them, %.0f MB at the end, %.0f MB of %zu "
                     "results, %zu pages\n",
@@ -231,6 +252,7 @@ class RandomClicks : public test::WindowFixture {
     }
 
   private:
+    const fs::path data_ = test::freshFolder("clicked-data");
     std::mt19937 random_;
     Watchdog dog_;
     int depth_ = 0;

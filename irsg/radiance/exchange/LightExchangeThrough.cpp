@@ -92,16 +92,15 @@ void LightExchange::takeThrough(Making& making, const std::vector<ReceiverRays>&
         LightThrough& one = through_[i];
         one.leaving.resize(rows_.size());
         one.sun.resize(senders());
-        if (const auto own = ofBodies.find(i + 1); own != ofBodies.end() && making.areAllAlone()) {
-            one.balance = withOwnOf(making, {}, own->second);
-            continue;
+        const auto alone = ofBodies.find(i + 1);
+        if (alone == ofBodies.end() || !making.areAllAlone()) {
+            Found none{Lists(rows_.size()), Lists(rows_.size())};
+            Found& own = i < found.size() && !found[i].parts.empty() ? found[i] : none;
+            one.balance = balancedOfSenders(LightPairs(rows_.size(), std::move(own.parts)),
+                                            LightPairs(rows_.size(), std::move(own.oneWay)), known,
+                                            senderOf_, senders());
         }
-        Found none{Lists(rows_.size()), Lists(rows_.size())};
-        Found& own = i < found.size() && !found[i].parts.empty() ? found[i] : none;
-        one.balance = balancedOfSenders(LightPairs(rows_.size(), std::move(own.parts)),
-                                        LightPairs(rows_.size(), std::move(own.oneWay)), known,
-                                        senderOf_, senders());
-        if (const auto alone = ofBodies.find(i + 1); alone != ofBodies.end())
+        if (alone != ofBodies.end())
             one.balance = withOwnOf(making, one.balance, alone->second);
     }
     addMissing(known);
