@@ -131,6 +131,7 @@ void SceneLight::findKnots(const RenderSettings& settings) {
     std::vector<std::size_t> places(nodes), first;
     for (const std::size_t node : order) {
         std::vector<double> at;
+        at.reserve(rows.size() + panes.size() + shares.size());
         for (const auto& [row, most] : rows)
             at.push_back(-std::log(1.0 - std::min(reflectivity(row, node), 0.9999) * most));
         for (std::size_t pane = 0; pane < panes.size(); ++pane)
