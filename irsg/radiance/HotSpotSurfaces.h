@@ -16,4 +16,9 @@ std::vector<bool> hotSpotSurfaces(const SceneRadiometry& radiometry,
 inline constexpr double hotFrom = 4.0;
 inline constexpr double shareFrom = 0.01;
 
+/// True for each drawn row whose temperature makes it at least `hotFrom` times as bright at 4 um as
+/// the mean of its object's area: the same whatever is asked of the scene. Gas is none.
+std::vector<bool> hotSurfaces(const SceneRadiometry& radiometry,
+                              const std::vector<Entity>& entities);
+
 } // namespace irsg

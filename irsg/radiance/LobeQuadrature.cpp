@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
-#include <tuple>
 #include <utility>
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/ParallelFor.h"
-#include "irsg/radiance/LobePaths.h"
+#include "irsg/radiance/LobeQuadratureLayers.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/render/rays/TileSamples.h"
 
 namespace irsg {
 
@@ -19,9 +16,7 @@ namespace {
 
 /// Of so many samples each follows all of its facets to what they reflect; of more, one in a few,
 /// in turn.
-constexpr std::size_t samplesOfAllFacets = 20'000, mostStep = 6;
-/// Neighbours whose normals differ by more are those of another face.
-constexpr double mostBend = 0.5;
+constexpr std::size_t samplesOfAllFacets = 20'000, mostStep = 12;
 
 /// The level part of a direction as a unit vector; of a vertical one any level one.
 Vec3 levelOf(const Vec3& direction, const Vec3& zenith) {
@@ -34,47 +29,6 @@ Vec3 levelOf(const Vec3& direction, const Vec3& zenith) {
 
 } // namespace
 
-/// Of a drawing.
-struct LobeQuadrature::Tile {
-    const SurfaceScene* scene = nullptr;
-    const SampleTile* tile = nullptr;
-    EyeDirections directions;
-    Vec3 zenith, sun, towards; ///< the last the level part of the sun's, a unit vector
-    std::optional<SunShadows::OpenPaths> open;
-    const LightExchange* exchange = nullptr; ///< there where `open` is
-    std::size_t step = 1;                    ///< of the facets that a sample follows one in so many
-
-    /// The normal of the opaque surface of a sample, and its row + 1; 0 for none.
-    static std::pair<float, Vec3> opaqueAt(const GeometrySamples& samples, std::size_t sample,
-                                           std::size_t first) {
-        const auto number = [&](std::size_t f) {
-            return static_cast<double>(f < 3 ? samples.opaque[4 * sample + 1 + f]
-                                             : samples.moreFactors[4 * sample + f - 3]);
-        };
-        return {samples.opaque[4 * sample], {number(first), number(first + 1), number(first + 2)}};
-    }
-    /// How the normal changes from sample to sample along rows or columns, from the side that
-    /// bends less.
-    Vec3 change(const GeometrySamples& samples, std::size_t sample, int column, int row,
-                bool isDown, std::size_t first) const {
-        const auto [own, normal] = opaqueAt(samples, sample, first);
-        Vec3 least;
-        double square = mostBend * mostBend;
-        for (const int step : {-1, 1}) {
-            const int x = column + (isDown ? 0 : step), y = row + (isDown ? step : 0);
-            if (x < 0 || y < 0 || x >= tile->width() || y >= tile->height())
-                continue;
-            const auto [other, next] = opaqueAt(samples, indexOf(*tile, x, y), first);
-            const Vec3 difference = next - normal;
-            if (other == own && product(difference, difference) < square) {
-                square = product(difference, difference);
-                least = difference;
-            }
-        }
-        return least;
-    }
-};
-
 /// Of a piece of the samples.
 struct LobeQuadrature::Found {
     std::vector<GeometrySamples::Lobe> lobes;
@@ -83,60 +37,6 @@ struct LobeQuadrature::Found {
     std::vector<LobeQuadratureTable::ViewCell> cells; // of each of those
     std::vector<float> scales;
     OccluderStacks sets; // of what is reflected
-};
-
-/// The places of a grid about a direction in eye space, and their parts.
-std::array<std::pair<std::size_t, double>, 4>
-LobeQuadrature::placesAbout(const Tile& own, const SpecularEnvironmentGrid& grid,
-                            const Vec3& direction) {
-    const double up = std::clamp(product(direction, own.zenith), -1.0, 1.0);
-    double fromSun = 0.0;
-    if (grid.isByAzimuth()) {
-        const Vec3 flat = direction - own.zenith * up;
-        const double size = plainLength(flat);
-        if (size > 1e-9)
-            fromSun = std::acos(std::clamp(product(flat, own.towards) / size, -1.0, 1.0));
-    }
-    return grid.about(std::asin(up), fromSun);
-}
-
-/// A layer of a directional surface.
-struct LobeQuadrature::DirectionalLayer {
-    const GeometrySamples::Layer& layer;
-    const SurfaceModel& model;
-    const SpecularEnvironmentGrid& grid;
-    Vec3 along; ///< from the eye
-    SurfaceAxes axes;
-    SurfaceDirection to;
-    std::uint32_t sample = 0, number = 0; ///< number among those of the sample
-    int firstLobe = 0;                    ///< row
-
-    std::size_t lobes() const {
-        std::size_t count = 0;
-        while (count < model.components() && model.hasLobe(count))
-            ++count;
-        return count;
-    }
-    int rowOf(std::size_t component) const { return firstLobe + static_cast<int>(component); }
-    int rowOfAtmosphere(std::size_t component, std::size_t place) const {
-        return rowOf(model.components() + component * grid.places().size() + place);
-    }
-    int rowOfSurfaces(std::size_t component) const {
-        return rowOf(model.components() + lobes() * grid.places().size() + component);
-    }
-};
-
-/// What the lobes of a layer meet, in parts of their albedos.
-struct LobeQuadrature::Mirrored {
-    bool isOpen = false;                     ///< all meet the atmosphere; no more is told
-    std::vector<LobePaths::Part> atmosphere; ///< by place of the grid, through nothing
-    LobePaths::Found found;                  ///< and what else there is of the atmosphere
-
-    void clear() {
-        isOpen = false;
-        atmosphere.clear();
-        found.clear();
-    }
 };
 
 LobeQuadrature::LobeQuadrature(const SurfaceRows& rows, Making making)
@@ -164,120 +64,6 @@ SlopeSpread LobeQuadrature::spreadOf(const Tile& own, int row, int column,
         spread.yy += 2.0 * bend.y * bend.y;
     }
     return spread;
-}
-
-void LobeQuadrature::follow(const Tile& own, const DirectionalLayer& layer,
-                            SunShadows::Neighbours& neighbours, int column, OccluderStacks& sets,
-                            Mirrored& mirrored) const {
-    const std::size_t places = layer.grid.places().size(), lobes = layer.lobes();
-    mirrored.clear();
-    const SurfaceDirection mirror{-layer.to.x, -layer.to.y, layer.to.z};
-    std::optional<SunShadows::Place> from;
-    if (own.open) {
-        from = own.open->placeOf(layer.along, layer.layer.row,
-                                 static_cast<double>(layer.layer.distance_m), column, neighbours);
-        const GeometrySamples::Place* const at = layer.layer.place;
-        const bool isKnown = at != nullptr && at->cell != GeometrySamples::Place::none;
-        const std::array<float, 3> open =
-            isKnown ? own.exchange->openAt(at->cell) : std::array<float, 3>{1.0f, 1.0f, 1.0f};
-        constexpr float rounding = 1e-6f;
-        mirrored.isOpen = *std::ranges::min_element(open) > 1.0f - rounding &&
-                          own.open->isOpen(*from, layer.axes.to(mirror));
-    } else {
-        mirrored.isOpen = true;
-    }
-    // Where nothing is known of the atmosphere by direction, it counts on the whole; where surfaces
-    // are followed, there is none.
-    if (mirrored.isOpen && places == 0) {
-        mirrored.isOpen = false;
-        mirrored.found.elsewhere.fill(own.open ? 0.0 : 1.0);
-        return;
-    }
-    if (mirrored.isOpen && layer.model.facets().size() > 1 &&
-        LobeQuadratureTable::serves(layer.model))
-        return;
-
-    const bool isFree = mirrored.isOpen;
-    mirrored.isOpen = false;
-    // Samples turn facets differently, so that few rays of each do for all (Roberts' sequence).
-    const auto partOf = [&](double step) {
-        const double turned = step * static_cast<double>(layer.sample % 65536u);
-        return isFree ? 0.0 : turned - std::floor(turned);
-    };
-    const double share = isFree ? 0.5 : partOf(0.7548776662466927);
-    const double turn = partOf(0.5698402909980532);
-    const std::size_t facets = layer.model.facets().size();
-    const std::size_t step = isFree ? 1 : std::min(own.step, facets);
-    const auto first =
-        static_cast<std::size_t>(partOf(0.6180339887498949) * static_cast<double>(step));
-    SurfaceModel::Amounts followed{};
-    LobePaths::Found& found = mirrored.found;
-    LobePaths paths(sets);
-    const LobePaths::Making making{
-        &rows_,  &making_.models,   &making_.mirrors, own.exchange, own.open ? &*own.open : nullptr,
-        own.sun, making_.isSunSmart};
-    thread_local LobePaths::Ray ray;
-    for (std::size_t i = first; i < facets; i += step) {
-        const SurfaceDirection facet = layer.model.facet(i, share, turn);
-        const SurfaceModel::Amounts sent = layer.model.facetWeights(layer.to, facet);
-        if (std::ranges::all_of(sent, [](double weight) { return weight == 0.0; }))
-            continue;
-        for (std::size_t k = 0; k < lobes; ++k)
-            followed[k] += sent[k];
-        ray.direction = layer.axes.to(irsg::mirrored(layer.to, facet));
-        ray.met = SunShadows::Met::nothing;
-        ray.panes.clear();
-        if (!isFree)
-            ray.met = own.open->met(*from, ray.direction, ray.end, ray.panes);
-        if (LobePaths::goesOn(making, ray, layer.layer.row)) {
-            const double other = share + 0.7548776662466927 * static_cast<double>(i + 1);
-            paths.follow(
-                making, ray, layer.layer.row, sent, other - std::floor(other),
-                [&](const Vec3& direction, const auto& visit) {
-                    if (places == 0)
-                        return;
-                    for (const auto& [place, part] : placesAbout(own, layer.grid, direction))
-                        visit(place, part);
-                },
-                found);
-            continue;
-        }
-        for (std::size_t k = 0; k < lobes && ray.met == SunShadows::Met::other; ++k)
-            found.elsewhere[k] += sent[k];
-        const GeometrySamples::Place& at = ray.end.at;
-        if (ray.met == SunShadows::Met::surface)
-            own.exchange->forEachReflected(
-                at.cell, at.u, at.v, [&](std::uint32_t number, float part) {
-                    LobePaths::add(found.surfaces, 0, number, sent, static_cast<double>(part));
-                });
-        if (ray.met == SunShadows::Met::nothing && places > 0)
-            for (const auto& [place, part] : placesAbout(own, layer.grid, ray.direction))
-                LobePaths::add(mirrored.atmosphere, 0, static_cast<std::uint32_t>(place), sent,
-                               part);
-    }
-    found.join();
-    LobePaths::join(mirrored.atmosphere);
-    const std::array all{&mirrored.atmosphere, &found.surfaces, &found.atmosphere};
-    for (std::size_t k = 0; k < lobes; ++k) {
-        // What all facets send: followed ones, or the mean over samples, each of which stands for
-        // `step` facets of it.
-        const double sent =
-            step == 1 ? followed[k] : layer.model.sent(k, layer.to.z) * static_cast<double>(facets);
-        if (sent == 0.0) { // no facet that stands for others faces the eye
-            found.elsewhere[k] = 1.0;
-            for (std::vector<LobePaths::Part>* parts : all)
-                for (LobePaths::Part& one : *parts)
-                    one.weights[k] = 0.0;
-            continue;
-        }
-        // What these are more or less than all sees the mean, so that energy closes; over samples
-        // that adds up to nothing.
-        const double scale = static_cast<double>(step) / sent;
-        found.elsewhere[k] = scale * found.elsewhere[k] + 1.0 - scale * followed[k];
-        for (std::vector<LobePaths::Part>* parts : all)
-            for (LobePaths::Part& one : *parts)
-                one.weights[k] *= scale;
-    }
 }
 
 void LobeQuadrature::addByTable(const Tile& own, const DirectionalLayer& layer,
@@ -391,9 +177,9 @@ void LobeQuadrature::addLobes(const Tile& own, int row, int column, const Geomet
         if (layer.lobes() == 0)
             return;
         addGasChange(own, layer, mirrored, found);
-        if (mirrored.isOpen)
+        if (mirrored.isOpen || mirrored.isBesideTable)
             addByTable(own, layer, found);
-        else
+        if (!mirrored.isOpen)
             addByFacets(layer, mirrored, found);
     });
 }
@@ -430,7 +216,8 @@ class LobeQuadrature::TableUse {
 };
 
 void LobeQuadrature::apply(const SheetScene& sheet, const SunShadows* shadows,
-                           const LightExchange* exchange, GeometrySamples& samples) const {
+                           const LightExchange* exchange, const LobeAims* aims,
+                           GeometrySamples& samples) const {
     samples.lobes.clear();
     samples.reflected.clear();
     samples.reflectedSets.clear();
@@ -455,8 +242,16 @@ void LobeQuadrature::apply(const SheetScene& sheet, const SunShadows* shadows,
             own.sun = directions[static_cast<std::size_t>(making_.sun)].second;
         own.towards = levelOf(own.sun, own.zenith);
         own.exchange = exchange;
-        if (shadows != nullptr && exchange != nullptr)
-            own.open = shadows->openPaths(*own.scene, *own.tile);
+        if (shadows == nullptr || exchange == nullptr)
+            continue;
+        own.open = shadows->openPaths(*own.scene, *own.tile);
+        own.aims = aims;
+        if (aims == nullptr)
+            continue;
+        for (const LobeAims::Sphere& sphere : aims->spheres()) {
+            const auto entity = static_cast<std::size_t>(exchange->bodies()[sphere.body].entity);
+            own.aimsAt_m.push_back(shadows->casters()[entity].pose.toWorld(sphere.centre_m));
+        }
     }
     const std::vector<TileRows> pieces = rowsOf(sheet.sheet);
     std::vector<Found> found(pieces.size());

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "irsg/radiance/LobeAims.h"
 #include "irsg/radiance/LobeQuadratureTables.h"
 #include "irsg/radiance/MirrorReflectivity.h"
 #include "irsg/radiance/SpecularEnvironmentGrid.h"
@@ -33,7 +34,9 @@ namespace irsg {
 ///
 /// Which places a lobe has is known from tables over its mirror direction (LobeQuadratureTable), or
 /// for nearly smooth surfaces, and where other surfaces are met, from its facets: one ray for each,
-/// turned from sample to sample.
+/// turned from sample to sample. What is small and bright gets a ray more (LobeAims), and each ray
+/// counts by the balance heuristic of Veach and Guibas 1995 (Optimally combining sampling
+/// techniques for Monte Carlo rendering, SIGGRAPH).
 ///
 /// Lobes are as wide as the sun's disc and as what normals differ by between samples, so that no
 /// glint falls between these.
@@ -55,15 +58,17 @@ class LobeQuadrature {
     const MirrorReflectivity& mirrors() const { return making_.mirrors; }
 
     /// Of sorted layers that were drawn with normals, behind the factors, which are left out from
-    /// now on. `shadows` and `exchange`: where surfaces reflect each other, or null.
+    /// now on. `shadows` and `exchange`: where surfaces reflect each other, or null. `aims`: to
+    /// which rays are sent beside those of facets, or null.
     void apply(const SheetScene& sheet, const SunShadows* shadows, const LightExchange* exchange,
-               GeometrySamples& samples) const;
+               const LobeAims* aims, GeometrySamples& samples) const;
 
   private:
     struct Tile;
     struct Found;
     struct DirectionalLayer;
     struct Mirrored;
+    class Following;
     class TableUse;
     void addLobes(const Tile& tile, int row, int column, const GeometrySamples& samples,
                   SunShadows::Neighbours& neighbours, Found& found) const;

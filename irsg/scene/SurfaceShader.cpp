@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "irsg/radiance/HotSpotSurfaces.h"
 #include "irsg/radiometry/Units.h"
 
 namespace irsg {
@@ -132,6 +133,8 @@ SurfaceShading SurfaceShader::shade(const FrameRequest& request,
     std::vector<SunShadows::Caster> all = casters(scene, evaluation);
     if (hasLight)
         shading.between = interReflection_.of(scene, evaluation, all);
+    if (shading.lobes && shading.between.exchange)
+        shading.aims = aimsOf(request, evaluation, shading.between.exchange);
     if (!hasShadows && !shading.between.exchange)
         return shading;
     // What reflects nothing, such as gas, may where its emissivity is scaled.
@@ -148,6 +151,22 @@ SurfaceShading SurfaceShader::shade(const FrameRequest& request,
     shadows->setSunlit(sunlitOf(scene, shadowed, *shadows));
     shading.shadows = std::move(shadows);
     return shading;
+}
+
+std::shared_ptr<const LobeAims>
+SurfaceShader::aimsOf(const FrameRequest& request, const SceneEvaluation& evaluation,
+                      const std::shared_ptr<const LightExchange>& exchange) {
+    std::vector<bool> bright =
+        hotSurfaces(evaluation.evaluated->radiometry, request.scene.entities);
+    if (std::ranges::find(bright, true) == bright.end())
+        return nullptr;
+    return aims_
+        .of([&](const KnownAims& one) { return one.exchange == exchange && one.bright == bright; },
+            [&] {
+                auto aims = std::make_shared<const LobeAims>(*exchange, bright);
+                return KnownAims{exchange, bright, std::move(aims)};
+            })
+        .aims;
 }
 
 std::shared_ptr<const LobeQuadrature>

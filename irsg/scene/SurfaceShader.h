@@ -17,7 +17,7 @@ namespace irsg {
 
 /// Finds what shades the surfaces of a frame: what stands before the sun, what they reflect of each
 /// other, and the lobes of directional ones. Caches hold the facets that the sun is known to reach,
-/// and tables of lobes.
+/// tables of lobes, and what is small and bright.
 class SurfaceShader {
   public:
     /// All must live as long.
@@ -42,12 +42,24 @@ class SurfaceShader {
     std::shared_ptr<const LobeQuadrature> lobesOf(const RenderSettings& settings,
                                                   const SceneEvaluation& evaluation) const;
 
+    /// Null where nothing is bright.
+    std::shared_ptr<const LobeAims> aimsOf(const FrameRequest& request,
+                                           const SceneEvaluation& evaluation,
+                                           const std::shared_ptr<const LightExchange>& exchange);
+
+    struct KnownAims {
+        std::shared_ptr<const LightExchange> exchange;
+        std::vector<bool> bright; ///< by drawn row
+        std::shared_ptr<const LobeAims> aims;
+    };
+
     const RadianceTerms& terms_;
     PreparedEntities& prepared_;
     TerrainRays& terrainRays_;
     InterReflection& interReflection_;
     StageClock& clock_;
     RecentlyUsed<std::shared_ptr<const SunlitFacets>> sunlitFacets_{8};
+    RecentlyUsed<KnownAims> aims_{2};
     std::shared_ptr<LobeQuadratureTables> lobeTables_ = std::make_shared<LobeQuadratureTables>();
 };
 

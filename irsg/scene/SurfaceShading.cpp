@@ -10,7 +10,7 @@ void SurfaceShading::apply(const SheetScene& sheet, const RenderSettings& settin
         shadows->apply(sheet, settings.truthLayers, samples);
     if (lobes)
         lobes->apply(sheet, between.exchange ? shadows.get() : nullptr, between.exchange.get(),
-                     samples);
+                     aims.get(), samples);
 }
 
 void SurfaceShading::sortAndApply(const SheetScene& sheet, const RenderSettings& settings,

@@ -17,6 +17,7 @@ struct SurfaceShading {
     std::shared_ptr<const SunShadows> shadows; ///< with the places of samples for inter-reflection
     InterReflected between;
     std::shared_ptr<const LobeQuadrature> lobes; ///< of directional surfaces
+    std::shared_ptr<const LobeAims> aims;        ///< of these
     std::vector<std::string> warnings;
 
     bool isNeeded() const { return shadows || lobes; }

@@ -79,8 +79,7 @@ double SurfaceModel::facetWeight(std::size_t k, const SurfaceDirection& to,
     const SurfaceDirection from = mirrored(to, facet);
     if (!(cosine > 0.0) || !(from.z > 0.0) || !(to.z > 0.0))
         return 0.0;
-    return brdf_per_sr(k, to, from) * from.z * 4.0 * cosine /
-           (facets_.density_per_sr(facet, SlopeSpread::of(roughness())) * facet.z);
+    return brdf_per_sr(k, to, from) * from.z * 4.0 * cosine / facetDensity_per_sr(facet);
 }
 
 SurfaceModel::Amounts SurfaceModel::facetWeights(const SurfaceDirection& to,

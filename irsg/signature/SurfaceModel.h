@@ -53,6 +53,11 @@ class SurfaceModel {
     /// One of as many, by its number: within its share of the area, and turned about the normal.
     /// `share` and `turn` from 0 to below 1; a smooth surface has one facet.
     SurfaceDirection facet(std::size_t number, double share, double turn) const;
+    /// How many of these there are per solid angle, sr-1, as parts of all: the integral over the
+    /// hemisphere is 1.
+    double facetDensity_per_sr(const SurfaceDirection& facet) const {
+        return facets_.density_per_sr(facet, SlopeSpread::of(roughness())) * facet.z;
+    }
     /// What one of them sends towards `to` of component k, in parts of the albedo times their
     /// number.
     virtual double facetWeight(std::size_t k, const SurfaceDirection& to,

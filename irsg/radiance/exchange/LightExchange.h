@@ -105,6 +105,15 @@ class LightExchange {
     /// The drawn row of a receiver, and its number among those of the row.
     int rowOf(std::size_t receiver) const { return rows_[receiver]; }
     std::uint32_t localOf(std::size_t receiver) const { return local_[receiver]; }
+    /// The number of a receiver among senders.
+    std::uint32_t senderOf(std::size_t receiver) const { return senderOf_[receiver]; }
+    /// The drawn row of a cell of a mesh.
+    int rowOfCell(std::uint32_t cell) const {
+        const std::size_t body = bodyOfCell(cell);
+        const ExchangeNodes& nodes = bodies_[body].light->nodes();
+        const std::uint32_t corner = nodes.mesh().corners(cell - firstCell_[body])[0];
+        return rows_[firstReceiver_[body] + nodes.sharesOf(corner).front().node];
+    }
     const std::vector<std::uint32_t>& ofRow(int row) const {
         return ofRow_[static_cast<std::size_t>(row)];
     }

@@ -155,13 +155,15 @@ void SunShadows::OpenPaths::goOnFrom(Hit& hit) const {
     hit.place.start_m = shadows_->startOf_m(hit.place);
 }
 
+Vec3 SunShadows::OpenPaths::inEye(const Vec3& direction) const {
+    const Viewpoint& eye = source_->eye;
+    return {dot(direction, eye.right), dot(direction, eye.up), dot(direction, eye.backward)};
+}
+
 Vec3 SunShadows::OpenPaths::normalAt(const Hit& hit) const {
     const Caster& caster = shadows_->casters_[hit.place.caster];
-    const Vec3 normal =
-        turned(shadows_->toWorld_[hit.place.caster],
-               caster.mesh->normal(hit.place.hit) * (hit.place.hit.isFront ? 1.0 : -1.0));
-    const Viewpoint& eye = source_->eye;
-    return {dot(normal, eye.right), dot(normal, eye.up), dot(normal, eye.backward)};
+    return inEye(turned(shadows_->toWorld_[hit.place.caster],
+                        caster.mesh->normal(hit.place.hit) * (hit.place.hit.isFront ? 1.0 : -1.0)));
 }
 
 bool SunShadows::name(std::size_t caster, Hit& hit) const {

@@ -114,6 +114,8 @@ class SunShadows {
         Met met(const Place& from, const Vec3& towardsEye, Hit& end, std::vector<Hit>& panes) const;
         /// Lets rays begin at what was met.
         void goOnFrom(Hit& hit) const;
+        /// A direction of the world in eye space.
+        Vec3 inEye(const Vec3& direction) const;
         /// Of the smooth surface there, in eye space; to the side that the ray came from.
         Vec3 normalAt(const Hit& hit) const;
 
