@@ -153,7 +153,8 @@ void LobeQuadrature::addLobes(const Tile& own, int row, int column, const Geomet
                                {},
                                static_cast<std::uint32_t>(sample),
                                ofSample,
-                               rows_.firstLobe(drawn.row)};
+                               rows_.firstLobe(drawn.row),
+                               samples.standsForGroup(sample) ? own.step / 2 : own.step};
         layer.to = layer.axes.ofSeen(along * -1.0);
 
         const SurfaceDirection sun = layer.axes.of(own.sun);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -26,7 +27,8 @@ struct LobeQuadrature::Tile {
     Vec3 zenith, sun, towards; ///< the last the level part of the sun's, a unit vector
     std::optional<SunShadows::OpenPaths> open;
     const LightExchange* exchange = nullptr; ///< there where `open` is
-    std::size_t step = 1;                    ///< of the facets that a sample follows one in so many
+    /// Of the facets that a sample follows one in so many; one that stands for four twice as many.
+    std::size_t step = 1;
     /// What rays are aimed at, and where these spheres are, in the world; there where `open` is.
     const LobeAims* aims = nullptr;
     std::vector<Vec3> aimsAt_m;
@@ -40,10 +42,30 @@ struct LobeQuadrature::Tile {
         };
         return {samples.opaque[4 * sample], {number(first), number(first + 1), number(first + 2)}};
     }
+    /// The same from group to group, which are twice as far apart; `sample` has the mean.
+    Vec3 changeOfGroup(const GeometrySamples& samples, std::size_t sample, bool isDown,
+                       std::size_t first) const {
+        constexpr std::size_t members = GeometrySamples::samplesOfGroup;
+        const auto group = samples.groupOf(sample, tile->stride());
+        std::array<Vec3, members> normals;
+        Vec3 stands = opaqueAt(samples, sample, first).second * static_cast<double>(members);
+        for (std::size_t i = 0; i < members; ++i)
+            if (group[i] != sample) {
+                normals[i] = opaqueAt(samples, group[i], first).second;
+                stands = stands - normals[i];
+            }
+        for (std::size_t i = 0; i < members; ++i)
+            if (group[i] == sample)
+                normals[i] = stands;
+        return isDown ? normals[2] + normals[3] - normals[0] - normals[1]
+                      : normals[1] + normals[3] - normals[0] - normals[2];
+    }
     /// How the normal changes from sample to sample along rows or columns, from the side that
     /// bends less.
     Vec3 change(const GeometrySamples& samples, std::size_t sample, int column, int row,
                 bool isDown, std::size_t first) const {
+        if (samples.standsForGroup(sample))
+            return changeOfGroup(samples, sample, isDown, first);
         const auto [own, normal] = opaqueAt(samples, sample, first);
         Vec3 least;
         double square = mostBend * mostBend;
@@ -72,6 +94,7 @@ struct LobeQuadrature::DirectionalLayer {
     SurfaceDirection to;
     std::uint32_t sample = 0, number = 0; ///< number among those of the sample
     int firstLobe = 0;                    ///< row
+    std::size_t step = 1;                 ///< of the facets that are followed
 
     std::size_t lobes() const {
         std::size_t count = 0;

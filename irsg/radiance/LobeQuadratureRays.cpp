@@ -262,7 +262,7 @@ void LobeQuadrature::follow(const Tile& own, const DirectionalLayer& layer,
         from.reset();
     Following rays(*this, own, layer, from, sets, mirrored);
     const std::size_t facets = layer.model.facets().size();
-    const std::size_t step = isFree ? 1 : std::min(own.step, facets);
+    const std::size_t step = isFree ? 1 : std::clamp<std::size_t>(layer.step, 1, facets);
     rays.sendAll(step);
     const SurfaceModel::Amounts& followed = rays.followed();
     LobePaths::Found& found = mirrored.found;

@@ -36,17 +36,25 @@ class SublatticeDifferences {
           lastRow_(static_cast<int>(lastRow)),
           cells_(static_cast<std::size_t>(tile.blocksWide * tile.samplesAcross)),
           classes_{empty, empty, empty, empty},
+          joined_(empty),
           corrections_{empty, empty, empty} {}
 
     void goTo(int x, int y, double weight) {
         classes_[0].goTo(x, y, weight);
         for (std::size_t c = 1; c < classes_.size(); ++c)
             classes_[c].goTo(classes_[0], 1.0);
+        joined_.goTo(classes_[0], static_cast<double>(GeometrySamples::samplesOfGroup));
         weight_ = weight;
     }
 
-    /// The next layers are those of a sample of the drawing.
-    void at(std::size_t sample) {
+    /// The next layers are those of a sample of the drawing. Where it stands for a group, one of
+    /// each lattice, all have the same of it.
+    void at(std::size_t sample, bool isOfGroup) {
+        if (isOfGroup) {
+            now_ = &joined_;
+            isCorrected_ = false;
+            return;
+        }
         if (sample < rowBegin_ || sample >= rowEnd_)
             goToRow(sample);
         const std::size_t column = sample - rowBegin_, cell = column - firstCell_;
@@ -84,6 +92,7 @@ class SublatticeDifferences {
     void finishLight() {
         for (ViewSurfaceSums<Factors>& sums : classes_)
             sums.finishLight();
+        joined_.finishLight();
         for (ViewSurfaceSums<Factors>& sums : corrections_)
             sums.finishLight();
     }
@@ -97,6 +106,7 @@ class SublatticeDifferences {
     void finish() {
         for (ViewSurfaceSums<Factors>& sums : classes_)
             sums.finish();
+        joined_.finish();
         for (ViewSurfaceSums<Factors>& sums : corrections_)
             sums.finish();
     }
@@ -106,6 +116,7 @@ class SublatticeDifferences {
     void forEachOfSum(Visit visit) const {
         for (const ViewSurfaceSums<Factors>& sums : classes_)
             visit(sums, 1.0);
+        visit(joined_, 1.0);
     }
     /// The same of a contrast.
     template <typename Visit>
@@ -159,6 +170,7 @@ class SublatticeDifferences {
     int firstRow_, lastRow_;
     std::size_t cells_;                               ///< of a row
     std::array<ViewSurfaceSums<Factors>, 4> classes_; ///< by parity of row and column
+    ViewSurfaceSums<Factors> joined_;                 ///< groups of one of each class
     std::array<ViewSurfaceSums<Factors>, sublatticeDifferenceKinds> corrections_;
     ViewSurfaceSums<Factors>* now_ = nullptr;
     bool isCorrected_ = false, hasCorrections_ = false;

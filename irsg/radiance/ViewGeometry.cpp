@@ -11,13 +11,12 @@
 #include "irsg/radiance/PixelSurfaceSums.h"
 #include "irsg/radiance/SublatticeDifferences.h"
 #include "irsg/radiance/ViewSurfaceSums.h"
+#include "irsg/render/sampling/JoinedSamples.h"
 
 namespace irsg {
 
 namespace {
 
-/// Pieces that the rows of a tile are divided into, whatever the number of cores.
-constexpr std::size_t lightParts = 8;
 /// Parts whose contrasts are kept apart: what edges far from each other do is not lost between
 /// them.
 constexpr std::size_t sublatticeStrips = 4;
@@ -35,8 +34,13 @@ void addRows(const SampleTile& tile, const GeometrySamples& samples, std::size_t
                             return;
                         sums.goTo(x, y, weight);
                         for (std::size_t i = first; i < last; ++i) {
-                            if constexpr (requires { sums.at(i); })
-                                sums.at(i);
+                            if (samples.isEmpty(i))
+                                continue;
+                            const bool isOfGroup = samples.standsForGroup(i);
+                            if constexpr (requires { sums.at(i, isOfGroup); })
+                                sums.at(i, isOfGroup);
+                            else if (isOfGroup)
+                                sums.goTo(x, y, GeometrySamples::samplesOfGroup * weight);
                             walk.forEachPlace(
                                 samples, i,
                                 [&](int stack, const SurfaceRows::Between& between,
@@ -51,6 +55,9 @@ void addRows(const SampleTile& tile, const GeometrySamples& samples, std::size_t
                                     const GeometrySamples::Specular& mirror) {
                                     sums.addSpecular(stack, samples, layer, mirror);
                                 });
+                            if constexpr (!requires { sums.at(i, isOfGroup); })
+                                if (isOfGroup)
+                                    sums.goTo(x, y, weight);
                         }
                     });
     sums.finish();
@@ -112,13 +119,13 @@ template <std::size_t Factors>
 void GeometrySums::addGeometryToView(const SampleTile& tile, const GeometrySamples& samples,
                                      ViewGeometry& view) {
     const auto rows = static_cast<std::size_t>(tile.height());
-    std::vector<LayerWalk> walks(lightParts, LayerWalk(rows_));
+    std::vector<LayerWalk> walks(partsOfTile, LayerWalk(rows_));
     const ViewSurfaceSums<Factors> none(rows_, grid_, varying_, exchange_.get(), tile.share());
-    std::array<std::optional<ViewSurfaceSums<Factors>>, lightParts> sums;
-    std::array<std::optional<SublatticeDifferences<Factors>>, lightParts> sublatticeDifferences;
-    parallelFor(lightParts, [&](std::size_t p) {
-        const std::size_t begin = beginOfPart(p, lightParts, rows),
-                          end = beginOfPart(p + 1, lightParts, rows);
+    std::array<std::optional<ViewSurfaceSums<Factors>>, partsOfTile> sums;
+    std::array<std::optional<SublatticeDifferences<Factors>>, partsOfTile> sublatticeDifferences;
+    parallelFor(partsOfTile, [&](std::size_t p) {
+        const std::size_t begin = beginOfPart(p, partsOfTile, rows),
+                          end = beginOfPart(p + 1, partsOfTile, rows);
         const auto addTo = [&](auto& own) {
             addRows(tile, samples, begin, end, walks[p], own);
             own.finishLight();
@@ -128,7 +135,7 @@ void GeometrySums::addGeometryToView(const SampleTile& tile, const GeometrySampl
         else
             addTo(sums[p].emplace(none));
     });
-    for (std::size_t p = 0; p < lightParts; ++p) {
+    for (std::size_t p = 0; p < partsOfTile; ++p) {
         const std::vector<int> occluderStacks =
             numbersOf(walks[p].occluderStacks(), occluderStacks_);
         const auto addTo = [&](ViewGeometry& to) {
@@ -178,11 +185,11 @@ void GeometrySums::addToView(const SampleTile& tile, const GeometrySamples& samp
 void GeometrySums::addToPixels(const SampleTile& tile, const GeometrySamples& samples,
                                PixelGeometry& pixels) {
     const auto rows = static_cast<std::size_t>(tile.height());
-    std::vector<LayerWalk> walks(lightParts, LayerWalk(rows_));
-    std::array<std::optional<PixelSurfaceSums>, lightParts> sums;
-    parallelFor(lightParts, [&](std::size_t p) {
-        const std::size_t begin = beginOfPart(p, lightParts, rows),
-                          end = beginOfPart(p + 1, lightParts, rows);
+    std::vector<LayerWalk> walks(partsOfTile, LayerWalk(rows_));
+    std::array<std::optional<PixelSurfaceSums>, partsOfTile> sums;
+    parallelFor(partsOfTile, [&](std::size_t p) {
+        const std::size_t begin = beginOfPart(p, partsOfTile, rows),
+                          end = beginOfPart(p + 1, partsOfTile, rows);
         if (begin == end)
             return;
         const auto pixelRow = [&](std::size_t row) {
@@ -196,7 +203,7 @@ void GeometrySums::addToPixels(const SampleTile& tile, const GeometrySamples& sa
                         tile.share());
         addRows(tile, samples, begin, end, walks[p], *sums[p]);
     });
-    for (std::size_t p = 0; p < lightParts; ++p) {
+    for (std::size_t p = 0; p < partsOfTile; ++p) {
         if (!sums[p])
             continue;
         const std::vector<int> occluderStacks =

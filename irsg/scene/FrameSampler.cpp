@@ -72,6 +72,7 @@ class SurfaceRttPass : public RttPass {
         }
         Stopwatch evaluating(evaluateSeconds);
         radiances_.evaluate(factors, samples);
+        giveToGroups(sheet, factors, samples);
         if (factors.size() > mostSamplesCached)
             factors = {};
         layersLeftOver += samples.layersLeftOver;
@@ -136,7 +137,7 @@ std::shared_ptr<ViewSampling> FrameSampler::begin(const Frame& frame) {
     // It outlives what is begun here: it waits for that when it goes.
     sampling->tiles_ = surfaces_.begin(
         frame.surfaces, frame.request.camera, tilesOf(frame, frame.plan.drawn),
-        frame.rows().needsDistances(),
+        frame.rows().needsDistances(), SurfaceSampler::Joining::smooth,
         [own = sampling.get()](const SampleTile& tile, const GeometrySamples& samples) {
             own->sums_.addToView(tile, samples, own->factors_);
         });

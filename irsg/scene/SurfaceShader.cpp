@@ -150,7 +150,25 @@ SurfaceShading SurfaceShader::shade(const FrameRequest& request,
         shadows->setPlaces(placesOf(shading.between, evaluation.surfaceRows()));
     shadows->setSunlit(sunlitOf(scene, shadowed, *shadows));
     shading.shadows = std::move(shadows);
+    shading.joins = joinsOf(evaluation);
     return shading;
+}
+
+JoinLimits SurfaceShader::joinsOf(const SceneEvaluation& evaluation) const {
+    JoinLimits limits;
+    if (evaluation.surfaceRows().hasGas())
+        return limits;
+    // What sums of factors make of them does not depend on it; places and lobes are those of one.
+    constexpr double mostDifference = 0.2, bendOfRoughness = 0.5;
+    limits.firstNormal = terms_.lobeRoles().size();
+    for (const auto& model : evaluation.evaluated->radiometry.models()) {
+        const bool isMirror = model && model->facets().size() == 1;
+        limits.mostDifference.push_back(isMirror ? 0.0 : mostDifference);
+        limits.mostBend.push_back(
+            model ? std::min(bendOfRoughness * model->roughness(), mostDifference)
+                  : mostDifference);
+    }
+    return limits;
 }
 
 std::shared_ptr<const LobeAims>

@@ -42,6 +42,8 @@ class SurfaceShader {
     std::shared_ptr<const LobeQuadrature> lobesOf(const RenderSettings& settings,
                                                   const SceneEvaluation& evaluation) const;
 
+    /// Which samples may stand for each other: not where gas is, nor of mirrors.
+    JoinLimits joinsOf(const SceneEvaluation& evaluation) const;
     /// Null where nothing is bright.
     std::shared_ptr<const LobeAims> aimsOf(const FrameRequest& request,
                                            const SceneEvaluation& evaluation,

@@ -4,6 +4,12 @@
 
 namespace irsg {
 
+void SurfaceShading::join(const SheetScene& sheet, GeometrySamples& samples) const {
+    samples.groups.clear();
+    if (!joins.mostDifference.empty())
+        joinSmoothSamples(sheet, joins, samples);
+}
+
 void SurfaceShading::apply(const SheetScene& sheet, const RenderSettings& settings,
                            GeometrySamples& samples) const {
     if (shadows)
@@ -16,6 +22,7 @@ void SurfaceShading::apply(const SheetScene& sheet, const RenderSettings& settin
 void SurfaceShading::sortAndApply(const SheetScene& sheet, const RenderSettings& settings,
                                   GeometrySamples& samples) const {
     sortLayers(samples, settings.maximumLayers);
+    join(sheet, samples);
     apply(sheet, settings, samples);
 }
 

@@ -6,6 +6,7 @@
 
 #include "irsg/radiance/LobeQuadrature.h"
 #include "irsg/render/rays/SunShadows.h"
+#include "irsg/render/sampling/JoinedSamples.h"
 #include "irsg/render/values/RenderSettings.h"
 #include "irsg/scene/InterReflected.h"
 
@@ -18,13 +19,16 @@ struct SurfaceShading {
     InterReflected between;
     std::shared_ptr<const LobeQuadrature> lobes; ///< of directional surfaces
     std::shared_ptr<const LobeAims> aims;        ///< of these
+    JoinLimits joins;                            ///< of no row: all samples are alone
     std::vector<std::string> warnings;
 
     bool isNeeded() const { return shadows || lobes; }
+    /// Lets samples stand for each other; first of all.
+    void join(const SheetScene& sheet, GeometrySamples& samples) const;
     /// Takes away light of the sun, and adds lobes.
     void apply(const SheetScene& sheet, const RenderSettings& settings,
                GeometrySamples& samples) const;
-    /// Sorts the layers of a drawing, and does that.
+    /// Sorts the layers of a drawing, and does all of that.
     void sortAndApply(const SheetScene& sheet, const RenderSettings& settings,
                       GeometrySamples& samples) const;
 };

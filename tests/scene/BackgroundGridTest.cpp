@@ -251,6 +251,44 @@ TEST(BackgroundGrid, TakesAsManyRowsAsHalfAPercentNeeds) {
     EXPECT_EQ(black.elevations_rad().size(), 10u);
 }
 
+TEST(BackgroundGrid, RowsOfPixelsHaveTheRadianceOfTheirDirections) {
+    // Most pixels of a row are between others that are computed.
+    for (const double fieldOfView_deg : {0.5, 15.0, 28.0, 60.0}) {
+        for (const double elevation_deg : {-40.0, -1.0, 0.3, 12.0, 85.0}) {
+            for (const double roll_deg : {0.0, 20.0}) {
+                const Sensor sensor = sensorOf(323, 200, fieldOfView_deg);
+                const Vec3 forward = direction(radians(30.0), radians(elevation_deg));
+                const Vec3 across = normalized(cross(forward, Vec3{0, 0, 1}));
+                const Viewpoint viewpoint =
+                    Viewpoint::lookAt({}, forward,
+                                      Vec3{0, 0, 1} * std::cos(radians(roll_deg)) +
+                                          across * std::sin(radians(roll_deg)));
+                const BackgroundGrid grid(
+                    sensor, viewpoint, 0.0, BackgroundGrid::asManyAsNeeded, 1,
+                    [](const LineOfSight& sight) { return clearSky(sight.elevation_rad, 0.3); });
+                const std::vector<double> pixels = grid.pixels();
+                const FieldRays rays(sensor, viewpoint);
+                double most = 0.0;
+                for (int y = 0; y < sensor.height_px; ++y) {
+                    for (int x = 0; x < sensor.width_px; ++x) {
+                        const Vec3 along = normalized(rays.forward + rays.right * rays.u(x + 0.5) +
+                                                      rays.up * rays.v(y + 0.5));
+                        // A pixel on the horizon is of both sides.
+                        if (std::abs(std::asin(along.z)) < 2.0 * (rays.u(1.0) - rays.u(0.0))) {
+                            continue;
+                        }
+                        const double expected = grid.at(along);
+                        const double found =
+                            pixels[static_cast<std::size_t>(y) * 323 + static_cast<std::size_t>(x)];
+                        most = std::max(most, std::abs(found / expected - 1.0));
+                    }
+                }
+                EXPECT_LT(most, 1e-5) << fieldOfView_deg << " " << elevation_deg << " " << roll_deg;
+            }
+        }
+    }
+}
+
 TEST(BackgroundGrid, MixesSkyAndGroundOnlyInThePixelThatHoldsTheHorizon) {
     const Sensor sensor = sensorOf(33, 33, 5.0);
     const Viewpoint view = looking(0.0, 0.01);

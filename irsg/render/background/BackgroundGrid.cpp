@@ -248,6 +248,61 @@ double BackgroundGrid::at(const Vec3& direction) const {
     return interpolated(sky ? sky_ : ground_, sky ? angle_rad : -angle_rad, column(azimuth_rad));
 }
 
+namespace {
+
+/// Fills a row, computing no more of it than is needed: between five even places a polynomial
+/// through these, where a parabola through three of them gives the other two to 1e-7.
+template <typename ValueAt>
+void fillSmoothly(double* row, int count, const ValueAt& valueAt) {
+    constexpr double enough = 1e-7;
+    constexpr int fewest = 16;
+    const auto fill = [&](const auto& self, int first, int last) -> void {
+        const int length = last - first;
+        if (length < fewest || length % 4 != 0) {
+            for (int x = first + 1; x < last; ++x)
+                row[x] = valueAt(x);
+            return;
+        }
+        const int step = length / 4;
+        for (int i = 1; i < 4; ++i)
+            row[first + i * step] = valueAt(first + i * step);
+        const double a = row[first], b = row[first + step], c = row[first + 2 * step],
+                     d = row[first + 3 * step], e = row[last];
+        const double most = enough * std::abs(c);
+        if (std::abs(0.375 * a + 0.75 * c - 0.125 * e - b) > most ||
+            std::abs(-0.125 * a + 0.75 * c + 0.375 * e - d) > most) {
+            self(self, first, first + 2 * step);
+            self(self, first + 2 * step, last);
+            return;
+        }
+        // Newton's forward differences.
+        const double d1 = b - a, d2 = c - 2.0 * b + a, d3 = d - 3.0 * c + 3.0 * b - a;
+        const double d4 = e - 4.0 * d + 6.0 * c - 4.0 * b + a;
+        for (int x = first + 1; x < last; ++x) {
+            if ((x - first) % step == 0)
+                continue;
+            const double t = static_cast<double>(x - first) / step;
+            row[x] = a + t * (d1 + (t - 1.0) / 2.0 *
+                                       (d2 + (t - 2.0) / 3.0 * (d3 + (t - 3.0) / 4.0 * d4)));
+        }
+    };
+    // Even pieces, whose lengths are multiples of four as long as that matters.
+    int piece = fewest;
+    while (2 * piece < count)
+        piece *= 2;
+    row[0] = valueAt(0);
+    for (int first = 0; first + 1 < count;) {
+        while (piece > 1 && first + piece >= count)
+            piece /= 2;
+        const int last = first + piece;
+        row[last] = valueAt(last);
+        fill(fill, first, last);
+        first = last;
+    }
+}
+
+} // namespace
+
 std::vector<double> BackgroundGrid::pixels() const {
     static const FastAngle angle;
     std::vector<double> result;
@@ -262,16 +317,25 @@ std::vector<double> BackgroundGrid::pixels() const {
         return Vec3{d.x * cosine - d.y * sine, d.x * sine + d.y * cosine, d.z};
     };
     const Vec3 right = turned(rays_.right), up = turned(rays_.up), forward = turned(rays_.forward);
+    // Within a quarter of so narrow a row the horizon rises by less than a pixel.
+    constexpr double narrow = 0.27, rowsOfHorizon = 3.0;
+    const double pixel_rad = rays_.u(1.0) - rays_.u(0.0);
+    const bool isNarrow = rays_.u(rays_.width_px) < narrow && rays_.v(0.0) < narrow;
     for (int y = 0; y < rays_.height_px; ++y) {
         const double v = rays_.v(y + 0.5);
         const Vec3 start = forward + up * v;
-        for (int x = 0; x < rays_.width_px; ++x) {
+        const auto directionAt = [&](int x) {
             const double u = rays_.u(x + 0.5);
-            const Vec3 d{start.x + u * right.x, start.y + u * right.y, start.z + u * right.z};
-            const double above_rad =
-                angle(d.z, std::sqrt(d.x * d.x + d.y * d.y)) - horizon_.elevation_rad();
+            return Vec3{start.x + u * right.x, start.y + u * right.y, start.z + u * right.z};
+        };
+        const auto aboveHorizon_rad = [&](const Vec3& d) {
+            return angle(d.z, std::sqrt(d.x * d.x + d.y * d.y)) - horizon_.elevation_rad();
+        };
+        const auto radianceAt = [&](int x) {
+            const Vec3 d = directionAt(x);
+            const double above_rad = aboveHorizon_rad(d);
             const double place = turns ? column(angle(d.x, d.y)) : 0.0;
-            const double sky = both                     ? horizon_.skyFraction(u, v)
+            const double sky = both                     ? horizon_.skyFraction(rays_.u(x + 0.5), v)
                                : ground_.angles.empty() ? 1.0
                                                         : 0.0;
             double radiance = 0.0;
@@ -279,8 +343,22 @@ std::vector<double> BackgroundGrid::pixels() const {
                 radiance += sky * interpolated(sky_, above_rad, place);
             if (sky < 1.0)
                 radiance += (1.0 - sky) * interpolated(ground_, -above_rad, place);
-            result.push_back(radiance);
-        }
+            return radiance;
+        };
+        result.resize(result.size() + static_cast<std::size_t>(rays_.width_px));
+        double* const row = &result[result.size() - static_cast<std::size_t>(rays_.width_px)];
+        const auto isAwayFromHorizon = [&] {
+            for (int i = 0; i <= 4; ++i)
+                if (std::abs(aboveHorizon_rad(directionAt(i * (rays_.width_px - 1) / 4))) <
+                    rowsOfHorizon * pixel_rad)
+                    return false;
+            return true;
+        };
+        if (!turns && isNarrow && (!both || isAwayFromHorizon()))
+            fillSmoothly(row, rays_.width_px, radianceAt);
+        else
+            for (int x = 0; x < rays_.width_px; ++x)
+                row[x] = radianceAt(x);
     }
     return result;
 }

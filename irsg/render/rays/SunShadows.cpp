@@ -78,6 +78,16 @@ struct SunShadows::Shaded {
     double free = 0.0; ///< part of the light that nothing weakens
     std::map<MaterialSet, double> through;
 
+    void add(const Shaded& other) {
+        free += other.free;
+        for (const auto& [set, part] : other.through)
+            through[set] += part;
+    }
+    void scale(double times) {
+        free *= times;
+        for (auto& [set, part] : through)
+            part *= times;
+    }
     double visible() const {
         double sum = free;
         for (const auto& [set, part] : through)
@@ -345,6 +355,12 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility,
     for (std::size_t w = 0; w < sheet.scenes.size(); ++w)
         sources.push_back(sourceOf(sheet.scenes[w], sheet.sheet.tiles[w]));
 
+    const auto lightOf = [&](const Source& source, const Place& place, std::size_t f,
+                             std::size_t sample) {
+        const bool isLit = isAllLit(place, source.sunlit[f]);
+        return isLit && casters_.size() == 1 ? Shaded{1.0, {}}
+                                             : lightAt(place, source.towards[f], isLit, sample);
+    };
     const auto shade = [&](const Source& source, Passages& passages, Neighbours& neighbours,
                            int row, int column) {
         const std::size_t sample = indexOf(*source.tile, column, row);
@@ -391,13 +407,31 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility,
                 if (!place)
                     place = placeOf(source, eyeDirection, layer.row,
                                     static_cast<double>(layer.distance_m), column, neighbours);
-                const bool isLit = isAllLit(*place, source.sunlit[f]);
-                if (isLit && casters_.size() == 1) {
+                Shaded light = lightOf(source, *place, f, sample);
+                if (samples.standsForGroup(sample)) {
+                    // Each member has a shadow of its own.
+                    const auto drawn = static_cast<std::size_t>(samples.groups[sample]) - 1;
+                    const int left = column - static_cast<int>(drawn % 2);
+                    const int top = row - static_cast<int>(drawn / 2);
+                    for (std::size_t i = 0; i < GeometrySamples::samplesOfGroup; ++i) {
+                        if (i == drawn)
+                            continue;
+                        const int x = left + static_cast<int>(i % 2),
+                                  y = top + static_cast<int>(i / 2);
+                        const std::size_t member = indexOf(*source.tile, x, y);
+                        light.add(lightOf(source,
+                                          placeOf(source, source.directions.at(x, y), layer.row,
+                                                  static_cast<double>(samples.distances_m[member]),
+                                                  x, neighbours),
+                                          f, member));
+                    }
+                    light.scale(1.0 / static_cast<double>(GeometrySamples::samplesOfGroup));
+                }
+                if (light.free == 1.0) {
                     if (withVisibility && own == 0)
                         samples.sunVisibility[sample] = 1.0f;
                     continue;
                 }
-                const Shaded light = lightAt(*place, source.towards[f], isLit, sample);
                 const auto whole = static_cast<double>(*factor);
                 *factor = static_cast<float>(whole * light.free);
                 for (const auto& [set, part] : light.through)

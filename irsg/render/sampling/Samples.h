@@ -141,8 +141,27 @@ struct GeometrySamples {
     /// mirrors (mirrorMaterial). The first is nothing.
     std::vector<std::vector<std::pair<int, int>>> reflectedSets;
 
+    /// Where one of two by two samples stands for all (joinSmoothSamples): 0 for a sample that is
+    /// alone, else 1 + the number of the one that stands for them, upper left, upper right, lower
+    /// left, lower right, or `ofAnother` for one that another stands for, which is empty. Or empty:
+    /// all are alone.
+    std::vector<std::uint8_t> groups;
+    static constexpr std::uint8_t ofAnother = 5;
+    static constexpr std::size_t samplesOfGroup = 4;
+    bool standsForGroup(std::size_t sample) const {
+        return !groups.empty() && groups[sample] != 0 && groups[sample] != ofAnother;
+    }
+    /// The samples that one stands for, in that order; `stride` from one row to the next.
+    std::array<std::size_t, samplesOfGroup> groupOf(std::size_t sample, std::size_t stride) const {
+        const auto number = static_cast<std::size_t>(groups[sample]) - 1;
+        const std::size_t left = sample - number % 2;
+        const std::size_t upper = number / 2 == 0 ? left : left + stride;
+        return {upper, upper + 1, upper - stride, upper - stride + 1};
+    }
+
     /// Nothing is known of shadows, of light between surfaces and of lobes.
     void forgetLight() {
+        groups.clear();
         through.clear();
         lobes.clear();
         speculars.clear();
@@ -172,7 +191,10 @@ struct GeometrySamples {
     bool isLeftOver(std::size_t sample) const {
         return isListed(sample) && fragmentsOf(sample).second < ends[sample + 1];
     }
-    bool isEmpty(std::size_t sample) const { return !isOpaque(sample) && !isListed(sample); }
+    bool isEmpty(std::size_t sample) const {
+        return (!isOpaque(sample) && !isListed(sample)) ||
+               (!groups.empty() && groups[sample] == ofAnother);
+    }
 
     struct Layer {
         int row = 0; ///< of the drawing

@@ -1,0 +1,161 @@
+#include "irsg/render/sampling/JoinedSamples.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "irsg/core/ParallelFor.h"
+
+namespace irsg {
+
+namespace {
+
+constexpr std::size_t members = GeometrySamples::samplesOfGroup;
+
+/// What the distances of neighbours may differ by, in units of what is between them across the
+/// line of sight: of surfaces that are seen at a grazing angle, and from one to another behind it.
+constexpr double steepest = 8.0;
+
+class Joining {
+  public:
+    Joining(const SurfaceScene& scene, const SampleTile& tile, const JoinLimits& limits,
+            GeometrySamples& samples)
+        : tile_(tile),
+          limits_(limits),
+          samples_(samples),
+          cells_(tile.blocksWide * tile.samplesAcross) {
+        const Sensor& sensor = scene.camera->sensor();
+        const double pitch =
+            2.0 * std::tan(0.5 * sensor.horizontalFieldOfView_rad) / sensor.width_px;
+        most_ = steepest * pitch * std::max(tile.cellWidth_px(), tile.cellHeight_px());
+    }
+
+    /// The pairs of rows of one part of the tile.
+    void joinPart(std::size_t part) {
+        const auto rows = static_cast<std::size_t>(tile_.height());
+        const auto begin = static_cast<int>(beginOfPart(part, partsOfTile, rows));
+        const auto end = static_cast<int>(beginOfPart(part + 1, partsOfTile, rows));
+        for (int row = begin + 1; row + 2 < end; row += 2)
+            joinRows(row);
+    }
+
+  private:
+    /// Groups of a row and the one below.
+    void joinRows(int row) {
+        // Cells beside members must count, too.
+        std::array<std::vector<double>, 4> weights;
+        if (!tile_.isWhole())
+            for (int i = 0; i < 4; ++i)
+                weights[static_cast<std::size_t>(i)] = tile_.weightsOf(row - 1 + i);
+        const auto isInside = [&](int column) {
+            constexpr double whole = 1.0 - 1e-9;
+            for (int i = 0; i < 4; ++i) {
+                const int first = tile_.firstColumn(row - 1 + i);
+                const auto& own = weights[static_cast<std::size_t>(i)];
+                for (int beside = column - 1; beside <= column + 2; ++beside) {
+                    const int cell = beside - first;
+                    if (cell < 0 || cell >= cells_ ||
+                        (!own.empty() && own[static_cast<std::size_t>(cell)] < whole))
+                        return false;
+                }
+            }
+            return true;
+        };
+        const std::size_t lower =
+            tile_.firstSample + static_cast<std::size_t>(tile_.height() - 2 - row) * tile_.stride();
+        const std::size_t upper = lower + tile_.stride();
+        const int first = tile_.firstColumn(row) + 1;
+        for (int column = first + first % 2; column + 2 < first + cells_; column += 2) {
+            const auto c = static_cast<std::size_t>(column);
+            const std::array<std::size_t, members> group{upper + c, upper + c + 1, lower + c,
+                                                         lower + c + 1};
+            if (samples_.isOpaque(group[0]) && isSmooth(group) && isInside(column))
+                join(group, static_cast<std::size_t>((column / 2) % 2 + 2 * ((row / 2) % 2)));
+        }
+    }
+
+    float factor(std::size_t sample, std::size_t f) const {
+        return f < 3 ? samples_.opaque[4 * sample + 1 + f]
+                     : samples_.moreFactors[4 * sample + f - 3];
+    }
+    float& factor(std::size_t sample, std::size_t f) {
+        return f < 3 ? samples_.opaque[4 * sample + 1 + f]
+                     : samples_.moreFactors[4 * sample + f - 3];
+    }
+
+    bool isSmooth(std::span<const std::size_t, members> group) const {
+        const float row = samples_.opaque[4 * group[0]];
+        const auto drawn = static_cast<std::size_t>(row) - 1;
+        if (drawn >= limits_.mostDifference.size() || !(limits_.mostDifference[drawn] > 0.0))
+            return false;
+        double nearest = samples_.distances_m[group[0]], farthest = nearest;
+        for (const std::size_t sample : group) {
+            if (samples_.opaque[4 * sample] != row || samples_.isListed(sample))
+                return false;
+            nearest = std::min(nearest, static_cast<double>(samples_.distances_m[sample]));
+            farthest = std::max(farthest, static_cast<double>(samples_.distances_m[sample]));
+        }
+        if (farthest - nearest > most_ * nearest)
+            return false;
+        for (std::size_t f = 0; f < samples_.factorCount; ++f) {
+            const double most =
+                f < limits_.firstNormal ? limits_.mostDifference[drawn] : limits_.mostBend[drawn];
+            float least = factor(group[0], f), greatest = least;
+            for (const std::size_t sample : group) {
+                least = std::min(least, factor(sample, f));
+                greatest = std::max(greatest, factor(sample, f));
+            }
+            if (static_cast<double>(greatest - least) > most)
+                return false;
+        }
+        return true;
+    }
+
+    void join(std::span<const std::size_t, members> group, std::size_t stands) {
+        for (std::size_t f = 0; f < samples_.factorCount; ++f) {
+            float sum = 0.0f;
+            for (const std::size_t sample : group)
+                sum += factor(sample, f);
+            factor(group[stands], f) = sum / static_cast<float>(members);
+        }
+        for (std::size_t i = 0; i < members; ++i)
+            samples_.groups[group[i]] =
+                i == stands ? static_cast<std::uint8_t>(i + 1) : GeometrySamples::ofAnother;
+    }
+
+    const SampleTile& tile_;
+    const JoinLimits& limits_;
+    GeometrySamples& samples_;
+    int cells_;
+    double most_ = 0.0;
+};
+
+} // namespace
+
+void joinSmoothSamples(const SheetScene& sheet, const JoinLimits& limits,
+                       GeometrySamples& samples) {
+    samples.groups.assign(samples.size(), 0);
+    for (std::size_t t = 0; t < sheet.scenes.size(); ++t) {
+        Joining joining(sheet.scenes[t], sheet.sheet.tiles[t], limits, samples);
+        parallelFor(partsOfTile, [&](std::size_t part) { joining.joinPart(part); });
+    }
+}
+
+void giveToGroups(const SampleSheet& sheet, const GeometrySamples& samples,
+                  RadianceSamples& radiances) {
+    if (samples.groups.empty())
+        return;
+    for (const SampleTile& tile : sheet.tiles)
+        for (int row = 0; row < tile.height(); ++row) {
+            const std::size_t first =
+                tile.firstSample + static_cast<std::size_t>(row) * tile.stride();
+            for (std::size_t i = first; i < first + static_cast<std::size_t>(tile.width()); ++i)
+                if (samples.standsForGroup(i))
+                    for (const std::size_t member : samples.groupOf(i, tile.stride()))
+                        for (std::size_t k = 0; k < 2; ++k)
+                            radiances.planes[2 * member + k] = radiances.planes[2 * i + k];
+        }
+}
+
+} // namespace irsg
