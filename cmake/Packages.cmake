@@ -1,5 +1,5 @@
 # Debian packages of what is installed: cpack -G DEB in a build folder, or scripts/make-packages. The components of
-# install() become irsg (libraries, tables of the atmosphere), irsg-dev and smat-dev (headers, find_package), smat (programs,
+# install() become irsg (libraries, tables of the atmosphere), irsg-scattering (the Fourier transforms of haze, GPL), irsg-dev and smat-dev (headers, find_package), smat (programs,
 # window, samples, with Qwt where Debian has none) and python3-smat, for the Python that it was built with.
 
 if(DEFINED SKBUILD)
@@ -22,6 +22,9 @@ set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
 set(CPACK_COMPONENTS_ALL irsg irsg-dev)
+if(TARGET irsg_fftw)
+    list(APPEND CPACK_COMPONENTS_ALL irsg-scattering)
+endif()
 if(SMAT_BUILD_WORKBENCH)
     list(APPEND CPACK_COMPONENTS_ALL smat smat-dev)
     if(smat_has_python)
@@ -50,6 +53,8 @@ else()
 endif()
 smat_describe_package(irsg irsg "Infrared scene generator, libraries"
     " Images in physical units, radiant intensity and spectra of models with infrared codes.")
+smat_describe_package(irsg-scattering irsg-scattering "Infrared scene generator, scattering in haze"
+    " Fourier transforms by FFTW, under the GPL. Without this package irsg and smat are free of that licence and refuse scattering." irsg)
 smat_describe_package(irsg-dev irsg-dev "Infrared scene generator, headers"
     " Headers and find_package(irsg) for programs that render infrared scenes." irsg)
 smat_describe_package(smat smat "Infrared signature modelling workbench"

@@ -83,8 +83,8 @@ AboutDialog::AboutDialog(const QString& viewRenderer, const QString& sceneRender
         tr("<h2>SMAT</h2><p>Infrared signature modelling workbench</p><table>%1</table>"
            "<p>MIT licence. Linked libraries keep their own licences:<br>Qt and Qwt LGPL, "
            "OpenSceneGraph OSGPL, OpenEXR BSD, SQLite public domain%2.</p>")
-            .arg(table, irsg::isScatteringBuilt()
-                            ? tr("; scattering links FFTW, GPL, whose terms hold for the whole")
+            .arg(table, irsg::hasScattering()
+                            ? tr("; scattering loads FFTW, GPL, whose terms hold for the whole")
                             : QString()),
         this);
     label->setObjectName("aboutText");

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <new>
 
-#include <fftw3.h>
+#include <dlfcn.h>
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/ParallelFor.h"
+#include "irsg/scattering/FftLibrary.h"
 
 namespace irsg {
 
@@ -19,33 +20,58 @@ constexpr int pieces = 4;
 /// at every step.
 constexpr int stepsOfOctave = 8;
 
-fftwf_complex* raw(std::complex<float>* values) {
-    return reinterpret_cast<fftwf_complex*>(values);
-}
-
 /// Runs the pieces of a transform on the house's threads.
 void runPieces(void* (*work)(char*), char* data, std::size_t size, int count, void*) {
     parallelFor(static_cast<std::size_t>(count), [&](std::size_t i) { work(data + i * size); });
 }
 
+/// The library of transforms, or a null pointer.
+const FftLibrary* loadedLibrary() {
+#ifdef IRSG_LINKS_FFTW
+    return irsgFftLibrary();
+#else
+    using Offer = const FftLibrary* (*)();
+    static const FftLibrary* const library = []() -> const FftLibrary* {
+        void* const loaded = dlopen("libirsg_fftw.so", RTLD_NOW | RTLD_LOCAL);
+        void* const offer = loaded == nullptr ? nullptr : dlsym(loaded, "irsgFftLibrary");
+        return offer == nullptr ? nullptr : reinterpret_cast<Offer>(offer)();
+    }();
+    return library;
+#endif
+}
+
+const FftLibrary& library() {
+    const FftLibrary* const loaded = loadedLibrary();
+    if (loaded == nullptr)
+        throw InputError(
+            {"libirsg_fftw.so", "", "no library of Fourier transforms", "package irsg-scattering"});
+    return *loaded;
+}
+
+void* allocated(std::size_t bytes) {
+    void* const memory = library().allocate(bytes);
+    if (memory == nullptr)
+        throw std::bad_alloc();
+    return memory;
+}
+
 } // namespace
 
+bool areTransformsInstalled() {
+    return loadedLibrary() != nullptr;
+}
+
 void FftRelease::operator()(void* memory) const {
-    fftwf_free(memory);
+    library().release(memory);
 }
 
 FftBuffer<float> fftReals(std::size_t count) {
-    auto* memory = fftwf_alloc_real(count);
-    if (!memory)
-        throw std::bad_alloc();
-    return FftBuffer<float>(memory);
+    return FftBuffer<float>(static_cast<float*>(allocated(count * sizeof(float))));
 }
 
 FftBuffer<std::complex<float>> fftComplex(std::size_t count) {
-    auto* memory = fftwf_alloc_complex(count);
-    if (!memory)
-        throw std::bad_alloc();
-    return FftBuffer<std::complex<float>>(reinterpret_cast<std::complex<float>*>(memory));
+    return FftBuffer<std::complex<float>>(
+        static_cast<std::complex<float>*>(allocated(count * sizeof(std::complex<float>))));
 }
 
 int fastFftSize(int atLeast) {
@@ -64,7 +90,7 @@ int fastFftSize(int atLeast) {
 
 struct FftPlans::Pair {
     int width, height;
-    fftwf_plan forward = nullptr, backward = nullptr;
+    FftLibrary::Plan *forward = nullptr, *backward = nullptr;
 
     Pair(int w, int h) : width(w), height(h) {
         const auto columns = static_cast<std::size_t>(width) / 2 + 1;
@@ -72,27 +98,23 @@ struct FftPlans::Pair {
             fftReals(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
         const FftBuffer<std::complex<float>> spectrum =
             fftComplex(columns * static_cast<std::size_t>(height));
-        const long points = static_cast<long>(width) * height;
-        fftwf_plan_with_nthreads(points >= threadedFrom ? pieces : 1);
-        forward =
-            fftwf_plan_dft_r2c_2d(height, width, reals.get(), raw(spectrum.get()), FFTW_ESTIMATE);
-        backward =
-            fftwf_plan_dft_c2r_2d(height, width, raw(spectrum.get()), reals.get(), FFTW_ESTIMATE);
-        if (!forward || !backward)
+        const int parts = static_cast<long>(width) * height >= threadedFrom ? pieces : 1;
+        forward = library().planForward(width, height, parts, reals.get(), spectrum.get());
+        backward = library().planBackward(width, height, parts, spectrum.get(), reals.get());
+        if (forward == nullptr || backward == nullptr)
             throw LogicError("FFTW has no plan for a transform");
     }
     ~Pair() {
-        fftwf_destroy_plan(forward);
-        fftwf_destroy_plan(backward);
+        library().destroy(forward);
+        library().destroy(backward);
     }
     Pair(const Pair&) = delete;
     Pair& operator=(const Pair&) = delete;
 };
 
 FftPlans::FftPlans() {
-    if (fftwf_init_threads() == 0)
+    if (!library().divideBy(runPieces))
         throw LogicError("FFTW has no threads");
-    fftwf_threads_set_callback(runPieces, nullptr);
 }
 
 FftPlans::~FftPlans() = default;
@@ -119,11 +141,11 @@ void FftPlans::prepare(int width, int height) {
 }
 
 void FftPlans::forward(int width, int height, float* reals, std::complex<float>* spectrum) {
-    fftwf_execute_dft_r2c(of(width, height).forward, reals, raw(spectrum));
+    library().forward(of(width, height).forward, reals, spectrum);
 }
 
 void FftPlans::backward(int width, int height, std::complex<float>* spectrum, float* reals) {
-    fftwf_execute_dft_c2r(of(width, height).backward, raw(spectrum), reals);
+    library().backward(of(width, height).backward, spectrum, reals);
 }
 
 std::size_t FftPlans::planned() const {

@@ -8,6 +8,11 @@
 
 namespace irsg {
 
+/// Whether Fourier transforms can be computed: FFTW is under the GPL and comes in a library of its
+/// own, libirsg_fftw, which is loaded when this or a transform is first asked for. Without it what
+/// follows throws InputError; the rest of the folder needs none.
+bool areTransformsInstalled();
+
 /// Memory that FFTW's vector instructions can use.
 struct FftRelease {
     void operator()(void* memory) const;

@@ -91,7 +91,7 @@ RenderSettings scattering(bool isOn = true) {
 class ScatteringScene : public testing::Test {
   protected:
     void SetUp() override {
-        if (!isScatteringBuilt()) {
+        if (!hasScattering()) {
             GTEST_SKIP() << whyNoScattering();
         }
     }
@@ -368,8 +368,8 @@ TEST_F(ScatteringScene, RefusesToScatterWithoutADatabase) {
 }
 
 TEST(ScatteringWithoutItsFloor, IsRefusedByName) {
-    if (isScatteringBuilt()) {
-        GTEST_SKIP() << "this build has irsg/scattering";
+    if (hasScattering()) {
+        GTEST_SKIP() << "there is scattering";
     }
     InteractiveRenderer irsg{RenderSettings::direct()};
     irsg.scene.environment = with(darkness(), "haze.mtf", 0.01);
@@ -383,5 +383,5 @@ TEST(ScatteringWithoutItsFloor, IsRefusedByName) {
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr("irsg/scattering"));
     }
-    EXPECT_THROW(describeMtf("haze.mtf"), InputError);
+    EXPECT_THROW(SceneScattering().check("haze.mtf"), InputError);
 }

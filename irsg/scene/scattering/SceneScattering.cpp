@@ -7,10 +7,12 @@
 #include <system_error>
 
 #include "irsg/core/AppendUnique.h"
+#include "irsg/core/Errors.h"
 #include "irsg/core/FileStamp.h"
 #include "irsg/core/RecentlyUsed.h"
 #include "irsg/geometry/view/PixelGrid.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/scattering/FftPlans.h"
 #include "irsg/scattering/MtfFilter.h"
 
 namespace irsg {
@@ -204,6 +206,9 @@ struct SceneScattering::Impl {
     };
 
     const MtfDatabase& load(const std::filesystem::path& file) {
+        if (!hasScattering())
+            throw InputError({file.string(), "scattering", whyNoScattering(),
+                              "the package irsg-scattering, or scattering off"});
         const auto stamp = stampOf(file);
         if (!loaded || loaded->file != file || loaded->stamp != stamp) {
             filters.clear();
@@ -231,12 +236,14 @@ struct SceneScattering::Impl {
     RecentlyUsed<Filter> filters{mostFilters};
 };
 
-bool isScatteringBuilt() {
-    return true;
+bool hasScattering() {
+    return areTransformsInstalled();
 }
 
 std::string whyNoScattering() {
-    return "";
+    return hasScattering() ? ""
+                           : "the Fourier transforms of irsg/scattering are not installed "
+                             "(libirsg_fftw.so, which links FFTW)";
 }
 
 MtfSummary describeMtf(const std::filesystem::path& database) {

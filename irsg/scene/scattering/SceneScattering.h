@@ -13,9 +13,10 @@
 
 namespace irsg {
 
-/// True where this build has the floor irsg/scattering.
-bool isScatteringBuilt();
-/// Why it has not: "this build has no irsg/scattering (...)"; empty where it has.
+/// True where scattering can be computed: this build has the floor irsg/scattering, and the library
+/// of its Fourier transforms (libirsg_fftw, Debian package irsg-scattering) is installed.
+bool hasScattering();
+/// Why it cannot, for example "this build has no irsg/scattering (...)"; empty where it can.
 std::string whyNoScattering();
 
 /// What an MTF database holds.
@@ -34,7 +35,8 @@ struct MtfSummary {
     /// All of it for a reader, remarks last as "note: ...".
     std::vector<std::string> lines;
 };
-/// Throws InputError for a file that is no MTF database, and where there is no irsg/scattering.
+/// Throws InputError for a file that is no MTF database, and where this build has no
+/// irsg/scattering.
 MtfSummary describeMtf(const std::filesystem::path& database);
 
 /// What a frame shows of one object, and how its light is spread.
@@ -70,7 +72,8 @@ struct HazeGain {
 ///   picture = L + F{A - c L0} - (L - L0) F{c},
 /// L0 the background at the field's centre. That is F{A} + (1 - F{c}) L, but differences are taken
 /// before they are filtered, so that what shines like its background stays invisible. Neither F{c}
-/// nor a pixel is clamped. Keeps databases and filters between calls.
+/// nor a pixel is clamped. Keeps databases and filters between calls. Every call throws InputError
+/// where there is no scattering.
 class SceneScattering {
   public:
     SceneScattering();

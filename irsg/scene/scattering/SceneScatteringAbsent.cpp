@@ -6,7 +6,7 @@ namespace irsg {
 
 struct SceneScattering::Impl {};
 
-bool isScatteringBuilt() {
+bool hasScattering() {
     return false;
 }
 
