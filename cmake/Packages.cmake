@@ -1,6 +1,6 @@
 # Debian packages of what is installed: cpack -G DEB in a build folder, or scripts/make-packages. The components of
 # install() become irsg (libraries, tables of the atmosphere), irsg-scattering (the Fourier transforms of haze, GPL), irsg-dev and smat-dev (headers, find_package), smat (programs,
-# window, samples, with Qwt where Debian has none) and python3-smat, for the Python that it was built with.
+# window, samples, with Qwt where Debian has none), smat-mpi (smat-batch-mpi) and python3-smat, for the Python that it was built with.
 
 if(DEFINED SKBUILD)
     return() # a wheel
@@ -27,6 +27,9 @@ if(TARGET irsg_fftw)
 endif()
 if(SMAT_BUILD_WORKBENCH)
     list(APPEND CPACK_COMPONENTS_ALL smat smat-dev)
+    if(TARGET smat-batch-mpi)
+        list(APPEND CPACK_COMPONENTS_ALL smat-mpi)
+    endif()
     if(smat_has_python)
         list(APPEND CPACK_COMPONENTS_ALL python)
     endif()
@@ -40,17 +43,36 @@ macro(smat_describe_package component name summary text)
     set(CPACK_COMPONENT_${upper}_DEPENDS ${ARGN})
     # Debian wants both of every package.
     if("${component}" IN_LIST CPACK_COMPONENTS_ALL)
-        install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION share/doc/${name} RENAME copyright COMPONENT ${component})
+        install(FILES "${PROJECT_SOURCE_DIR}/resources/packages/copyright" DESTINATION share/doc/${name} COMPONENT ${component})
         install(FILES "${PROJECT_BINARY_DIR}/changelog.gz" DESTINATION share/doc/${name} COMPONENT ${component})
     endif()
 endmacro()
-find_program(SMAT_GZIP gzip)
-if(SMAT_GZIP)
-    execute_process(COMMAND "${SMAT_GZIP}" -9nc "${PROJECT_SOURCE_DIR}/CHANGELOG.md"
-                    OUTPUT_FILE "${PROJECT_BINARY_DIR}/changelog.gz")
-else()
-    file(WRITE "${PROJECT_BINARY_DIR}/changelog.gz" "")
-endif()
+
+# smat_compress(FROM TO): as Debian wants it, without name and time.
+find_program(SMAT_GZIP gzip REQUIRED)
+function(smat_compress from to)
+    execute_process(COMMAND "${SMAT_GZIP}" -9nc "${from}" OUTPUT_FILE "${to}" COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+# The changes themselves are in CHANGELOG.md. SOURCE_DATE_EPOCH sets the day.
+string(TIMESTAMP day "%a, %d %b %Y %H:%M:%S +0000" UTC)
+file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/changelog" @ONLY CONTENT [[
+smat (@PROJECT_VERSION@) unstable; urgency=medium
+
+  * The changes are in /usr/share/doc/smat/CHANGELOG.md.
+
+ -- @SMAT_PACKAGE_CONTACT@  @day@
+]])
+smat_compress("${PROJECT_BINARY_DIR}/changelog" "${PROJECT_BINARY_DIR}/changelog.gz")
+foreach(program smat smat-batch smat-batch-mpi)
+    if(TARGET ${program})
+        smat_compress("${PROJECT_SOURCE_DIR}/resources/packages/man/${program}.1" "${PROJECT_BINARY_DIR}/${program}.1.gz")
+        set(component smat)
+        if(program STREQUAL smat-batch-mpi)
+            set(component smat-mpi)
+        endif()
+        install(FILES "${PROJECT_BINARY_DIR}/${program}.1.gz" DESTINATION share/man/man1 COMPONENT ${component})
+    endif()
+endforeach()
 smat_describe_package(irsg irsg "Infrared scene generator, libraries"
     " Images in physical units, radiant intensity and spectra of models with infrared codes.")
 smat_describe_package(irsg-scattering irsg-scattering "Infrared scene generator, scattering in haze"
@@ -59,6 +81,8 @@ smat_describe_package(irsg-dev irsg-dev "Infrared scene generator, headers"
     " Headers and find_package(irsg) for programs that render infrared scenes." irsg)
 smat_describe_package(smat smat "Infrared signature modelling workbench"
     " The window smat, the command line smat-batch, and samples to start from." irsg)
+smat_describe_package(smat-mpi smat-mpi "Infrared signature modelling, sweeps on many machines"
+    " The command line smat-batch-mpi, for jobs of MPI." smat)
 smat_describe_package(smat-dev smat-dev "Infrared signature modelling, headers"
     " Headers and find_package(smat) for programs that run analyses of projects." smat irsg-dev)
 smat_describe_package(python python3-smat "Infrared signatures from Python"
@@ -68,6 +92,8 @@ set(CPACK_DEBIAN_IRSG_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/resources/pac
 set(CPACK_DEBIAN_SMAT_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/resources/packages/triggers")
 # What is opened at run time alone.
 set(CPACK_DEBIAN_IRSG_PACKAGE_DEPENDS "libegl1, libgl1-mesa-dri")
+set(CPACK_DEBIAN_IRSG_PACKAGE_SUGGESTS "irsg-scattering")
+set(CPACK_DEBIAN_SMAT_PACKAGE_SUGGESTS "irsg-scattering, smat-mpi, python3-smat")
 if(smat_has_python)
     math(EXPR next "${Python_VERSION_MINOR} + 1")
     set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS

@@ -261,8 +261,9 @@ void checkScene(const std::vector<Entity>& entities, const std::vector<ObjectGeo
             {"settings", "render.engine", whyNoRays(), "opengl, or a build with Embree 3"});
     if (settings.scattering) {
         if (!hasScattering())
-            diagnostics.push_back({"settings", "scattering", whyNoScattering(),
-                                   "scattering off, or the package irsg-scattering or a build with FFTW"});
+            diagnostics.push_back(
+                {"settings", "scattering", whyNoScattering(),
+                 "scattering off, or the package irsg-scattering or a build with FFTW"});
         else if (!scatteringLutOf(environment))
             diagnostics.push_back({"environment", "scattering", "no scattering atmosphere",
                                    "an AtmosphereScatteringLUT or an MTF database"});
