@@ -1,6 +1,7 @@
 # Debian packages of what is installed: cpack -G DEB in a build folder, or scripts/make-packages. The components of
-# install() become irsg (libraries, tables of the atmosphere), irsg-scattering (the Fourier transforms of haze, GPL), irsg-dev and smat-dev (headers, find_package), smat (programs,
-# window, samples, with Qwt where Debian has none), smat-mpi (smat-batch-mpi) and python3-smat, for the Python that it was built with.
+# install() become irsg (libraries, tables of the atmosphere), irsg-scattering (the Fourier transforms of haze, GPL),
+# irsg-dev and smat-dev (headers, find_package), smat (programs, window, samples, with Qwt where Debian has none), smat-mpi
+# (smat-batch-mpi) and python3-smat, for the Python that it was built with.
 
 if(DEFINED SKBUILD)
     return() # a wheel
@@ -16,7 +17,6 @@ set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
@@ -45,6 +45,11 @@ macro(smat_describe_package component name summary text)
     if("${component}" IN_LIST CPACK_COMPONENTS_ALL)
         install(FILES "${PROJECT_SOURCE_DIR}/resources/packages/copyright" DESTINATION share/doc/${name} COMPONENT ${component})
         install(FILES "${PROJECT_BINARY_DIR}/changelog.gz" DESTINATION share/doc/${name} COMPONENT ${component})
+        # What lintian warns of for a reason.
+        if(EXISTS "${PROJECT_SOURCE_DIR}/resources/packages/lintian/${name}")
+            install(FILES "${PROJECT_SOURCE_DIR}/resources/packages/lintian/${name}" DESTINATION share/lintian/overrides
+                    COMPONENT ${component})
+        endif()
     endif()
 endmacro()
 
@@ -74,9 +79,9 @@ foreach(program smat smat-batch smat-batch-mpi)
     endif()
 endforeach()
 smat_describe_package(irsg irsg "Infrared scene generator, libraries"
-    " Images in physical units, radiant intensity and spectra of models with infrared codes.")
+    " Images in physical units, radiant intensity and spectra\n of models with infrared codes.")
 smat_describe_package(irsg-scattering irsg-scattering "Infrared scene generator, scattering in haze"
-    " Fourier transforms by FFTW, under the GPL. Without this package irsg and smat are free of that licence and refuse scattering." irsg)
+    " Fourier transforms by FFTW, under the GPL.\n Without this package irsg and smat are free of that licence and refuse haze." irsg)
 smat_describe_package(irsg-dev irsg-dev "Infrared scene generator, headers"
     " Headers and find_package(irsg) for programs that render infrared scenes." irsg)
 smat_describe_package(smat smat "Infrared signature modelling workbench"
@@ -87,9 +92,21 @@ smat_describe_package(smat-dev smat-dev "Infrared signature modelling, headers"
     " Headers and find_package(smat) for programs that run analyses of projects." smat irsg-dev)
 smat_describe_package(python python3-smat "Infrared signatures from Python"
     " Projects, analyses and scenes as NumPy arrays." smat)
-# Libraries are new to the loader.
-set(CPACK_DEBIAN_IRSG_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/resources/packages/triggers")
-set(CPACK_DEBIAN_SMAT_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/resources/packages/triggers")
+# Libraries are new to the loader. Which package has one: CPack would list those twice that are built for two processors.
+get_property(floors GLOBAL PROPERTY SMAT_FLOORS)
+foreach(package irsg smat)
+    set(lines "")
+    foreach(floor IN LISTS floors)
+        get_property(owner TARGET ${floor} PROPERTY SMAT_PACKAGE)
+        if(owner STREQUAL package)
+            string(APPEND lines "lib$<TARGET_FILE_BASE_NAME:${floor}> ${PROJECT_VERSION_MAJOR} ${package} (= ${PROJECT_VERSION})\n")
+        endif()
+    endforeach()
+    file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/packages/${package}/shlibs" CONTENT "${lines}")
+    string(TOUPPER "${package}" upper)
+    set(CPACK_DEBIAN_${upper}_PACKAGE_CONTROL_EXTRA
+        "${PROJECT_SOURCE_DIR}/resources/packages/triggers;${PROJECT_BINARY_DIR}/packages/${package}/shlibs")
+endforeach()
 # What is opened at run time alone.
 set(CPACK_DEBIAN_IRSG_PACKAGE_DEPENDS "libegl1, libgl1-mesa-dri")
 set(CPACK_DEBIAN_IRSG_PACKAGE_SUGGESTS "irsg-scattering")

@@ -270,7 +270,9 @@ function(smat_add_floor house floor)
     endif()
     smat_configure_target(${name})
 
+    set_property(GLOBAL APPEND PROPERTY SMAT_FLOORS ${name})
     if(ARG_PACKAGED)
+        set_property(TARGET ${name} PROPERTY SMAT_PACKAGE ${house})
         set_property(GLOBAL APPEND PROPERTY SMAT_PACKAGED_FLOORS ${name})
         install(TARGETS ${name} EXPORT ${house}Targets
                 LIBRARY COMPONENT ${house} NAMELINK_COMPONENT ${house}-dev
@@ -279,6 +281,7 @@ function(smat_add_floor house floor)
         install(DIRECTORY ./ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/${folder}" COMPONENT ${house}-dev
                 FILES_MATCHING PATTERN "*.h")
     else()
+        set_property(TARGET ${name} PROPERTY SMAT_PACKAGE smat)
         install(TARGETS ${name} LIBRARY NAMELINK_SKIP)
     endif()
 endfunction()
