@@ -2,7 +2,8 @@
 """wheel-licences.py WHEEL: puts a list of the libraries that a wheel holds, with the terms of each, into the wheel.
 
 The wheel is one that auditwheel repaired on this Debian system: each library is found again by its name, and its
-terms are /usr/share/doc/PACKAGE/copyright of the package it is from. A library of no package is an error.
+terms are /usr/share/doc/PACKAGE/copyright of the package it is from. A library of no package is an error. What our
+libraries hold of others, headers and a font, is listed, too.
 """
 
 from __future__ import annotations
@@ -17,6 +18,8 @@ import subprocess
 import sys
 import tempfile
 import zipfile
+
+COMPILED_IN = ("fonts-dejavu-core", "libboost-dev", "libkissfft-dev", "libsqlitecpp-dev", "nlohmann-json3-dev")
 
 
 def packages() -> dict[str, str]:
@@ -39,6 +42,8 @@ def listing(libraries: dict[str, str]) -> str:
     by_package: dict[str, list[str]] = {}
     for library, package in libraries.items():
         by_package.setdefault(package, []).append(library)
+    for package in COMPILED_IN:
+        by_package[package] = ["compiled into our libraries"]
     table = ["This wheel holds these libraries of others, each under the terms of its own below.", ""]
     terms = []
     for package, names in sorted(by_package.items()):
@@ -49,10 +54,11 @@ def listing(libraries: dict[str, str]) -> str:
         table.append(f"{version} of Debian: {', '.join(sorted(names))}")
         text = pathlib.Path("/usr/share/doc", package, "copyright").read_text("utf-8", "replace")
         terms.append(f"{'=' * 100}\n{package}\n{'=' * 100}\n\n{text}")
-    common = sorted(set(re.findall(r"/usr/share/common-licenses/([A-Za-z]+(?:-[0-9.]*[0-9])?)", "".join(terms))))
-    for name in common:
-        text = pathlib.Path("/usr/share/common-licenses", name).read_text("utf-8", "replace")
-        terms.append(f"{'=' * 100}\n/usr/share/common-licenses/{name}\n{'=' * 100}\n\n{text}")
+    shared = pathlib.Path("/usr/share/common-licenses")
+    mentioned = set(re.findall(rf"{shared}/([A-Za-z0-9.-]*[A-Za-z0-9])", "".join(terms)))
+    for name in sorted(name for name in mentioned if (shared / name).is_file()):
+        text = (shared / name).read_text("utf-8", "replace")
+        terms.append(f"{'=' * 100}\n{shared / name}\n{'=' * 100}\n\n{text}")
     return "\n".join([*table, "", *terms])
 
 
