@@ -32,9 +32,7 @@ constexpr const char* another = "another";
 
 /// Those that come with the program, by file name.
 std::vector<std::filesystem::path> shippedSensors() {
-    std::filesystem::path folder = dataFolder("sensors");
-    if (folder.empty())
-        folder = dataFolder("resources/sensors");
+    const std::filesystem::path folder = dataFolder("resources/sensors");
     std::vector<std::filesystem::path> files;
     if (folder.empty())
         return files;

@@ -26,7 +26,7 @@ if(WINDOW)
     foreach(file share/applications/smat.desktop share/mime/packages/smat.xml share/metainfo/smat.metainfo.xml
                  share/icons/hicolor/scalable/apps/smat.svg
                  share/smat/samples/ship/ship.smat share/smat/docs/user-guide/README.md
-                 share/smat/resources/atmospheres)
+                 share/smat/resources/atmospheres share/smat/resources/scattering share/smat/resources/sensors)
         if(NOT EXISTS "${prefix}/${file}")
             message(FATAL_ERROR "${file} was not installed")
         endif()
@@ -54,6 +54,10 @@ endforeach()
 
 run_step("smat-batch" "${prefix}/bin/smat-batch" model info "${SOURCE}/samples/box/box.flt")
 if(WINDOW)
+    file(GLOB projects "${prefix}/share/smat/samples/*/*.smat")
+    foreach(project ${projects})
+        run_step("What ${project} needs" "${prefix}/bin/smat-batch" run "${project}" --dry-run)
+    endforeach()
     run_step("smat-batch image" "${prefix}/bin/smat-batch" image "${prefix}/share/smat/samples/ship/ship.smat"
              --width 64 --height 48 --out ship.exr)
     run_step("smat-batch polar" "${prefix}/bin/smat-batch" polar "${prefix}/share/smat/samples/sphere/sphere.smat"
