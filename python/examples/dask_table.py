@@ -26,7 +26,7 @@ def row(project: smat.Project, elevation_deg: float, step_deg: float) -> NDArray
 
 def main(quick: bool) -> None:
     project = smat.Project(SAMPLES / "ship" / "ship.smat")
-    step_deg, elevations_deg = (120.0, [0.0, 45.0, 90.0]) if quick else (5.0, list(np.arange(-90.0, 91.0, 5.0)))
+    step_deg, elevations_deg = (120.0, [0.0, 45.0, 90.0]) if quick else (5.0, list(np.arange(0.0, 91.0, 5.0)))
     if quick:
         project = project.with_settings(
             {"sensor.width": 48, "sensor.height": 32, "render.bounces": 0, "environment.atmospheres": "none"}
