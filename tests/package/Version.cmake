@@ -1,0 +1,15 @@
+# What cites the program, and its changelog, name its version. SOURCE is the project's folder, VERSION that of CMake.
+
+file(READ "${SOURCE}/CITATION.cff" citation)
+if(NOT citation MATCHES "\nversion: ${VERSION}\n")
+    message(FATAL_ERROR "CITATION.cff: expected version: ${VERSION}")
+endif()
+file(READ "${SOURCE}/codemeta.json" codemeta)
+string(JSON stated GET "${codemeta}" version)
+if(NOT stated STREQUAL VERSION)
+    message(FATAL_ERROR "codemeta.json: found version ${stated}, expected ${VERSION}")
+endif()
+file(READ "${SOURCE}/CHANGELOG.md" changes)
+if(NOT changes MATCHES "\n## \\[${VERSION}\\] ")
+    message(FATAL_ERROR "CHANGELOG.md: expected a heading for ${VERSION}")
+endif()
