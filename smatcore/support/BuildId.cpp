@@ -37,10 +37,12 @@ std::string_view buildIdIn(const char* notes, std::size_t size_B) {
 }
 
 /// The libraries that numbers come from: any program which computes has them loaded. Those of the
-/// self-test, whose own solvers are held against them, are not among them.
+/// self-test, whose own solvers are held against them, are not among them, nor is the one that
+/// hands transforms on to FFTW, which is loaded when haze is asked for.
 bool computes(const std::string& file) {
     return file.starts_with("libsmatcore.") ||
-           (file.starts_with("libirsg_") && !file.starts_with("libirsg_reference."));
+           (file.starts_with("libirsg_") && !file.starts_with("libirsg_reference.") &&
+            !file.starts_with("libirsg_fftw."));
 }
 
 int addBuildId(dl_phdr_info* library, std::size_t, void* found) {
