@@ -31,6 +31,7 @@ class Sample {
         const smat::Project project = smat::loadProject(folder / (name + ".smat"));
         smat::Settings settings = project.settings;
         settings.set("sensor.band", band);
+        settings.set("environment.terrain", ""); // waves are for pictures
         usual_ = smat::SceneBuilder().build(project, settings);
         usual_.environment = onTheFly(usual_.environment);
         fine_ = usual_;

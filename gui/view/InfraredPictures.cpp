@@ -29,6 +29,14 @@ std::size_t trianglesOf(const LoadedModels& models) {
     return count;
 }
 
+/// Both ends, where they are set.
+std::optional<irsg::DisplayLimits> limitsIn(const Settings& settings) {
+    const auto low = settings[key::displayMinimum], high = settings[key::displayMaximum];
+    if (!low || !high || !(*low < *high))
+        return std::nullopt;
+    return irsg::DisplayLimits{*low, *high};
+}
+
 } // namespace
 
 InfraredPictures::InfraredPictures(std::function<std::optional<InfraredRequest>()> view,
@@ -106,6 +114,16 @@ void InfraredPictures::followColors(const Settings& settings) {
         ColorRule rule = rule_;
         rule.scale = irsg::colorScaleNamed(scale);
         rule.marksOutside = settings[key::displayMarkOutside];
+        setColorRule(rule);
+    }
+    const auto limits = limitsIn(settings), limitsBefore = limitsIn(before);
+    if (limits == limitsBefore && !(isFirst && limits))
+        return;
+    if (limits && quantity_ == InfraredQuantity::radiance)
+        setLimits(*limits);
+    else if (limitsBefore && rule_.mode == LimitMode::locked) {
+        ColorRule rule = rule_;
+        rule.mode = LimitMode::target;
         setColorRule(rule);
     }
 }

@@ -40,7 +40,8 @@ class InfraredPictures : public QObject {
     const ColorRule& colorRule() const { return rule_; }
     /// Locks limits at these.
     void setLimits(const irsg::DisplayLimits& limits);
-    /// The colours of a project count where they are others than before, until others are chosen.
+    /// Colours and limits of a project count where they are others than before, until others are
+    /// chosen. The limits are of radiance.
     void followColors(const Settings& settings);
 
     /// What is drawn is another thing than before: no picture that there is shows it.

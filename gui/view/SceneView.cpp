@@ -10,6 +10,7 @@
 #include "gui/view/SceneDrawing.h"
 #include "gui/view/SensorFrusta.h"
 #include "gui/view/ViewHud.h"
+#include "gui/view/ViewLook.h"
 #include "gui/view/ViewOverlay.h"
 #include "gui/widgets/Theme.h"
 #include "smatcore/settings/SettingKeys.h"
@@ -180,7 +181,7 @@ void SceneView::setScene(DisplayScene scene) {
 void SceneView::setProject(const Project& project, const Settings& settings) {
     if (subject_.isOf(project, settings))
         return;
-    infrared_->followColors(settings);
+    infrared_->followColors(lookOf(project, settings));
     subject_.setProject(project, settings);
     navigation_->setSensor(
         {settings[key::cameraAzimuth], settings[key::cameraElevation], settings[key::cameraRange]});

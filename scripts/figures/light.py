@@ -31,7 +31,8 @@ def intensities(program, sample, way, folder):
     file = Path(folder) / "polar.csv"
     subprocess.run(
         [program, "polar", ROOT / f"samples/{sample}/{sample}.smat", "--band", ",".join(BANDS_UM),
-         "--step", str(STEP_DEG), "--fov", "30", "--out", file, *WAYS[way]],
+         "--step", str(STEP_DEG), "--fov", "30", "--set", "environment.terrain=",
+         "--out", file, *WAYS[way]],
         check=True, stdout=subprocess.DEVNULL)
     with open(file, encoding="utf-8") as lines:
         rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))

@@ -250,8 +250,46 @@ TEST_F(InfraredViewTest, EditsInQuickSuccessionAreAllInFullAndGoBackToTheSame) {
     EXPECT_NEAR(sum() / before, 1.0, 1e-6);
 }
 
+TEST_F(InfraredViewTest, BeginsInTheScaleAndLimitsOfTheImageInItsBand) {
+    Project begun =
+        sample("turboprop4"); // mwir-image: square root, 1.3 to 10; lwir-image: 28 to 38
+    begun.settings.set("render.bounces", "0");
+    ASSERT_NO_FATAL_FAILURE(show(begun));
+    const auto has = [&](LimitMode mode, double low, double high, irsg::ColorScale scale) {
+        return waitUntil([&] {
+            const auto* picture = view.shownPicture();
+            return picture != nullptr && view.isUpToDate() &&
+                   view.infrared().colorRule().mode == mode && picture->limits.low == low &&
+                   picture->limits.high == high && view.infrared().colorRule().scale == scale;
+        });
+    };
+    using enum irsg::ColorScale;
+    ASSERT_TRUE(showInfrared());
+    EXPECT_TRUE(has(LimitMode::locked, 1.3, 10.0, squareRoot));
+    set("sensor.band", "8-12");
+    EXPECT_TRUE(has(LimitMode::locked, 28.0, 38.0, automatic));
+    set("display.minimum", "20"); // what the project sets itself counts
+    EXPECT_TRUE(has(LimitMode::locked, 20.0, 38.0, automatic));
+    view.infrared().setLimits({25.0, 30.0}); // until others are chosen
+    set("camera.azimuth", "70");
+    EXPECT_TRUE(has(LimitMode::locked, 25.0, 30.0, automatic));
+    // No image is in this band.
+    project.settings.reset("display.minimum");
+    set("sensor.band", "3.4-4.1");
+    ASSERT_TRUE(waitForPicture());
+    EXPECT_EQ(view.infrared().colorRule().mode, LimitMode::target);
+    // Another project without such images has none of these limits.
+    project.settings.set("sensor.band", "3-5");
+    begun.analyses.clear();
+    ASSERT_NO_FATAL_FAILURE(show(begun));
+    ASSERT_TRUE(waitForPicture());
+    EXPECT_EQ(view.infrared().colorRule(), ColorRule{});
+}
+
 TEST_F(InfraredViewTest, LimitsFollowTheTargetOrStayLocked) {
-    ASSERT_NO_FATAL_FAILURE(show(sample("turboprop4")));
+    Project plain = sample("turboprop4");
+    plain.analyses.clear();
+    ASSERT_NO_FATAL_FAILURE(show(plain));
     ASSERT_TRUE(showInfrared());
     EXPECT_EQ(view.shownPicture()->limits,
               limitsBy(ColorRule{}, {&view.shownPicture()->plane().values}));
