@@ -30,6 +30,7 @@
 #include "gui/tools/ToolPages.h"
 #include "gui/view/ModelPage.h"
 #include "gui/view/ProjectView.h"
+#include "gui/view/StatePage.h"
 #include "gui/widgets/Theme.h"
 #include "gui/workbench/DocumentPage.h"
 #include "gui/workbench/PageTabs.h"
@@ -227,12 +228,32 @@ void MainMenus::makeViewMenu(QMenu* menu) {
     link->setChecked(LinkedViews::instance().isOn());
     link->setToolTip(tr("Images of equal size show the same part and read the same pixel"));
     connect(link, &QAction::toggled, &LinkedViews::instance(), &LinkedViews::setOn);
+    if (with_.view != nullptr) {
+        auto* keep = add(menu, "keepState", "eye", tr("Keep this sta&te beside"),
+                         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K), [this] { keepState(); });
+        keep->setToolTip(tr("A second view of the project as it is now; both turn together while "
+                            "one is edited"));
+        needProject_.append(keep);
+    }
     menu->addSeparator();
     for (auto* dock :
          with_.window.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly))
         menu->addAction(dock->toggleViewAction());
     add(menu, "collapseDocks", {}, tr("&Hide or show panels"), QKeySequence(Qt::Key_F6),
         [this] { with_.layout.toggleDocks(); });
+}
+
+void MainMenus::keepState() {
+    const QString step = with_.workbench.undoStack().undoText();
+    const QString title = tr("State %1").arg(++states_);
+    auto* page = new StatePage(with_.workbench, *with_.view->view(),
+                               step.isEmpty() ? tr("%1: as opened").arg(title)
+                                              : tr("%1: after “%2”").arg(title, step));
+    with_.tabs.addPage(page, icon("eye"), title);
+    with_.tabs.moveAcross(page);
+    with_.tabs.setCurrentIndex(0);
+    connect(&with_.workbench, &Workbench::projectOpened, page,
+            [this, page] { with_.tabs.close(page); });
 }
 
 /// A word with its first letter that no other has, marked.

@@ -69,6 +69,7 @@ class MainMenus : public QObject {
     void makeEditMenu(QMenu* menu);
     void addModelActions(QMenu* menu);
     void makeViewMenu(QMenu* menu);
+    void keepState();
     void makeAnalysisMenu(QMenu* menu);
     void makeToolsMenu(QMenu* menu);
     void makeHelpMenu(QMenu* menu);
@@ -77,6 +78,7 @@ class MainMenus : public QObject {
     void fillRecent(QMenu* menu);
 
     MainParts with_;
+    int states_ = 0; ///< kept so far
     QToolBar* bar_ = nullptr;
     QAction* export_ = nullptr;
     QAction* close_ = nullptr;

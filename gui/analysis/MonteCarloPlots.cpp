@@ -1,6 +1,7 @@
 #include "gui/analysis/MonteCarloPlots.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -22,6 +23,7 @@
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotExport.h"
 #include "gui/plot/PlotLook.h"
+#include "gui/widgets/DisplayUnits.h"
 #include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Theme.h"
 #include "irsg/core/Quantity.h"
@@ -38,6 +40,29 @@ constexpr int narrow_px = 560;
 QString quantityTitle(const MonteCarloData& data) {
     const ResultColumn column{data.analysis.table.provenance.value("quantity"), data.unit, {}};
     return QString::fromStdString(column.axisTitle());
+}
+
+/// What the histogram draws, in the unit of display where every draw has one in it.
+struct HistogramValues {
+    std::vector<double> values;
+    double nominal = 0.0, mean = 0.0;
+    QString title;
+};
+
+HistogramValues shownValues(const MonteCarloData& data, std::size_t place) {
+    HistogramValues drawn{data.values[place], data.nominal[place], meanOf(data.values[place]),
+                          quantityTitle(data)};
+    const ShownUnit* unit = shownUnitOf(data.unit);
+    if (unit == nullptr)
+        return drawn;
+    HistogramValues other{drawn.values, unit->shown(drawn.nominal), unit->shown(drawn.mean),
+                          unit->titleOf(drawn.title)};
+    std::ranges::transform(other.values, other.values.begin(), unit->shown);
+    const auto isFinite = [](double value) { return std::isfinite(value); };
+    return isFinite(other.nominal) && isFinite(other.mean) &&
+                   std::ranges::all_of(other.values, isFinite)
+               ? other
+               : drawn;
 }
 
 QString abscissaTitle(const MonteCarloData& data) {
@@ -57,13 +82,13 @@ QString bandText(const MonteCarloData& data, std::size_t band) {
         QString::fromStdString(ColumnName{"", "", "", data.bands.at(band)}.which()));
 }
 
-/// A part of the plot between two columns.
-QwtPlotIntervalCurve* bandBetween(const std::vector<double>& x, const std::vector<double>& low,
-                                  const std::vector<double>& high, const QString& title,
+/// The part of the plot between two curves.
+QwtPlotIntervalCurve* bandBetween(const Curve& low, const Curve& high, const QString& title,
                                   QColor color, int alpha) {
     QVector<QwtIntervalSample> samples;
-    for (std::size_t i = 0; i < x.size(); ++i)
-        samples.append(QwtIntervalSample(x[i], low[i], high[i]));
+    for (std::size_t i = 0; i < low.x.size(); ++i)
+        if (std::isfinite(low.y[i]) && std::isfinite(high.y[i]))
+            samples.append(QwtIntervalSample(low.x[i], low.y[i], high.y[i]));
     auto* band = new QwtPlotIntervalCurve(title);
     band->setSamples(samples);
     band->setStyle(QwtPlotIntervalCurve::Tube);
@@ -109,10 +134,12 @@ MonteCarloPlots::MonteCarloPlots(QWidget* parent) : QWidget(parent) {
     all->addWidget(empty_);
     all->addWidget(columns_);
     columns_->hide();
-    connect(place_, &QSlider::valueChanged, this, [this] {
+    const auto draw = [this] {
         drawBands();
         drawHistogram();
-    });
+    };
+    connect(place_, &QSlider::valueChanged, this, draw);
+    connect(&DisplayUnitsWatch::instance(), &DisplayUnitsWatch::changed, this, draw);
     makePlots();
 }
 
@@ -178,6 +205,8 @@ void MonteCarloPlots::drawBands() {
     }
     plot.xTitle = abscissaTitle(data_);
     plot.yTitle = quantityTitle(data_);
+    plot.xUnit = data_.abscissaUnit;
+    plot.yUnit = data_.unit;
     const std::vector<double>& x = data_.abscissae;
     // The outermost percentiles as lines, so that the axis holds them and a crosshair reads them.
     std::vector<std::string> keys;
@@ -200,22 +229,26 @@ void MonteCarloPlots::drawBands() {
 
     const PlotStyle style = PlotStyle::screen(palette());
     const int pairs = static_cast<int>(keys.size() / 2);
+    const std::size_t ofBand = keys.size() + 2;
+    // In the units that the plot shows.
+    const auto curve = [&](std::size_t band, std::size_t key) -> const Curve& {
+        return bands_->data().curves[band * ofBand + 2 + key];
+    };
     for (std::size_t band = 0; band < bands; ++band)
         for (int i = 0; i < pairs; ++i) {
-            const std::string& low = keys[static_cast<std::size_t>(i)];
-            const std::string& high = keys[keys.size() - 1 - static_cast<std::size_t>(i)];
-            bandBetween(
-                x, columnOf(data_, data_.columnKey(low, band)),
-                columnOf(data_, data_.columnKey(high, band)),
-                called(QString::fromStdString(low) + " – " + QString::fromStdString(high), band),
-                style.curve(1 + static_cast<int>(band)),
-                40 + 120 * (i + 1) / std::max(pairs, 1) / 2)
+            const auto low = static_cast<std::size_t>(i), high = keys.size() - 1 - low;
+            bandBetween(curve(band, low), curve(band, high),
+                        called(QString::fromStdString(keys[low] + " – " + keys[high]), band),
+                        style.curve(1 + static_cast<int>(band)),
+                        40 + 120 * (i + 1) / std::max(pairs, 1) / 2)
                 ->attach(bands_);
         }
     auto* here = new QwtPlotMarker;
     here->setLineStyle(QwtPlotMarker::VLine);
     here->setLinePen(style.faintText, 1.0, Qt::DashLine);
-    here->setXValue(x[static_cast<std::size_t>(place_->value()) % x.size()]);
+    const double at = x[static_cast<std::size_t>(place_->value()) % x.size()];
+    const ShownUnit* unit = shownUnitOf(data_.abscissaUnit);
+    here->setXValue(unit == nullptr ? at : unit->shown(at));
     here->attach(bands_);
     bands_->replot();
 }
@@ -233,16 +266,16 @@ void MonteCarloPlots::drawHistogram() {
     const auto k = static_cast<std::size_t>(place_->value());
     const std::size_t count = data_.abscissae.size();
     const QString band = bandText(data_, k / count);
-    placeText_->setText(withFormattedUnits(QString::number(data_.abscissae[k % count], 'g', 6) +
-                                           " " + QString::fromStdString(data_.abscissaUnit)) +
+    placeText_->setText(valueWithUnit(data_.abscissae[k % count], data_.abscissaUnit) +
                         (band.isEmpty() ? "" : ", " + band));
-    histogram_->setAxisTitle(QwtPlot::xBottom, axisText(quantityTitle(data_), style));
+    const HistogramValues drawn = shownValues(data_, k);
+    histogram_->setAxisTitle(QwtPlot::xBottom, axisText(drawn.title, style));
     auto* grid = new QwtPlotGrid;
     grid->setMajorPen(style.grid, 1.0);
     grid->enableX(false);
     grid->attach(histogram_);
 
-    const SampleHistogram counted = histogramOf(data_.values[k]);
+    const SampleHistogram counted = histogramOf(drawn.values);
     QVector<QwtIntervalSample> samples;
     double most = 1.0;
     for (std::size_t bin = 0; bin < counted.counts.size(); ++bin) {
@@ -259,10 +292,9 @@ void MonteCarloPlots::drawHistogram() {
     bars->setBrush(fill);
     bars->setSamples(samples);
     bars->attach(histogram_);
-    const double low = std::min(counted.least, data_.nominal[k]);
-    const double high =
-        std::max(counted.least + counted.width * static_cast<double>(counted.counts.size()),
-                 data_.nominal[k]);
+    const double low = std::min(counted.least, drawn.nominal);
+    const double high = std::max(
+        counted.least + counted.width * static_cast<double>(counted.counts.size()), drawn.nominal);
     const double pad = high > low ? 0.03 * (high - low) : std::max(std::abs(high), 1.0) * 0.1;
     histogram_->setAxisScale(QwtPlot::xBottom, low - pad, high + pad);
     histogram_->setAxisScale(QwtPlot::yLeft, 0.0, 1.12 * most);
@@ -279,10 +311,9 @@ void MonteCarloPlots::drawHistogram() {
         line->setXValue(at);
         line->attach(histogram_);
     };
-    const double mean = meanOf(data_.values[k]);
-    const bool meanIsRight = mean >= data_.nominal[k];
-    mark(data_.nominal[k], tr("nominal"), style.text, meanIsRight ? Qt::AlignLeft : Qt::AlignRight);
-    mark(mean, tr("mean"), style.curve(1), meanIsRight ? Qt::AlignRight : Qt::AlignLeft);
+    const bool meanIsRight = drawn.mean >= drawn.nominal;
+    mark(drawn.nominal, tr("nominal"), style.text, meanIsRight ? Qt::AlignLeft : Qt::AlignRight);
+    mark(drawn.mean, tr("mean"), style.curve(1), meanIsRight ? Qt::AlignRight : Qt::AlignLeft);
     histogram_->replot();
 }
 

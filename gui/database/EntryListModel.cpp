@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QPixmap>
 
+#include "gui/widgets/DisplayUnits.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/ThemeColors.h"
 #include "irsg/image/ColorMap.h"
@@ -19,6 +20,14 @@ QColor temperatureColor(double temperature_K) {
     const double part = std::clamp((temperature_K - 230.0) / (900.0 - 230.0), 0.0, 1.0);
     const irsg::Rgb rgb = irsg::ColorMap::named("ironbow").at(std::sqrt(part));
     return {rgb.red, rgb.green, rgb.blue};
+}
+
+/// "293.1 K", to a tenth.
+QString temperatureWords(double temperature_K) {
+    const ShownUnit* unit = shownUnitOf("K");
+    return QStringLiteral("%1 %2")
+        .arg(unit == nullptr ? temperature_K : unit->shown(temperature_K), 0, 'f', 1)
+        .arg(unit == nullptr ? QStringLiteral("K") : unit->unit);
 }
 
 QColor emissivityShade(double emissivity) {
@@ -41,7 +50,10 @@ QPixmap drawSwatch(const QColor& color) {
 } // namespace
 
 EntryListModel::EntryListModel(EditorContext& context, EntryKind kind, QObject* parent)
-    : QAbstractTableModel(parent), context_(context), kind_(kind) {}
+    : QAbstractTableModel(parent), context_(context), kind_(kind) {
+    connect(&DisplayUnitsWatch::instance(), &DisplayUnitsWatch::changed, this,
+            &EntryListModel::refresh);
+}
 
 std::vector<EntryListModel::Row> EntryListModel::rowsNow() const {
     std::vector<Row> rows;
@@ -61,12 +73,12 @@ std::vector<EntryListModel::Row> EntryListModel::rowsNow() const {
         for (const auto& [number, entry] : database.temperatures) {
             const bool measured = entry.mode == irsg::EmissionMode::userSpectrum;
             const double now_K = irsg::surfaceTemperature_K(entry.terms, context_.state());
-            rows.push_back({{kind_, number},
-                            QString::fromStdString(entry.name),
-                            measured ? QString::fromStdString(entry.userSpectrum)
-                                     : QString::number(now_K, 'f', 1) + " K",
-                            0,
-                            measured ? colors::measuredEntry() : temperatureColor(now_K)});
+            rows.push_back(
+                {{kind_, number},
+                 QString::fromStdString(entry.name),
+                 measured ? QString::fromStdString(entry.userSpectrum) : temperatureWords(now_K),
+                 0,
+                 measured ? colors::measuredEntry() : temperatureColor(now_K)});
         }
     } else {
         int number = 0;

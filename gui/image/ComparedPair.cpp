@@ -6,7 +6,7 @@
 
 #include "gui/image/ColoredPlane.h"
 #include "gui/image/ImageExport.h"
-#include "gui/widgets/NumberFormat.h"
+#include "gui/image/ShownImage.h"
 #include "gui/widgets/Sentences.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/ProgramVersion.h"
@@ -237,14 +237,16 @@ QString ComparedPair::readoutAt(int x, int y) const {
         if (of == nullptr || x >= sides_[i].image->width() || y >= sides_[i].image->height())
             continue;
         values[i] = static_cast<double>(of->values[sides_[i].image->offset(x, y)]);
-        text += QStringLiteral("          %1  %2 %3")
-                    .arg(i == 0 ? "A" : "B", formattedNumber(values[i]), formattedUnit(of->unit));
+        const QString value = unitOfPlane(*of) != nullptr
+                                  ? valueWithUnit(values[i], of->unit)
+                                  : storedValueWithUnit(values[i], of->unit);
+        text += QStringLiteral("          %1  %2").arg(i == 0 ? "A" : "B", value);
     }
     if (difference_ && !differenceTask_.isBusy())
-        text += QStringLiteral("          %1  %2 %3")
+        text += QStringLiteral("          %1  %2")
                     .arg(differenceName(mode_),
-                         formattedNumber(irsg::difference(values[0], values[1], mode_)),
-                         formattedUnit(difference_->primary().unit));
+                         storedValueWithUnit(irsg::difference(values[0], values[1], mode_),
+                                             difference_->primary().unit));
     return text.trimmed();
 }
 

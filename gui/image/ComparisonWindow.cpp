@@ -22,6 +22,7 @@
 #include "gui/image/ImageExport.h"
 #include "gui/image/ImageInspector.h"
 #include "gui/image/PaperPicture.h"
+#include "gui/image/ShownImage.h"
 #include "gui/image/ThresholdForm.h"
 #include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
@@ -99,6 +100,11 @@ void ComparisonWindow::connectParts() {
         readout_->setText(tr("Reading %1 …").arg(files.join(tr(" and "))));
     });
     connect(files_, &ComparisonFiles::read, this, &ComparisonWindow::setSides);
+    connect(&DisplayUnitsWatch::instance(), &DisplayUnitsWatch::changed, this, [this] {
+        if (pair_->hasAny())
+            showPlanes();
+        showReadout(pixel_);
+    });
     connect(files_, &ComparisonFiles::ended, this, [this] { showReadout(pixel_); });
     connect(files_, &ComparisonFiles::nothingRead, this, &ComparisonWindow::nothingRead);
     connect(pair_, &ComparedPair::differenceFound, this, &ComparisonWindow::showDifference);
@@ -160,9 +166,12 @@ void ComparisonWindow::showPlanes() {
             continue;
         planes[i].width = side.image->width();
         planes[i].height = side.image->height();
-        planes[i].values = shareValues(side.image, *plane);
+        const irsg::ImageChannel shown = inShownUnits(*plane);
+        planes[i].values = unitOfPlane(*plane) != nullptr
+                               ? std::make_shared<const std::vector<float>>(shown.values)
+                               : shareValues(side.image, *plane);
         if (title.isEmpty() || pair_->plane(0)->unit.empty())
-            title = titleWithUnit(*plane); // a plain matrix has no unit of its own
+            title = titleWithUnit(shown); // a plain matrix has no unit of its own
     }
     panes_->setPlanes(planes[0], planes[1], title);
     pair_->findDifference();

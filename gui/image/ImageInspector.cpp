@@ -7,6 +7,7 @@
 
 #include "gui/image/FiguresTable.h"
 #include "gui/image/HistogramPlot.h"
+#include "gui/widgets/DisplayUnits.h"
 #include "gui/widgets/NumberFormat.h"
 #include "irsg/image/ImageIntensity.h"
 
@@ -29,8 +30,9 @@ QStringList column(const PlaneFigures& figures) {
             formattedNumber(s.median),
             formattedNumber(s.standardDeviation),
             formattedNumber(s.sum),
-            figures.contrastIntensity_W_sr ? formattedNumber(*figures.contrastIntensity_W_sr)
-                                           : QStringLiteral("–"),
+            figures.contrastIntensity_W_sr
+                ? valueWithUnit(*figures.contrastIntensity_W_sr, "W sr-1")
+                : QStringLiteral("–"),
             QString::number(s.finite),
             QString::number(s.nan),
             QString::number(s.positiveInfinite + s.negativeInfinite)};
@@ -81,6 +83,8 @@ ImageInspector::ImageInspector(QWidget* parent) : QWidget(parent) {
     connect(logarithmicCounts_, &QCheckBox::toggled, histogram_,
             &HistogramPlot::setLogarithmicCounts);
     connect(logarithmicValues_, &QCheckBox::toggled, this, &ImageInspector::refresh);
+    connect(&DisplayUnitsWatch::instance(), &DisplayUnitsWatch::changed, this,
+            &ImageInspector::refresh);
 }
 
 void ImageInspector::show(std::shared_ptr<const irsg::RadianceImage> image,
@@ -156,7 +160,7 @@ void ImageInspector::fill(const Answer& answer) {
                             tr("Median"),
                             tr("Standard deviation"),
                             tr("Sum"),
-                            tr("Contrast intensity (W·sr⁻¹)"),
+                            tr("Contrast intensity"),
                             tr("Finite pixels"),
                             tr("NaN"),
                             tr("Infinite")};

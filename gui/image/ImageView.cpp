@@ -326,8 +326,8 @@ QString ImageView::statisticsText(const std::optional<irsg::PixelRectangle>& sel
                      formattedNumber(s.mean), formattedNumber(s.median),
                      formattedNumber(s.standardDeviation), formattedNumber(s.sum));
     if (figures.contrastIntensity_W_sr)
-        text += tr("     contrast intensity %1 W·sr⁻¹")
-                    .arg(formattedNumber(*figures.contrastIntensity_W_sr));
+        text += tr("     contrast intensity %1")
+                    .arg(valueWithUnit(*figures.contrastIntensity_W_sr, "W sr-1"));
     const auto missing = s.nan + s.positiveInfinite + s.negativeInfinite;
     if (missing > 0)
         text += tr("     %1 pixels without a value").arg(missing);

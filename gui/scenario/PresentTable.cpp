@@ -2,20 +2,16 @@
 
 #include <QHeaderView>
 
+#include "gui/widgets/DisplayUnits.h"
 #include "gui/widgets/NumberFormat.h"
 
 namespace smat::gui {
 
 PresentTable::PresentTable(QWidget* parent) : QTableWidget(parent) {
     setObjectName("entitiesNow");
-    const QStringList titles{tr("Entity"),
-                             tr("Range\n(m)"),
-                             tr("Intensity\n(W·sr⁻¹)"),
-                             tr("Contrast intensity\n(W·sr⁻¹)"),
-                             tr("Pixels"),
-                             tr("Power"),
-                             tr("Mach"),
-                             tr("Altitude\n(m)")};
+    const QStringList titles{
+        tr("Entity"), tr("Range\n(m)"), tr("Intensity"), tr("Contrast intensity"),
+        tr("Pixels"), tr("Power"),      tr("Mach"),      tr("Altitude\n(m)")};
     setColumnCount(static_cast<int>(titles.size()));
     setHorizontalHeaderLabels(titles);
     setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -55,11 +51,14 @@ void PresentTable::showMoment(const Scenario& scenario, const ScenarioPicture& p
         const auto number = [](bool isThere, double value) {
             return isThere ? formattedNumber(value) : QStringLiteral("–");
         };
+        const auto intensity = [](bool isThere, double value) {
+            return isThere ? valueWithUnit(value, "W sr-1") : QStringLiteral("–");
+        };
         const irsg::ObjectRadiometry seen = object.value_or(irsg::ObjectRadiometry{});
         const TrajectoryPoint point = at.value_or(TrajectoryPoint{});
         put(!at ? tr("not there") : number(object.has_value(), seen.range_m));
-        put(number(object.has_value(), seen.intensity_W_sr));
-        put(number(object.has_value(), seen.contrastIntensity_W_sr));
+        put(intensity(object.has_value(), seen.intensity_W_sr));
+        put(intensity(object.has_value(), seen.contrastIntensity_W_sr));
         put(number(object.has_value(), seen.coveredPixels));
         put(number(at.has_value(), point.power));
         put(number(at.has_value(), point.mach));

@@ -19,6 +19,7 @@
 #include "gui/scenario/RunScenarioDialog.h"
 #include "gui/scenario/TimeLine.h"
 #include "gui/start/DataFolder.h"
+#include "gui/widgets/DisplayUnits.h"
 #include "gui/widgets/FlowBar.h"
 #include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/Sentences.h"
@@ -165,6 +166,10 @@ void ScenarioPage::connectParts() {
     connectJobs();
     connect(band_, &QComboBox::activated, this, &ScenarioPage::ask);
     connect(pictures_, &ScenarioPictures::drawn, this, &ScenarioPage::show);
+    connect(&DisplayUnitsWatch::instance(), &DisplayUnitsWatch::changed, present_, [this] {
+        if (present_->rowCount() > 0)
+            present_->showMoment(document_->scenario(), picture_);
+    });
     connect(pictures_, &ScenarioPictures::failed, this, &ScenarioPage::tellProblems);
 }
 

@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "gui/analysis/SummaryText.h"
 #include "gui/plot/PlotPanel.h"
 #include "gui/plot/PolarPlot.h"
 #include "gui/plot/ResultPlot.h"
@@ -324,10 +325,7 @@ void DetectionPage::showResult(const JobResult& result) {
         tr("%1 aspects in %2 s").arg(result_->table.rowCount()).arg(result_->elapsed_s, 0, 'f', 2));
     QStringList lines;
     for (const SummaryItem& item : result_->summary)
-        lines << QString("%1: %2 %3")
-                     .arg(withFormattedUnits(QString::fromStdString(item.label)),
-                          formattedNumber(item.value), formattedUnit(item.unit))
-                     .trimmed();
+        lines << summaryLine(item);
     for (const std::string& warning : result_->warnings)
         lines << tr("note: %1").arg(QString::fromStdString(warning));
     summary_->setText(lines.join('\n'));

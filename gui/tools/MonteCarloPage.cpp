@@ -13,6 +13,8 @@
 #include <QVBoxLayout>
 
 #include "gui/analysis/MonteCarloPlots.h"
+#include "gui/analysis/SummaryText.h"
+#include "gui/widgets/DisplayUnits.h"
 #include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/NumberText.h"
 #include "gui/widgets/Sentences.h"
@@ -57,6 +59,8 @@ MonteCarloPage::MonteCarloPage(Workbench& workbench, Dialogs dialogs, QWidget* p
     summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     summary_->setContentsMargins(12, 6, 12, 8);
     summary_->hide();
+    connect(&DisplayUnitsWatch::instance(), &DisplayUnitsWatch::changed, this,
+            &MonteCarloPage::summarize);
     rightColumn->addWidget(plots_, 1);
     rightColumn->addWidget(summary_);
 
@@ -258,18 +262,21 @@ void MonteCarloPage::showResult(const JobResult& result) {
         1000,
         tr("%1 draws in %2 s").arg(data.realisations()).arg(data.analysis.elapsed_s, 0, 'f', 2));
     plots_->setData(data);
-    QStringList lines;
-    for (const SummaryItem& item : data.analysis.summary)
-        if (item.label.find("index of") == std::string::npos)
-            lines << QString("%1: %2 %3")
-                         .arg(withFormattedUnits(QString::fromStdString(item.label)),
-                              formattedNumber(item.value), formattedUnit(item.unit))
-                         .trimmed();
-    for (const std::string& warning : data.analysis.warnings)
-        lines << tr("note: %1").arg(QString::fromStdString(warning));
-    summary_->setText(lines.join(" · "));
+    items_ = data.analysis.summary;
+    warnings_ = data.analysis.warnings;
+    summarize();
     summary_->show();
     refresh();
+}
+
+void MonteCarloPage::summarize() {
+    QStringList lines;
+    for (const SummaryItem& item : items_)
+        if (item.label.find("index of") == std::string::npos)
+            lines << summaryLine(item);
+    for (const std::string& warning : warnings_)
+        lines << tr("note: %1").arg(QString::fromStdString(warning));
+    summary_->setText(lines.join(" · "));
 }
 
 const Exportable& MonteCarloPage::content() const {

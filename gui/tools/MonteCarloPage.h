@@ -37,6 +37,7 @@ class MonteCarloPage : public ToolPage {
     QString progressText(const Progress& progress) const override;
     QString cancelText() const override;
     void showResult(const JobResult& result) override;
+    void summarize();
     const Exportable& content() const override;
     void reload() override;
     void refreshed(bool isUsable) override;
@@ -56,6 +57,8 @@ class MonteCarloPage : public ToolPage {
     QLineEdit* percentiles_ = nullptr;
     QTreeWidget* scales_ = nullptr;
     QLabel *scalesNote_ = nullptr, *summary_ = nullptr;
+    std::vector<SummaryItem> items_; ///< of the result that is shown
+    std::vector<std::string> warnings_;
     QPushButton* write_ = nullptr;
     MonteCarloPlots* plots_ = nullptr;
 };

@@ -40,6 +40,8 @@ class InfraredPictures : public QObject {
     const ColorRule& colorRule() const { return rule_; }
     /// Locks limits at these.
     void setLimits(const irsg::DisplayLimits& limits);
+    /// Those at which they were locked last.
+    const irsg::DisplayLimits& lockedLimits() const { return lockedLimits_; }
     /// Colours and limits of a project count where they are others than before, until others are
     /// chosen. The limits are of radiance.
     void followColors(const Settings& settings);

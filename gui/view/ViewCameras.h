@@ -43,6 +43,8 @@ class ViewCameras {
     /// along: right and down are positive.
     void pan(double right_px, double down_px, const ViewProjection& through);
 
+    bool operator==(const ViewCameras&) const = default;
+
   private:
     OrbitCamera sensor_;
     std::optional<OrbitCamera> inspection_;

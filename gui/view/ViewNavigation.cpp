@@ -27,6 +27,14 @@ ViewNavigation::ViewNavigation(QWidget* view, std::function<Surroundings()> surr
     view->installEventFilter(this);
 }
 
+void ViewNavigation::take(const ViewCameras& cameras) {
+    if (cameras == cameras_)
+        return;
+    const bool sensor = cameras.sensor() != cameras_.sensor();
+    cameras_ = cameras;
+    tellMoved(sensor);
+}
+
 void ViewNavigation::forgetInspection() {
     cameras_.forgetInspection();
     tellCamera();

@@ -36,6 +36,8 @@ class ViewNavigation : public QObject {
 
     const ViewCameras& cameras() const { return cameras_; }
     void setSensor(const OrbitCamera& camera) { cameras_.setSensor(camera); }
+    /// Those of another view, as if they had been moved here.
+    void take(const ViewCameras& cameras);
     /// Back to the sensor alone.
     void forgetInspection();
     void showCamera(ViewCamera camera);

@@ -101,11 +101,16 @@ const ShownUnit* shownUnitOf(const std::string& stored, const DisplayUnits& unit
     return nullptr;
 }
 
+QString storedValueWithUnit(double value, const std::string& unit) {
+    return (formattedNumber(value) + " " + formattedUnit(unit)).trimmed();
+}
+
 QString valueWithUnit(double value, const std::string& unit) {
     const ShownUnit* shown = shownUnitOf(unit);
-    const QString words = shown == nullptr ? formattedUnit(unit) : shown->unit;
-    return (formattedNumber(shown == nullptr ? value : shown->shown(value)) + " " + words)
-        .trimmed();
+    const double other = shown == nullptr ? value : shown->shown(value);
+    if (shown == nullptr || (std::isnan(other) && !std::isnan(value)))
+        return storedValueWithUnit(value, unit);
+    return formattedNumber(other) + " " + shown->unit;
 }
 
 } // namespace smat::gui

@@ -55,7 +55,10 @@ struct ShownUnit {
 const ShownUnit* shownUnitOf(const std::string& stored,
                              const DisplayUnits& units = DisplayUnits::current());
 
-/// "1.25 °C" of a value in a unit of results.
+/// "1.25 °C" of a value in a unit of results; in its own where it has none in the other, such as no
+/// decibels.
 QString valueWithUnit(double value, const std::string& unit);
+/// The same of a difference, a spread or an error, which stays in its own unit.
+QString storedValueWithUnit(double value, const std::string& unit);
 
 } // namespace smat::gui

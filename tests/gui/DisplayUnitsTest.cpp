@@ -1,11 +1,17 @@
 // The one table of units that plots, images and read-outs are shown in.
 #include "gui/widgets/DisplayUnits.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QComboBox>
+#include <QLabel>
+#include <QwtPlotIntervalCurve>
+#include <QwtScaleDiv>
 #include <gtest/gtest.h>
 
+#include "gui/analysis/MonteCarloPlots.h"
+#include "gui/analysis/SummaryText.h"
 #include "gui/image/ColorBar.h"
 #include "gui/image/ImageView.h"
 #include "gui/plot/CartesianPlot.h"
@@ -14,6 +20,7 @@
 #include "gui/plot/ResultPlot.h"
 #include "gui/settings/Preferences.h"
 #include "irsg/image/ApparentTemperature.h"
+#include "tests/gui/ComparisonFixture.h"
 #include "tests/gui/ImageViewFixture.h"
 #include "tests/gui/ResultTables.h"
 #include "tests/gui/WindowFixture.h"
@@ -141,6 +148,122 @@ TEST_F(ImageViewTest, TemperaturesAreReadInTheUnitThatIsPreferred) {
     DisplayUnitsWatch::instance().set({});
     EXPECT_NEAR(view.colorBar()->limits().low, 300.0, 1e-9);
     EXPECT_NEAR(view.colorBar()->limits().high, 400.0, 1e-9);
+}
+
+TEST(DisplayUnits, WordsOfEachKindOfValue) {
+    const struct {
+        const char* name;
+        DisplayUnits units;
+        SummaryItem item;
+        const char* line;
+    } rows[] = {
+        {"as stored", {}, {"Mean there", 100.0, "W sr-1"}, "Mean there: 100 W·sr⁻¹"},
+        {"decibels",
+         {.decibel = true},
+         {"Mean there", 100.0, "W sr-1"},
+         "Mean there: 20 dB re 1 W·sr⁻¹"},
+        {"no decibels below 0",
+         {.decibel = true},
+         {"Mean there", -4.0, "W sr-1"},
+         "Mean there: -4 W·sr⁻¹"},
+        {"a spread",
+         {.decibel = true},
+         {"Largest standard deviation", 100.0, "W sr-1"},
+         "Largest standard deviation: 100 W·sr⁻¹"},
+        {"an error",
+         {.celsius = true},
+         {"Numerical error there", 2.0, "K"},
+         "Numerical error there: 2 K"},
+        {"a temperature",
+         {.celsius = true},
+         {"Largest pixel", 300.0, "K"},
+         "Largest pixel: 26.85 °C"},
+        {"a wavelength",
+         {.spectral = Spectral::wavenumber},
+         {"Peak", 4.0, "um"},
+         "Peak: 2500 cm⁻¹"},
+        {"a range",
+         {Spectral::wavelength, true, true},
+         {"Largest range", 7.0, "m"},
+         "Largest range: 7 m"},
+    };
+    for (const auto& row : rows) {
+        const Shown units(row.units);
+        EXPECT_EQ(summaryLine(row.item), QString(row.line)) << row.name;
+    }
+}
+
+TEST(DisplayUnits, MonteCarloShowsBandsAndHistogramInThem) {
+    MonteCarloData data;
+    data.analysis.table.provenance.add("quantity", "intensity");
+    data.options.percentiles = {5.0, 95.0};
+    data.unit = "W sr-1";
+    data.abscissaKey = "wavelength";
+    data.abscissaUnit = "um";
+    data.abscissae = {4.0, 5.0};
+    data.bands = {""};
+    data.values = {{10.0, 100.0, 1000.0}, {10.0, 10.0, 10.0}};
+    data.nominal = {100.0, 10.0};
+    for (const char* key : {"mean", "p5", "p95"}) {
+        data.analysis.table.add(key, "W sr-1");
+    }
+    data.analysis.table.addRow({370.0, 10.0, 1000.0});
+    data.analysis.table.addRow({10.0, 10.0, 10.0});
+    MonteCarloPlots plots;
+    plots.setData(data);
+    auto* bands = plots.findChild<CartesianPlot*>("monteCarloBands");
+    auto* histogram = plots.findChild<QwtPlot*>("monteCarloHistogram");
+    const auto tube = [&] {
+        const auto items = bands->itemList(QwtPlotItem::Rtti_PlotIntervalCurve);
+        return static_cast<QwtPlotIntervalCurve*>(items.front())->sample(0);
+    };
+    const auto axis = [&] { return histogram->axisTitle(QwtPlot::xBottom).text(); };
+    EXPECT_EQ(tube().value, 4.0);
+    EXPECT_EQ(tube().interval.maxValue(), 1000.0);
+    EXPECT_FALSE(axis().contains("dB"));
+    const Shown units({Spectral::wavenumber, true, false});
+    EXPECT_EQ(bands->data().xTitle, "Wavenumber (cm⁻¹)");
+    EXPECT_EQ(tube().value, 2000.0); // x ascends
+    const auto items = bands->itemList(QwtPlotItem::Rtti_PlotIntervalCurve);
+    const auto last = static_cast<QwtPlotIntervalCurve*>(items.front())->sample(1);
+    EXPECT_EQ(last.value, 2500.0);
+    EXPECT_DOUBLE_EQ(last.interval.minValue(), 10.0);
+    EXPECT_DOUBLE_EQ(last.interval.maxValue(), 30.0);
+    EXPECT_TRUE(axis().contains("dB re 1")) << axis().toStdString();
+    EXPECT_LT(histogram->axisScaleDiv(QwtPlot::xBottom).upperBound(), 35.0);
+    EXPECT_EQ(plots.findChild<QLabel*>("histogramPlaceText")->text(), "2500 cm⁻¹");
+}
+
+class UnitsOfComparison : public test::ComparisonTest {};
+
+TEST_F(UnitsOfComparison, TemperaturesOfBothImagesAndDifferencesAsTheyAre) {
+    const auto image = [](float temperature_K) {
+        irsg::RadianceImage made(8, 6);
+        irsg::ImageChannel& plane = made.channel(irsg::apparentTemperatureChannel);
+        plane.unit = "K";
+        for (float& value : plane.values) {
+            value = temperature_K;
+        }
+        return made;
+    };
+    open(image(300.0F), image(290.0F));
+    auto* box = window->findChild<QComboBox*>("comparedPlane");
+    ASSERT_NE(box, nullptr);
+    const int plane = box->findText("apparent temperature", Qt::MatchContains);
+    ASSERT_GE(plane, 0);
+    box->setCurrentIndex(plane);
+    emit box->activated(plane);
+    ASSERT_TRUE(test::waitUntil([&] { return !window->isBusy(); }));
+    EXPECT_TRUE(window->readoutAt(1, 1).contains("A  300 K"))
+        << window->readoutAt(1, 1).toStdString();
+    const Shown units({.celsius = true});
+    const QString text = window->readoutAt(1, 1);
+    EXPECT_TRUE(text.contains("A  26.85 °C") && text.contains("B  16.85 °C")) << text.toStdString();
+    EXPECT_TRUE(text.contains("A − B  10 K")) << text.toStdString();
+    const auto bars = window->findChildren<ColorBar*>();
+    EXPECT_TRUE(std::ranges::any_of(
+        bars, [](const ColorBar* bar) { return bar->title().contains("(°C)"); }));
+    EXPECT_TRUE(test::waitUntil([&] { return !window->isBusy(); }));
 }
 
 class UnitPreferences : public test::WindowFixture {};

@@ -54,7 +54,7 @@ TEST_F(ImageViewTest, HistogramAndTableFollowTheRectangle) {
 TEST(FiguresTable, NamesOfANarrowTableWrapAndNumbersStayWhole) {
     FiguresTable table;
     table.setFigures({"Figure", "Image"},
-                     {{"Mean", "1.24316"}, {"Contrast intensity (W·sr⁻¹)", "225.332"}});
+                     {{"Mean", "1.24316"}, {"Contrast intensity", "225.332 W·sr⁻¹"}});
     table.resize(640, 300);
     table.show();
     QTest::qWait(20);

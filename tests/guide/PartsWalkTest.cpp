@@ -12,6 +12,8 @@
 #include "gui/plot/PolarPlot.h"
 #include "gui/plot/ResultPlot.h"
 #include "gui/settings/Preferences.h"
+#include "gui/view/ModelPage.h"
+#include "gui/view/StatePage.h"
 #include "gui/widgets/DisplayUnits.h"
 #include "gui/workbench/PageTabs.h"
 #include "smatcore/data/ColumnName.h"
@@ -208,6 +210,30 @@ TEST_F(PartsWalkTest, TwoPagesSideBySide) {
     one->canvas()->centreOn({24, 24}, 12.0);
     EXPECT_EQ(other->canvas()->zoom(), 12.0);
     workbench.database().discard();
+    EXPECT_TRUE(told.isEmpty()) << said();
+}
+
+TEST_F(PartsWalkTest, TwoStatesTurnTogether) {
+    test::GuideWalk walk("window", "Two states with linked cameras");
+    openSample();
+    ModelPage* model = get<ModelPage>();
+    walk.step("View → Keep this state beside (Ctrl+Shift+K) puts a second view of the project "
+              "beside the others.");
+    EXPECT_EQ(get<QAction>("keepState")->shortcut(), QKeySequence("Ctrl+Shift+K"));
+    act("keepState");
+    auto* state = get<StatePage>("statePage");
+    ASSERT_TRUE(test::waitUntil([&] { return !state->view()->scene().models.empty(); }));
+    EXPECT_TRUE(pages().isBeside(state));
+    walk.step("While Link cameras above the kept state is on, a drag in one view turns both");
+    QTest::keyClick(state->view(), Qt::Key_Left);
+    EXPECT_EQ(model->view()->cameras(), state->view()->cameras());
+    workbench.set("camera.azimuth", "20");
+    EXPECT_TRUE(
+        test::waitUntil([&] { return state->view()->cameras().sensor().azimuth_deg == 20.0; }));
+    test::keepScreenshot(*window, "states-beside");
+    walk.step("Another project closes kept states. They are not saved; File → Export… writes the "
+              "view as a picture.");
+    EXPECT_EQ(state->exportFilters().size(), 1);
     EXPECT_TRUE(told.isEmpty()) << said();
 }
 
