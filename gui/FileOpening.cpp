@@ -92,7 +92,7 @@ void FileOpening::overlayResultsFrom(std::size_t first) {
 void FileOpening::choose() {
     const QString models = ProjectFiles::modelPatterns(), images = readableImagePatterns();
     const QString file = dialogs_.openFile(
-        window_, tr("Open a project, a model, a scenario, air, a result or an image"),
+        window_, tr("Open a project, a model, a scenario, an atmosphere, a result or an image"),
         {tr("All that can be opened (%1)").arg("*.smat " + models + " *.json *.xml " + images),
          tr("Projects (*.smat)"), tr("Models (%1)").arg(models), tr("Scenarios (*.json)"),
          tr("Air (*.xml)"), tr("Results (%1)").arg(readableResultPatterns()),

@@ -162,8 +162,8 @@ void MainDialogs::showAbout(const QString& viewRenderer) {
 void MainDialogs::showGuide() {
     if (!GuidePage::isThere()) {
         dialogs_.tell(&window_, tr("The guide"),
-                      {tr("It is not beside this program; SMAT_DATA names the folder that has "
-                          "docs/user-guide.")});
+                      {tr("The guide is not installed. The environment variable SMAT_DATA names "
+                          "the folder that contains docs/user-guide.")});
         return;
     }
     tabs_.addPage(new GuidePage("first-signature.md"), icon("info"), tr("Guide"));

@@ -33,12 +33,14 @@
 #include "gui/project/SceneTreeDock.h"
 #include "gui/scenario/ScenarioPages.h"
 #include "gui/settings/SettingsDialog.h"
+#include "gui/start/DataFolder.h"
 #include "gui/start/StartPage.h"
 #include "gui/view/LoadingBar.h"
 #include "gui/view/ModelPage.h"
 #include "gui/view/ProjectView.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/Widgets.h"
+#include "irsg/core/WriteGuard.h"
 
 namespace smat::gui {
 
@@ -48,6 +50,7 @@ MainWindow::MainWindow(Workbench& workbench, Dialogs dialogs, QWidget* parent)
     setWindowTitle("SMAT");
     setWindowIcon(icon("smat"));
     setAcceptDrops(true);
+    irsg::setWriteGuard(requireOwnPlace);
     messages_ = new WindowMessages(workbench_, this);
     messages_->follow(dialogs_);
     QStringList problems;

@@ -152,7 +152,7 @@ void ResultsDock::makeActions() {
     line();
     add("renameResult", "", tr("Rename"), tr("Give the result another name"),
         QKeySequence(Qt::Key_F2), &ResultsDock::rename);
-    add("annotateResult", "", tr("Notes…"), tr("Write down what is to be known of the result"),
+    add("annotateResult", "", tr("Notes…"), tr("Note to keep with the result"),
         QKeySequence(Qt::SHIFT | Qt::Key_F2), &ResultsDock::annotate);
     add("showCommandLine", "terminal", tr("Show command line…"),
         tr("The command line that makes this result, and all that is known of it"),

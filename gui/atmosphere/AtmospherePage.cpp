@@ -81,8 +81,7 @@ QWidget* AtmospherePage::makeSide() {
     column->addWidget(help_);
     save_ = new QPushButton(tr("Save air"), side);
     save_->setObjectName("saveAir");
-    save_->setToolTip(tr("Write the file of this air (Ctrl+S); one without a file asks for its "
-                         "name"));
+    save_->setToolTip(tr("Save this atmosphere (Ctrl+S); a new one asks for a file name"));
     use_ = new QPushButton(tr("Use in the project"), side);
     use_->setObjectName("useAir");
     auto* buttons = new QHBoxLayout;
@@ -182,7 +181,7 @@ bool AtmospherePage::save() {
         return saveAs();
     if (document_->isModified() && document_->isChangedOnDisk() &&
         dialogs_.ask(this, tr("The file has changed"),
-                     tr("Another program has changed this air since it was read."),
+                     tr("Another program has changed this atmosphere since it was read."),
                      {tr("Save mine over it"), tr("Cancel")}) != 0)
         return false;
     return saveTo(document_->file());
@@ -240,9 +239,9 @@ void AtmospherePage::refreshButtons() {
             isUsed = isUsed || workbench_.project().resolve(listed) == document_->file();
     use_->setEnabled(workbench_.hasProject() && !isUsed);
     use_->setToolTip(!workbench_.hasProject() ? tr("Needs a project")
-                     : isUsed                 ? tr("The project has this air among its atmospheres")
-                              : tr("Save this air and put it first among the atmospheres of the "
-                                   "project"));
+                     : isUsed
+                         ? tr("The project already uses this atmosphere")
+                         : tr("Save this atmosphere and put it first among those of the project"));
 }
 
 } // namespace smat::gui

@@ -91,8 +91,8 @@ void AtmospherePages::offerCopies(const std::filesystem::path& file,
                                   const std::function<AtmospherePage&()>& page) {
     for (const auto& copy : AtmosphereRecovery::leftBehind(file)) {
         const QString question =
-            file.empty() ? tr("Air that was never saved was not closed properly. Its changes of %1 "
-                              "were kept.")
+            file.empty() ? tr("An atmosphere that was never saved was not closed properly. Its "
+                              "changes of %1 were kept.")
                                .arg(whenWritten(copy))
                          : tr("%1 was not closed properly. Its unsaved changes of %2 were kept.")
                                .arg(textOf(file.filename()), whenWritten(copy));

@@ -89,13 +89,14 @@ QWidget* ProjectAtmospherePage::makeList() {
     empty_->setForegroundRole(QPalette::PlaceholderText);
     column->addWidget(empty_);
     auto* order = new QHBoxLayout;
-    up_ = addButton(*order, "airUp", tr("Up"), tr("Ask this one earlier (Alt+Up)"),
+    up_ = addButton(*order, "airUp", tr("Up"), tr("Move up: it is used before the next (Alt+Up)"),
                     &ProjectAtmospherePage::up);
-    down_ = addButton(*order, "airDown", tr("Down"), tr("Ask this one later (Alt+Down)"),
+    down_ = addButton(*order, "airDown", tr("Down"),
+                      tr("Move down: it is used after the next (Alt+Down)"),
                       &ProjectAtmospherePage::down);
     order->addStretch(1);
     auto* files = new QHBoxLayout;
-    addButton(*files, "airAdd", tr("Add…"), tr("Choose another atmosphere; it is asked last"),
+    addButton(*files, "airAdd", tr("Add…"), tr("Add another atmosphere; it is used last"),
               &ProjectAtmospherePage::add);
     edit_ =
         addButton(*files, "airEdit", tr("Edit"), tr("Open the parameters of this AtmosphereSmart"),
@@ -117,7 +118,7 @@ QWidget* ProjectAtmospherePage::makeAnswers() {
     auto* part = new QWidget(this);
     auto* column = new QVBoxLayout(part);
     column->setContentsMargins(0, 0, 0, 0);
-    auto* words = new QLabel(tr("Which one answers, in each band of the sensor"), part);
+    auto* words = new QLabel(tr("The atmosphere that is used in each band of the sensor"), part);
     column->addWidget(words);
     table_ = new QTableWidget(part);
     table_->setObjectName("airAnswers");

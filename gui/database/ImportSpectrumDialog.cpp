@@ -31,7 +31,8 @@ ImportSpectrumDialog::ImportSpectrumDialog(const EditorContext& context,
     distance_ = new QLineEdit(this);
     distance_->setObjectName("importDistance");
     distance_->setPlaceholderText(tr("as the file states, else 0"));
-    distance_->setToolTip(tr("m: the air up to there is inside the measurement already"));
+    distance_->setToolTip(
+        tr("m: absorption up to this distance is already contained in the measurement"));
     connect(name_, &QLineEdit::textChanged, this, &ImportSpectrumDialog::read);
     connect(unit_, &QComboBox::currentIndexChanged, this, &ImportSpectrumDialog::read);
     connect(distance_, &QLineEdit::textChanged, this, &ImportSpectrumDialog::read);

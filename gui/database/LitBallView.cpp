@@ -36,7 +36,7 @@ void LitBallView::show(const irsg::Material& material, const irsg::SpectralRange
         ball = irsg::litBall(material, band, size_px);
     } catch (const irsg::InputError&) {
         caption_ = tr("no ball yet");
-        setToolTip(tr("This model lacks something, which the plot beside it says"));
+        setToolTip(tr("Data are missing for this model; the plot beside it names them"));
         return;
     }
     std::vector<double> values;

@@ -42,7 +42,7 @@ TemperatureResult::TemperatureResult(QWidget* parent) : QWidget(parent) {
     back_ = new QToolButton(this);
     back_->setObjectName("projectState");
     back_->setText(tr("State of the project"));
-    back_->setToolTip(tr("Back from the state that was tried here to the project's own"));
+    back_->setToolTip(tr("Return from the trial state to that of the project"));
     auto* top = new QHBoxLayout;
     top->addWidget(sum_);
     top->addStretch(1);

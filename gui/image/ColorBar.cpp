@@ -238,7 +238,7 @@ void ColorBar::setPercentiles(double low, double high) {
 
 void ColorBar::askUpperPercentileAlone() {
     upperAlone_ = true;
-    highPercent_->setToolTip(tr("Part of the pixels that the colours hold"));
+    highPercent_->setToolTip(tr("Fraction of the pixels within the limits of the colours"));
     showPercentiles();
 }
 

@@ -36,9 +36,9 @@ ThresholdForm::ThresholdForm(QWidget* parent) : QWidget(parent) {
     const QString tips[] = {
         tr("A pixel is over the threshold where |A − B| is larger than this"),
         tr("… and |A − B| / ½(|A| + |B|) is larger than this, 0 to 2"),
-        tr("This part of the pixels may be over the threshold, in percent"),
+        tr("Allowed fraction of pixels over the threshold, in percent"),
         tr("One pixel with a larger |A − B| decides, whatever is allowed; empty for none"),
-        tr("This many pixels may be over the threshold")};
+        tr("Allowed number of pixels over the threshold")};
     for (std::size_t r = 0; r < rowCount; ++r) {
         names_[r] = new QLabel(this);
         names_[r]->setWordWrap(true);
@@ -95,8 +95,10 @@ std::optional<irsg::ComparisonLevel> ThresholdForm::levelIn(std::size_t column,
     const qsizetype before = wrong.size();
     const auto refuse = [&](std::size_t row, const QString& expected) {
         const QString word = column == 0 ? tr("Failure") : tr("Warning");
-        wrong << tr("%1, %2: “%3”, where %4 is needed")
-                     .arg(word, names_[row]->text(), fields_[column][row]->text(), expected);
+        wrong << QStringLiteral("%1, %2: %3")
+                     .arg(word, names_[row]->text(),
+                          neededInstead(expected,
+                                        QStringLiteral("“%1”").arg(fields_[column][row]->text())));
     };
     for (std::size_t r = absolute; r <= hard; ++r) {
         const std::string text = fields_[column][r]->text().trimmed().toStdString();

@@ -97,7 +97,7 @@ QWidget* PaintDock::makePicking() {
     form->addRow(tr("Bends up to"), angle_);
     hidden_ = new QCheckBox(tr("Also hidden faces"), part);
     hidden_->setObjectName("pickHidden");
-    hidden_->setToolTip(tr("Takes what others hide, and what looks away, too"));
+    hidden_->setToolTip(tr("Includes hidden faces and faces that look away"));
     form->addRow(QString(), hidden_);
     hint_ = new QLabel(part);
     hint_->setObjectName("paintHint");
@@ -137,7 +137,8 @@ QWidget* PaintDock::makePainting() {
     paint_->setObjectName("paintFaces");
     erase_ = new QPushButton(tr("Erase"), part);
     erase_->setObjectName("eraseFaces");
-    erase_->setToolTip(tr("Gives the faces back what the model's file and its rules say"));
+    erase_->setToolTip(
+        tr("Restores the codes that the model's file and its rules give to the chosen faces"));
     row->addWidget(paint_);
     row->addWidget(erase_);
     row->addStretch(1);
@@ -222,7 +223,7 @@ void PaintDock::refresh() {
     paint_->setEnabled(faces_ > 0 && right && codes() != irsg::GivenCodes());
     paint_->setToolTip(!right ? tr("An index is a whole number.")
                        : codes() == irsg::GivenCodes()
-                           ? tr("Say first which temperature or material they get.")
+                           ? tr("Choose a temperature or material first.")
                            : tr("Gives the chosen faces these indices"));
 }
 

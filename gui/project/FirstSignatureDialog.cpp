@@ -129,7 +129,7 @@ void FirstSignatureDialog::fill(const irsg::ModelNames& names) {
         const QString kind = kinds[static_cast<std::size_t>(surface.of)];
         auto* name = readOnly(surface.name.empty() ? tr("(no name)") : textOf(surface.name));
         name->setToolTip(surface.because.empty()
-                             ? tr("No word of this name is known: taken for painted skin")
+                             ? tr("No known word in this name: painted skin is assumed")
                              : tr("Because of \"%1\" in its name").arg(textOf(surface.because)));
         table_->setItem(row, surfaceNameColumn, name);
         table_->setItem(row, surfaceKindColumn, readOnly(kind));

@@ -113,7 +113,7 @@ bool ProjectFiles::settle() {
 QStringList ProjectFiles::unsavedWords() const {
     QStringList sentences;
     for (const QString& model : workbench_.painted().unsaved())
-        sentences << tr("What was painted on %1 is not saved.").arg(model);
+        sentences << tr("Painted codes of %1 are not saved.").arg(model);
     if (workbench_.isModified())
         sentences << tr("%1 has changes that are not saved.").arg(displayName());
     if (const int results = workbench_.resultStore().unsavedCount(); results > 0)
@@ -199,7 +199,7 @@ void ProjectFiles::recoverPaint() {
             continue;
         const int answer =
             dialogs_.ask(window_, tr("Recover unsaved changes"),
-                         tr("What was painted on %1 was not saved. It was kept of %2.")
+                         tr("Painted codes of %1 were not saved. A copy of %2 was kept.")
                              .arg(textOf(file.filename()), whenWritten(*copy)),
                          {tr("&Recover it"), tr("&Discard it")});
         if (answer == 1)
@@ -220,13 +220,13 @@ bool ProjectFiles::savePaint() {
     for (const auto& file : changed)
         if (dialogs_.ask(
                 window_, tr("Changed by another program"),
-                tr("What is painted in %1 was changed by another program.").arg(textOf(file)),
+                tr("The painted codes in %1 were changed by another program.").arg(textOf(file)),
                 {tr("&Replace it")}) != 0)
             return false;
     try {
         workbench_.painted().save();
     } catch (const irsg::InputError& error) {
-        dialogs_.tell(window_, tr("What is painted cannot be saved"), sentencesOf(error));
+        dialogs_.tell(window_, tr("The painted codes cannot be saved"), sentencesOf(error));
         return false;
     }
     return true;
@@ -394,7 +394,7 @@ bool ProjectFiles::mayCopyFiles() {
     if (workbench_.database().isDirty())
         unsaved << tr("The database has changes that are not saved; copies are made of files.");
     if (workbench_.painted().isDirty())
-        unsaved << tr("What is painted on a model is not saved; copies are made of files.");
+        unsaved << tr("Painted codes of a model are not saved, and copies are made from files.");
     if (!unsaved.isEmpty())
         dialogs_.tell(window_, tr("Save these first"), unsaved);
     return unsaved.isEmpty();

@@ -122,8 +122,7 @@ void SceneTreeDock::fillModel(QTreeWidgetItem* root, std::size_t number) {
     }
     if (model.database.empty())
         warnTreeItem(database,
-                     tr("Without a signature database nothing can be analysed. Press Enter to "
-                        "choose one."));
+                     tr("Analyses need a signature database. Press Enter to choose one."));
     else if (!index.databaseProblem.isEmpty())
         warnTreeItem(database, index.databaseProblem);
     fillIndices(item, number, IndexKind::temperature);

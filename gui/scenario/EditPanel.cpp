@@ -280,7 +280,7 @@ void EditPanel::followPart() {
         place_->showAttitude(sensor.track.empty());
         QString words = tr("Stands still here");
         if (sensor.mount == MountKind::entity)
-            words = tr("Rides on %1, here in its axes").arg(textOf(sensor.carrier));
+            words = tr("Carried by %1; positions are in its axes").arg(textOf(sensor.carrier));
         else if (sensor.mount == MountKind::trajectory)
             words = tr("Follows its trajectory, here in its axes");
         if (!sensor.track.empty())

@@ -4,6 +4,7 @@
 
 #include "gui/start/DataFolder.h"
 #include "gui/widgets/NumberFormat.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/simulate/ScenarioFile.h"
@@ -103,8 +104,7 @@ QString ScenarioDocument::change(const QString& step,
         scenarioFromJson(scenarioToJson(after.scenario, file()), file());
     } catch (const irsg::InputError& error) {
         const irsg::Diagnostic& first = error.diagnostics().front();
-        return tr("%1, where %2 is needed")
-            .arg(textOf(first.value), withFormattedUnits(textOf(first.expected)));
+        return neededInstead(withFormattedUnits(textOf(first.expected)), textOf(first.value));
     }
     this->edit(std::move(after), step, gesture);
     return {};

@@ -4,6 +4,7 @@
 
 #include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/NumberText.h"
+#include "gui/widgets/Sentences.h"
 
 namespace smat::gui {
 namespace {
@@ -133,9 +134,10 @@ QString TrajectoryModel::problemOf(const QModelIndex& cell, const QString& text)
     const QString expected =
         withFormattedUnits(QString::fromStdString(columnOf(column).expectation()));
     if (!number)
-        return tr("%1: '%2', where %3 is needed").arg(nameOf(column), text, expected);
+        return QStringLiteral("%1: %2").arg(
+            nameOf(column), neededInstead(expected, QStringLiteral("“%1”").arg(text)));
     if (*number < columnOf(column).minimum || *number > columnOf(column).maximum)
-        return tr("%1: %2, where %3 is needed").arg(nameOf(column), text, expected);
+        return QStringLiteral("%1: %2").arg(nameOf(column), neededInstead(expected, text));
     if (column != TrajectoryTable::time)
         return {};
     for (int row = 0; row < points(); ++row)
@@ -154,11 +156,11 @@ QString TrajectoryModel::take(std::vector<Row> rows, const QString& step) {
             const auto column = static_cast<TrajectoryTable::Column>(c);
             if (rows[i][column] < columnOf(column).minimum ||
                 rows[i][column] > columnOf(column).maximum)
-                return tr("row %1, %2: %3, where %4 is needed")
+                return tr("row %1, %2: %3")
                     .arg(i + 1)
-                    .arg(
-                        nameOf(column), gui::textOf(rows[i][column]),
-                        withFormattedUnits(QString::fromStdString(columnOf(column).expectation())));
+                    .arg(nameOf(column), neededInstead(withFormattedUnits(QString::fromStdString(
+                                                           columnOf(column).expectation())),
+                                                       gui::textOf(rows[i][column])));
         }
         if (i > 0 && rows[i][TrajectoryTable::time] == rows[i - 1][TrajectoryTable::time])
             return tr("two rows have the time %1 s")

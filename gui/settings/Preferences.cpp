@@ -12,6 +12,7 @@
 
 #include "gui/widgets/DialogButtons.h"
 #include "gui/widgets/NumberBoxes.h"
+#include "gui/widgets/Sentences.h"
 #include "irsg/core/Errors.h"
 #include "irsg/image/ColorMap.h"
 
@@ -59,8 +60,9 @@ Preferences Preferences::load(QStringList* problems) {
     Preferences preferences;
     const auto refuse = [&](const QString& key, const QString& expected) {
         if (problems != nullptr)
-            *problems << PreferencesDialog::tr("%1, %2: %3, where %4 is needed")
-                             .arg(memory.fileName(), key, memory.value(key).toString(), expected);
+            *problems << QStringLiteral("%1, %2: %3")
+                             .arg(memory.fileName(), key,
+                                  neededInstead(expected, memory.value(key).toString()));
     };
     if (const QString text = memory.value("theme", "system").toString(); themeNames.contains(text))
         preferences.theme = static_cast<ThemeMode>(themeNames.indexOf(text));

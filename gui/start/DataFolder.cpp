@@ -86,8 +86,8 @@ bool isOfSample(const std::filesystem::path& file) {
 void requireOwnPlace(const std::filesystem::path& file) {
     if (isOfSample(file))
         throw irsg::InputError({file.string(), "",
-                                "a place among the samples, which stay as they are",
-                                "a folder of your own"});
+                                "one that belongs to the samples of this program",
+                                "a file in a folder of your own"});
 }
 
 std::filesystem::path ownPlaceOf(const std::filesystem::path& file) {

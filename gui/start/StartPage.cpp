@@ -141,8 +141,8 @@ QWidget* StartPage::makeSamples() {
         ++number;
     }
     if (number == 0)
-        grid->addWidget(new QLabel(tr("They are not beside this program; SMAT_DATA names the "
-                                      "folder that has them."),
+        grid->addWidget(new QLabel(tr("The samples are not installed. The environment variable "
+                                      "SMAT_DATA names the folder that contains them."),
                                    part),
                         1, 0);
     grid->setColumnStretch(cardColumns, 1);

@@ -132,7 +132,7 @@ QString AtmosphereToolPage::atmosphereWords() const {
     QStringList names;
     for (const auto& file : workbench_.settings()[key::environmentAtmospheres])
         names << QString::fromStdString(file.filename().string());
-    return names.isEmpty() ? tr("none: the project names no atmosphere") : names.join(", ");
+    return names.isEmpty() ? tr("none: the project has no atmosphere") : names.join(", ");
 }
 
 void AtmosphereToolPage::setProblems(const QStringList& problems) {

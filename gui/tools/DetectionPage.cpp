@@ -116,7 +116,7 @@ QWidget* DetectionPage::makeCriterionBox(QWidget* parent) {
     criteria_ = formOf(box);
     criterion_ = new QComboBox(box);
     criterion_->setObjectName("criterion");
-    criterion_->addItem(tr("its light stands out of the noise"),
+    criterion_->addItem(tr("its signal exceeds the noise"),
                         static_cast<int>(RangeCriterion::point));
     criterion_->addItem(tr("its shape is resolved (Johnson)"),
                         static_cast<int>(RangeCriterion::bars));

@@ -82,7 +82,7 @@ QWidget* MonteCarloPage::makeForm() {
 
 void MonteCarloPage::addWhat(QFormLayout* form) {
     analysis_ = choice("analysis", {}, this);
-    analysis_->setToolTip(tr("The analysis that is done once for every draw of the scales"));
+    analysis_->setToolTip(tr("The analysis that is repeated for every draw of the scales"));
     quantity_ = choice("quantity",
                        {{tr("Contrast intensity"), "contrast_intensity"},
                         {tr("Intensity"), "intensity"},

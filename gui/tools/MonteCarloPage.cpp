@@ -14,6 +14,7 @@
 
 #include "gui/analysis/MonteCarloPlots.h"
 #include "gui/analysis/SummaryText.h"
+#include "gui/start/DataFolder.h"
 #include "gui/widgets/DisplayUnits.h"
 #include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/NumberText.h"
@@ -171,7 +172,11 @@ void MonteCarloPage::writeScalingFiles() {
                     workbench_.project().resolve(one.file),
                     *scenes.database(workbench_.project().resolve(one.database)));
     } catch (const irsg::InputError& error) {
-        dialogs_.tell(this, tr("Scaling files"), sentencesOf(error));
+        QStringList sentences = sentencesOf(error);
+        if (isOfSample(error.diagnostics().front().file))
+            sentences << tr("Save the project with copies of its files first: File, Save project "
+                            "as….");
+        dialogs_.tell(this, tr("The scaling files cannot be written"), sentences);
     }
     fillScales();
     refresh();

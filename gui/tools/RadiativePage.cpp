@@ -80,7 +80,7 @@ RadiativePage::RadiativePage(Workbench& workbench, Dialogs dialogs, QWidget* par
     form_->layout()->setContentsMargins(0, 0, 0, 0);
     auto* take = new QPushButton(tr("Take from the project"), this);
     take->setObjectName("takeFromProject");
-    take->setToolTip(tr("Camera, target, band, sun and air as the project has them now"));
+    take->setToolTip(tr("Camera, target, band, sun and atmosphere as the project has them now"));
     auto* asked = new QLabel(tr("Spectra"), this);
     asked->setForegroundRole(QPalette::PlaceholderText);
     auto* grid = new QGridLayout;
@@ -102,9 +102,10 @@ RadiativePage::RadiativePage(Workbench& workbench, Dialogs dialogs, QWidget* par
     inputs()->addWidget(take);
     inputs()->addWidget(asked);
     inputs()->addLayout(grid);
-    auto* use = addButton("useInProject", tr("Use in the project…"),
-                          tr("Save these spectra and put them first among the atmospheres of the "
-                             "project: they then answer for this geometry in place of the air"));
+    auto* use = addButton(
+        "useInProject", tr("Use in the project…"),
+        tr("Save these spectra and put them first among the atmospheres of the "
+           "project: they are then used for this geometry instead of the computed atmosphere"));
     connect(use, &QPushButton::clicked, this, &RadiativePage::useInProject);
     connect(take, &QPushButton::clicked, this, &RadiativePage::takeFromProject);
     connect(form_, &SettingForm::edited, this, &RadiativePage::refresh);

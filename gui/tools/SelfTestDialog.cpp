@@ -77,8 +77,8 @@ SelfTestDialog::SelfTestDialog(QWidget* parent) : QDialog(parent) {
     setWindowTitle(tr("Self-test"));
     resize(900, 560);
     auto* column = new QVBoxLayout(this);
-    auto* says = new QLabel(tr("Holds what is computed on this machine against closed forms, "
-                               "published numbers and other ways to compute the same."),
+    auto* says = new QLabel(tr("Compares the results of this machine with closed forms, published "
+                               "numbers and other methods."),
                             this);
     says->setWordWrap(true);
     column->addWidget(says);

@@ -1,14 +1,31 @@
 #pragma once
 
+#include <QHBoxLayout>
 #include <QWidget>
-
-class QBoxLayout;
-class QHBoxLayout;
 
 namespace smat::gui {
 
+/// A row of fields and buttons that goes on in further rows where it is too narrow for all.
+class WrappingRow : public QHBoxLayout {
+    Q_OBJECT
+
+  public:
+    using QHBoxLayout::QHBoxLayout;
+    QSize minimumSize() const override;
+    /// As high as its rows.
+    QSize maximumSize() const override { return {QLAYOUTSIZE_MAX, QLAYOUTSIZE_MAX}; }
+    bool hasHeightForWidth() const override { return true; }
+    int heightForWidth(int width) const override;
+    int minimumHeightForWidth(int width) const override { return heightForWidth(width); }
+    void setGeometry(const QRect& room) override;
+
+  private:
+    /// Where its items stand in a room of this width, counted from its top left; the height.
+    int place(int width, QList<std::pair<QLayoutItem*, QRect>>* places) const;
+};
+
 /// Two groups of fields and buttons in a row, the second at its end; one above the other where the
-/// row is too narrow for both.
+/// row is too narrow for both, and the second in further rows where that is too narrow for it.
 class FlowBar : public QWidget {
     Q_OBJECT
 
@@ -26,7 +43,7 @@ class FlowBar : public QWidget {
     void arrange();
     QBoxLayout* both_ = nullptr;
     QHBoxLayout* first_ = nullptr;
-    QHBoxLayout* second_ = nullptr;
+    WrappingRow* second_ = nullptr;
 };
 
 } // namespace smat::gui

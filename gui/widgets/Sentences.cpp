@@ -65,10 +65,14 @@ QString findingOf(const irsg::Diagnostic& diagnostic) {
         return trSentence("%1 is needed%2").arg(needed, why);
     if (value == "nothing")
         return trSentence("%1 is missing%2").arg(needed, why);
-    return trSentence("%1, where %2 is needed%3").arg(value, needed, why);
+    return neededInstead(needed, value) + why;
 }
 
 } // namespace
+
+QString neededInstead(const QString& needed, const QString& given) {
+    return trSentence("%1 is needed instead of %2").arg(needed, given);
+}
 
 QString sentenceOf(const irsg::Diagnostic& diagnostic) {
     QStringList parts;

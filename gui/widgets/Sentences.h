@@ -11,8 +11,10 @@ struct Diagnostic;
 
 namespace smat::gui {
 
-/// What is wrong, for a person: "x.smat, line 3: 1.2, where a number from 0 to 1 is needed", and
-/// the setting by its name. The terminal has irsg::Diagnostic::message.
+/// "a number from 0 to 1 is needed instead of 1.2": the one form of this sentence.
+QString neededInstead(const QString& needed, const QString& given);
+/// What is wrong, for a person: "x.smat, line 3: a number from 0 to 1 is needed instead of 1.2",
+/// and the setting by its name. The terminal has irsg::Diagnostic::message.
 QString sentenceOf(const irsg::Diagnostic& diagnostic);
 /// One for each diagnostic.
 QStringList sentencesOf(const irsg::InputError& error);

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <system_error>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -11,6 +12,7 @@
 
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
+#include "irsg/core/WriteGuard.h"
 
 namespace irsg {
 
@@ -134,7 +136,12 @@ fs::path behindLink(const fs::path& named) {
     return fs::is_symlink(named, failure) ? fs::weakly_canonical(named, failure) : named;
 }
 
-/// Throws InputError where no regular file can stand.
+WriteGuard& writeGuard() {
+    static WriteGuard guard;
+    return guard;
+}
+
+/// Throws InputError where no regular file can stand, or none is to be written.
 void checkPlace(const fs::path& named, const fs::path& target) {
     std::error_code failure;
     if (fs::is_directory(target, failure))
@@ -143,6 +150,8 @@ void checkPlace(const fs::path& named, const fs::path& target) {
         refuseToWrite(named, "no regular file", "the name of a file to write");
     if (!fs::is_directory(folderOf(target), failure))
         refuseToWrite(named, ENOENT);
+    if (writeGuard())
+        writeGuard()(target);
 }
 
 /// True for a device or a pipe, which is written as it stands.
@@ -153,6 +162,10 @@ bool isWrittenInPlace(const fs::path& file) {
 }
 
 } // namespace
+
+void setWriteGuard(WriteGuard guard) {
+    writeGuard() = std::move(guard);
+}
 
 FileReplacement::FileReplacement(const fs::path& target, Input input)
     : named_(target), target_(behindLink(target)) {
@@ -240,6 +253,8 @@ void checkWritable(const fs::path& file) {
 }
 
 void checkFolderWritable(const fs::path& folder, const fs::path& named) {
+    if (writeGuard())
+        writeGuard()(folder / "file");
     fs::path part;
     const int descriptor = openPart(folder / "folder", part);
     if (descriptor < 0)

@@ -63,9 +63,9 @@ std::string lightWords(CostAccuracyStudy::Light light) {
     case CostAccuracyStudy::noLight:
         return ", no light of sun and sky";
     case CostAccuracyStudy::sunAndSky:
-        return ", no shadows and no light between surfaces";
+        return ", no shadows and no inter-reflection";
     case CostAccuracyStudy::withShadows:
-        return ", no light between surfaces";
+        return ", no inter-reflection";
     case CostAccuracyStudy::allLight:
         break;
     }

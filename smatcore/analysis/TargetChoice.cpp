@@ -64,7 +64,7 @@ std::vector<Skippable> boundsOfLight(ProbedViews& views, const CalculationConfig
         change(configuration.render);
         return configuration;
     };
-    const auto alone = [&](auto&& change) { // no light between surfaces, no shadows
+    const auto alone = [&](auto&& change) { // no inter-reflection, no shadows
         return with([&](RenderSettings& render) {
             render.bounces = 0;
             render.sunShadows = SunShadowMode::off;
@@ -135,7 +135,7 @@ std::vector<Skippable> boundsOfLight(ProbedViews& views, const CalculationConfig
             with([](RenderSettings& render) { render.bounces = 0; });
         const double seen =
             ProbedViews::difference(*of.at(all), views.measured(shaded, false), *of.at(all));
-        found.push_back({"light between surfaces", "twice what view factors to a tenth show",
+        found.push_back({"inter-reflection", "twice what view factors to a tenth show",
                          ofLooked * seen, [](RenderSettings& render) { render.bounces = 0; }});
     }
     std::ranges::stable_sort(found, {}, &Skippable::bound);

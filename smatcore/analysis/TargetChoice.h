@@ -37,7 +37,7 @@ struct TargetUse {
 /// The cheapest way whose stated errors are at most `target`, a part of intensity and contrast, in
 /// every view that is probed: windows of 64 to 2048 samples, bins of 15, 5 or 1 cm-1 or
 /// wideband-ck, one or more rows of background. Light that is at most a part of the target is left
-/// out: sun, shadows, light between surfaces, that of sky and ground. Modes 0 to 2 of antialiasing
+/// out: sun, shadows, inter-reflection, that of sky and ground. Modes 0 to 2 of antialiasing
 /// are not among them: what their samples miss is in no stated error.
 ///
 /// What is set is looked at first. Where it meets the target and a cheaper way would save less than

@@ -197,8 +197,7 @@ irsg::RenderSettings renderSettingsOf(const Settings& settings) {
         throw irsg::InputError(
             {"settings", key::renderBounces.name, settings.text(key::renderBounces),
              std::string("0, or ") + key::renderAmbientReflection.name +
-                 " off or smart: approx is independent of geometry and has no light between "
-                 "surfaces"});
+                 " off or smart: approx is independent of geometry and has no inter-reflection"});
     render.mode = settings.text(key::sensorMode) == "ck" ? irsg::CalculationMode::wideband
                                                          : irsg::CalculationMode::spectral;
     render.fluxWeights = valueOf(fluxWeightWords, settings.text(key::renderFluxWeights));

@@ -109,12 +109,12 @@ std::string adaptiveWords(const std::string& how) {
 } // namespace
 
 SettingInfo adaptiveSteps(TextKey key, const std::string& how) {
-    return choice(key, "--steps", "Steps", {"fixed", "adaptive"}, "fixed",
+    return choice(key, "--steps", "Spacing", {"fixed", "adaptive"}, "fixed",
                   "fixed, or " + adaptiveWords(how) + ".");
 }
 
 SettingInfo stepsOfPlot(TextKey key, const std::string& step, const std::string& how) {
-    return choice(key, "--steps", "Steps", {"auto", "fixed", "adaptive"}, "auto",
+    return choice(key, "--steps", "Spacing", {"auto", "fixed", "adaptive"}, "auto",
                   adaptiveWords(how) + "; auto: adaptive while " + step +
                       " is auto, with 2 % in place of 1 % and the errors of the numbers, else "
                       "fixed.");

@@ -267,7 +267,7 @@ void addRendering(std::vector<SettingInfo>& table) {
                "sun is a point source, or a disc of 0.53 degrees, whose shadows have a penumbra."),
         {"off", "of a point", "of a disc, with penumbra"}));
     sun.add(choiceOrNumber(
-        key::renderBounces, "--bounces", "Light between surfaces", "", {"converged"}, 0, 1000,
+        key::renderBounces, "--bounces", "Inter-reflection", "", {"converged"}, 0, 1000,
         ofLibrary.bounces == irsg::convergedBounces ? "converged"
                                                     : std::to_string(ofLibrary.bounces),
         "Number of inter-reflections between surfaces: 0 for none, a whole number, "

@@ -1,11 +1,14 @@
 #include <map>
 
+#include <QPushButton>
 #include <QToolButton>
 
 #include "gui/database/DatabaseDock.h"
 #include "gui/project/ProjectFiles.h"
 #include "gui/start/DataFolder.h"
+#include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
+#include "irsg/core/FileReplacement.h"
 #include "tests/gui/WindowFixture.h"
 
 namespace smat::gui {
@@ -109,6 +112,28 @@ TEST_F(SampleSafetyTest, SavingTheDatabaseOfASampleAsksForAPlaceAndTheProjectTak
     EXPECT_EQ(workbench.database().file(), folder / "mine.sigdb");
     EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
     expectUntouched();
+}
+
+TEST_F(SampleSafetyTest, NoWriterOfTheWindowTouchesThem) {
+    openIt();
+    trigger("monteCarlo");
+    QTest::qWait(30);
+    auto* write = window->findChild<QPushButton*>("writeScalingFiles");
+    ASSERT_NE(write, nullptr);
+    write->click();
+    EXPECT_TRUE(told.join(' ').contains("belongs to the samples") &&
+                told.join(' ').contains("Save project as"))
+        << told.join('\n').toStdString();
+    expectUntouched();
+    // One rule for whatever writes.
+    for (const char* name : {"new.csv", "ship.flt", "ship(temperaturesScalings).xml"}) {
+        const fs::path file = data / "samples/ship" / name;
+        EXPECT_THROW(irsg::writeFileDurably(file, "x"), irsg::InputError) << name;
+        EXPECT_THROW(irsg::checkWritable(file), irsg::InputError) << name;
+    }
+    expectUntouched();
+    irsg::writeFileDurably(folder / "own.csv", "x");
+    EXPECT_EQ(irsg::readFile(folder / "own.csv"), "x");
 }
 
 TEST_F(SampleSafetyTest, WhatACrashLeavesOfASampleIsOfferedWithIt) {
