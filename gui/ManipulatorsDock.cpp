@@ -12,6 +12,7 @@
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QSlider>
+#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -90,7 +91,8 @@ ManipulatorsDock::ManipulatorsDock(Workbench& workbench, QWidget* parent)
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(body);
-    scroll->setMinimumWidth(300);
+    // As wide as its fields beside a scroll bar.
+    scroll->setMinimumWidth(300 + style()->pixelMetric(QStyle::PM_ScrollBarExtent));
     setWidget(scroll);
 
     connect(&workbench_, &Workbench::projectOpened, this, [body] { body->setEnabled(true); });

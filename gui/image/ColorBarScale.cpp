@@ -25,7 +25,7 @@ QString pixels(std::size_t count) {
 ColorBar::Scale::Scale(const ColorBar* bar, QWidget* parent, std::optional<PlotStyle> style)
     : QWidget(parent), bar_(bar), style_(std::move(style)) {
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
-    setMinimumHeight(90);
+    setMinimumHeight(45);
 }
 
 PlotStyle ColorBar::Scale::style() const {

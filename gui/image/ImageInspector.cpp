@@ -55,6 +55,7 @@ ImageInspector::ImageInspector(QWidget* parent) : QWidget(parent) {
     histogram_ = new HistogramPlot(this);
     table_ = new FiguresTable(this);
     table_->setObjectName("imageFigures");
+    histogram_->setMinimumSize(120, 100); // low pages have room for what a pixel is made of, too
     scope_ = new QLabel(this);
     scope_->setObjectName("histogramScope");
     scope_->setWordWrap(true);
@@ -107,7 +108,7 @@ void ImageInspector::setRectangle(const std::optional<irsg::PixelRectangle>& rec
 void ImageInspector::setTableBelow(bool below) {
     row_->setDirection(below ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     // Beside the histogram, names and values are to be read whole.
-    table_->setMinimumWidth(below ? 0 : 42 * fontMetrics().averageCharWidth());
+    table_->setMinimumWidth(below ? 0 : 24 * fontMetrics().averageCharWidth());
 }
 
 void ImageInspector::clear() {

@@ -24,6 +24,23 @@
 #include "gui/widgets/Widgets.h"
 
 namespace smat::gui {
+namespace {
+
+/// Two parts beside each other where there is room for both, else one above the other.
+class RoomySplitter : public QSplitter {
+  public:
+    using QSplitter::QSplitter;
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override {
+        constexpr int besideFrom_px = 900;
+        setOrientation(width() < besideFrom_px ? Qt::Vertical : Qt::Horizontal);
+        QSplitter::resizeEvent(event);
+    }
+};
+
+} // namespace
+
 ImageView::ImageView(QWidget* parent, Dialogs dialogs)
     : QWidget(parent), dialogs_(std::move(dialogs)) {
     setObjectName("imageView");
@@ -85,7 +102,8 @@ ImageView::ImageView(QWidget* parent, Dialogs dialogs)
     splitter->setStretchFactor(0, 3);
     splitter->setStretchFactor(1, 1);
     splitter->setStretchFactor(2, 2);
-    auto* across = new QSplitter(Qt::Horizontal, this);
+    auto* across = new RoomySplitter(this);
+    across->setObjectName("imageAndPixel");
     across->setChildrenCollapsible(false);
     across->addWidget(splitter);
     across->addWidget(pixels_);

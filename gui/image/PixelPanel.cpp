@@ -161,7 +161,7 @@ PixelPanel::PixelPanel(QWidget* parent) : QWidget(parent) {
     tree_->header()->setStretchLastSection(false);
     tree_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     tree_->setIndentation(12);
-    tree_->setMinimumWidth(430);
+    tree_->setMinimumSize(240, 80); // its columns scroll
     words_ = new QLabel(this);
     words_->setObjectName("pixelWords");
     words_->setWordWrap(true);

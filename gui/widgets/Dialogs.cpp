@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QStyle>
+#include <QScreen>
 
 #include "gui/widgets/DialogFolders.h"
 #include "gui/widgets/Theme.h"
@@ -76,7 +77,14 @@ Dialogs Dialogs::ofDesktop() {
                    ? -1
                    : static_cast<int>(answers.indexOf(box.clickedButton()->text()));
     };
-    dialogs.run = [](QDialog& dialog) { return dialog.exec() == QDialog::Accepted; };
+    dialogs.run = [](QDialog& dialog) {
+        // With its title bar on a small screen, too, so that its buttons are in reach.
+        constexpr QSize aroundIt_px(16, 56);
+        if (dialog.testAttribute(Qt::WA_Resized))
+            dialog.resize(
+                dialog.size().boundedTo(dialog.screen()->availableSize() - aroundIt_px));
+        return dialog.exec() == QDialog::Accepted;
+    };
     return dialogs;
 }
 
