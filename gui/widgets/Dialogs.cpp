@@ -5,8 +5,8 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <QStyle>
 #include <QScreen>
+#include <QStyle>
 
 #include "gui/widgets/DialogFolders.h"
 #include "gui/widgets/Theme.h"
@@ -81,8 +81,7 @@ Dialogs Dialogs::ofDesktop() {
         // With its title bar on a small screen, too, so that its buttons are in reach.
         constexpr QSize aroundIt_px(16, 56);
         if (dialog.testAttribute(Qt::WA_Resized))
-            dialog.resize(
-                dialog.size().boundedTo(dialog.screen()->availableSize() - aroundIt_px));
+            dialog.resize(dialog.size().boundedTo(dialog.screen()->availableSize() - aroundIt_px));
         return dialog.exec() == QDialog::Accepted;
     };
     return dialogs;

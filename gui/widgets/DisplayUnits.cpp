@@ -102,7 +102,8 @@ const ShownUnit* shownUnitOf(const std::string& stored, const DisplayUnits& unit
 }
 
 QString storedValueWithUnit(double value, const std::string& unit) {
-    return (formattedNumber(value) + " " + formattedUnit(unit)).trimmed();
+    return withFormattedUnits(formattedNumber(value) + " " + QString::fromStdString(unit))
+        .trimmed();
 }
 
 QString valueWithUnit(double value, const std::string& unit) {

@@ -26,10 +26,14 @@ Settings firstScene(const irsg::BoundingBox& bounds, Settings usual) {
     usual.set(key::cameraAzimuth, azimuth_deg);
     usual.set(key::cameraElevation, elevation_deg);
     const double fov_rad = irsg::radians(usual[key::sensorFov]);
-    usual.set(key::cameraRange, rounded(OrbitCamera::rangeToShow(radius_m, fov_rad)));
-    // What is large stands higher: nothing of it below the ground.
+    const double range_m = OrbitCamera::rangeToShow(radius_m, fov_rad);
+    usual.set(key::cameraRange, rounded(range_m));
+    // What is large stands higher: nothing of it below the ground, and the sensor can look at it
+    // from below, where no aircraft would be too high.
+    constexpr double highest_m = 10000.0;
     usual.set(key::targetAltitude,
-              rounded(std::max(Settings()[key::targetAltitude], 2.0 * radius_m)));
+              rounded(std::max({Settings()[key::targetAltitude], 2.0 * radius_m,
+                                std::min(1.1 * range_m, highest_m)})));
     const auto folder = dataFolder("resources/atmospheres");
     if (const auto file = folder / air; !folder.empty() && std::filesystem::exists(file))
         usual.set(key::environmentAtmospheres, file.string());

@@ -25,6 +25,8 @@ TEST(FirstScene, AModelFillsThePictureFromItsStarboardBowInTheAirThatComesWithTh
         EXPECT_LT(first[key::cameraAzimuth], 70.0);
         EXPECT_GT(first[key::cameraElevation], 0.0);
         EXPECT_GE(first[key::targetAltitude], radius_m) << "nothing below the ground";
+        EXPECT_GE(first[key::targetAltitude], std::min(1.09 * first[key::cameraRange], 1e4))
+            << "a turn of the camera about the target stays above the ground";
         EXPECT_EQ(first.text(key::sensorBand), "3-5");
         EXPECT_TRUE(std::filesystem::exists(first.text(key::environmentAtmospheres)));
     }

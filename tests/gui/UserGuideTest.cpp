@@ -78,7 +78,7 @@ class UserGuideTest : public test::WindowFixture {
                                  "monteCarlo",       "frontier",
                                  "menuLibrary",      "showShortcuts",
                                  "findCommand",      "selfTest",
-                                 "showAbout"}) {
+                                 "showAbout",        "keepState"}) {
             trigger(name);
         }
         auto* tabs = window->findChild<QTabWidget*>("tabs");

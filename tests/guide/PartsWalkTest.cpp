@@ -216,7 +216,7 @@ TEST_F(PartsWalkTest, TwoPagesSideBySide) {
 TEST_F(PartsWalkTest, TwoStatesTurnTogether) {
     test::GuideWalk walk("window", "Two states with linked cameras");
     openSample();
-    ModelPage* model = get<ModelPage>();
+    auto* model = window->findChild<ModelPage*>();
     walk.step("View → Keep this state beside (Ctrl+Shift+K) puts a second view of the project "
               "beside the others.");
     EXPECT_EQ(get<QAction>("keepState")->shortcut(), QKeySequence("Ctrl+Shift+K"));

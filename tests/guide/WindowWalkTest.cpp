@@ -263,6 +263,19 @@ TEST_F(WindowWalkTest, TheView) {
     EXPECT_GE(changes, 4) << "frusta are those of a picture with an antialiasing";
     act("showShortcuts");
     act("findCommand");
+    walk.step("The infrared display begins in the colour scale and limits of the project's first "
+              "image analysis in the same band, where the project sets none itself.");
+    view().infrared().setQuantity(InfraredQuantity::radiance);
+    EXPECT_EQ(view().infrared().colorRule().mode, LimitMode::target); // there is no such analysis
+    Project withImage = workbench.project();
+    withImage.analyses.push_back({"image", AnalysisKind::image});
+    withImage.analyses.back().settings.set("display.minimum", "0.25");
+    withImage.analyses.back().settings.set("display.maximum", "4");
+    view().setProject(withImage, workbench.settings());
+    EXPECT_EQ(view().infrared().colorRule().mode, LimitMode::locked);
+    EXPECT_EQ(view().infrared().lockedLimits().high, 4.0);
+    view().setProject(workbench.project(), workbench.settings());
+    EXPECT_EQ(view().infrared().colorRule().mode, LimitMode::target);
     walk.step(
         "File → Export… writes the view as a picture, in the infrared with its colour bar, and "
         "the infrared values as EXR or CSV.");
