@@ -49,10 +49,14 @@ std::vector<bool> hotSurfaces(const SceneRadiometry& radiometry,
     std::vector<bool> hot(radiometry.rows().keys().size());
     const auto radianceOf = [&](int drawn) {
         const SurfaceSpectra& surface = radiometry.surfaces()[static_cast<std::size_t>(drawn)];
-        return surface.isGas || radiometry.rows().isTransparent(drawn) ||
-                       !(surface.temperature_K > 0.0)
-                   ? 0.0
-                   : planckRadiance_W_m2_sr_um(wavelength_um, surface.temperature_K);
+        if (surface.isGas || radiometry.rows().isTransparent(drawn) ||
+            !(surface.temperature_K > 0.0))
+            return 0.0;
+        const auto& [entity, codes] = radiometry.rows().keys()[static_cast<std::size_t>(drawn)];
+        const auto& scales = entities[static_cast<std::size_t>(entity)].temperatureScale;
+        const auto scale = scales.find(codes.temperature);
+        return planckRadiance_W_m2_sr_um(
+            wavelength_um, surface.temperature_K / (scale != scales.end() ? scale->second : 1.0));
     };
     addHot(radiometry, entities, 0.0, radianceOf, hot);
     return hot;

@@ -154,7 +154,8 @@ void LobeQuadrature::addLobes(const Tile& own, int row, int column, const Geomet
                                static_cast<std::uint32_t>(sample),
                                ofSample,
                                rows_.firstLobe(drawn.row),
-                               samples.standsForGroup(sample) ? own.step / 2 : own.step};
+                               samples.standsForGroup(sample) ? own.step / 2 : own.step,
+                               samples.standsForGroup(sample) ? 2 : 1};
         layer.to = layer.axes.ofSeen(along * -1.0);
 
         const SurfaceDirection sun = layer.axes.of(own.sun);

@@ -95,6 +95,7 @@ struct LobeQuadrature::DirectionalLayer {
     std::uint32_t sample = 0, number = 0; ///< number among those of the sample
     int firstLobe = 0;                    ///< row
     std::size_t step = 1;                 ///< of the facets that are followed
+    int raysOfAim = 1;                    ///< to each sphere
 
     std::size_t lobes() const {
         std::size_t count = 0;

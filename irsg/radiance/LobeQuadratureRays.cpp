@@ -71,7 +71,8 @@ class LobeQuadrature::Following {
         return room;
     }
     void findAims(std::size_t facets);
-    void sendTo(const Aim& aim, double facets);
+    /// `ray`: of those that are sent there.
+    void sendTo(const Aim& aim, int ray, double facets);
     /// Of a ray that a facet reflects, how much counts beside those that are aimed likewise.
     double shareOf(const SurfaceDirection& facet, const Vec3& direction, double facets) const;
     /// Per solid angle, of directions that facets reflect.
@@ -113,6 +114,7 @@ void LobeQuadrature::Following::findAims(std::size_t facets) {
             continue;
         aim.density_per_sr = 1.0 / (2.0 * pi * (1.0 - aim.cosine));
         const double part = density_per_sr(halfway(layer_.to, axis)) / aim.density_per_sr;
+        aim.density_per_sr *= layer_.raysOfAim;
         if (part > least && part * static_cast<double>(facets) < often)
             aims_.push_back(aim);
     }
@@ -175,9 +177,10 @@ void LobeQuadrature::Following::send(const Vec3& direction, const SurfaceModel::
                            part);
 }
 
-void LobeQuadrature::Following::sendTo(const Aim& aim, double facets) {
+void LobeQuadrature::Following::sendTo(const Aim& aim, int ray, double facets) {
     const auto partOf = [&](double step, double begin) {
-        const double at = turned(step) + begin * static_cast<double>(aim.number);
+        const double at = turned(step) + begin * static_cast<double>(aim.number) +
+                          static_cast<double>(ray) / layer_.raysOfAim;
         return at - std::floor(at);
     };
     const double cosine = 1.0 - partOf(0.7548776662466927, 0.6180339887498949) * (1.0 - aim.cosine);
@@ -218,7 +221,8 @@ void LobeQuadrature::Following::sendAll(std::size_t step) {
         send(direction, sent, share + 0.7548776662466927 * static_cast<double>(i + 1));
     }
     for (const Aim& aim : aims_)
-        sendTo(aim, followed);
+        for (int ray = 0; ray < layer_.raysOfAim; ++ray)
+            sendTo(aim, ray, followed);
 }
 
 void LobeQuadrature::follow(const Tile& own, const DirectionalLayer& layer,

@@ -16,6 +16,8 @@ namespace irsg {
 /// Takes what ViewSurfaceSums takes.
 class PixelSurfaceSums {
   public:
+    /// A sample counts in its own pixel, also where another stands for it.
+    static constexpr bool isByPixel = true;
     /// `pixels`: those of the part. `share`: a sample's part of a pixel.
     PixelSurfaceSums(const SurfaceRows& rows, const PixelRegion& pixels, std::size_t factorCount,
                      const LightExchange* exchange, const ReceiverRows& receivers, double share)

@@ -28,6 +28,8 @@ inline constexpr std::size_t sublatticeDifferenceKinds = 3;
 template <std::size_t Factors>
 class SublatticeDifferences {
   public:
+    /// A sample counts with those that it stands for.
+    static constexpr bool isByPixel = false;
     /// Of the rows from one on to before another, counted from the top. All must live as long.
     SublatticeDifferences(const SampleTile& tile, std::size_t firstRow, std::size_t lastRow,
                           const ViewSurfaceSums<Factors>& empty)

@@ -100,11 +100,12 @@ void TruthLayers::add(const SampleTile& tile, const GeometrySamples& samples) {
         const std::size_t last = first + static_cast<std::size_t>(count);
         std::ranges::fill(sums, 0.0);
         for (std::size_t i = first; i < last; ++i) {
-            if (samples.isEmpty(i))
+            const std::size_t standing = samples.standingFor(i, tile.stride());
+            if (samples.isEmpty(standing))
                 continue;
             std::optional<GeometrySamples::Layer> nearest;
             walk_.forEachLayer(
-                samples, i,
+                samples, standing,
                 [&](const SurfaceStackId& kind, float part, const GeometrySamples::Layer& layer) {
                     if (!nearest)
                         nearest = layer;
@@ -153,15 +154,15 @@ void TruthLayers::add(const SampleTile& tile, const GeometrySamples& samples) {
                     (*objectIndex)[pixel] = static_cast<float>(entity);
                 temperatureIndex[pixel] = static_cast<float>(codes.temperature);
                 materialIndex[pixel] = static_cast<float>(codes.material);
-                range[pixel] = nearest->distance_m;
+                range[pixel] = standing == i ? nearest->distance_m : samples.distances_m[i];
             }
         }
         for (std::size_t i = first; skyVisibility && i < last; ++i)
-            (*skyVisibility)[pixel] +=
-                static_cast<float>(weight * share) * samples.skyVisibility[i];
+            (*skyVisibility)[pixel] += static_cast<float>(weight * share) *
+                                       samples.skyVisibility[samples.standingFor(i, tile.stride())];
         for (std::size_t i = first; sunVisibility && i < last; ++i)
-            (*sunVisibility)[pixel] +=
-                static_cast<float>(weight * share) * samples.sunVisibility[i];
+            (*sunVisibility)[pixel] += static_cast<float>(weight * share) *
+                                       samples.sunVisibility[samples.standingFor(i, tile.stride())];
         for (std::size_t term = 0; term < planes.size(); ++term)
             (*planes[term])[pixel] += static_cast<float>(sums[term] * weight * share);
     });

@@ -25,41 +25,44 @@ constexpr std::size_t sublatticeStrips = 4;
 template <typename Sums>
 void addRows(const SampleTile& tile, const GeometrySamples& samples, std::size_t firstRow,
              std::size_t lastRow, LayerWalk& walk, Sums& sums) {
-    tile.forEachRun(static_cast<int>(firstRow), static_cast<int>(lastRow),
-                    [&](std::size_t first, int count, int x, int y, double weight) {
-                        const std::size_t last = first + static_cast<std::size_t>(count);
-                        while (first < last && samples.isEmpty(first))
-                            ++first;
-                        if (first == last)
-                            return;
-                        sums.goTo(x, y, weight);
-                        for (std::size_t i = first; i < last; ++i) {
-                            if (samples.isEmpty(i))
-                                continue;
-                            const bool isOfGroup = samples.standsForGroup(i);
-                            if constexpr (requires { sums.at(i, isOfGroup); })
-                                sums.at(i, isOfGroup);
-                            else if (isOfGroup)
-                                sums.goTo(x, y, GeometrySamples::samplesOfGroup * weight);
-                            walk.forEachPlace(
-                                samples, i,
-                                [&](int stack, const SurfaceRows::Between& between,
-                                    const GeometrySamples::Layer& layer)
-                                    __attribute__((always_inline)) {
-                                        if (layer.coverage != 0.0f && !layer.isLobe)
-                                            sums.add(stack, between, layer);
-                                        else
-                                            sums.addLight(stack, between, layer);
-                                    },
-                                [&](int stack, const GeometrySamples::Layer& layer,
-                                    const GeometrySamples::Specular& mirror) {
-                                    sums.addSpecular(stack, samples, layer, mirror);
-                                });
-                            if constexpr (!requires { sums.at(i, isOfGroup); })
-                                if (isOfGroup)
-                                    sums.goTo(x, y, weight);
-                        }
+    tile.forEachRun(
+        static_cast<int>(firstRow), static_cast<int>(lastRow),
+        [&](std::size_t first, int count, int x, int y, double weight) {
+            const std::size_t last = first + static_cast<std::size_t>(count);
+            const auto isLeftOut = [&](std::size_t i) {
+                return samples.isEmpty(i) && !(Sums::isByPixel && samples.isOfAnother(i));
+            };
+            while (first < last && isLeftOut(first))
+                ++first;
+            if (first == last)
+                return;
+            sums.goTo(x, y, weight);
+            for (std::size_t i = first; i < last; ++i) {
+                if (isLeftOut(i))
+                    continue;
+                const bool isOfGroup = !Sums::isByPixel && samples.standsForGroup(i);
+                if constexpr (requires { sums.at(i, isOfGroup); })
+                    sums.at(i, isOfGroup);
+                else if (isOfGroup)
+                    sums.goTo(x, y, GeometrySamples::samplesOfGroup * weight);
+                walk.forEachPlace(
+                    samples, samples.standingFor(i, tile.stride()),
+                    [&](int stack, const SurfaceRows::Between& between,
+                        const GeometrySamples::Layer& layer) __attribute__((always_inline)) {
+                        if (layer.coverage != 0.0f && !layer.isLobe)
+                            sums.add(stack, between, layer);
+                        else
+                            sums.addLight(stack, between, layer);
+                    },
+                    [&](int stack, const GeometrySamples::Layer& layer,
+                        const GeometrySamples::Specular& mirror) {
+                        sums.addSpecular(stack, samples, layer, mirror);
                     });
+                if constexpr (!requires { sums.at(i, isOfGroup); })
+                    if (isOfGroup)
+                        sums.goTo(x, y, weight);
+            }
+        });
     sums.finish();
 }
 

@@ -27,6 +27,8 @@ namespace irsg {
 template <std::size_t Factors>
 class ViewSurfaceSums {
   public:
+    /// A sample counts with those that it stands for.
+    static constexpr bool isByPixel = false;
     /// All must live as long. `share`: a sample's part of a pixel.
     ViewSurfaceSums(const SurfaceRows& rows, const PixelGrid& grid,
                     const std::vector<const FrameBackground*>& varying,

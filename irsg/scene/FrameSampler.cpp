@@ -137,7 +137,7 @@ std::shared_ptr<ViewSampling> FrameSampler::begin(const Frame& frame) {
     // It outlives what is begun here: it waits for that when it goes.
     sampling->tiles_ = surfaces_.begin(
         frame.surfaces, frame.request.camera, tilesOf(frame, frame.plan.drawn),
-        frame.rows().needsDistances(), SurfaceSampler::Joining::smooth,
+        frame.rows().needsDistances(),
         [own = sampling.get()](const SampleTile& tile, const GeometrySamples& samples) {
             own->sums_.addToView(tile, samples, own->factors_);
         });

@@ -123,12 +123,13 @@ PixelExplanation PixelExplainer::at(int x, int y) {
                 drawn = surfaces_.scenesOf(frame.surfaces, frame.request.camera, sheet);
             GeometrySamples& samples = samples_;
             RayEngine::traceRuns(
-                *drawn, w, frame.shading().lobes ? withNeighbours(runs, tile) : runs, samples);
+                *drawn, w, frame.shading().isNeeded() ? withNeighbours(runs, tile) : runs, samples);
             frame.shading().sortAndApply(*drawn, frame.settings(), samples);
             const TileRays rays(drawn->scenes[w], tile);
             for (const SampleRun& run : runs)
                 for (int column = run.firstColumn; column < run.firstColumn + run.count; ++column) {
-                    const std::size_t sample = indexOf(tile, column, run.row);
+                    const std::size_t sample =
+                        samples.standingFor(indexOf(tile, column, run.row), tile.stride());
                     ++result.samples;
                     if (result.isInterior)
                         compare(rays.facetsAt(column, run.row));

@@ -123,7 +123,7 @@ void SurfaceSampler::onEngine(const FrameEngine& engine, const std::function<voi
 SurfaceSampler::Sampling SurfaceSampler::begin(const SceneSurfaces& surfaces,
                                                const CameraFrame& camera,
                                                const std::vector<SampleTile>& tiles,
-                                               bool withDistance, Joining joining, Take take) {
+                                               bool withDistance, Take take) {
     const int side = surfaces.engine.engine.largestSide();
     auto planned = std::make_shared<const std::vector<SampleSheet>>(
         tiles.empty() ? std::vector<SampleSheet>{} : sheetsOf(piecesOf(tiles, side), side));
@@ -139,14 +139,9 @@ SurfaceSampler::Sampling SurfaceSampler::begin(const SceneSurfaces& surfaces,
         seconds.reading += engine.takeReadSeconds();
     };
     if (surfaces.shading.isNeeded())
-        work.shade = [&surfaces, &camera, planned, joining, this](std::size_t i,
-                                                                  GeometrySamples& samples) {
-            const SheetScene sheet = scenesOf(surfaces, camera, (*planned)[i]);
-            if (joining == Joining::smooth)
-                surfaces.shading.join(sheet, samples);
-            else
-                samples.groups.clear();
-            surfaces.shading.apply(sheet, surfaces.scene.settings, samples);
+        work.shade = [&surfaces, &camera, planned, this](std::size_t i, GeometrySamples& samples) {
+            surfaces.shading.apply(scenesOf(surfaces, camera, (*planned)[i]),
+                                   surfaces.scene.settings, samples);
         };
     work.take = [planned, take = std::move(take)](std::size_t i, const GeometrySamples& samples) {
         for (const SampleTile& tile : (*planned)[i].tiles)
@@ -180,8 +175,7 @@ void SurfaceSampler::sample(const SceneSurfaces& surfaces, const CameraFrame& ca
                             const char* stage, Take take) {
     if (tiles.empty())
         return;
-    Sampling sampling =
-        begin(surfaces, camera, tiles, withDistance, Joining::none, std::move(take));
+    Sampling sampling = begin(surfaces, camera, tiles, withDistance, std::move(take));
     waitFor(sampling, stage);
 }
 

@@ -31,17 +31,14 @@ class SurfaceSampler {
     /// Does work on the engine's thread and waits.
     void onEngine(const FrameEngine& engine, const std::function<void()>& work);
 
-    /// Whether samples may stand for each other (joinSmoothSamples): for sums over a view.
-    enum class Joining { none, smooth };
     /// Begins to sample tiles and to give the factors to `take`, on other threads; surfaces and
     /// camera must live until that is done.
     Sampling begin(const SceneSurfaces& surfaces, const CameraFrame& camera,
-                   const std::vector<SampleTile>& tiles, bool withDistance, Joining joining,
-                   Take take);
+                   const std::vector<SampleTile>& tiles, bool withDistance, Take take);
     /// Waits for it. Of the time that others took, what was waited for counts, by stages in
     /// proportion; that of `take` is called `stage`.
     void waitFor(Sampling& sampling, const char* stage);
-    /// Both, of samples that are each alone.
+    /// Both.
     void sample(const SceneSurfaces& surfaces, const CameraFrame& camera,
                 const std::vector<SampleTile>& tiles, bool withDistance, const char* stage,
                 Take take);

@@ -4,14 +4,11 @@
 
 namespace irsg {
 
-void SurfaceShading::join(const SheetScene& sheet, GeometrySamples& samples) const {
+void SurfaceShading::apply(const SheetScene& sheet, const RenderSettings& settings,
+                           GeometrySamples& samples) const {
     samples.groups.clear();
     if (!joins.mostDifference.empty())
         joinSmoothSamples(sheet, joins, samples);
-}
-
-void SurfaceShading::apply(const SheetScene& sheet, const RenderSettings& settings,
-                           GeometrySamples& samples) const {
     if (shadows)
         shadows->apply(sheet, settings.truthLayers, samples);
     if (lobes)
@@ -22,7 +19,6 @@ void SurfaceShading::apply(const SheetScene& sheet, const RenderSettings& settin
 void SurfaceShading::sortAndApply(const SheetScene& sheet, const RenderSettings& settings,
                                   GeometrySamples& samples) const {
     sortLayers(samples, settings.maximumLayers);
-    join(sheet, samples);
     apply(sheet, settings, samples);
 }
 

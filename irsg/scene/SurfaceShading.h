@@ -23,12 +23,10 @@ struct SurfaceShading {
     std::vector<std::string> warnings;
 
     bool isNeeded() const { return shadows || lobes; }
-    /// Lets samples stand for each other; first of all.
-    void join(const SheetScene& sheet, GeometrySamples& samples) const;
-    /// Takes away light of the sun, and adds lobes.
+    /// Lets samples stand for each other, takes away light of the sun, and adds lobes.
     void apply(const SheetScene& sheet, const RenderSettings& settings,
                GeometrySamples& samples) const;
-    /// Sorts the layers of a drawing, and does all of that.
+    /// Sorts the layers of a drawing, and does that.
     void sortAndApply(const SheetScene& sheet, const RenderSettings& settings,
                       GeometrySamples& samples) const;
 };

@@ -78,15 +78,10 @@ struct SunShadows::Shaded {
     double free = 0.0; ///< part of the light that nothing weakens
     std::map<MaterialSet, double> through;
 
-    void add(const Shaded& other) {
-        free += other.free;
+    void add(const Shaded& other, double weight) {
+        free += weight * other.free;
         for (const auto& [set, part] : other.through)
-            through[set] += part;
-    }
-    void scale(double times) {
-        free *= times;
-        for (auto& [set, part] : through)
-            part *= times;
+            through[set] += weight * part;
     }
     double visible() const {
         double sum = free;
@@ -361,6 +356,42 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility,
         return isLit && casters_.size() == 1 ? Shaded{1.0, {}}
                                              : lightAt(place, source.towards[f], isLit, sample);
     };
+    // Each member has a shadow of its own, and its own part of the mean of their factors.
+    const auto lightOfGroup = [&](const Source& source, const Place& place, std::size_t f,
+                                  std::size_t sample, Neighbours& neighbours, int row, int column) {
+        constexpr std::size_t members = GeometrySamples::samplesOfGroup;
+        const auto group = samples.groupOf(sample, source.tile->stride());
+        const auto stands = static_cast<std::size_t>(samples.groups[sample]) - 1;
+        const auto mean = static_cast<double>(*factorOf(samples, sample, std::nullopt, f));
+        std::array<double, members> factors{};
+        double others = 0.0;
+        for (std::size_t i = 0; i < members; ++i)
+            if (i != stands)
+                others += factors[i] =
+                    static_cast<double>(*factorOf(samples, group[i], std::nullopt, f));
+        factors[stands] = std::max(static_cast<double>(members) * mean - others, 0.0);
+        Shaded all;
+        for (std::size_t i = 0; i < members; ++i) {
+            const double part = factors[i] / (static_cast<double>(members) * mean);
+            if (!(part > 0.0))
+                continue;
+            if (i == stands) {
+                all.add(lightOf(source, place, f, sample), part);
+                continue;
+            }
+            const int x = column + static_cast<int>(i % 2) - static_cast<int>(stands % 2);
+            const int y = row + static_cast<int>(i / 2) - static_cast<int>(stands / 2);
+            const Place own =
+                placeOf(source, source.directions.at(x, y),
+                        static_cast<int>(samples.opaque[4 * group[i]]) - 1,
+                        static_cast<double>(samples.distances_m[group[i]]), x, neighbours);
+            all.add(lightOf(source, own, f, group[i]), part);
+        }
+        constexpr double rounding = 1e-5;
+        if (all.free > 1.0 - rounding)
+            all.free = 1.0;
+        return all;
+    };
     const auto shade = [&](const Source& source, Passages& passages, Neighbours& neighbours,
                            int row, int column) {
         const std::size_t sample = indexOf(*source.tile, column, row);
@@ -407,26 +438,10 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility,
                 if (!place)
                     place = placeOf(source, eyeDirection, layer.row,
                                     static_cast<double>(layer.distance_m), column, neighbours);
-                Shaded light = lightOf(source, *place, f, sample);
-                if (samples.standsForGroup(sample)) {
-                    // Each member has a shadow of its own.
-                    const auto drawn = static_cast<std::size_t>(samples.groups[sample]) - 1;
-                    const int left = column - static_cast<int>(drawn % 2);
-                    const int top = row - static_cast<int>(drawn / 2);
-                    for (std::size_t i = 0; i < GeometrySamples::samplesOfGroup; ++i) {
-                        if (i == drawn)
-                            continue;
-                        const int x = left + static_cast<int>(i % 2),
-                                  y = top + static_cast<int>(i / 2);
-                        const std::size_t member = indexOf(*source.tile, x, y);
-                        light.add(lightOf(source,
-                                          placeOf(source, source.directions.at(x, y), layer.row,
-                                                  static_cast<double>(samples.distances_m[member]),
-                                                  x, neighbours),
-                                          f, member));
-                    }
-                    light.scale(1.0 / static_cast<double>(GeometrySamples::samplesOfGroup));
-                }
+                const Shaded light =
+                    samples.standsForGroup(sample)
+                        ? lightOfGroup(source, *place, f, sample, neighbours, row, column)
+                        : lightOf(source, *place, f, sample);
                 if (light.free == 1.0) {
                     if (withVisibility && own == 0)
                         samples.sunVisibility[sample] = 1.0f;

@@ -120,8 +120,8 @@ class Joining {
             factor(group[stands], f) = sum / static_cast<float>(members);
         }
         for (std::size_t i = 0; i < members; ++i)
-            samples_.groups[group[i]] =
-                i == stands ? static_cast<std::uint8_t>(i + 1) : GeometrySamples::ofAnother;
+            samples_.groups[group[i]] = static_cast<std::uint8_t>(
+                i == stands ? i + 1 : GeometrySamples::ofAnother + members * stands + i);
     }
 
     const SampleTile& tile_;

@@ -142,21 +142,28 @@ struct GeometrySamples {
     std::vector<std::vector<std::pair<int, int>>> reflectedSets;
 
     /// Where one of two by two samples stands for all (joinSmoothSamples): 0 for a sample that is
-    /// alone, else 1 + the number of the one that stands for them, upper left, upper right, lower
-    /// left, lower right, or `ofAnother` for one that another stands for, which is empty. Or empty:
-    /// all are alone.
+    /// alone; 1 + its number in the group for the one that stands for it: upper left, upper right,
+    /// lower left, lower right; for the others, which are empty, `ofAnother` + 4 times the number
+    /// of that one + their own. Or empty: all are alone.
     std::vector<std::uint8_t> groups;
-    static constexpr std::uint8_t ofAnother = 5;
+    static constexpr std::uint8_t ofAnother = 16;
     static constexpr std::size_t samplesOfGroup = 4;
     bool standsForGroup(std::size_t sample) const {
-        return !groups.empty() && groups[sample] != 0 && groups[sample] != ofAnother;
+        return !groups.empty() && groups[sample] != 0 && groups[sample] < ofAnother;
+    }
+    bool isOfAnother(std::size_t sample) const {
+        return !groups.empty() && groups[sample] >= ofAnother;
     }
     /// The samples that one stands for, in that order; `stride` from one row to the next.
     std::array<std::size_t, samplesOfGroup> groupOf(std::size_t sample, std::size_t stride) const {
-        const auto number = static_cast<std::size_t>(groups[sample]) - 1;
-        const std::size_t left = sample - number % 2;
-        const std::size_t upper = number / 2 == 0 ? left : left + stride;
-        return {upper, upper + 1, upper - stride, upper - stride + 1};
+        return groupFrom(sample, static_cast<std::size_t>(groups[sample]) - 1, stride);
+    }
+    /// The sample that stands for one, which may be itself.
+    std::size_t standingFor(std::size_t sample, std::size_t stride) const {
+        if (!isOfAnother(sample))
+            return sample;
+        const auto numbers = static_cast<std::size_t>(groups[sample] - ofAnother);
+        return groupFrom(sample, numbers % 4, stride)[numbers / 4];
     }
 
     /// Nothing is known of shadows, of light between surfaces and of lobes.
@@ -192,8 +199,7 @@ struct GeometrySamples {
         return isListed(sample) && fragmentsOf(sample).second < ends[sample + 1];
     }
     bool isEmpty(std::size_t sample) const {
-        return (!isOpaque(sample) && !isListed(sample)) ||
-               (!groups.empty() && groups[sample] == ofAnother);
+        return (!isOpaque(sample) && !isListed(sample)) || isOfAnother(sample);
     }
 
     struct Layer {
@@ -231,6 +237,12 @@ struct GeometrySamples {
     }
 
   private:
+    static std::array<std::size_t, samplesOfGroup> groupFrom(std::size_t sample, std::size_t number,
+                                                             std::size_t stride) {
+        const std::size_t left = sample - number % 2;
+        const std::size_t upper = number / 2 == 0 ? left : left + stride;
+        return {upper, upper + 1, upper - stride, upper - stride + 1};
+    }
     [[gnu::always_inline]] Layer fragment(std::size_t number) const {
         const float* w = &words[number * wordsPerFragment];
         return {static_cast<int>(w[2]) - 1,
