@@ -144,7 +144,9 @@ TEST_P(PixelsOfSamples, AreWhatIsDrawn) {
             continue;
         }
         ++inside;
-        EXPECT_LT(std::abs(pixel["relative_difference"].get<double>()), 1e-5) << pixel.dump(1);
+        // Of terrain with a fine texture OpenGL's own interpolation is a part.
+        const double most = pixel["remarks"].empty() ? 1e-5 : 2e-4;
+        EXPECT_LT(std::abs(pixel["relative_difference"].get<double>()), most) << pixel.dump(1);
     }
     EXPECT_GT(inside, 0);
 }

@@ -54,7 +54,7 @@ TEST_F(ImageViewTest, HistogramAndTableFollowTheRectangle) {
 TEST(FiguresTable, NamesOfANarrowTableWrapAndNumbersStayWhole) {
     FiguresTable table;
     table.setFigures({"Figure", "Image"},
-                     {{"Mean", "1.24316"}, {"Contrast intensity", "225.332 W·sr⁻¹"}});
+                     {{"Mean", "1.24316"}, {"Contrast intensity of the object", "225.332 W·sr⁻¹"}});
     table.resize(640, 300);
     table.show();
     QTest::qWait(20);
@@ -62,7 +62,7 @@ TEST(FiguresTable, NamesOfANarrowTableWrapAndNumbersStayWhole) {
     table.resize(220, 300);
     QTest::qWait(20);
     EXPECT_GE(table.rowHeight(1), table.rowHeight(0) + table.fontMetrics().height() / 2);
-    EXPECT_GE(table.columnWidth(1), table.fontMetrics().horizontalAdvance("225.332"));
+    EXPECT_GE(table.columnWidth(1), table.fontMetrics().horizontalAdvance("225.332 W·sr⁻¹"));
     table.resize(640, 300);
     QTest::qWait(20);
     EXPECT_EQ(table.rowHeight(1), table.rowHeight(0));

@@ -228,7 +228,8 @@ TEST_F(ImagePages, AComparisonWithoutAReadableFileLeavesNoTab) {
     ASSERT_TRUE(test::waitUntil([&] { return tabs()->count() == before; }, 10.0));
     ASSERT_EQ(told.size(), 2) << told.join('\n').toStdString();
     EXPECT_TRUE(told[0].contains("bad.exr"));
-    EXPECT_TRUE(told[1].contains("table.csv, line 1: a table of results (columns range [m],"))
+    EXPECT_TRUE(told[1].contains("table.csv, line 1: an image is needed instead of a table of "
+                                 "results (columns range [m],"))
         << told[1].toStdString();
 
     // The one that can be read stays to be compared with another.

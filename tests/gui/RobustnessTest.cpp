@@ -52,12 +52,12 @@ TEST_F(RobustnessTest, ProjectsThatCannotBeReadAreToldAndNothingIsLost) {
     };
     std::string newer = good;
     newer.replace(newer.find("\"version\": 1"), 12, "\"version\": 99");
-    for (const Row& row :
-         {Row{"newer", newer, "99"}, Row{"cut", good.substr(0, 40), "line"},
-          Row{"empty", "", "damaged.smat"},
-          Row{"binary", std::string("\x00\x01\xff\xfe", 4), "damaged.smat"},
-          Row{"other json", "[1, 2, 3]", "damaged.smat"},
-          Row{"wrong value", R"({"version": 1, "camera": {"range": "far"}})", "Range: \"far\""}}) {
+    for (const Row& row : {Row{"newer", newer, "99"}, Row{"cut", good.substr(0, 40), "line"},
+                           Row{"empty", "", "damaged.smat"},
+                           Row{"binary", std::string("\x00\x01\xff\xfe", 4), "damaged.smat"},
+                           Row{"other json", "[1, 2, 3]", "damaged.smat"},
+                           Row{"wrong value", R"({"version": 1, "camera": {"range": "far"}})",
+                               "instead of \"far\""}}) {
         std::ofstream(folder / "damaged.smat", std::ios::binary) << row.text;
         told.clear();
         answer = 1; // the changes of the one that is open may go, if the other can be opened

@@ -321,7 +321,7 @@ TEST_F(ScenarioEditingTest, WhatCannotBeIsToldInPlaceAndGoesBack) {
         const char *text, *told;
     } refused[] = {{pitch, "95", "-90 to 90"},
                    {mach, "31", "0 to 30"},
-                   {x, "far", "'far'"},
+                   {x, "far", "“far”"},
                    {t, "1", "row 2 has 1 s already"}};
     for (const auto& one : refused) {
         typeCell(0, one.column, one.text, false);

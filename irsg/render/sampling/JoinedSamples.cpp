@@ -31,16 +31,23 @@ class Joining {
         most_ = steepest * pitch * std::max(tile.cellWidth_px(), tile.cellHeight_px());
     }
 
-    /// The pairs of rows of one part of the tile.
+    /// Pairs of rows of one part of the tile, each in one row of blocks.
     void joinPart(std::size_t part) {
         const auto rows = static_cast<std::size_t>(tile_.height());
         const auto begin = static_cast<int>(beginOfPart(part, partsOfTile, rows));
         const auto end = static_cast<int>(beginOfPart(part + 1, partsOfTile, rows));
-        for (int row = begin + 1; row + 2 < end; row += 2)
-            joinRows(row);
+        for (int row = begin + 1; row + 2 < end; ++row)
+            if (beginsPair(row, tile_.samplesDown) &&
+                tile_.firstColumn(row) == tile_.firstColumn(row + 1))
+                joinRows(row);
     }
 
   private:
+    /// Whether a row or column of samples is the first of two in its block.
+    static bool beginsPair(int number, int samplesOfBlock) {
+        const int within = number % samplesOfBlock;
+        return within % 2 == 0 && within + 1 < samplesOfBlock;
+    }
     /// Groups of a row and the one below.
     void joinRows(int row) {
         // Cells beside members must count, too.
@@ -48,30 +55,27 @@ class Joining {
         if (!tile_.isWhole())
             for (int i = 0; i < 4; ++i)
                 weights[static_cast<std::size_t>(i)] = tile_.weightsOf(row - 1 + i);
-        const auto isInside = [&](int column) {
+        const auto isInside = [&](int cell) {
             constexpr double whole = 1.0 - 1e-9;
-            for (int i = 0; i < 4; ++i) {
-                const int first = tile_.firstColumn(row - 1 + i);
-                const auto& own = weights[static_cast<std::size_t>(i)];
-                for (int beside = column - 1; beside <= column + 2; ++beside) {
-                    const int cell = beside - first;
-                    if (cell < 0 || cell >= cells_ ||
-                        (!own.empty() && own[static_cast<std::size_t>(cell)] < whole))
+            for (const std::vector<double>& own : weights)
+                for (int beside = cell - 1; beside <= cell + 2 && !own.empty(); ++beside)
+                    if (own[static_cast<std::size_t>(beside)] < whole)
                         return false;
-                }
-            }
             return true;
         };
         const std::size_t lower =
-            tile_.firstSample + static_cast<std::size_t>(tile_.height() - 2 - row) * tile_.stride();
+            tile_.firstSample +
+            static_cast<std::size_t>(tile_.height() - 2 - row) * tile_.stride() +
+            static_cast<std::size_t>(tile_.firstColumn(row));
         const std::size_t upper = lower + tile_.stride();
-        const int first = tile_.firstColumn(row) + 1;
-        for (int column = first + first % 2; column + 2 < first + cells_; column += 2) {
-            const auto c = static_cast<std::size_t>(column);
+        for (int cell = 1; cell + 2 < cells_; ++cell) {
+            if (!beginsPair(cell, tile_.samplesAcross))
+                continue;
+            const auto c = static_cast<std::size_t>(cell);
             const std::array<std::size_t, members> group{upper + c, upper + c + 1, lower + c,
                                                          lower + c + 1};
-            if (samples_.isOpaque(group[0]) && isSmooth(group) && isInside(column))
-                join(group, static_cast<std::size_t>((column / 2) % 2 + 2 * ((row / 2) % 2)));
+            if (samples_.isOpaque(group[0]) && isSmooth(group) && isInside(cell))
+                join(group, static_cast<std::size_t>((cell / 2) % 2 + 2 * ((row / 2) % 2)));
         }
     }
 
