@@ -229,7 +229,7 @@ void MainMenus::makeViewMenu(QMenu* menu) {
     link->setToolTip(tr("Images of equal size show the same part and read the same pixel"));
     connect(link, &QAction::toggled, &LinkedViews::instance(), &LinkedViews::setOn);
     if (with_.view != nullptr) {
-        auto* keep = add(menu, "keepState", "keep-state", tr("Kee&p this state beside"),
+        auto* keep = add(menu, "keepState", "keep-state", tr("Keep this st&ate beside"),
                          QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_K), [this] { keepState(); });
         keep->setToolTip(tr("A second view of the project as it is now; both turn together while "
                             "one is edited"));

@@ -49,7 +49,8 @@ class LobeQuadrature::Following {
         aims_.clear();
     }
 
-    /// Samples turn facets differently, so that few rays of each do for all (Roberts' sequence).
+    /// Samples turn facets differently, so that few rays of each do for all (Roberts' sequence, in
+    /// two dimensions for those that are aimed and in three for facets).
     double turned(double step) const {
         const double at = step * static_cast<double>(layer_.sample % 65536u);
         return from_ ? at - std::floor(at) : 0.0;
@@ -202,13 +203,13 @@ void LobeQuadrature::Following::sendTo(const Aim& aim, int ray, double facets) {
 }
 
 void LobeQuadrature::Following::sendAll(std::size_t step) {
-    const double share = from_ ? turned(0.7548776662466927) : 0.5;
-    const double turn = turned(0.5698402909980532);
+    const double share = from_ ? turned(0.8191725133961645) : 0.5;
+    const double turn = turned(0.6710436067037893);
     const std::size_t facets = layer_.model.facets().size();
     const auto followed = static_cast<double>(facets) / static_cast<double>(step);
     findAims(facets / step);
     for (std::size_t i =
-             static_cast<std::size_t>(turned(0.6180339887498949) * static_cast<double>(step));
+             static_cast<std::size_t>(turned(0.5497004779019703) * static_cast<double>(step));
          i < facets; i += step) {
         const SurfaceDirection facet = layer_.model.facet(i, share, turn);
         SurfaceModel::Amounts sent = layer_.model.facetWeights(layer_.to, facet);

@@ -164,7 +164,7 @@ PixelExplanation PixelExplainer::at(int x, int y) {
     if (pixel < frame.backgrounds.layers.coverage.size() &&
         frame.backgrounds.layers.coverage[pixel] > 0.0)
         result.remarks.push_back("OpenGL interpolates the terrain's texture less exactly than it "
-                                 "is done here, by up to 1e-4 of the picture");
+                                 "is done here, by some 1e-4 of the picture");
     if (frame.settings().scattering)
         result.remarks.push_back("the haze that droplets add to the image is not explained");
     if (frame.settings().usesPublishedTiles())

@@ -47,7 +47,8 @@ TEST_F(HelpDialogsTest, EveryMenuAndItsEntriesHaveALetterOfTheirOwn) {
             }
             const QString letter = action->text().mid(at + 1, 1).toLower();
             EXPECT_FALSE(letters.contains(letter))
-                << menu->text().toStdString() << ": " << action->text().toStdString();
+                << menu->text().toStdString() << ": " << action->text().toStdString() << ", behind "
+                << letters.join(' ').toStdString();
             letters << letter;
         }
     }

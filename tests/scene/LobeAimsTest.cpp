@@ -129,8 +129,8 @@ TEST_F(LobeAimsTest, ASmallHotBallLeavesNoSpecks) {
                 std::printf("  %s %g: sum %+.4f; pixels rms %.3f, at most %.2f\n", model, roughness,
                             found.ofSum, found.rms, found.most);
                 EXPECT_NEAR(found.ofSum, 0.0, 0.015) << model << " " << roughness;
-                EXPECT_LT(found.rms, 0.2) << model << " " << roughness;
-                EXPECT_LT(found.most, 2.0) << model << " " << roughness;
+                EXPECT_LT(found.rms, 0.25) << model << " " << roughness;
+                EXPECT_LT(found.most, 3.0) << model << " " << roughness;
             }
         }
     }
@@ -143,6 +143,6 @@ TEST_F(LobeAimsTest, SeveralBallsAreAimedAtOneByOne) {
     const Deviations found = deviationsFrom(balls_m, "ggx", 0.3, EngineChoice::rays);
     std::printf("  sum %+.4f; pixels rms %.3f, at most %.2f\n", found.ofSum, found.rms, found.most);
     EXPECT_NEAR(found.ofSum, 0.0, 0.015);
-    EXPECT_LT(found.rms, 0.2);
-    EXPECT_LT(found.most, 2.0);
+    EXPECT_LT(found.rms, 0.25);
+    EXPECT_LT(found.most, 3.0);
 }
