@@ -71,13 +71,6 @@ WrittenPath findWritten(const fs::path& folder, const std::string& written) {
             "the name " + written + " is read as " + (shown.empty() ? found : shown).string()};
 }
 
-WrittenPath findWrittenOrBeside(const fs::path& folder, const std::string& written) {
-    const WrittenPath found = findWritten(folder, written);
-    if (!found.file.empty())
-        return found;
-    return findWritten(folder, writtenFileName(written));
-}
-
 std::string writtenFileName(const std::string& written) {
     return fs::path(withSlashes(written)).filename().string();
 }

@@ -26,13 +26,15 @@ bool opens(const fs::path& file, int flags = O_RDONLY) {
 TEST(FileConfinement, LeavesTheFilesOfAModelAndLibrariesAlone) {
     const TemporaryFolder folder;
     fs::create_directories(folder / "model/below");
-    for (const char* name : {"model/m.obj", "model/below/x.png", "named.png", "secret.txt"}) {
+    fs::create_directories(folder / "beside");
+    for (const char* name :
+         {"model/m.obj", "model/below/x.png", "named.png", "secret.txt", "beside/a.png"}) {
         std::ofstream(folder / name) << name;
     }
     const pid_t child = fork();
     if (child == 0) {
         // Bits of what went wrong; 64: there is no Landlock.
-        if (!confineFiles(folder / "model", {folder / "named.png"})) {
+        if (!confineFiles({{folder / "model", folder / "named.png"}, {folder / "beside"}})) {
             _exit(64);
         }
         const bool reads = opens(folder / "model/m.obj") && opens(folder / "model/below/x.png") &&
@@ -40,6 +42,8 @@ TEST(FileConfinement, LeavesTheFilesOfAModelAndLibrariesAlone) {
         const bool libraries = opens("/usr/lib", O_RDONLY | O_DIRECTORY);
         const bool isConfined = !opens(folder / "secret.txt") && !opens("/etc/passwd") &&
                                 !opens(folder.path().parent_path(), O_RDONLY | O_DIRECTORY) &&
+                                opens(folder / "beside", O_RDONLY | O_DIRECTORY) &&
+                                !opens(folder / "beside/a.png") &&
                                 !opens(folder / "model/m.obj", O_WRONLY) &&
                                 !opens(folder / "model/new", O_WRONLY | O_CREAT);
         _exit((reads ? 0 : 1) | (libraries ? 0 : 2) | (isConfined ? 0 : 4));

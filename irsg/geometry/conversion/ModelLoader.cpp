@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <memory>
-#include <sstream>
 #include <string_view>
 
-#include <osg/Group>
 #include <osgDB/FileNameUtils>
-#include <osgDB/Registry>
+#include <osgDB/FileUtils>
 #include <sys/mman.h>
 #include <unistd.h>
 
 #include "irsg/core/Errors.h"
+#include "irsg/core/FoundNames.h"
 #include "irsg/core/Utf8.h"
 #include "irsg/geometry/conversion/CodedGraph.h"
 #include "irsg/geometry/flight/FlightScanner.h"
@@ -19,131 +18,24 @@
 #include "irsg/geometry/reading/GuardedReading.h"
 #include "irsg/geometry/reading/IrCodes.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
-#include "irsg/geometry/reading/OsgNotices.h"
-#include "irsg/geometry/reading/OwnPlugins.h"
-#include "irsg/geometry/reading/ProxyNodes.h"
 #include "irsg/geometry/reading/Utf8Names.h"
 #include "irsg/geometry/reading/sandbox/AxesCoding.h"
-#include "irsg/geometry/reading/sandbox/Bytes.h"
+#include "irsg/geometry/reading/sandbox/FlightStreams.h"
 #include "irsg/geometry/reading/sandbox/GraphCoding.h"
-#include "irsg/geometry/reading/sandbox/SandboxedPictures.h"
-#include "irsg/geometry/reading/text/OurModels.h"
+#include "irsg/geometry/reading/sandbox/ReaderProcess.h"
+#include "irsg/geometry/reading/text/ObjReader.h"
 
 namespace irsg {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Blank-separated, or the plug-in finds none of them. Without preserveFace it merges faces of
-/// different codes; without the last one it drops the codes.
-constexpr const char* flightOptions = "preserveFace preserveObject preserveNonOsgAttrsAsUserData";
-
-osg::ref_ptr<osgDB::Options> privateOptions(const fs::path& folder) {
-    osg::ref_ptr<osgDB::Options> options = GuardedReading::options(flightOptions);
-    options->getDatabasePathList().push_back(folder.string());
-    return options;
-}
-
-void say(std::vector<std::string>& remarks, GuardedReading& guard, osg::Node& graph) {
-    for (auto& refused : guard.take())
-        remarks.push_back(std::move(refused));
-    for (auto& removed : removeLateReaders(graph))
-        remarks.push_back(std::move(removed));
-}
-
-/// The files of one scan, handed to the plug-in as validated bytes.
-class FlightReader {
-  public:
-    FlightReader(const FlightScan& scan, LoadPurpose purpose)
-        : scan_(scan),
-          purpose_(purpose == LoadPurpose::visible ? FlightFile::Purpose::visible
-                                                   : FlightFile::Purpose::infrared) {
-        preferOwnPlugins();
-        plugin_ = osgDB::Registry::instance()->getReaderWriterForExtension("flt");
-        if (!plugin_)
-            throw InputError({scan.files.front().path.string(), "",
-                              "an OpenFlight file and no OpenFlight plug-in of OpenSceneGraph",
-                              "the plug-in osgdb_openflight"});
-    }
-
-    osg::ref_ptr<osg::Node> read(const fs::path& path, osg::Referenced* pools) {
-        const auto& file = scan_.find(path);
-        std::istringstream in(file.stream(purpose_));
-        const auto options = privateOptions(path.parent_path());
-        options->setUserData(pools);
-        auto result = plugin_->readNode(in, options);
-        osg::ref_ptr<osg::Node> node = result.takeNode();
-        if (!node)
-            throw InputError({path.string(), "", "a file that OpenSceneGraph cannot read",
-                              "an OpenFlight file"});
-
-        // What was taken from the positions in double, outside what the plug-in keeps.
-        if (const auto [x, y, z] = file.origin(); x != 0.0 || y != 0.0 || z != 0.0)
-            moveBack(*node, osg::Vec3d(x, y, z) * file.unit_m);
-
-        // Each external reference carries the palettes it lends; a file referred to twice is
-        // shared.
-        for (const auto& proxy : proxiesOf(*node)) {
-            const osg::ref_ptr<osg::Referenced> lent = proxy->getUserData();
-            proxy->setUserData(nullptr);
-            const auto external = std::find_if(
-                file.externals.begin(), file.externals.end(),
-                [&](const FlightExternal& e) { return e.written == proxy->getFileName(0); });
-            if (external == file.externals.end())
-                throw LogicError("a reference to " + proxy->getFileName(0) + " was not scanned");
-            auto& child = read_[external->file];
-            if (!child)
-                child = read(external->file, lent);
-            proxy->addChild(child);
-        }
-        return node;
-    }
-
-  private:
-    const FlightScan& scan_;
-    FlightFile::Purpose purpose_;
-    osg::ref_ptr<osgDB::ReaderWriter> plugin_;
-    std::map<fs::path, osg::ref_ptr<osg::Node>> read_;
-};
-
-LoadedGraph loadFlight(const fs::path& file, LoadPurpose purpose) {
-    const auto scan = scanFlight(file);
-    LoadedGraph loaded;
-    loaded.faces = scan.faceCounts();
-    loaded.axes = {1.0, ModelAxis::plusZ, std::nullopt,
-                   "the format: OpenFlight has z up, and its units are read as metres"};
-    for (const auto& scanned : scan.files)
-        for (const auto& remark : scanned.remarks)
-            loaded.remarks.push_back(scanned.path.filename().string() + ": " + remark);
-    if (loaded.faces.empty())
-        throw InputError({file.string(), "byte " + std::to_string(scan.files.front().bytes.size()),
-                          "the end of a model without faces", "at least one face"});
-
-    const std::scoped_lock lock(osgRegistryMutex());
-    OsgNotices notices;
-    GuardedReading guard;
-    loaded.node = FlightReader(scan, purpose).read(scan.files.front().path, nullptr);
-    removeProxies(*loaded.node);
-    addNotices(loaded.remarks, notices.take());
-    say(loaded.remarks, guard, *loaded.node);
-
-    // A plug-in that drops the codes would paint everything with code 0.
-    const auto counts = polygonCounts(*loaded.node);
-    const auto anyCode = [](const auto& entry) { return entry.first != IrCodes{}; };
-    for (const auto& [codes, count] : counts)
-        if (!loaded.faces.contains(codes))
-            throw LogicError("the OpenFlight plug-in changed codes of " + file.string());
-    if (std::any_of(loaded.faces.begin(), loaded.faces.end(), anyCode) && !counts.empty() &&
-        counts.begin()->second > 0 && std::none_of(counts.begin(), counts.end(), anyCode))
-        loaded.remarks.push_back("no face with a code other than 0 is drawn");
-    return loaded;
-}
-
 /// What a process of its own reads and hands over as bytes.
-LoadedGraph loadSandboxed(const fs::path& place, const fs::path& file) {
+LoadedGraph loadSandboxed(const fs::path& place, const fs::path& file,
+                          const OwnFiles* own = nullptr) {
     try {
         ReaderProcess process;
-        const ReaderAnswer answer = process.read(FileKind::model, place, file);
+        const ReaderAnswer answer = process.read(FileKind::model, place, file, own);
         process.dismiss();
         ByteSource source(answer.bytes());
         LoadedGraph loaded;
@@ -161,16 +53,88 @@ LoadedGraph loadSandboxed(const fs::path& place, const fs::path& file) {
     }
 }
 
-LoadedGraph loadOfType(const std::string& extension, const fs::path& file, LoadPurpose purpose) {
-    if (extension == "flt")
+LoadedGraph loadOurs(const fs::path& file, LoadPurpose purpose) {
+    FoundNames names;
+    OwnFiles own;
+    own.opened = {file};
+    // The infrared picture has no use for others.
+    own.wantsPictures = purpose == LoadPurpose::visible;
+    if (osgDB::getLowerCaseFileExtension(file.string()) == "obj") {
+        ObjFiles named = filesOfObj(file);
+        own.opened.insert(own.opened.end(), named.libraries.begin(), named.libraries.end());
+        if (own.wantsPictures)
+            own.pictures = std::move(named.pictures);
+    }
+    own.names = names.take();
+    return loadSandboxed(file, file, &own);
+}
+
+/// Pictures that palettes name, found as the plug-in looks for them, and what lies beside them.
+OwnFiles ownFilesOf(const FlightScan& scan, LoadPurpose purpose) {
+    OwnFiles own;
+    own.wantsPictures = purpose == LoadPurpose::visible;
+    if (!own.wantsPictures)
+        return own;
+    const GuardedReading guard;
+    FoundNames names;
+    for (const FlightFile& file : scan.files) {
+        const auto options = GuardedReading::options();
+        options->getDatabasePathList().push_back(file.path.parent_path().string());
+        for (const std::string& written : file.pictures) {
+            const fs::path picture = osgDB::findDataFile(written, options);
+            const fs::path attributes = picture.string() + ".attr";
+            if (picture.empty() || refusalOf(picture.string(), FileKind::picture))
+                continue;
+            own.pictures.push_back(picture);
+            own.opened.push_back(attributes);
+        }
+    }
+    own.names = names.take();
+    return own;
+}
+
+LoadedGraph loadFlight(const fs::path& file, LoadPurpose purpose) {
+    const auto scan = scanFlight(file);
+    const auto faces = scan.faceCounts();
+    if (faces.empty())
+        throw InputError({file.string(), "byte " + std::to_string(scan.files.front().bytes.size()),
+                          "the end of a model without faces", "at least one face"});
+
+    OwnFiles own = ownFilesOf(scan, purpose);
+    putFlightStreams(own.contents,
+                     scan.streams(purpose == LoadPurpose::visible ? FlightFile::Purpose::visible
+                                                                  : FlightFile::Purpose::infrared));
+    LoadedGraph loaded = loadSandboxed(file, file, &own);
+    loaded.faces = faces;
+    loaded.axes = {1.0, ModelAxis::plusZ, std::nullopt,
+                   "the format: OpenFlight has z up, and its units are read as metres"};
+    std::vector<std::string> remarks;
+    for (const auto& scanned : scan.files)
+        for (const auto& remark : scanned.remarks)
+            remarks.push_back(scanned.path.filename().string() + ": " + remark);
+    loaded.remarks.insert(loaded.remarks.begin(), remarks.begin(), remarks.end());
+
+    // A plug-in that drops the codes would paint everything with code 0.
+    const auto counts = polygonCounts(*loaded.node);
+    const auto anyCode = [](const auto& entry) { return entry.first != IrCodes{}; };
+    for (const auto& [codes, count] : counts)
+        if (!loaded.faces.contains(codes))
+            throw LogicError("the OpenFlight plug-in changed codes of " + file.string());
+    if (std::any_of(loaded.faces.begin(), loaded.faces.end(), anyCode) && !counts.empty() &&
+        counts.begin()->second > 0 && std::none_of(counts.begin(), counts.end(), anyCode))
+        loaded.remarks.push_back("no face with a code other than 0 is drawn");
+    return loaded;
+}
+
+LoadedGraph loadByReader(const fs::path& file, LoadPurpose purpose) {
+    switch (modelReaderOf(file.string())) {
+    case FormatReader::flight:
         return loadFlight(file, purpose);
-    if (modelReaderOf(file.string()) == FormatReader::ours) {
-        // The infrared picture has no use for others.
-        ReaderProcess process;
-        return readOurModel(
-            file, purpose == LoadPurpose::visible
-                      ? [&](const fs::path& name) { return readPictureSandboxed(process, name); }
-                      : PictureReading());
+    case FormatReader::ours:
+        return loadOurs(file, purpose);
+    case FormatReader::plugin:
+    case FormatReader::assimp:
+        break;
     }
     return loadSandboxed(file, file);
 }
@@ -195,7 +159,7 @@ LoadedGraph loadGraphAsIs(const fs::path& file, LoadPurpose purpose) {
                           refusal ? expectationOf(FileKind::model) : "a model file"});
     if (refusal)
         throw InputError({file.string(), "", *refusal, expectationOf(FileKind::model)});
-    LoadedGraph loaded = loadOfType(osgDB::getLowerCaseFileExtension(file.string()), file, purpose);
+    LoadedGraph loaded = loadByReader(file, purpose);
     if (const auto& unit = loaded.axes.spokenUnit; unit && !loaded.axes.unit_m)
         loaded.remarks.push_back("a comment or a name in the file mentions a unit (\"" +
                                  unit->words +

@@ -16,12 +16,12 @@ enum class LoadPurpose { infrared, visible };
 /// What a model with these options is read for: textures are needed where they cut.
 LoadPurpose purposeOf(const ModelOptions& options);
 
-/// To be held while a plug-in of OpenSceneGraph reads: the registry of plug-ins and their caches
+/// To be held while a plug-in of OpenSceneGraph writes: the registry of plug-ins and their caches
 /// belong to the whole process.
 std::mutex& osgRegistryMutex();
 
-/// Reads .flt after validating it, with its external references, each file once; and the other
-/// models of OpenableFiles.h through OpenSceneGraph. Codes are on drawables or nodes as codesOf()
+/// Reads a model of OpenableFiles.h in the reading process: of .flt, with its external references,
+/// each file once, what our scanner validated. Codes are on drawables or nodes as codesOf()
 /// finds them. What OpenSceneGraph prints becomes remarks, and so does every file that a model
 /// refers to and that OpenableFiles.h does not list: it stays closed. Throws InputError for a file
 /// that is missing, malformed, of a kind that is not opened, or empty.

@@ -49,9 +49,10 @@ struct FlightFile {
     double unit_m = 1.0;
     std::vector<FlightFace> faces;
     std::vector<FlightExternal> externals;
-    std::vector<std::string> remarks; ///< what is read but not honoured
-    double placedFaces = 0;           ///< with every instance, external references not included
-    int height = 0;                   ///< levels from the header to the deepest node
+    std::vector<std::string> pictures; ///< that palettes name, as written
+    std::vector<std::string> remarks;  ///< what is read but not honoured
+    double placedFaces = 0;            ///< with every instance, external references not included
+    int height = 0;                    ///< levels from the header to the deepest node
     std::array<double, 3> least{1e300, 1e300, 1e300}, most{-1e300, -1e300, -1e300}; ///< positions
 
     /// The bytes for the plug-in. For the infrared picture without records that only the visible

@@ -126,4 +126,20 @@ const FlightFile& FlightScan::find(const fs::path& path) const {
     return *found;
 }
 
+std::vector<FlightStream> FlightScan::streams(FlightFile::Purpose purpose) const {
+    std::vector<FlightStream> streams;
+    for (const FlightFile& file : files) {
+        FlightStream& stream = streams.emplace_back();
+        stream.path = file.path;
+        stream.bytes = file.stream(purpose);
+        stream.origin_m = file.origin();
+        for (double& coordinate : stream.origin_m)
+            coordinate *= file.unit_m;
+        for (const FlightExternal& external : file.externals)
+            stream.externals.emplace_back(
+                external.written, static_cast<std::uint32_t>(&find(external.file) - files.data()));
+    }
+    return streams;
+}
+
 } // namespace irsg

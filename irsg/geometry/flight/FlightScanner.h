@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "irsg/geometry/flight/FlightFile.h"
+#include "irsg/geometry/reading/sandbox/FlightStreams.h"
 
 namespace irsg {
 
@@ -26,6 +27,8 @@ struct FlightScan {
     std::map<IrCodes, int> faceCounts() const;
     /// The entry of a path; LogicError where it is missing.
     const FlightFile& find(const std::filesystem::path& path) const;
+    /// What the plug-in gets of the files, in their order.
+    std::vector<FlightStream> streams(FlightFile::Purpose purpose) const;
 };
 
 /// Reads and validates a file and, recursively, its external references. Throws InputError for a

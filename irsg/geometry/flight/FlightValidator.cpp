@@ -134,8 +134,10 @@ bool FlightValidator::visitPalette(const FlightRecord& record) {
         palette_.vertex(record);
         return true;
     case flight::texturePalette:
-        if (log_.atLeast(record, 208))
+        if (log_.atLeast(record, 208)) {
             log_.keep(record, FlightTreatment::appearance);
+            log_.file().pictures.push_back(record.text(4, 200));
+        }
         return true;
     case flight::materialPalette:
         if (log_.atLeast(record, 80))

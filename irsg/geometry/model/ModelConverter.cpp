@@ -16,6 +16,7 @@
 #include "irsg/geometry/reading/IrCodes.h"
 #include "irsg/geometry/reading/NoFaces.h"
 #include "irsg/geometry/reading/OsgNotices.h"
+#include "irsg/geometry/reading/OwnPlugins.h"
 
 namespace irsg {
 namespace {
@@ -102,6 +103,7 @@ void checkPlaces(osg::Node& written, osg::Node& back, const fs::path& out) {
 std::string bytesOf(const osg::Node& graph, const fs::path& out, const std::string& extension) {
     const std::scoped_lock lock(osgRegistryMutex());
     OsgNotices notices;
+    preferOwnPlugins();
     osg::ref_ptr<osgDB::Options> options = new osgDB::Options;
     const std::string type = fileType(extension);
     // Texts have all digits of a double: six, as the plug-ins write otherwise, move parts of a

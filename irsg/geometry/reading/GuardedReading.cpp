@@ -21,11 +21,9 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/WrittenPath.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
+#include "irsg/geometry/reading/sandbox/AskingProgram.h"
 #include "irsg/geometry/reading/sandbox/PluginReading.h"
-#include "irsg/geometry/reading/sandbox/ReaderService.h"
 #include "irsg/geometry/reading/sandbox/ReadingLimits.h"
-#include "irsg/geometry/reading/sandbox/SandboxedPictures.h"
-#include "irsg/geometry/reading/text/OurModels.h"
 
 namespace irsg {
 
@@ -40,10 +38,6 @@ using Result = osgDB::ReaderWriter::ReadResult;
 void noteRefusal(const std::string& remark) {
     if (reading && std::ranges::find(reading->refused_, remark) == reading->refused_.end())
         reading->refused_.push_back(remark);
-}
-
-ReaderProcess& processOf(GuardedReading& guard) {
-    return guard.process_;
 }
 
 namespace {
@@ -81,9 +75,6 @@ class ReadGuard : public osgDB::ReadFileCallback {
     Result readObject(const std::string& name, const osgDB::Options* options) override {
         if (!passes(name, {FileKind::model, FileKind::picture, FileKind::attributes}))
             return Result::FILE_NOT_HANDLED;
-        // Outside the reading process nothing else is read in this way.
-        if (!isReadHere() && refusalOf(name, FileKind::attributes))
-            return Result::FILE_NOT_HANDLED;
         return next_ ? next_->readObject(name, options)
                      : ReadFileCallback::readObject(name, options);
     }
@@ -91,8 +82,8 @@ class ReadGuard : public osgDB::ReadFileCallback {
         if (!passes(name, {FileKind::picture}))
             return Result::FILE_NOT_HANDLED;
         const std::string file = osgDB::findDataFile(name, options);
-        if (!isReadHere())
-            return file.empty() ? Result(Result::FILE_NOT_FOUND) : readSandboxed(file);
+        if (arePicturesApart())
+            return file.empty() ? Result(Result::FILE_NOT_FOUND) : readApart(file);
         noteSize(file);
         return next_ ? next_->readImage(name, options) : ReadFileCallback::readImage(name, options);
     }
@@ -105,10 +96,6 @@ class ReadGuard : public osgDB::ReadFileCallback {
     Result readNode(const std::string& name, const osgDB::Options* options) override {
         if (!passes(name, {FileKind::model}))
             return Result::FILE_NOT_HANDLED;
-        if (!isReadHere()) {
-            noteRefusal("refers to " + name + ", which is left out");
-            return Result::FILE_NOT_HANDLED;
-        }
         const std::string file = osgDB::findDataFile(name, options);
         noteSize(file);
         if (const auto graph = readOurs(file)) {
@@ -134,10 +121,14 @@ class ReadGuard : public osgDB::ReadFileCallback {
   private:
     bool isGuarded() const { return always_ || reading; }
     bool passes(const std::string& name, std::initializer_list<FileKind> kinds) const {
-        return !isGuarded() || mayOpen(name, kinds);
+        if (!isGuarded())
+            return true;
+        if (!mayOpen(name, kinds))
+            return false;
+        if (!isReader())
+            noteRefusal("refers to " + name + ", which a reading process alone opens");
+        return isReader();
     }
-    /// Plug-ins read what is guarded in a process of its own alone.
-    bool isReadHere() const { return !isGuarded() || isReader(); }
     static void noteSize(const std::string& file) {
         std::error_code failure;
         const std::uintmax_t size = std::filesystem::file_size(file, failure);
@@ -147,21 +138,20 @@ class ReadGuard : public osgDB::ReadFileCallback {
     /// Formats that no plug-in reads.
     static std::optional<LoadedGraph> readOurs(const std::string& file) {
         const FormatReader reader = modelReaderOf(file);
-        if (reader == FormatReader::plugin)
+        if (reader == FormatReader::plugin || reader == FormatReader::flight)
             return std::nullopt;
         try {
             if (reader == FormatReader::assimp)
                 return readModelHere(file, file);
-            return readOurModel(file, readPictureHere);
+            return readOurHere(file);
         } catch (const InputError& error) {
             noteRefusal(error.what());
             return std::nullopt;
         }
     }
-    static Result readSandboxed(const std::string& file) {
+    static Result readApart(const std::string& file) {
         try {
-            ReaderProcess own;
-            const auto image = readPictureSandboxed(reading ? processOf(*reading) : own, file);
+            const auto image = pictureFromApart(file);
             image->setFileName(file);
             return image;
         } catch (const InputError& error) {

@@ -6,8 +6,6 @@
 #include <osg/ref_ptr>
 #include <osgDB/Options>
 
-#include "irsg/geometry/reading/sandbox/ReaderProcess.h"
-
 namespace osg {
 class Node;
 }
@@ -16,7 +14,7 @@ namespace irsg {
 
 /// While an object lives, OpenSceneGraph opens on this thread only what OpenableFiles lists, and
 /// loads only the plug-ins for that: whoever asks, a plug-in inside a plug-in included. What it is
-/// asked for beyond that is not opened and noted. Pictures are read by a ReaderProcess. What is
+/// asked for beyond that is not opened and noted, and outside a reading process nothing is. What is
 /// read elsewhere in the process, such as fonts, is not touched. Objects nest; each notes for
 /// itself.
 class GuardedReading {
@@ -36,9 +34,7 @@ class GuardedReading {
   private:
     GuardedReading* outer_;
     std::vector<std::string> refused_;
-    ReaderProcess process_;
     friend void noteRefusal(const std::string&);
-    friend ReaderProcess& processOf(GuardedReading&);
 };
 
 /// Takes from a graph what reads files only later, when it is drawn or updated and no guard

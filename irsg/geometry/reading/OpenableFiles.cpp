@@ -19,7 +19,7 @@ constexpr FileFormat byAssimp(const char* extension) {
 }
 
 constexpr FileFormat models[] = {
-    by("flt", "openflight"),
+    {"flt", FormatReader::flight, "openflight"},
     by("osgt", "osg"),
     by("osgb", "osg"),
     by("ive", "ive"),
@@ -114,7 +114,16 @@ FormatReader modelReaderOf(const std::string& name) {
 }
 
 std::string readerNameOf(const std::string& name) {
-    return modelReaderOf(name) == FormatReader::assimp ? "Assimp" : "OpenSceneGraph";
+    switch (modelReaderOf(name)) {
+    case FormatReader::assimp:
+        return "Assimp";
+    case FormatReader::ours:
+        return "this program";
+    case FormatReader::plugin:
+    case FormatReader::flight:
+        break;
+    }
+    return "OpenSceneGraph";
 }
 
 bool hasPlugin(const std::string& name) {

@@ -21,7 +21,12 @@ enum class FileKind {
 constexpr std::uint64_t largestModel_B = std::uint64_t{4} << 30;
 
 /// Who reads a format.
-enum class FormatReader { plugin, ours, assimp };
+enum class FormatReader {
+    plugin,
+    flight, ///< a plug-in, of what our scanner checked
+    ours,
+    assimp
+};
 
 /// A format and what reads it.
 struct FileFormat {
@@ -38,8 +43,8 @@ std::span<const FileFormat> formatsOf(FileKind kind);
 
 /// Who reads the models of this name.
 FormatReader modelReaderOf(const std::string& name);
-/// What reads a file of this name apart from the program, for messages: "Assimp" or
-/// "OpenSceneGraph".
+/// What reads a file of this name apart from the program, for messages: "Assimp",
+/// "OpenSceneGraph" or "this program".
 std::string readerNameOf(const std::string& name);
 /// Whether a plug-in of OpenSceneGraph can read them.
 bool hasPlugin(const std::string& name);

@@ -74,6 +74,12 @@ osg::PolygonMode::Mode polygonModeOf(std::int32_t number) {
 
 bool valuesOf(const osg::Material& m, Values& v) {
     v.integers[0] = m.getColorMode();
+    // Whether the two sides are set as one.
+    v.integers[1] = m.getAmbientFrontAndBack();
+    v.integers[2] = m.getDiffuseFrontAndBack();
+    v.integers[3] = m.getSpecularFrontAndBack();
+    v.integers[4] = m.getEmissionFrontAndBack();
+    v.integers[5] = m.getShininessFrontAndBack();
     for (const auto face : {front, back}) {
         float* at = v.numbers + (face == front ? 0 : 17);
         keep(at, m.getAmbient(face));
@@ -91,13 +97,16 @@ osg::StateAttribute* materialOf(const Values& v) {
                                             M::AMBIENT_AND_DIFFUSE, M::OFF});
     auto* m = new osg::Material;
     m->setColorMode(mode);
-    for (const auto face : {front, back}) {
+    for (const auto face : {back, front}) {
         const float* at = v.numbers + (face == front ? 0 : 17);
-        m->setAmbient(face, vec4(at));
-        m->setDiffuse(face, vec4(at + 4));
-        m->setSpecular(face, vec4(at + 8));
-        m->setEmission(face, vec4(at + 12));
-        m->setShininess(face, at[16]);
+        const auto sides = [&](std::size_t which) {
+            return face == front && v.integers[which] != 0 ? osg::Material::FRONT_AND_BACK : face;
+        };
+        m->setAmbient(sides(1), vec4(at));
+        m->setDiffuse(sides(2), vec4(at + 4));
+        m->setSpecular(sides(3), vec4(at + 8));
+        m->setEmission(sides(4), vec4(at + 12));
+        m->setShininess(sides(5), at[16]);
     }
     return m;
 }

@@ -69,7 +69,7 @@ void allowAccess(int rules, const fs::path& place, std::uint64_t access) {
 
 } // namespace
 
-bool confineFiles(const fs::path& folder, const std::vector<fs::path>& files) {
+bool confineFiles(const ReadablePlaces& places) {
     landlock_ruleset_attr all{};
     all.handled_access_fs = handled;
     const int rules = static_cast<int>(syscall(SYS_landlock_create_ruleset, &all, sizeof all, 0));
@@ -77,12 +77,10 @@ bool confineFiles(const fs::path& folder, const std::vector<fs::path>& files) {
         return false;
     for (const fs::path& place : placesOfLibraries())
         allowAccess(rules, place, reading);
-    allowAccess(rules, folder.empty() ? fs::path(".") : folder, reading);
-    for (const fs::path& file : files) {
-        allowAccess(rules, file, reading);
-        // Its name may be written in other upper and lower case.
-        allowAccess(rules, file.parent_path(), listing);
-    }
+    for (const fs::path& place : places.read)
+        allowAccess(rules, place.empty() ? fs::path(".") : place, reading);
+    for (const fs::path& folder : places.listed)
+        allowAccess(rules, folder, listing);
     const bool isConfined = prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
                             syscall(SYS_landlock_restrict_self, rules, 0) == 0;
     close(rules);

@@ -58,6 +58,9 @@ class GraphDecoder {
         const std::string name = source_.getText();
         const std::vector<std::string> descriptions = getTexts(source_);
         const auto mask = source_.get<std::uint32_t>();
+        const auto variance = source_.get<std::uint8_t>();
+        if (variance > osg::Object::UNSPECIFIED)
+            throw DamagedBytes("a node that changes in no known way");
         const auto state = source_.get<std::int32_t>();
         if (state < -1 || state >= static_cast<std::int32_t>(states_.size()))
             throw DamagedBytes("a node in a state that is not there");
@@ -73,6 +76,7 @@ class GraphDecoder {
         if (!descriptions.empty())
             node->setDescriptions(descriptions);
         node->setNodeMask(mask);
+        node->setDataVariance(static_cast<osg::Object::DataVariance>(variance));
         if (state >= 0)
             node->setStateSet(states_[static_cast<std::size_t>(state)]);
         if (codes)

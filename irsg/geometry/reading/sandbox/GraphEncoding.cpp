@@ -62,14 +62,15 @@ void putFlags(ByteSink& sink, const std::vector<bool>& flags) {
 
 class GraphEncoder {
   public:
-    explicit GraphEncoder(const std::string& name) : name_(name) {}
+    explicit GraphEncoder(const std::string& name)
+        : name_(name), allowedLevels_(allowanceOf(name).levels) {}
 
     std::uint32_t put(osg::Node& node, int level) {
         if (const auto known = numbers_.find(&node); known != numbers_.end())
             return known->second;
-        if (level > mostLevels)
+        if (level > allowedLevels_)
             throw InputError({name_, "",
-                              "a graph of more than " + std::to_string(mostLevels) + " levels",
+                              "a graph of more than " + std::to_string(allowedLevels_) + " levels",
                               "a model in fewer levels"});
         // Children first, so that every number that is written is known.
         std::vector<std::uint32_t> children, places;
@@ -87,6 +88,7 @@ class GraphEncoder {
         sink_.putText(node.getName());
         putTexts(sink_, node.getDescriptions());
         sink_.put(static_cast<std::uint32_t>(node.getNodeMask()));
+        sink_.put(static_cast<std::uint8_t>(node.getDataVariance()));
         sink_.put(states_.number(node.getStateSet()));
         const auto codes = declaredCodes(node);
         sink_.put(static_cast<std::uint8_t>(codes.has_value()));
@@ -194,6 +196,7 @@ class GraphEncoder {
     }
 
     const std::string& name_;
+    int allowedLevels_;
     ByteSink sink_;
     StateEncoder states_;
     std::map<const osg::Node*, std::uint32_t> numbers_;

@@ -5,12 +5,13 @@
 #include <osg/Geometry>
 
 #include "irsg/core/Errors.h"
+#include "irsg/geometry/reading/OpenableFiles.h"
 
 namespace irsg {
 
 namespace {
 
-constexpr double alwaysAllowed = 2e6, mostCopies = 200.0;
+constexpr double mostCopies = 200.0;
 
 double ownSize(osg::Node& node) {
     double size = 1.0;
@@ -22,6 +23,21 @@ double ownSize(osg::Node& node) {
 
 } // namespace
 
+GraphAllowance allowanceOf(const std::string& name) {
+    constexpr double boundedBefore = 2e8; // 20 million faces, each with some nodes
+    switch (modelReaderOf(name)) {
+    case FormatReader::flight:
+        // A level of the file is up to three of the graph.
+        return {4096, boundedBefore};
+    case FormatReader::ours:
+        return {mostLevels, boundedBefore};
+    case FormatReader::plugin:
+    case FormatReader::assimp:
+        break;
+    }
+    return {};
+}
+
 void GraphExtent::add(osg::Node& node, const std::vector<std::uint32_t>& children) {
     Part part;
     part.size = ownSize(node);
@@ -30,15 +46,16 @@ void GraphExtent::add(osg::Node& node, const std::vector<std::uint32_t>& childre
         part.size += parts_.at(child).size;
         part.levels = std::max(part.levels, parts_.at(child).levels + 1);
     }
-    if (part.levels > mostLevels + 1)
+    if (part.levels > allowed_.levels + 1)
         throw InputError({name_, "",
-                          "a graph of more than " + std::to_string(mostLevels) + " levels",
+                          "a graph of more than " + std::to_string(allowed_.levels) + " levels",
                           "a model in fewer levels"});
-    if (part.size > std::max(alwaysAllowed, mostCopies * written_))
+    if (part.size > std::max(allowed_.size, mostCopies * written_))
         throw InputError({name_, "node '" + node.getName() + "'",
                           "copies of parts that make " + numberText(part.size) +
                               " nodes and polygons of " + numberText(written_),
-                          "at most 2 million, or 200 times what is written"});
+                          "at most " + numberText(allowed_.size / 1e6) +
+                              " million, or 200 times what is written"});
     parts_.push_back(part);
 }
 

@@ -13,8 +13,11 @@
 #include "irsg/geometry/reading/OsgNotices.h"
 #include "irsg/geometry/reading/OwnPlugins.h"
 #include "irsg/geometry/reading/ProxyNodes.h"
+#include "irsg/geometry/reading/sandbox/AskingProgram.h"
 #include "irsg/geometry/reading/sandbox/CompletenessCheck.h"
+#include "irsg/geometry/reading/sandbox/FlightReading.h"
 #include "irsg/geometry/reading/text/ModelText.h"
+#include "irsg/geometry/reading/text/OurModels.h"
 
 namespace irsg {
 
@@ -80,7 +83,17 @@ void preparePlugins() {
     preferOwnPlugins();
 }
 
+LoadedGraph readOurHere(const fs::path& file) {
+    if (!arePicturesWanted())
+        return readOurModel(file, {});
+    return readOurModel(file, arePicturesApart() ? pictureFromApart : readPictureHere);
+}
+
 LoadedGraph readModelHere(const fs::path& place, const fs::path& file) {
+    if (modelReaderOf(file.string()) == FormatReader::flight)
+        return readFlightHere(takeContents());
+    if (modelReaderOf(file.string()) == FormatReader::ours)
+        return readOurHere(file);
     const std::vector<std::string> counted = checkCompleteness(place, file);
     if (modelReaderOf(file.string()) == FormatReader::assimp &&
         (assimpReading || !hasPlugin(file.string())))

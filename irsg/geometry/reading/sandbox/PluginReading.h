@@ -23,6 +23,10 @@ void setAssimpReading(AssimpReading reading);
 /// gives them. Throws InputError for one that cannot be read, or that ends before it says it does.
 LoadedGraph readModelHere(const std::filesystem::path& place, const std::filesystem::path& file);
 
+/// A model of a format that OpenableFiles.h gives to us likewise, with pictures as they are asked
+/// for.
+LoadedGraph readOurHere(const std::filesystem::path& file);
+
 /// A picture likewise.
 osg::ref_ptr<osg::Image> readPictureHere(const std::filesystem::path& file);
 

@@ -118,10 +118,12 @@ class ReaderProcess::Child {
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
 
-    bool send(std::string_view bytes) {
+    /// False for a process that is gone, and for one that does not take the bytes in time.
+    bool send(std::string_view bytes, Clock::time_point deadline) {
         while (!bytes.empty()) {
-            const ssize_t count = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-            if (count < 0 && errno == EINTR)
+            const ssize_t count =
+                ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+            if (count < 0 && (errno == EINTR || (errno == EAGAIN && await(POLLOUT, deadline))))
                 continue;
             if (count <= 0)
                 return false;
@@ -133,12 +135,7 @@ class ReaderProcess::Child {
     enum class Received { all, nothingMore, tooLate };
     Received receive(char* into, std::size_t size, Clock::time_point deadline) {
         while (size > 0) {
-            const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
-            pollfd end{socket_, POLLIN, 0};
-            const int ready = poll(&end, 1, static_cast<int>(std::max<long>(0, left.count())));
-            if (ready < 0 && errno == EINTR)
-                continue;
-            if (ready <= 0)
+            if (!await(POLLIN, deadline))
                 return Received::tooLate;
             const ssize_t count = recv(socket_, into, size, 0);
             if (count < 0 && errno == EINTR)
@@ -182,14 +179,39 @@ class ReaderProcess::Child {
     }
 
   private:
+    /// Whether something can be read or written in time.
+    bool await(short what, Clock::time_point deadline) const {
+        int ready = 0;
+        do {
+            const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
+            pollfd end{socket_, what, 0};
+            ready = poll(&end, 1, static_cast<int>(std::max<long>(0, left.count())));
+        } while (ready < 0 && errno == EINTR);
+        return ready > 0;
+    }
+
     int socket_ = -1, status_ = 0;
     pid_t process_ = -1;
 };
 
 namespace {
 
+/// A model names no more; each wish for one takes our time.
+constexpr std::size_t mostPictures = 65536;
+
+Clock::duration patienceOf(const ReadingLimits& limits) {
+    return std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<double>(limits.wall_s()));
+}
+
+std::string readerTextOf(const fs::path& file) {
+    return "the reader of " + readerNameOf(file.string());
+}
+
 std::string endText(int status, const ReadingLimits& limits, const fs::path& file) {
-    const std::string reader = "the reader of " + readerNameOf(file.string());
+    const std::string reader = readerTextOf(file);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == otherVersion)
+        return "a file for which there is a program irsg-reader of another build only";
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF)
         return "a file whose reading takes more than " + numberText(limits.processor_s) +
                " s of processor time";
@@ -232,49 +254,98 @@ void ReaderProcess::dismiss() {
         child_->stop();
 }
 
-ReaderAnswer ReaderProcess::read(FileKind kind, const fs::path& place, const fs::path& name) {
+ReaderAnswer ReaderProcess::read(FileKind kind, const fs::path& place, const fs::path& name,
+                                 const OwnFiles* own) {
     const fs::path& file = name.empty() ? place : name;
     // Each opens the files of its first question alone.
     if (child_ && (kind == FileKind::model || file.parent_path() != folder_))
         child_.reset();
     if (!child_)
         child_ = std::make_unique<Child>();
-    folder_ = file.parent_path();
-    noteInput(place);
-    const ReadingLimits limits =
-        ReadingLimits::of(kind == FileKind::model ? sizeOf(place, file) : sizeOf(place, {}));
-    const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                             std::chrono::duration<double>(limits.wall_s()));
+    folder_ = own ? std::nullopt : std::optional(file.parent_path());
+    if (place == file)
+        noteInput(file);
+    const std::size_t contents = own ? own->contents.size() : 0;
+    const ReadingLimits limits = ReadingLimits::of(contents > 0              ? contents
+                                                   : kind == FileKind::model ? sizeOf(place, file)
+                                                                             : sizeOf(place, {}));
+    ByteSink ownFiles;
+    if (own)
+        putOwnFiles(ownFiles, *own);
     ByteSink question;
-    question.put(QuestionHead{static_cast<std::uint8_t>(kind), limits, place.native().size(),
-                              file.native().size()});
+    question.put(QuestionHead{messagesVersion, static_cast<std::uint8_t>(kind), limits,
+                              place.native().size(), file.native().size(), ownFiles.size(),
+                              contents});
     question.putBytes(place.native().data(), place.native().size());
     question.putBytes(file.native().data(), file.native().size());
+    question.append(std::move(ownFiles));
+    // One that is gone has its end to tell.
+    const auto deadline = Clock::now() + patienceOf(limits);
+    bool isThere = child_->send(question.take(), deadline);
+    for (std::size_t i = 0; isThere && own && i < own->contents.pieces().size(); ++i)
+        isThere = child_->send(own->contents.pieces()[i], deadline);
+    return receive(file, kind, limits, own);
+}
 
-    AnswerHead head;
-    ReaderAnswer answer(0);
-    auto received = child_->send(question.take())
-                        ? child_->receive(reinterpret_cast<char*>(&head), sizeof head, deadline)
-                        : Child::Received::nothingMore;
-    if (received == Child::Received::all) {
-        if (head.size > limits.memory_B)
-            received = Child::Received::nothingMore;
-        else {
-            answer = ReaderAnswer(head.size);
-            received = child_->receive(answer.data(), head.size, deadline);
+ReaderAnswer ReaderProcess::receive(const fs::path& file, FileKind kind,
+                                    const ReadingLimits& limits, const OwnFiles* own) {
+    auto deadline = Clock::now() + patienceOf(limits);
+    std::uint64_t most_B = limits.memory_B;
+    for (std::size_t wishes = 0;;) {
+        AnswerHead head;
+        ReaderAnswer answer(0);
+        auto received = child_->receive(reinterpret_cast<char*>(&head), sizeof head, deadline);
+        if (received == Child::Received::all) {
+            if (head.size > most_B || wishes > mostPictures)
+                received = Child::Received::nothingMore;
+            else {
+                answer = ReaderAnswer(head.size);
+                received = child_->receive(answer.data(), head.size, deadline);
+            }
         }
+        if (received != Child::Received::all) {
+            const std::unique_ptr<Child> child = std::move(child_);
+            if (received == Child::Received::tooLate)
+                refuseReading(file, kind,
+                              "a file whose reading takes more than " +
+                                  numberText(limits.wall_s()) + " s");
+            refuseReading(file, kind, endText(child->awaitEnd(), limits, file));
+        }
+        if (head.kind == AnswerKind::refusal)
+            throwRefusal(answer.bytes());
+        if (head.kind != AnswerKind::picture)
+            return answer;
+        ++wishes;
+        const auto begin = Clock::now();
+        most_B += handOver(answer, file, limits, own);
+        deadline += Clock::now() - begin;
     }
-    if (received != Child::Received::all) {
-        const std::unique_ptr<Child> child = std::move(child_);
-        if (received == Child::Received::tooLate)
-            refuseReading(file, kind,
-                          "a file whose reading takes more than " + numberText(limits.wall_s()) +
-                              " s");
-        refuseReading(file, kind, endText(child->awaitEnd(), limits, file));
+}
+
+std::uint64_t ReaderProcess::handOver(const ReaderAnswer& wish, const fs::path& model,
+                                      const ReadingLimits& limits, const OwnFiles* own) {
+    ByteSource source(wish.bytes());
+    const fs::path picture = source.getText();
+    if (!own || std::ranges::find(own->pictures, picture) == own->pictures.end())
+        throw InputError({model.string(), "",
+                          "a file at which " + readerTextOf(model) + " asks for " +
+                              picture.string() + ", which the model does not name",
+                          "a whole model"});
+    if (!pictures_)
+        pictures_ = std::make_unique<ReaderProcess>();
+    const auto give = [&](AnswerKind kind, std::string_view bytes) {
+        const AnswerHead head{kind, bytes.size()};
+        // One that is gone has its end to tell, and one that takes nothing is too late.
+        const auto deadline = Clock::now() + patienceOf(limits);
+        if (child_->send({reinterpret_cast<const char*>(&head), sizeof head}, deadline))
+            child_->send(bytes, deadline);
+        return std::uint64_t{bytes.size()};
+    };
+    try {
+        return give(AnswerKind::result, pictures_->read(FileKind::picture, picture).bytes());
+    } catch (const InputError& error) {
+        return give(AnswerKind::refusal, refusalBytes(error.diagnostics()).take());
     }
-    if (head.refused)
-        throwRefusal(answer.bytes());
-    return answer;
 }
 
 } // namespace irsg

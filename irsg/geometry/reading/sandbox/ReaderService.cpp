@@ -1,9 +1,8 @@
 #include "irsg/geometry/reading/sandbox/ReaderService.h"
 
-#include <algorithm>
-#include <cerrno>
 #include <filesystem>
 #include <new>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +14,7 @@
 
 #include "irsg/core/Errors.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
+#include "irsg/geometry/reading/sandbox/AskingProgram.h"
 #include "irsg/geometry/reading/sandbox/AxesCoding.h"
 #include "irsg/geometry/reading/sandbox/FileConfinement.h"
 #include "irsg/geometry/reading/sandbox/GraphCoding.h"
@@ -27,35 +27,6 @@
 namespace irsg {
 
 namespace {
-
-bool serving = false;
-
-/// Calls transfer(done, left), which reads or writes some of what is left, until nothing is; false
-/// where the other side is gone.
-template <typename Transfer>
-bool transferAll(std::size_t size, Transfer transfer) {
-    for (std::size_t done = 0; done < size;) {
-        const ssize_t count = transfer(done, size - done);
-        if (count < 0 && errno == EINTR)
-            continue;
-        if (count <= 0)
-            return false;
-        done += static_cast<std::size_t>(count);
-    }
-    return true;
-}
-
-bool readAll(int socket, void* into, std::size_t size) {
-    return transferAll(size, [&](std::size_t done, std::size_t left) {
-        return ::read(socket, static_cast<char*>(into) + done, left);
-    });
-}
-
-bool writeAll(int socket, const void* from, std::size_t size) {
-    return transferAll(size, [&](std::size_t done, std::size_t left) {
-        return ::write(socket, static_cast<const char*>(from) + done, left);
-    });
-}
 
 ByteSink answerTo(FileKind kind, const std::filesystem::path& place,
                   const std::filesystem::path& file) {
@@ -104,47 +75,60 @@ std::string ownPlace(const std::string& place, const std::string& name) {
 }
 
 /// Gives up all files but those that belong to the first question, and all else (shutIn).
-void shutInWith(FileKind kind, const std::string& place, const std::string& name) {
+void shutInWith(FileKind kind, const std::string& place, const std::string& name,
+                const std::optional<OwnFiles>& own) {
     const std::filesystem::path file(name);
-    std::vector<std::filesystem::path> files = {place};
-    if (kind == FileKind::model)
-        for (std::filesystem::path& named : filesNamedOutside(place, file))
-            files.push_back(std::move(named));
-    confineFiles(file.parent_path(), files);
+    ReadablePlaces places;
+    if (own) {
+        places.read = own->opened;
+    } else {
+        places.read = {file.parent_path(), place};
+        if (kind == FileKind::model)
+            for (const std::filesystem::path& named : filesNamedOutside(place, file)) {
+                places.read.push_back(named);
+                // Its name may be written in other upper and lower case.
+                places.listed.push_back(named.parent_path());
+            }
+    }
+    confineFiles(places);
     shutIn();
 }
 
 } // namespace
 
-bool isReader() {
-    return serving;
-}
-
 void serveReadings(int socket) {
-    serving = true;
+    beginToServe();
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     preparePlugins();
     bool isShutIn = false;
-    for (QuestionHead question; readAll(socket, &question, sizeof question);) {
-        std::string place(question.placeSize, '\0'), name(question.nameSize, '\0');
-        if (!readAll(socket, place.data(), place.size()) ||
-            !readAll(socket, name.data(), name.size()))
+    for (QuestionHead question; readFrom(socket, &question, sizeof question);) {
+        if (question.version != messagesVersion)
+            _exit(otherVersion);
+        std::string place(question.placeSize, '\0'), name(question.nameSize, '\0'),
+            own(question.ownSize, '\0');
+        std::string contents(question.contentsSize, '\0');
+        if (!readFrom(socket, place.data(), place.size()) ||
+            !readFrom(socket, name.data(), name.size()) ||
+            !readFrom(socket, own.data(), own.size()) ||
+            !readFrom(socket, contents.data(), contents.size()))
             return;
+        const auto kind = static_cast<FileKind>(question.kind);
+        std::optional<OwnFiles> files;
+        if (!own.empty()) {
+            ByteSource source(own);
+            files = getOwnFiles(source);
+            useFoundNames(files->names);
+            setAsked(socket, files->wantsPictures, std::move(contents));
+        }
         if (!std::exchange(isShutIn, true)) {
             place = ownPlace(place, name);
-            shutInWith(static_cast<FileKind>(question.kind), place, name);
+            shutInWith(kind, place, name, files);
         }
         allow(question.limits);
-        AnswerHead head;
         bool refused = false;
-        const ByteSink bytes = answer(static_cast<FileKind>(question.kind), place, name, refused);
-        head.refused = refused;
-        head.size = bytes.size();
+        const ByteSink bytes = answer(kind, place, name, refused);
         stopClock();
-        if (!writeAll(socket, &head, sizeof head) ||
-            !std::ranges::all_of(bytes.pieces(), [&](const std::string& piece) {
-                return writeAll(socket, piece.data(), piece.size());
-            }))
+        if (!writeAnswerTo(socket, refused ? AnswerKind::refusal : AnswerKind::result, bytes))
             return;
     }
 }

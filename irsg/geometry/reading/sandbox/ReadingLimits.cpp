@@ -187,7 +187,11 @@ void allow(const ReadingLimits& limits) {
 }
 
 void allowMore(std::uint64_t file_B) {
-    allowedMemory_B += memoryEach * file_B;
+    allowBytes(memoryEach * file_B);
+}
+
+void allowBytes(std::uint64_t memory_B) {
+    allowedMemory_B += memory_B;
     setMemory();
 }
 

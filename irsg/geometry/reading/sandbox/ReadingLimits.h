@@ -24,6 +24,8 @@ void shutIn();
 void allow(const ReadingLimits& limits);
 /// Memory for a file that belongs to the one that is read, a texture say.
 void allowMore(std::uint64_t file_B);
+/// So much more memory.
+void allowBytes(std::uint64_t memory_B);
 /// No clock runs until the next question.
 void stopClock();
 

@@ -77,6 +77,7 @@ void ObjMaterials::read(const std::string& name, std::vector<std::string>& remar
     const fs::path file = found(folder_, name, remarks);
     if (file.empty())
         return;
+    libraries_.push_back(file);
     try {
         readText(plainText(readFile(file), file.string()), file.string(), remarks);
     } catch (const InputError& error) {

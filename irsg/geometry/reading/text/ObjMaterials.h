@@ -22,6 +22,8 @@ class ObjMaterials {
     /// The state of a material: nothing but the name for one that no library describes, none where
     /// there is no name.
     osg::ref_ptr<osg::StateSet> state(const std::string& name);
+    /// The libraries that are there, readable or not.
+    const std::vector<std::filesystem::path>& libraries() const { return libraries_; }
 
   private:
     struct Material {
@@ -40,6 +42,7 @@ class ObjMaterials {
     PictureReading picture_;
     std::map<std::string, osg::ref_ptr<osg::StateSet>> states_;
     std::map<std::string, osg::ref_ptr<osg::Image>> images_;
+    std::vector<std::filesystem::path> libraries_;
 };
 
 } // namespace irsg

@@ -24,6 +24,8 @@ namespace irsg {
 
 namespace {
 
+constexpr std::string_view libraryWord = "mtllib";
+
 /// Words of the format that no surface of facets comes of.
 constexpr std::string_view otherWords[] = {
     "l",          "p",         "s",    "mg",     "vp",     "deg",   "bmat",  "step",     "cstype",
@@ -86,7 +88,7 @@ class ObjText {
         } else if (word == "usemtl") {
             material_ = words_.rest();
             drawable_ = nullptr;
-        } else if (word == "mtllib") {
+        } else if (word == libraryWord) {
             materials_.read(words_.rest(), remarks_);
         } else if (std::ranges::find(otherWords, word) == std::end(otherWords)) {
             if (unknown_++ == 0)
@@ -238,6 +240,32 @@ class ObjText {
 };
 
 } // namespace
+
+ObjFiles filesOfObj(const std::filesystem::path& file) {
+    ObjFiles files;
+    ObjMaterials materials(file.parent_path(), [&](const std::filesystem::path& picture) {
+        files.pictures.push_back(picture);
+        return osg::ref_ptr<osg::Image>(new osg::Image);
+    });
+    try {
+        const std::string text = plainText(readFile(file, largestModel_B), file.string());
+        std::vector<std::string> unused;
+        for (auto at = text.find(libraryWord); at != text.npos;
+             at = text.find(libraryWord, at + 1)) {
+            // Words that stand elsewhere in a line are passed over.
+            const auto line = std::string_view(text).substr(0, at);
+            const auto before = line.find_last_not_of(" \t\r\v\f");
+            if (before != line.npos && line[before] != '\n')
+                continue;
+            TextWords words(std::string_view(text).substr(at), file.string());
+            if (words.next() && words.words()[0] == libraryWord)
+                materials.read(words.rest(), unused);
+        }
+    } catch (const InputError&) {
+    }
+    files.libraries = materials.libraries();
+    return files;
+}
 
 LoadedGraph readObj(const std::filesystem::path& file, const PictureReading& picture) {
     const std::string text = plainText(readFile(file, largestModel_B), file.string());

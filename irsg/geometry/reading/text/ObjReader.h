@@ -20,4 +20,12 @@ using PictureReading = std::function<osg::ref_ptr<osg::Image>(const std::filesys
 /// within a face, each with its line.
 LoadedGraph readObj(const std::filesystem::path& file, const PictureReading& picture);
 
+/// The files that a Wavefront object names and that are there.
+struct ObjFiles {
+    std::vector<std::filesystem::path> libraries, pictures;
+};
+/// Found by the lines that name libraries of materials, and by those libraries. Throws nothing: of
+/// what cannot be read readObj() speaks.
+ObjFiles filesOfObj(const std::filesystem::path& file);
+
 } // namespace irsg
