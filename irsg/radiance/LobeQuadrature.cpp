@@ -16,7 +16,7 @@ namespace {
 
 /// Of so many samples each follows all of its facets to what they reflect; of more, one in a few,
 /// in turn.
-constexpr std::size_t samplesOfAllFacets = 20'000, mostStep = 8;
+constexpr std::size_t samplesOfAllFacets = 20'000, mostStep = 6;
 
 /// The level part of a direction as a unit vector; of a vertical one any level one.
 Vec3 levelOf(const Vec3& direction, const Vec3& zenith) {

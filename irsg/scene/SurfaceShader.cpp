@@ -159,7 +159,7 @@ JoinLimits SurfaceShader::joinsOf(const SceneEvaluation& evaluation) const {
     if (evaluation.surfaceRows().hasGas())
         return limits;
     // What sums of factors make of them does not depend on it; places and lobes are those of one.
-    constexpr double mostDifference = 0.2, bendOfRoughness = 0.5;
+    constexpr double mostDifference = 0.2, bendOfRoughness = 0.25;
     limits.firstNormal = terms_.lobeRoles().size();
     for (const auto& model : evaluation.evaluated->radiometry.models()) {
         const bool isMirror = model && model->facets().size() == 1;
