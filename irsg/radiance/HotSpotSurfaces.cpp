@@ -1,5 +1,6 @@
 #include "irsg/radiance/HotSpotSurfaces.h"
 
+#include "irsg/radiance/SceneSampling.h"
 #include "irsg/radiometry/Planck.h"
 
 namespace irsg {
@@ -54,9 +55,8 @@ std::vector<bool> hotSurfaces(const SceneRadiometry& radiometry,
             return 0.0;
         const auto& [entity, codes] = radiometry.rows().keys()[static_cast<std::size_t>(drawn)];
         const auto& scales = entities[static_cast<std::size_t>(entity)].temperatureScale;
-        const auto scale = scales.find(codes.temperature);
-        return planckRadiance_W_m2_sr_um(
-            wavelength_um, surface.temperature_K / (scale != scales.end() ? scale->second : 1.0));
+        return planckRadiance_W_m2_sr_um(wavelength_um, surface.temperature_K /
+                                                            scaleOf(scales, codes.temperature));
     };
     addHot(radiometry, entities, 0.0, radianceOf, hot);
     return hot;

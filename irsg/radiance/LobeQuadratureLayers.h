@@ -37,8 +37,7 @@ struct LobeQuadrature::Tile {
     static std::pair<float, Vec3> opaqueAt(const GeometrySamples& samples, std::size_t sample,
                                            std::size_t first) {
         const auto number = [&](std::size_t f) {
-            return static_cast<double>(f < 3 ? samples.opaque[4 * sample + 1 + f]
-                                             : samples.moreFactors[4 * sample + f - 3]);
+            return static_cast<double>(samples.opaqueFactor(sample, f));
         };
         return {samples.opaque[4 * sample], {number(first), number(first + 1), number(first + 2)}};
     }

@@ -22,11 +22,6 @@ constexpr double coldestThatMatters_K = 30.0;
 /// Temperatures that share a quadrature: it is made for the coldest of them.
 constexpr double coldestStep_K = 10.0;
 
-double scaleOf(const std::map<int, double>& scales, int index) {
-    const auto found = scales.find(index);
-    return found == scales.end() ? 1.0 : found->second;
-}
-
 /// The spectra of a scene's surfaces, for their kinks.
 void addSurfaceSpectra(const std::vector<Entity>& entities, std::vector<const Spectrum*>& spectra) {
     for (const auto& [e, codes] : surfaceKeys(entities)) {
@@ -226,6 +221,11 @@ std::vector<SurfaceKey> surfaceKeys(const std::vector<Entity>& entities) {
         for (const auto& [codes, use] : entities[e].model->codes())
             keys.emplace_back(static_cast<int>(e), codes);
     return keys;
+}
+
+double scaleOf(const std::map<int, double>& scales, int index) {
+    const auto found = scales.find(index);
+    return found == scales.end() ? 1.0 : found->second;
 }
 
 SurfaceInput surfaceInput(const Entity& entity, const IrCodes& codes,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -50,6 +51,8 @@ struct AtmosphereScene {
     LineOfSight centre; ///< through the middle of the field
 };
 
+/// Of an index, as entities have scales of temperatures and emissivities; 1 where there is none.
+double scaleOf(const std::map<int, double>& scales, int index);
 /// Of the surfaces with a temperature, in steps, K: it decides how fine a quadrature must be.
 double coldestOf_K(const AtmosphericQueryCache& answers, const AtmosphereScene& scene);
 

@@ -42,6 +42,57 @@ std::vector<double> gentleSlopes(const std::vector<double>& values) {
     return slopes;
 }
 
+/// Fills a row, computing no more of it than is needed: between five even places a polynomial
+/// through these, where a parabola through three of them gives the other two to 1e-7.
+template <typename ValueAt>
+void fillSmoothly(double* row, int count, const ValueAt& valueAt) {
+    constexpr double enough = 1e-7;
+    constexpr int fewest = 16;
+    const auto fill = [&](const auto& self, int first, int last) -> void {
+        const int length = last - first;
+        if (length < fewest || length % 4 != 0) {
+            for (int x = first + 1; x < last; ++x)
+                row[x] = valueAt(x);
+            return;
+        }
+        const int step = length / 4;
+        for (int i = 1; i < 4; ++i)
+            row[first + i * step] = valueAt(first + i * step);
+        const double a = row[first], b = row[first + step], c = row[first + 2 * step],
+                     d = row[first + 3 * step], e = row[last];
+        const double most = enough * std::abs(c);
+        if (std::abs(0.375 * a + 0.75 * c - 0.125 * e - b) > most ||
+            std::abs(-0.125 * a + 0.75 * c + 0.375 * e - d) > most) {
+            self(self, first, first + 2 * step);
+            self(self, first + 2 * step, last);
+            return;
+        }
+        // Newton's forward differences.
+        const double d1 = b - a, d2 = c - 2.0 * b + a, d3 = d - 3.0 * c + 3.0 * b - a;
+        const double d4 = e - 4.0 * d + 6.0 * c - 4.0 * b + a;
+        for (int x = first + 1; x < last; ++x) {
+            if ((x - first) % step == 0)
+                continue;
+            const double t = static_cast<double>(x - first) / step;
+            row[x] = a + t * (d1 + (t - 1.0) / 2.0 *
+                                       (d2 + (t - 2.0) / 3.0 * (d3 + (t - 3.0) / 4.0 * d4)));
+        }
+    };
+    // Even pieces, whose lengths are multiples of four as long as that matters.
+    int piece = fewest;
+    while (2 * piece < count)
+        piece *= 2;
+    row[0] = valueAt(0);
+    for (int first = 0; first + 1 < count;) {
+        while (piece > 1 && first + piece >= count)
+            piece /= 2;
+        const int last = first + piece;
+        row[last] = valueAt(last);
+        fill(fill, first, last);
+        first = last;
+    }
+}
+
 } // namespace
 
 BackgroundGrid::BackgroundGrid(const Sensor& sensor, const Viewpoint& viewpoint, double horizon_rad,
@@ -247,61 +298,6 @@ double BackgroundGrid::at(const Vec3& direction) const {
     const bool sky = ground_.angles.empty() || (angle_rad >= 0.0 && !sky_.angles.empty());
     return interpolated(sky ? sky_ : ground_, sky ? angle_rad : -angle_rad, column(azimuth_rad));
 }
-
-namespace {
-
-/// Fills a row, computing no more of it than is needed: between five even places a polynomial
-/// through these, where a parabola through three of them gives the other two to 1e-7.
-template <typename ValueAt>
-void fillSmoothly(double* row, int count, const ValueAt& valueAt) {
-    constexpr double enough = 1e-7;
-    constexpr int fewest = 16;
-    const auto fill = [&](const auto& self, int first, int last) -> void {
-        const int length = last - first;
-        if (length < fewest || length % 4 != 0) {
-            for (int x = first + 1; x < last; ++x)
-                row[x] = valueAt(x);
-            return;
-        }
-        const int step = length / 4;
-        for (int i = 1; i < 4; ++i)
-            row[first + i * step] = valueAt(first + i * step);
-        const double a = row[first], b = row[first + step], c = row[first + 2 * step],
-                     d = row[first + 3 * step], e = row[last];
-        const double most = enough * std::abs(c);
-        if (std::abs(0.375 * a + 0.75 * c - 0.125 * e - b) > most ||
-            std::abs(-0.125 * a + 0.75 * c + 0.375 * e - d) > most) {
-            self(self, first, first + 2 * step);
-            self(self, first + 2 * step, last);
-            return;
-        }
-        // Newton's forward differences.
-        const double d1 = b - a, d2 = c - 2.0 * b + a, d3 = d - 3.0 * c + 3.0 * b - a;
-        const double d4 = e - 4.0 * d + 6.0 * c - 4.0 * b + a;
-        for (int x = first + 1; x < last; ++x) {
-            if ((x - first) % step == 0)
-                continue;
-            const double t = static_cast<double>(x - first) / step;
-            row[x] = a + t * (d1 + (t - 1.0) / 2.0 *
-                                       (d2 + (t - 2.0) / 3.0 * (d3 + (t - 3.0) / 4.0 * d4)));
-        }
-    };
-    // Even pieces, whose lengths are multiples of four as long as that matters.
-    int piece = fewest;
-    while (2 * piece < count)
-        piece *= 2;
-    row[0] = valueAt(0);
-    for (int first = 0; first + 1 < count;) {
-        while (piece > 1 && first + piece >= count)
-            piece /= 2;
-        const int last = first + piece;
-        row[last] = valueAt(last);
-        fill(fill, first, last);
-        first = last;
-    }
-}
-
-} // namespace
 
 std::vector<double> BackgroundGrid::pixels() const {
     static const FastAngle angle;

@@ -52,7 +52,7 @@ float* factorOf(GeometrySamples& samples, std::size_t sample, std::optional<std:
                 std::size_t f) {
     if (fragment)
         return &samples.words[*fragment * samples.wordsPerFragment + 4 + f];
-    return f < 3 ? &samples.opaque[4 * sample + 1 + f] : &samples.moreFactors[4 * sample + f - 3];
+    return &samples.opaqueFactor(sample, f);
 }
 
 } // namespace
@@ -362,13 +362,12 @@ void SunShadows::apply(const SheetScene& sheet, bool withVisibility,
         constexpr std::size_t members = GeometrySamples::samplesOfGroup;
         const auto group = samples.groupOf(sample, source.tile->stride());
         const auto stands = static_cast<std::size_t>(samples.groups[sample]) - 1;
-        const auto mean = static_cast<double>(*factorOf(samples, sample, std::nullopt, f));
+        const auto mean = static_cast<double>(samples.opaqueFactor(sample, f));
         std::array<double, members> factors{};
         double others = 0.0;
         for (std::size_t i = 0; i < members; ++i)
             if (i != stands)
-                others += factors[i] =
-                    static_cast<double>(*factorOf(samples, group[i], std::nullopt, f));
+                others += factors[i] = static_cast<double>(samples.opaqueFactor(group[i], f));
         factors[stands] = std::max(static_cast<double>(members) * mean - others, 0.0);
         Shaded all;
         for (std::size_t i = 0; i < members; ++i) {

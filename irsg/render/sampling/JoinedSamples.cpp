@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <span>
 
 #include "irsg/core/ParallelFor.h"
@@ -25,10 +24,8 @@ class Joining {
           limits_(limits),
           samples_(samples),
           cells_(tile.blocksWide * tile.samplesAcross) {
-        const Sensor& sensor = scene.camera->sensor();
-        const double pitch =
-            2.0 * std::tan(0.5 * sensor.horizontalFieldOfView_rad) / sensor.width_px;
-        most_ = steepest * pitch * std::max(tile.cellWidth_px(), tile.cellHeight_px());
+        most_ = steepest * scene.camera->sensor().pixelPitch() *
+                std::max(tile.cellWidth_px(), tile.cellHeight_px());
     }
 
     /// Pairs of rows of one part of the tile, each in one row of blocks.
@@ -79,15 +76,6 @@ class Joining {
         }
     }
 
-    float factor(std::size_t sample, std::size_t f) const {
-        return f < 3 ? samples_.opaque[4 * sample + 1 + f]
-                     : samples_.moreFactors[4 * sample + f - 3];
-    }
-    float& factor(std::size_t sample, std::size_t f) {
-        return f < 3 ? samples_.opaque[4 * sample + 1 + f]
-                     : samples_.moreFactors[4 * sample + f - 3];
-    }
-
     bool isSmooth(std::span<const std::size_t, members> group) const {
         const float row = samples_.opaque[4 * group[0]];
         const auto drawn = static_cast<std::size_t>(row) - 1;
@@ -105,10 +93,10 @@ class Joining {
         for (std::size_t f = 0; f < samples_.factorCount; ++f) {
             const double most =
                 f < limits_.firstNormal ? limits_.mostDifference[drawn] : limits_.mostBend[drawn];
-            float least = factor(group[0], f), greatest = least;
+            float least = samples_.opaqueFactor(group[0], f), greatest = least;
             for (const std::size_t sample : group) {
-                least = std::min(least, factor(sample, f));
-                greatest = std::max(greatest, factor(sample, f));
+                least = std::min(least, samples_.opaqueFactor(sample, f));
+                greatest = std::max(greatest, samples_.opaqueFactor(sample, f));
             }
             if (static_cast<double>(greatest - least) > most)
                 return false;
@@ -120,8 +108,8 @@ class Joining {
         for (std::size_t f = 0; f < samples_.factorCount; ++f) {
             float sum = 0.0f;
             for (const std::size_t sample : group)
-                sum += factor(sample, f);
-            factor(group[stands], f) = sum / static_cast<float>(members);
+                sum += samples_.opaqueFactor(sample, f);
+            samples_.opaqueFactor(group[stands], f) = sum / static_cast<float>(members);
         }
         for (std::size_t i = 0; i < members; ++i)
             samples_.groups[group[i]] = static_cast<std::uint8_t>(

@@ -184,6 +184,13 @@ struct GeometrySamples {
 
     std::size_t size() const { return opaque.size() / 4; }
     bool isOpaque(std::size_t sample) const { return opaque[4 * sample] > 0.0f; }
+    /// A factor of the opaque surface of a sample.
+    float& opaqueFactor(std::size_t sample, std::size_t f) {
+        return f < 3 ? opaque[4 * sample + 1 + f] : moreFactors[4 * sample + f - 3];
+    }
+    float opaqueFactor(std::size_t sample, std::size_t f) const {
+        return f < 3 ? opaque[4 * sample + 1 + f] : moreFactors[4 * sample + f - 3];
+    }
     bool isListed(std::size_t sample) const {
         return sample >= lowest && sample < highest && ends[sample] != ends[sample + 1];
     }
