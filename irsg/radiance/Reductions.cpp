@@ -80,7 +80,7 @@ void addLightBetween(const LightSums& sums, SceneLight& light, const SurfaceRows
     light.prepare(kinds);
     std::vector<std::array<std::vector<double>, 2>> all(kinds.size());
     parallelFor(kinds.size(), [&](std::size_t k) {
-        const std::vector<double>& own = sums.at({kinds[k].stack, kinds[k].row});
+        const ReceiverSums& own = sums.at({kinds[k].stack, kinds[k].row});
         for (const bool withCosine : {false, true})
             all[k][withCosine ? 1 : 0] = light.contracted(kinds[k].row, own, withCosine);
     });

@@ -164,17 +164,6 @@ void GeometrySums::addGeometryToView(const SampleTile& tile, const GeometrySampl
     }
 }
 
-void addScaled(const std::vector<double>& sums, double scale, std::vector<double>& to) {
-    to.resize(sums.size());
-    for (std::size_t i = 0; i < sums.size(); ++i)
-        to[i] += scale * sums[i];
-}
-
-void addLight(const LightSums& light, double scale, LightSums& to) {
-    for (const auto& [kind, sums] : light)
-        addScaled(sums, scale, to[kind]);
-}
-
 void GeometrySums::addToView(const SampleTile& tile, const GeometrySamples& samples,
                              ViewGeometry& view) {
     view.layersLeftOver += layersLeftOver(tile, samples);
@@ -233,9 +222,10 @@ void addPointToView(const PointGeometry& atUnitDistance, const SurfaceRows& rows
     const ViewLayout& layout = view.layout;
     LightSums light;
     for (const auto& [kind, sums] : atUnitDistance.light_sr_m2) {
-        std::vector<double>& own = light[{kind.first, rows.first(kind.second)}] = sums;
-        for (std::size_t i = 0; i < own.size(); i += 2)
-            own[i + 1] = own[i] * place.cosOffAxis;
+        std::vector<ReceiverSums::Entry> entries = sums.entries();
+        for (ReceiverSums::Entry& entry : entries)
+            entry.weights[1] = entry.weights[0] * place.cosOffAxis;
+        light[{kind.first, rows.first(kind.second)}] = ReceiverSums(std::move(entries));
     }
     addLight(light, scale, view.light);
     const GeometryBuffer<double>& field = atUnitDistance.sums_sr_m2;

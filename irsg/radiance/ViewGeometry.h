@@ -87,10 +87,6 @@ class GeometrySums {
     bool withSublatticeDifferences_;
 };
 
-/// Adds sums of receivers times a scale.
-void addScaled(const std::vector<double>& sums, double scale, std::vector<double>& to);
-void addLight(const LightSums& light, double scale, LightSums& to);
-
 /// The pixel of a point source and what it is to it.
 struct PointPlace {
     int x = 0, y = 0;

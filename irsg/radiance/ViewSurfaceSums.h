@@ -67,11 +67,9 @@ class ViewSurfaceSums {
         const float* factors = layer.factors.data();
         const auto coverage = static_cast<double>(layer.coverage);
         if (layer.place && layer.place->cell != GeometrySamples::Place::none) {
-            addReceivers(place, between.row, coverage * (1.0 - static_cast<double>(between.next)),
-                         *layer.place);
+            addReceivers(place, coverage * (1.0 - static_cast<double>(between.next)), *layer.place);
             if (between.next > 0.0f)
-                addReceivers(place + 1, between.row, coverage * static_cast<double>(between.next),
-                             *layer.place);
+                addReceivers(place + 1, coverage * static_cast<double>(between.next), *layer.place);
         }
         addToRun(place, static_cast<double>(between.next), coverage, factors,
                  std::make_index_sequence<Factors>());
@@ -92,7 +90,7 @@ class ViewSurfaceSums {
                 sums.cosine[1 + f] += weight * projected_sr_ * factor;
             }
             if (layer.place && layer.place->cell != GeometrySamples::Place::none)
-                addReceivers(to, between.row, weight * coverage, *layer.place);
+                addReceivers(to, weight * coverage, *layer.place);
         };
         addTo(place, 1.0 - static_cast<double>(between.next));
         if (between.next > 0.0f)
@@ -151,19 +149,21 @@ class ViewSurfaceSums {
 
     /// Ends the runs of receivers; no sample comes after it.
     void finishLight() {
-        for (std::size_t slot = 0; slot < receivers_.size(); ++slot)
-            if (!receivers_[slot].empty())
-                addRun(std::exchange(runs_[slot], {}), receivers_[slot]);
+        light_.resize(receivers_.size());
+        for (std::size_t slot = 0; slot < receivers_.size(); ++slot) {
+            addRun(std::exchange(runs_[slot], {}), receivers_[slot]);
+            light_[slot] = receivers_[slot].take();
+        }
     }
     /// Adds what was seen of receivers of light, finished, times a sign; see addTo.
     template <typename StackOf>
     void addLightTo(LightSums& light, StackOf stackOf, double sign) const {
-        for (std::size_t place = 0; place < slots_.size() && !receivers_.empty(); ++place) {
+        for (std::size_t place = 0; place < slots_.size() && !light_.empty(); ++place) {
             const auto slot = static_cast<std::size_t>(slots_[place]);
-            if (slots_[place] == none || slot >= receivers_.size() || receivers_[slot].empty())
+            if (slots_[place] == none || slot >= light_.size() || light_[slot].isEmpty())
                 continue;
             const SurfaceStackId kind = kindOf(place, stackOf);
-            addScaled(receivers_[slot], sign, light[{kind.stack, kind.row}]);
+            light[{kind.stack, kind.row}].addScaled(light_[slot], sign);
         }
     }
 
@@ -319,7 +319,7 @@ class ViewSurfaceSums {
         std::uint32_t cell = GeometrySamples::Place::none;
         std::array<double, 3> plain{}, cosine{};
     };
-    void addReceivers(std::size_t place, int row, double weight, const GeometrySamples::Place& at) {
+    void addReceivers(std::size_t place, double weight, const GeometrySamples::Place& at) {
         const std::size_t slot = slotOf(place);
         if (slot >= receivers_.size()) {
             receivers_.resize(sums_.size());
@@ -327,10 +327,7 @@ class ViewSurfaceSums {
         }
         Run& run = runs_[slot];
         if (run.cell != at.cell) {
-            std::vector<double>& sums = receivers_[slot];
-            if (sums.empty())
-                sums.resize(2 * receiversOf(row, surfaces_, *exchange_).size());
-            addRun(run, sums);
+            addRun(run, receivers_[slot]);
             run = {};
             run.cell = at.cell;
         }
@@ -341,14 +338,14 @@ class ViewSurfaceSums {
             run.cosine[c] += weight * projected_sr_ * parts[c];
         }
     }
-    void addRun(const Run& run, std::vector<double>& sums) const {
+    void addRun(const Run& run, ReceiverSumsMaker& sums) const {
         if (run.cell == GeometrySamples::Place::none)
             return;
         exchange_->forEachReceiver(
             run.cell, [&](std::uint32_t receiver, std::size_t corner, float part) {
-                const std::size_t own = 2 * static_cast<std::size_t>(exchange_->localOf(receiver));
-                sums[own] += run.plain[corner] * static_cast<double>(part);
-                sums[own + 1] += run.cosine[corner] * static_cast<double>(part);
+                ReceiverSums::Weights& own = sums.of(exchange_->localOf(receiver));
+                own[0] += run.plain[corner] * static_cast<double>(part);
+                own[1] += run.cosine[corner] * static_cast<double>(part);
             });
     }
 
@@ -405,8 +402,9 @@ class ViewSurfaceSums {
     const PixelGrid& grid_;
     const std::vector<const FrameBackground*>& varying_;
     const LightExchange* exchange_;
-    std::vector<std::vector<double>> receivers_; // by slot
-    std::vector<Run> runs_;                      // likewise
+    std::vector<ReceiverSumsMaker> receivers_; // by slot
+    std::vector<Run> runs_;                    // likewise
+    std::vector<ReceiverSums> light_;          // likewise, of what is finished
     int y_ = -1;
     std::vector<PixelGrid::Pixel> pixels_; // of that row, by x; no solid angle: not known yet
     double share_;

@@ -103,15 +103,15 @@ LightResponse::LightResponse(const SceneLight& light, const SceneRadiometry& rad
     }
 }
 
-std::vector<std::vector<double>> LightResponse::of(int row, std::span<const double> sums,
+std::vector<std::vector<double>> LightResponse::of(int row, const ReceiverSums& sums,
                                                    bool withCosine) const {
     const std::size_t width = reflectors_.size();
     std::vector<std::vector<double>> inSubBands(subBands_.count, std::vector<double>(width, 0.0));
     const std::vector<std::uint32_t>& receivers =
         receiversOf(row, radiometry_.rows(), light_.exchange());
-    for (std::size_t n = 0; n < receivers.size(); ++n) {
-        const double weight = sums[2 * n + (withCosine ? 1 : 0)];
-        const std::size_t place = light_.solution().placeOf(receivers[n]);
+    for (const ReceiverSums::Entry& seen : sums.entries()) {
+        const double weight = seen.weights[withCosine ? 1 : 0];
+        const std::size_t place = light_.solution().placeOf(receivers[seen.receiver]);
         if (weight == 0.0 || place == LightSolution::none)
             continue;
         for (std::size_t band = 0; band < inSubBands.size(); ++band)

@@ -7,6 +7,7 @@
 
 namespace irsg {
 
+class ReceiverSums;
 class SceneLight;
 class SceneRadiometry;
 
@@ -32,8 +33,7 @@ class LightResponse {
 
     /// Of what falls on a row, summed over its receivers as SceneLight::contracted: at a
     /// reflectivity of 1 more, by reflector and node, W m-2 um-1 times the unit of the sums.
-    std::vector<std::vector<double>> of(int row, std::span<const double> sums,
-                                        bool withCosine) const;
+    std::vector<std::vector<double>> of(int row, const ReceiverSums& sums, bool withCosine) const;
 
   private:
     const SceneLight& light_;

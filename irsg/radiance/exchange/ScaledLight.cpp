@@ -119,7 +119,7 @@ void ScaledLight::makeBins(Making& making) {
         making.response = &making.light.response(making.reflectors, making.nodes);
 }
 
-void ScaledLight::gather(Making& making, int stack, int row, std::span<const double> sums) {
+void ScaledLight::gather(Making& making, int stack, int row, const ReceiverSums& sums) {
     const auto drawn = static_cast<std::size_t>(making.radiometry.rows().renderedOf(row));
     if (!making.light.matters(static_cast<int>(drawn)))
         return;

@@ -65,7 +65,7 @@ class ScaledLight {
     };
     struct Making;
     void makeBins(Making& making);
-    void gather(Making& making, int stack, int row, std::span<const double> sums);
+    void gather(Making& making, int stack, int row, const ReceiverSums& sums);
     void close(Making& making);
     void evaluate(std::span<const double> scales, std::vector<Pair>& byBin) const;
 

@@ -165,18 +165,19 @@ std::span<const double> SceneLight::integrals(const SurfaceStackId& kind, std::s
     return known->second[output];
 }
 
-std::vector<double> SceneLight::contracted(int row, std::span<const double> sums,
+std::vector<double> SceneLight::contracted(int row, const ReceiverSums& sums,
                                            bool withCosine) const {
     std::vector<double> all(width(), 0.0);
     const std::vector<std::uint32_t>& receivers = receiversOf(row);
-    for (std::size_t n = 0; n < receivers.size(); ++n) {
-        const double weight = sums[2 * n + (withCosine ? 1 : 0)];
+    for (const ReceiverSums::Entry& seen : sums.entries()) {
+        const double weight = seen.weights[withCosine ? 1 : 0];
         if (weight == 0.0)
             continue;
-        const LightExchange::Loss& loss = exchange_->loss(receivers[n]);
+        const std::uint32_t receiver = receivers[seen.receiver];
+        const LightExchange::Loss& loss = exchange_->loss(receiver);
         all[0] += weight * loss.sky;
         all[1] += weight * loss.ground;
-        const std::span<const float> gathered = solution_->of(receivers[n]);
+        const std::span<const float> gathered = solution_->of(receiver);
         for (std::size_t k = 0; k < gathered.size(); ++k)
             all[2 + k] += weight * static_cast<double>(gathered[k]);
     }
@@ -255,13 +256,14 @@ void SceneLight::prepareReceivers(const std::vector<const LightSums*>& views) {
             const auto [place, isNew] = sent_.try_emplace(kind);
             Sent& sent = place->second;
             if (isNew) {
-                sent.isKnown.resize(sums.size() / 2);
-                sent.radiance.resize(outputs, std::vector<double>(sums.size() / 2));
+                const std::size_t receivers = receiversOf(kind.second).size();
+                sent.isKnown.resize(receivers);
+                sent.radiance.resize(outputs, std::vector<double>(receivers));
             }
-            for (std::uint32_t n = 0; n < sent.isKnown.size(); ++n)
-                if (!sent.isKnown[n] && sums[2 * std::size_t{n}] != 0.0) {
-                    sent.isKnown[n] = 1;
-                    missing[kind].push_back(n);
+            for (const ReceiverSums::Entry& seen : sums.entries())
+                if (!sent.isKnown[seen.receiver] && seen.weights[0] != 0.0) {
+                    sent.isKnown[seen.receiver] = 1;
+                    missing[kind].push_back(seen.receiver);
                 }
         }
     prepare(kinds);
@@ -288,16 +290,15 @@ void SceneLight::prepareReceivers(const std::vector<const LightSums*>& views) {
 }
 
 std::array<double, 2> SceneLight::sumAtReceivers(const SurfaceStackId& kind, std::size_t output,
-                                                 std::span<const double> sums) const {
+                                                 const ReceiverSums& sums) const {
     const auto known = sent_.find({kind.stack, kind.row});
     if (known == sent_.end())
         throw LogicError("light between surfaces was summed over receivers that nobody prepared");
     std::array<double, 2> all{};
     const std::vector<double>& sent = known->second.radiance[output];
-    for (std::size_t n = 0; n < sent.size(); ++n) {
-        all[0] += sums[2 * n] * sent[n];
-        all[1] += sums[2 * n + 1] * sent[n];
-    }
+    for (const ReceiverSums::Entry& seen : sums.entries())
+        for (std::size_t q = 0; q < all.size(); ++q)
+            all[q] += seen.weights[q] * sent[seen.receiver];
     return all;
 }
 

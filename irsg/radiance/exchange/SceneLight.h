@@ -14,15 +14,11 @@
 #include "irsg/radiance/exchange/LightIntegrals.h"
 #include "irsg/radiance/exchange/LightResponse.h"
 #include "irsg/radiance/exchange/LightSolution.h"
+#include "irsg/radiance/exchange/ReceiverSums.h"
 #include "irsg/render/sampling/Samples.h"
 #include "irsg/render/values/RenderSettings.h"
 
 namespace irsg {
-
-/// Sums of the weights of receivers, by kind: without and with the cosine off axis, for each
-/// receiver of the kind's drawn row. What the light between surfaces needs of a view; it knows
-/// neither wavelengths nor reflectivities.
-using LightSums = std::map<std::pair<int, int>, std::vector<double>>; // by front and row
 
 /// How much a material of LightExchange::panes lets through, or the ground reflects, by node.
 std::vector<double> passingOf(const OccluderMaterial& pane, const LightExchange& exchange,
@@ -68,7 +64,7 @@ class SceneLight {
     std::vector<SurfaceStackId> inOrder(const LightSums& sums) const;
 
     /// What sums of a kind make of the same numbers: of losses, and of columns.
-    std::vector<double> contracted(int row, std::span<const double> sums, bool withCosine) const;
+    std::vector<double> contracted(int row, const ReceiverSums& sums, bool withCosine) const;
     /// In-band radiance in the first output at each receiver of a kind's drawn row: what is taken
     /// of that by sky and by ground, and what others give.
     using AtReceiver = std::array<double, 3>;
@@ -84,7 +80,7 @@ class SceneLight {
     void prepareReceivers(const std::vector<const LightSums*>& views);
     /// What sums of a kind make of what receivers send, without and with cosine.
     std::array<double, 2> sumAtReceivers(const SurfaceStackId& kind, std::size_t output,
-                                         std::span<const double> sums) const;
+                                         const ReceiverSums& sums) const;
 
     /// What falls on receivers of a row, by where it was emitted or first reflected: node by node,
     /// W m-2 um-1 times the unit of the sums.
