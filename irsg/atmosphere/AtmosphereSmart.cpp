@@ -6,7 +6,6 @@
 #include "irsg/atmosphere/AtmosphereNodes.h"
 #include "irsg/atmosphere/SmartAdapter.h"
 #include "irsg/atmosphere/ck/CkCache.h"
-#include "irsg/atmosphere/ck/CkStore.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
 #include "irsg/atmosphere/engine/ResourceFile.h"
 #include "irsg/atmosphere/path/SunDiscGeometry.h"
@@ -24,14 +23,14 @@ bool isFlux(AtmosphereProperty property) {
 }
 
 /// Where quadrature points of an air are kept: the key names the files of the shipped tables.
-std::optional<CkStore> storeOf(const AtmosphereSmart& air) {
-    return &air.transfer().gases() == GasTable::shipped().get() ? CkStore::ofUser() : std::nullopt;
+std::optional<CacheStore> storeOf(const AtmosphereSmart& air) {
+    return &air.transfer().gases() == GasTable::shipped().get() ? ckStore() : std::nullopt;
 }
 
 /// All that quadrature points depend on: the program's own way to train, the tables, the air, the
 /// request.
-CkKey keyOf(const AtmosphereSmart& air, const CkRequest& request) {
-    CkKey key;
+CacheKey keyOf(const AtmosphereSmart& air, const CkRequest& request) {
+    CacheKey key;
     key.add(ckTraining);
     // A table that was made anew has another time.
     const std::filesystem::path folder = atmosphereResource("gases.gastable").parent_path();
@@ -225,8 +224,8 @@ double AtmosphereSmart::ambientTemperature_K(double altitude_m) const {
 
 std::shared_ptr<const SensorCkData> AtmosphereSmart::prepareCk(const CkRequest& request) const {
     checkRange(request.band.range());
-    const std::optional<CkStore> store = storeOf(*this);
-    return cachedOrTrained(store, store ? keyOf(*this, request) : CkKey(),
+    const std::optional<CacheStore> store = storeOf(*this);
+    return cachedOrTrained(store, store ? keyOf(*this, request) : CacheKey(),
                            CkNodes(transfer(), request.band), request.band,
                            [&] { return SensorCkData::prepare(transfer(), request); });
 }

@@ -18,8 +18,8 @@ std::vector<AtmosphericPath> homogeneousPaths(const std::vector<double>& ranges_
     return paths;
 }
 
-CkKey keyOf(const BeerLambertParameters& air, const CkRequest& request) {
-    CkKey key;
+CacheKey keyOf(const BeerLambertParameters& air, const CkRequest& request) {
+    CacheKey key;
     key.add(ckTraining).add("Beer-Lambert");
     key.add(air.airTemperature_K).add(air.groundTemperature_K);
     for (const Spectrum* spectrum :
@@ -28,7 +28,7 @@ CkKey keyOf(const BeerLambertParameters& air, const CkRequest& request) {
           air.skyRadiance_W_m2_sr_um ? &*air.skyRadiance_W_m2_sr_um : nullptr}) {
         key.add(spectrum != nullptr ? 1.0 : 0.0);
         if (spectrum != nullptr)
-            key.add(*spectrum);
+            addTo(key, *spectrum);
     }
     addTo(key, request);
     return key;
@@ -148,8 +148,7 @@ std::shared_ptr<const SensorCkData> BeerLambert::prepareCk(const CkRequest& requ
     for (std::size_t i = 0; i < known.nodes.size(); ++i)
         falling.push_back(known.nodes.wavelength_um(i));
     known.values = [&](const AtmosphericQuery& query) { return valuesAt(query, falling); };
-    return cachedOrTrained(CkStore::ofUser(), keyOf(parameters_, request), known.nodes,
-                           request.band,
+    return cachedOrTrained(ckStore(), keyOf(parameters_, request), known.nodes, request.band,
                            [&] { return SensorCkData::prepare(known, *this, request); });
 }
 

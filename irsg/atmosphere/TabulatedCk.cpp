@@ -21,8 +21,8 @@ std::vector<Value> spread(const std::vector<Value>& all, std::size_t most) {
     return some;
 }
 
-CkKey keyOf(const std::vector<SpectralRun>& runs, const CkRequest& request) {
-    CkKey key;
+CacheKey keyOf(const std::vector<SpectralRun>& runs, const CkRequest& request) {
+    CacheKey key;
     key.add(ckTraining).add("runs").add(static_cast<double>(runs.size()));
     for (const SpectralRun& run : runs) {
         const RunGeometry& at = run.geometry;
@@ -115,7 +115,7 @@ std::shared_ptr<const SensorCkData> TabulatedAtmosphere::prepareCk(const CkReque
             return {};
         }
     };
-    return cachedOrTrained(CkStore::ofUser(), keyOf(runs_, request), known.nodes, request.band,
+    return cachedOrTrained(ckStore(), keyOf(runs_, request), known.nodes, request.band,
                            [&] { return SensorCkData::prepare(known, *this, request); });
 }
 

@@ -1,9 +1,14 @@
 #include "irsg/scene/PreparedEntities.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <mutex>
+#include <string>
 
+#include "irsg/core/BuildId.h"
+#include "irsg/core/CacheStore.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/FreedMemory.h"
 
@@ -68,6 +73,72 @@ KnownBodyLight& knownBodyLight() {
     return known;
 }
 
+ExchangeResolution resolutionFor(double error, BodyPlace place, double radius_m) {
+    ExchangeResolution resolution;
+    resolution.edgePerDistance *= ExchangeResolution::spacingFor(error);
+    resolution.isAlone = place == BodyPlace::alone;
+    resolution.hasInsides = resolution.isAlone || place == BodyPlace::overTerrain;
+    if (place == BodyPlace::amongOthers)
+        resolution.longestEdge_m = 2.0 * radius_m / 16.0;
+    return resolution;
+}
+
+std::shared_ptr<const BodyLight> madeLight(const std::shared_ptr<const RayMesh>& facets,
+                                           const PieceUses& uses, double error,
+                                           const ExchangeResolution& resolution) {
+    auto mesh = std::make_shared<ExchangeMesh>(facets, uses, resolution);
+    auto nodes = std::make_shared<const ExchangeNodes>(mesh, resolution);
+    mesh->forgetWays();
+    auto made = std::make_shared<const BodyLight>(std::move(nodes), uses, error);
+    if (facets->facets() > manyFacets)
+        giveBackFreedMemory();
+    return made;
+}
+
+/// What bodies see of themselves, on disk. Large models take as long to read as to compute what
+/// few rays find out.
+std::optional<CacheStore> storeFor(const RayMesh& facets) {
+    return facets.facets() > manyFacets ? std::nullopt
+                                        : CacheStore::ofUser({"exchange", std::uintmax_t{1} << 30});
+}
+
+/// All that it depends on, and by which code it is made. Empty where nobody knows that.
+std::string keyOf(const RayMesh& facets, const PieceUses& uses, double error, BodyPlace place,
+                  const ExchangeResolution& resolution) {
+    if (buildId().empty())
+        return {};
+    CacheKey key;
+    key.add(buildId()).add(error).add(static_cast<double>(place)).add(resolution.longestEdge_m);
+    std::vector<double> corners_m;
+    for (std::size_t piece = 0; piece < facets.pieces(); ++piece) {
+        const PieceUse& use = uses[piece];
+        key.add(static_cast<double>(facets.facetsOf(piece)));
+        key.add(std::array{use.isThere ? 1.0 : 0.0, use.transparent ? 1.0 : 0.0,
+                           use.cullsBackFaces ? 1.0 : 0.0, static_cast<double>(use.layer),
+                           static_cast<double>(use.pane)});
+        for (unsigned f = 0; f < facets.facetsOf(piece); ++f)
+            for (const Vec3& corner_m : facets.facet(piece, f).corners_m)
+                corners_m.insert(corners_m.end(), {corner_m.x, corner_m.y, corner_m.z});
+    }
+    return key.addDigest(corners_m).text();
+}
+
+std::shared_ptr<const BodyLight> keptOrMade(const std::shared_ptr<const RayMesh>& facets,
+                                            const PieceUses& uses, double error, BodyPlace place,
+                                            double radius_m) {
+    const ExchangeResolution resolution = resolutionFor(error, place, radius_m);
+    const std::optional<CacheStore> store = storeFor(*facets);
+    const std::string key = store ? keyOf(*facets, uses, error, place, resolution) : std::string();
+    if (key.empty())
+        return madeLight(facets, uses, error, resolution);
+    if (const auto bytes = store->find(key))
+        if (auto kept = BodyLight::read(facets, *bytes))
+            return kept;
+    auto made = madeLight(facets, uses, error, resolution);
+    store->keep(key, made->written());
+    return made;
+}
+
 } // namespace
 
 const std::shared_ptr<const RayMesh>& PreparedModel::forRays() {
@@ -99,18 +170,7 @@ std::shared_ptr<const BodyLight> PreparedModel::lightBetween(const PieceUses& us
         return known->light;
     if (auto held = knownBodyLight().find(*forRays(), uses, error, place))
         return light.add({uses, error, place, std::move(held)}).light;
-    ExchangeResolution resolution;
-    resolution.edgePerDistance *= ExchangeResolution::spacingFor(error);
-    resolution.isAlone = place == BodyPlace::alone;
-    resolution.hasInsides = resolution.isAlone || place == BodyPlace::overTerrain;
-    if (place == BodyPlace::amongOthers)
-        resolution.longestEdge_m = 2.0 * mesh().sphere.radius_m / 16.0;
-    auto mesh = std::make_shared<ExchangeMesh>(forRays(), uses, resolution);
-    auto nodes = std::make_shared<const ExchangeNodes>(mesh, resolution);
-    mesh->forgetWays();
-    auto made = std::make_shared<const BodyLight>(std::move(nodes), uses, error);
-    if (mesh->rays().facets() > manyFacets)
-        giveBackFreedMemory();
+    auto made = keptOrMade(forRays(), uses, error, place, mesh().sphere.radius_m);
     const KnownLight& added = light.add({uses, error, place, std::move(made)});
     knownBodyLight().add(added);
     return added.light;

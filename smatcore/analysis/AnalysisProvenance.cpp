@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "irsg/core/BuildId.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/ProgramVersion.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
@@ -17,7 +18,6 @@
 #include "smatcore/project/ModelFields.h"
 #include "smatcore/project/SceneScalings.h"
 #include "smatcore/settings/AnalysisSections.h"
-#include "smatcore/support/BuildId.h"
 
 namespace smat {
 
@@ -181,8 +181,8 @@ void writeProvenance(AnalysisData& data, const SceneDescription& scene) {
         }
     }
     tellSampledScales(scene, data.settings, provenance);
-    if (!buildId().empty())
-        provenance.add("build", buildId());
+    if (!irsg::buildId().empty())
+        provenance.add("build", irsg::buildId());
     for (const SummaryItem& item : data.inBand)
         provenance.add(item.label + " [" + item.unit + "]", irsg::numberText(item.value));
     provenance.add("renderer", data.renderer);

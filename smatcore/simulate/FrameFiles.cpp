@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "irsg/core/BuildId.h"
 #include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReplacement.h"
@@ -18,7 +19,6 @@
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/simulate/FramePlaces.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
-#include "smatcore/support/BuildId.h"
 #include "smatcore/support/Folders.h"
 #include "smatcore/support/PartialFile.h"
 
@@ -150,8 +150,8 @@ Provenance sensorProvenance(const LoadedScenario& of, std::size_t sensor,
         }
     }
     tellSampledScales(loaded.scene, loaded.settings, provenance);
-    if (!buildId().empty())
-        provenance.add("build", buildId());
+    if (!irsg::buildId().empty())
+        provenance.add("build", irsg::buildId());
     return provenance;
 }
 

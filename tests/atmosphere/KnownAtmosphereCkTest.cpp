@@ -178,7 +178,7 @@ TEST(KnownAtmosphereCk, IsKeptOnDiskAndFoundByTheNumbersOfTheAir) {
     const auto kept = [&] {
         std::size_t count = 0;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
-            count += entry.path().extension() == ".ck" ? 1 : 0;
+            count += entry.path().extension() == ".cache" ? 1 : 0;
         }
         return count;
     };

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "irsg/atmosphere/ck/CkNodes.h"
-#include "irsg/atmosphere/ck/CkStore.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
+#include "irsg/core/CacheStore.h"
 #include "irsg/core/Errors.h"
 #include "irsg/radiometry/Planck.h"
 #include "irsg/radiometry/Quadrature.h"
@@ -201,19 +201,19 @@ TEST(SensorCkData, AreKeptWithPointsUnderDecimalCommas) {
     CkRequest request;
     request.band = Band::topHat(9.9, 10.2);
     const SensorCkData made = SensorCkData::prepare(transfer, request);
-    const std::string kept = made.cacheText(), key = CkKey().add(0.5).text();
+    const std::string kept = made.cacheText(), key = CacheKey().add(0.5).text();
     const smat::test::DecimalCommas locale("de_DE", folder.path());
     if (!locale.isThere()) {
         GTEST_SKIP() << "de_DE cannot be made here (package locales)";
     }
     EXPECT_EQ(made.cacheText(), kept);
-    EXPECT_EQ(CkKey().add(0.5).text(), key);
+    EXPECT_EQ(CacheKey().add(0.5).text(), key);
     EXPECT_TRUE(SensorCkData::fromCached(CkNodes(transfer, request.band), request.band, kept));
 }
 
 TEST(SensorCkData, AreFoundByAllThatTheyDependOn) {
     auto keyOf = [](const CkRequest& request) {
-        CkKey key;
+        CacheKey key;
         addTo(key, request);
         return key.text();
     };

@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include "irsg/atmosphere/ck/CkNodes.h"
-#include "irsg/atmosphere/ck/CkStore.h"
 #include "irsg/atmosphere/ck/SensorCkData.h"
+#include "irsg/core/CacheStore.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/FileReading.h"
 #include "tests/fuzz/Readers.h"
@@ -30,6 +30,7 @@ const irsg::RadiativeTransfer& air() {
 }
 
 const char* const keptUnder = "a key";
+const irsg::CacheStore::Kind kind{"wideband", 1 << 20};
 
 /// Few bins, since they are looked through at every reading.
 const irsg::Band& narrowBand() {
@@ -60,7 +61,7 @@ void readWidebandText(File file) {
 std::string keptBytes() {
     const fs::path folder =
         fs::temp_directory_path() / ("smat-fuzz-kept-" + std::to_string(getpid()));
-    irsg::CkStore(folder).keep(keptUnder, "points");
+    irsg::CacheStore(folder, kind).keep(keptUnder, "points");
     const std::string bytes = irsg::readFile(fs::directory_iterator(folder)->path());
     fs::remove_all(folder);
     return bytes;
@@ -68,9 +69,9 @@ std::string keptBytes() {
 
 /// A file of the store, which finds it under the name that the key gives it.
 void readKept(File file) {
-    static const irsg::CkStore store = [&] {
+    static const irsg::CacheStore store = [&] {
         const fs::path folder = file.parent_path() / "wideband";
-        irsg::CkStore made(folder);
+        irsg::CacheStore made(folder, kind);
         made.keep(keptUnder, "");
         const fs::path name = fs::directory_iterator(folder)->path();
         fs::remove(name);
@@ -98,7 +99,7 @@ void readBatches(File file) {
 
 std::vector<FuzzedReader> keptReaders() {
     return {
-        {"kept-file", ".ck", readKept, {}, {keptBytes()}},
+        {"kept-file", ".cache", readKept, {}, {keptBytes()}},
         {"kept-points", ".ck", readWidebandText, {}, {widebandText()}},
 #ifdef SMAT_HAS_SCATTERING
         {"mtf-batches",

@@ -2,14 +2,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "irsg/radiance/exchange/LightSolution.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/scene/PreparedEntities.h"
 #include "tests/support/RaysTest.h"
 #include "tests/support/RevolvedMeshes.h"
+#include "tests/support/TemporaryFolder.h"
 
 using namespace irsg;
 using namespace irsg::test;
@@ -135,6 +140,75 @@ TEST_F(TurnedBodies, HaveTheSameNumbersFromWhatIsKeptOfThem) {
         }
         EXPECT_GT(once.size(), 1000u);
     }
+}
+
+TEST_F(TurnedBodies, AreReadAsTheyWereWritten) {
+    const SampleBody body;
+    const std::string bytes = body.light->written();
+    EXPECT_GT(body.light->passages().size(), 1u) << "what is seen through the pane";
+    for (const double yaw_rad : {0.0, 0.7}) {
+        const SunShadows::Caster caster = body.at(0, {0, 0, 500}, yaw_rad, 0);
+        const auto read = BodyLight::read(body.rays, bytes);
+        ASSERT_NE(read, nullptr);
+        for (int i = 0; i < 3; ++i) { // the second time with what is kept of it
+            EXPECT_EQ(numbersOf(exchangeOf({caster}, {read})),
+                      numbersOf(exchangeOf({caster}, {body.light})))
+                << yaw_rad;
+        }
+        EXPECT_TRUE(read->written() == bytes);
+        EXPECT_EQ(read->error(), body.light->error());
+    }
+    for (std::size_t part = 1; part < 64; ++part) {
+        EXPECT_EQ(BodyLight::read(body.rays, bytes.substr(0, bytes.size() * part / 64)), nullptr)
+            << part;
+    }
+    EXPECT_EQ(BodyLight::read(body.rays, bytes + "x"), nullptr);
+    EXPECT_EQ(BodyLight::read(RayMesh::of(modelOf(disc(1.0, 0.0, {1, 1}))->mesh()), bytes),
+              nullptr);
+}
+
+TEST_F(TurnedBodies, AreKeptOnDiskByAllThatTheyDependOn) {
+    const smat::test::TemporaryFolder folder;
+    setenv("SMAT_CACHE", folder.path().c_str(), 1);
+    const auto kept = [&] {
+        std::size_t count = 0;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
+            count += entry.is_regular_file() ? 1 : 0;
+        }
+        return count;
+    };
+    const auto bytesOf = [](double radius_m, double error, BodyPlace place, bool cullsBackFaces) {
+        Triangles all = disc(radius_m, 0.0, {1, 1});
+        const Triangles over = disc(0.5, 0.4, {2, 2}, false);
+        all.insert(all.end(), over.begin(), over.end());
+        PreparedModel model{.model = modelOf(all)};
+        PieceUses uses(model.mesh().pieces.size());
+        for (std::size_t i = 0; i < model.mesh().pieces.size(); ++i) {
+            uses.set(i, {true, false, cullsBackFaces, 0, 0});
+        }
+        return model.lightBetween(uses, error, place)->written();
+    };
+    const std::string first = bytesOf(1.0, 0.01, BodyPlace::alone, false);
+    EXPECT_EQ(kept(), 1u);
+    EXPECT_TRUE(bytesOf(1.0, 0.01, BodyPlace::alone, false) == first);
+    EXPECT_EQ(kept(), 1u);
+    bytesOf(static_cast<double>(std::nextafter(1.0f, 2.0f)), 0.01, BodyPlace::alone, false);
+    bytesOf(1.0, 0.02, BodyPlace::alone, false);
+    bytesOf(1.0, 0.01, BodyPlace::overTerrain, false);
+    bytesOf(1.0, 0.01, BodyPlace::alone, true);
+    EXPECT_EQ(kept(), 5u);
+
+    // What is damaged is made anew, and what nobody may keep is made as well.
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path())) {
+        if (entry.is_regular_file()) {
+            std::filesystem::resize_file(entry.path(), entry.file_size() - 1);
+        }
+    }
+    EXPECT_TRUE(bytesOf(1.0, 0.01, BodyPlace::alone, false) == first);
+    EXPECT_TRUE(bytesOf(1.0, 0.01, BodyPlace::alone, false) == first);
+    setenv("SMAT_CACHE", "", 1);
+    EXPECT_TRUE(bytesOf(1.0, 0.01, BodyPlace::alone, false) == first);
+    EXPECT_EQ(kept(), 5u);
 }
 
 TEST_F(TurnedBodies, LoseSkyAndGroundAsTheyTurn) {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <sstream>
 
-#include "irsg/atmosphere/ck/CkStore.h"
 #include "irsg/atmosphere/ck/CkTraining.h"
+#include "irsg/core/CacheStore.h"
 #include "irsg/core/CsvTable.h"
 #include "irsg/core/Errors.h"
 
@@ -48,9 +48,9 @@ SensorCkData SensorCkData::prepare(const CkAtmosphere& known, const Atmosphere& 
     return data;
 }
 
-void addTo(CkKey& key, const CkRequest& request) {
+void addTo(CacheKey& key, const CkRequest& request) {
     key.add(request.band.range().min_um).add(request.band.range().max_um);
-    key.add(request.band.response());
+    addTo(key, request.band.response());
     key.add(request.sun.azimuth_rad).add(request.sun.elevation_rad).add(request.sun.distance_au);
     key.add(static_cast<double>(request.paths.size()));
     for (const AtmosphericPath& path : request.paths)
@@ -61,13 +61,17 @@ void addTo(CkKey& key, const CkRequest& request) {
     for (const auto* kind : {&request.materials, &request.radiances}) {
         key.add(static_cast<double>(kind->size()));
         for (const Spectrum* spectrum : *kind)
-            key.add(*spectrum);
+            addTo(key, *spectrum);
     }
     key.add(request.largestError).add(static_cast<double>(request.mostPoints));
 }
 
+void addTo(CacheKey& key, const Spectrum& spectrum) {
+    key.add(spectrum.wavelengths_um()).add(spectrum.values());
+}
+
 std::string SensorCkData::cacheText() const {
-    CkKey text;
+    CacheKey text;
     text.add(static_cast<double>(size()));
     for (const double error : {largestError_, rmsError_, heldOutError_, heldOutRms_})
         text.add(error);

@@ -27,12 +27,14 @@ struct CkRequest {
     std::size_t mostPoints = 250;
 };
 class Atmosphere;
-class CkKey;
+class CacheKey;
 class CkNodes;
 struct CkAtmosphere;
 struct SparseWeights;
 /// Adds all of a request to what its points are found by, and what training itself is.
-void addTo(CkKey& key, const CkRequest& request);
+void addTo(CacheKey& key, const CkRequest& request);
+/// Adds nodes and values; a constant has a value and no wavelength.
+void addTo(CacheKey& key, const Spectrum& spectrum);
 
 /// Wideband correlated-k (F17): a few monochromatic quadrature points that stand for a sensor's
 /// whole band.

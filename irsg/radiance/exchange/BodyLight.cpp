@@ -131,10 +131,21 @@ BodyLight::LightStart BodyLight::Rays::at(std::uint32_t index) const {
 
 std::shared_ptr<const TurnedBody> BodyLight::turned() const {
     const std::lock_guard lock(turning_);
-    if (atHand_)
-        return std::exchange(atHand_, nullptr);
+    if (!std::exchange(wasAskedForRays_, true))
+        return atHand_ ? std::exchange(atHand_, nullptr) : raysByCells();
     if (turned_)
         return turned_;
+    std::shared_ptr<TurnedBody> made = raysByCells();
+    made->areas_m2.resize(mesh().cells());
+    made->normals.resize(mesh().cells());
+    parallelForSmall(mesh().cells(), [&](std::uint32_t cell) {
+        made->areas_m2[cell] = mesh().area_m2(cell);
+        made->normals[cell] = mesh().normal(cell);
+    });
+    return turned_ = std::move(made);
+}
+
+std::shared_ptr<TurnedBody> BodyLight::raysByCells() const {
     auto made = std::make_shared<TurnedBody>();
     made->rays.resize(sent_.size());
     parallelForSmall(sent_.size(), [&](std::uint32_t patch) {
@@ -147,18 +158,13 @@ std::shared_ptr<const TurnedBody> BodyLight::turned() const {
                                  : RayStart(rays.at(all[i].index)));
         made->rays[patch] = byCells(starts);
     });
-    made->areas_m2.resize(mesh().cells());
-    made->normals.resize(mesh().cells());
-    parallelForSmall(mesh().cells(), [&](std::uint32_t cell) {
-        made->areas_m2[cell] = mesh().area_m2(cell);
-        made->normals[cell] = mesh().normal(cell);
-    });
-    return turned_ = std::move(made);
+    return made;
 }
 
 void BodyLight::forgetRays() const {
     const std::lock_guard lock(turning_);
     atHand_ = nullptr;
+    wasAskedForRays_ = true;
 }
 
 BodyLight::BodyLight(std::shared_ptr<const ExchangeNodes> nodes, const PieceUses& uses,

@@ -6,6 +6,8 @@
 #include <memory>
 #include <mutex>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "irsg/radiance/OccluderStacks.h"
@@ -74,6 +76,13 @@ class BodyLight {
     /// the surface that sees anything.
     BodyLight(std::shared_ptr<const ExchangeNodes> nodes, const PieceUses& uses, double error);
 
+    /// As it was written, of a model of the same facets; nothing where the bytes are not those of
+    /// one.
+    static std::shared_ptr<const BodyLight> read(std::shared_ptr<const RayMesh> mesh,
+                                                 std::string_view bytes);
+    /// With its mesh and nodes.
+    std::string written() const;
+
     const ExchangeNodes& nodes() const { return *nodes_; }
     const ExchangeMesh& mesh() const { return nodes_->mesh(); }
     /// By node and by sender, of what is seen through nothing, and through others of `passages`.
@@ -100,8 +109,9 @@ class BodyLight {
     std::span<const LightRay> raysOf(std::uint32_t patch) const {
         return std::span(rays_).subspan(first_[patch], first_[patch + 1] - first_[patch]);
     }
-    /// The same rays by cells. At first what is at hand since they were sent; who asks again has
-    /// turned the body and will do so again, so that it is kept: 24 bytes a ray and 32 a cell.
+    /// The same rays by cells. At first the rays alone, as they are at hand since they were sent;
+    /// who asks again has turned the body and will do so again, so that all is kept: 24 bytes a ray
+    /// and 32 a cell.
     std::shared_ptr<const TurnedBody> turned() const;
     /// Leaves out what is at hand, since nobody will ask for it.
     void forgetRays() const;
@@ -126,6 +136,9 @@ class BodyLight {
     static void sortPassed(const PieceUses& uses, std::vector<RayHit>& through);
 
   private:
+    BodyLight() = default;
+    template <typename Light, typename Archive>
+    static void visitKept(Light& light, Archive& archive);
     struct Sending;
     class Errors;
     struct Uses;
@@ -136,6 +149,7 @@ class BodyLight {
     void gather(std::vector<Sending>& sendings, const PieceUses& uses);
     /// Numbers what the rays of a patch pass.
     void numberPassages(Sending& sending, const PieceUses& uses);
+    std::shared_ptr<TurnedBody> raysByCells() const;
 
     std::shared_ptr<const ExchangeNodes> nodes_;
     std::vector<std::uint32_t> sent_; // by patch
@@ -151,6 +165,7 @@ class BodyLight {
     bool isLimited_ = false;
     mutable std::mutex turning_;
     mutable std::shared_ptr<const TurnedBody> atHand_, turned_;
+    mutable bool wasAskedForRays_ = false;
 };
 
 } // namespace irsg

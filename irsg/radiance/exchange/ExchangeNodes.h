@@ -41,6 +41,11 @@ class ExchangeNodes {
 
     ExchangeNodes(std::shared_ptr<const ExchangeMesh> mesh, const ExchangeResolution& resolution);
 
+    /// As they were written, of the same mesh.
+    static std::shared_ptr<const ExchangeNodes> read(std::shared_ptr<const ExchangeMesh> mesh,
+                                                     BinaryReader& reader);
+    void write(BinaryWriter& writer) const;
+
     const ExchangeMesh& mesh() const { return *mesh_; }
     const std::shared_ptr<const ExchangeMesh>& shared() const { return mesh_; }
     std::size_t nodes() const { return pieceOf_.size(); }
@@ -101,6 +106,9 @@ class ExchangeNodes {
     Start start(std::uint32_t patch, double which, double a, double b) const;
 
   private:
+    ExchangeNodes() = default;
+    template <typename Nodes, typename Archive>
+    static void visitKept(Nodes& nodes, Archive& archive);
     struct FewNodes;
     struct OfPiece;
     /// How far apart nodes are: as what they see is far away, within bounds.

@@ -40,6 +40,12 @@ class LightPairs {
     };
     /// Those of blocks, one behind the other.
     explicit LightPairs(std::span<const Block> blocks);
+    /// Calls archive(list) for all lists that it is made of, to read or to write them.
+    template <typename Pairs, typename Archive>
+    static void visitKept(Pairs& pairs, Archive& archive) {
+        archive(pairs.first_);
+        archive(pairs.pairs_);
+    }
     std::size_t receivers() const { return first_.empty() ? 0 : first_.size() - 1; }
     std::size_t size() const { return pairs_.size(); }
     std::pair<const LightPair*, const LightPair*> of(std::size_t receiver) const {

@@ -50,6 +50,35 @@ ExchangeMesh::ExchangeMesh(std::shared_ptr<const RayMesh> mesh, const PieceUses&
     connectVertices(uneven);
 }
 
+template <typename Mesh, typename Archive>
+void ExchangeMesh::visitKept(Mesh& mesh, Archive& archive) {
+    archive(mesh.firstFacet_);
+    archive(mesh.rootOf_);
+    archive(mesh.splits_);
+    archive(mesh.sideOf_);
+    archive(mesh.othersBefore_);
+    archive(mesh.onFacet_);
+    archive(mesh.corners_);
+    archive(mesh.sees_);
+    archive(mesh.vertices_);
+    archive(mesh.extent_m_);
+    archive(mesh.fineness_);
+}
+
+std::shared_ptr<const ExchangeMesh> ExchangeMesh::read(std::shared_ptr<const RayMesh> mesh,
+                                                       BinaryReader& reader) {
+    std::shared_ptr<ExchangeMesh> made(new ExchangeMesh);
+    visitKept(*made, reader);
+    if (made->firstFacet_.size() != mesh->pieces() || made->rootOf_.size() != 2 * mesh->facets())
+        return nullptr;
+    made->mesh_ = std::move(mesh);
+    return made;
+}
+
+void ExchangeMesh::write(BinaryWriter& writer) const {
+    visitKept(*this, writer);
+}
+
 ExchangeMesh::Place ExchangeMesh::placeOf(const RayHit& hit) const {
     const std::size_t side =
         2 * static_cast<std::size_t>(firstFacet_[static_cast<std::size_t>(hit.piece)] + hit.facet) +

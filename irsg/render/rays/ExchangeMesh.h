@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "irsg/core/BinaryArchive.h"
 #include "irsg/geometry/view/Vec3.h"
 #include "irsg/render/rays/FacetDivision.h"
 #include "irsg/render/rays/RayMesh.h"
@@ -77,6 +78,12 @@ class ExchangeMesh {
     ExchangeMesh(std::shared_ptr<const RayMesh> mesh, const PieceUses& uses,
                  const ExchangeResolution& resolution);
 
+    /// As it was written, of the same mesh; nothing where the bytes are not those of one.
+    static std::shared_ptr<const ExchangeMesh> read(std::shared_ptr<const RayMesh> mesh,
+                                                    BinaryReader& reader);
+    /// What is left after forgetWays.
+    void write(BinaryWriter& writer) const;
+
     const RayMesh& rays() const { return *mesh_; }
     std::size_t cells() const { return sideOf_.size(); }
     const std::vector<Vertex>& vertices() const { return vertices_; }
@@ -120,6 +127,9 @@ class ExchangeMesh {
     using Split = FacetDivision::Split;
     using CellPair = std::pair<std::uint32_t, std::uint32_t>;
     struct Making;
+    ExchangeMesh() = default;
+    template <typename Mesh, typename Archive>
+    static void visitKept(Mesh& mesh, Archive& archive);
     void addCells(Making& making);
     /// Returns cells that continue each other where they share one vertex at most.
     std::vector<CellPair> joinVertices(Making& making);

@@ -1,16 +1,17 @@
-#include "smatcore/support/BuildId.h"
+#include "irsg/core/BuildId.h"
 
 #include <cstring>
 #include <filesystem>
 #include <set>
+#include <span>
 #include <string_view>
 
 #include <elf.h>
 #include <link.h>
 
-#include "irsg/signature/Sha256.h"
+#include "irsg/core/CacheStore.h"
 
-namespace smat {
+namespace irsg {
 namespace {
 
 constexpr std::size_t aligned(std::size_t size_B) {
@@ -72,9 +73,11 @@ const std::string& buildId() {
         std::string all;
         for (const std::string& each : libraries)
             all += each;
-        return all.empty() ? all : irsg::sha256(all).substr(0, 16);
+        return all.empty()
+                   ? all
+                   : ContentDigest().add(std::as_bytes(std::span(all))).text().substr(0, 16);
     }();
     return id;
 }
 
-} // namespace smat
+} // namespace irsg
