@@ -27,6 +27,18 @@ Vec3 levelOf(const Vec3& direction, const Vec3& zenith) {
     return normalized(cross(std::abs(zenith.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}, zenith));
 }
 
+/// A spread that is at least `all` in every direction: what is wider than samples lie apart falls
+/// between none, and widening it would move the sun's glint.
+SlopeSpread atLeast(const SlopeSpread& spread, double all) {
+    const double mean = 0.5 * (spread.xx + spread.yy), half = 0.5 * (spread.xx - spread.yy);
+    const double apart = std::hypot(half, spread.xy);
+    const double most = std::max(mean + apart, all), least = std::max(mean - apart, all);
+    // Along the axes of the spread.
+    const double level = 0.5 * (most + least),
+                 tilt = apart > 0.0 ? 0.5 * (most - least) / apart : 0.0;
+    return {level + tilt * half, tilt * spread.xy, level - tilt * half};
+}
+
 } // namespace
 
 /// Of a piece of the samples.
@@ -56,14 +68,15 @@ SlopeSpread LobeQuadrature::spreadOf(const Tile& own, int row, int column,
     if (!samples.isOpaque(layer.sample) ||
         static_cast<int>(samples.opaque[4 * std::size_t{layer.sample}]) - 1 != layer.layer.row)
         return spread;
+    SlopeSpread between;
     for (const bool isDown : {false, true}) {
         const SurfaceDirection bend = layer.axes.of(
             own.change(samples, layer.sample, column, row, isDown, making_.roles.size()));
-        spread.xx += 2.0 * bend.x * bend.x;
-        spread.xy += 2.0 * bend.x * bend.y;
-        spread.yy += 2.0 * bend.y * bend.y;
+        between.xx += bend.x * bend.x;
+        between.xy += bend.x * bend.y;
+        between.yy += bend.y * bend.y;
     }
-    return spread;
+    return atLeast(between, spread.xx);
 }
 
 void LobeQuadrature::addByTable(const Tile& own, const DirectionalLayer& layer,

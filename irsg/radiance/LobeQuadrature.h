@@ -38,8 +38,8 @@ namespace irsg {
 /// counts by the balance heuristic of Veach and Guibas 1995 (Optimally combining sampling
 /// techniques for Monte Carlo rendering, SIGGRAPH).
 ///
-/// Lobes are as wide as the sun's disc and as what normals differ by between samples, so that no
-/// glint falls between these.
+/// Lobes are wider by the sun's disc, and at least as wide as what normals differ by between
+/// samples, so that no glint falls between these.
 class LobeQuadrature {
   public:
     struct Making {

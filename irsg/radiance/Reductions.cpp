@@ -48,11 +48,18 @@ SurfaceRadiometry* surfaceIn(ObjectRadiometry& object, const std::vector<std::si
                : &object.surfaces[places[static_cast<std::size_t>(rows.surfaceOf(drawn))]];
 }
 
+bool isOf(SummedRows of, const SurfaceRows& rows, int drawn) {
+    return of == SummedRows::all || rows.isLobe(drawn);
+}
+
 /// Adds the light between surfaces to the sums over objects.
 void addLightBetween(const LightSums& sums, SceneLight& light, const SurfaceRows& rows,
                      const std::vector<double>& ranges_m, const std::vector<std::size_t>& surfaces,
-                     std::vector<ObjectSums>& result) {
-    const std::vector<SurfaceStackId> kinds = light.inOrder(sums);
+                     SummedRows of, std::vector<ObjectSums>& result) {
+    std::vector<SurfaceStackId> kinds = light.inOrder(sums);
+    std::erase_if(kinds, [&](const SurfaceStackId& kind) {
+        return !isOf(of, rows, rows.renderedOf(kind.row));
+    });
     const auto addTo = [&](const SurfaceStackId& kind, std::size_t output, double plain_W_m2,
                            double cosine_W_m2) {
         const int drawn = rows.renderedOf(kind.row);
@@ -110,7 +117,7 @@ namespace {
 std::vector<ObjectSums> sumsOf(const ViewGeometry& view, const SurfaceRadianceTable& radiances,
                                SceneLight* light, const SurfaceRows& rows,
                                const std::vector<double>& ranges_m, const std::vector<int>& varying,
-                               bool bySurface) {
+                               bool bySurface, SummedRows of = SummedRows::all) {
     const ViewLayout& layout = view.layout;
     struct Seen {
         std::size_t entity;
@@ -122,6 +129,8 @@ std::vector<ObjectSums> sumsOf(const ViewGeometry& view, const SurfaceRadianceTa
     view.field.forEach(0, [&](std::size_t number, std::span<const double> numbers) {
         const SurfaceStackId& kind = view.field.kinds()[number];
         const int drawn = rows.renderedOf(kind.row);
+        if (!isOf(of, rows, drawn))
+            return;
         seen.push_back({static_cast<std::size_t>(rows.keyOf(drawn).first), drawn, numbers.data(),
                         radiances.inOutputs(kind)});
     });
@@ -176,7 +185,7 @@ std::vector<ObjectSums> sumsOf(const ViewGeometry& view, const SurfaceRadianceTa
                 add(one, output);
     });
     if (light)
-        addLightBetween(view.light, *light, rows, ranges_m, surfaces, result);
+        addLightBetween(view.light, *light, rows, ranges_m, surfaces, of, result);
     for (ObjectSums& sums : result)
         for (const ObjectRadiometry& object : sums.objects)
             sums.all.addSums(object);
@@ -197,13 +206,14 @@ std::vector<ObjectSums> objectSums(const ViewGeometry& view, SurfaceRadianceTabl
 std::vector<std::vector<ObjectSums>>
 sublatticeDifferenceSums(const ViewGeometry& view, SurfaceRadianceTable& radiances,
                          SceneLight* light, const SurfaceRows& rows,
-                         const std::vector<double>& ranges_m, const std::vector<int>& varying) {
+                         const std::vector<double>& ranges_m, const std::vector<int>& varying,
+                         SummedRows of) {
     for (const ViewGeometry& contrast : view.sublatticeDifferences)
         radiances.prepare(contrast.field.kinds());
     std::vector<std::vector<ObjectSums>> all(view.sublatticeDifferences.size());
     const auto sum = [&](std::size_t k) {
-        all[k] =
-            sumsOf(view.sublatticeDifferences[k], radiances, light, rows, ranges_m, varying, false);
+        all[k] = sumsOf(view.sublatticeDifferences[k], radiances, light, rows, ranges_m, varying,
+                        false, of);
     };
     prepareReceivers(view.sublatticeDifferences, light);
     // Else light between surfaces is prepared as it is asked for.

@@ -29,11 +29,16 @@ std::vector<ObjectSums> objectSums(const ViewGeometry& view, SurfaceRadianceTabl
                                    const std::vector<double>& ranges_m,
                                    const std::vector<int>& varying, bool bySurface = false);
 
-/// The same of each contrast of a view.
+/// Of which rows sums are.
+enum class SummedRows { all, lobes };
+
+/// The same of each contrast of a view, in all rows or only in those of lobes: what directional
+/// surfaces send beside Lambertian ones.
 std::vector<std::vector<ObjectSums>>
 sublatticeDifferenceSums(const ViewGeometry& view, SurfaceRadianceTable& radiances,
                          SceneLight* light, const SurfaceRows& rows,
-                         const std::vector<double>& ranges_m, const std::vector<int>& varying);
+                         const std::vector<double>& ranges_m, const std::vector<int>& varying,
+                         SummedRows of = SummedRows::all);
 
 /// Adds the pixels of a view to a frame. `light`: between surfaces, or null.
 void addPixels(const PixelGeometry& pixels, int width_px, SurfaceRadianceTable& radiances,

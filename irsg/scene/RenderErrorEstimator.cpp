@@ -24,9 +24,9 @@ constexpr double squareOfBoth = 0.707;
 /// or columns make it large, which rows that are sheared and tilted take out of the sum, but not
 /// out of a lattice of half their frequency: twice to four times what simulated edges have.
 constexpr double ofAligned = 0.25;
-/// The same of objects with directional surfaces. Their lobes are drawn at least as wide as samples
-/// lie apart, on all lattices alike, which contrasts do not show, and a few samples have most of a
-/// glint; measured, see docs/errors.md.
+/// The same of what directional surfaces send beside Lambertian ones. Their lobes are drawn at
+/// least as wide as samples lie apart, on all lattices alike, which contrasts do not show, and a
+/// few samples have most of a glint; measured, see docs/errors.md.
 constexpr double errorPerDifferenceOfLobes = 2.5;
 /// Of the difference to bins that are the next narrower: those have an error, too.
 constexpr double ofNarrower = 1.5;
@@ -66,23 +66,20 @@ struct SquaresOfSums {
         contrast.add(difference, count, sums.contrastIntensity_W_sr);
         irradiance.add(difference, count, sums.irradiance_W_m2);
     }
-    RadiometryErrors errors(bool haveLobes) const {
-        const double scale = haveLobes ? errorPerDifferenceOfLobes : errorPerDifference;
-        RadiometryErrors errors;
-        errors.intensity_W_sr.sampling = scale * std::sqrt(intensity.energy());
-        errors.contrastIntensity_W_sr.sampling = scale * std::sqrt(contrast.energy());
-        errors.irradiance_W_m2.sampling = scale * std::sqrt(irradiance.energy());
-        return errors;
-    }
 };
 
-/// Which entities have directional surfaces, by entity, and whether any has.
-std::vector<bool> haveLobes(const SurfaceRows& rows, std::size_t entities) {
-    std::vector<bool> have(entities + 1, false);
-    for (std::size_t drawn = 0; drawn < rows.keys().size(); ++drawn)
-        if (rows.firstLobe(static_cast<int>(drawn)) >= 0)
-            have[static_cast<std::size_t>(rows.keys()[drawn].first)] = have.back() = true;
-    return have;
+/// Of what is in all rows and of what is in those of lobes, which is in both.
+RadiometryErrors errorsOf(const SquaresOfSums& all, const SquaresOfSums& lobes) {
+    const auto of = [](const Squares& every, const Squares& directional) {
+        constexpr double plain = errorPerDifference * errorPerDifference,
+                         more = errorPerDifferenceOfLobes * errorPerDifferenceOfLobes - plain;
+        return std::sqrt(plain * every.energy() + more * directional.energy());
+    };
+    RadiometryErrors errors;
+    errors.intensity_W_sr.sampling = of(all.intensity, lobes.intensity);
+    errors.contrastIntensity_W_sr.sampling = of(all.contrast, lobes.contrast);
+    errors.irradiance_W_m2.sampling = of(all.irradiance, lobes.irradiance);
+    return errors;
 }
 
 /// Of samples alone, in the outputs of an evaluation. `varying`: see objectSums.
@@ -90,22 +87,28 @@ ErrorsByOutput ofSamples(const Frame& frame, const ViewGeometry& factors, Evalua
                          SceneLight* light, const std::vector<int>& varying) {
     const SurfaceRows& rows = evaluated.radiometry.rows();
     const std::vector<double> ranges_m = frame.evaluation().ranges_m();
-    std::vector<std::vector<SquaresOfSums>> squares(
-        varying.size(), std::vector<SquaresOfSums>(frame.evaluation().geometry.size() + 1));
-    const auto differences =
-        sublatticeDifferenceSums(factors, evaluated.radiances, light, rows, ranges_m, varying);
-    for (std::size_t k = 0; k < differences.size(); ++k)
-        for (std::size_t output = 0; output < varying.size(); ++output) {
-            const ObjectSums& sums = differences[k][output];
-            for (std::size_t e = 0; e < ranges_m.size(); ++e)
-                squares[output][e].add(k, differences.size(), sums.objects[e]);
-            squares[output].back().add(k, differences.size(), sums.all);
-        }
-    const std::vector<bool> lobes = haveLobes(rows, ranges_m.size());
+    using SquaresByOutput = std::vector<std::vector<SquaresOfSums>>; // those of each entity, of all
+    const auto squaresOf = [&](SummedRows of) {
+        SquaresByOutput squares(varying.size(),
+                                std::vector<SquaresOfSums>(frame.evaluation().geometry.size() + 1));
+        if (of == SummedRows::lobes && rows.lobes().empty())
+            return squares;
+        const auto differences = sublatticeDifferenceSums(factors, evaluated.radiances, light, rows,
+                                                          ranges_m, varying, of);
+        for (std::size_t k = 0; k < differences.size(); ++k)
+            for (std::size_t output = 0; output < varying.size(); ++output) {
+                const ObjectSums& sums = differences[k][output];
+                for (std::size_t e = 0; e < ranges_m.size(); ++e)
+                    squares[output][e].add(k, differences.size(), sums.objects[e]);
+                squares[output].back().add(k, differences.size(), sums.all);
+            }
+        return squares;
+    };
+    const SquaresByOutput all = squaresOf(SummedRows::all), lobes = squaresOf(SummedRows::lobes);
     ErrorsByOutput errors(varying.size());
     for (std::size_t output = 0; output < errors.size(); ++output)
-        for (std::size_t e = 0; e < squares[output].size(); ++e)
-            errors[output].push_back(squares[output][e].errors(lobes[e]));
+        for (std::size_t e = 0; e < all[output].size(); ++e)
+            errors[output].push_back(errorsOf(all[output][e], lobes[output][e]));
     return errors;
 }
 

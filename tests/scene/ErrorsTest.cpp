@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <vector>
 
@@ -208,6 +209,56 @@ TEST(ErrorsOfScenes, OfLevelEdgesAreNotThoseOfEverySecondRow) {
     }
     EXPECT_GE(covered, count - 1);
     EXPECT_LT(stated, 0.01);
+}
+
+TEST(ErrorsOfScenes, OfLobesAreLargerInWhatLobesSendAlone) {
+    struct Ball {
+        const char* model;
+        double roughness, emissivity, temperature_K, sun;
+    };
+    struct Stated {
+        double mean = 0.0; // of the intensity
+        int covered = 0;
+    };
+    constexpr int count = 16;
+    const auto statedOf = [](const Ball& ball) {
+        SignatureDatabase database = greyDatabase(ball.emissivity, ball.temperature_K);
+        database.materials[1].surfaceModel = ball.model;
+        database.materials[1].roughness = ball.roughness;
+        ConstantAtmosphere air;
+        air.sunValue = ball.sun;
+        InteractiveRenderer irsg{RenderSettings::direct()};
+        irsg.scene.environment = environmentOf(air, {0.7, 0.3});
+        irsg.scene.settings.ambientReflection = ReflectionMode::off;
+        irsg.scene.settings.background = BackgroundMode::none;
+        irsg.scene.entities = {entityOf(modelOf(sphereMesh(1.0, 96, 192, {1, 1})), database)};
+        Stated stated;
+        for (int i = 0; i < count; ++i) {
+            look(irsg, {.range_m = 3000.0 + 41.0 * i,
+                        .elevation_rad = 0.3,
+                        .width_px = 64,
+                        .height_px = 64,
+                        .fieldOfView_rad = 0.002});
+            irsg.scene.settings.tileSide_samples = 128;
+            const ObjectRadiometry own = measured(irsg, true).all;
+            irsg.scene.settings.tileSide_samples = 1024;
+            const double truth = measured(irsg, false).all.intensity_W_sr;
+            stated.mean += own.errors->intensity_W_sr.sampling / truth / count;
+            stated.covered +=
+                std::abs(own.intensity_W_sr - truth) <= own.errors->intensity_W_sr.sampling ? 1 : 0;
+        }
+        return stated;
+    };
+    // Paint that is warm sends nearly all of it as if it were Lambertian.
+    const Stated plain = statedOf({"", 0.0, 0.9, 300.0, 0.0}),
+                 painted = statedOf({"ggx", 0.3, 0.9, 300.0, 0.0}),
+                 glint = statedOf({"ggx", 0.3, 0.1, 2.0, 1.0});
+    std::printf("  stated: Lambertian %.2e, painted %.2e, glint %.2e\n", plain.mean, painted.mean,
+                glint.mean);
+    EXPECT_NEAR(painted.mean / plain.mean, 1.0, 0.3);
+    for (const Stated& one : {plain, painted, glint}) {
+        EXPECT_GE(one.covered, count - 1);
+    }
 }
 
 TEST(ErrorsOfScenes, AreOfferedOnRequestAndChangeNoNumber) {

@@ -239,7 +239,8 @@ void ExchangeNodes::placeNodes(const ExchangeResolution& resolution) {
     };
     // Simple models have finer ones: the finest that does, from the coarsest on, which takes the
     // least time to find out about.
-    double least_m = 0.25 * std::sqrt(area_m2 / static_cast<double>(resolution.mostNodes));
+    const double finest_m = 0.25 * std::sqrt(area_m2 / static_cast<double>(resolution.evenNodes));
+    double least_m = finest_m;
     std::vector<double> finer{mesh_->fineness()};
     while (finer.back() < 0.99)
         finer.push_back(finer.back() * std::sqrt(2.0));
@@ -255,7 +256,7 @@ void ExchangeNodes::placeNodes(const ExchangeResolution& resolution) {
     }
     if (isFine || least_m >= mesh_->extent_m())
         placeAll(pieces, *mesh_, spacingWith(isFine ? fineness_ : 1.0, least_m), allNodes);
-    coarseness_ = 4.0 * least_m / std::sqrt(area_m2 / static_cast<double>(resolution.mostNodes));
+    coarseness_ = finest_m > 0.0 ? least_m / finest_m : 1.0;
     takeShares(pieces);
     placeSenders(pieces, spacingWith(fineness_, least_m), resolution);
 }
