@@ -239,7 +239,7 @@ void ExchangeNodes::placeNodes(const ExchangeResolution& resolution) {
     };
     // Simple models have finer ones: the finest that does, from the coarsest on, which takes the
     // least time to find out about.
-    const double finest_m = 0.25 * std::sqrt(area_m2 / static_cast<double>(resolution.evenNodes));
+    const double finest_m = 0.25 * std::sqrt(area_m2 / static_cast<double>(resolution.mostNodes));
     double least_m = finest_m;
     std::vector<double> finer{mesh_->fineness()};
     while (finer.back() < 0.99)
@@ -250,15 +250,22 @@ void ExchangeNodes::placeNodes(const ExchangeResolution& resolution) {
     // Small ones are left out first where there would be too many: what is small matters less.
     // However far apart, each piece and each way that it looks has one.
     const bool isFine = fineness_ < 0.99;
-    while (!isFine && !fits(1.0, least_m, resolution.mostNodes) && least_m < mesh_->extent_m()) {
+    ExchangeResolution limits = resolution;
+    while (!isFine && !fits(1.0, least_m, limits.mostNodes) && least_m < mesh_->extent_m()) {
         isLimited = true;
         least_m *= 1.2;
+        if (limits.mostNodes < resolution.mostNodesOfDetail &&
+            least_m > resolution.mostCoarseness * finest_m) {
+            limits.mostNodes = resolution.mostNodesOfDetail;
+            limits.mostSenders = resolution.mostSendersOfDetail;
+            least_m = finest_m;
+        }
     }
     if (isFine || least_m >= mesh_->extent_m())
         placeAll(pieces, *mesh_, spacingWith(isFine ? fineness_ : 1.0, least_m), allNodes);
     coarseness_ = finest_m > 0.0 ? least_m / finest_m : 1.0;
     takeShares(pieces);
-    placeSenders(pieces, spacingWith(fineness_, least_m), resolution);
+    placeSenders(pieces, spacingWith(fineness_, least_m), limits);
 }
 
 /// Vertices are numbered piece by piece, so that some pieces at once do.

@@ -30,11 +30,12 @@ struct ExchangeResolution {
     double longestOfExtent = 0.05;
     /// What is small is divided less and has fewer nodes where there would be more. Of more than a
     /// few, those near each other send as one.
-    std::size_t mostCells = 150'000, mostNodes = 48'000, mostSenders = 12'000;
+    std::size_t mostCells = 150'000, mostNodes = 16'000, mostSenders = 4'000;
     /// Lengths are down to a quarter of these where so many are enough; so few senders send alone.
     std::size_t fewCells = 16'000, fewNodes = 4'000, fewSenders = 1'000;
-    /// Nodes are apart at least a quarter of what so many would be that were spread evenly.
-    std::size_t evenNodes = 16'000;
+    /// The same of models whose nodes would be coarser, see ExchangeNodes::coarseness.
+    double mostCoarseness = 2.0;
+    std::size_t mostNodesOfDetail = 48'000, mostSendersOfDetail = 12'000;
     /// Whether spaces inside are told apart, which nobody looks at from within.
     bool hasInsides = false;
     /// Whether there is nothing else near: then a convex body has no cells, which nobody lights.
