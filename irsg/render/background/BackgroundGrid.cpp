@@ -100,7 +100,8 @@ BackgroundGrid::BackgroundGrid(const Sensor& sensor, const Viewpoint& viewpoint,
     : rays_(sensor, viewpoint),
       horizon_(rays_, horizon_rad),
       altitude_m_(std::max(viewpoint.position_m.z, 0.0)),
-      middleAzimuth_rad_(azimuthOf_rad(rays_.forward)) {
+      middleAzimuth_rad_(azimuthOf_rad(rays_.forward)),
+      rows_(rows) {
     if (rows < 0 || columns < 1)
         throw LogicError("a background grid needs a row and a column");
     const FieldExtent extent = FieldExtent::of(rays_, middleAzimuth_rad_);
@@ -355,6 +356,34 @@ std::vector<double> BackgroundGrid::pixels() const {
         else
             for (int x = 0; x < rays_.width_px; ++x)
                 row[x] = radianceAt(x);
+    }
+    return result;
+}
+
+std::vector<double>
+BackgroundGrid::groundPixels(const std::vector<std::optional<double>>& below_rad,
+                             const Radiance& radiance_W_m2_sr) const {
+    std::vector<double> result(below_rad.size(), 0.0);
+    double nearest_rad = 0.5 * pi, farthest_rad = -1.0;
+    for (const std::optional<double>& below : below_rad)
+        if (below) {
+            nearest_rad = std::min(nearest_rad, *below);
+            farthest_rad = std::max(farthest_rad, *below);
+        }
+    if (farthest_rad < 0.0)
+        return result;
+    const Side ground = rows_ == asManyAsNeeded
+                            ? sideAsNeeded(-1.0, nearest_rad, farthest_rad, radiance_W_m2_sr)
+                            : side(-1.0, nearest_rad, farthest_rad, rows_, radiance_W_m2_sr);
+    const auto width = static_cast<std::size_t>(rays_.width_px);
+    for (std::size_t i = 0; i < below_rad.size(); ++i) {
+        if (!below_rad[i])
+            continue;
+        const Vec3 direction = rays_.at(rays_.u(static_cast<double>(i % width) + 0.5),
+                                        rays_.v(static_cast<double>(i / width) + 0.5));
+        result[i] = interpolated(
+            ground, *below_rad[i],
+            column(std::remainder(azimuthOf_rad(direction) - middleAzimuth_rad_, 2.0 * pi)));
     }
     return result;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "irsg/atmosphere/path/AtmosphericQuery.h"
@@ -36,6 +37,10 @@ class BackgroundGrid {
 
     /// Of every pixel, top row first.
     std::vector<double> pixels() const;
+    /// Of ground that the pixels show so far below the horizon, each in its azimuth, top row first;
+    /// 0 where there is no angle. As many rows as the grid has.
+    std::vector<double> groundPixels(const std::vector<std::optional<double>>& below_rad,
+                                     const Radiance& radiance_W_m2_sr) const;
     /// Along a direction of the world; on the horizon, that of the sky.
     double at(const Vec3& direction) const;
 
@@ -79,6 +84,7 @@ class BackgroundGrid {
     Horizon horizon_;
     double altitude_m_;
     double middleAzimuth_rad_;
+    int rows_;
     bool fullCircle_ = false;
     double firstAzimuth_rad_ = 0.0, azimuthStep_rad_ = 0.0; ///< relative to the middle
     std::vector<double> azimuths_rad_;

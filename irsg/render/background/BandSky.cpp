@@ -39,7 +39,11 @@ SunView BandSky::sunView(double altitude_m) const {
 }
 
 double BandSky::horizon_rad(double altitude_m) const {
-    return environment_.horizonElevation_rad(altitude_m, sampling_.range()) - raised_rad_;
+    return apparentHorizon_rad(altitude_m) - raised_rad_;
+}
+
+double BandSky::apparentHorizon_rad(double altitude_m) const {
+    return environment_.horizonElevation_rad(altitude_m, sampling_.range());
 }
 
 } // namespace irsg

@@ -21,6 +21,8 @@ class BandSky {
     /// Of the sun on a plane normal to its beam, of the part of its disc above the horizon.
     double sun_W_m2(double altitude_m) const;
     double horizon_rad(double altitude_m) const;
+    /// The same in apparent elevations.
+    double apparentHorizon_rad(double altitude_m) const;
     SunView sunView(double altitude_m) const;
     const SunPosition& sun() const { return environment_.sun; }
 

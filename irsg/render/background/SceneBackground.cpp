@@ -6,7 +6,7 @@
 #include "irsg/core/Errors.h"
 #include "irsg/geometry/view/CameraFrame.h"
 #include "irsg/radiometry/Units.h"
-#include "irsg/render/background/BackgroundGrid.h"
+#include "irsg/render/background/GroundDistance.h"
 #include "irsg/render/background/Horizon.h"
 #include "irsg/render/background/SunDisc.h"
 
@@ -46,15 +46,18 @@ FrameBackground SceneBackground::draw(const Sensor& sensor, const Viewpoint& vie
     const double horizon_rad = sky.horizon_rad(altitude_m);
     if (settings.sunDisc)
         renderSunImage(rays, Horizon(rays, horizon_rad), sky, altitude_m);
+    if (terrain_)
+        renderTerrain(sensor, viewpoint, settings.terrain, painter);
     if (grid) {
-        const auto pixelsOf = [&](int rows) {
-            return BackgroundGrid(
-                       sensor, viewpoint, horizon_rad, rows, settings.columns,
-                       [&](const LineOfSight& sight) { return sky.radiance_W_m2_sr(sight); })
-                .pixels();
+        const auto radianceAt = [&](const LineOfSight& sight) {
+            return sky.radiance_W_m2_sr(sight);
         };
         try {
-            layers_.environment = pixelsOf(settings.rows);
+            const BackgroundGrid lines(sensor, viewpoint, horizon_rad, settings.rows,
+                                       settings.columns, radianceAt);
+            layers_.environment = lines.pixels();
+            if (terrain_)
+                putGroundBehindTerrain(lines, radianceAt, sky, altitude_m);
         } catch (const InputError&) {
             // Air that answers for one direction alone, such as a radiative output.
             if (settings.rows != BackgroundGrid::asManyAsNeeded)
@@ -63,13 +66,10 @@ FrameBackground SceneBackground::draw(const Sensor& sensor, const Viewpoint& vie
         }
     }
     report.providedBy = sky.providedBy();
-    if (terrain_)
-        renderTerrain(sensor, viewpoint, settings.terrain, painter);
     if (layers_.sky.empty() && layers_.terrain.empty() && !grid)
         return FrameBackground(settings.uniform_W_m2_sr);
 
-    // Terrain hides the sky, the environment is added upon both, and nothing radiates less than
-    // nothing.
+    // Terrain hides the sky, the environment is added upon both, and no sum is below 0.
     std::vector<double> pixels = layers_.sky;
     pixels.resize(static_cast<std::size_t>(sensor.width_px) *
                       static_cast<std::size_t>(sensor.height_px),
@@ -91,9 +91,23 @@ void SceneBackground::renderTerrain(const Sensor& sensor, const Viewpoint& viewp
                                     const TextureScale& scale, TerrainPainter& painter) {
     TerrainImage image = painter.paint(terrain_, CameraFrame(sensor, viewpoint), scale.offset);
     layers_.coverage = std::move(image.coverage);
+    nearness_1_m_ = std::move(image.nearness_1_m);
     layers_.terrain = std::move(image.texel);
     for (double& value : layers_.terrain)
         value *= scale.slope_W_m2_sr;
+}
+
+void SceneBackground::putGroundBehindTerrain(const BackgroundGrid& lines,
+                                             const BackgroundGrid::Radiance& radianceAt,
+                                             const BandSky& sky, double altitude_m) {
+    const GroundDistance ground(altitude_m, sky.apparentHorizon_rad(altitude_m));
+    std::vector<std::optional<double>> below_rad(layers_.coverage.size());
+    for (std::size_t i = 0; i < below_rad.size(); ++i)
+        if (nearness_1_m_[i] > 0.0)
+            below_rad[i] = ground.belowHorizon_rad(layers_.coverage[i] / nearness_1_m_[i]);
+    const std::vector<double> behind = lines.groundPixels(below_rad, radianceAt);
+    for (std::size_t i = 0; i < behind.size(); ++i)
+        layers_.environment[i] += layers_.coverage[i] * (behind[i] - layers_.environment[i]);
 }
 
 void SceneBackground::renderSunImage(const FieldRays& rays, const Horizon& horizon,

@@ -8,6 +8,7 @@
 #include "irsg/geometry/view/FrameBackground.h"
 #include "irsg/geometry/view/Pose.h"
 #include "irsg/geometry/view/Sensor.h"
+#include "irsg/render/background/BackgroundGrid.h"
 #include "irsg/render/background/BandSky.h"
 #include "irsg/render/background/FieldRays.h"
 #include "irsg/render/background/Horizon.h"
@@ -30,7 +31,7 @@ struct BackgroundSettings {
 /// first; empty where there is no such part.
 struct BackgroundLayers {
     std::vector<double> sky;         ///< skybox, with the disc of the sun upon it
-    std::vector<double> environment; ///< the grid
+    std::vector<double> environment; ///< the grid; where there is terrain, level ground as far away
     std::vector<double> terrain;     ///< times its coverage
     std::vector<double> coverage;    ///< of the terrain, 0 to 1
 };
@@ -41,8 +42,9 @@ struct BackgroundReport {
 };
 
 /// Draws what is behind the objects (F27 to F33): the skybox, the disc of the sun in its place, the
-/// terrain before both, then the environment's background added, which holds the air on the way to
-/// the terrain. All but the terrain follows the eye.
+/// terrain before both, then the environment's background added: that of the line of sight, and
+/// where there is terrain that of level ground at its distance, which holds the air on the way to
+/// it. All but the terrain follows the eye.
 class SceneBackground {
   public:
     /// Null for none.
@@ -67,9 +69,15 @@ class SceneBackground {
     void renderTerrain(const Sensor& sensor, const Viewpoint& viewpoint, const TextureScale& scale,
                        TerrainPainter& painter);
 
+    /// Terrain is ground: what is added to it does not change at the horizon.
+    void putGroundBehindTerrain(const BackgroundGrid& lines,
+                                const BackgroundGrid::Radiance& radianceAt, const BandSky& sky,
+                                double altitude_m);
+
     std::shared_ptr<const Skybox> skybox_;
     std::shared_ptr<const Terrain> terrain_;
     BackgroundLayers layers_;
+    std::vector<double> nearness_1_m_; ///< of the terrain, times its coverage
 };
 
 } // namespace irsg

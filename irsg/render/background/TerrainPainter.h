@@ -11,7 +11,8 @@ namespace irsg {
 /// A terrain as a frame sees it, one value per pixel, top row first.
 struct TerrainImage {
     std::vector<double> texel; ///< mean of (texel - offset) where there is terrain, times coverage
-    std::vector<double> coverage; ///< part of the pixel that is terrain, 0 to 1
+    std::vector<double> coverage;     ///< part of the pixel that is terrain, 0 to 1
+    std::vector<double> nearness_1_m; ///< mean of 1 / distance from the eye there, times coverage
 };
 
 /// Who paints terrains: the texels of the nearest faces at several samples a pixel, textures

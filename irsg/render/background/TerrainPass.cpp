@@ -73,10 +73,10 @@ class UploadedTextures {
 
 struct TerrainPass::Impl {
     ShaderProgram program{{"terrain.vert.glsl"}, {"terrain.frag.glsl"}};
-    FloatTarget target{{2}};
+    FloatTarget target{{2, 1}};
     std::shared_ptr<const Terrain> terrain; // whose textures are uploaded
     std::unique_ptr<UploadedTextures> textures;
-    std::vector<float> samples;
+    std::vector<float> samples, nearness;
 
     void renderPiece(const CameraFrame& camera, const PixelRegion& piece, const DepthRange& depth,
                      double offset) {
@@ -90,8 +90,9 @@ struct TerrainPass::Impl {
         glDisable(GL_BLEND);
         glDisable(GL_CULL_FACE);
         program.use();
-        program.set("clipFromModel", camera.eyeFromModel(terrain->pose()) *
-                                         camera.clipFromEye(piece.rectangle(), depth));
+        const Matrix4 eyeFromModel = camera.eyeFromModel(terrain->pose());
+        program.set("clipFromModel", eyeFromModel * camera.clipFromEye(piece.rectangle(), depth));
+        program.set("eyeFromModel", eyeFromModel);
         program.set("texels", 0);
         glActiveTexture(GL_TEXTURE0);
         const TexturedMesh& shown = terrain->shown();
@@ -109,6 +110,7 @@ struct TerrainPass::Impl {
         glBindTexture(GL_TEXTURE_2D, 0);
         glFinish();
         target.read(0, width, height, samples);
+        target.read(1, width, height, nearness);
     }
 
     void reduce(const PixelRegion& piece, int frameWidth, TerrainImage& image) const {
@@ -117,15 +119,15 @@ struct TerrainPass::Impl {
         const auto stride = static_cast<std::size_t>(piece.width) * n;
         for (int y = 0; y < piece.height; ++y)
             for (int x = 0; x < piece.width; ++x) {
-                double texel = 0.0, coverage = 0.0;
+                double texel = 0.0, coverage = 0.0, near_1_m = 0.0;
                 for (int sy = 0; sy < n; ++sy) {
                     // GL's rows run from the bottom up.
                     const auto row = static_cast<std::size_t>((piece.height - 1 - y) * n + sy);
-                    const float* sample =
-                        &samples[2 * (row * stride + static_cast<std::size_t>(x) * n)];
-                    for (int sx = 0; sx < n; ++sx, sample += 2) {
-                        texel += static_cast<double>(sample[0]);
-                        coverage += static_cast<double>(sample[1]);
+                    const std::size_t first = row * stride + static_cast<std::size_t>(x) * n;
+                    for (std::size_t sample = first; sample < first + n; ++sample) {
+                        texel += static_cast<double>(samples[2 * sample]);
+                        coverage += static_cast<double>(samples[2 * sample + 1]);
+                        near_1_m += static_cast<double>(nearness[sample]);
                     }
                 }
                 const auto pixel =
@@ -133,6 +135,7 @@ struct TerrainPass::Impl {
                     static_cast<std::size_t>(piece.x + x);
                 image.texel[pixel] = texel * share;
                 image.coverage[pixel] = coverage * share;
+                image.nearness_1_m[pixel] = near_1_m * share;
             }
     }
 };
@@ -148,6 +151,7 @@ TerrainImage TerrainPass::draw(const std::shared_ptr<const Terrain>& terrain,
     image.texel.resize(static_cast<std::size_t>(sensor.width_px) *
                        static_cast<std::size_t>(sensor.height_px));
     image.coverage.resize(image.texel.size());
+    image.nearness_1_m.resize(image.texel.size());
     const auto depth = camera.depthOf(terrain->bounds(), terrain->pose());
     if (!depth)
         return image;

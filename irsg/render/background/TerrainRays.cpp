@@ -75,8 +75,11 @@ TerrainImage TerrainRays::paint(const std::shared_ptr<const Terrain>& terrain,
                            eye.up * ((0.5 * sensor.height_px - y_px) * pitch);
         return Ray{eye_m, normalized(toMesh * along)};
     };
-    /// What a sample shows above the offset; nothing where there is no terrain.
-    const auto texelAt = [&](double x_px, double y_px) -> std::optional<double> {
+    struct Sample {
+        double texel, distance_m; ///< what it shows above the offset
+    };
+    /// Nothing where there is no terrain.
+    const auto sampleAt = [&](double x_px, double y_px) -> std::optional<Sample> {
         const Ray ray = rayAt(x_px, y_px);
         RayHit hit;
         std::vector<RayHit> none;
@@ -84,28 +87,31 @@ TerrainImage TerrainRays::paint(const std::shared_ptr<const Terrain>& terrain,
             return std::nullopt;
         const int texture = terrain->shown().textureOf[static_cast<std::size_t>(hit.piece)];
         if (texture < 0)
-            return 0.0;
+            return Sample{0.0, hit.distance_m};
         const GroundPlace here = kept.placeAt(hit, ray);
         const GroundPlace right = kept.placeAt(hit, rayAt(x_px + step_px, y_px));
         const GroundPlace below = kept.placeAt(hit, rayAt(x_px, y_px + step_px));
-        return kept.textures[static_cast<std::size_t>(texture)].at(
-                   here[0], here[1], {right[0] - here[0], right[1] - here[1]},
-                   {below[0] - here[0], below[1] - here[1]}) -
-               offset;
+        return Sample{kept.textures[static_cast<std::size_t>(texture)].at(
+                          here[0], here[1], {right[0] - here[0], right[1] - here[1]},
+                          {below[0] - here[0], below[1] - here[1]}) -
+                          offset,
+                      hit.distance_m};
     };
 
     TerrainImage image;
     const auto width = static_cast<std::size_t>(sensor.width_px);
     image.texel.resize(width * static_cast<std::size_t>(sensor.height_px));
     image.coverage.resize(image.texel.size());
+    image.nearness_1_m.resize(image.texel.size());
     parallelFor(static_cast<std::size_t>(sensor.height_px), [&](std::size_t y) {
         for (std::size_t x = 0; x < width; ++x)
             for (int s = 0; s < samplesPerAxis * samplesPerAxis; ++s) {
                 const double x_px = static_cast<double>(x) + (s % samplesPerAxis + 0.5) * step_px;
                 const double y_px = static_cast<double>(y) + (s / samplesPerAxis + 0.5) * step_px;
-                if (const std::optional<double> texel = texelAt(x_px, y_px)) {
-                    image.texel[y * width + x] += *texel * share;
+                if (const std::optional<Sample> sample = sampleAt(x_px, y_px)) {
+                    image.texel[y * width + x] += sample->texel * share;
                     image.coverage[y * width + x] += share;
+                    image.nearness_1_m[y * width + x] += share / std::max(sample->distance_m, 1e-6);
                 }
             }
     });
