@@ -20,6 +20,7 @@
 #include "irsg/geometry/conversion/ModelLoader.h"
 #include "irsg/geometry/conversion/TextureImage.h"
 #include "irsg/geometry/reading/GuardedReading.h"
+#include "irsg/geometry/reading/IrCodes.h"
 #include "irsg/render/background/Terrain.h"
 #include "tests/support/FlightBytes.h"
 #include "tests/support/Refusal.h"
@@ -300,6 +301,30 @@ TEST_F(OpenedFiles, AreNoScriptsWhereAnIveRefersToAnother) {
     EXPECT_THAT(loadGraph(file, LoadPurpose::visible).remarks,
                 Contains(AllOf(HasSubstr("evil.lua"), HasSubstr("not opened"))));
     nothingRan("evil.lua in .ive");
+}
+
+TEST_F(OpenedFiles, OfOpenFlightAreScannedWhereASceneRefersToThem) {
+    SquareFile flight;
+    const std::string sound = flight.bytes();
+    for (const char* kind : {"osgt", "osg", "osgb"}) {
+        osg::ref_ptr<osg::ProxyNode> proxy = new osg::ProxyNode;
+        proxy->setFileName(0, "a.flt");
+        osg::ref_ptr<osg::Group> group = new osg::Group;
+        group->addChild(square());
+        group->addChild(proxy);
+        const auto file = folder / ("b." + std::string(kind));
+        ASSERT_TRUE(osgDB::writeNodeFile(*group, file.string()));
+        folder.write("a.flt", sound);
+        const auto whole = loadGraph(file, LoadPurpose::infrared);
+        EXPECT_THAT(whole.remarks, Contains(HasSubstr("refers to a.flt, which is read as well")))
+            << kind;
+        EXPECT_EQ(polygonCounts(*whole.node).size(), 2u) << "its codes are there: " << kind;
+        // The end is missing, which OpenSceneGraph's plug-in does not mind.
+        folder.write("a.flt", sound.substr(0, sound.size() - 6));
+        const auto cut = loadGraph(file, LoadPurpose::infrared);
+        EXPECT_THAT(cut.remarks, Contains(AllOf(HasSubstr("a.flt"), HasSubstr("byte")))) << kind;
+        EXPECT_EQ(polygonCounts(*cut.node).size(), 1u) << "what is damaged is left out: " << kind;
+    }
 }
 
 TEST_F(OpenedFiles, AreStillTheModelsAndPicturesThatOthersReferTo) {

@@ -22,6 +22,7 @@
 #include "irsg/core/WrittenPath.h"
 #include "irsg/geometry/reading/OpenableFiles.h"
 #include "irsg/geometry/reading/sandbox/AskingProgram.h"
+#include "irsg/geometry/reading/sandbox/FlightReading.h"
 #include "irsg/geometry/reading/sandbox/PluginReading.h"
 #include "irsg/geometry/reading/sandbox/ReadingLimits.h"
 
@@ -103,6 +104,8 @@ class ReadGuard : public osgDB::ReadFileCallback {
                 noteRefusal(remark);
             return graph->node.get();
         }
+        if (modelReaderOf(file) == FormatReader::flight && !file.empty())
+            return Result::ERROR_IN_READING_FILE; // refused by the scan, which has said why
         return next_ ? next_->readNode(name, options) : ReadFileCallback::readNode(name, options);
     }
     Result readShader(const std::string& name, const osgDB::Options* options) override {
@@ -135,12 +138,14 @@ class ReadGuard : public osgDB::ReadFileCallback {
         if (isReader() && !failure)
             allowMore(size);
     }
-    /// Formats that no plug-in reads.
+    /// Formats that no plug-in reads, or none before our scan of all records.
     static std::optional<LoadedGraph> readOurs(const std::string& file) {
         const FormatReader reader = modelReaderOf(file);
-        if (reader == FormatReader::plugin || reader == FormatReader::flight)
+        if (reader == FormatReader::plugin || file.empty())
             return std::nullopt;
         try {
+            if (reader == FormatReader::flight)
+                return readFlightHere(scannedFlight(file, arePicturesWanted()));
             if (reader == FormatReader::assimp)
                 return readModelHere(file, file);
             return readOurHere(file);

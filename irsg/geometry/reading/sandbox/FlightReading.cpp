@@ -21,6 +21,8 @@ namespace {
 /// different codes; without the last one it drops the codes.
 constexpr const char* flightOptions = "preserveFace preserveObject preserveNonOsgAttrsAsUserData";
 
+FlightScanning flightScanning = nullptr;
+
 class FlightReader {
   public:
     explicit FlightReader(std::vector<FlightStream> streams)
@@ -73,6 +75,16 @@ class FlightReader {
 };
 
 } // namespace
+
+void setFlightScanning(FlightScanning scanning) {
+    flightScanning = scanning;
+}
+
+std::string scannedFlight(const std::filesystem::path& file, bool withPictures) {
+    if (flightScanning == nullptr)
+        throw LogicError("no scanner of OpenFlight was set");
+    return flightScanning(file, withPictures);
+}
 
 LoadedGraph readFlightHere(std::string bytes) {
     OsgNotices notices;

@@ -136,9 +136,10 @@ LoadedGraph readModelHere(const fs::path& place, const fs::path& file) {
     for (const auto& proxy : proxiesOf(*loaded.node))
         for (unsigned int i = 0; i < proxy->getNumFileNames(); ++i)
             loaded.remarks.push_back("refers to " + proxy->getFileName(i) +
-                                     (i < proxy->getNumChildren()
+                                     (i >= proxy->getNumChildren() ? ", which is missing"
+                                      : modelReaderOf(proxy->getFileName(i)) == FormatReader::plugin
                                           ? ", which is read without being validated"
-                                          : ", which is missing"));
+                                          : ", which is read as well"));
     if (dynamic_cast<osg::ProxyNode*>(loaded.node.get())) {
         osg::ref_ptr<osg::Group> root = new osg::Group;
         root->addChild(loaded.node);
