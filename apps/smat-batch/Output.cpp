@@ -2,8 +2,10 @@
 #include "smatcore/settings/AnalysisSections.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <mutex>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -80,8 +82,28 @@ void ProgressLine::show(const Progress& progress) {
     width_ = std::max(width_, line.size());
 }
 
+namespace {
+
+/// With six digits at most, and none behind the second one of its error: "510.2" for 1.8.
+std::string warrantedNumber(double value, const std::optional<double>& error) {
+    constexpr int most = 6, ofError = 2;
+    if (!error || !(*error > 0.0) || !std::isfinite(*error) || value == 0.0)
+        return fmt::format("{:.{}g}", value, most);
+    const auto magnitude = [](double x) {
+        return static_cast<int>(std::floor(std::log10(std::abs(x))));
+    };
+    const int warranted = std::min(magnitude(value) - magnitude(*error) + ofError, most);
+    const int wholes = magnitude(value) + 1;
+    // Zeros that are warranted are printed, too; a whole number has no point.
+    return warranted > wholes ? fmt::format("{:#.{}g}", value, std::max(warranted, 1))
+                              : fmt::format("{:.{}g}", value, std::clamp(wholes, 1, most));
+}
+
+} // namespace
+
 std::string summaryLine(const SummaryItem& item, std::size_t widest) {
-    return fmt::format("  {:<{}} {:>12.6g} {}{}\n", item.label, widest, item.value,
+    return fmt::format("  {:<{}} {:>12} {}{}\n", item.label, widest,
+                       warrantedNumber(item.value, item.error),
                        item.error ? fmt::format("± {:.2g} ", *item.error) : "", item.unit);
 }
 

@@ -113,7 +113,7 @@ class Image:
     def picture(
         self,
         plane: str = "",
-        color_map: str = "white-hot",
+        color_map: Optional[str] = None,
         limits: Optional[tuple[float, float]] = None,
         color_bar: bool = True,
         title: str = "",

@@ -10,6 +10,7 @@
 #include "irsg/image/PngView.h"
 #include "irsg/image/RadianceImage.h"
 #include "python/src/Bindings.h"
+#include "smatcore/analysis/ImageFiles.h"
 
 namespace smat::python {
 
@@ -61,22 +62,32 @@ Image imageOfPlanes(const py::dict& planes, const Texts& units, const Texts& att
     return image;
 }
 
-irsg::PngViewOptions viewOptions(const std::string& colorMap,
+/// Colours and limits that are not asked for are those that the program exports the plane with.
+irsg::PngViewOptions viewOptions(const RadianceImage& image, const ImageChannel& plane,
+                                 const std::optional<std::string>& colorMap,
                                  const std::optional<std::pair<double, double>>& limits,
                                  bool colorBar, const std::string& title) {
-    irsg::PngViewOptions options{.colorMap = colorMap, .colorBar = colorBar, .title = title};
+    // Limits that were set are of the plane that was shown.
+    Settings display = &plane == &image.primary() ? displayOf(image) : Settings();
+    if (colorMap)
+        display.set("display.colorMap", *colorMap);
+    irsg::PngViewOptions options =
+        viewOf(plane, display, {.title = title, .conditions = {}}, "image");
+    options.colorBar = colorBar;
     if (limits)
         options.limits = irsg::DisplayLimits{limits->first, limits->second};
     return options;
 }
 
 py::array_t<std::uint8_t> pictureOf(const RadianceImage& image, const std::string& plane,
-                                    const std::string& colorMap,
+                                    const std::optional<std::string>& colorMap,
                                     const std::optional<std::pair<double, double>>& limits,
                                     bool colorBar, const std::string& title) {
-    const irsg::PngViewOptions options = viewOptions(colorMap, limits, colorBar, title);
-    const irsg::Canvas canvas =
-        withoutLock([&] { return irsg::renderView(image, planeOf(image, plane), options); });
+    const ImageChannel& shown = planeOf(image, plane);
+    const irsg::Canvas canvas = withoutLock([&] {
+        return irsg::renderView(image, shown,
+                                viewOptions(image, shown, colorMap, limits, colorBar, title));
+    });
     return py::array_t<std::uint8_t>({canvas.height(), canvas.width(), 3}, canvas.bytes().data());
 }
 
@@ -136,10 +147,13 @@ InputError
         .def(
             "save",
             [](const RadianceImage& image, const std::filesystem::path& file) {
-                withoutLock([&] { irsg::writeImageFile(image, file); });
+                withoutLock([&] { saveImage(image, displayOf(image), {}, "image", file); });
             },
             py::arg("file"),
-            R"(Write the image in the form of the extension: .exr with all planes and attributes, .png as a picture.
+            R"(Write the image in the form of the extension: .exr with all planes and attributes.
+
+A .png is the picture that the program exports: colours and limits are those of the settings
+`display` that the image was calculated with, or their defaults.
 
 Raises
 ------
@@ -206,8 +220,7 @@ InputError
             },
             py::arg("dtype") = py::none(), py::arg("copy") = py::none(),
             "The shown plane, for numpy.asarray(image).")
-        .def("picture", &pictureOf, py::arg("plane") = "",
-             py::arg("color_map") = std::string(irsg::ColorMap::defaultName),
+        .def("picture", &pictureOf, py::arg("plane") = "", py::arg("color_map") = py::none(),
              py::arg("limits") = py::none(), py::arg("color_bar") = true, py::arg("title") = "",
              R"(The plane in false colours.
 
@@ -215,10 +228,12 @@ Parameters
 ----------
 plane : str
     One of `planes`; '' for the shown one.
-color_map : str
-    'white-hot', 'black-hot', 'ironbow', 'inferno', 'viridis' or 'diverging'.
+color_map : str, optional
+    'white-hot', 'black-hot', 'ironbow', 'inferno', 'viridis' or 'diverging'; without, that of the
+    settings the image was calculated with, or 'white-hot'.
 limits : (float, float), optional
-    Values of the first and the last colour; without, the extremes of the finite values.
+    Values of the first and the last colour, linear between; without, those of the same settings, or
+    limits and scale that show the object and its background.
 color_bar : bool
     Whether ticks, unit and title stand around the picture.
 title : str
@@ -237,8 +252,7 @@ InputError
         .def(
             "_repr_png_",
             [](const RadianceImage& image) {
-                const py::object picture = pictureOf(image, image.primary().name,
-                                                     irsg::ColorMap::defaultName, {}, true, "");
+                const py::object picture = pictureOf(image, image.primary().name, {}, {}, true, "");
                 return py::module_::import("smat._png").attr("png_bytes")(picture);
             },
             "The picture with its colour bar as PNG, for notebooks.")

@@ -10,6 +10,7 @@
 #include "irsg/core/BuildId.h"
 #include "irsg/core/Errors.h"
 #include "irsg/core/ProgramVersion.h"
+#include "irsg/core/Wording.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisPlan.h"
 #include "smatcore/analysis/ErrorColumns.h"
@@ -44,15 +45,16 @@ void addColumnExtremes(AnalysisData& data, Quantity quantity, Quantity abscissa)
         const auto [least, most] =
             std::minmax_element(column->values.begin(), column->values.end());
         const std::string band = parts.band.empty() ? "" : ", " + parts.which() + ",";
-        const std::string label = std::string(irsg::info(quantity).label) + band;
+        std::string label = std::string(irsg::info(quantity).label) + band;
+        label.front() = irsg::lowerCase({label.front()}).front();
         const auto add = [&](const char* which, std::vector<double>::const_iterator it) {
             const auto row = static_cast<std::size_t>(it - column->values.begin());
             data.summary.push_back(
                 {fmt::format("{} {} at {:.6g} {}", which, label, axis->values[row], axis->unit),
                  *it, column->unit, errorBeside(data.table, parts, row)});
         };
-        add("Largest", most);
-        add("Least", least);
+        add("Highest", most);
+        add("Lowest", least);
     }
 }
 
@@ -107,8 +109,8 @@ void addImageNumbers(AnalysisData& data) {
         }
     }
     if (least <= most) {
-        data.summary.push_back({"Largest pixel", most, channel.unit});
-        data.summary.push_back({"Least pixel", least, channel.unit});
+        data.summary.push_back({"Highest pixel", most, channel.unit});
+        data.summary.push_back({"Lowest pixel", least, channel.unit});
     }
     for (const Quantity quantity : {Quantity::intensity, Quantity::contrastIntensity,
                                     Quantity::irradiance, Quantity::pixels}) {

@@ -264,8 +264,8 @@ void summariseRanges(AnalysisData& data) {
                            angles.values[static_cast<std::size_t>(it - ranges->values.begin())],
                            angles.unit);
     };
-    data.summary.push_back({"Largest detection range" + where(most), *most, "m"});
-    data.summary.push_back({"Least detection range" + where(least), *least, "m"});
+    data.summary.push_back({"Longest detection range" + where(most), *most, "m"});
+    data.summary.push_back({"Shortest detection range" + where(least), *least, "m"});
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "irsg/image/ImageFormat.h"
 #include "irsg/image/ImageStatistics.h"
 #include "smatcore/analysis/Conditions.h"
+#include "smatcore/settings/SettingInfo.h"
 #include "smatcore/settings/SettingKeys.h"
 
 namespace smat {
@@ -14,9 +15,9 @@ namespace smat {
 namespace {
 
 /// The limits of the colours: those that are set, the image's own for the others.
-irsg::DisplayLimits limitsOf(const irsg::RadianceImage& image, const Settings& settings,
+irsg::DisplayLimits limitsOf(const irsg::ImageChannel& plane, const Settings& settings,
                              const std::string& whose) {
-    const std::vector<float>& values = image.primary().values;
+    const std::vector<float>& values = plane.values;
     const irsg::ColorScale scale = irsg::colorScaleNamed(settings.text(key::displayScale));
     irsg::DisplayLimits limits = irsg::limitsFor(scale, values);
     const auto minimum = settings[key::displayMinimum];
@@ -36,6 +37,16 @@ irsg::DisplayLimits limitsOf(const irsg::RadianceImage& image, const Settings& s
 }
 
 } // namespace
+
+irsg::PngViewOptions viewOf(const irsg::ImageChannel& plane, const Settings& settings,
+                            const PictureWords& words, const std::string& whose) {
+    irsg::PngViewOptions view;
+    view.colorMap = settings.text(key::displayColorMap);
+    view.limits = limitsOf(plane, settings, whose);
+    view.title = words.title;
+    view.conditions = lineOf(words.conditions);
+    return view;
+}
 
 std::string showQuantity(irsg::RadianceImage& image, const irsg::Sensor& sensor,
                          const Settings& settings) {
@@ -61,13 +72,17 @@ void saveImage(const irsg::RadianceImage& image, const Settings& settings,
                const std::filesystem::path& file) {
     irsg::ImageWriting how;
     const irsg::ImageFormat& format = irsg::requiredImageFormat(file);
-    if (format.keeps == irsg::ImageFormat::Keeps::picture) {
-        how.view.colorMap = settings.text(key::displayColorMap);
-        how.view.limits = limitsOf(image, settings, whose);
-        how.view.title = words.title;
-        how.view.conditions = lineOf(words.conditions);
-    }
+    if (format.keeps == irsg::ImageFormat::Keeps::picture)
+        how.view = viewOf(image.primary(), settings, words, whose);
     format.write(image, file, how);
+}
+
+Settings displayOf(const irsg::RadianceImage& image) {
+    Settings settings;
+    for (const auto& [name, text] : image.attributes)
+        if (name.starts_with("display.") && findSetting(name) != nullptr)
+            settings.set(name, text);
+    return settings;
 }
 
 } // namespace smat

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "irsg/geometry/view/Sensor.h"
+#include "irsg/image/PngView.h"
 #include "irsg/image/RadianceImage.h"
 #include "smatcore/analysis/Conditions.h"
 #include "smatcore/settings/Settings.h"
@@ -20,6 +21,15 @@ struct PictureWords {
     std::string title;
     std::vector<Condition> conditions; ///< on the line below
 };
+
+/// How a plane is made into a picture with the colours of `display`. `whose` is the file that
+/// errors about the settings name. Throws InputError for limits that are not ascending.
+irsg::PngViewOptions viewOf(const irsg::ImageChannel& plane, const Settings& settings,
+                            const PictureWords& words, const std::string& whose);
+
+/// The settings of `display` that an image was calculated with, from its attributes; the defaults
+/// where it has none.
+Settings displayOf(const irsg::RadianceImage& image);
 
 /// Writes an image in the format of its extension (irsg::ImageFormat), a picture with the colours
 /// of `display` and these words. `whose` is the file that errors about the settings name. Throws

@@ -80,7 +80,9 @@ SceneDescription SceneBuilder::build(const Project& project, const Settings& set
             diagnostics.push_back({.file = project.displayName(),
                                    .position = "models." + std::to_string(i) + ".database",
                                    .value = "nothing",
-                                   .expected = "a signature database (.sigdb)"});
+                                   .expected = "a signature database (.sigdb): File > First "
+                                               "signature from names, or 'smat-batch model codes "
+                                               "MODEL --suggest --database FILE', makes one"});
         } else {
             const auto file = project.resolve(given.database);
             collect(diagnostics, [&] { entity.database = database(file); });

@@ -132,7 +132,7 @@ TEST(SmatBatchPolar, HasTheColumnsOfTheFormatsPage) {
                              "intensity [W sr-1]", "contrast_intensity [W sr-1]",
                              "irradiance [W m-2]", "pixels", "error_intensity [W sr-1]",
                              "error_contrast_intensity [W sr-1]", "error_irradiance [W m-2]"));
-    EXPECT_THAT(ran.out, testing::ContainsRegex("Largest Contrast intensity.* ± .* W sr-1"));
+    EXPECT_THAT(ran.out, testing::ContainsRegex("Highest contrast intensity.* ± .* W sr-1"));
     const double expected =
         irsg::pi * 0.9 * irsg::bandRadiance_W_m2_sr(irsg::Band::topHat(3, 5), 320.0);
     for (const double intensity : table.find("intensity")->values) {

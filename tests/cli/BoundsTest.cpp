@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <fstream>
 
 #include <gmock/gmock.h>
@@ -59,6 +61,64 @@ TEST(SmatBatchBounds, ImagesThatAreWrittenAreLetGo) {
     // 36 images are 36 MB and more.
     if (!isSanitized()) {
         EXPECT_LT(peaks_MB[1] - peaks_MB[0], 20.0) << peaks_MB[0];
+    }
+}
+
+/// A wavy square of side * side * 2 triangles, as binary STL.
+void writeWaves(const std::filesystem::path& file, int side) {
+    std::ofstream out(file, std::ios::binary);
+    const auto put = [&](const auto& value) {
+        out.write(reinterpret_cast<const char*>(&value), sizeof value);
+    };
+    out << std::string(80, ' ');
+    put(static_cast<std::uint32_t>(2 * side * side));
+    const auto corner = [&](int x, int y) {
+        const double step_m = 20.0 / side;
+        put(static_cast<float>(x * step_m - 10.0));
+        put(static_cast<float>(y * step_m - 10.0));
+        put(static_cast<float>(std::sin(0.5 * x * step_m) * std::cos(0.7 * y * step_m)));
+    };
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            for (const bool upper : {false, true}) {
+                for (int i = 0; i < 3; ++i) {
+                    put(0.0f); // the reader finds the normal
+                }
+                corner(x, y);
+                corner(x + 1, upper ? y + 1 : y);
+                corner(upper ? x : x + 1, y + 1);
+                put(static_cast<std::uint16_t>(0));
+            }
+        }
+    }
+}
+
+TEST(SmatBatchBounds, AnImageOfALargeModelTakesSoMuchForATriangle) {
+    // Without inter-reflection, whose memory has a bound of its own.
+    const TemporaryFolder folder;
+    auto project = nlohmann::json::parse(contentOf(sample("box/box.smat")));
+    auto& model = project["models"][0];
+    model["database"] = sample("box/" + model["database"].get<std::string>()).string();
+    model["file"] = "waves.stl";
+    model["fallbackTemperature"] = model["fallbackMaterial"] = 1;
+    project["render"]["bounces"] = 0;
+    project["analyses"] = nlohmann::json::object();
+    write(folder / "p.smat", project.dump());
+    double peaks_MB[2] = {};
+    constexpr int sides[] = {100, 500};
+    for (int i = 0; i < 2; ++i) {
+        writeWaves(folder / "waves.stl", sides[i]);
+        const Ran ran =
+            smatBatch({"image", "p.smat", "--elevation", "40", "--out", "i.exr"}, folder.path());
+        ASSERT_EQ(ran.exitCode, 0) << ran.err;
+        peaks_MB[i] = ran.peak_MB;
+    }
+    const double triangles = 2.0 * (sides[1] * sides[1] - sides[0] * sides[0]);
+    const double perTriangle_B = (peaks_MB[1] - peaks_MB[0]) * 1e6 / triangles;
+    RecordProperty("bytes_per_triangle", std::to_string(perTriangle_B));
+    EXPECT_GT(perTriangle_B, 36.0) << "its corners alone: this measures nothing";
+    if (!isSanitized()) {
+        EXPECT_LT(perTriangle_B, 420.0) << peaks_MB[0] << " and " << peaks_MB[1] << " MB";
     }
 }
 

@@ -74,6 +74,36 @@ def test_pictures_are_png_files_that_others_read(tmp_path):
         np.testing.assert_array_equal(np.asarray(read), image.picture())
 
 
+def test_a_saved_picture_has_the_colours_that_the_program_exports(tmp_path):
+    # A tenth of the picture glows; linear from least to largest leaves one colour for the rest.
+    values = np.tile(np.linspace(1.0, 1.1, 64), (64, 1))
+    values[:6] = 50.0
+    plain = smat.Image({"L": values})
+    pillow = pytest.importorskip("PIL.Image")
+
+    def saved(image):
+        image.save(tmp_path / "picture.png")
+        with pillow.open(tmp_path / "picture.png") as read:
+            return np.asarray(read)
+
+    picture = plain.picture(color_bar=False)
+    assert len(np.unique(picture[6:].reshape(-1, 3), axis=0)) > 32
+    np.testing.assert_array_equal(saved(plain), plain.picture())
+    told = smat.Image(
+        {"L": values},
+        attributes={
+            "display.colorMap": "ironbow",
+            "display.minimum": "1",
+            "display.maximum": "1.2",
+            "display.scale": "linear",
+        },
+    )
+    np.testing.assert_array_equal(
+        told.picture(), plain.picture(color_map="ironbow", limits=(1.0, 1.2))
+    )
+    np.testing.assert_array_equal(saved(told), told.picture())
+
+
 @pytest.mark.parametrize(
     "act, words",
     [
