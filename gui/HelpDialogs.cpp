@@ -106,7 +106,7 @@ ShortcutsDialog::ShortcutsDialog(const QMenuBar& menus, const QList<QAction*>& o
     }
     keys += heading(tr("Results")) + keyRows(ofResults);
     const QString mouse =
-        heading(tr("Running analysis")) + row("Esc", tr("Cancel it, keeping what is done")) +
+        heading(tr("Running analysis")) + row("Esc", tr("Cancel it and keep what is finished")) +
         heading(tr("3-D view")) +
         row(tr("Drag, arrow keys"), tr("Look around; arrows with Shift in steps of 1°")) +
         row(tr("Right drag, Shift and drag"), tr("Shift the picture")) +

@@ -150,7 +150,7 @@ void MainDialogs::showPreferences() {
     try {
         preferences_.save();
     } catch (const irsg::InputError& error) {
-        dialogs_.tell(&window_, tr("The preferences cannot be kept"), sentencesOf(error));
+        dialogs_.tell(&window_, tr("The preferences cannot be saved"), sentencesOf(error));
     }
 }
 

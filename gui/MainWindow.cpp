@@ -456,11 +456,13 @@ bool MainWindow::mayEndRuns() {
     const QString running = job->title();
     const std::size_t waiting = workbench_.jobs().waiting().size();
     const QString sentence =
-        waiting == 0 ? tr("%1 is still running. What it has computed so far is lost.").arg(running)
-                     : tr("%1 is still running, %2 more waiting. What is computed so far is lost.")
-                           .arg(running)
-                           .arg(waiting);
-    return dialogs_.ask(this, tr("Quit during a run"), sentence, {tr("Stay"), tr("Quit")}) == 1;
+        waiting == 0
+            ? tr("%1 is still running. Quitting loses what it has computed so far.").arg(running)
+            : tr("%1 is still running, %2 more are waiting. Quitting loses them and what is "
+                 "computed so far.")
+                  .arg(running)
+                  .arg(waiting);
+    return dialogs_.ask(this, tr("Quit during a run"), sentence, {tr("&Quit and lose it")}) == 0;
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -102,7 +102,7 @@ void ResultPages::show(const QList<int>& ids) {
         }
         page->setProperty(unseen, mark);
         tabs_->addTab(page, dotted(mark, tabs_->iconSize(), tabs_->devicePixelRatioF()), title);
-        emit said(tr("%1 is done: its tab has a dot").arg(title));
+        emit said(tr("%1 is ready: a dot marks its tab").arg(title));
     } catch (const irsg::InputError& error) {
         dialogs_.tell(tabs_, tr("These results cannot be shown"), sentencesOf(error));
     }

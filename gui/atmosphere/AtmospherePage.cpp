@@ -182,7 +182,7 @@ bool AtmospherePage::save() {
     if (document_->isModified() && document_->isChangedOnDisk() &&
         dialogs_.ask(this, tr("The file has changed"),
                      tr("Another program has changed this atmosphere since it was read."),
-                     {tr("Save mine over it"), tr("Cancel")}) != 0)
+                     {tr("&Replace it with mine")}) != 0)
         return false;
     return saveTo(document_->file());
 }
@@ -203,7 +203,7 @@ bool AtmospherePage::saveTo(const std::filesystem::path& file) {
         rememberFile(document_->file());
         return true;
     } catch (const irsg::InputError& error) {
-        dialogs_.tell(this, tr("This air cannot be saved"), sentencesOf(error));
+        dialogs_.tell(this, tr("This atmosphere cannot be saved"), sentencesOf(error));
         return false;
     }
 }
@@ -212,9 +212,9 @@ bool AtmospherePage::mayClose() {
     if (!document_->isModified())
         return true;
     const int answer =
-        dialogs_.ask(this, tr("Unsaved air"),
+        dialogs_.ask(this, tr("Unsaved atmosphere"),
                      tr("%1 has edits that are not saved.").arg(document_->displayName()),
-                     {tr("Save"), tr("Discard"), tr("Cancel")});
+                     {tr("&Save"), tr("&Discard")});
     if (answer == 1)
         recovery_->forget();
     return answer == 1 || (answer == 0 && save());

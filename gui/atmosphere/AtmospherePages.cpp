@@ -58,7 +58,7 @@ bool AtmospherePages::open(const std::filesystem::path& file) {
         offerCopies(page.document().file(), [&page]() -> AtmospherePage& { return page; });
         rememberFile(file);
     } catch (const irsg::InputError& error) {
-        dialogs_.tell(tabs_.window(), tr("This air cannot be opened"), sentencesOf(error));
+        dialogs_.tell(tabs_.window(), tr("This atmosphere cannot be opened"), sentencesOf(error));
     }
     return true;
 }

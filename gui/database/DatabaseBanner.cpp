@@ -110,7 +110,7 @@ void DatabaseBanner::refresh() {
         say(tr("Another program has changed this file since it was read."));
         offer("reload", tr("Take the file's version"),
               [this] { attempt([this] { context_.session().reload(); }); });
-        offer("overwrite", tr("Save mine over it"), [this] { emit overwriteRequested(); });
+        offer("overwrite", tr("Replace it with mine"), [this] { emit overwriteRequested(); });
     } else if (session.access() != DatabaseSession::Access::edit) {
         say(session.accessNote());
         offer("bannerSaveAs", tr("Save as…"), [this] { emit saveAsRequested(); });

@@ -1,5 +1,7 @@
 #include "gui/database/DatabaseDock.h"
 
+#include <algorithm>
+
 #include <QLabel>
 #include <QMenu>
 #include <QScrollArea>
@@ -91,10 +93,13 @@ DatabaseDock::DatabaseDock(Workbench& workbench, const Dialogs& dialogs, QWidget
     column->addWidget(tabs_, 1);
     column->addWidget(empty_, 1);
     column->addStretch(0);
-    // Behind another dock it takes no room from the view; in front it is as wide as it needs.
-    connect(this, &QDockWidget::visibilityChanged, scroll, [scroll, body](bool inFront) {
+    // Behind another dock it takes no room from the view; in front it is as wide as it needs, but
+    // in a narrow window, which it must not widen, it scrolls.
+    connect(this, &QDockWidget::visibilityChanged, scroll, [scroll, body, window](bool inFront) {
+        constexpr int ofOthers_px = 730; // the view and the docks on its left
         const int bar = scroll->verticalScrollBar()->sizeHint().width();
-        scroll->setMinimumWidth(inFront ? body->minimumWidth() + bar : 0);
+        const int room = std::max(window->width() - ofOthers_px, 0);
+        scroll->setMinimumWidth(inFront ? std::min(body->minimumWidth() + bar, room) : 0);
     });
 
     connect(&context_.session(), &DatabaseSession::stateChanged, this, &DatabaseDock::refresh);

@@ -126,7 +126,7 @@ void DatabaseFiles::save() {
     if (session.isChangedOnDisk()) {
         QuestionDialog question(tr("The file has changed"),
                                 tr("Another program has changed this file since it was read."),
-                                {tr("Save mine over it"), tr("Take the file's version")},
+                                {tr("Replace it with mine"), tr("Take the file's version")},
                                 context_.window);
         if (!context_.dialogs().run(question))
             return;

@@ -36,7 +36,7 @@ QList<ColorBar::Scale::Swatch> ColorBar::Scale::swatchesBelow() const {
     QList<Swatch> swatches;
     if (bar_->outOfRange_.below > 0)
         swatches << Swatch{bar_->limits_.marksOutside ? bar_->map_->below() : bar_->map_->at(0.0),
-                           tr("below %1").arg(pixels(bar_->outOfRange_.below))};
+                           tr("%1 below").arg(pixels(bar_->outOfRange_.below))};
     if (bar_->outOfRange_.nan > 0)
         swatches << Swatch{bar_->map_->notANumber(),
                            tr("NaN %1").arg(pixels(bar_->outOfRange_.nan))};
@@ -108,7 +108,7 @@ void ColorBar::Scale::paint(QPainter& painter) const {
     if (bar_->outOfRange_.above > 0) {
         drawSwatch(painter, 2.0,
                    {bar_->limits_.marksOutside ? bar_->map_->above() : bar_->map_->at(1.0),
-                    tr("above %1").arg(pixels(bar_->outOfRange_.above))});
+                    tr("%1 above").arg(pixels(bar_->outOfRange_.above))});
         top += swatchPitch * 0.7;
     }
     const QList<Swatch> below = swatchesBelow();

@@ -11,6 +11,7 @@
 #include "gui/image/HistogramPlot.h"
 #include "gui/image/ImageInspector.h"
 #include "gui/image/ThresholdForm.h"
+#include "gui/widgets/DisplayUnits.h"
 #include "gui/widgets/NumberFormat.h"
 #include "gui/widgets/ThemeColors.h"
 #include "irsg/image/ComparisonFigures.h"
@@ -18,7 +19,14 @@
 namespace smat::gui {
 namespace {
 
+/// Sums are values, which have units of display; errors stay in their own.
+bool isValue(const irsg::ComparisonFigure& figure) {
+    return figure.key.ends_with("_a") || figure.key.ends_with("_b");
+}
+
 QString cell(const irsg::ComparisonFigure& figure) {
+    if (isValue(figure) && shownUnitOf(figure.unit) != nullptr)
+        return valueWithUnit(figure.value, figure.unit);
     QString unit = QString::fromStdString(figure.unit);
     if (unit.endsWith(" px"))
         unit = formattedUnit(unit.chopped(3).toStdString()) + "·px";
@@ -28,7 +36,16 @@ QString cell(const irsg::ComparisonFigure& figure) {
 }
 
 QString detail(const irsg::ComparisonFigure& figure, const irsg::Comparison& comparison) {
+    // Of the largest errors the two values are behind their place.
+    const irsg::PixelPair* pair = figure.key == "max_error"            ? &comparison.largest
+                                  : figure.key == "max_relative_error" ? &comparison.largestRelative
+                                                                       : nullptr;
     QString text = QString::fromStdString(figure.detail);
+    if (const qsizetype values = text.indexOf(", A ");
+        pair != nullptr && values > 0 && shownUnitOf(comparison.unit) != nullptr)
+        return ComparisonReport::tr("%1, A %2, B %3")
+            .arg(text.left(values), valueWithUnit(pair->a, comparison.unit),
+                 valueWithUnit(pair->b, comparison.unit));
     if (!comparison.unit.empty())
         text.replace(QString::fromStdString(comparison.unit), formattedUnit(comparison.unit));
     return text;

@@ -103,6 +103,7 @@ void ComparisonWindow::connectParts() {
     connect(&DisplayUnitsWatch::instance(), &DisplayUnitsWatch::changed, this, [this] {
         if (pair_->hasAny())
             showPlanes();
+        report_->show(*pair_);
         showReadout(pixel_);
     });
     connect(files_, &ComparisonFiles::ended, this, [this] { showReadout(pixel_); });

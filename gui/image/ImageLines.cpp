@@ -85,8 +85,8 @@ ImageLines::ImageLines(ImageCanvas& canvas, ProfilePanel& profile, HotSpotsPanel
     levels_->setObjectName("isoLevels");
     levels_->setPlaceholderText(tr("automatic"));
     levels_->setAccessibleName(tr("Levels"));
-    levels_->setToolTip(tr("Levels of the lines in the unit of the plane, apart by semicolons or "
-                           "blanks; none for automatic ones"));
+    levels_->setToolTip(tr("Levels of the lines in the unit of the plane, separated by semicolons "
+                           "or spaces; empty for automatic ones"));
     levels_->setMaximumWidth(150);
     levels_->hide();
 

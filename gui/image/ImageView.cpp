@@ -169,7 +169,7 @@ QString ImageView::windowWords(int x, int y) const {
     const QString objects = QString::fromStdString(finest->objects);
     if (finest->across == 0.0)
         return tr("Point: %1").arg(objects);
-    return tr("Window: %1 × %2 samples a pixel, %3")
+    return tr("Tile: %1 × %2 samples per pixel, %3")
         .arg(formattedNumber(finest->across), formattedNumber(finest->down), objects);
 }
 
@@ -494,7 +494,7 @@ QList<std::pair<QString, QString>> imageKeys() {
         {ImageView::tr("I"), ImageView::tr("Isotherms: lines of equal value")},
         {ImageView::tr("G"), ImageView::tr("Hot spots: a list of the largest values")},
         {ImageView::tr("W"),
-         ImageView::tr("Antialiasing windows: objects and hot spots with samples of their own")},
+         ImageView::tr("Antialiasing tiles: objects and hot spots that are sampled separately")},
         {ImageView::tr("X"), ImageView::tr("What a pixel is made of: click it, or Return")},
         {ImageView::tr("Ctrl+C, Ctrl+Shift+C"), ImageView::tr("Copy picture, copy values")}};
 }

@@ -108,6 +108,9 @@ class ImageView : public QWidget, public Exportable {
   private:
     QHBoxLayout* makeBar();
     void connectParts();
+    /// Where a page is so low that it would scroll, the other parts below the image make way for
+    /// the one that was switched on.
+    void makeRoomFor(QToolButton* part);
     void explainAt(const QPoint& pixel);
     void showPlane();
     void tellPixel(const std::optional<QPoint>& pixel);

@@ -1,11 +1,13 @@
 #include <initializer_list>
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QFocusEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QScrollArea>
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -142,10 +144,10 @@ QHBoxLayout* ImageView::makeBar() {
     histogram_ = textButton(tr("Histogram"), "showHistogram", tr("Histogram and statistics (H)"));
     histogram_->setCheckable(true);
     tilesShown_ = textButton(tr("Antialiasing tiles"), "showWindows",
-                             tr("Outline what the antialiasing sampled by itself (W)"));
+                             tr("Outline the tiles that antialiasing samples separately (W)"));
     tilesShown_->setCheckable(true);
     explains_ = textButton(tr("Explain"), "explainPixels",
-                           tr("A click on a pixel says what it is made of (X)"));
+                           tr("Click a pixel to see what its radiance is made of (X)"));
     explains_->setCheckable(true);
     explains_->hide();
     auto* copy = menuButton(tr("Copy"), "copyImage", tr("Copy to other programs"));
@@ -209,6 +211,30 @@ void ImageView::connectParts() {
     connect(colorBar_, &ColorBar::modeChosen, this, &ImageView::updateColors);
     connect(colorBar_, &ColorBar::scaleChosen, this, &ImageView::updateColors);
     connect(colorBar_, &ColorBar::marksChosen, this, &ImageView::updateColors);
+    // Behind what these buttons show themselves.
+    for (QToolButton* part :
+         {histogram_, lines_->profileButton(), lines_->spotsButton(), explains_})
+        connect(part, &QToolButton::toggled, this, [this, part](bool on) {
+            if (on)
+                makeRoomFor(part);
+        });
+}
+
+void ImageView::makeRoomFor(QToolButton* part) {
+    const QScrollArea* page = nullptr;
+    for (QWidget* above = parentWidget(); above != nullptr && page == nullptr;
+         above = above->parentWidget())
+        page = qobject_cast<QScrollArea*>(above);
+    if (page == nullptr || page->widget() == nullptr)
+        return;
+    for (QToolButton* other :
+         {histogram_, lines_->profileButton(), lines_->spotsButton(), explains_}) {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // sizes up to date
+        if (page->widget()->minimumSizeHint().height() <= page->viewport()->height())
+            return;
+        if (other != part)
+            other->setChecked(false);
+    }
 }
 
 } // namespace smat::gui

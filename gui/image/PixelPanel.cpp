@@ -198,7 +198,7 @@ void PixelPanel::prepare() {
     if (!maker_ || explainer_ || making_.isBusy())
         return;
     hasFailed_ = false;
-    words_->setText(tr("The image is drawn anew, to be explained…"));
+    words_->setText(tr("Rendering the image again to explain it…"));
     making_.run<std::shared_ptr<PixelExplainer>>(
         maker_(),
         [this](std::shared_ptr<PixelExplainer> made) {

@@ -86,7 +86,7 @@ FirstSignatureDialog::FirstSignatureDialog(const Project& project, std::size_t n
     tabs_ = new QTabWidget;
     tabs_->addTab(surfacePage, tr("&Surfaces"));
     tabs_->addTab(placingPage, tr("&Placing"));
-    said_ = new QLabel(tr("Reading the model ..."));
+    said_ = new QLabel(tr("Reading the model…"));
     said_->setObjectName("said");
     said_->setWordWrap(true);
     said_->setForegroundRole(QPalette::PlaceholderText);

@@ -128,7 +128,7 @@ void PlacingFields::setFile(const std::filesystem::path& file) {
     task_.cancel();
     if (file.empty())
         return refresh();
-    picture_->showWord(tr("Reading the model ..."));
+    picture_->showWord(tr("Reading the model…"));
     using Read = std::shared_ptr<const irsg::ModelShape>;
     task_.run<Read>(
         [file] { return std::make_shared<const irsg::ModelShape>(irsg::shapeOf(file)); },

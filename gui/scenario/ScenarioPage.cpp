@@ -190,7 +190,7 @@ void ScenarioPage::connectJobs() {
         toldOfFilm_ = false;
         film_ = workbench_.start(order);
         frames_->setFilming(true);
-        frames_->say(tr("The film is being written; the bar below says how far."));
+        frames_->say(tr("The film is being written; the bar below shows the progress."));
     });
     // Whatever became of it; one that was cancelled, or taken out of the line, says nothing more.
     const auto rest = [this] {
@@ -307,7 +307,7 @@ void ScenarioPage::run() {
     if (!dialogs_.run(dialog))
         return;
     timeLine_->pause();
-    frames_->say(tr("The frames are being written; the bar below says how far."));
+    frames_->say(tr("The frames are being written; the bar below shows the progress."));
     panels_->setCurrentWidget(frames_);
     job_ = workbench_.start(dialog.order());
 }
@@ -334,7 +334,7 @@ bool ScenarioPage::save() {
         dialogs_.ask(this, tr("The file has changed"),
                      tr("Another program has changed the scenario or one of its trajectories since "
                         "it was read."),
-                     {tr("Save mine over it"), tr("Cancel")}) != 0)
+                     {tr("&Replace it with mine")}) != 0)
         return false;
     return saveTo(document_->file());
 }
@@ -365,7 +365,7 @@ bool ScenarioPage::mayClose() {
     const int answer = dialogs_.ask(
         this, tr("Unsaved scenario"),
         tr("%1 has edits that are not saved.").arg(textOf(document_->scenario().displayName())),
-        {tr("Save"), tr("Discard"), tr("Cancel")});
+        {tr("&Save"), tr("&Discard")});
     return answer == 1 || (answer == 0 && save());
 }
 

@@ -66,16 +66,13 @@ Dialogs Dialogs::ofDesktop() {
                      const QStringList& answers) {
         QMessageBox box(QMessageBox::Question, title, question, QMessageBox::NoButton, parent);
         usePicture(box, "question");
+        QList<QAbstractButton*> buttons;
         for (const auto& answer : answers)
-            box.addButton(answer, QMessageBox::ActionRole);
+            buttons << box.addButton(answer, QMessageBox::ActionRole);
         // Escape and the frame of the box give no answer; so does this button.
-        auto* none = box.addButton(QMessageBox::Cancel);
-        box.setDefaultButton(qobject_cast<QPushButton*>(box.buttons().value(0)));
+        box.setDefaultButton(box.addButton(QMessageBox::Cancel));
         box.exec();
-        const auto number = box.buttons().indexOf(box.clickedButton());
-        return box.clickedButton() == none || number < 0
-                   ? -1
-                   : static_cast<int>(answers.indexOf(box.clickedButton()->text()));
+        return static_cast<int>(buttons.indexOf(box.clickedButton()));
     };
     dialogs.run = [](QDialog& dialog) {
         // With its title bar on a small screen, too, so that its buttons are in reach.

@@ -31,10 +31,10 @@ constexpr mode_t ordinary = 0666;
     switch (error) {
     case ENOSPC:
     case EDQUOT:
-        refuseToWrite(file, "a full disk", "room to write it; what was there is as it was");
+        refuseToWrite(file, "a full disk", "room to write it; the old file is unchanged");
     case EFBIG:
         refuseToWrite(file, "a file larger than is allowed here",
-                      "leave to write a larger file; what was there is as it was");
+                      "permission to write a larger file; the old file is unchanged");
     case EACCES:
     case EPERM:
     case EROFS:

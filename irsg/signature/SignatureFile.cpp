@@ -109,7 +109,7 @@ std::vector<std::string> changedEntries(const SignatureDatabase& database,
 
 /// What SQLite says, in words that name what to do about it.
 InputError refusal(const fs::path& file, const SQLite::Exception& error, bool saving) {
-    constexpr const char* unchanged = "; what was there is as it was";
+    constexpr const char* unchanged = "; the old file is unchanged";
     switch (error.getErrorCode()) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:

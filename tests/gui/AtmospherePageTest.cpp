@@ -249,9 +249,9 @@ TEST_F(AtmospherePageTest, UnsavedEditsAreAskedFor) {
     makeNew();
     auto* tabs = window->findChild<QTabWidget*>("tabs");
     give("Visibility", "5000");
-    answer = 2; // stay
+    answer = -1; // stay
     trigger("closeResult");
-    EXPECT_EQ(asked, QStringList{"Unsaved air"});
+    EXPECT_EQ(asked, QStringList{"Unsaved atmosphere"});
     ASSERT_EQ(shownPage(), page);
     chosen = QString::fromStdString((folder / "kept.xml").string());
     answer = 0; // save
@@ -263,7 +263,7 @@ TEST_F(AtmospherePageTest, UnsavedEditsAreAskedFor) {
     give("Visibility", "6000");
     smat::test::write(folder / "air.xml", content("kept.xml") + "\n");
     asked.clear();
-    answer = 1; // cancel
+    answer = -1; // cancel
     EXPECT_FALSE(page->save());
     EXPECT_EQ(asked, QStringList{"The file has changed"});
     EXPECT_TRUE(page->document().isModified());

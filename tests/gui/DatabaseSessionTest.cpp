@@ -249,7 +249,7 @@ TEST_F(DatabaseSessionTest, ADiskThatIsFullLosesNothing) {
         session.writeRecoveryNow();
         problem = session.recoveryProblem();
     }
-    EXPECT_NE(said.find("what was there is as it was"), std::string::npos) << said;
+    EXPECT_NE(said.find("the old file is unchanged"), std::string::npos) << said;
     EXPECT_FALSE(problem.isEmpty());
     EXPECT_TRUE(session.isDirty());
     EXPECT_EQ(session.value(), edited);

@@ -13,6 +13,7 @@
 #include "gui/analysis/MonteCarloPlots.h"
 #include "gui/analysis/SummaryText.h"
 #include "gui/image/ColorBar.h"
+#include "gui/image/FiguresTable.h"
 #include "gui/image/ImageView.h"
 #include "gui/plot/CartesianPlot.h"
 #include "gui/plot/PlotExport.h"
@@ -176,8 +177,8 @@ TEST(DisplayUnits, WordsOfEachKindOfValue) {
          "Numerical error there: 2 K"},
         {"a temperature",
          {.celsius = true},
-         {"Largest pixel", 300.0, "K"},
-         "Largest pixel: 26.85 °C"},
+         {"Highest pixel", 300.0, "K"},
+         "Highest pixel: 26.85 °C"},
         {"a wavelength",
          {.spectral = Spectral::wavenumber},
          {"Peak", 4.0, "um"},
@@ -260,6 +261,9 @@ TEST_F(UnitsOfComparison, TemperaturesOfBothImagesAndDifferencesAsTheyAre) {
     const QString text = window->readoutAt(1, 1);
     EXPECT_TRUE(text.contains("A  26.85 °C") && text.contains("B  16.85 °C")) << text.toStdString();
     EXPECT_TRUE(text.contains("A − B  10 K")) << text.toStdString();
+    const QString numbers = window->findChild<FiguresTable*>("comparisonNumbers")->allText();
+    EXPECT_TRUE(numbers.contains("A 26.85 °C, B 16.85 °C")) << numbers.toStdString();
+    EXPECT_TRUE(numbers.contains("Mean error, A − B\t10 K")) << numbers.toStdString();
     const auto bars = window->findChildren<ColorBar*>();
     EXPECT_TRUE(std::ranges::any_of(
         bars, [](const ColorBar* bar) { return bar->title().contains("(°C)"); }));

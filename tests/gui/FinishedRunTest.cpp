@@ -39,7 +39,7 @@ TEST_F(FinishedRunTest, TakesNoPageAwayFromWorkAndHasADotUntilItIsLookedAt) {
     runs([this] { QTest::keyClick(window.get(), Qt::Key_Shift); });
     ASSERT_EQ(tabs->count(), 2);
     EXPECT_EQ(tabs->currentIndex(), 0) << "the page in front stays";
-    EXPECT_TRUE(window->statusBar()->currentMessage().contains("its tab has a dot"))
+    EXPECT_TRUE(window->statusBar()->currentMessage().contains("a dot marks its tab"))
         << window->statusBar()->currentMessage().toStdString();
     const QImage dotted = tabs->tabIcon(1).pixmap(tabs->iconSize()).toImage();
     tabs->setCurrentIndex(1);

@@ -1,6 +1,8 @@
 #include <cmath>
 
 #include <QLineEdit>
+#include <QScrollArea>
+#include <QToolButton>
 
 #include "gui/image/ColorBar.h"
 #include "gui/image/FiguresTable.h"
@@ -64,6 +66,38 @@ TEST_F(ImageLinesTest, ADraggedLineShowsTheValuesOfItsPixels) {
     EXPECT_FALSE(view.profile()->isVisible());
     drag(at(3.5, 4.5), at(9.5, 9.5));
     EXPECT_TRUE(view.canvas()->selection().has_value()) << "a rectangle as before";
+}
+
+TEST_F(ImageLinesTest, OnALowPageOnePartBelowTheImageMakesWayForAnother) {
+    QScrollArea page;
+    page.setWidgetResizable(true);
+    auto* low = new ImageView;
+    page.setWidget(low);
+    low->setImage(small());
+    page.resize(520, 560);
+    page.show();
+    QTest::qWait(20);
+    const auto isOn = [&](const char* name) {
+        return low->findChild<QToolButton*>(name)->isChecked();
+    };
+    const auto click = [&](const char* name) {
+        low->findChild<QToolButton*>(name)->click();
+        QTest::qWait(20);
+    };
+    click("showHistogram");
+    EXPECT_TRUE(isOn("showHistogram"));
+    click("showProfile");
+    EXPECT_TRUE(isOn("showProfile"));
+    EXPECT_FALSE(isOn("showHistogram"));
+    EXPECT_LE(page.widget()->minimumSizeHint().height(), page.viewport()->height());
+    click("showHotSpots");
+    EXPECT_TRUE(isOn("showHotSpots"));
+    EXPECT_FALSE(isOn("showProfile"));
+    // Where there is room all stay.
+    page.resize(520, 1400);
+    QTest::qWait(20);
+    click("showHistogram");
+    EXPECT_TRUE(isOn("showHistogram") && isOn("showHotSpots"));
 }
 
 TEST_F(ImageLinesTest, AClickedPixelShowsItsRowAndItsColumn) {

@@ -157,11 +157,11 @@ TEST_F(MainWindowTest, ClosesCleanlyWhileAnAnalysisRuns) {
     window->findChild<QAction*>("new-polar")->trigger();
     QTest::qWait(50);
     EXPECT_TRUE(workbench.isRunning());
-    answers = {0}; // stay
+    answers = {-1}; // stay
     EXPECT_FALSE(window->close());
     EXPECT_EQ(asked, QStringList{"Quit during a run"});
     EXPECT_TRUE(workbench.isRunning());
-    answers = {1, 1}; // quit, and discard the changed step
+    answers = {0, 1}; // quit, and discard the changed step
     EXPECT_TRUE(window->close());
     window.reset();
 }

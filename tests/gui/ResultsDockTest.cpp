@@ -59,7 +59,7 @@ TEST_F(ResultsDockTest, TellsWhenHowLongAndWhatWasAsked) {
     EXPECT_TRUE(detail.contains(" s · ")) << detail.toStdString();
     EXPECT_TRUE(detail.contains(" · range ")) << detail.toStdString();
     EXPECT_TRUE(list()->item(0)->toolTip().contains("5 cases, range "));
-    EXPECT_TRUE(list()->item(0)->toolTip().contains("Largest Contrast intensity"));
+    EXPECT_TRUE(list()->item(0)->toolTip().contains("Highest contrast intensity"));
 }
 
 TEST_F(ResultsDockTest, RunsAgainAndGivesTheSameNumbers) {

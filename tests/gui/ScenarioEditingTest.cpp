@@ -508,7 +508,7 @@ TEST_F(ScenarioEditingTest, ClosingAsksForWhatIsNotSaved) {
     edits("mover");
     typeCell(0, z, "55");
     auto* tabs = window->findChild<QTabWidget*>("tabs");
-    answers = {2, 2, 0}; // stay, stay, then save
+    answers = {-1, -1, 0}; // stay, stay, then save
     emit tabs->tabCloseRequested(tabs->currentIndex());
     EXPECT_EQ(shownPage(), page);
     // By the menu of its tab, too.

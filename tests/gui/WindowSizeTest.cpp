@@ -61,6 +61,23 @@ TEST_F(WindowSizeTest, EveryPageAndDockFitsASmallScreen) {
     }
 }
 
+TEST_F(WindowSizeTest, TheDatabaseDoesNotWidenASmallWindow) {
+    constexpr QSize small(1024, 700);
+    openSample();
+    window->findChild<QDockWidget*>("resultsDock")->raise();
+    window->resize(small);
+    QTest::qWait(30);
+    auto& editor = window->databaseEditor();
+    editor.raise();
+    for (int i = 0; i < editor.tabs()->count(); ++i) {
+        editor.tabs()->setCurrentIndex(i);
+        QTest::qWait(30);
+        EXPECT_EQ(window->size(), small) << i;
+        EXPECT_LE(window->minimumSizeHint().width(), small.width()) << i;
+    }
+    test::keepScreenshot(*window, "small-database");
+}
+
 TEST_F(WindowSizeTest, TheLayoutIsKeptForTheNextTime) {
     const auto dock = [this](const char* name) { return window->findChild<QDockWidget*>(name); };
     window->resize(1200, 790);

@@ -78,9 +78,18 @@ TEST(Words, AnEngineerSaysIt) {
                             "Of projects that are begun",
                             "Least altitude",
                             "waits in line",
+                            "\"above %1",
+                            "\"below %1",
+                            "Unsaved air",
+                            "its tab has a dot",
                             "\"Stbd\""}) {
         expectNowhere("\"[^\"\n]*" + std::string(odd) + "[^\"\n]*\"?", "odd words");
     }
+}
+
+TEST(Words, AQuestionHasOneWayOut) {
+    // Dialogs::ask adds Cancel to every question.
+    expectNowhere("\\{(?:[^{}]*, )?tr\\(\"(&?Cancel|&?Stay)\"\\)[^{}]*\\}", "see Dialogs.h");
 }
 
 } // namespace
