@@ -9,6 +9,7 @@
 #include <QMenu>
 #include <QScrollArea>
 #include <QSplitter>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -215,8 +216,8 @@ void ImageView::connectParts() {
     for (QToolButton* part :
          {histogram_, lines_->profileButton(), lines_->spotsButton(), explains_})
         connect(part, &QToolButton::toggled, this, [this, part](bool on) {
-            if (on)
-                makeRoomFor(part);
+            if (on) // once sizes are up to date
+                QTimer::singleShot(0, this, [this, part] { makeRoomFor(part); });
         });
 }
 
@@ -227,14 +228,16 @@ void ImageView::makeRoomFor(QToolButton* part) {
         page = qobject_cast<QScrollArea*>(above);
     if (page == nullptr || page->widget() == nullptr)
         return;
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    if (page->widget()->minimumSizeHint().height() <= page->viewport()->height())
+        return;
     for (QToolButton* other :
-         {histogram_, lines_->profileButton(), lines_->spotsButton(), explains_}) {
-        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // sizes up to date
-        if (page->widget()->minimumSizeHint().height() <= page->viewport()->height())
-            return;
-        if (other != part)
+         {histogram_, lines_->profileButton(), lines_->spotsButton(), explains_})
+        if (other != part && other->isChecked()) {
             other->setChecked(false);
-    }
+            QTimer::singleShot(0, this, [this, part] { makeRoomFor(part); });
+            return;
+        }
 }
 
 } // namespace smat::gui

@@ -74,7 +74,7 @@ TEST_F(ImageLinesTest, OnALowPageOnePartBelowTheImageMakesWayForAnother) {
     auto* low = new ImageView;
     page.setWidget(low);
     low->setImage(small());
-    page.resize(520, 560);
+    page.resize(520, 660);
     page.show();
     QTest::qWait(20);
     const auto isOn = [&](const char* name) {
