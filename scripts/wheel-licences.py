@@ -19,7 +19,7 @@ import sys
 import tempfile
 import zipfile
 
-COMPILED_IN = ("fonts-dejavu-core", "libboost-dev", "libkissfft-dev", "libsqlitecpp-dev", "nlohmann-json3-dev")
+COMPILED_IN = ("fonts-dejavu-core", "libboost-dev", "libsqlitecpp-dev", "nlohmann-json3-dev")
 
 
 def packages() -> dict[str, str]:

@@ -4,20 +4,13 @@
 #include <string>
 #include <utility>
 
-#include <kissfft/kissfft.hh>
-
 #include "irsg/core/Errors.h"
 #include "irsg/core/ParallelFor.h"
+#include "irsg/sensor/FourierLanes.h"
 
 namespace irsg {
 
 namespace {
-
-using Complex = std::complex<double>;
-using Plan = kissfft<double>;
-
-/// Rows, or columns, that one thread takes at once.
-constexpr std::size_t lanes = 16;
 
 std::size_t withoutFactors(std::size_t size) {
     for (const std::size_t factor : {2, 3, 5})
@@ -26,93 +19,123 @@ std::size_t withoutFactors(std::size_t size) {
     return size;
 }
 
-/// work(first, last) for pieces of `lanes` numbers up to `count`.
-void inLanes(std::size_t count, const auto& work) {
-    parallelFor((count + lanes - 1) / lanes, [&](std::size_t piece) {
-        work(piece * lanes, std::min(count, (piece + 1) * lanes));
+/// work(first, last) for pieces of `width` numbers up to `count`.
+void inPieces(std::size_t count, std::size_t width, const auto& work) {
+    parallelFor((count + width - 1) / width, [&](std::size_t piece) {
+        work(piece * width, std::min(count, (piece + 1) * width));
     });
 }
 
-bool isZero(const double* values, std::size_t count) {
-    return std::all_of(values, values + count, [](double value) { return value == 0.0; });
+/// Two rows in one line, as real and imaginary part.
+template <typename Real>
+void transformRows(const std::vector<Real>& values, HalfSpectrumOf<Real>& spectrum) {
+    using Plan = FourierLanes<Real>;
+    constexpr std::size_t lanes = Plan::lanes;
+    const std::size_t width = spectrum.width, columns = spectrum.columns();
+    const Plan plan(width);
+    inPieces(spectrum.height, 2 * lanes, [&](std::size_t first, std::size_t last) {
+        const std::size_t rows = last - first, ones = (rows + 1) / 2, others = rows / 2;
+        typename Plan::Lines lines(width), scratch(width);
+        for (std::size_t x = 0; x < width; ++x) {
+            const Real* const from = &values[first * width + x];
+            for (std::size_t l = 0; l < ones; ++l)
+                lines.real[x * lanes + l] = from[2 * l * width];
+            for (std::size_t l = 0; l < others; ++l)
+                lines.imaginary[x * lanes + l] = from[(2 * l + 1) * width];
+        }
+        plan.transform(lines, scratch);
+        constexpr Real half = 0.5;
+        for (std::size_t k = 0; k < columns; ++k) {
+            const std::size_t here = k * lanes, mirrored = (width - k) % width * lanes;
+            std::complex<Real>* const to = &spectrum.values[first * columns + k];
+            for (std::size_t l = 0; l < ones; ++l) {
+                const Real re = lines.real[here + l], im = lines.imaginary[here + l];
+                const Real mirroredRe = lines.real[mirrored + l];
+                const Real mirroredIm = lines.imaginary[mirrored + l];
+                to[2 * l * columns] = {half * (re + mirroredRe), half * (im - mirroredIm)};
+                if (l < others)
+                    to[(2 * l + 1) * columns] = {half * (im + mirroredIm),
+                                                 half * (mirroredRe - re)};
+            }
+        }
+    });
 }
 
-/// Two rows in one transform, as real and imaginary part.
-void transformRows(const std::vector<double>& values, HalfSpectrum& spectrum) {
-    const std::size_t width = spectrum.width, columns = spectrum.columns();
-    const Plan shared(width, false);
-    inLanes(spectrum.height, [&](std::size_t first, std::size_t last) {
-        const Plan plan = shared; // it has a buffer
-        std::vector<Complex> both(width), result(width);
-        for (std::size_t y = first; y < last; y += 2) {
-            const bool isPair = y + 1 < last;
-            const double* const row = &values[y * width];
-            if (isZero(row, isPair ? 2 * width : width))
-                continue;
-            for (std::size_t x = 0; x < width; ++x)
-                both[x] = {row[x], isPair ? row[width + x] : 0.0};
-            plan.transform(both.data(), result.data());
-            Complex* const to = &spectrum.values[y * columns];
-            for (std::size_t k = 0; k < columns; ++k) {
-                const Complex here = result[k], mirrored = std::conj(result[(width - k) % width]);
-                to[k] = 0.5 * (here + mirrored);
-                if (isPair) {
-                    const Complex twice = here - mirrored; // of i times the second row
-                    to[columns + k] = {0.5 * twice.imag(), -0.5 * twice.real()};
+template <typename Real>
+void transformColumns(HalfSpectrumOf<Real>& spectrum, bool isBack) {
+    using Plan = FourierLanes<Real>;
+    constexpr std::size_t lanes = Plan::lanes;
+    const std::size_t height = spectrum.height, columns = spectrum.columns();
+    const Plan plan(height);
+    inPieces(columns, lanes, [&](std::size_t first, std::size_t last) {
+        typename Plan::Lines lines(height), scratch(height);
+        for (std::size_t y = 0; y < height; ++y)
+            for (std::size_t x = first; x < last; ++x) {
+                const std::complex<Real> value = spectrum.values[y * columns + x];
+                lines.real[y * lanes + x - first] = value.real();
+                lines.imaginary[y * lanes + x - first] = value.imag();
+            }
+        if (isBack)
+            plan.transformBack(lines, scratch);
+        else
+            plan.transform(lines, scratch);
+        for (std::size_t y = 0; y < height; ++y)
+            for (std::size_t x = first; x < last; ++x)
+                spectrum.values[y * columns + x] = {lines.real[y * lanes + x - first],
+                                                    lines.imaginary[y * lanes + x - first]};
+    });
+}
+
+/// Two rows of conjugate halves in one line.
+template <typename Real>
+std::vector<Real> rowsBack(const HalfSpectrumOf<Real>& spectrum) {
+    using Plan = FourierLanes<Real>;
+    constexpr std::size_t lanes = Plan::lanes;
+    const std::size_t width = spectrum.width, height = spectrum.height;
+    const std::size_t columns = spectrum.columns();
+    const Real scale = static_cast<Real>(1.0 / static_cast<double>(width * height));
+    const Plan plan(width);
+    std::vector<Real> values(width * height);
+    inPieces(height, 2 * lanes, [&](std::size_t first, std::size_t last) {
+        const std::size_t rows = last - first, ones = (rows + 1) / 2, others = rows / 2;
+        typename Plan::Lines lines(width), scratch(width);
+        for (std::size_t k = 0; k < columns; ++k) {
+            const std::complex<Real>* const from = &spectrum.values[first * columns + k];
+            const std::size_t here = k * lanes, mirrored = (width - k) % width * lanes;
+            for (std::size_t l = 0; l < ones; ++l) {
+                const std::complex<Real> one = from[2 * l * columns];
+                const std::complex<Real> other =
+                    l < others ? from[(2 * l + 1) * columns] : std::complex<Real>();
+                lines.real[here + l] = one.real() - other.imag();
+                lines.imaginary[here + l] = one.imag() + other.real();
+                if (k > 0) {
+                    lines.real[mirrored + l] = one.real() + other.imag();
+                    lines.imaginary[mirrored + l] = other.real() - one.imag();
                 }
             }
         }
-    });
-}
-
-void transformColumns(HalfSpectrum& spectrum, bool inverse) {
-    const std::size_t height = spectrum.height, columns = spectrum.columns();
-    const Plan shared(height, inverse);
-    inLanes(columns, [&](std::size_t first, std::size_t last) {
-        const Plan plan = shared; // it has a buffer
-        std::vector<Complex> lines((last - first) * height), result(height);
-        for (std::size_t y = 0; y < height; ++y)
-            for (std::size_t x = first; x < last; ++x)
-                lines[(x - first) * height + y] = spectrum.values[y * columns + x];
-        for (std::size_t x = first; x < last; ++x) {
-            Complex* const line = &lines[(x - first) * height];
-            plan.transform(line, result.data());
-            std::ranges::copy(result, line);
-        }
-        for (std::size_t y = 0; y < height; ++y)
-            for (std::size_t x = first; x < last; ++x)
-                spectrum.values[y * columns + x] = lines[(x - first) * height + y];
-    });
-}
-
-/// Two rows of conjugate halves in one transform.
-std::vector<double> rowsBack(const HalfSpectrum& spectrum) {
-    const std::size_t width = spectrum.width, height = spectrum.height;
-    const std::size_t columns = spectrum.columns();
-    const double scale = 1.0 / static_cast<double>(width * height);
-    const Plan shared(width, true);
-    std::vector<double> values(width * height);
-    inLanes(height, [&](std::size_t first, std::size_t last) {
-        const Plan plan = shared; // it has a buffer
-        std::vector<Complex> both(width), result(width);
-        for (std::size_t y = first; y < last; y += 2) {
-            const bool isPair = y + 1 < last;
-            const Complex* const one = &spectrum.values[y * columns];
-            for (std::size_t k = 0; k < columns; ++k) {
-                const Complex other = isPair ? one[columns + k] : Complex();
-                both[k] = {one[k].real() - other.imag(), one[k].imag() + other.real()};
-                if (k > 0)
-                    both[width - k] = {one[k].real() + other.imag(), other.real() - one[k].imag()};
-            }
-            plan.transform(both.data(), result.data());
-            for (std::size_t x = 0; x < width; ++x) {
-                values[y * width + x] = scale * result[x].real();
-                if (isPair)
-                    values[(y + 1) * width + x] = scale * result[x].imag();
-            }
+        plan.transformBack(lines, scratch);
+        for (std::size_t x = 0; x < width; ++x) {
+            Real* const to = &values[first * width + x];
+            for (std::size_t l = 0; l < ones; ++l)
+                to[2 * l * width] = scale * lines.real[x * lanes + l];
+            for (std::size_t l = 0; l < others; ++l)
+                to[(2 * l + 1) * width] = scale * lines.imaginary[x * lanes + l];
         }
     });
     return values;
+}
+
+template <typename Real>
+HalfSpectrumOf<Real> transformed(const std::vector<Real>& values, std::size_t width,
+                                 std::size_t height) {
+    if (values.empty() || values.size() != width * height)
+        throw LogicError("a transform of " + std::to_string(values.size()) +
+                         " numbers on a grid of other sides");
+    HalfSpectrumOf<Real> spectrum(width, height);
+    transformRows(values, spectrum);
+    transformColumns(spectrum, false);
+    return spectrum;
 }
 
 } // namespace
@@ -125,16 +148,20 @@ std::size_t smoothSize(std::size_t size) {
 }
 
 HalfSpectrum transformOf(const std::vector<double>& values, std::size_t width, std::size_t height) {
-    if (values.empty() || values.size() != width * height)
-        throw LogicError("a transform of " + std::to_string(values.size()) +
-                         " numbers on a grid of other sides");
-    HalfSpectrum spectrum(width, height);
-    transformRows(values, spectrum);
-    transformColumns(spectrum, false);
-    return spectrum;
+    return transformed(values, width, height);
+}
+
+HalfSpectrumOf<float> transformOf(const std::vector<float>& values, std::size_t width,
+                                  std::size_t height) {
+    return transformed(values, width, height);
 }
 
 std::vector<double> transformBack(HalfSpectrum spectrum) {
+    transformColumns(spectrum, true);
+    return rowsBack(spectrum);
+}
+
+std::vector<float> transformBack(HalfSpectrumOf<float> spectrum) {
     transformColumns(spectrum, true);
     return rowsBack(spectrum);
 }

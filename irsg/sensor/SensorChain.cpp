@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -48,6 +49,18 @@ Pair normals(std::uint64_t seed, Draw draw, std::uint32_t frame, std::uint64_t n
     return {normalQuantile(u.first), normalQuantile(u.second)};
 }
 
+/// The normal numbers of a row of pixels, of which two neighbours share a draw.
+void rowOfNormals(std::uint64_t seed, Draw draw, std::uint32_t frame, std::uint64_t first,
+                  std::span<double> row) {
+    for (std::size_t i = 0; i < row.size(); i += 2) {
+        const Pair pair = uniforms(seed, draw, frame, first + i / 2);
+        row[i] = pair.first;
+        if (i + 1 < row.size())
+            row[i + 1] = pair.second;
+    }
+    normalQuantiles(row);
+}
+
 /// A number of electrons of this mean, by inversion of Poisson's law.
 double poisson(double mean, double unit) {
     double term = portable::exp(-mean), sum = term;
@@ -66,11 +79,6 @@ std::vector<double> series(std::uint64_t seed, Draw draw, std::uint32_t frame, s
     return values;
 }
 
-void addProduct(const HalfSpectrum& a, const HalfSpectrum& b, HalfSpectrum& sum) {
-    for (std::size_t i = 0; i < sum.values.size(); ++i)
-        sum.values[i] += a.values[i] * b.values[i];
-}
-
 } // namespace
 
 SensorChain::SensorChain(const SensorDescription& sensor, double source_K,
@@ -80,7 +88,17 @@ SensorChain::SensorChain(const SensorDescription& sensor, double source_K,
       response_(sensor, convention),
       offset_(response_.offset()),
       patternUnit_(
-          response_.noise(response_.signal(sensor.noise.referenceTemperature_K)).temporal()) {}
+          response_.noise(response_.signal(sensor.noise.referenceTemperature_K)).temporal()),
+      kept_(std::make_shared<KeptBlur>()) {}
+
+std::shared_ptr<const SensorBlur> SensorChain::blur(int samples) const {
+    const std::lock_guard lock(kept_->mutex);
+    if (!kept_->blur || kept_->blur->samples() != samples)
+        kept_->blur = std::make_shared<const SensorBlur>(
+            spread_, static_cast<std::size_t>(sensor_.detector.columns),
+            static_cast<std::size_t>(sensor_.detector.rows), samples);
+    return kept_->blur;
+}
 
 void SensorChain::addPoint(const PointTarget& point, std::vector<double>& signal) const {
     const double column = std::floor(point.column_px), row = std::floor(point.row_px);
@@ -104,50 +122,12 @@ void SensorChain::addPoint(const PointTarget& point, std::vector<double>& signal
 
 std::vector<double> SensorChain::exposed(const std::vector<float>& radiance_W_m2_sr, int samples,
                                          const std::vector<PointTarget>& points) const {
-    const auto width = static_cast<std::size_t>(sensor_.detector.columns);
-    const auto height = static_cast<std::size_t>(sensor_.detector.rows);
-    const auto cells = static_cast<std::size_t>(std::max(samples, 0));
-    if (samples < 1 || radiance_W_m2_sr.size() != width * height * cells * cells)
-        throw LogicError("radiance of another size than the sensor's grid");
-    const std::size_t side = spread_.side_px(), margin = side / 2;
-    const std::size_t wide = smoothSize(width + side), high = smoothSize(height + side);
-    HalfSpectrum sum(wide, high);
-    // Each place within a pixel is an image of its own, with its own kernel.
-    for (std::size_t v = 0; v < cells; ++v)
-        for (std::size_t u = 0; u < cells; ++u) {
-            const auto placeOf = [&](std::size_t i) {
-                return (static_cast<double>(i) + 0.5) / samples - 0.5;
-            };
-            const std::vector<double> spread =
-                transformBack(spread_.spectrumOf(1.0 / samples, placeOf(u), placeOf(v)));
-            std::vector<double> kernel(wide * high), image(wide * high);
-            for (std::size_t y = 0; y < side; ++y)
-                for (std::size_t x = 0; x < side; ++x) {
-                    const std::size_t toX = x < margin ? x : wide - side + x;
-                    const std::size_t toY = y < margin ? y : high - side + y;
-                    kernel[toY * wide + toX] = spread[y * side + x];
-                }
-            parallelFor(high, [&](std::size_t y) {
-                // Half of what is added goes on behind the end, half stands before the beginning.
-                const std::size_t past = height + (high - height) / 2;
-                const std::size_t row = y < height ? y : y < past ? height - 1 : 0;
-                const std::size_t pastX = width + (wide - width) / 2;
-                for (std::size_t x = 0; x < wide; ++x) {
-                    const std::size_t column = x < width ? x : x < pastX ? width - 1 : 0;
-                    image[y * wide + x] =
-                        radiance_W_m2_sr[(row * cells + v) * width * cells + column * cells + u];
-                }
-            });
-            addProduct(transformOf(image, wide, high), transformOf(kernel, wide, high), sum);
-        }
-    const std::vector<double> blurred = transformBack(std::move(sum));
-    std::vector<double> signal(width * height);
-    // A cell sends the part of the pixel's radiance that its area is.
-    const double scale = response_.signalPerRadiance() / (samples * samples);
-    parallelFor(height, [&](std::size_t y) {
-        for (std::size_t x = 0; x < width; ++x)
-            signal[y * width + x] = scale * blurred[y * wide + x];
-    });
+    if (samples < 1)
+        throw LogicError("radiance without samples");
+    std::vector<double> signal = blur(samples)->blurred(radiance_W_m2_sr);
+    const double scale = response_.signalPerRadiance();
+    for (double& value : signal)
+        value *= scale;
     for (const PointTarget& point : points)
         addPoint(point, signal);
     return signal;
@@ -182,20 +162,18 @@ std::vector<double> SensorChain::noisy(const std::vector<double>& signal, std::u
         return poisson(mean, more.first) + read * normal;
     };
     parallelFor(height, [&](std::size_t y) {
-        // Neighbours of a row share a draw.
-        const std::size_t pairs = (width + 1) / 2;
-        for (std::size_t i = 0; i < pairs; ++i) {
-            const std::uint64_t number = y * pairs + i;
-            const Pair normal = normals(seed, Draw::pixel, frame, number);
-            const Pair pattern =
-                parts.vh > 0.0 ? normals(seed, Draw::vh, everyFrame, number) : Pair{};
-            for (std::size_t x = 2 * i; x < std::min(width, 2 * i + 2); ++x) {
-                const bool isFirst = x == 2 * i;
-                values[y * width + x] =
-                    valueOf(y * width + x, isFirst ? normal.first : normal.second) +
-                    unit * parts.vh * (isFirst ? pattern.first : pattern.second) + ofRows[y] +
-                    ofColumns[x] + rowsNow[y] + columnsNow[x] + frameNow;
-            }
+        const std::uint64_t first = y * ((width + 1) / 2);
+        double* const row = values.data() + y * width;
+        rowOfNormals(seed, Draw::pixel, frame, first, {row, width});
+        std::vector<double> pattern;
+        if (parts.vh > 0.0) {
+            pattern.resize(width);
+            rowOfNormals(seed, Draw::vh, everyFrame, first, pattern);
+        }
+        for (std::size_t x = 0; x < width; ++x) {
+            const double ofPixel = pattern.empty() ? 0.0 : unit * parts.vh * pattern[x];
+            row[x] = valueOf(y * width + x, row[x]) + ofPixel + ofRows[y] + ofColumns[x] +
+                     rowsNow[y] + columnsNow[x] + frameNow;
         }
     });
     return values;
@@ -212,25 +190,38 @@ SensorReading SensorChain::read(const std::vector<double>& signal, std::uint64_t
     SensorReading result;
     result.counts.resize(values.size());
     result.radiance_W_m2_sr.resize(values.size());
-    for (std::size_t at = 0; at < values.size(); ++at) {
-        double value = values[at];
-        const double bad = hasBad ? uniforms(seed, Draw::bad, everyFrame, at).first : 1.0;
-        if (bad < parts.deadPixelFraction) {
-            value = 0.0;
-            ++result.dead;
-        } else if (bad < parts.deadPixelFraction + parts.hotPixelFraction) {
-            value = full;
-            ++result.hot;
-        } else if (value >= full) {
-            value = full;
-            ++result.saturated;
+    const auto width = static_cast<std::size_t>(sensor_.detector.columns);
+    struct Special {
+        std::size_t saturated = 0, dead = 0, hot = 0;
+    };
+    std::vector<Special> ofRows(values.size() / width);
+    const double perRadiance = 1.0 / response_.signalPerRadiance();
+    parallelFor(ofRows.size(), [&](std::size_t y) {
+        Special& row = ofRows[y];
+        for (std::size_t at = y * width; at < (y + 1) * width; ++at) {
+            double value = values[at];
+            const double bad = hasBad ? uniforms(seed, Draw::bad, everyFrame, at).first : 1.0;
+            if (bad < parts.deadPixelFraction) {
+                value = 0.0;
+                ++row.dead;
+            } else if (bad < parts.deadPixelFraction + parts.hotPixelFraction) {
+                value = full;
+                ++row.hot;
+            } else if (value >= full) {
+                value = full;
+                ++row.saturated;
+            }
+            const double counts = std::clamp(
+                std::floor(electronics.offset_counts + value / electronics.gain + 0.5), 0.0, top);
+            result.counts[at] = static_cast<float>(counts);
+            result.radiance_W_m2_sr[at] = static_cast<float>(
+                ((counts - electronics.offset_counts) * electronics.gain - offset) * perRadiance);
         }
-        const double counts = std::clamp(
-            std::floor(electronics.offset_counts + value / electronics.gain + 0.5), 0.0, top);
-        result.counts[at] = static_cast<float>(counts);
-        result.radiance_W_m2_sr[at] =
-            static_cast<float>(((counts - electronics.offset_counts) * electronics.gain - offset) /
-                               response_.signalPerRadiance());
+    });
+    for (const Special& row : ofRows) {
+        result.saturated += row.saturated;
+        result.dead += row.dead;
+        result.hot += row.hot;
     }
     return result;
 }

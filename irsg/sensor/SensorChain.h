@@ -2,10 +2,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "irsg/image/RadianceImage.h"
 #include "irsg/sensor/PointSpread.h"
+#include "irsg/sensor/SensorBlur.h"
 #include "irsg/sensor/SensorNumbers.h"
 
 namespace irsg {
@@ -53,6 +56,12 @@ class SensorChain {
                               std::uint32_t frame) const;
 
   private:
+    /// The blur of the frames last asked for, which copies share: films have one.
+    struct KeptBlur {
+        std::mutex mutex;
+        std::shared_ptr<const SensorBlur> blur;
+    };
+    std::shared_ptr<const SensorBlur> blur(int samples) const;
     void addPoint(const PointTarget& point, std::vector<double>& signal) const;
 
     SensorDescription sensor_;
@@ -60,6 +69,7 @@ class SensorChain {
     PixelResponse response_;
     PixelSignal offset_;
     double patternUnit_; ///< temporal noise at the reference background
+    std::shared_ptr<KeptBlur> kept_;
 };
 
 /// Replaces an image of band radiance (channel `L`, `samples` squared values a pixel) by what the

@@ -41,6 +41,15 @@ constexpr std::array<double, n> inverseFactorials(int first, int step, bool alte
     return c;
 }
 
+/// 1 / (2 i + 1).
+template <std::size_t n>
+constexpr std::array<double, n> oddReciprocals() {
+    std::array<double, n> c{};
+    for (std::size_t i = 0; i < n; ++i)
+        c[i] = 1.0 / static_cast<double>(2 * i + 1);
+    return c;
+}
+
 /// An angle as r + q pi / 2 with |r| <= pi / 4.
 struct Reduced {
     double r;
@@ -99,9 +108,10 @@ double log(double x) {
     }
     const double s = (m - 1.0) / (m + 1.0);
     const double s2 = s * s;
+    static constexpr auto c = oddReciprocals<13>();
     double sum = 0.0;
-    for (int n = 12; n >= 1; --n)
-        sum = (sum + 1.0 / (2 * n + 1)) * s2;
+    for (std::size_t n = 12; n >= 1; --n)
+        sum = (sum + c[n]) * s2;
     return k * ln2High + (2.0 * s + (2.0 * s * sum + k * ln2Low));
 }
 
@@ -163,9 +173,10 @@ double atan(double x) {
     const double half = x / (1.0 + std::sqrt(1.0 + x * x));
     const double y = half / (1.0 + std::sqrt(1.0 + half * half));
     const double y2 = y * y;
+    static constexpr auto c = oddReciprocals<13>();
     double sum = 0.0;
-    for (int n = 12; n >= 1; --n)
-        sum = (1.0 / (2 * n + 1) - sum) * y2;
+    for (std::size_t n = 12; n >= 1; --n)
+        sum = (c[n] - sum) * y2;
     return 4.0 * (y - y * sum);
 }
 
