@@ -14,6 +14,7 @@
 #include "apps/smat-batch/StopSignal.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/jobs/CaseTeam.h"
+#include "smatcore/settings/SettingKeys.h"
 #include "smatcore/simulate/ScenarioFile.h"
 
 namespace smat::batch {
@@ -21,6 +22,11 @@ namespace smat::batch {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Those but the file of image.sensor, whose option is the name of a sensor here.
+bool hasOption(const SettingInfo& setting) {
+    return isScenarioSetting(setting) && setting.key != key::imageSensor;
+}
 
 /// "3-5 um, 8-12 um".
 std::string bandsText(const SceneDescription& scene) {
@@ -34,7 +40,7 @@ std::string bandsText(const SceneDescription& scene) {
 class SimulateCommand {
   public:
     explicit SimulateCommand(CLI::App& command)
-        : numbers_(command), settings_(command, isScenarioSetting), parts_(command, "the steps") {
+        : numbers_(command), settings_(command, hasOption), parts_(command, "the steps") {
         command.add_option("SCENARIO", scenario_, "Scenario file (JSON)")
             ->required()
             ->type_name("");

@@ -33,6 +33,13 @@ std::vector<SettingsPage> scenarioPages() {
         std::erase_if(page.keys,
                       [](const std::string& key) { return !isScenarioSetting(settingInfo(key)); });
     std::erase_if(pages, [](const SettingsPage& page) { return page.keys.empty(); });
+    // Frames are images, of which a project has settings in their form.
+    SettingsPage frames{SettingsDialog::tr("Frames"), "film", {}};
+    for (const SettingInfo& setting : settingTable())
+        if (setting.section() == "image" && isScenarioSetting(setting))
+            frames.keys.push_back(setting.key);
+    frames.always = frames.keys;
+    pages.push_back(std::move(frames));
     return pages;
 }
 

@@ -27,12 +27,8 @@ std::optional<irsg::SensorDescription> sensorOfImage(const AnalysisData& data) {
 
 } // namespace
 
-void followSensor(AnalysisData& data) {
-    const auto sensor = sensorOfImage(data);
-    if (!sensor)
-        return;
-    const irsg::Sensor pinhole = sensor->pinhole();
-    Settings& settings = data.settings;
+void followSensor(const irsg::SensorDescription& sensor, Settings& settings) {
+    const irsg::Sensor pinhole = sensor.pinhole();
     settings.set(key::sensorWidth, pinhole.width_px);
     settings.set(key::sensorHeight, pinhole.height_px);
     settings.set(key::sensorFov, irsg::degrees(pinhole.horizontalFieldOfView_rad));
@@ -42,17 +38,25 @@ void followSensor(AnalysisData& data) {
     settings.reset(key::sensorResponse);
 }
 
-void followSensor(const AnalysisData& data, SceneDescription& scene) {
-    if (const auto sensor = sensorOfImage(data)) {
-        scene.sensor = sensor->pinhole();
-        scene.moreBands.clear();
-    }
+void followSensor(const irsg::SensorDescription& sensor, SceneDescription& scene) {
+    scene.sensor = sensor.pinhole();
+    scene.moreBands.clear();
 }
 
-std::vector<std::string> drawThroughSensor(irsg::RadianceImage& image, const AnalysisData& data,
-                                           const PlacedCase& placed, const RenderDoor& door) {
-    const irsg::SensorDescription sensor = sensorOfImage(data).value();
-    const int samples = data.settings[key::imageSensorSamples];
+void followSensor(AnalysisData& data) {
+    if (const auto sensor = sensorOfImage(data))
+        followSensor(*sensor, data.settings);
+}
+
+void followSensor(const AnalysisData& data, SceneDescription& scene) {
+    if (const auto sensor = sensorOfImage(data))
+        followSensor(*sensor, scene);
+}
+
+irsg::SensorReading drawThroughSensor(irsg::RadianceImage& image, const irsg::SensorChain& chain,
+                                      const Settings& settings, const PlacedCase& placed,
+                                      const RenderDoor& door, const FrameNoise& noise) {
+    const int samples = settings[key::imageSensorSamples];
     PlacedCase finer = placed;
     finer.view.sensor.width_px *= samples;
     finer.view.sensor.height_px *= samples;
@@ -62,11 +66,19 @@ std::vector<std::string> drawThroughSensor(irsg::RadianceImage& image, const Ana
                                 fmt::format("at most {} samples of the image along a side",
                                             irsg::largestResolution_px)});
     image = finer.render(door, irsg::Outputs::image()).image;
-    const irsg::SensorChain chain(sensor);
-    const auto seed = static_cast<std::uint64_t>(data.settings[key::imageNoiseSeed]);
-    const irsg::SensorReading reading = irsg::readBySensor(image, chain, samples, seed, 0);
-    if (data.settings.text(key::imageQuantity) != "counts")
+    irsg::SensorReading reading =
+        irsg::readBySensor(image, chain, samples, noise.seed, noise.frame);
+    if (settings.text(key::imageQuantity) != "counts")
         std::rotate(image.channels.begin(), image.channels.begin() + 1, image.channels.end());
+    return reading;
+}
+
+std::vector<std::string> drawThroughSensor(irsg::RadianceImage& image, const AnalysisData& data,
+                                           const PlacedCase& placed, const RenderDoor& door) {
+    const irsg::SensorChain chain(sensorOfImage(data).value());
+    const FrameNoise noise{.seed = static_cast<std::uint64_t>(data.settings[key::imageNoiseSeed])};
+    const irsg::SensorReading reading =
+        drawThroughSensor(image, chain, data.settings, placed, door, noise);
     std::vector<std::string> sentences;
     if (reading.saturated > 0)
         sentences.push_back(

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "irsg/sensor/SensorChain.h"
 #include "smatcore/analysis/AnalysisData.h"
 #include "smatcore/analysis/PlacedCase.h"
 #include "smatcore/data/SceneDescription.h"
@@ -16,8 +18,24 @@ void followSensor(AnalysisData& data);
 /// The same of a scene, whose band becomes the sensor's response.
 void followSensor(const AnalysisData& data, SceneDescription& scene);
 
-/// Draws `placed` above the pixel grid and reads it by the sensor of the settings: planes `counts`
-/// and `L`, the shown one by `image.quantity`, first. Returns what there is to warn of.
+/// Puts columns, rows, field of view and band of a sensor in the place of those of the settings.
+void followSensor(const irsg::SensorDescription& sensor, Settings& settings);
+/// Of a scene: its band becomes the sensor's response.
+void followSensor(const irsg::SensorDescription& sensor, SceneDescription& scene);
+
+/// Whose noise a frame has.
+struct FrameNoise {
+    std::uint64_t seed = 1;
+    std::uint32_t frame = 0;
+};
+
+/// Draws `placed`, the view of the sensor's pinhole camera, above the pixel grid and reads it:
+/// planes `counts` and `L`, the shown one by `image.quantity`, first. `settings` say how finely it
+/// is sampled. Throws InputError.
+irsg::SensorReading drawThroughSensor(irsg::RadianceImage& image, const irsg::SensorChain& chain,
+                                      const Settings& settings, const PlacedCase& placed,
+                                      const RenderDoor& door, const FrameNoise& noise);
+/// The same of an image analysis by the sensor of its settings. Returns what there is to warn of.
 std::vector<std::string> drawThroughSensor(irsg::RadianceImage& image, const AnalysisData& data,
                                            const PlacedCase& placed, const RenderDoor& door);
 

@@ -8,8 +8,11 @@
 #include "irsg/atmosphere/EnvironmentVariants.h"
 #include "irsg/core/Collect.h"
 #include "irsg/core/Errors.h"
+#include "irsg/sensor/SensorFile.h"
 #include "irsg/signature/ScalingXml.h"
+#include "smatcore/analysis/ImageSensor.h"
 #include "smatcore/project/NamedPaths.h"
+#include "smatcore/settings/SettingKeys.h"
 #include "smatcore/simulate/ImagingSensorXml.h"
 #include "smatcore/support/Log.h"
 
@@ -104,10 +107,36 @@ class Loader {
             for (irsg::Diagnostic& missing :
                  named_->missingIn(loaded.settings, "the scenario or its sensor " + sensor.name))
                 diagnostics_.push_back(std::move(missing));
+        collect([&] { readChain(sensor, loaded); });
         collect([&] { loaded.scene = builder_.build(project, loaded.settings); });
+        if (loaded.chain)
+            followSensor(loaded.chain->sensor(), loaded.scene);
         // A step has the same frame whatever was before it.
         loaded.scene.environment = irsg::onTheFly(loaded.scene.environment);
         return loaded;
+    }
+
+    /// The sensor that reads the frames. Refuses what only one could do, or none.
+    void readChain(const ScenarioSensor& sensor, LoadedSensor& loaded) {
+        const auto refuse = [&](const char* key, const std::string& value, const char* expected) {
+            throw irsg::InputError({.file = scenario_.displayName(),
+                                    .position = "sensor " + sensor.name + ", " + key,
+                                    .value = value,
+                                    .expected = expected});
+        };
+        const std::vector<std::filesystem::path> file = loaded.settings[key::imageSensor];
+        if (file.empty()) {
+            if (loaded.settings.text(key::imageQuantity) == "counts")
+                refuse(key::imageQuantity.name, "counts",
+                       "another quantity, or a sensor (image.sensor) that counts");
+            return;
+        }
+        if (loaded.settings[key::imageTruthLayers])
+            refuse(key::imageTruthLayers.name, "true",
+                   "false with a sensor, whose pixels mix what layers tell apart");
+        loaded.chain = std::make_shared<const irsg::SensorChain>(
+            irsg::loadSensor(scenario_.resolve(file.front())));
+        followSensor(loaded.chain->sensor(), loaded.settings);
     }
 
     bool hasScalings() const {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "irsg/sensor/SensorChain.h"
 #include "smatcore/project/SceneBuilder.h"
 #include "smatcore/simulate/Scenario.h"
 #include "smatcore/simulate/Trajectory.h"
@@ -23,6 +25,9 @@ struct LoadedSensor {
     SceneDescription scene; ///< all entities, wherever they are; sensor, environment, rendering
     Trajectory path;        ///< of its own mount; of one in the world or on an entity at rest
     std::vector<std::string> warnings; ///< what its ImagingSensor file asks in vain
+    /// Reads its frames, where `image.sensor` names one; size, field and band of settings and scene
+    /// are this sensor's then. All frames share its kernels.
+    std::shared_ptr<const irsg::SensorChain> chain = {};
 };
 
 /// A scenario with all its files read: models and databases once each, atmospheres once for all

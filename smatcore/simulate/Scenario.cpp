@@ -49,10 +49,6 @@ std::optional<std::size_t> Scenario::findSensor(const std::string& name) const {
 
 bool isScenarioSetting(const SettingInfo& setting) {
     const std::string section = setting.section();
-    // Frames are read by pinhole cameras.
-    if (setting.key == key::imageSensor || setting.key == key::imageSensorSamples ||
-        setting.key == key::imageNoiseSeed)
-        return false;
     return section != "camera" && section != "target" && section != "state" &&
            (section == "image" || !isAnalysisSection(section));
 }

@@ -1,6 +1,7 @@
 #include "smatcore/simulate/SceneGenerator3D.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -9,6 +10,8 @@
 #include "irsg/core/AppendUnique.h"
 #include "irsg/core/Errors.h"
 #include "smatcore/analysis/ErrorColumns.h"
+#include "smatcore/analysis/ImageSensor.h"
+#include "smatcore/settings/SettingKeys.h"
 
 namespace smat {
 
@@ -171,9 +174,27 @@ irsg::RenderedImage SceneGenerator3D::render(const SensorFrame& frame, const Pla
     return {std::move(rendered.image), std::move(*sums)};
 }
 
+void SceneGenerator3D::read(SensorFrame& frame, const PlacedCase& placed) {
+    const LoadedSensor& sensor = scenario_.sensors[frame.sensor];
+    frame.rendered.report = sumsOf(frame, placed).front();
+    const double steps =
+        std::round((frame.time_s - scenario_.scenario.start_s) / scenario_.scenario.dt_s);
+    // Sensors of one seed have noise of their own.
+    const FrameNoise noise{.seed =
+                               static_cast<std::uint64_t>(sensor.settings[key::imageNoiseSeed]) |
+                               std::uint64_t{frame.sensor} << 32,
+                           .frame = static_cast<std::uint32_t>(std::max(0.0, steps))};
+    const irsg::SensorReading reading = drawThroughSensor(frame.rendered.image, *sensor.chain,
+                                                          sensor.settings, placed, door_, noise);
+    frame.saturated = reading.saturated;
+}
+
 SensorFrame SceneGenerator3D::frame(std::size_t sensor, double time_s, std::size_t band) {
     auto [frame, placed] = place(sensor, time_s, band);
-    frame.rendered = render(frame, placed);
+    if (scenario_.sensors.at(sensor).chain)
+        read(frame, placed);
+    else
+        frame.rendered = render(frame, placed);
     if (const auto& errors = frame.rendered.report.all.errors)
         describeErrors(*errors, frame.rendered.image);
 

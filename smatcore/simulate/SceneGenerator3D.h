@@ -19,6 +19,7 @@ struct SensorFrame {
     std::vector<std::optional<TrajectoryPoint>> entities;
     std::vector<std::optional<irsg::ObjectRadiometry>> objects; ///< the same
     irsg::RenderedImage rendered;
+    std::size_t saturated = 0;         ///< pixels, where a sensor reads the frame
     std::vector<std::string> warnings; ///< tables that hold an end value
 };
 
@@ -41,8 +42,9 @@ class SceneGenerator3D {
     /// LogicError where the sensor does not see.
     std::pair<SensorFrame, PlacedCase> place(std::size_t sensor, double time_s,
                                              std::size_t band = 0) const;
-    /// The same with its drawing, whose sums of several bands are from the same drawings, as those
-    /// of sweeps are. Throws InputError as the renderer does.
+    /// The same with its drawing, read by the sensor where it has one (`image.sensor`), whose sums
+    /// of several bands are from the same drawings, as those of sweeps are. Throws InputError as
+    /// the renderer does.
     SensorFrame frame(std::size_t sensor, double time_s, std::size_t band = 0);
 
   private:
@@ -50,6 +52,8 @@ class SceneGenerator3D {
     std::optional<irsg::Viewpoint> viewpoint(std::size_t sensor, double time_s) const;
     /// The picture of what was placed, with the sums of its band.
     irsg::RenderedImage render(const SensorFrame& frame, const PlacedCase& placed);
+    /// The same as the sensor reads it.
+    void read(SensorFrame& frame, const PlacedCase& placed);
     /// Of all bands of a sensor, as it was placed.
     const std::vector<irsg::RenderReport>& sumsOf(const SensorFrame& frame,
                                                   const PlacedCase& placed);

@@ -83,6 +83,10 @@ void takeFrame(const SensorFrame& frame, StepSums& sums, CaseRecord& record,
         warnings.add(sentence);
     for (const std::string& sentence : frame.warnings)
         warnings.add(sentence);
+    if (frame.saturated > 0)
+        warnings.addWorst(
+            "saturated", static_cast<double>(frame.saturated),
+            fmt::format("up to {} pixels of a frame are saturated in the sensor", frame.saturated));
     if (const int left = frame.rendered.report.layersLeftOver; left > 0)
         warnings.addWorst("layers", left,
                           fmt::format("up to {} samples of a frame have more transparent layers "

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +10,9 @@
 #include "irsg/sensor/ResolvableTemperature.h"
 #include "irsg/sensor/SensorFile.h"
 #include "smatcore/data/ResultTable.h"
+#include "smatcore/support/TextFile.h"
 #include "tests/cli/Program.h"
+#include "tests/cli/Scenarios.h"
 #include "tests/support/TemporaryFolder.h"
 
 namespace smat::test {
@@ -302,6 +306,40 @@ TEST(SmatBatchSensor, InAirOfABandADenseSearchFindsTheSameRange) {
         return valueOf(table, "detection_range", 0);
     };
     EXPECT_NEAR(rangeOf("4") / rangeOf("40"), 1.0, 1e-5);
+}
+
+TEST(SmatBatchSensor, SimulateWritesFramesInCountsEqualOnAnyNumberOfThreads) {
+    const TemporaryFolder folder;
+    (void)sensorFile(folder);
+    writeTextFile(folder / "s.json",
+                  scenarioOf(entity("box", "box", R"("position_m": [0, 4000, 100])"),
+                             R"({"name": "south", "position_m": [0, 0, 100],
+                   "image": {"sensor": "small.smatsensor", "sensorSamples": 2}})",
+                             R"("dt_s": 1, "end_s": 2)"));
+    const Ran ran = simulated(folder, {"--quantity", "counts", "--film", "film.png"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const irsg::RadianceImage frame = irsg::readExr(folder / "out/south/frame_000001.exr");
+    EXPECT_EQ(frame.primary().name, "counts");
+    EXPECT_EQ(frame.width(), 24);
+    EXPECT_EQ(frame.attributes.at("sensor.title"), "small");
+    EXPECT_EQ(frame.attributes.at("sensor.frame"), "1");
+    EXPECT_EQ(frame.attributes.at("frame"), "1");
+    EXPECT_TRUE(std::filesystem::exists(folder / "film-000002.png"));
+    // The box stands before a cold sky.
+    const auto [least, most] = std::ranges::minmax(frame.primary().values);
+    EXPECT_GT(most, least + 300.0f);
+    // In parts, on one thread, by --set: the same frames.
+    const Ran again = smatBatch({"simulate", "s.json", "--out", "again", "--from", "1", "--set",
+                                 "image.quantity=counts", "--threads", "1"},
+                                folder.path());
+    ASSERT_EQ(again.exitCode, 0) << again.err;
+    EXPECT_EQ(pixels(folder / "again/south/frame_000001.exr"), frame.primary().values);
+
+    const Ran bad =
+        smatBatch({"simulate", "s.json", "--out", "bad", "--set", "image.sensor=absent.smatsensor"},
+                  folder.path());
+    EXPECT_EQ(bad.exitCode, 2);
+    EXPECT_THAT(bad.err, HasSubstr("absent.smatsensor"));
 }
 
 } // namespace

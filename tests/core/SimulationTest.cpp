@@ -1,11 +1,15 @@
 #include "smatcore/simulate/Simulation.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "irsg/core/Errors.h"
 #include "irsg/image/ExrFile.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/sensor/SensorFile.h"
 #include "irsg/signature/ScalingXml.h"
 #include "irsg/signature/SignatureFile.h"
 #include "smatcore/simulate/FrameFiles.h"
@@ -18,6 +22,7 @@
 namespace smat {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -131,6 +136,102 @@ TEST_F(ASimulation, PutsEverybodyWhereTheyAreAtEachTime) {
     EXPECT_EQ(frame.time_s, 2.0);
     EXPECT_NEAR(frame.objects[0]->intensity_W_sr, 0.4, 1e-15);
     EXPECT_EQ(frame.objects[1]->coveredPixels, 2.0);
+}
+
+/// A sensor of 24 x 20 pixels with the noise of its photons alone.
+irsg::SensorDescription counting() {
+    irsg::SensorDescription sensor;
+    sensor.title = "counting";
+    sensor.optics.aperture_m = 0.05;
+    sensor.optics.focalLength_m = 0.2;
+    sensor.optics.transmission = irsg::Spectrum::constant(0.8);
+    sensor.detector.pitch_um = 20.0;
+    sensor.detector.columns = 24;
+    sensor.detector.rows = 20;
+    sensor.detector.integrationTime_s = 1e-3;
+    sensor.detector.response = irsg::Spectrum::constant(0.7);
+    sensor.detector.band = {4.0, 4.1};
+    sensor.detector.well_e = 5e6;
+    sensor.electronics.gain = 1.0;
+    sensor.electronics.bits = 24;
+    return sensor;
+}
+
+/// Draws an even field.
+class EvenSource : public NotingSource {
+  public:
+    irsg::Rendered image(const irsg::Outputs& outputs) override {
+        irsg::Rendered rendered = NotingSource::image(outputs);
+        std::ranges::fill(rendered.image.channels.front().values, radiance_W_m2_sr);
+        return rendered;
+    }
+    float radiance_W_m2_sr = 0.02f;
+};
+
+TEST_F(ASimulation, ASensorReadsFramesInCountsWithNoiseOfTheirOwn) {
+    irsg::saveSensor(counting(), folder / "counting.smatsensor");
+    for (ScenarioSensor& sensor : scenario.sensors) {
+        sensor.settings.set("image.sensor", "counting.smatsensor");
+        sensor.settings.set("image.quantity", "counts");
+        sensor.settings.set("image.sensorSamples", 2);
+        sensor.settings.set("sensor.width", 99); // which the sensor overrides
+    }
+    const LoadedScenario loaded = load();
+    EXPECT_EQ(loaded.sensors[0].scene.sensor.width_px, 24);
+    EXPECT_EQ(loaded.sensors[0].settings.text("sensor.band"), "4-4.1");
+    EvenSource source;
+    SceneGenerator3D generator(loaded, source);
+    const SensorFrame frame = generator.frame(0, 2.0);
+    EXPECT_EQ(source.scene.sensor.width_px, 48); // drawn above the pixel grid
+    ASSERT_EQ(frame.rendered.image.width(), 24);
+    EXPECT_EQ(frame.rendered.image.primary().name, "counts");
+    EXPECT_NE(frame.rendered.image.find("L"), nullptr);
+    // The numbers of the table are those without a sensor.
+    EXPECT_NEAR(frame.objects[0]->intensity_W_sr, 0.4, 1e-15);
+    EXPECT_EQ(frame.objects[1]->coveredPixels, 2.0);
+    // Mean and deviation follow from the radiance: photons alone, a count an electron.
+    const irsg::PixelResponse response(counting());
+    const double expected =
+        static_cast<double>(source.radiance_W_m2_sr) * response.signalPerRadiance();
+    double mean = 0.0, squares = 0.0;
+    const std::vector<float>& counts = frame.rendered.image.primary().values;
+    for (const float value : counts) {
+        mean += static_cast<double>(value) / 480.0;
+        squares += std::pow(static_cast<double>(value) - expected, 2) / 480.0;
+    }
+    EXPECT_NEAR(mean, expected, 5.0 * std::sqrt(expected / 480.0));
+    EXPECT_NEAR(squares / expected, 1.0, 0.3);
+
+    // A frame is the same whatever was before it, and no other has its noise: at another step, or
+    // of another sensor of the same seed.
+    const auto countsOf = [&](std::size_t sensor, double time_s) {
+        return generator.frame(sensor, time_s).rendered.image.primary().values;
+    };
+    EXPECT_NE(countsOf(0, 3.0), counts);
+    EXPECT_NE(countsOf(1, 2.0), counts);
+    EXPECT_EQ(countsOf(0, 2.0), counts);
+
+    // Full pixels are told, once for the run.
+    source.radiance_W_m2_sr = 1e3f;
+    SimulationResult result;
+    runSimulation(
+        generator, planSimulation(scenario, {.sensors = {"fixed"}, .from_s = {}, .to_s = {}}),
+        [](SensorFrame&, std::size_t) {}, result);
+    EXPECT_THAT(result.sensors[0].warnings,
+                Contains("up to 480 pixels of a frame are saturated in the sensor"));
+}
+
+TEST_F(ASimulation, RefusesSensorsThatCannotReadFrames) {
+    scenario.sensors[0].settings.set("image.quantity", "counts");
+    EXPECT_THAT(refusal(), AllOf(HasSubstr("sensor fixed, image.quantity"), HasSubstr("counts")));
+    irsg::saveSensor(counting(), folder / "counting.smatsensor");
+    scenario.sensors[0].settings.set("image.sensor", "counting.smatsensor");
+    EXPECT_EQ(refusal(), "accepted");
+    scenario.sensors[0].settings.set("image.truthLayers", "true");
+    EXPECT_THAT(refusal(), HasSubstr("sensor fixed, image.truthLayers"));
+    scenario.sensors[0].settings.reset("image.truthLayers");
+    scenario.sensors[1].settings.set("image.sensor", "absent.smatsensor");
+    EXPECT_THAT(refusal(), HasSubstr("absent.smatsensor"));
 }
 
 TEST_F(ASimulation, ASensorOfSeveralBandsHasAFrameAndColumnsForEach) {

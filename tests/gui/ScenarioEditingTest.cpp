@@ -15,6 +15,7 @@
 #include "gui/scenario/PlanView.h"
 #include "gui/scenario/TrajectoryView.h"
 #include "irsg/image/ExrFile.h"
+#include "irsg/sensor/SensorFile.h"
 #include "tests/cli/Program.h"
 #include "tests/gui/ScenarioFixture.h"
 
@@ -203,6 +204,41 @@ TEST_F(ScenarioEditingTest, NotesAndSettingsAreEditedUndoneSavedAndReopenedEqual
     }
     EXPECT_EQ(page->document().scenario().notes, "Kept as it is.");
     EXPECT_EQ(page->document().scenario().settings.text("sensor.fov"), "12");
+}
+
+TEST_F(ScenarioEditingTest, ASensorIsGivenAFileThatReadsItsFrames) {
+    edits("lwir (sensor)");
+    irsg::SensorDescription sensor =
+        irsg::loadSensor(SMAT_SOURCE_DIR "/resources/sensors/cooled-mwir.smatsensor");
+    sensor.detector.columns = 40;
+    sensor.detector.rows = 30;
+    irsg::saveSensor(sensor, folder / "own.smatsensor");
+    onDialog = [](QDialog& dialog) {
+        auto* file = dialog.findChild<QLineEdit*>("image.sensor");
+        auto* quantity = dialog.findChild<QComboBox*>("image.quantity");
+        ASSERT_NE(file, nullptr);
+        ASSERT_NE(quantity, nullptr);
+        file->setText("own.smatsensor");
+        emit file->textEdited(file->text());
+        const int counts = quantity->findText("counts");
+        ASSERT_GE(counts, 0);
+        quantity->setCurrentIndex(counts);
+        emit quantity->activated(counts);
+        dialog.accept();
+    };
+    page->findChild<QToolButton*>("scenarioSettings")->click();
+    ASSERT_TRUE(settles(*page));
+    EXPECT_EQ(page->document().scenario().sensors[1].settings.text("image.quantity"), "counts");
+    auto* sensors = page->findChild<QComboBox*>("scenarioSensor");
+    ASSERT_NE(sensors, nullptr);
+    const int lwir = sensors->findText("lwir");
+    ASSERT_GE(lwir, 0);
+    sensors->setCurrentIndex(lwir);
+    emit sensors->activated(lwir);
+    ASSERT_TRUE(settles(*page)) << told.join('\n').toStdString();
+    ASSERT_NE(page->picture().image, nullptr);
+    EXPECT_EQ(page->picture().image->primary().name, "counts");
+    EXPECT_EQ(page->picture().image->width(), 40);
 }
 
 TEST_F(ScenarioEditingTest, ASensorIsGivenACarrierAndATargetByKeys) {
