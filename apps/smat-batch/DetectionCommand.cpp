@@ -26,20 +26,45 @@ class DetectionCommand {
         command.add_option("--sensor", sensor_, "Sensor (.smatsensor) that looks for the target")
             ->type_name("FILE");
         command
-            .add_option("--criterion", criterion_,
-                        "point: the whole light of the target in one pixel, by --snr; johnson: "
-                        "cycles across its image, by --task and --probability")
+            .add_option(
+                "--criterion", criterion_,
+                "point: the whole light of the target in one pixel, by --snr; johnson, ttp: "
+                "cycles across its image, by --task and --probability")
             ->type_name("WORD")
             ->capture_default_str();
         numbers_.add("--snr", "", "Signal to noise ratio at which a point is detected, 5");
         command
             .add_option("--task", task_,
-                        "Of johnson: detection, recognition or identification, which need 0.75, 3 "
-                        "and 6 cycles for a probability of 50 %")
+                        "Of johnson and ttp: detection, recognition or identification, which need "
+                        "0.75, 3 and 6, of ttp 2.7, 14.5 and 18.8 cycles for a probability of 50 %")
             ->type_name("WORD")
             ->capture_default_str();
         numbers_.add("--cycles", "", "In place of a task: its cycles for 50 %");
-        numbers_.add("--probability", "%", "Of the task, 50");
+        numbers_.add(
+            "--probability", "%",
+            "Of the task, 50; of a point that its signal with noise passes --snr, the mean "
+            "over all places of its image in a pixel");
+        command
+            .add_option("--leave-out", leftOut_,
+                        "Of johnson and ttp: a temperature or a material by its name whose "
+                        "surfaces are not counted, such as hot parts and plumes; may be given more "
+                        "than once")
+            ->type_name("NAME")
+            ->expected(1)
+            ->take_all();
+        numbers_.add(
+            "--false-alarms", "",
+            "In place of --snr: the probability that noise alone passes the threshold in a "
+            "pixel and a frame, such as 1e-6");
+        numbers_.add("--clutter", "K",
+                     "Of a point: standard deviation of the background's apparent temperature from "
+                     "pixel to pixel, which counts as noise, 0");
+        numbers_.add("--scene-contrast", "K",
+                     "Of ttp: temperature difference that the display shows from black to white, "
+                     "10");
+        numbers_.add("--display-pixel", "mrad",
+                     "Of ttp: a pixel of the sensor on the display as the observer sees it, 0.8");
+        numbers_.add("--display-luminance", "cd/m2", "Of ttp: mean luminance of the display, 34");
         numbers_.add("--nearest", "m", "Where the search begins, 100");
         numbers_.add("--farthest", "m", "Where it ends, 1000000");
         numbers_.add("--looks", "",
@@ -109,12 +134,27 @@ class DetectionCommand {
         DetectionRequest request;
         request.criterion =
             static_cast<RangeCriterion>(chosen("--criterion", criterion_, criterionWords()));
-        request.threshold = numbers_.positive("--snr", request.threshold);
-        if (request.criterion == RangeCriterion::bars) {
-            takeTask(request.task);
-            refuseWith("johnson", {"--snr"});
+        const std::string& word = criterion_;
+        if (request.criterion == RangeCriterion::point) {
+            refuseWith(word, {"--cycles"});
+            if (!leftOut_.empty())
+                throw refusal("--leave-out", leftOut_.front(),
+                              "nothing: --criterion point counts the whole light");
+            takePoint(request);
         } else {
-            refuseWith("point", {"--cycles", "--probability"});
+            refuseWith(word, {"--snr", "--false-alarms", "--clutter"});
+            takeTask(request.task, request.criterion);
+            request.leftOut = leftOut_;
+        }
+        if (request.criterion == RangeCriterion::targeting) {
+            irsg::SensorDisplay& display = request.display;
+            display.sceneContrast_K =
+                numbers_.positive("--scene-contrast", display.sceneContrast_K);
+            display.pixel_mrad = numbers_.positive("--display-pixel", display.pixel_mrad);
+            display.luminance_cd_m2 =
+                numbers_.positive("--display-luminance", display.luminance_cd_m2);
+        } else {
+            refuseWith(word, {"--scene-contrast", "--display-pixel", "--display-luminance"});
         }
         request.limits.nearest_m = numbers_.positive("--nearest", request.limits.nearest_m);
         request.limits.farthest_m = numbers_.positive("--farthest", request.limits.farthest_m);
@@ -137,19 +177,38 @@ class DetectionCommand {
         return static_cast<std::size_t>(found - words.begin());
     }
 
-    void takeTask(RangeTask& task) const {
+    void takePoint(DetectionRequest& request) const {
+        request.threshold = numbers_.positive("--snr", request.threshold);
+        if (const auto probability = numbers_.value("--false-alarms")) {
+            if (numbers_.value("--snr"))
+                throw refusal("--false-alarms", irsg::numberText(*probability),
+                              "nothing beside --snr, the threshold that follows from it");
+            request.threshold = thresholdOfFalseAlarms(*probability);
+        }
+        if (numbers_.value("--probability"))
+            request.pointProbability = probability();
+        if (numbers_.value("--clutter"))
+            request.clutter_K = numbers_.positive("--clutter", 0.0);
+    }
+
+    void takeTask(RangeTask& task, RangeCriterion criterion) const {
         task.cyclesOfHalf = numbers_.positive(
             "--cycles",
-            irsg::johnsonTasks().at(chosen("--task", task_, johnsonTaskWords())).cyclesOfHalf);
+            tasksOf(criterion).at(chosen("--task", task_, rangeTaskWords())).cyclesOfHalf);
+        task.probability = probability();
+    }
+
+    double probability() const {
         const double percent = numbers_.value("--probability").value_or(50.0);
         if (!(percent > 0.0 && percent < 100.0))
             throw refusal("--probability", irsg::numberText(percent),
                           "a number between 0 and 100 %, both exclusive");
-        task.probability = 0.01 * percent;
+        return 0.01 * percent;
     }
 
     /// An option that would do nothing.
-    void refuseWith(const char* criterion, std::initializer_list<const char*> options) const {
+    void refuseWith(const std::string& criterion,
+                    std::initializer_list<const char*> options) const {
         for (const char* option : options)
             if (numbers_.value(option))
                 throw refusal(option, irsg::numberText(*numbers_.value(option)),
@@ -161,6 +220,7 @@ class DetectionCommand {
     NumberOptions numbers_;
     TableFiles files_;
     std::string sensor_, place_ = "centre", criterion_ = "point", task_ = "detection";
+    std::vector<std::string> leftOut_;
     bool dryRun_ = false;
 };
 

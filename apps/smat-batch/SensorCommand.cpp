@@ -12,19 +12,37 @@ namespace smat::batch {
 
 namespace {
 
-std::vector<double> frequenciesOf(const std::string& text) {
+std::vector<double> numbersOf(const char* option, const std::string& text) {
     std::vector<double> list;
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
         const std::string word = text.substr(begin, end - begin);
         const auto value = irsg::parseNumber(irsg::trimmed(word));
         if (!value || *value < 0.0)
-            throw refusal("--frequencies", word.empty() ? "nothing" : word,
+            throw refusal(option, word.empty() ? "nothing" : word,
                           "numbers of at least 0, separated by commas");
         list.push_back(*value);
         begin = end + 1;
     }
     return list;
+}
+
+void addObserver(NumberOptions& numbers) {
+    numbers.add("--background-temperature", "K", "Of the background that fills the field, 300");
+    numbers.add("--threshold", "", "Perceived signal to noise ratio at which bars are seen, 2.5");
+    numbers.add("--eye-time", "s", "Time over which the eye takes the mean of frames, 0.2");
+}
+
+irsg::Observer observerOf(const NumberOptions& numbers) {
+    irsg::Observer observer;
+    observer.threshold = numbers.positive("--threshold", observer.threshold, "a number above 0");
+    observer.integration_s =
+        numbers.positive("--eye-time", observer.integration_s, "a time above 0 s");
+    return observer;
+}
+
+double backgroundOf(const NumberOptions& numbers) {
+    return numbers.positive("--background-temperature", 300.0, "a temperature above 0 K");
 }
 
 /// `smat-batch sensor info FILE.smatsensor --background-temperature 300`.
@@ -43,8 +61,7 @@ class SensorInfoCommand {
     int run(Context& context) const {
         numbers_.check();
         SensorNumbersRequest request;
-        request.background_K =
-            numbers_.positive("--background-temperature", 300.0, "a temperature above 0 K");
+        request.background_K = backgroundOf(numbers_);
         request.temperatureDifference_K = numbers_.value("--temperature-difference").value_or(0.0);
         request.pointIrradiance_W_m2 = numbers_.value("--point-irradiance").value_or(0.0);
         const auto json = sensorNumbersJson(irsg::loadSensor(file_), request);
@@ -90,7 +107,7 @@ class SensorTransferCommand {
         if (direction_ != "horizontal" && direction_ != "vertical")
             throw wordRefusal("--direction", direction_, {"horizontal", "vertical"});
         ResultTable table =
-            sensorTransferTable(irsg::loadSensor(file_), frequenciesOf(frequencies_),
+            sensorTransferTable(irsg::loadSensor(file_), numbersOf("--frequencies", frequencies_),
                                 direction_ == "vertical", source_K);
         table.provenance.add("sensor file", file_);
         files_.write("sensor mtf", table, {}, {}, context.json);
@@ -112,12 +129,7 @@ class SensorResolvableCommand {
             .add_option("--frequencies", frequencies_,
                         "Spatial frequencies, separated by commas: 500,1000")
             ->type_name("cycles/rad");
-        numbers_.add("--background-temperature", "K",
-                     "Of the background that fills the field, 300");
-        numbers_.add("--threshold", "",
-                     "Perceived signal to noise ratio at which bars are seen, "
-                     "2.5");
-        numbers_.add("--eye-time", "s", "Time over which the eye takes the mean of frames, 0.2");
+        addObserver(numbers_);
         command.footer("Columns: frequency, the minimum resolvable temperature difference along "
                        "rows and columns and of both together; the convention stands in "
                        "docs/sensor.md.");
@@ -126,15 +138,9 @@ class SensorResolvableCommand {
     int run(Context& context) const {
         files_.check("mrtd.csv");
         numbers_.check();
-        irsg::Observer observer;
-        observer.threshold =
-            numbers_.positive("--threshold", observer.threshold, "a number above 0");
-        observer.integration_s =
-            numbers_.positive("--eye-time", observer.integration_s, "a time above 0 s");
         ResultTable table = resolvableTemperatureTable(
-            irsg::loadSensor(file_), frequenciesOf(frequencies_),
-            numbers_.positive("--background-temperature", 300.0, "a temperature above 0 K"),
-            observer);
+            irsg::loadSensor(file_), numbersOf("--frequencies", frequencies_),
+            backgroundOf(numbers_), observerOf(numbers_));
         table.provenance.add("sensor file", file_);
         files_.write("sensor mrtd", table, {}, {}, context.json);
         return done;
@@ -142,6 +148,45 @@ class SensorResolvableCommand {
 
   private:
     std::string file_, frequencies_;
+    NumberOptions numbers_;
+    TableFiles files_;
+};
+
+/// `smat-batch sensor range FILE.smatsensor --out ranges.csv`.
+class SensorRangeCommand {
+  public:
+    explicit SensorRangeCommand(CLI::App& command) : numbers_(command), files_(command) {
+        command.add_option("FILE", file_, "Sensor (.smatsensor)")->required()->type_name("");
+        command
+            .add_option("--extinctions", extinctions_,
+                        "Of the atmosphere, separated by commas: good and limited visibility")
+            ->type_name("1/km")
+            ->capture_default_str();
+        numbers_.add("--temperature-difference", "K", "Of the target, 2");
+        numbers_.add("--target-size", "m", "Its side, 2.3");
+        addObserver(numbers_);
+        command.footer("Columns: line pairs across the target (1 detection, 3 recognition, 6 "
+                       "identification), extinction, and the range at which they are just "
+                       "resolved, as STANAG 4347 defines it (docs/sensor.md).");
+    }
+
+    int run(Context& context) const {
+        files_.check("ranges.csv");
+        numbers_.check();
+        irsg::NominalTarget target;
+        target.side_m = numbers_.positive("--target-size", target.side_m, "a length above 0 m");
+        target.difference_K = numbers_.positive("--temperature-difference", target.difference_K,
+                                                "a difference above 0 K");
+        ResultTable table =
+            nominalRangeTable(irsg::loadSensor(file_), numbersOf("--extinctions", extinctions_),
+                              target, backgroundOf(numbers_), observerOf(numbers_));
+        table.provenance.add("sensor file", file_);
+        files_.write("sensor range", table, {}, {}, context.json);
+        return done;
+    }
+
+  private:
+    std::string file_, extinctions_ = "0.2,1";
     NumberOptions numbers_;
     TableFiles files_;
 };
@@ -159,6 +204,8 @@ void addSensorCommand(CLI::App& app, Context& context) {
     addCommand<SensorResolvableCommand>(
         *command, context, "mrtd",
         "Minimum resolvable temperature difference over spatial frequency");
+    addCommand<SensorRangeCommand>(*command, context, "range",
+                                   "Nominal static ranges of a thermal imager (STANAG 4347)");
 }
 
 } // namespace smat::batch

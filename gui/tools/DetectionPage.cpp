@@ -75,7 +75,8 @@ DetectionPage::DetectionPage(Workbench& workbench, Dialogs dialogs, QWidget* par
     connect(sensors_, &QComboBox::activated, this, &DetectionPage::chooseSensor);
     for (QComboBox* box : {criterion_, task_, place_})
         connect(box, &QComboBox::currentIndexChanged, this, &DetectionPage::refresh);
-    for (RealBox* box : {snr_, probability_, nearest_, farthest_, background_, step_})
+    for (RealBox* box :
+         {snr_, probability_, sceneContrast_, nearest_, farthest_, background_, step_})
         connect(box, &QDoubleSpinBox::valueChanged, this, &DetectionPage::refresh);
     connect(quantity_, &QComboBox::activated, this, &DetectionPage::drawResult);
     describeSensor();
@@ -120,6 +121,8 @@ QWidget* DetectionPage::makeCriterionBox(QWidget* parent) {
                         static_cast<int>(RangeCriterion::point));
     criterion_->addItem(tr("its shape is resolved (Johnson)"),
                         static_cast<int>(RangeCriterion::bars));
+    criterion_->addItem(tr("its shape is resolved (TTP)"),
+                        static_cast<int>(RangeCriterion::targeting));
     criterion_->setToolTip(
         tr("A small target is a point whose whole light falls into one pixel. A large one has "
            "to be resolved: its mean contrast decides how many cycles across it are seen."));
@@ -131,15 +134,19 @@ QWidget* DetectionPage::makeCriterionBox(QWidget* parent) {
     place_->addItem(tr("where four pixels meet"), static_cast<int>(PointPlace::corner));
     task_ = new QComboBox(box);
     task_->setObjectName("task");
-    for (const irsg::JohnsonTask& task : irsg::johnsonTasks())
-        task_->addItem(tr("%1: %2 cycles").arg(tr(task.name)).arg(task.cyclesOfHalf),
-                       task.cyclesOfHalf);
+    for (const std::string& task : rangeTaskWords())
+        task_->addItem(textOf(task)); // with its cycles, see refreshed()
     probability_ = boxOf("probability", "%", {0.1, 99.9, 50.0, 1}, box);
     criteria_->addRow(criterion_);
     criteria_->addRow(tr("Signal to noise ratio"), snr_);
     criteria_->addRow(tr("Image of the point"), place_);
     criteria_->addRow(tr("Task"), task_);
     criteria_->addRow(tr("Probability"), probability_);
+    sceneContrast_ =
+        boxOf("sceneContrast", "K", {0.01, 1e4, irsg::SensorDisplay().sceneContrast_K, 2}, box);
+    sceneContrast_->setToolTip(tr("Temperature difference that the display shows from black to "
+                                  "white"));
+    criteria_->addRow(tr("Scene contrast"), sceneContrast_);
     return box;
 }
 
@@ -248,7 +255,10 @@ DetectionRequest DetectionPage::request() const {
     request.criterion = static_cast<RangeCriterion>(criterion_->currentData().toInt());
     request.threshold = snr_->value();
     request.place = static_cast<PointPlace>(place_->currentData().toInt());
-    request.task = {task_->currentData().toDouble(), 0.01 * probability_->value()};
+    request.task = {
+        tasksOf(request.criterion)[static_cast<std::size_t>(task_->currentIndex())].cyclesOfHalf,
+        0.01 * probability_->value()};
+    request.display.sceneContrast_K = sceneContrast_->value();
     request.limits.nearest_m = nearest_->value();
     request.limits.farthest_m = farthest_->value();
     if (request.limits.farthest_m <= request.limits.nearest_m)
@@ -287,8 +297,14 @@ QString DetectionPage::command() const {
 }
 
 void DetectionPage::refreshed(bool) {
-    const bool isPoint =
-        criterion_->currentData().toInt() == static_cast<int>(RangeCriterion::point);
+    const auto criterion = static_cast<RangeCriterion>(criterion_->currentData().toInt());
+    const bool isPoint = criterion == RangeCriterion::point;
+    const std::vector<irsg::JohnsonTask>& tasks = tasksOf(criterion);
+    for (int i = 0; i < task_->count(); ++i) {
+        const irsg::JohnsonTask& task = tasks[static_cast<std::size_t>(i)];
+        task_->setItemText(i, tr("%1: %2 cycles").arg(tr(task.name)).arg(task.cyclesOfHalf));
+    }
+    criteria_->setRowVisible(sceneContrast_, criterion == RangeCriterion::targeting);
     for (QWidget* field : {static_cast<QWidget*>(snr_), static_cast<QWidget*>(place_)})
         criteria_->setRowVisible(field, isPoint);
     for (QWidget* field : {static_cast<QWidget*>(task_), static_cast<QWidget*>(probability_)})

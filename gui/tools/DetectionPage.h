@@ -56,8 +56,8 @@ class DetectionPage : public ToolPage {
               *quantity_ = nullptr;
     QLabel *sensorText_ = nullptr, *summary_ = nullptr;
     QFormLayout* criteria_ = nullptr;
-    RealBox *snr_ = nullptr, *probability_ = nullptr, *nearest_ = nullptr, *farthest_ = nullptr,
-            *background_ = nullptr, *step_ = nullptr;
+    RealBox *snr_ = nullptr, *probability_ = nullptr, *sceneContrast_ = nullptr,
+            *nearest_ = nullptr, *farthest_ = nullptr, *background_ = nullptr, *step_ = nullptr;
     PlotPanel* plot_ = nullptr;
     int chosen_ = 0; ///< in the list of sensors
     std::optional<irsg::SensorDescription> sensor_;

@@ -11,6 +11,7 @@
 
 #include "irsg/core/Errors.h"
 #include "irsg/radiometry/Units.h"
+#include "irsg/sensor/RequirePositive.h"
 
 namespace irsg {
 
@@ -18,11 +19,6 @@ namespace {
 
 /// Places from 0 to Nyquist's frequency at which a curve is looked at for its first crossing.
 constexpr int looks = 256;
-
-void requirePositive(double value, const char* what, const char* expected) {
-    if (!(value > 0.0 && std::isfinite(value)))
-        throw InputError({"", what, numberText(value), expected});
-}
 
 double rootBetween(const auto& curve, double low, double high, double valueLow, double valueHigh) {
     std::uintmax_t most = 100;
@@ -128,21 +124,22 @@ const std::vector<JohnsonTask>& johnsonTasks() {
     return tasks;
 }
 
-double taskProbability(double cycles, double cyclesOfHalf) {
+double taskProbability(double cycles, double cyclesOfHalf, const TaskLaw& law) {
     const double x = std::max(0.0, cycles) / cyclesOfHalf;
     if (x == 0.0)
         return 0.0;
-    return 1.0 / (1.0 + std::pow(x, -(2.7 + 0.7 * x)));
+    return 1.0 / (1.0 + std::pow(x, -(law.constant + law.slope * x)));
 }
 
-double taskCycles(double probability, double cyclesOfHalf) {
+double taskCycles(double probability, double cyclesOfHalf, const TaskLaw& law) {
     if (!(probability > 0.0 && probability < 1.0))
         throw InputError({"", "probability of the task", numberText(probability),
                           "a number between 0 and 1, both exclusive"});
     requirePositive(cyclesOfHalf, "cycles of the task", "a number above 0");
     const auto excess = [&](double x) {
         // ln of the odds: rises without bounds, and is 0 at 1.
-        return (2.7 + 0.7 * x) * std::log(x) - std::log(probability / (1.0 - probability));
+        return (law.constant + law.slope * x) * std::log(x) -
+               std::log(probability / (1.0 - probability));
     };
     std::uintmax_t most = 200;
     const auto isNarrow = [](double a, double b) { return b - a <= 1e-13 * b; };

@@ -74,11 +74,17 @@ class ResolvableTemperature {
     std::array<std::vector<double>, 2> looks_;
 };
 
+/// The target transfer probability function x^E / (1 + x^E), E = constant + slope x, x = cycles
+/// through those of 50 %.
+struct TaskLaw {
+    double constant, slope;
+};
+/// Johnson's (Holst, Electro-Optical Imaging System Performance).
+inline constexpr TaskLaw johnsonLaw{2.7, 0.7};
+
 /// Johnson's criteria: a task needs so many cycles across the critical dimension of a target, the
-/// square root of its projected area, for a probability of 50 %; for others by the target transfer
-/// probability function x^E / (1 + x^E), E = 2.7 + 0.7 x, x = cycles through those of 50 % (Holst,
-/// Electro-Optical Imaging System Performance).
-double taskProbability(double cycles, double cyclesOfHalf);
+/// square root of its projected area, for a probability of 50 %; for others by the law.
+double taskProbability(double cycles, double cyclesOfHalf, const TaskLaw& law = johnsonLaw);
 
 struct JohnsonTask {
     const char* name;
@@ -90,6 +96,6 @@ struct JohnsonTask {
 const std::vector<JohnsonTask>& johnsonTasks();
 
 /// The cycles that a task needs for a probability between 0 and 1, both exclusive (InputError).
-double taskCycles(double probability, double cyclesOfHalf);
+double taskCycles(double probability, double cyclesOfHalf, const TaskLaw& law = johnsonLaw);
 
 } // namespace irsg

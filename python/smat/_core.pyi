@@ -416,6 +416,16 @@ class SensorDescription:
         threshold: float = 2.5,
         eye_time_s: float = 0.2,
     ) -> Table: ...
+    def nominal_ranges(
+        self,
+        extinctions_per_km: ArrayLike,
+        *,
+        target_size_m: float = 2.3,
+        temperature_difference_K: float = 2.0,
+        background_temperature_K: float = 300.0,
+        threshold: float = 2.5,
+        eye_time_s: float = 0.2,
+    ) -> Table: ...
     def read(self, radiance: ArrayLike, *, seed: int = 1, frame: int = 0) -> Image: ...
 
 class SettingInfo:

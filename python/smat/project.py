@@ -318,6 +318,12 @@ class Project:
         task: str = "detection",
         cycles: Optional[float] = None,
         probability: Optional[float] = None,
+        false_alarms: Optional[float] = None,
+        clutter_K: Optional[float] = None,
+        leave_out: Optional[Sequence[str]] = None,
+        scene_contrast_K: Optional[float] = None,
+        display_pixel_mrad: Optional[float] = None,
+        display_luminance_cd_m2: Optional[float] = None,
         nearest_m: Optional[float] = None,
         farthest_m: Optional[float] = None,
         background_temperature_K: Optional[float] = None,
@@ -331,18 +337,31 @@ class Project:
         ----------
         sensor : SensorDescription
             What looks for the target.
-        criterion : {'point', 'johnson'}
+        criterion : {'point', 'johnson', 'ttp'}
             By the signal to noise ratio of the target as a point, or by cycles across it.
         snr : float, optional
             Of a point: the ratio at which it is seen, 5.
         point : {'centre', 'mean', 'corner'}
             Where the image of the point lies on a pixel.
         task : {'detection', 'recognition', 'identification'}
-            Of 'johnson': 0.75, 3 or 6 cycles for a probability of 50 %.
+            Of 'johnson' 0.75, 3 or 6, of 'ttp' 2.7, 14.5 or 18.8 cycles for a probability of 50 %.
         cycles : float, optional
             In place of a task: its cycles.
         probability : float, optional
-            Of the task, 0 to 1, both exclusive; 0.5.
+            Of the task, 0 to 1, both exclusive; 0.5. Of a point: that its signal with noise passes
+            the threshold, the mean over all places of its image in a pixel.
+        false_alarms : float, optional
+            Of a point, in place of snr: the probability that noise alone passes the threshold in a
+            pixel and a frame.
+        clutter_K : float, optional
+            Of a point: the standard deviation of the background's apparent temperature from pixel
+            to pixel, which counts as noise, K; 0.
+        leave_out : sequence of str, optional
+            Of 'johnson' and 'ttp': temperatures and materials by their names whose surfaces are
+            not counted, such as hot parts and plumes.
+        scene_contrast_K, display_pixel_mrad, display_luminance_cd_m2 : float, optional
+            Of 'ttp': the temperature difference that the display shows, 10 K, a pixel on it as the
+            observer sees it, 0.8 mrad, and its luminance, 34 cd/m2.
         nearest_m, farthest_m : float, optional
             Where the range is sought, m: 100 and 1e6.
         background_temperature_K : float, optional
@@ -372,6 +391,12 @@ class Project:
             "task": task,
             "cycles": cycles,
             "probability": probability,
+            "false_alarms": false_alarms,
+            "clutter_K": clutter_K,
+            "leave_out": None if leave_out is None else list(leave_out),
+            "scene_contrast_K": scene_contrast_K,
+            "display_pixel_mrad": display_pixel_mrad,
+            "display_luminance_cd_m2": display_luminance_cd_m2,
             "nearest_m": nearest_m,
             "farthest_m": farthest_m,
             "background_temperature_K": background_temperature_K,

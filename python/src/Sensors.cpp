@@ -69,6 +69,17 @@ Table resolvableOf(const FileSensor& sensor, const Numbers& frequencies_per_rad,
     });
 }
 
+Table nominalRangesOf(const FileSensor& sensor, const Numbers& extinctions_per_km, double side_m,
+                      double difference_K, double background_K, double threshold,
+                      double eyeTime_s) {
+    const std::vector<double> list = python::vectorOf(extinctions_per_km, "extinctions_per_km");
+    return withoutLock([&] {
+        return std::make_shared<ResultTable>(nominalRangeTable(
+            sensor.description, list, {.side_m = side_m, .difference_K = difference_K},
+            background_K, {threshold, eyeTime_s}));
+    });
+}
+
 std::shared_ptr<irsg::RadianceImage> readingOf(const FileSensor& sensor, const Plane& radiance,
                                                std::uint64_t seed, std::uint32_t frame) {
     const irsg::SensorDetector& detector = sensor.description.detector;
@@ -106,9 +117,23 @@ DetectionRequest requestOf(const FileSensor& sensor, const py::dict& given) {
     request.place = static_cast<PointPlace>(
         wordOf("point", given["point"].cast<std::string>(), pointPlaceWords()));
     request.threshold = number("snr", request.threshold);
-    const std::size_t task = wordOf("task", given["task"].cast<std::string>(), johnsonTaskWords());
-    request.task.cyclesOfHalf = number("cycles", irsg::johnsonTasks()[task].cyclesOfHalf);
+    const std::size_t task = wordOf("task", given["task"].cast<std::string>(), rangeTaskWords());
+    request.task.cyclesOfHalf = number("cycles", tasksOf(request.criterion)[task].cyclesOfHalf);
     request.task.probability = number("probability", request.task.probability);
+    if (request.criterion == RangeCriterion::point && !given["probability"].is_none())
+        request.pointProbability = request.task.probability;
+    if (request.task.probability >= 1.0)
+        throw badArgument("probability", irsg::numberText(request.task.probability),
+                          "a number between 0 and 1, both exclusive");
+    if (!given["false_alarms"].is_none())
+        request.threshold = thresholdOfFalseAlarms(given["false_alarms"].cast<double>());
+    if (!given["leave_out"].is_none())
+        request.leftOut = given["leave_out"].cast<std::vector<std::string>>();
+    request.clutter_K = number("clutter_K", request.clutter_K);
+    request.display = {
+        .pixel_mrad = number("display_pixel_mrad", request.display.pixel_mrad),
+        .luminance_cd_m2 = number("display_luminance_cd_m2", request.display.luminance_cd_m2),
+        .sceneContrast_K = number("scene_contrast_K", request.display.sceneContrast_K)};
     request.limits.nearest_m = number("nearest_m", request.limits.nearest_m);
     request.limits.farthest_m = number("farthest_m", request.limits.farthest_m);
     if (!given["background_temperature_K"].is_none())
@@ -229,6 +254,37 @@ Returns
 -------
 Table
     'mrtd_horizontal', 'mrtd_vertical' and 'mrtd', NaN where bars are not resolved.
+)")
+        .def("nominal_ranges", &nominalRangesOf, py::arg("extinctions_per_km"), py::kw_only(),
+             py::arg("target_size_m") = 2.3, py::arg("temperature_difference_K") = 2.0,
+             py::arg("background_temperature_K") = 300.0, py::arg("threshold") = 2.5,
+             py::arg("eye_time_s") = 0.2,
+             R"(Nominal static ranges of a thermal imager as STANAG 4347 defines them.
+
+Parameters
+----------
+extinctions_per_km : array_like, shape (n,)
+    Of the atmosphere, 1/km, at least 0.
+target_size_m : float
+    Side of the target, m.
+temperature_difference_K : float
+    Of the target before the background, K.
+background_temperature_K : float
+    Of a black body that fills the field, K.
+threshold : float
+    Perceived signal to noise ratio at which an observer sees bars.
+eye_time_s : float
+    Over which his eye takes the mean of frames, s.
+
+Returns
+-------
+Table
+    'line_pairs' (1 detection, 3 recognition, 6 identification), 'extinction' and 'range', m.
+
+Raises
+------
+InputError
+    For values that cannot be.
 )")
         .def("read", &readingOf, py::arg("radiance"), py::kw_only(), py::arg("seed") = 1,
              py::arg("frame") = 0,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,14 +16,13 @@
 #include "irsg/core/Errors.h"
 #include "irsg/core/Quantity.h"
 #include "irsg/core/Wording.h"
-#include "irsg/radiometry/GaussLegendre.h"
-#include "irsg/radiometry/Planck.h"
-#include "irsg/sensor/PointSpread.h"
-#include "irsg/sensor/SensorNumbers.h"
+#include "irsg/sensor/NormalQuantile.h"
 #include "smatcore/analysis/AnalysisDefinition.h"
 #include "smatcore/analysis/AnalysisProvenance.h"
 #include "smatcore/analysis/CaseWarnings.h"
 #include "smatcore/analysis/CommandSettings.h"
+#include "smatcore/analysis/PartColumns.h"
+#include "smatcore/analysis/TargetSight.h"
 #include "smatcore/settings/SettingKeys.h"
 #include "smatcore/support/ShellText.h"
 
@@ -32,145 +32,88 @@ namespace {
 
 using Found = irsg::DetectionRange::Found;
 
-double ensquaredEnergy(const irsg::SensorDescription& sensor, PointPlace place, double source_K) {
-    const irsg::PointSpread spread(sensor, source_K);
-    if (place == PointPlace::centre)
-        return spread.energyAt(0.0, 0.0);
-    if (place == PointPlace::corner)
-        return spread.energyAt(0.5, 0.5);
-    const irsg::GaussRule& rule = irsg::gaussLegendre(6);
-    double mean = 0.0;
-    for (std::size_t i = 0; i < rule.nodes.size(); ++i)
-        for (std::size_t j = 0; j < rule.nodes.size(); ++j)
-            mean += rule.weights[i] * rule.weights[j] *
-                    spread.energyAt(0.5 * rule.nodes[i], 0.5 * rule.nodes[j]);
-    return mean;
-}
+/// The surfaces of an object that do not count.
+struct LeftOut {
+    std::set<int> temperatures, materials;
 
-/// What is known of a case at a range.
-struct Look {
-    double contrast_W_m2 = 0.0, contrast_W_sr = 0.0, error_W_m2 = 0.0, solidAngle_sr = 0.0;
-    double nei_W_m2 = 0.0;
-    double difference_K = 0.0, cycles = 0.0; ///< of bars
-    bool isFull = false;                     ///< the pixel, of the background alone
-    double snr() const { return std::abs(contrast_W_m2) / nei_W_m2; }
+    bool has(const irsg::SurfaceRadiometry& surface) const {
+        return temperatures.contains(surface.temperature) || materials.contains(surface.material);
+    }
 };
 
-/// What the sensor makes of a background and of a target before it.
-class Seeing {
-  public:
-    explicit Seeing(const DetectionRequest& request)
-        : request_(request),
-          response_(request.sensor),
-          energy_(ensquaredEnergy(request.sensor, request.place, usual_K())) {
-        if (request.criterion == RangeCriterion::bars)
-            resolvable_.emplace(request.sensor, usual_K(), request.observer);
-    }
-
-    double energy() const { return energy_; }
-
-    /// Sets what follows from contrast, solid angle and the background's radiance.
-    void see(Look& look, double background_W_m2_sr) {
-        const Background& behind = background(background_W_m2_sr);
-        look.isFull = behind.isFull;
-        look.nei_W_m2 = behind.noise.total() / (response_.signalPerIrradiance() * energy_);
-        if (!resolvable_ || look.solidAngle_sr <= 0.0)
-            return;
-        look.difference_K = std::abs(look.contrast_W_m2) / look.solidAngle_sr *
-                            response_.signalPerRadiance() / behind.contrast_per_K;
-        look.cycles = resolvable_->frequency_per_rad(look.difference_K, behind.perceived_K) *
-                      std::sqrt(look.solidAngle_sr);
-    }
-
-    double wanted() const {
-        return resolvable_ ? irsg::taskCycles(request_.task.probability, request_.task.cyclesOfHalf)
-                           : request_.threshold;
-    }
-    double reached(const Look& look) const { return resolvable_ ? look.cycles : look.snr(); }
-
-  private:
-    struct Background {
-        irsg::PixelNoise noise;
-        bool isFull = false;
-        double contrast_per_K = 0.0, perceived_K = 0.0; ///< of bars
+/// By entity; none where nothing is left out. Throws InputError for names that no entry has.
+std::vector<LeftOut> leftOutOf(const SceneDescription& scene,
+                               const std::vector<std::string>& names) {
+    if (names.empty())
+        return {};
+    std::vector<LeftOut> out(scene.entities.size());
+    std::vector<std::string> known;
+    std::set<std::string> met;
+    const auto take = [&](const irsg::Entity& entity, PartsBy by, std::set<int>& indices) {
+        for (const ObjectPart& part : partsOf(entity, by)) {
+            irsg::appendUnique(known, {part.label});
+            if (std::ranges::find(names, part.label) == names.end())
+                continue;
+            indices.insert(part.index);
+            met.insert(part.label);
+        }
     };
-
-    /// Of which the optics' spectrum is.
-    double usual_K() const { return request_.background_K.value_or(300.0); }
-
-    const Background& background(double radiance_W_m2_sr) {
-        const double key = request_.background_K.value_or(radiance_W_m2_sr);
-        const auto [known, isNew] = known_.try_emplace(key);
-        if (isNew)
-            known->second = made(radiance_W_m2_sr);
-        return known->second;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        take(scene.entities[i], PartsBy::temperature, out[i].temperatures);
+        take(scene.entities[i], PartsBy::material, out[i].materials);
     }
-
-    Background made(double radiance_W_m2_sr) const {
-        Background made;
-        irsg::PixelSignal signal = response_.offset();
-        signal.scene = request_.background_K ? response_.signal(*request_.background_K).scene
-                                             : radiance_W_m2_sr * response_.signalPerRadiance();
-        made.isFull = signal.total() >= response_.fullSignal();
-        made.noise = response_.noise(signal);
-        if (!resolvable_)
-            return made;
-        const std::optional<double> background_K =
-            request_.background_K
-                ? request_.background_K
-                : irsg::apparentTemperature_K(request_.sensor.band(), radiance_W_m2_sr);
-        if (!background_K || *background_K < leastBackground_K)
-            throw irsg::InputError(
-                {"", "background of the scene",
-                 irsg::numberText(background_K.value_or(0.0)) + " K in the sensor's band",
-                 "at least " + irsg::numberText(leastBackground_K) +
-                     " K, before which bars have a temperature difference, or a background "
-                     "temperature that is given"});
-        made.contrast_per_K = response_.contrast_per_K(*background_K);
-        made.perceived_K = irsg::perceivedNoise_K(request_.sensor, made.noise, made.contrast_per_K,
-                                                  request_.observer);
-        return made;
-    }
-
-    static constexpr double leastBackground_K = 50.0;
-
-    const DetectionRequest& request_;
-    irsg::PixelResponse response_;
-    double energy_;
-    std::optional<irsg::ResolvableTemperature> resolvable_;
-    std::map<double, Background> known_; ///< by its temperature, or radiance
-};
+    std::vector<irsg::Diagnostic> diagnostics;
+    for (const std::string& name : names)
+        if (!met.contains(name))
+            diagnostics.push_back(
+                {"", "surfaces that are left out", name, irsg::alternatives(known)});
+    if (!diagnostics.empty())
+        throw irsg::InputError(diagnostics);
+    return out;
+}
 
 /// One aspect at any range.
 class Aspect {
   public:
-    Aspect(Seeing& seeing, const CasePlacer& placer, const SceneDescription& scene,
-           const RenderDoor& door, AnalysisCase one, AnalysisData& data, CaseWarnings& warnings)
+    Aspect(TargetSight& seeing, const CasePlacer& placer, const SceneDescription& scene,
+           const RenderDoor& door, AnalysisCase one, const std::vector<LeftOut>& leftOut,
+           AnalysisData& data, CaseWarnings& warnings)
         : seeing_(seeing),
           placer_(placer),
           scene_(scene),
           door_(door),
           case_(std::move(one)),
+          leftOut_(leftOut),
           data_(data),
           warnings_(warnings) {}
 
-    Look at(double range_m, bool withErrors) {
+    TargetLook at(double range_m, bool withErrors) {
         const auto key = std::pair(range_m, withErrors);
         if (const auto known = known_.find(key); known != known_.end())
             return known->second;
         case_.range_m = range_m;
         const PlacedCase placed = placer_.place(scene_, case_);
-        const irsg::Outputs outputs = irsg::Outputs::reports().alongRange().withErrors(withErrors);
+        const irsg::Outputs outputs = irsg::Outputs::reports()
+                                          .alongRange()
+                                          .withErrors(withErrors)
+                                          .bySurface(!leftOut_.empty());
         const irsg::RenderReport report = placed.render(door_, outputs).reports.front();
         irsg::addProvider(data_.providedBy, report.providedBy);
         warnings_.addReport(report, data_.settings[key::renderLayers]);
-        Look look;
+        TargetLook look;
         look.contrast_W_m2 = report.all.irradiance_W_m2;
         look.contrast_W_sr = report.all.contrastIntensity_W_sr;
         look.solidAngle_sr = report.all.solidAngle_sr;
         for (const irsg::ObjectRadiometry& object : report.objects)
             if (report.all.solidAngle_sr == 0.0)
                 look.solidAngle_sr += object.solidAngle_sr;
+        look.counted_W_m2 = look.contrast_W_m2;
+        for (std::size_t i = 0; i < leftOut_.size(); ++i)
+            for (const irsg::SurfaceRadiometry& surface : report.objects.at(i).surfaces)
+                if (leftOut_[i].has(surface)) {
+                    look.counted_W_m2 -= surface.irradiance_W_m2;
+                    look.solidAngle_sr -= surface.solidAngle_sr;
+                }
         if (report.all.errors)
             look.error_W_m2 = report.all.errors->irradiance_W_m2.sum();
         seeing_.see(look, report.background_W_m2_sr);
@@ -179,12 +122,12 @@ class Aspect {
 
     /// At the range that was found, interpolated on the grid; the relative error is that of the
     /// nearest range there.
-    Look between(const irsg::DetectionRange& found) {
-        std::vector<Look> looks;
+    TargetLook between(const irsg::DetectionRange& found) {
+        std::vector<TargetLook> looks;
         for (const auto& node : found.around)
             looks.push_back(at(node.range_m, false));
         // By logarithms, which bend little, where there are some.
-        const auto mean = [&](double Look::*member) {
+        const auto mean = [&](double TargetLook::*member) {
             double sum = 0.0, logarithms = 0.0;
             bool isOfOneSign = true;
             for (std::size_t i = 0; i < looks.size(); ++i) {
@@ -196,32 +139,34 @@ class Aspect {
             }
             return isOfOneSign ? std::copysign(std::exp(logarithms), looks.front().*member) : sum;
         };
-        Look look;
-        for (double Look::*const member :
-             {&Look::contrast_W_m2, &Look::contrast_W_sr, &Look::solidAngle_sr, &Look::nei_W_m2,
-              &Look::difference_K, &Look::cycles})
+        TargetLook look;
+        for (double TargetLook::*const member :
+             {&TargetLook::contrast_W_m2, &TargetLook::contrast_W_sr, &TargetLook::counted_W_m2,
+              &TargetLook::solidAngle_sr, &TargetLook::nei_W_m2, &TargetLook::difference_K,
+              &TargetLook::cycles})
             look.*member = mean(member);
-        look.isFull = std::ranges::any_of(looks, &Look::isFull);
+        look.isFull = std::ranges::any_of(looks, &TargetLook::isFull);
         const auto nearest =
             std::ranges::max_element(found.around, {}, &irsg::DetectionRange::Node::weight);
-        const Look known = at(nearest->range_m, true);
+        const TargetLook known = at(nearest->range_m, true);
         if (known.contrast_W_m2 != 0.0)
             look.error_W_m2 = known.error_W_m2 * std::abs(look.contrast_W_m2 / known.contrast_W_m2);
         return look;
     }
 
   private:
-    Seeing& seeing_;
+    TargetSight& seeing_;
     const CasePlacer& placer_;
     const SceneDescription& scene_;
     const RenderDoor& door_;
     AnalysisCase case_;
+    const std::vector<LeftOut>& leftOut_;
     AnalysisData& data_;
     CaseWarnings& warnings_;
-    std::map<std::pair<double, bool>, Look> known_;
+    std::map<std::pair<double, bool>, TargetLook> known_;
 };
 
-void addColumns(ResultTable& table, const AnalysisPlan& plan, RangeCriterion criterion) {
+void addColumns(ResultTable& table, const AnalysisPlan& plan, const DetectionRequest& request) {
     for (const irsg::Quantity quantity : plan.columns)
         table.add(quantity);
     table.add("detection_range", "m");
@@ -233,11 +178,14 @@ void addColumns(ResultTable& table, const AnalysisPlan& plan, RangeCriterion cri
     table.add(irsg::Quantity::contrastIntensity);
     table.add("nei", "W m-2");
     table.add("extent", "px");
-    if (criterion == RangeCriterion::bars) {
+    if (request.criterion != RangeCriterion::point) {
         table.add("temperature_difference", "K");
         table.add("cycles", "");
-        table.add("probability", "");
     }
+    if (request.criterion != RangeCriterion::point || request.pointProbability)
+        table.add("probability", "");
+    if (!request.leftOut.empty())
+        table.add("left_out", "");
 }
 
 /// What an aspect warns of, "" for nothing.
@@ -280,11 +228,26 @@ const std::vector<std::string>& pointPlaceWords() {
 }
 
 const std::vector<std::string>& criterionWords() {
-    static const std::vector<std::string> words = {"point", "johnson"};
+    static const std::vector<std::string> words = {"point", "johnson", "ttp"};
     return words;
 }
 
-std::vector<std::string> johnsonTaskWords() {
+const std::vector<irsg::JohnsonTask>& tasksOf(RangeCriterion criterion) {
+    return criterion == RangeCriterion::targeting ? irsg::targetingTasks() : irsg::johnsonTasks();
+}
+
+const irsg::TaskLaw& lawOf(RangeCriterion criterion) {
+    return criterion == RangeCriterion::targeting ? irsg::targetingLaw : irsg::johnsonLaw;
+}
+
+double thresholdOfFalseAlarms(double probability) {
+    if (!(probability > 0.0 && probability < 0.5))
+        throw irsg::InputError({"", "probability of a false alarm", irsg::numberText(probability),
+                                "a number between 0 and 0.5, both exclusive"});
+    return -irsg::normalQuantile(probability);
+}
+
+std::vector<std::string> rangeTaskWords() {
     std::vector<std::string> words;
     for (const irsg::JohnsonTask& task : irsg::johnsonTasks())
         words.emplace_back(task.name);
@@ -302,17 +265,28 @@ std::string detectionCommand(const Project& project, const Settings& settings,
         if (value != otherwise)
             command += fmt::format(" {} {}", option, irsg::numberText(value));
     };
-    if (request.criterion == RangeCriterion::bars) {
-        command += " --criterion johnson";
-        const auto& tasks = irsg::johnsonTasks();
+    if (request.criterion != RangeCriterion::point) {
+        command += " --criterion " + criterionWords()[static_cast<std::size_t>(request.criterion)];
+        const auto& tasks = tasksOf(request.criterion);
         const auto task =
             std::ranges::find(tasks, request.task.cyclesOfHalf, &irsg::JohnsonTask::cyclesOfHalf);
         command += task != tasks.end()
                        ? fmt::format(" --task {}", task->name)
                        : fmt::format(" --cycles {}", irsg::numberText(request.task.cyclesOfHalf));
         number("--probability", 100.0 * request.task.probability, 50.0);
+        for (const std::string& name : request.leftOut)
+            command += " --leave-out " + shellQuoted(name);
+        if (request.criterion == RangeCriterion::targeting) {
+            const irsg::SensorDisplay &display = request.display, &plain = usual.display;
+            number("--scene-contrast", display.sceneContrast_K, plain.sceneContrast_K);
+            number("--display-pixel", display.pixel_mrad, plain.pixel_mrad);
+            number("--display-luminance", display.luminance_cd_m2, plain.luminance_cd_m2);
+        }
     } else {
         number("--snr", request.threshold, usual.threshold);
+        if (request.pointProbability)
+            number("--probability", 100.0 * *request.pointProbability, 0.0);
+        number("--clutter", request.clutter_K, 0.0);
         if (request.place != usual.place)
             command += " --point " + pointPlaceWords()[static_cast<std::size_t>(request.place)];
     }
@@ -355,10 +329,11 @@ void runDetection(AnalysisData& data, const DetectionRequest& request, const Ren
     data.renderer = door.description(scene);
     irsg::appendUnique(data.warnings, scene.remarks);
 
-    Seeing seeing(request);
+    const std::vector<LeftOut> leftOut = leftOutOf(scene, request.leftOut);
+    TargetSight seeing(request);
     const double wanted = seeing.wanted();
-    const bool isOfBars = request.criterion == RangeCriterion::bars;
-    addColumns(data.table, plan, request.criterion);
+    const bool isOfCycles = seeing.isOfCycles();
+    addColumns(data.table, plan, request);
     CaseWarnings warnings;
     std::size_t done = 0, resolved = 0, never = 0, beyond = 0, full = 0;
     if (control.isRehearsal) {
@@ -378,7 +353,7 @@ void runDetection(AnalysisData& data, const DetectionRequest& request, const Ren
         if (control.progress)
             control.progress({done, plan.cases.size(), elapsed_s(), "detection: " + place});
         warnings.beginCase(place);
-        Aspect aspect(seeing, placer, scene, door, one, data, warnings);
+        Aspect aspect(seeing, placer, scene, door, one, leftOut, data, warnings);
         (void)aspect.at(request.limits.nearest_m, false); // refuses what no range would change
         const auto ratio = [&](double range_m) {
             try {
@@ -392,17 +367,17 @@ void runDetection(AnalysisData& data, const DetectionRequest& request, const Ren
             }
         };
         const irsg::DetectionRange found = irsg::detectionRange(ratio, wanted, request.limits);
-        const Look look = aspect.between(found);
+        const TargetLook look = aspect.between(found);
         double error_m = 0.0;
         if (found.found == Found::atRange) {
             error_m = request.limits.tolerance * found.range_m;
-            if (found.slope != 0.0 && look.contrast_W_m2 != 0.0)
-                error_m = std::hypot(error_m, look.error_W_m2 / std::abs(look.contrast_W_m2) *
+            if (found.slope != 0.0 && look.counted_W_m2 != 0.0)
+                error_m = std::hypot(error_m, look.error_W_m2 / std::abs(look.counted_W_m2) *
                                                   found.range_m / std::abs(found.slope));
         }
         const double extent =
             std::sqrt(std::max(0.0, look.solidAngle_sr)) / request.sensor.pixelAngle_rad();
-        const bool isResolved = !isOfBars && found.found != Found::nowhere && extent > 1.0;
+        const bool isResolved = !isOfCycles && found.found != Found::nowhere && extent > 1.0;
         never += found.found == Found::nowhere;
         beyond += found.found == Found::beyond;
         full += look.isFull;
@@ -418,9 +393,13 @@ void runDetection(AnalysisData& data, const DetectionRequest& request, const Ren
         row.insert(row.end(), {found.range_m, error_m, outcomeOf(found.found),
                                static_cast<double>(found.crossings), look.snr(), look.contrast_W_m2,
                                look.contrast_W_sr, look.nei_W_m2, extent});
-        if (isOfBars)
-            row.insert(row.end(), {look.difference_K, look.cycles,
-                                   irsg::taskProbability(look.cycles, request.task.cyclesOfHalf)});
+        if (isOfCycles)
+            row.insert(row.end(), {look.difference_K, look.cycles});
+        if (isOfCycles || request.pointProbability)
+            row.push_back(seeing.probability(look));
+        if (!leftOut.empty())
+            row.push_back(look.contrast_W_m2 == 0.0 ? 0.0
+                                                    : 1.0 - look.counted_W_m2 / look.contrast_W_m2);
         data.table.addRow(row, warning);
         ++done;
     }
@@ -450,7 +429,9 @@ void runDetection(AnalysisData& data, const DetectionRequest& request, const Ren
         if (key == "analysis")
             value = name(data.kind);
     provenance.add("detection.sensor", request.sensor.title);
-    if (isOfBars) {
+    provenance.add("detection.criterion",
+                   criterionWords()[static_cast<std::size_t>(request.criterion)]);
+    if (isOfCycles) {
         provenance.add("detection.cyclesOfHalf", irsg::numberText(request.task.cyclesOfHalf));
         provenance.add("detection.probability", irsg::numberText(request.task.probability));
         provenance.add("detection.cycles", irsg::numberText(wanted));
@@ -458,9 +439,22 @@ void runDetection(AnalysisData& data, const DetectionRequest& request, const Ren
                        fmt::format("threshold {}, {} s, {} Hz", request.observer.threshold,
                                    request.observer.integration_s,
                                    request.sensor.electronics.frameRate_Hz));
+        for (const std::string& name : request.leftOut)
+            provenance.add("detection.leftOut", name);
+        if (request.criterion == RangeCriterion::targeting)
+            provenance.add("detection.display",
+                           fmt::format("{} mrad a pixel, {} cd m-2, {} K of scene contrast",
+                                       request.display.pixel_mrad, request.display.luminance_cd_m2,
+                                       request.display.sceneContrast_K));
     } else {
         provenance.add("detection.snr", irsg::numberText(request.threshold));
         provenance.add("detection.ensquaredEnergy", irsg::numberText(seeing.energy()));
+        if (request.pointProbability) {
+            provenance.add("detection.probability", irsg::numberText(*request.pointProbability));
+            provenance.add("detection.snrOfProbability", irsg::numberText(wanted));
+        }
+        if (request.clutter_K > 0.0)
+            provenance.add("detection.clutter", irsg::numberText(request.clutter_K) + " K");
     }
     provenance.add("detection.background", request.background_K
                                                ? irsg::numberText(*request.background_K) + " K"

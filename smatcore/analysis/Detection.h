@@ -10,6 +10,7 @@
 #include "irsg/sensor/DetectionRange.h"
 #include "irsg/sensor/ResolvableTemperature.h"
 #include "irsg/sensor/SensorDescription.h"
+#include "irsg/sensor/TargetingTask.h"
 #include "smatcore/analysis/AnalysisData.h"
 #include "smatcore/analysis/AnalysisGenerator.h"
 
@@ -24,11 +25,12 @@ enum class PointPlace {
 
 /// What it means that a sensor sees the target.
 enum class RangeCriterion {
-    point, ///< signal to noise of its whole light in one pixel
-    bars   ///< Johnson: its mean contrast resolves as many cycles across it as a task needs
+    point,    ///< signal to noise of its whole light in one pixel
+    bars,     ///< Johnson: its mean contrast resolves as many cycles across it as a task needs
+    targeting ///< the same with the cycles of the TTP metric
 };
 
-/// A task of Johnson's criterion.
+/// A task of a criterion of cycles.
 struct RangeTask {
     double cyclesOfHalf = 0.75; ///< for a probability of 50 %; > 0
     double probability = 0.5;   ///< 0 to 1, both exclusive
@@ -41,8 +43,18 @@ struct DetectionRequest {
     std::filesystem::path sensorFile; ///< that it is from; for provenance and command
     RangeCriterion criterion = RangeCriterion::point;
     double threshold = 5.0; ///< of points: signal to noise ratio, > 0
-    RangeTask task;         ///< of bars
+    /// Of points: that the ratio with its noise is above the threshold, the mean over all places
+    /// of the image in its pixel, 0 to 1, both exclusive; none: the ratio without noise is.
+    std::optional<double> pointProbability;
+    /// Of points: the standard deviation of the background from pixel to pixel, as that of its
+    /// apparent temperature, which is noise as well.
+    double clutter_K = 0.0;
+    RangeTask task; ///< of cycles
+    /// Of cycles: temperatures and materials, by the names of partsOf, whose surfaces are not
+    /// counted: hot parts and plumes, which raise the mean contrast though nobody resolves them.
+    std::vector<std::string> leftOut;
     irsg::Observer observer;
+    irsg::SensorDisplay display; ///< of the TTP metric
     irsg::RangeLimits limits{.nearest_m = 100.0, .farthest_m = 1e6, .looksPerDecade = 4};
     PointPlace place = PointPlace::centre;
     /// Of the noise; none: that of the scene behind the target, at each range.
@@ -54,8 +66,15 @@ AnalysisKind detectionKind();
 
 /// Words of places and tasks, as commands have them.
 const std::vector<std::string>& pointPlaceWords(); ///< "centre", ... by PointPlace
-const std::vector<std::string>& criterionWords();  ///< "point", "johnson", by RangeCriterion
-std::vector<std::string> johnsonTaskWords();       ///< "detection", ... of irsg::johnsonTasks()
+const std::vector<std::string>& criterionWords();  ///< "point", "johnson", "ttp"
+std::vector<std::string> rangeTaskWords();         ///< "detection", ... of every criterion
+/// The tasks of a criterion of cycles, and its law of probability.
+const std::vector<irsg::JohnsonTask>& tasksOf(RangeCriterion criterion);
+const irsg::TaskLaw& lawOf(RangeCriterion criterion);
+
+/// The threshold, in deviations of normal noise, that it passes by itself with this probability in
+/// a pixel and a frame, 0 to 0.5, both exclusive (InputError).
+double thresholdOfFalseAlarms(double probability);
 
 /// The command that does the same from a terminal, for a project with these settings in effect.
 std::string detectionCommand(const Project& project, const Settings& settings,
@@ -66,13 +85,15 @@ std::string detectionCommand(const Project& project, const Settings& settings,
 /// range, times the ensquared energy; the noise is all of the sensor's, pattern included. Of bars
 /// the mean contrast radiance over the target's solid angle becomes a temperature difference of the
 /// background, whose resolved frequency times the root of that solid angle is the number of
-/// cycles (ResolvableTemperature). Columns: where
+/// cycles (ResolvableTemperature, TargetingTask). Columns: where
 /// the case is, `detection_range` with its error at two standard deviations (that of the contrast,
 /// and of where the root lies), `outcome` (0 found, -1 below the threshold everywhere: range 0, 1
 /// above it at the farthest range, which is given), `crossings`, then at that range `snr`,
 /// `contrast_irradiance`, `contrast_intensity`, `nei` with the total noise and ensquared energy,
 /// and `extent`, the side of the target's image in pixels, whose smallness the ratio of a point
-/// asks for; of bars `temperature_difference`, `cycles` and `probability` as well.
+/// asks for; of cycles `temperature_difference`, `cycles` and `probability` as well, of points with
+/// a probability this. Where surfaces are left out, contrast and solid angle of cycles and `extent`
+/// are those of the others, and `left_out` is their part of the contrast irradiance.
 /// Ranges that the scene refuses (a path into the ground) count as those without a signal, with a
 /// warning; the nearest must not be one. A stop keeps the cases that are done. Throws InputError.
 void runDetection(AnalysisData& data, const DetectionRequest& request, const RenderDoor& door,

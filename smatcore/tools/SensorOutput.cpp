@@ -84,6 +84,19 @@ void addLines(std::string& text, const Json& json, const std::string& before) {
     }
 }
 
+/// How a table came to be in which an observer looks.
+void tellObserved(ResultTable& table, const char* analysis, const irsg::SensorDescription& sensor,
+                  double background_K, const irsg::Observer& observer) {
+    Provenance& provenance = table.provenance;
+    provenance.add("program", irsg::programWithVersion());
+    provenance.add("analysis", analysis);
+    provenance.add("sensor", sensor.title);
+    provenance.add("background temperature", irsg::numberText(background_K) + " K");
+    provenance.add("observer threshold", irsg::numberText(observer.threshold));
+    provenance.add("eye integration time", irsg::numberText(observer.integration_s) + " s");
+    provenance.add("frame rate", irsg::numberText(sensor.electronics.frameRate_Hz) + " Hz");
+}
+
 } // namespace
 
 Json sensorNumbersJson(const irsg::SensorDescription& sensor, const SensorNumbersRequest& request) {
@@ -187,13 +200,30 @@ ResultTable resolvableTemperatureTable(const irsg::SensorDescription& sensor,
             std::numeric_limits<double>::quiet_NaN());
         table.addRow(row);
     }
-    table.provenance.add("program", irsg::programWithVersion());
-    table.provenance.add("analysis", "sensor mrtd");
-    table.provenance.add("sensor", sensor.title);
-    table.provenance.add("background temperature", irsg::numberText(background_K) + " K");
-    table.provenance.add("observer threshold", irsg::numberText(observer.threshold));
-    table.provenance.add("eye integration time", irsg::numberText(observer.integration_s) + " s");
-    table.provenance.add("frame rate", irsg::numberText(sensor.electronics.frameRate_Hz) + " Hz");
+    tellObserved(table, "sensor mrtd", sensor, background_K, observer);
+    return table;
+}
+
+ResultTable nominalRangeTable(const irsg::SensorDescription& sensor,
+                              const std::vector<double>& extinctions_per_km,
+                              const irsg::NominalTarget& target, double background_K,
+                              const irsg::Observer& observer) {
+    const irsg::ResolvableTemperature resolvable(sensor, background_K, observer);
+    ResultTable table;
+    table.add("line_pairs", "");
+    table.add("extinction", "km-1");
+    table.add("range", "m");
+    for (const irsg::JohnsonTask& task : irsg::nominalTasks())
+        for (const double extinction_per_km : extinctions_per_km) {
+            irsg::NominalTarget behind = target;
+            behind.extinction_per_km = extinction_per_km;
+            table.addRow({task.cyclesOfHalf, extinction_per_km,
+                          irsg::nominalRange_m(resolvable, behind, task.cyclesOfHalf)});
+        }
+    tellObserved(table, "sensor range", sensor, background_K, observer);
+    table.provenance.add("target side", irsg::numberText(target.side_m) + " m");
+    table.provenance.add("target temperature difference",
+                         irsg::numberText(target.difference_K) + " K");
     return table;
 }
 

@@ -7,6 +7,7 @@
 
 #include "irsg/sensor/ResolvableTemperature.h"
 #include "irsg/sensor/SensorDescription.h"
+#include "irsg/sensor/TargetingTask.h"
 #include "smatcore/data/ResultTable.h"
 
 namespace smat {
@@ -38,5 +39,13 @@ ResultTable sensorTransferTable(const irsg::SensorDescription& sensor,
 ResultTable resolvableTemperatureTable(const irsg::SensorDescription& sensor,
                                        const std::vector<double>& frequencies_per_rad,
                                        double background_K, const irsg::Observer& observer);
+
+/// Nominal static ranges as STANAG 4347 defines them (irsg::nominalRange_m), a row for each task
+/// (irsg::nominalTasks) and extinction: `line_pairs`, `extinction [km-1]`, `range [m]`. Throws
+/// InputError.
+ResultTable nominalRangeTable(const irsg::SensorDescription& sensor,
+                              const std::vector<double>& extinctions_per_km,
+                              const irsg::NominalTarget& target, double background_K,
+                              const irsg::Observer& observer);
 
 } // namespace smat

@@ -6,9 +6,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "irsg/core/Errors.h"
 #include "irsg/image/ImageFile.h"
+#include "irsg/sensor/PointSpread.h"
 #include "irsg/sensor/ResolvableTemperature.h"
 #include "irsg/sensor/SensorFile.h"
+#include "irsg/sensor/TargetingTask.h"
 #include "smatcore/data/ResultTable.h"
 #include "smatcore/support/TextFile.h"
 #include "tests/cli/Program.h"
@@ -241,6 +244,176 @@ TEST(SmatBatchSensor, BarsAreResolvedWhereTheSensorSaysAndNearerForMore) {
                    "--criterion", "johnson", "--out", folder / "x.csv"});
     EXPECT_EQ(vacuum.exitCode, 2) << "before a background of 0 K";
     EXPECT_THAT(vacuum.err, HasSubstr("background"));
+}
+
+TEST(SmatBatchSensor, TargetingTaskIsMetWhereItsIntegralHasTheCycles) {
+    const TemporaryFolder folder;
+    const auto rangeOf = [&](const std::vector<std::string>& more) {
+        const Ran ran =
+            smatBatch(with(with({"detection", sample("sphere/sphere.smat"), "--sensor",
+                                 sensorFile(folder), "--step", "180", "--nearest", "10",
+                                 "--farthest", "10000", "--background-temperature", "290",
+                                 "--criterion", "ttp", "--out", folder / "ttp.csv"},
+                                plain),
+                           more));
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        return ResultTable::load(folder / "ttp.csv");
+    };
+    const irsg::SensorDescription sensor = irsg::loadSensor(sensorFile(folder));
+    const ResultTable recognised = rangeOf({"--task", "recognition", "--scene-contrast", "20"});
+    EXPECT_EQ(recognised.provenance.value("detection.criterion"), "ttp");
+    const irsg::TargetingTask task(sensor, 290.0, {}, {.sceneContrast_K = 20.0});
+    const double extent_rad = valueOf(recognised, "extent", 0) * sensor.pixelAngle_rad();
+    const double cycles =
+        task.cycles_per_rad(valueOf(recognised, "temperature_difference", 0)) * extent_rad;
+    EXPECT_NEAR(cycles, 14.5, 0.02);
+    EXPECT_NEAR(valueOf(recognised, "cycles", 0), 14.5, 0.02);
+    EXPECT_NEAR(valueOf(recognised, "probability", 0), 0.5, 1e-3);
+    // The contrast of a sphere in vacuum does not change with range: cycles fall with it.
+    const double range_m = valueOf(recognised, "detection_range", 0);
+    const ResultTable surely =
+        rangeOf({"--task", "recognition", "--scene-contrast", "20", "--probability", "90"});
+    EXPECT_NEAR(valueOf(surely, "detection_range", 0) / range_m,
+                14.5 / irsg::taskCycles(0.9, 14.5, irsg::targetingLaw), 2e-3);
+    // A display of less contrast shows less of the target.
+    const ResultTable dull = rangeOf({"--task", "recognition", "--scene-contrast", "400"});
+    EXPECT_LT(valueOf(dull, "detection_range", 0), 0.9 * range_m);
+    const Ran mixed =
+        smatBatch({"detection", sample("sphere/sphere.smat"), "--sensor", sensorFile(folder),
+                   "--criterion", "johnson", "--scene-contrast", "3", "--out", folder / "x.csv"});
+    EXPECT_EQ(mixed.exitCode, 2);
+    EXPECT_THAT(mixed.err, HasSubstr("--scene-contrast"));
+}
+
+TEST(SmatBatchSensor, SurfacesThatAreLeftOutDoNotCount) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> bars = {"--sensor",
+                                           sensorFile(folder),
+                                           "--step",
+                                           "180",
+                                           "--background-temperature",
+                                           "290",
+                                           "--criterion",
+                                           "johnson",
+                                           "--cycles",
+                                           "2",
+                                           "--nearest",
+                                           "20",
+                                           "--out",
+                                           folder / "d.csv"};
+    const auto tableOf = [&](const std::vector<std::string>& words) {
+        const Ran ran = smatBatch(words);
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        return ResultTable::load(words.back());
+    };
+    const auto detected = [&](const std::vector<std::string>& more) {
+        return tableOf(with(with({"detection", sample("ship/ship.smat")}, more), bars));
+    };
+    const ResultTable whole = detected({});
+    EXPECT_EQ(whole.find("left_out"), nullptr);
+    const ResultTable cool = detected({"--leave-out", "funnel", "--leave-out", "funnel plume"});
+    EXPECT_EQ(cool.provenance.value("detection.leftOut"), "funnel");
+    // The part that is left out is what a polar plot by parts gives at that range.
+    const std::string range = irsg::numberText(valueOf(cool, "detection_range", 0));
+    const ResultTable parts =
+        tableOf({"polar", sample("ship/ship.smat"), "--step", "180", "--band", "4-4.1", "--range",
+                 range, "--by-part", "temperature", "--out", folder / "p.csv"});
+    const double hot = valueOf(parts, "ship/funnel.contrast_intensity", 0) +
+                       valueOf(parts, "ship/funnel plume.contrast_intensity", 0);
+    const double all = valueOf(parts, "contrast_intensity", 0);
+    EXPECT_GT(hot, 0.1 * all);
+    EXPECT_NEAR(valueOf(cool, "left_out", 0), hot / all, 0.02 * hot / all);
+    EXPECT_LT(valueOf(cool, "detection_range", 0), whole.find("detection_range")->values.at(0));
+    // Without any surface nothing is resolved.
+    const ResultTable none =
+        detected({"--leave-out", "ship paint", "--leave-out", "hot metal", "--leave-out",
+                  "gas of the plume", "--leave-out", "painted steel of the hull"});
+    EXPECT_EQ(valueOf(none, "outcome", 0), -1.0);
+    EXPECT_NEAR(valueOf(none, "left_out", 0), 1.0, 1e-9);
+
+    const Ran refused =
+        smatBatch(with({"detection", sample("ship/ship.smat"), "--leave-out", "funel"}, bars));
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_THAT(refused.err, HasSubstr("funnel plume"));
+    const Ran point =
+        smatBatch({"detection", sample("ship/ship.smat"), "--sensor", sensorFile(folder),
+                   "--leave-out", "funnel", "--out", folder / "x.csv"});
+    EXPECT_EQ(point.exitCode, 2);
+    EXPECT_THAT(point.err, HasSubstr("--leave-out"));
+}
+
+TEST(SmatBatchSensor, APointIsDetectedWithItsProbabilityOverAllPlacesInAPixel) {
+    const TemporaryFolder folder;
+    const irsg::SensorDescription sensor = irsg::loadSensor(sensorFile(folder));
+    const auto tableOf = [&](const std::vector<std::string>& more) {
+        const Ran ran = smatBatch(with(
+            with({"detection", sample("sphere/sphere.smat"), "--sensor", sensorFile(folder),
+                  "--step", "180", "--background-temperature", "300", "--out", folder / "r.csv"},
+                 plain),
+            more));
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        return ResultTable::load(folder / "r.csv");
+    };
+    const ResultTable table = tableOf({"--false-alarms", "1e-6", "--probability", "90"});
+    const double snr = valueOf(table, "snr", 0);
+    // 4.7534 deviations are passed once in a million; the mean over places by the midpoint rule.
+    const irsg::PointSpread spread(sensor, 300.0);
+    const double centre = spread.energyAt(0.0, 0.0);
+    double probability = 0.0;
+    for (int i = 0; i < 16; ++i) {
+        for (int j = 0; j < 16; ++j) {
+            const double energy = spread.energyAt((i + 0.5) / 32.0, (j + 0.5) / 32.0);
+            probability +=
+                0.5 * std::erfc((4.753424309 - snr * energy / centre) / std::sqrt(2.0)) / 256.0;
+        }
+    }
+    EXPECT_NEAR(probability, 0.9, 2e-3);
+    EXPECT_NEAR(valueOf(table, "probability", 0), 0.9, 1e-3);
+    // In vacuum the range is where that ratio is.
+    const double intensity = std::abs(valueOf(table, "contrast_intensity", 0));
+    const double nei = valueOf(table, "nei", 0);
+    EXPECT_NEAR(valueOf(table, "detection_range", 0) / std::sqrt(intensity / (nei * snr)), 1.0,
+                1e-4);
+    // Clutter adds to the noise as its temperature's signal does.
+    const irsg::PixelResponse response(sensor);
+    const double noise = response.noise(response.signal(300.0)).total();
+    const double clutter = 0.5 * response.contrast_per_K(300.0);
+    const ResultTable cluttered = tableOf({"--clutter", "0.5"});
+    EXPECT_NEAR(valueOf(cluttered, "nei", 0) / nei, std::hypot(noise, clutter) / noise, 1e-9);
+    EXPECT_GT(clutter, noise);
+    EXPECT_EQ(cluttered.find("probability"), nullptr);
+
+    for (const auto& [option, value] : {std::pair{"--false-alarms", "0.6"}, {"--clutter", "-1"}}) {
+        const Ran refused =
+            smatBatch({"detection", sample("sphere/sphere.smat"), "--sensor", sensorFile(folder),
+                       option, value, "--out", folder / "x.csv"});
+        EXPECT_EQ(refused.exitCode, 2) << option;
+    }
+    const Ran both =
+        smatBatch({"detection", sample("sphere/sphere.smat"), "--sensor", sensorFile(folder),
+                   "--snr", "4", "--false-alarms", "1e-6", "--out", folder / "x.csv"});
+    EXPECT_EQ(both.exitCode, 2);
+    EXPECT_THAT(both.err, HasSubstr("--snr"));
+}
+
+TEST(SmatBatchSensor, TabulatesNominalRanges) {
+    const TemporaryFolder folder;
+    const Ran ran = smatBatch({"sensor", "range", sensorFile(folder), "--extinctions", "0,1",
+                               "--out", folder / "ranges.csv"});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const ResultTable table = ResultTable::load(folder / "ranges.csv");
+    ASSERT_EQ(table.rowCount(), 6u);
+    const irsg::ResolvableTemperature resolvable(irsg::loadSensor(sensorFile(folder)), 300.0);
+    for (std::size_t row = 0; row < 6; ++row) {
+        const double left_K = 2.0 * std::exp(-1e-3 * valueOf(table, "extinction", row) *
+                                             valueOf(table, "range", row));
+        EXPECT_NEAR(resolvable.frequency_per_rad(left_K) * 2.3 / valueOf(table, "range", row),
+                    valueOf(table, "line_pairs", row), 1e-6);
+    }
+    const Ran refused = smatBatch(
+        {"sensor", "range", sensorFile(folder), "--extinctions", "0,x", "--out", folder / "x.csv"});
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_THAT(refused.err, HasSubstr("--extinctions"));
 }
 
 TEST(SmatBatchSensor, TabulatesWhatIsResolved) {

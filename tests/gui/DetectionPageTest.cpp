@@ -105,6 +105,27 @@ TEST_F(DetectionPageTest, ATaskShowsItsOwnFieldsAndResolvesCloser) {
     }
 }
 
+TEST_F(DetectionPageTest, TheTargetingTaskHasItsOwnCyclesAndADisplay) {
+    openPage();
+    EXPECT_FALSE(find<RealBox>("sceneContrast")->isVisibleTo(page));
+    find<QComboBox>("criterion")->setCurrentIndex(2);
+    EXPECT_TRUE(find<RealBox>("sceneContrast")->isVisibleTo(page));
+    EXPECT_EQ(find<QComboBox>("task")->itemText(1), "recognition: 14.5 cycles");
+    find<RealBox>("backgroundTemperature")->setValue(290.0);
+    find<RealBox>("nearest")->setValue(20.0);
+    find<RealBox>("sceneContrast")->setValue(15.0);
+    find<QComboBox>("task")->setCurrentIndex(1);
+    EXPECT_TRUE(find<QLineEdit>("command")->text().contains(
+        "--criterion ttp --task recognition --scene-contrast 15"))
+        << find<QLineEdit>("command")->text().toStdString();
+    run();
+    for (const double range_m : page->plot().polar()->data().curves[0].y) {
+        EXPECT_GT(range_m, 20.0);
+    }
+    find<QComboBox>("criterion")->setCurrentIndex(1);
+    EXPECT_EQ(find<QComboBox>("task")->itemText(1), "recognition: 3 cycles");
+}
+
 TEST_F(DetectionPageTest, SaysWhatIsWrongWithASensorAndWithLimits) {
     openPage();
     const std::filesystem::path bad = folder / "bad.smatsensor";

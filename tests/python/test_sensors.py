@@ -39,6 +39,10 @@ def test_tables_are_those_of_the_command_line(sensor, file, batch, tmp_path):
     ours = sensor.resolvable_temperature([0, 500, 20000], eye_time_s=0.1)
     assert ours.keys() == theirs.keys() and np.array_equal(ours.to_numpy(), theirs.to_numpy(), equal_nan=True)
     assert ours["mrtd"][0] == 0 and np.isnan(ours["mrtd"][-1])
+    batch("sensor", "range", file, "--extinctions", "0.2,1", "--target-size", 3, "--out", tmp_path / "n.csv")
+    theirs = smat.Table.load(tmp_path / "n.csv")
+    ours = sensor.nominal_ranges([0.2, 1], target_size_m=3)
+    assert ours.keys() == theirs.keys() and np.array_equal(ours.to_numpy(), theirs.to_numpy())
     with pytest.raises(smat.InputError, match="horizontal"):
         sensor.transfer([0], direction="diagonal")
 
@@ -76,11 +80,23 @@ def test_ranges_are_those_of_the_command_line(sensor, file, samples, batch, tmp_
     )
     assert np.all(near.table["detection_range"] < result.table["detection_range"][0])
     assert near.table["probability"] == pytest.approx(0.9, abs=1e-4)
+    batch(
+        "detection", project, "--sensor", file, "--step", 180, "--false-alarms", 1e-5, "--probability", 90, "--farthest", 1e7,
+        "--background-temperature", 290, "--clutter", 0.2, "--out", tmp_path / "p.csv",
+    )
+    likely = smat.Project(project).detection(
+        sensor, false_alarms=1e-5, probability=0.9, clutter_K=0.2, step=180, farthest_m=1e7, background_temperature_K=290
+    )
+    assert np.array_equal(likely.table.to_numpy(), smat.Table.load(tmp_path / "p.csv").to_numpy())
+    shown = smat.Project(project).detection(
+        sensor, criterion="ttp", task="recognition", scene_contrast_K=20, step=180, background_temperature_K=290
+    )
+    assert shown.table["cycles"] == pytest.approx(14.5, abs=0.01)
 
 
 @pytest.mark.parametrize(
     "wrong, named",
-    [({"snr": 0}, "snr"), ({"criterion": "luck"}, "johnson"), ({"point": "side"}, "corner"),
+    [({"snr": 0}, "snr"), ({"criterion": "luck"}, "johnson"), ({"point": "side"}, "corner"), ({"false_alarms": 0.5}, "false alarm"),
      ({"task": "guess", "criterion": "johnson"}, "recognition"), ({"probability": 1.0, "criterion": "johnson"}, "probability"),
      ({"nearest_m": 10, "farthest_m": 5}, "range"), ({"background_temperature_K": -1}, "background_temperature_K")],
 )
