@@ -272,15 +272,15 @@ TEST_F(ImageViewTest, OutlinesTheTilesOfTheAntialiasing) {
     view.setImage(image, irsg::Band::topHat(3.0, 5.0));
     EXPECT_TRUE(button->isEnabled());
     EXPECT_TRUE(view.canvas()->outlines().empty());
-    EXPECT_FALSE(view.readoutAt(2, 0).contains("Window"));
+    EXPECT_FALSE(view.readoutAt(2, 0).contains("Tile"));
 
     view.canvas()->setFocus();
     QTest::keyClick(view.canvas(), Qt::Key_W);
     ASSERT_EQ(view.canvas()->outlines().size(), 2u);
     EXPECT_EQ(view.canvas()->outlines()[0], QRectF(1.0, 0.0, 5.0, 4.0));
-    EXPECT_TRUE(view.readoutAt(2, 0).endsWith("Window: 900 × 900 samples a pixel, hull"));
-    EXPECT_TRUE(view.readoutAt(5, 3).endsWith("Window: 25 × 26 samples a pixel, hull"));
-    EXPECT_FALSE(view.readoutAt(7, 5).contains("Window"));
+    EXPECT_TRUE(view.readoutAt(2, 0).endsWith("Tile: 900 × 900 samples per pixel, hull"));
+    EXPECT_TRUE(view.readoutAt(5, 3).endsWith("Tile: 25 × 26 samples per pixel, hull"));
+    EXPECT_FALSE(view.readoutAt(7, 5).contains("Tile"));
     // A line where the image says that the window's edge is.
     const QImage seen = view.canvas()->grab().toImage();
     const QPointF edge = view.canvas()->widgetPoint(QPointF(6.0, 2.3)) * seen.devicePixelRatio();

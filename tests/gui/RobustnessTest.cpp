@@ -119,7 +119,7 @@ TEST_F(RobustnessTest, ClosingWhileAnAnalysisRunsAsksAboutChangesAndEndsTheJob) 
     answer = -1;
     EXPECT_FALSE(window->close());
     EXPECT_TRUE(workbench.isRunning());
-    answer = 1;
+    answers = {0, 1}; // quit, and discard the changed step
     EXPECT_TRUE(window->close());
     EXPECT_TRUE(test::waitUntil([this] { return !workbench.isRunning(); }));
     EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
