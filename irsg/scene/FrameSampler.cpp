@@ -41,11 +41,13 @@ std::vector<SampledTile> sampledTiles(const Frame& frame, const std::vector<Rend
 /// all there is to know of a surface, else from factors.
 class SurfaceRttPass : public RttPass {
   public:
+    /// `take`: what else is to get the factors of each tile; may be empty.
     SurfaceRttPass(const Frame& frame, const SurfaceSampler& surfaces,
-                   OccluderStacks& occluderStacks, GeometrySamples& room)
+                   OccluderStacks& occluderStacks, GeometrySamples& room, SurfaceSampler::Take take)
         : frame_(frame),
           surfaces_(surfaces),
           room_(room),
+          take_(std::move(take)),
           radiances_(frame.rows(), occluderStacks, frame.evaluation().evaluated->radiances,
                      frame.light()) {}
     int largestSide() const override { return frame_.surfaces.engine.engine.largestSide(); }
@@ -61,29 +63,42 @@ class SurfaceRttPass : public RttPass {
         };
         const bool isSliced = std::ranges::any_of(sheet.tiles, isSlicedIn);
         if (!isSliced && !frame_.shading().isNeeded() &&
-            std::ranges::none_of(scene.scenes, &SurfaceScene::hasTransparent))
+            std::ranges::none_of(scene.scenes, &SurfaceScene::hasTransparent)) {
+            isAllTaken = false;
             return frame_.surfaces.engine.engine.renderRadiance(scene, samples);
+        }
         GeometrySamples& factors = room_;
-        frame_.surfaces.engine.engine.sampleGeometry(
-            scene, isSliced || frame_.rows().hasGas() || frame_.shading().isNeeded(), factors);
+        const bool withDistance = isSliced || frame_.rows().hasGas() ||
+                                  frame_.shading().isNeeded() ||
+                                  (take_ && frame_.rows().needsDistances());
+        frame_.surfaces.engine.engine.sampleGeometry(scene, withDistance, factors);
         {
             Stopwatch sorting(sortSeconds);
             frame_.shading().sortAndApply(scene, frame_.settings(), factors);
         }
-        Stopwatch evaluating(evaluateSeconds);
-        radiances_.evaluate(factors, samples);
-        giveToGroups(sheet, factors, samples);
+        {
+            Stopwatch evaluating(evaluateSeconds);
+            radiances_.evaluate(factors, samples);
+            giveToGroups(sheet, factors, samples);
+        }
+        if (take_) {
+            Stopwatch taking(takeSeconds);
+            for (const SampleTile& tile : sheet.tiles)
+                take_(tile, factors);
+        }
         if (factors.size() > mostSamplesCached)
             factors = {};
         layersLeftOver += samples.layersLeftOver;
     }
-    double seconds = 0.0, sortSeconds = 0.0, evaluateSeconds = 0.0;
+    double seconds = 0.0, sortSeconds = 0.0, evaluateSeconds = 0.0, takeSeconds = 0.0;
     int layersLeftOver = 0;
+    bool isAllTaken = true; ///< the factors of all tiles that were drawn
 
   private:
     const Frame& frame_;
     const SurfaceSampler& surfaces_;
     GeometrySamples& room_;
+    SurfaceSampler::Take take_;
     SampleRadiances radiances_;
 };
 
@@ -128,12 +143,18 @@ std::vector<SampleSheet> FrameSampler::sheetsOfPicture(const Frame& frame) {
     return sheetsOf(piecesOf(tilesOf(frame, frame.plan.drawn), side), side);
 }
 
-std::shared_ptr<ViewSampling> FrameSampler::begin(const Frame& frame) {
+std::shared_ptr<ViewSampling> FrameSampler::newSampling(const Frame& frame) {
     ViewKey key = viewKey(terms_, frame.request, frame.surfaces, frame.plan.alongRange);
     if (view_ && view_->isOf(key, frame.backgrounds.varying()))
-        return view_;
+        return nullptr;
     view_.reset();
-    auto sampling = std::make_shared<ViewSampling>(std::move(key), frame, terms_.factorCount());
+    return std::make_shared<ViewSampling>(std::move(key), frame, terms_.factorCount());
+}
+
+std::shared_ptr<ViewSampling> FrameSampler::begin(const Frame& frame) {
+    std::shared_ptr<ViewSampling> sampling = newSampling(frame);
+    if (!sampling)
+        return view_;
     // It outlives what is begun here: it waits for that when it goes.
     sampling->tiles_ = surfaces_.begin(
         frame.surfaces, frame.request.camera, tilesOf(frame, frame.plan.drawn),
@@ -147,10 +168,11 @@ std::shared_ptr<ViewSampling> FrameSampler::begin(const Frame& frame) {
 const ViewGeometry& FrameSampler::factorsOf(const Frame& frame, ViewSampling& sampling) {
     if (sampling.failure_)
         std::rethrow_exception(sampling.failure_);
-    if (!sampling.tiles_.valid())
+    if (sampling.isFinished_)
         return sampling.factors_;
     try {
-        surfaces_.waitFor(sampling.tiles_, "factor sums");
+        if (sampling.tiles_.valid())
+            surfaces_.waitFor(sampling.tiles_, "factor sums");
         ViewGeometry own = std::exchange(sampling.factors_, sampling.sums_.emptyView());
         sampling.factors_.layersLeftOver = own.layersLeftOver;
         const auto take = [&](ViewGeometry& from, ViewGeometry& to) {
@@ -172,6 +194,7 @@ const ViewGeometry& FrameSampler::factorsOf(const Frame& frame, ViewSampling& sa
                            sampling.factors_);
         for (const ObjectExtent& object : frame.plan.alongRange)
             aspects_.addAlongRange(frame, object, sampling.factors_);
+        sampling.isFinished_ = true;
     } catch (...) {
         sampling.failure_ = std::current_exception();
         view_.reset(); // the next one tries again
@@ -180,7 +203,7 @@ const ViewGeometry& FrameSampler::factorsOf(const Frame& frame, ViewSampling& sa
     return sampling.factors_;
 }
 
-SampledPicture FrameSampler::picture(const Frame& frame) {
+SampledPicture FrameSampler::picture(const Frame& frame, bool withSums) {
     TileSamplingStrategy& strategy = antialiasing_.strategyFor(frame.settings());
     std::optional<FrameReduction> reduction;
     std::vector<std::string> warnings;
@@ -188,18 +211,31 @@ SampledPicture FrameSampler::picture(const Frame& frame) {
     if (frame.plan.drawn.empty()) {
         reduction.emplace(frame.sensor(), std::vector<SampleTile>{});
     } else {
-        double all_s = 0.0, drawing_s = 0.0, sorting_s = 0.0, evaluating_s = 0.0;
+        double all_s = 0.0, drawing_s = 0.0, sorting_s = 0.0, evaluating_s = 0.0, taking_s = 0.0;
+        // The published antialiasing draws other tiles than sums are made of.
+        std::shared_ptr<ViewSampling> sums =
+            withSums && !frame.settings().usesPublishedTiles() ? newSampling(frame) : nullptr;
+        SurfaceSampler::Take take;
+        if (sums)
+            take = [own = sums.get()](const SampleTile& tile, const GeometrySamples& samples) {
+                own->sums_.addToView(tile, samples, own->factors_);
+            };
         surfaces_.onEngine(frame.surfaces.engine, [&] {
             Stopwatch watch(all_s);
-            SurfaceRttPass rtt(frame, surfaces_, occluderStacks_, pictureFactors_);
+            SurfaceRttPass rtt(frame, surfaces_, occluderStacks_, pictureFactors_, std::move(take));
             reduction = strategy.draw(frame.request.camera, frame.plan.drawn, rtt);
             drawing_s = rtt.seconds;
             sorting_s = rtt.sortSeconds;
             evaluating_s = rtt.evaluateSeconds;
+            taking_s = rtt.takeSeconds;
+            if (sums && rtt.isAllTaken)
+                view_ = std::move(sums);
             layersLeftOver = rtt.layersLeftOver;
         });
         clock_.add("layer sorting", sorting_s);
         clock_.add("evaluation", evaluating_s);
+        if (taking_s > 0.0)
+            clock_.add("factor sums", taking_s);
         clock_.add("reduction", all_s - drawing_s);
         warnings = strategy.takeMessages();
     }
@@ -211,7 +247,7 @@ SampledPicture FrameSampler::picture(const Frame& frame) {
             layersLeftOver};
 }
 
-SampledPicture FrameSampler::followedPicture(const Frame& frame) {
+SampledPicture FrameSampler::followedPicture(const Frame& frame, bool withSums) {
     // Points are not drawn here, and the published antialiasing resamples what it draws.
     const bool isSum = frame.plan.points.empty() && !frame.settings().usesPublishedTiles();
     std::optional<ViewKey> key;
@@ -220,7 +256,7 @@ SampledPicture FrameSampler::followedPicture(const Frame& frame) {
     if (!isSum || key != followed_.key) {
         followed_.key = std::move(key);
         followed_.factors.reset();
-        return picture(frame);
+        return picture(frame, withSums);
     }
 
     const std::vector<SampleTile> planned =

@@ -46,10 +46,11 @@ class FrameSampler {
     const ViewGeometry& factorsOf(const Frame& frame, ViewSampling& sampling);
     const ViewGeometry& factorsOf(const Frame& frame) { return factorsOf(frame, *begin(frame)); }
 
-    /// With the strategy that the settings ask for.
-    SampledPicture picture(const Frame& frame);
+    /// With the strategy that the settings ask for. `withSums`: the factors of the view will be
+    /// asked for; its samples make them as well, where the picture is drawn from factors.
+    SampledPicture picture(const Frame& frame, bool withSums);
     /// The same for a tile that follows edits: a sum where the view is that of the last one.
-    SampledPicture followedPicture(const Frame& frame);
+    SampledPicture followedPicture(const Frame& frame, bool withSums);
     /// The tiles of a picture, side by side as they are drawn.
     std::vector<SampleSheet> sheetsOfPicture(const Frame& frame);
     /// What the pixels of a picture take of each surface that is drawn into tiles.
@@ -59,6 +60,8 @@ class FrameSampler {
 
   private:
     std::vector<SampleTile> tilesOf(const Frame& frame, const std::vector<ObjectExtent>& objects);
+    /// What the factors of a view go into; null where it is the view that was begun last.
+    std::shared_ptr<ViewSampling> newSampling(const Frame& frame);
 
     const RadianceTerms& terms_;
     SurfaceSampler& surfaces_;
@@ -99,8 +102,9 @@ class ViewSampling {
     OccluderStacks occluderStacks_;        // of its own, as it is summed on another thread
     GeometrySums sums_;
     SurfaceSampler::Sampling tiles_; // until they were waited for
-    ViewGeometry factors_;           // with the renderer's numbers of fronts from then on
-    std::exception_ptr failure_;     // of the sampling, for all who share it
+    ViewGeometry factors_;
+    bool isFinished_ = false;    // they have the renderer's numbers of fronts, and all objects
+    std::exception_ptr failure_; // of the sampling, for all who share it
 };
 
 } // namespace irsg

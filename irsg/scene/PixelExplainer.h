@@ -35,7 +35,7 @@ class PixelExplainer {
     static FrameBackground backgroundOf(const Frame& frame, FrameSampler& sampler) {
         return frame.backgrounds.byOutput.front().isUniform()
                    ? frame.backgrounds.byOutput.front()
-                   : pictureBackground(frame, sampler.picture(frame).pixels);
+                   : pictureBackground(frame, sampler.picture(frame, false).pixels);
     }
 
     const Frame& frame_;

@@ -138,17 +138,18 @@ PendingRender Renderer::begin(const Scene& scene, const SensorView& view, const 
 }
 
 void Renderer::Impl::renderImage(const Frame& frame, const Outputs& outputs, Rendered& result) {
-    SampledPicture picture =
-        outputs.isFollowed() ? sampler.followedPicture(frame) : sampler.picture(frame);
+    // Sums are those of a sweep, which samples as the picture does.
+    const bool isPictures = outputs.hasReports() && frame.scene().entities.size() <= 1 &&
+                            frame.request.bands.size() == 1;
+    const bool withSums = outputs.hasReports() && (!isPictures || frame.request.withErrors);
+    SampledPicture picture = outputs.isFollowed() ? sampler.followedPicture(frame, withSums)
+                                                  : sampler.picture(frame, withSums);
     const FrameBackground background = pictureBackground(frame, picture.pixels);
     clock.timed("composition", [&] {
         result.image = picture.pixels.compose(background);
         RenderReporter::describe(frame, background, result.image);
         describeTiles(picture.tiles, result.image);
     });
-    // Sums are those of a sweep, which samples as the picture does.
-    const bool isPictures = outputs.hasReports() && frame.scene().entities.size() <= 1 &&
-                            frame.request.bands.size() == 1;
     HazeGains gains;
     if (frame.settings().scattering)
         gains = haze.add(frame, background, isPictures, result.image, picture.warnings);

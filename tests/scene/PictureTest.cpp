@@ -1,5 +1,7 @@
 // InteractiveRenderer::picture(): the image of render() for a window that follows edits.
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -76,6 +78,33 @@ TEST_F(PictureTest, FollowsEveryEditAsRenderDoesAndDrawsTheViewOnce) {
     }
     EXPECT_EQ(callsOf("factors of pixels"), 1);
     EXPECT_EQ(callsOf("sums of pixels"), 5);
+}
+
+TEST_F(PictureTest, MakesSumsAndTheirErrorsOfItsOwnSamples) {
+    const auto drawingsOf = [](const Renderer& renderer) {
+        const std::vector<StageTimes::Stage> stages = renderer.stageTimes().stages;
+        const auto drawing = std::ranges::find(stages, "drawing", &StageTimes::Stage::name);
+        return drawing == stages.end() ? 0 : drawing->calls;
+    };
+    for (const bool areTwo : {false, true}) {
+        if (areTwo) {
+            irsg.scene.entities.push_back(irsg.scene.entities.front());
+            irsg.scene.entities.back().pose.position_m = {0.0, 4.0, 0.5};
+        }
+        Renderer together, apart;
+        const Rendered both =
+            together.render(irsg.scene, irsg.view, Outputs::imageWithReports().withErrors());
+        EXPECT_EQ(drawingsOf(together), 1);
+        const Rendered sums = apart.render(irsg.scene, irsg.view, Outputs::reports().withErrors());
+        const ObjectRadiometry &of = both.reports.front().all, &wanted = sums.reports.front().all;
+        ASSERT_TRUE(of.errors && wanted.errors);
+        EXPECT_EQ(of.errors->intensity_W_sr.sum(), wanted.errors->intensity_W_sr.sum());
+        EXPECT_GT(of.errors->intensity_W_sr.sampling, 0.0);
+        EXPECT_NEAR(of.intensity_W_sr, wanted.intensity_W_sr, 1e-5 * wanted.intensity_W_sr);
+        if (areTwo) {
+            EXPECT_EQ(of.intensity_W_sr, wanted.intensity_W_sr);
+        }
+    }
 }
 
 TEST_F(PictureTest, DrawsAnewWhatAnEditMakesOfTheGeometry) {
