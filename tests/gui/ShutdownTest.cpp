@@ -20,7 +20,9 @@ void leaveWhileReading(const std::function<void(Workbench&, MainWindow&)>& act) 
                         }));
     {
         Dialogs people;
-        people.ask = [](QWidget*, const QString&, const QString&, const QStringList&) { return 1; };
+        people.ask = [](QWidget*, const QString&, const QString&, const QStringList& answers) {
+            return static_cast<int>(answers.size()) - 1; // quit, or discard what has changed
+        };
         people.run = [](QDialog&) { return false; };
         MainWindow window(workbench, people);
         window.show();
