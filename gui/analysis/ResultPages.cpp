@@ -1,5 +1,6 @@
 #include "gui/analysis/ResultPages.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QApplication>
@@ -102,7 +103,12 @@ void ResultPages::show(const QList<int>& ids) {
         }
         page->setProperty(unseen, mark);
         tabs_->addTab(page, dotted(mark, tabs_->iconSize(), tabs_->devicePixelRatioF()), title);
-        emit said(tr("%1 is ready: a dot marks its tab").arg(title));
+        const bool isPartial = std::ranges::any_of(entries, [](const ResultEntry& entry) {
+            return entry.data->state == AnalysisState::partial;
+        });
+        emit said((isPartial ? tr("%1 is partial: a dot marks its tab")
+                             : tr("%1 is ready: a dot marks its tab"))
+                      .arg(title));
     } catch (const irsg::InputError& error) {
         dialogs_.tell(tabs_, tr("These results cannot be shown"), sentencesOf(error));
     }

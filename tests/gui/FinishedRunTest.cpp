@@ -1,7 +1,9 @@
 #include <QStatusBar>
 #include <QTabWidget>
 
+#include "gui/analysis/AnalysisJob.h"
 #include "gui/analysis/ResultPage.h"
+#include "gui/analysis/ResultPages.h"
 #include "tests/gui/WindowFixture.h"
 
 namespace smat::gui {
@@ -16,9 +18,9 @@ class FinishedRunTest : public test::WindowFixture {
         ASSERT_NE(tabs, nullptr);
     }
     /// Starts a short sweep, does something meanwhile, and waits for its end.
-    void runs(const std::function<void()>& meanwhile) {
+    void runs(const std::function<void()>& meanwhile, const char* step_deg = "60") {
         Settings settings = workbench.settings();
-        settings.set("polar.step", "60");
+        settings.set("polar.step", step_deg);
         workbench.start(AnalysisData::of(workbench.project(), AnalysisKind::polar, settings));
         ASSERT_TRUE(test::waitUntil([this] { return workbench.isRunning(); }));
         QTest::qWait(100);
@@ -45,6 +47,25 @@ TEST_F(FinishedRunTest, TakesNoPageAwayFromWorkAndHasADotUntilItIsLookedAt) {
     tabs->setCurrentIndex(1);
     EXPECT_NE(tabs->tabIcon(1).pixmap(tabs->iconSize()).toImage(), dotted);
     EXPECT_NE(qobject_cast<ResultPage*>(tabs->currentWidget()), nullptr);
+}
+
+TEST_F(FinishedRunTest, OfWhichAPartIsThereSaysSo) {
+    ResultPages* pages = window->findChild<ResultPages*>();
+    ASSERT_NE(pages, nullptr);
+    QStringList said;
+    QObject::connect(pages, &ResultPages::said, [&](const QString& sentence) { said << sentence; });
+    bool hasBegun = false;
+    const auto cancelOnTheWay = [&] {
+        QTest::keyClick(window.get(), Qt::Key_Shift);
+        QObject::connect(
+            workbench.job(), &AnalysisJob::progressed, window.get(),
+            [&](const smat::Progress& progress) { hasBegun = hasBegun || progress.done > 1; });
+        ASSERT_TRUE(test::waitUntil([&] { return hasBegun; }));
+        workbench.cancel();
+    };
+    runs(cancelOnTheWay, "1");
+    ASSERT_FALSE(said.isEmpty());
+    EXPECT_TRUE(said.back().contains("is partial: a dot marks its tab")) << said.back().toStdString();
 }
 
 } // namespace
