@@ -20,6 +20,8 @@ constexpr double closest = 5e-4; ///< of a line: columns that leave less are eno
 /// Lines count by their relative error, down to this part of the strongest.
 constexpr double faint = 0.02;
 constexpr double ridge = 1e-5;
+constexpr std::size_t mostFronts = 10;
+constexpr double closestFronts = 2e-4; ///< of 1, rms over wavenumbers
 constexpr std::size_t mostPlaces = 24, mostStrengths = 48;
 /// Of the mean absorption at a place: of strong lines and of what lies between them.
 constexpr std::array<double, 4> strengthsOfPlace = {0.1, 0.5, 2.0, 10.0};
@@ -39,6 +41,24 @@ void project(std::vector<double> along, std::vector<std::vector<double>>& vector
         for (std::size_t i = 0; i < along.size(); ++i)
             other[i] -= part * along[i];
     }
+}
+
+/// The vectors that all others are nearest to weighted sums of: until what is left of each is no
+/// longer than this.
+std::vector<std::size_t> pivots(std::vector<std::vector<double>> rest, std::size_t most,
+                                double longest) {
+    const auto sizeOf = [](const std::vector<double>& vector) {
+        return square(vector.data(), vector.size());
+    };
+    std::vector<std::size_t> pivots;
+    while (pivots.size() < std::min(most, rest.size())) {
+        const auto largest = std::ranges::max_element(rest, {}, sizeOf);
+        if (!(sizeOf(*largest) > longest * longest))
+            break;
+        pivots.push_back(static_cast<std::size_t>(largest - rest.begin()));
+        project(*largest, rest);
+    }
+    return pivots;
 }
 
 } // namespace
@@ -113,25 +133,14 @@ class GasColumnBasis::Fit {
             weight = largest > 0.0 ? 1.0 / (weight + faint * largest) : 0.0;
         return weights;
     }
-    /// The lines that the others are nearest to weighted sums of.
+    /// The lines that the others are nearest to weighted sums of, by relative errors.
     std::vector<std::size_t> pivots() const {
         std::vector<std::vector<double>> rest = done_;
         const std::vector<double> weights = this->weights();
         for (std::size_t l = 0; l < rest.size(); ++l)
             for (double& value : rest[l])
                 value *= weights[l];
-        std::vector<std::size_t> pivots;
-        while (pivots.size() < std::min(mostColumns, rest.size())) {
-            const auto sizeOf = [](const std::vector<double>& line) {
-                return square(line.data(), line.size());
-            };
-            const auto largest = std::ranges::max_element(rest, {}, sizeOf);
-            if (!(sizeOf(*largest) > closest * closest))
-                break;
-            pivots.push_back(static_cast<std::size_t>(largest - rest.begin()));
-            project(*largest, rest);
-        }
-        return pivots;
+        return irsg::pivots(std::move(rest), mostColumns, closest);
     }
     /// The metres of gas of the line that has most of it.
     double longest_m() const {
@@ -238,6 +247,12 @@ void GasColumnBasis::weightsOf(const Line& line, std::span<double> weights) cons
               weights.data());
 }
 
+void GasColumnBasis::frontWeightsOf(std::span<const double> weights,
+                                    std::span<double> fronts) const {
+    std::ranges::fill(fronts, 0.0);
+    addMapped(weights.data(), weights.size(), frontMap_.data(), fronts.size(), fronts.data());
+}
+
 GasColumnBasis::GasColumnBasis(const std::vector<GasLayer>& gases,
                                const std::vector<double>& wavenumbers_per_cm,
                                const std::vector<GasLine>& lines)
@@ -260,6 +275,7 @@ void GasColumnBasis::take(const Fit& fit) {
         return; // nothing absorbs here
     for (const std::size_t pivot : pivots)
         columns_.push_back(fit.lines()[pivot]);
+    takeFronts(fit, pivots);
 
     // Strengths of absorption: all that may count, then those that differ.
     const std::vector<std::vector<double>> absorption_per_m = fit.absorption_per_m();
@@ -341,6 +357,26 @@ void GasColumnBasis::take(const Fit& fit) {
         const auto count = static_cast<double>(truths.size());
         error_ = {errors / sum, std::sqrt(squares / count) / (sum / count)};
     }
+}
+
+void GasColumnBasis::takeFronts(const Fit& fit, const std::vector<std::size_t>& columns) {
+    const std::size_t places = fit.places();
+    std::vector<std::vector<double>> stopped; // by column
+    for (const std::size_t column : columns) {
+        const std::vector<double>& done = fit.done()[column];
+        stopped.emplace_back(done.begin() + static_cast<std::ptrdiff_t>(places), done.end());
+    }
+    fronts_ =
+        irsg::pivots(stopped, mostFronts, closestFronts * std::sqrt(static_cast<double>(places)));
+    ColumnMatrix ofFronts(places, fronts_.size()), ofColumns(places, columns.size());
+    for (std::size_t m = 0; m < fronts_.size(); ++m)
+        std::ranges::copy(stopped[fronts_[m]], ofFronts.column(m));
+    for (std::size_t k = 0; k < columns.size(); ++k)
+        std::ranges::copy(stopped[k], ofColumns.column(k));
+    const ColumnMatrix map = leastSquares(ofFronts, ofColumns, ridge);
+    for (std::size_t k = 0; k < columns.size(); ++k)
+        for (std::size_t m = 0; m < fronts_.size(); ++m)
+            frontMap_.push_back(map.at(m, k));
 }
 
 } // namespace irsg

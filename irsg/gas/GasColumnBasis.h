@@ -28,6 +28,9 @@ class GasColumnBasis {
                    const std::vector<GasLine>& lines);
 
     const std::vector<GasLine>& columns() const { return columns_; }
+    /// Columns, by number, whose weighted sums stand for what all columns let through of surfaces
+    /// behind the gas: within 0.02 % of 1, rms over wavenumbers, or 10 of them.
+    const std::vector<std::size_t>& fronts() const { return fronts_; }
 
     /// What the lines that were kept out emit as weighted sums, compared with themselves: over all
     /// wavenumbers, relative to the mean of their radiances. Of no lines 0.
@@ -51,18 +54,23 @@ class GasColumnBasis {
     };
     /// By column; what their sum lacks to 1 is the weight of no gas.
     void weightsOf(const Line& line, std::span<double> weights) const;
+    /// By front, of a line whose columns have these weights; no gas has the rest, likewise.
+    void frontWeightsOf(std::span<const double> weights, std::span<double> fronts) const;
 
   private:
     class Fit;
     std::size_t strengths() const { return perGas_ == 0 ? 0 : absorption_per_m_.size() / perGas_; }
     Line follow(const GasLine& line) const;
     void take(const Fit& fit);
+    void takeFronts(const Fit& fit, const std::vector<std::size_t>& columns);
 
     std::vector<GasLine> columns_;
+    std::vector<std::size_t> fronts_;
     std::size_t perGas_ = 0; ///< number of gases
     /// By gas and strength; emission as a part of that of the hottest gas.
     std::vector<double> absorption_per_m_, emission_;
     std::vector<double> map_; ///< by strength, first of emission, then of what is stopped; column
+    std::vector<double> frontMap_; ///< by column; front
     Error error_;
 };
 

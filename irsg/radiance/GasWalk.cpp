@@ -13,6 +13,7 @@ void GasWalk::begin(std::span<const int> rowsAbout) {
         OfEntity& gas = entities_[number];
         gas.line.clear();
         std::ranges::fill(gas.told, 0.0);
+        std::ranges::fill(gas.fronts, 0.0);
         gas.isMet = gas.isNew = false;
     }
     met_.clear();
@@ -29,11 +30,12 @@ GasWalk::OfEntity& GasWalk::ofEntity(int row) {
     auto found = std::ranges::find(entities_, zone.firstRow, &OfEntity::firstRow);
     if (found == entities_.end()) {
         const int entity = rows_.keyOf(row).first;
-        const std::vector<double> none(zone.columns->numbers.size());
-        entities_.push_back({entity, zone.firstRow, zone.columns.get(),
-                             static_cast<int>(sets_.size()),
-                             GasColumnBasis::Line(zone.columns->basis), none, none});
-        for (const int number : zone.columns->numbers)
+        const GasColumnsOfEntity& columns = *zone.columns;
+        const std::vector<double> none(columns.numbers.size());
+        entities_.push_back({entity, zone.firstRow, &columns, static_cast<int>(sets_.size()),
+                             GasColumnBasis::Line(columns.basis), none, none,
+                             std::vector<double>(columns.basis.fronts().size())});
+        for (const int number : columns.numbers)
             sets_.push_back({{entity, number}});
         found = entities_.end() - 1;
     }
@@ -76,6 +78,7 @@ const std::vector<GasWalk::Emission>& GasWalk::takeEmission() {
         if (!std::exchange(gas.isNew, false))
             continue;
         gas.columns->basis.weightsOf(gas.line, gas.weights);
+        gas.columns->basis.frontWeightsOf(gas.weights, gas.fronts);
         fillBranches(&gas, others_);
         for (std::size_t k = 0; k < gas.weights.size(); ++k) {
             const double more = gas.weights[k] - gas.told[k];
@@ -103,11 +106,12 @@ void GasWalk::fillBranches(const OfEntity* without, std::vector<Branch>& branche
         longer_.clear();
         for (const Branch& branch : branches) {
             double rest = 1.0;
-            for (std::size_t k = 0; k < gas.told.size(); ++k) {
-                rest -= gas.told[k];
-                if (gas.told[k] != 0.0)
-                    longer_.push_back({joined(branch.set, gas.firstSet + static_cast<int>(k)),
-                                       branch.weight * gas.told[k]});
+            for (std::size_t m = 0; m < gas.fronts.size(); ++m) {
+                rest -= gas.fronts[m];
+                const auto column = static_cast<int>(gas.columns->basis.fronts()[m]);
+                if (gas.fronts[m] != 0.0)
+                    longer_.push_back(
+                        {joined(branch.set, gas.firstSet + column), branch.weight * gas.fronts[m]});
             }
             longer_.push_back({branch.set, branch.weight * rest});
         }

@@ -19,7 +19,8 @@ class GasWalk {
   public:
     explicit GasWalk(const SurfaceRows& rows) : rows_(rows), sets_(1) {}
 
-    /// One column of some entities' gases, and its weight in the sample, which may be below 0.
+    /// One column or front of some entities' gases, and its weight in the sample, which may be
+    /// below 0.
     struct Branch {
         int set = 0; ///< of materials: see columns()
         double weight = 1.0;
@@ -56,14 +57,14 @@ class GasWalk {
         const GasColumnsOfEntity* columns = nullptr;
         int firstSet = 0; ///< of its columns, which follow each other
         GasColumnBasis::Line line;
-        std::vector<double> weights, told;
+        std::vector<double> weights, told, fronts;
         bool isMet = false, isNew = false; ///< in this sample
         int metFirst = 0;
         float from_m = 0.0f;
     };
     int innermost() const;
     OfEntity& ofEntity(int row);
-    /// The columns of all gas that was told of but that of one entity, or none.
+    /// The fronts of all gas that was told of but that of one entity, or none.
     void fillBranches(const OfEntity* without, std::vector<Branch>& branches);
     int joined(int set, int other);
 

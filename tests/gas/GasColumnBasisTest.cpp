@@ -1,5 +1,6 @@
 #include "irsg/gas/GasColumnBasis.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -82,6 +83,57 @@ TEST(GasColumnBasis, MakesLinesItHasNotSeenOfFewColumns) {
         }
         EXPECT_NEAR(sum / radiance(columns, gases, line), 1.0, 0.004);
     }
+}
+
+TEST(GasColumnBasis, LetsThroughWhatItsColumnsDoByFewerFronts) {
+    const std::vector<GasLayer> gases{gas(400.0, 0.01, 0.02), gas(900.0, 0.04, 0.05)};
+    const GasColumnBasis basis(gases, wavenumbers_per_cm(), lines(400));
+    ASSERT_LE(basis.fronts().size(), 10U);
+    ASSERT_LT(basis.fronts().size(), basis.columns().size());
+    const GasColumns columns(gases, wavenumbers_per_cm());
+    const auto stopped = [&](const GasLine& line) {
+        std::vector<double> sums(wavenumbers_per_cm().size(), 0.0);
+        for (const std::vector<double>& share : columns.shares(line)) {
+            for (std::size_t i = 0; i < sums.size(); ++i) {
+                sums[i] += share[i];
+            }
+        }
+        return sums;
+    };
+    std::vector<double> weights(basis.columns().size()), fronts(basis.fronts().size());
+    for (const GasLine& line :
+         std::vector<GasLine>{{{0, 0.55}, {1, 0.9}, {0, 0.55}}, {{0, 0.9}}, {{0, 0.4}, {1, 0.3}}}) {
+        GasColumnBasis::Line followed(basis);
+        for (const GasStretch& stretch : line) {
+            followed.add(stretch.gas, stretch.length_m);
+        }
+        basis.weightsOf(followed, weights);
+        basis.frontWeightsOf(weights, fronts);
+        std::vector<double> ofColumns(wavenumbers_per_cm().size()), ofFronts(ofColumns.size());
+        for (std::size_t k = 0; k < weights.size(); ++k) {
+            const std::vector<double> own = stopped(basis.columns()[k]);
+            for (std::size_t i = 0; i < own.size(); ++i) {
+                ofColumns[i] += weights[k] * own[i];
+            }
+        }
+        for (std::size_t m = 0; m < fronts.size(); ++m) {
+            const std::vector<double> own = stopped(basis.columns()[basis.fronts()[m]]);
+            for (std::size_t i = 0; i < own.size(); ++i) {
+                ofFronts[i] += fronts[m] * own[i];
+            }
+        }
+        double off = 0.0;
+        for (std::size_t i = 0; i < ofFronts.size(); ++i) {
+            off += std::pow(ofFronts[i] - ofColumns[i], 2.0);
+        }
+        off = std::sqrt(off / static_cast<double>(ofFronts.size()));
+        EXPECT_LT(off, 1e-3);
+        EXPECT_GT(ofFronts[60], 0.0);
+    }
+    // None of no gas.
+    std::ranges::fill(weights, 0.0);
+    basis.frontWeightsOf(weights, fronts);
+    EXPECT_EQ(std::ranges::count(fronts, 0.0), static_cast<std::ptrdiff_t>(fronts.size()));
 }
 
 TEST(GasColumnBasis, GivesNoGasNoWeight) {

@@ -17,7 +17,7 @@ namespace irsg {
 namespace {
 
 /// Columns that stand for all lines of sight through the gas of an entity.
-constexpr std::size_t mostGasColumns = 32;
+constexpr std::size_t mostGasColumns = 16;
 /// Rays of all patches of a body, and of one.
 constexpr std::size_t raysToGas = std::size_t{1} << 21, fewestToGas = 128, mostToGas = 1024;
 /// The cone about a gas is left for the whole hemisphere from nearer than this, in radii.

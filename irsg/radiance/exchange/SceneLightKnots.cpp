@@ -14,6 +14,8 @@ namespace {
 constexpr double partOfPanes = 0.25;
 /// Of transmissivities more than these are not told apart.
 constexpr std::size_t mostKnotsOfPanes = 48;
+/// With gas: each fills a small part of a receiver's hemisphere.
+constexpr std::size_t mostKnotsOfGas = 24;
 
 /// Divides a curve of vectors at the fewest places between which it is straight.
 class CurveDivision {
@@ -149,7 +151,9 @@ void SceneLight::findKnots(const RenderSettings& settings) {
     CurveDivision division(curve, off, step);
     std::vector<std::size_t> divided = division.places();
     // Gas may transmit otherwise at each wavelength.
-    while (!panes.empty() && divided.size() > mostKnotsOfPanes) {
+    const std::size_t mostKnots =
+        exchange_->throughGas().empty() ? mostKnotsOfPanes : mostKnotsOfGas;
+    while (!panes.empty() && divided.size() > mostKnots) {
         division = CurveDivision(curve, off *= 2.0, step *= 2.0);
         divided = division.places();
     }
